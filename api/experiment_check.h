@@ -7,7 +7,7 @@
 
 #include "data/io/experiment.h"
 #include "data/io/subject.h"
-#include "kinematics_fit/fit.h"
+#include "base/provenance.h"
 
 namespace thenar {
 

@@ -10,7 +10,7 @@
 #include "api/robot_pose.h"
 #include "base/progress.h"
 #include "hand/tip_manipulability.h"
-#include "kinematics_fit/fit.h"
+#include "base/provenance.h"
 
 namespace thenar {
 

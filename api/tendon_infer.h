@@ -10,7 +10,7 @@
 #include "base/fidelity.h"
 #include "base/progress.h"
 #include "kinematics_fit/bands/rank_trials.h"
-#include "kinematics_fit/fit.h"
+#include "base/provenance.h"
 #include "tendons/topology/search_nets.h"
 
 namespace thenar {

@@ -32,6 +32,12 @@ FileDigests digests_of(const std::vector<std::string>& paths) {
   return files;
 }
 
+FileDigests source_digests(const std::vector<SourceText>& sources) {
+  FileDigests digests;
+  for (const SourceText& source : sources) digests[source.path] = sha256(source.text);
+  return digests;
+}
+
 std::map<std::string, std::string> versions() {
   std::map<std::string, std::string> all(kLibraryVersions.begin(), kLibraryVersions.end());
   all["thenar"] = THENAR_VERSION;

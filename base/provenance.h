@@ -18,6 +18,15 @@ using FileDigests = std::map<std::string, std::string>;
 /// @throws DataError as read_file()
 [[nodiscard]] FileDigests digests_of(const std::vector<std::string>& paths);
 
+/// Text of a file as it was read, with its path.
+struct SourceText {
+  std::string path;
+  std::string text;
+};
+
+/// Digests of texts, by their paths as they are.
+[[nodiscard]] FileDigests source_digests(const std::vector<SourceText>& sources);
+
 /// Versions of thenar, its compiler and the libraries that answers depend on, by name; of shared
 /// libraries the ones that the build found.
 [[nodiscard]] std::map<std::string, std::string> versions();

@@ -77,12 +77,6 @@ std::vector<SourceText> sources_of(const FitInputs& inputs) {
   return sources;
 }
 
-FileDigests source_digests(const std::vector<SourceText>& sources) {
-  FileDigests digests;
-  for (const SourceText& source : sources) digests[source.path] = sha256(source.text);
-  return digests;
-}
-
 FitProblem build_problem(const FitInputs& inputs) {
   // Experiments: of one digit, each once.
   require(!inputs.experiments.empty(), "a fit needs at least one experiment");

@@ -14,12 +14,6 @@
 
 namespace thenar {
 
-/// Content of a file, with its path.
-struct SourceText {
-  std::string path;
-  std::string text;
-};
-
 /// All inputs of a fit; the result file keeps their texts, so that the fit can be repeated.
 struct FitInputs {
   SourceText subject;
@@ -32,9 +26,6 @@ struct FitInputs {
 
 /// All texts that a fit reads: subject, settings, net, experiments.
 [[nodiscard]] std::vector<SourceText> sources_of(const FitInputs& inputs);
-
-/// Path -> SHA-256 of texts, as they were when they were read.
-[[nodiscard]] FileDigests source_digests(const std::vector<SourceText>& sources);
 
 /// A finished fit.
 struct Fit {

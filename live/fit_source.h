@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "kinematics_fit/fit.h"
 #include "kinematics_fit/prediction.h"
 #include "posterior/run/posterior_axes.h"
 

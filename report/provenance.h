@@ -8,7 +8,6 @@
 
 #include "base/fidelity.h"
 #include "base/provenance.h"
-#include "kinematics_fit/fit.h"
 
 namespace thenar {
 

@@ -14,7 +14,7 @@
 #include "base/fidelity.h"
 #include "data/io/net_description.h"
 #include "data/io/subject.h"
-#include "kinematics_fit/fit.h"
+#include "base/provenance.h"
 #include "tendons/digit_tendons.h"
 #include "tendons/forces/posture_sensitivity.h"
 #include "tendons/net/net_tendons.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kinematics_fit/fit.h"
+#include "base/provenance.h"
 
 namespace thenar {
 

@@ -6,7 +6,7 @@
 
 #include "base/run_record.h"
 #include "data/io/result_file.h"
-#include "kinematics_fit/fit.h"
+#include "base/provenance.h"
 
 namespace thenar {
 

@@ -13,7 +13,7 @@
 #include "base/run_record.h"
 #include "dynamics/scene/build_scene.h"
 #include "dynamics/scene/measure_run.h"
-#include "kinematics_fit/fit.h"
+#include "base/provenance.h"
 
 namespace thenar {
 
