@@ -11,8 +11,8 @@
 #include "kinematics_fit/choose_settings.h"
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/fit.h"
-#include "kinematics_fit/fit_study.h"
 #include "kinematics_fit/misfit.h"
+#include "kinematics_fit/trivial_prediction.h"
 
 namespace thenar {
 

@@ -7,7 +7,7 @@
 // presses a finger pad, pinches a pencil on every rung of pads, and writes a page for each
 // question, and a front page that sums them up.
 
-#include "api/demo.h"
+#include "studies/questions/demo.h"
 
 #include <chrono>
 #include <filesystem>
@@ -22,7 +22,7 @@
 #include "base/file_io.h"
 #include "base/parallel_for.h"
 #include "base/progress_parts.h"
-#include "report/demo/demo.h"
+#include "studies/demo/demo.h"
 
 namespace thenar {
 namespace {

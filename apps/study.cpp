@@ -3,7 +3,7 @@
 //
 // Made-up experiments whose answer is known: how well models explain them, and what is learnt.
 
-#include "api/study.h"
+#include "studies/questions/study.h"
 
 #include <memory>
 
@@ -13,10 +13,10 @@
 #include "apps/terminal.h"
 #include "base/error.h"
 #include "base/progress_parts.h"
-#include "report/answers/study.h"
-#include "report/answers/thumb_types.h"
-#include "report/pages/thumb_study.h"
-#include "report/pages/thumb_types.h"
+#include "studies/pages/study_answer.h"
+#include "studies/pages/thumb_study.h"
+#include "studies/pages/thumb_types.h"
+#include "studies/pages/thumb_types_answer.h"
 
 namespace thenar {
 namespace {

@@ -2,9 +2,9 @@
 #
 # One folder, one library of all its .cpp files. PUBLIC lists the floor below; PRIVATE lists third
 # parties, which only .cpp files may include. ALONE lists sources that unity builds leave out, because
-# the headers of a third party change the meaning of what follows.
+# the headers of a third party change the meaning of what follows. An OWN library is not installed.
 function(thenar_library name)
-  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "OWN" "" "PUBLIC;PRIVATE;ALONE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   add_library(thenar_${name} ${sources})
   add_library(thenar::${name} ALIAS thenar_${name})
@@ -16,5 +16,7 @@ function(thenar_library name)
   set_target_properties(thenar_${name} PROPERTIES EXPORT_NAME ${name})
   set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   thenar_prelude(thenar_${name} library ${THENAR_PRELUDE_HEADERS})
-  thenar_install_library(${name})
+  if(NOT ARG_OWN)
+    thenar_install_library(${name})
+  endif()
 endfunction()

@@ -153,4 +153,30 @@ std::vector<ErrorsOfLoad> errors_by_load(const Prediction& prediction) {
   return out;
 }
 
+Prediction predict_as_published(const SourceText& subject, const Experiment& experiment) {
+  const TendonDigit digit =
+      build_tendon_digit(parse_subject(subject.text, subject.path), experiment.digit);
+  const FitParameters fixed = choose_parameters(digit, {}, {});
+  const Eigen::Matrix3Xd force = force_values(
+      digit, fixed, plan_experiment(digit, fixed, experiment), Eigen::VectorXd::Zero(0));
+  return compare_forces(experiment, force, Eigen::Matrix3Xd::Zero(3, force.cols()),
+                        calibrated_on_specimen(digit, experiment));
+}
+
+Prediction mean_of_other_postures(const Experiment& experiment) {
+  Prediction out{experiment.name, {}, {}};
+  for (const Trial& trial : experiment.trials) {
+    Experiment others = experiment;
+    others.trials.erase(
+        std::remove_if(others.trials.begin(), others.trials.end(),
+                       [&](const Trial& other) { return other.posture == trial.posture; }),
+        others.trials.end());
+    if (const auto force = trivial_force(experiment, trial, {others}))
+      out.trials.push_back({trial.posture, describe_loads(trial), trial.force, *force,
+                            Eigen::Vector3d::Zero(), experiment.components});
+  }
+  if (!out.trials.empty()) out.error = force_error(out.trials);
+  return out;
+}
+
 }  // namespace thenar

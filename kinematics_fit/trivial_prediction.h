@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/provenance.h"
 #include "kinematics_fit/prediction.h"
 
 namespace thenar {
@@ -52,5 +53,21 @@ struct ErrorsOfLoad {
 /// Of every load that has a trivial prediction, over the trials that have one, in the order of the
 /// trials.
 [[nodiscard]] std::vector<ErrorsOfLoad> errors_by_load(const Prediction& prediction);
+
+/// Prediction of an experiment by a baseline without a fit.
+struct BaselinePrediction {
+  std::string name;
+  std::string data_seen;  // the data that it has used
+  Prediction prediction;
+};
+
+/// Predicts an experiment by a subject without any fit: no friction, in-plane hold, all shifts
+/// zero.
+[[nodiscard]] Prediction predict_as_published(const SourceText& subject,
+                                              const Experiment& experiment);
+
+/// Predicts every trial by the mean of the trials with the same loads in other postures, a baseline
+/// without any model. Trials without such others are left out.
+[[nodiscard]] Prediction mean_of_other_postures(const Experiment& experiment);
 
 }  // namespace thenar

@@ -331,4 +331,9 @@ TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q) {
           digit.names.muscles};
 }
 
+Eigen::Matrix3d tip_axes(const TendonDigit& digit, const Eigen::VectorXd& q) {
+  return pose_tree(digit.model.tree, q)[static_cast<std::size_t>(digit.model.tip_link)].X.R *
+         digit.model.tip_axes;
+}
+
 }  // namespace thenar

@@ -112,6 +112,9 @@ struct TendonOptions {
 /// Everything at the digit's tip at posture q (coordinates) [rad].
 [[nodiscard]] TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q);
 
+/// Proximal, dorsal and radial of the tip at posture q as columns, world frame (3, 3).
+[[nodiscard]] Eigen::Matrix3d tip_axes(const TendonDigit& digit, const Eigen::VectorXd& q);
+
 /// Flexion of the knuckle, the metacarpophalangeal joint of a finger: the flexion joint next to the
 /// wrist from the one that the hood's central slip crosses, be it free, coupled or frozen. It is 0
 /// without a hood and in a digit without such a joint [rad].

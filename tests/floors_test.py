@@ -59,7 +59,6 @@ MAY_SEE |= {
 POSTERIOR = FITS + ["sampling/methods", "sampling/run", "sampling/diagnostics", "kinematics_fit", "posterior"]
 MAY_SEE |= {
     "posterior/run": POSTERIOR,
-    "posterior/study": POSTERIOR + ["posterior/run"],
 }
 # The interface of a hand, and nothing else of hand/.
 GRASP = ["base", "solvers", "geometry", "geometry/collision", "pad_laws", "data/io", "data/io/world",
@@ -90,6 +89,7 @@ MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/human"] + PADS + [
 LIBRARIES = list(MAY_SEE)
 API = ["api", "api/named", "api/pads", "api/scenes"]
 LIVE = ["live", "live/world"]
+STUDIES = ["studies/thumb", "studies/questions", "studies/pages", "studies/demo"]
 MAY_SEE["thenar"] = LIBRARIES + API + LIVE  # the header of all public headers
 # The questions that a person asks, and their answers as words, tables, JSON and pages.
 REPORT = LIBRARIES + API + ["report"]
@@ -108,13 +108,15 @@ MAY_SEE |= {
     "report/explain": REPORT,
     "report/pads": PAGES,
     "report/pages": PAGES,
-    "report/demo": PAGES + ["report/pages", "report/pads"],
+    "studies/thumb": POSTERIOR + ["posterior/run"],
+    "studies/questions": LIBRARIES + API + ["studies/thumb"],
+    "studies/pages": PAGES + ["report/pages", "studies/thumb", "studies/questions"],
+    "studies/demo": PAGES + ["report/pages", "report/pads", "studies/thumb", "studies/questions", "studies/pages"],
     "server": PAGES + LIVE + ["report/pages", "report/pads"],
     "server/methods": PAGES + LIVE + ["report/pages", "report/pads", "report/explain", "server"],
-    "apps": PAGES + LIVE + ["report/explain", "report/pads", "report/pages", "report/demo", "server", "server/methods"],
-    "python": LIBRARIES + API + LIVE,
+    "apps": PAGES + LIVE + ["report/explain", "report/pads", "report/pages", "server", "server/methods"] + STUDIES,
     "bench": PAGES + LIVE + ["report/pages", "server", "server/methods", "tests"],  # charts; the sample scenes
-    "tests": PAGES + LIVE + ["report/explain", "report/pads", "report/pages", "report/demo", "server", "server/methods"],
+    "tests": PAGES + LIVE + ["report/explain", "report/pads", "report/pages", "server", "server/methods"] + STUDIES,
 }
 WITH_SUBFOLDERS = ["sampling/run", "apps", "bench", "tests"]  # folders that are one floor
 

@@ -217,7 +217,6 @@
 #include "kinematics_fit/fit_coordinates.h"
 #include "kinematics_fit/fit_problem.h"
 #include "kinematics_fit/fit_residuals.h"
-#include "kinematics_fit/fit_study.h"
 #include "kinematics_fit/force_jacobian.h"
 #include "kinematics_fit/misfit.h"
 #include "kinematics_fit/model/experiment_plan.h"
@@ -228,6 +227,7 @@
 #include "kinematics_fit/model/specimen_model.h"
 #include "kinematics_fit/prediction.h"
 #include "kinematics_fit/specimen_prior.h"
+#include "kinematics_fit/trivial_prediction.h"
 
 // posterior: the posterior of a hand.
 #include "posterior/find_modes.h"
@@ -240,9 +240,6 @@
 #include "posterior/run/posterior_summary.h"
 #include "posterior/run/predict_draws.h"
 #include "posterior/run/sample_posterior.h"
-
-// posterior/study: studies of the thumb.
-#include "posterior/study/thumb_calibration.h"
 
 // grasp/contact: contacts, friction, soft fingers.
 #include "grasp/contact/contact.h"
@@ -293,7 +290,6 @@
 // api: hands, subjects, objects, worlds by name, and the questions that people ask.
 #include "api/close.h"
 #include "api/compare.h"
-#include "api/demo.h"
 #include "api/explain.h"
 #include "api/feasible_force.h"
 #include "api/fit.h"
@@ -325,7 +321,6 @@
 #include "api/scenes/simulate_scene.h"
 #include "api/scenes/world_scene.h"
 #include "api/simulate.h"
-#include "api/study.h"
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"
 #include "api/tip_force.h"

@@ -22,7 +22,7 @@
 #include "data/io/world/world.h"
 #include "kinematics_fit/fit.h"
 #include "posterior/run/sample_posterior.h"
-#include "posterior/study/key_pinch.h"
+#include "tendons/forces/key_pinch.h"
 
 namespace thenar {
 

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "kinematics_fit/fit_study.h"
+#include "studies/questions/fit_study.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/matrix_near.h"
 

@@ -1,0 +1,112 @@
+#include "studies/demo/demo.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "report/answers/simulate_scene.h"
+#include "report/pages/scene_run.h"
+#include "studies/demo/demo_findings.h"
+
+namespace thenar {
+namespace {
+
+Json pad_series(const std::string& name, const std::vector<PadState>& states) {
+  Json force = Json::array(), angle = Json::array();
+  for (const PadState& state : states) {
+    force.push_back(state.force);
+    angle.push_back(state.angle / kDegree);
+  }
+  return {{"name", name}, {"x", std::move(force)}, {"y", std::move(angle)}, {"style", "both"}};
+}
+
+/// The angle of the pad over the force of the grip.
+Json pad_chart(const DemoMotion& motion) {
+  return lines_block(
+      "Angle between the normal of the thumb's pad and the direction to the mug, over the force of "
+      "the grip",
+      "force [N]", "angle [deg]",
+      Json::array(
+          {pad_series("joints that give", motion.pad), pad_series("pins", motion.pad_on_pins)}));
+}
+
+Json pad_section(const DemoMotion& motion) {
+  return section(
+      "pad-angle", "How the pad turns",
+      "On ideal hinges the muscles balance the force, and the thumb stays as it is. Where the "
+      "joints give way within capsules around their skewed axes, it rolls towards its pad. Joint "
+      "stiffness is partly measured and partly assumed [ShaftelThumbMcp].",
+      Json::array({pad_chart(motion)}));
+}
+
+/// One line of the chart and its rows of the table.
+Json work_series(const std::vector<WorkPoint>& points, SteppingMethod method, Json& rows) {
+  Json cpu = Json::array(), error = Json::array(), hints = Json::array();
+  const std::string& name = stepping_names()[static_cast<std::size_t>(method)];
+  for (const WorkPoint& point : points) {
+    if (point.method != method) continue;
+    const bool events = method == SteppingMethod::kEvents;
+    const std::string setting = events ? fmt::format("tolerance {:g}", point.setting)
+                                       : fmt::format("step {:g} ms", 1e3 * point.setting);
+    rows.push_back({name, setting, name_of(point.status), point.steps, 1e3 * point.cpu_seconds,
+                    point.error / kMm});
+    // What was not solved has no point in the chart.
+    if (point.status != SceneStatus::kDone && point.status != SceneStatus::kUnbalanced) continue;
+    cpu.push_back(1e3 * point.cpu_seconds);
+    error.push_back(point.error / kMm);
+    hints.push_back(setting);
+  }
+  return {{"name", name}, {"x", cpu}, {"y", error}, {"hints", hints}, {"style", "both"}};
+}
+
+Json work_section(const std::vector<WorkPoint>& points) {
+  Json rows = Json::array(), series = Json::array();
+  for (const SteppingMethod method : {SteppingMethod::kEvents, SteppingMethod::kTimeStepping})
+    series.push_back(work_series(points, method, rows));
+  return section(
+      "work-precision", "Accuracy over time",
+      "A ball rolls off another for 0.25 s without slip; elliptic integrals give where it ends. "
+      "The method \"events\" keeps the error of each step below a tolerance, with steps of high "
+      "order; \"time-stepping\" takes steps of a fixed length and is of second order: ten times "
+      "the work for a hundredth of the error. Times were measured on this machine, each the least "
+      "of five runs.",
+      Json::array({{{"type", "lines"},
+                    {"caption", "Error of the ball's place at the end, over processor time"},
+                    {"x_label", "processor time [ms]"},
+                    {"y_label", "error [mm]"},
+                    {"log_x", true},
+                    {"log_y", true},
+                    {"series", std::move(series)}},
+                   table_block("Runs of the chart",
+                               {{"method", ""},
+                                {"setting", ""},
+                                {"status", ""},
+                                {"steps", "", 0},
+                                {"processor time", "ms"},
+                                {"error", "mm"}},
+                               std::move(rows))}));
+}
+
+}  // namespace
+
+std::vector<SetPage> moving_scene_pages(const DemoMotion& motion) {
+  const auto page = [](const char* file, const char* title, Finding finding, Json whole) {
+    return SetPage{file,  title,  std::move(finding.opening), std::move(finding.line),
+                   whole, nullptr};
+  };
+  SetPage glass = page("wine_glass.html", "A wine glass is squeezed out",
+                       glass_finding(motion.glass), page_of(motion.glass));
+  glass.figure = first_block(glass.page, "scene");
+  SetPage thumb = page("thumb_mug.html", "A thumb rolls onto its pad", thumb_mug_finding(motion),
+                       page_of(motion.thumb));
+  thumb.page["sections"].insert(thumb.page["sections"].begin(), pad_section(motion));
+  thumb.figure = pad_chart(motion);
+  const Json work = work_section(motion.work);
+  SetPage stepping =
+      page("stepping.html", "How accurate is a motion in steps?", stepping_finding(motion.work),
+           {{"title", "How accurate is a motion in steps?"}, {"sections", Json::array({work})}});
+  return {std::move(glass), std::move(thumb), std::move(stepping)};
+}
+
+}  // namespace thenar

@@ -1,0 +1,249 @@
+#include "studies/pages/fit_study_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "kinematics_fit/trivial_prediction.h"
+#include "report/pages/fit.h"
+#include "report/pages/prediction.h"
+
+namespace thenar {
+namespace {
+
+Json error_row(const std::string& specimen, const std::string& what, const std::string& seen,
+               const Prediction& prediction) {
+  const ForceError& error = prediction.error;
+  return Json::array({specimen, what,
+                      prediction.calibrated_on_specimen ? "all rows, in its calibration" : seen,
+                      error.relative, error.relative_flexion, error.rms, degrees(error.direction)});
+}
+
+/// All predictions of one specimen, best known first.
+Json rows_of(const SpecimenStudy& study) {
+  const std::string specimen = study.fit.problem.specimens().front();
+  Json rows = Json::array();
+  rows.push_back(error_row(specimen, "Fit, in sample", "all rows", study.in_sample));
+  rows.push_back(error_row(specimen, "Fit, posture left out", "other postures",
+                           study.postures.experiments.front()));
+  rows.push_back(error_row(specimen, "Fit, tendon left out", "other tendons",
+                           study.tendons.experiments.front()));
+  for (const BaselinePrediction& baseline : study.baselines)
+    rows.push_back(error_row(specimen, baseline.name, baseline.data_seen, baseline.prediction));
+  return rows;
+}
+
+Json bars(const std::vector<SpecimenStudy>& studies) {
+  Json groups = Json::array();
+  for (const SpecimenStudy& study : studies) {
+    Json values = Json::array();
+    for (const Json& row : rows_of(study)) {
+      values.push_back(
+          {{"series", row[1]}, {"value", std::round(1000 * row[3].get<double>()) / 1000}});
+    }
+    groups.push_back({{"name", study.fit.problem.specimens().front()}, {"values", values}});
+  }
+  return {{"type", "bars"},
+          {"caption", "Relative error of predicted fingertip forces: RMS residual over RMS force"},
+          {"x_label", "relative error"},
+          {"groups", groups},
+          {"reference_lines", Json::array({{{"value", 0.106}, {"label", "noise floor"}}})}};
+}
+
+/// Rise of the cost while one parameter is held and all others make up for it.
+Json profiles(const SpecimenStudy& study) {
+  Json series = Json::array();
+  for (const Profile& profile : study.profiles) {
+    Json x = Json::array(), y = Json::array();
+    for (const ProfilePoint& point : profile.points) {
+      x.push_back(point.z);
+      y.push_back(point.rise);
+    }
+    series.push_back({{"name", profile.name}, {"style", "both"}, {"x", x}, {"y", y}});
+  }
+  return {{"type", "lines"},
+          {"caption", fmt::format("{}: profiles of the best known parameters, priors included; a "
+                                  "profile is inside the line within its 95 % interval",
+                                  study.fit.problem.specimens().front())},
+          {"x_label", "held at [prior sds]"},
+          {"y_label", "rise of the cost"},
+          {"series", series},
+          {"reference_lines", Json::array({{{"value", 1.92}, {"label", "95 %"}}})}};
+}
+
+Json population_row(const std::string& specimen, const std::string& what,
+                    const Prediction& prediction) {
+  const ForceError& error = prediction.error;
+  return Json::array({specimen, what, prediction.calibrated_on_specimen ? "yes" : "no",
+                      error.relative, error.relative_flexion, error.rms,
+                      error.covered ? Json(100 * *error.covered) : Json(nullptr)});
+}
+
+}  // namespace
+
+Json accuracy_page(const std::vector<SpecimenStudy>& studies) {
+  Json rows = Json::array();
+  for (const SpecimenStudy& study : studies)
+    for (const Json& row : rows_of(study)) rows.push_back(row);
+  Json table = table_block(
+      "Errors on the same 24 force vectors of each specimen: in space, in the flexion plane alone, "
+      "and the median angle between predicted and measured",
+      {{"specimen", ""},
+       {"prediction", ""},
+       {"has seen", ""},
+       {"relative error", "", 3},
+       {"in plane", "", 3},
+       {"RMS error", "N", 3},
+       {"angle", "deg", 1}},
+      rows);
+  return section(
+      "accuracy", "How well the forces are predicted",
+      "Six tendons were loaded one at a time in four postures, and the force of the clamped "
+      "fingertip was measured [Synek2019]. A fit moves path points, hood fractions, axes, the load "
+      "cell and the postures within anatomical priors. What counts is the error on postures and "
+      "tendons that the fit has not seen.\n\nThe noise floor is the mean error of linearity of the "
+      "same data: no linear map can honestly do better on unseen loads. The published calibrated "
+      "model was calibrated on these specimens, so its error is in sample. The normative finger is "
+      "the average of many hands [An1979]; the last row predicts a force by the mean of the same "
+      "tendon's forces in the other postures, without any model.\n\nMuscles: FDS and FDP, the "
+      "superficial and deep flexors; EDC, the extensor; LU, lumbrical; RI and UI, radial and ulnar "
+      "interosseous. Bands of the extensor hood: LE, long extensor at the knuckle; ES, central "
+      "slip; RB and UB, radial and ulnar lateral band; TE, terminal slip.",
+      Json::array({bars(studies), table}));
+}
+
+Json force_page(const std::vector<SpecimenStudy>& studies) {
+  Json blocks = Json::array();
+  for (const SpecimenStudy& study : studies) {
+    const std::string specimen = study.fit.problem.specimens().front();
+    blocks.push_back(force_panels(
+        study.in_sample, fmt::format("{}, in sample. Measured solid, predicted dashed; ellipses "
+                                     "hold 95 % of the predictive distribution",
+                                     specimen)));
+    blocks.push_back(force_panels(
+        study.postures.experiments.front(),
+        fmt::format("{}, each posture predicted by a fit to the other three", specimen)));
+  }
+  return section("forces", "Measured and predicted forces",
+                 "Forces of the fingertip on the load cell, in the axes of the distal phalanx.",
+                 blocks);
+}
+
+Json solver_page(const std::vector<SpecimenStudy>& studies) {
+  Json rows = Json::array(), series = Json::array();
+  for (const SpecimenStudy& study : studies) {
+    const std::string specimen = study.fit.problem.specimens().front();
+    double best = study.fit.solution.cost;
+    for (const SolverRun& run : study.runs) best = std::min(best, run.solution.cost);
+    for (const SolverRun& run : study.runs) {
+      const Solution& s = run.solution;
+      rows.push_back({specimen, name_of(run.method), convergence_word(s), s.cost,
+                      run.error.relative, s.evaluations, s.seconds});
+      series.push_back({{"name", fmt::format("{} {}", specimen, name_of(run.method))},
+                        {"style", "points"},
+                        {"x", {s.seconds}},
+                        {"y", {std::max(s.cost / best - 1, 1e-12)}}});
+    }
+  }
+  return section(
+      "solvers", "Speed and accuracy of the solvers",
+      "Every solver minimises the same function from the same start. Ceres and Ipopt use exact "
+      "derivatives; the two of NLopt use none.",
+      Json::array(
+          {table_block("Solvers on the same problem",
+                       {{"specimen", ""},
+                        {"method", ""},
+                        {"status", ""},
+                        {"cost", "", 4},
+                        {"relative error", "", 3},
+                        {"evaluations", "", 0},
+                        {"time", "s", 3}},
+                       rows),
+           {{"type", "lines"},
+            {"caption", "Cost above the best known, over wall time (1e-12 stands for none)"},
+            {"x_label", "wall time [s]"},
+            {"y_label", "relative excess of cost"},
+            {"log_x", true},
+            {"log_y", true},
+            {"series", series}}}));
+}
+
+Json parameter_page(const std::vector<SpecimenStudy>& studies) {
+  Json blocks = Json::array();
+  for (const SpecimenStudy& study : studies) {
+    blocks.push_back(learnt_forest(study.fit, study.fit.problem.specimens().front()));
+    blocks.push_back(profiles(study));
+    blocks.push_back(open_directions(study.fit, study.fit.problem.specimens().front()));
+  }
+  return section("parameters", "What the forces tell about the finger",
+                 "Every parameter has a prior from anatomy; its sd is the unit here, and an "
+                 "interval as wide as the prior means that nothing was learnt. Directions along "
+                 "which no measured force changes are named, not hidden.\n\n" +
+                     (studies.empty() ? "" : name_rules(studies.front().fit)),
+                 blocks);
+}
+
+Json finger_page(const std::vector<SpecimenStudy>& studies, MeshTable& meshes) {
+  Json scenes = Json::array();
+  for (const SpecimenStudy& study : studies) scenes.push_back(fitted_scene(study.fit, 0, meshes));
+  return section(
+      "finger", "The fitted finger",
+      "Joint axes and straight tendon runs within the skin; the layers can be switched. The "
+      "scenes turn together.",
+      Json::array({row_block(scenes)}));
+}
+
+Json population_page(const PopulationStudy& study, const std::vector<SpecimenStudy>& studies) {
+  Json rows = Json::array();
+  for (std::size_t e = 0; e < study.own.size(); ++e) {
+    const std::string& specimen = study.fit.problem.experiments()[e].specimen;
+    rows.push_back(population_row(specimen, "by its own parameters, in sample", study.own[e]));
+    rows.push_back(population_row(specimen, "by the population, in sample", study.as_unseen[e]));
+    const Prediction& left_out = study.specimens.experiments[e];
+    rows.push_back(population_row(specimen, "by the other specimens, left out", left_out));
+    if (const std::optional<BesideTrivial> beside = beside_trivial(left_out))
+      rows.push_back(population_row(specimen, "the other specimens' forces as they are",
+                                    {left_out.experiment, {}, beside->trivial}));
+    for (const BaselinePrediction& baseline : studies[e].baselines)
+      rows.push_back(population_row(specimen, baseline.name, baseline.prediction));
+  }
+  for (const UnseenSpecimen& unseen : study.unseen) {
+    rows.push_back(
+        population_row(unseen.specimen, "by the population, never fitted", unseen.prediction));
+    for (const BaselinePrediction& baseline : unseen.baselines)
+      rows.push_back(population_row(unseen.specimen, baseline.name, baseline.prediction));
+  }
+  Json blocks = Json::array({table_block("Specimens predicted by what others have taught",
+                                         {{"specimen", ""},
+                                          {"prediction", ""},
+                                          {"subject has seen it", ""},
+                                          {"relative error", "", 3},
+                                          {"in plane", "", 3},
+                                          {"RMS error", "N", 3},
+                                          {"in 95 % interval", "%", 0}},
+                                         rows)});
+  for (std::size_t e = 0; e < study.own.size(); ++e)
+    if (std::optional<Json> table = beside_trivial_table(
+            in_digit_axes(study.specimens.experiments[e], study.fit.problem.experiments()[e])))
+      blocks.push_back(*table);
+  for (const UnseenSpecimen& unseen : study.unseen)
+    blocks.push_back(force_panels(
+        unseen.prediction,
+        fmt::format("{}, never fitted; ellipses hold 95 % of the predictive distribution",
+                    unseen.specimen)));
+  return section(
+      "population", "A population, and a specimen that was not fitted",
+      "All specimens are fitted together as people who differ from their population; an unseen "
+      "specimen is predicted by the population alone, and its interval holds what is not known of "
+      "the population, how people differ, and the noise.\n\nThe population starts from the "
+      "published calibrated model, which was calibrated on all three specimens: its left-out "
+      "errors, and those of the bonobo, are not errors of unseen hands. Fitted together, a "
+      "specimen's own error differs a little from that of its fit alone, because it borrows from "
+      "the other. B01 is the hand of a bonobo: it shows how far the model carries to another "
+      "species.",
+      blocks);
+}
+
+}  // namespace thenar

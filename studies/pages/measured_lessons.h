@@ -1,0 +1,35 @@
+#pragma once
+
+/// What published measurements add to what is believed of a thumb's axes.
+
+#include <string>
+
+#include "report/blocks.h"
+#include "studies/questions/study.h"
+
+namespace thenar {
+
+/// What published measurements are, what models say of them, and what is left of the sds of tilts
+/// once they are added, to the prior and to the posterior of made-up data.
+[[nodiscard]] Json measured_lessons_section(const ThumbRecoveryResult& result);
+
+/// Share of its plain sd that each tilt keeps under an update: rms over tilts, least and most.
+struct KeptShares {
+  double rms, least, most;         // [1]
+  std::string least_name;          // "CMC1_AA tilt 2"
+  double largest_shift;            // of a mean, in plain sds [1]
+  std::string largest_shift_name;  // likewise
+  int narrower = 0;                // tilts that keep less than 1 by two errors [1]
+  int undecided = 0;               // tilts that keep more than kUndecidedShare [1]
+};
+/// @param update  whose weights tell something
+[[nodiscard]] KeptShares kept_shares(const ReweightedDraws& draws, const DataUpdate& update);
+
+/// "" if weights are to be believed; else " (NOT reliable ..)", or " (NOT told ..)" without
+/// numbers.
+[[nodiscard]] std::string doubt_of(const DataUpdate& update);
+
+/// The update of both measurements as they are stated.
+[[nodiscard]] const DataUpdate& update_by_both(const ReweightedDraws& draws);
+
+}  // namespace thenar

@@ -1,0 +1,26 @@
+#pragma once
+
+/// A study of made-up thumbs as words, JSON and rows.
+
+#include <string>
+
+#include "report/json.h"
+#include "report/table.h"
+#include "studies/questions/study.h"
+
+namespace thenar {
+
+/// How well each fit explains forces of the true thumb.
+[[nodiscard]] std::string text_of(const ThumbStudyResult& result);
+
+/// Fits with what each learnt, thumbs that were not fitted, and the calibration if there is one.
+[[nodiscard]] OrderedJson json_of(const ThumbStudyResult& result);
+
+/// One row for each fit: errors of directions and forces, of tasks, elpd, modes, R-hat.
+[[nodiscard]] Table table_of(const ThumbStudyResult& result);
+
+/// "3 of 12 fits have NOT converged; they are marked ..": why the study is not to be relied on; ""
+/// if it is.
+[[nodiscard]] std::string study_complaint(const ThumbStudyResult& result);
+
+}  // namespace thenar

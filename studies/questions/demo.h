@@ -1,0 +1,100 @@
+#pragma once
+
+/// The main job on real data: middle fingers of two hands fitted to measured forces.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "api/compare.h"
+#include "api/pads/press_pad.h"
+#include "api/scenes/compare_rungs.h"
+#include "api/scenes/simulate_scene.h"
+#include "api/tendon_solve.h"
+#include "base/parallel_tasks.h"
+#include "base/progress.h"
+#include "dynamics/scene/pad_angle.h"
+#include "dynamics/scene/work_precision.h"
+#include "kinematics_fit/bands/hood_comparison.h"
+#include "posterior/run/posterior_summary.h"
+#include "studies/questions/fit_study.h"
+#include "studies/questions/study.h"
+
+namespace thenar {
+
+struct DemoRequest {
+  std::string data;               // folder with subjects/, fits/ and experiments/
+  std::string output;             // folder for results: NAME.h5 of fits, NAME.nc of posteriors
+  RunRecord run;                  // for the files
+  std::optional<Path> path = {};  // of tendons of human hands in scenes; absent: default_path()
+};
+
+/// A posterior that the demo sampled.
+struct DemoPosterior {
+  std::string name;  // of the experiment, or "population"
+  PosteriorRun run;
+  std::vector<Prediction> fitted, unseen;  // of each experiment of the run; of each other one
+  LeftOutObservations left_out;
+};
+
+/// The extensor hood of the middle finger while it bends, DIP by two thirds of PIP.
+struct DemoHood {
+  TendonSweep sweep;
+  std::vector<HoodComparison> rungs;  // every rung of hood beside each experiment
+};
+
+/// A thumb at a posture of its own.
+struct DemoThumb {
+  std::string title;
+  Subject subject;
+  std::map<std::string, double> posture;  // joint -> angle [rad]
+  Eigen::Vector3d dorsal{0, 1, 0};        // of the palm, subject's frame (3)
+};
+
+/// Scenes in motion.
+struct DemoMotion {
+  SimulatedScene glass;                 // figure 3 of [Miller2005]: data/scenes/wine_glass.toml
+  SimulatedScene thumb, thumb_on_pins;  // its figure 8: thumb_mug.toml, whose joints give or do not
+  std::vector<PadState> pad, pad_on_pins;  // the thumb's against the mug
+  std::vector<WorkPoint> work;             // on ball_on_ball.toml; errors of the ball's place [m]
+};
+
+struct DemoResult {
+  StudyInputs inputs;
+  std::vector<SpecimenStudy> specimens;       // each alone
+  std::optional<PopulationStudy> population;  // both together; absent: stopped
+  std::vector<DemoPosterior> posteriors;      // of each alone, and of both
+  ThumbStudyResult thumb_study;
+  ThumbRecoveryResult thumb_recovery;  // made-up data, and measurements
+  DemoHood hood;
+  std::vector<DemoThumb> thumbs;
+  DemoMotion motion;
+  HandComparison hands;            // a human and three robot hands on two objects
+  PressedPad pad;                  // under a ball
+  RungComparison pencil;           // pinched by pads, on every rung
+  std::vector<std::string> files;  // that were written
+  bool stopped = false;            // by request: parts are missing, no fit was written
+};
+
+/// Fits by every solver, cross-validates, predicts what was not seen, samples posteriors, asks what
+/// forces tell of a thumb's axes, finds a thumb again from made-up forces and muscle activity and
+/// adds measurements, bends a finger with its hood, moves scenes, lets hands grasp and presses
+/// pads. Some minutes of all cores; the same bits with any number of them,
+/// but for times and the last digits of Ipopt, whose BLAS goes by where memory lies.
+/// @throws InputError if data are missing or the folder cannot be written.
+[[nodiscard]] DemoResult run_demo_study(const DemoRequest& request, const Progress& progress = {});
+
+/// Tasks that simulate the scenes of the demo.
+/// @param data  folder with scenes/, robots/ ..; empty: the usual ones
+/// @param path  as of DemoRequest
+/// @param motion  that they fill in; outlives them
+[[nodiscard]] std::vector<ParallelTask> demo_scene_tasks(const std::string& data,
+                                                         const std::optional<Path>& path,
+                                                         DemoMotion& motion);
+
+/// Simulates the scenes of the demo: some seconds.
+[[nodiscard]] DemoMotion move_demo_scenes(const std::string& data, const Progress& progress = {},
+                                          const std::optional<Path>& path = {});
+
+}  // namespace thenar

@@ -1,0 +1,78 @@
+#include "studies/questions/study.h"
+
+#include <algorithm>
+
+#include "api/named/data_folders.h"
+#include "base/progress_parts.h"
+
+namespace thenar {
+namespace {
+
+ThumbStudySettings settings_of(const ThumbStudyRequest& request, const Progress& progress) {
+  ThumbStudySettings settings = request.quick ? quick_thumb_study() : full_thumb_study();
+  if (request.draws > 0) settings.draws = settings.warm_up = request.draws;
+  settings.seed = request.seed;
+  settings.progress = progress;
+  return settings;
+}
+
+ThumbCalibrationSettings calibration_of(const ThumbStudyRequest& request,
+                                        const Progress& progress) {
+  ThumbCalibrationSettings settings;
+  settings.simulations = request.simulations;
+  settings.seed = request.seed;
+  settings.progress = progress;
+  return settings;
+}
+
+}  // namespace
+
+ThumbStudyResult ask_thumb_study(const ThumbStudyRequest& request, const Progress& progress) {
+  const ThumbStudyInputs inputs = thumb_study_inputs(data_with("fits", request.data));
+  ThumbStudyResult result{study_thumb(inputs, settings_of(request, progress)), {}, request.seed};
+  if (request.simulations > 0 && !progress.stop())
+    result.calibration = calibrate_thumb(inputs, calibration_of(request, progress));
+  result.stopped = !result.study.complete || progress.stop();
+  return result;
+}
+
+ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request, const Progress& progress) {
+  ThumbTypesSettings settings;
+  settings.draws = request.draws;
+  settings.seed = request.seed;
+  settings.progress = progress;
+  return {study_thumb_types(thumb_types_inputs(data_with("studies", request.data)), settings),
+          request.seed};
+}
+
+ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
+                                       const Progress& progress) {
+  // Shares of the time that each takes.
+  constexpr double kRecovery = 9, kLessons = 11;  // [s]
+  ProgressParts parts(progress, kRecovery + kLessons);
+  const std::string data = data_with("fits", request.data);
+  ThumbRecoverySettings recovery;
+  if (request.draws > 0) recovery.draws = recovery.warm_up = request.draws;
+  recovery.seed = request.seed;
+  recovery.progress = parts.next(kRecovery);
+  ThumbRecoveryResult result;
+  result.recovery = recover_thumb(thumb_study_inputs(data), recovery);
+  result.stopped = !result.recovery.complete;
+  if (result.stopped) return result;
+
+  // Draws of its prior and posterior, weighed by what was measured.
+  MeasuredLessonsSettings lessons;
+  if (request.weighed > 0) lessons.prior_draws = request.weighed;
+  lessons.progress = parts.next(kLessons);
+  result.lessons = reweight_by_measurements(measured_thumb_inputs(data), result.recovery.run,
+                                            result.recovery.truth, lessons);
+  result.stopped = !result.lessons.complete;
+  return result;
+}
+
+std::size_t unconverged_fits(const ThumbStudy& study) {
+  return static_cast<std::size_t>(std::count_if(
+      study.fits.begin(), study.fits.end(), [](const ThumbFit& fit) { return !fit.converged(); }));
+}
+
+}  // namespace thenar

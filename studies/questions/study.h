@@ -1,0 +1,78 @@
+#pragma once
+
+/// What do forces tell of a thumb's axes? A made-up experiment whose answer is known. And which
+/// types of thumbs does the spread of axes between people make? And what of a thumb is found again
+/// from forces and muscle activity, and what do published measurements add?
+
+#include <optional>
+#include <string>
+
+#include "base/progress.h"
+#include "studies/thumb/measured_lessons.h"
+#include "studies/thumb/thumb_calibration.h"
+#include "studies/thumb/thumb_recovery.h"
+#include "studies/thumb/thumb_study.h"
+#include "studies/thumb/thumb_types.h"
+
+namespace thenar {
+
+struct ThumbStudyRequest {
+  std::string data;     // folder with fits/, studies/, subjects/; empty: the usual ones
+  bool quick = false;   // arms known, one skewness: seconds instead of minutes
+  long draws = 0;       // of each of 4 chains, and of warm-up; 0: as the study has them [1]
+  int simulations = 0;  // thumbs that the sampler is calibrated with; 0: it is not [1]
+  unsigned seed = 1;    // of noise and chains
+};
+
+struct ThumbStudyResult {
+  ThumbStudy study;
+  std::optional<ThumbCalibration> calibration;  // absent unless asked for
+  unsigned seed = 1;
+  bool stopped = false;  // by request; what was finished by then is here
+};
+
+/// Fits orthogonal and skewed thumbs to forces of a skewed one. Same request, same bits.
+/// @throws InputError if no data folder has fits/.
+[[nodiscard]] ThumbStudyResult ask_thumb_study(const ThumbStudyRequest& request,
+                                               const Progress& progress = {});
+
+struct ThumbTypesRequest {
+  std::string data;   // folder with studies/ and subjects/; empty: the usual ones
+  int draws = 3550;   // [1]
+  unsigned seed = 1;  // of the draws
+};
+
+struct ThumbTypesResult {
+  ThumbTypes types;
+  unsigned seed = 1;
+};
+
+/// Which types of thumbs the spread of joint axes makes, and how many of each. Same request, same
+/// bits. @throws InputError if no data folder has studies/, or draws is not positive.
+[[nodiscard]] ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request,
+                                               const Progress& progress = {});
+
+struct ThumbRecoveryRequest {
+  std::string data;   // folder with fits/, studies/, experiments/, subjects/; empty: the usual
+                      // ones
+  long draws = 0;     // of each of 4 chains, and of warm-up; 0: as the study has them [1]
+  long weighed = 0;   // draws of the prior that measurements weigh; 0: likewise [1]
+  unsigned seed = 1;  // of noise and chains
+};
+
+struct ThumbRecoveryResult {
+  ThumbRecovery recovery;   // from made-up data
+  MeasuredLessons lessons;  // of published measurements
+  bool stopped = false;     // by request; what was finished by then is here
+};
+
+/// Finds a thumb again from made-up forces and muscle activity, by least squares and by chains, and
+/// adds what was published of people's thumbs. Some 20 s. Same request, same bits.
+/// @throws InputError if no data folder has fits/, DataError if a file is missing or wrong.
+[[nodiscard]] ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
+                                                     const Progress& progress = {});
+
+/// Fits whose chains have not converged.
+[[nodiscard]] std::size_t unconverged_fits(const ThumbStudy& study);
+
+}  // namespace thenar

@@ -1,0 +1,116 @@
+#pragma once
+
+/// What the few published measurements of a thumb's force teach of its axes: draws of a prior or
+/// a posterior are weighed by how well they say what was measured.
+
+#include <string>
+#include <vector>
+
+#include "posterior/run/sample_posterior.h"
+#include "sampling/diagnostics/importance.h"
+#include "tendons/forces/key_pinch.h"
+
+namespace thenar {
+
+/// Files of the measurements.
+struct MeasuredThumbInputs {
+  SourceText force;   // an experiment: forces of the tip under tendon loads, with sds
+  SourceText losses;  // losses of pinch under nerve blocks
+};
+
+/// From a folder with experiments/ and studies/. @throws DataError if a file cannot be read.
+[[nodiscard]] MeasuredThumbInputs measured_thumb_inputs(const std::string& data);
+
+/// What models say of the measurements, a column a draw.
+struct MeasuredPredictions {
+  Eigen::MatrixXd force;      // of all trials, tip pinned, in the experiment's components [N] (3
+                              // trials, draws)
+  Eigen::MatrixXd clamped;    // the same with the tip clamped [N] (3 trials, draws)
+  Eigen::VectorXd intact;     // pinch with all muscles [N] (draws); NaN: undecided
+  Eigen::MatrixXd loss;       // of pinch, NaN where `intact` is below kNoPinch or a program is
+                              // undecided [1] (blocks, draws)
+  Eigen::VectorXi undecided;  // programs of each draw, PinchStrength::undecided [1] (draws)
+};
+
+/// What is added to a prior or a posterior.
+struct AddedData {
+  std::string name;      // "FPL's force", in words
+  bool force = false;    // the experiment's forces
+  bool losses = false;   // the losses of pinch
+  double sd_factor = 1;  // on the sds of forces [1]
+  bool clamped = false;  // forces of a clamped tip in place of a pinned one
+};
+
+/// Both measurements, each alone, and forces with other sds or another hold.
+[[nodiscard]] std::vector<AddedData> additions_to_ask();
+
+/// Draws updated by an addition.
+struct DataUpdate {
+  AddedData added;
+  std::string untold;         // why weights tell nothing of tilts, which are empty; "": they do
+  ImportanceWeights weights;  // of the draws
+  WeightedSpread tilts;       // of ReweightedDraws::tilts [rad]
+};
+
+/// Draws of a prior or a posterior, and their updates.
+struct ReweightedDraws {
+  std::string name;                // "before any data"
+  std::vector<std::string> names;  // of tilts: "axis/CMC1_FE/direction/1"
+  Eigen::MatrixXd tilts;           // values of these parameters [rad] (tilts, draws)
+  MeasuredPredictions predicted;
+  std::vector<DataUpdate> updates;  // of additions_to_ask(), in this order
+};
+
+/// Measurements, and what they teach beside made-up data and without.
+struct MeasuredLessons {
+  MeasuredThumbInputs inputs;
+  Experiment force;
+  PinchLosses losses;
+  MeasuredPredictions truth;                // of the thumb that made-up data are of: one column
+  std::vector<ReweightedDraws> reweighted;  // the prior, and the posterior of made-up data
+  bool complete = false;
+};
+
+struct MeasuredLessonsSettings {
+  long prior_draws = 10000;     // [1]
+  long posterior_draws = 3000;  // at most, evenly thinned [1]
+  Progress progress;
+};
+
+/// What digits say of both measurements.
+/// @param digit   whose model the draws replace
+/// @param models  a model each
+/// @throws InputError if the experiment or the losses do not fit the digit.
+[[nodiscard]] MeasuredPredictions predict_measured(const TendonDigit& digit,
+                                                   const std::vector<TendonModel<double>>& models,
+                                                   const Experiment& force,
+                                                   const PinchLosses& losses,
+                                                   const Progress& progress = {});
+
+/// Log likelihood of the measurements that are added, up to a constant [1] (draws):
+///   - 1/2 sum ((f - f_measured) / (factor sd))^2 - 1/2 sum ((loss - measured) / sd)^2,
+/// -inf where losses are added and there is no pinch to lose, or a loss is undecided.
+[[nodiscard]] Eigen::VectorXd log_likelihood(const MeasuredPredictions& predicted,
+                                             const Experiment& force, const PinchLosses& losses,
+                                             const AddedData& added);
+
+/// Updates tilts by weights in proportion to a likelihood. Bad luck is told in `untold`: no draw
+/// has a likelihood above 0, or one draw takes all the weight.
+/// @param tilts           draws as columns (tilts, draws)
+/// @param log_likelihood  of each draw [1] (draws)
+/// @param chains          that the draws are of, chain by chain; 0: draws are independent
+[[nodiscard]] DataUpdate update_tilts(const AddedData& added,
+                                      const Eigen::Ref<const Eigen::MatrixXd>& tilts,
+                                      const Eigen::Ref<const Eigen::VectorXd>& log_likelihood,
+                                      int chains);
+
+/// Weighs draws of the prior of a run, and of its posterior, by the measurements. Same run, same
+/// bits.
+/// @param run    of a digit of one specimen, whose settings free tilts of axes
+/// @param truth  the digit whose made-up data the run is of
+[[nodiscard]] MeasuredLessons reweight_by_measurements(const MeasuredThumbInputs& inputs,
+                                                       const PosteriorRun& run,
+                                                       const TendonDigit& truth,
+                                                       const MeasuredLessonsSettings& settings);
+
+}  // namespace thenar

@@ -1,0 +1,45 @@
+#pragma once
+
+/// One fit of the thumb study: its inputs, its posterior and its scores.
+
+#include "kinematics_fit/prediction.h"
+#include "studies/thumb/thumb_study.h"
+
+namespace thenar::internal {
+
+/// Simulated data of one noise level and number of postures, with the digit that made them and the
+/// digit that fits start from.
+struct ThumbData {
+  TendonDigit truth;  // in the frame of `start`
+  TendonDigit start;
+  Experiment pulls;
+  Experiment tasks;
+  MeanThumb criteria{};  // by which types are told
+};
+
+/// The thumb of a subject without passive moments: load cells are zeroed under the thumb at rest,
+/// so that forces are those of tendons alone.
+[[nodiscard]] TendonDigit thumb_of(const SourceText& source);
+
+/// Mean and sd over trials of the angle between predicted and measured force [rad].
+struct DirectionErrors {
+  double mean, sd;
+};
+[[nodiscard]] DirectionErrors direction_errors(const Prediction& prediction);
+
+/// Inputs of a fit: files, and globs of the arms that it may move.
+[[nodiscard]] FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs,
+                                         const ThumbFitSettings& settings, const ThumbData& data);
+
+/// Samples a posterior; while chains disagree, samples again with twice as many draws and shorter
+/// steps.
+/// @param retries  at most [1]
+[[nodiscard]] PosteriorRun sample_with_retries(const FitInputs& inputs, PosteriorSettings settings,
+                                               int retries);
+
+/// Samples with retries and scores the result. `run` has no complete draws if it was stopped.
+[[nodiscard]] ThumbFit run_thumb_fit(const ThumbStudyInputs& inputs,
+                                     const ThumbFitSettings& settings, const ThumbData& data,
+                                     const ThumbStudySettings& study);
+
+}  // namespace thenar::internal
