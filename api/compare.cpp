@@ -34,11 +34,9 @@ constexpr const char* kProgram = "/proc/self/exe";  // of this process, on Linux
 std::string object_file(const std::string& name, const std::string& data) {
   std::string file = named_file("object", name, "objects", ".toml", data_folders(data));
   if (fs::path(file).extension() != ".toml") {
-    const std::string made = fs::path(file).stem().string() + ".toml";
     throw InputError(fmt::format(
-        "'{}' is no object file (TOML): `thenar import {}{} --mass KG --material NAME "
-        "--out {}` makes one",
-        file, shell_word(file), is_mesh_file(file) ? " --units mm" : "", shell_word(made)));
+        "'{}' is no object file (TOML): `thenar import`, told its mass and material{}, makes one",
+        file, is_mesh_file(file) ? ", and the unit of its numbers" : ""));
   }
   require_kind(file, {"object"});
   return file;

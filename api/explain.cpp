@@ -150,7 +150,7 @@ ThingExplained explain_thing(const ExplainRequest& request) {
   if (kind == "fit") require_fit_path(request.path);
   const bool straight = request.path.value_or(Path::kViaPoint) == Path::kViaPoint;
   require(kind == "subject" || (request.digit.empty() && request.settings.empty() && straight),
-          "--digit, --settings and --path explain subjects; '{}' is of kind: {}", path, kind);
+          "a digit, settings and paths explain subjects; '{}' is of kind: {}", path, kind);
   require(kind != "posterior" && kind != "motion" && kind != "scene run", "'{}' is a {}: {}", path,
           kind, listed(contents_of(path).commands));
   ThingExplained out{path, read_thing(path), {}, {}, checksum_warnings(path)};

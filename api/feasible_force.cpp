@@ -17,8 +17,8 @@ namespace {
 
 ForceAxes force_axes(const DigitAtPosture& at, DirectionFrame frame) {
   if (!at.map.empty()) {
-    require(frame == DirectionFrame::kWorld,
-            "tip map '{}' knows only its own x, y, z; leave out --axes tip", at.map);
+    require_field("axes", frame == DirectionFrame::kWorld,
+                  "tip map '{}' knows only its own x, y, z, got axes of the tip", at.map);
     return {"map", {"x", "y", "z"}, Eigen::Matrix3d::Identity()};
   }
   if (frame == DirectionFrame::kWorld) return {};

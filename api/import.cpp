@@ -41,9 +41,9 @@ void settle_meshes(BodySpec& body, const std::string& file, bool mend,
     try {
       for (const ShapeSpec& shape : body.shapes) require_solid(shape, owner);
     } catch (const InputError& error) {
-      throw DataError(
-          file, 1,
-          fmt::format("{}{}", error.what(), any_is_flat(body.shapes) ? "" : "; --repair mends it"));
+      throw DataError(file, 1,
+                      fmt::format("{}{}", error.what(),
+                                  any_is_flat(body.shapes) ? "" : "; repairing mends it"));
     }
     note_turned(body.shapes, owner, warnings);
     return;
@@ -58,11 +58,12 @@ bool states_mass(const ImportRequest& request) {
 }
 
 void check_statements(const ImportRequest& request) {
-  require(!request.mass || !request.density, "wanted one of --mass and --density");
-  require(!request.mass || *request.mass > 0, "wanted --mass above 0 kg, got {}",
-          request.mass.value_or(0));
-  require(!request.density || *request.density > 0, "wanted --density above 0 kg/m3, got {}",
-          request.density.value_or(0));
+  require_field("density", !request.mass || !request.density,
+                "wanted a mass or a density, got both");
+  require_field("mass", !request.mass || *request.mass > 0, "wanted a mass above 0 kg, got {}",
+                request.mass.value_or(0));
+  require_field("density", !request.density || *request.density > 0,
+                "wanted a density above 0 kg/m3, got {}", request.density.value_or(0));
   std::vector<std::string> names;
   for (const Material& material : materials_of_file(request.materials).materials)
     names.push_back(material.name);
@@ -126,8 +127,10 @@ double scale_of(const ImportRequest& request) {
   static const std::map<std::string, double> units{
       {"", 1}, {"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"in", 0.0254}};
   const auto found = units.find(request.units);
-  require(found != units.end(), "wanted --units m, cm, mm or in, got '{}'", request.units);
-  require(request.units.empty() || request.scale == 1, "wanted one of --units and --scale");
+  require_field("units", found != units.end(), "wanted units of m, cm, mm or in, got '{}'",
+                request.units);
+  require_field("scale", request.units.empty() || request.scale == 1,
+                "wanted units or a scale, got both");
   return found->second * request.scale;
 }
 
@@ -158,39 +161,40 @@ std::string why_no_volume(const MeshFacts& facts) {
   if (faults.flat)
     return "it is flat, all its triangles lie in one plane; no repair gives it a thickness";
   if (faults.holes > 0)
-    return fmt::format("its surface is open in {}; --repair closes it",
+    return fmt::format("its surface is open in {}; repairing closes it",
                        counted(static_cast<std::size_t>(faults.holes), "place"));
   if (faults.seams > 0)
-    return fmt::format("corners of its triangles lie on edges of others in {}; --repair cuts these",
-                       counted(static_cast<std::size_t>(faults.seams), "place"));
+    return fmt::format(
+        "corners of its triangles lie on edges of others in {}; repairing cuts these",
+        counted(static_cast<std::size_t>(faults.seams), "place"));
   if (faults.flaps > 0)
-    return fmt::format("{} of fins or sheets {} nothing; --repair leaves them out",
+    return fmt::format("{} of fins or sheets {} nothing; repairing leaves them out",
                        counted(static_cast<std::size_t>(faults.flaps), "triangle"),
                        faults.flaps == 1 ? "encloses" : "enclose");
   if (!surface.holes.empty() && surface.degenerate > 0)
-    return fmt::format("edges are open beside {} of no area; --repair drops such triangles",
+    return fmt::format("edges are open beside {} of no area; repairing drops such triangles",
                        counted(surface.degenerate, "triangle"));
   if (surface.nonmanifold_edges > 0)
-    return fmt::format("{} of its surface {} more than two triangles; --repair mends this",
+    return fmt::format("{} of its surface {} more than two triangles; repairing mends this",
                        counted(surface.nonmanifold_edges, "edge"),
                        surface.nonmanifold_edges == 1 ? "has" : "have");
   if (surface.reversed_edges > 0)
-    return fmt::format("its triangles face opposite ways along {}; --repair turns them",
+    return fmt::format("its triangles face opposite ways along {}; repairing turns them",
                        counted(surface.reversed_edges, "edge"));
-  return "its surface is turned inside out; --repair turns it";
+  return "its surface is turned inside out; repairing turns it";
 }
 
 /// @throws InputError where there is no volume that a mass could fill
 void require_volume(const ImportRequest& request, const MeshFacts& facts) {
-  require(facts.solid, "'{}' has no volume that a mass could fill: {}", request.file,
-          why_no_volume(facts));
+  require_field("repair", facts.solid, "'{}' has no volume that a mass could fill: {}",
+                request.file, why_no_volume(facts));
 }
 
 /// What is doubtful of the mass of a mesh with a material, and whether there is none.
 std::vector<std::string> mass_warnings(const BodySpec& body) {
   const std::string owner = fmt::format("object '{}'", body.name);
   if (body.mass || body.uniform_mass > 0 || body.density > 0) return density_warnings(body, owner);
-  return {fmt::format("{} has no mass: '{}' has no density; state --mass or --density", owner,
+  return {fmt::format("{} has no mass: '{}' has no density; wanted a mass or a density", owner,
                       body.material)};
 }
 
@@ -262,8 +266,9 @@ Imported import_any(const ImportRequest& request) {
   const std::string& path = request.file;
   require_kind(path, {"robot", "object", "world", "mesh"});
   if (is_mesh_file(path)) return import_mesh(request);
-  require(request.scale == 1 && request.units.empty(),
-          "--scale and --units are for meshes, '{}' is none", path);
+  require_field(request.units.empty() ? "scale" : "units",
+                request.scale == 1 && request.units.empty(),
+                "scales and units are for meshes, '{}' is none", path);
   const std::string text = read_text_file(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first != std::string::npos && text[first] == '<') return import_xml(request);
@@ -280,7 +285,7 @@ Imported import_file(const ImportRequest& request) {
   const bool body = std::holds_alternative<BodySpec>(imported.thing) ||
                     std::holds_alternative<MeshContent>(imported.thing);
   require(body || !states_mass(request),
-          "--mass, --density and --material are for objects and meshes, '{}' is a {}", request.file,
+          "masses, densities and materials are for objects and meshes, '{}' is a {}", request.file,
           std::holds_alternative<WorldSpec>(imported.thing) ? "world" : "robot");
   return imported;
 }

@@ -42,7 +42,7 @@ double extent_of(const ShapeSpec& shape) {
 std::string mesh_size_warning(const TriangleMesh& mesh) {
   const double across = extent_of(mesh);
   if (!(across > kLargestThing)) return "";
-  return fmt::format("{:.4g} m across: are its numbers millimetres? --units mm", across);
+  return fmt::format("{:.4g} m across: are its numbers millimetres?", across);
 }
 
 /// What keeps the surface from bounding a volume, the causes first, and what mends it.
@@ -54,29 +54,29 @@ std::vector<std::string> surface_warnings(const MeshReport& found, const MeshFau
         "no repair gives it one"};
   if (faults.holes > 0)
     warnings.push_back(
-        fmt::format("the surface is open in {}: it has no volume; --repair closes it",
+        fmt::format("the surface is open in {}: it has no volume; repairing closes it",
                     counted(static_cast<std::size_t>(faults.holes), "place")));
   if (faults.seams > 0)
     warnings.push_back(
         fmt::format("corners of triangles lie on edges of others in {}: the surface does not close "
-                    "there, and has no volume; --repair cuts these triangles",
+                    "there, and has no volume; repairing cuts these triangles",
                     counted(static_cast<std::size_t>(faults.seams), "place")));
   if (faults.flaps > 0)
     warnings.push_back(fmt::format(
         "{} of fins or sheets that enclose nothing: with them the surface has no volume; "
-        "--repair leaves them out",
+        "repairing leaves them out",
         counted(static_cast<std::size_t>(faults.flaps), "triangle")));
   if (found.reversed_edges > 0)
     warnings.push_back(
-        fmt::format("{} edges lie between triangles that face opposite ways; --repair turns them",
+        fmt::format("{} edges lie between triangles that face opposite ways; repairing turns them",
                     found.reversed_edges));
   if (faults.nonmanifold_edges > 0)
-    warnings.push_back(fmt::format("{} {} more than two triangles; --repair mends this",
+    warnings.push_back(fmt::format("{} {} more than two triangles; repairing mends this",
                                    counted(faults.nonmanifold_edges, "edge"),
                                    faults.nonmanifold_edges == 1 ? "has" : "have"));
   if (found.degenerate > 0)
     warnings.push_back(
-        fmt::format("{} no area{}; --repair drops {}",
+        fmt::format("{} no area{}; repairing drops {}",
                     found.degenerate == 1 ? "1 triangle has"
                                           : fmt::format("{} triangles have", found.degenerate),
                     found.holes.empty() || faults.holes + faults.seams + faults.flaps > 0
@@ -123,7 +123,7 @@ void weigh_triangles(const TriangleMesh& mesh, MeshFacts& facts) {
   facts.solid = facts.unit_mass.mass > 0;
   if (found.closed && !facts.solid && !facts.faults.flat)
     facts.warnings.emplace_back(found.enclosed < 0
-                                    ? "inside out: the surface faces inwards, --repair turns it"
+                                    ? "inside out: the surface faces inwards, repairing turns it"
                                     : "no volume: the surface encloses nothing");
   constexpr double kOverlap = 1e-6;  // of the volume, that parts may share by rounding [1]
   if (facts.solid && found.enclosed > (1 + kOverlap) * facts.unit_mass.mass)

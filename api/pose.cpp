@@ -117,7 +117,7 @@ PoseAnswer ask_pose(const PoseRequest& request, const Progress& progress) {
   const std::string robot = robot_meant(request);
   if (robot.empty()) return pose_subject(request, progress);
   require(request.digits.empty() && request.frozen.empty(),
-          "--digit and --frozen are for subjects, '{}' is a robot", robot);
+          "digits and frozen joints are for subjects, '{}' is a robot", robot);
   return pose_robot(import_robot(robot), request.posture, request.vary, progress);
 }
 

@@ -72,9 +72,10 @@ PosteriorRun sample(const FitInputs& inputs, const PosteriorSettings& settings,
   return sample_posterior(inputs, settings, ranks);
 } catch (const CheckpointError& refusal) {
   const bool damaged = refusal.kind() == CheckpointError::Kind::kDamaged;
-  throw InputError(fmt::format(
-      "{}\n{} --fresh forgets it and begins anew.", refusal.what(),
-      damaged ? "No command can go on with it." : "The command that began it can go on with it;"));
+  throw InputError(fmt::format("{}\n{} a fresh one forgets it and begins anew.", refusal.what(),
+                               damaged ? "No run can go on with it:"
+                                       : "The one that began it can go on with it;"),
+                   "fresh");
 }
 
 /// What the first rank does with draws: they are kept, and the state of a finished run goes.

@@ -174,8 +174,8 @@ std::vector<std::string> doubts_of(const BandPosterior& posterior) {
 }
 
 void infer_free(const InferNetRequest& request, const Progress& progress, NetInference& answer) {
-  require(request.method == InferMethod::kSparse,
-          "--method explore holds slack lengths and paths; leave out --free or the method");
+  require_field("method", request.method == InferMethod::kSparse,
+                "the method explore holds slack lengths and paths, which were to be free");
   require_fit_path(request.path);
   const BandProblems problems = free_problems(request, answer);
   ProgressParts parts(progress, 1);

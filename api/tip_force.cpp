@@ -41,8 +41,8 @@ TipForceAnswer ask_tip_force(const TipForceRequest& request, const Progress& pro
           "wanted a hold length above 0, up to {:.4g} mm, got {:.6g} mm", 1e3 * kMaxHoldLength,
           1e3 * request.hold_length);
   const DigitCase digit = build_digit(request.digit, TendonOptions().hood);
-  require(digit.map.empty() || request.hold == TipHold::kPinned,
-          "tip map '{}' gives forces whatever the hold; leave out --hold rigid", digit.map);
+  require_field("hold", digit.map.empty() || request.hold == TipHold::kPinned,
+                "tip map '{}' gives forces whatever the hold, got a rigid one", digit.map);
   TipForceAnswer answer{
       sweep_of(digit), request.hold, request.hold_length, tensions(digit, request.tension), {}};
   const Eigen::VectorXd limits =

@@ -133,8 +133,8 @@ Validation validate(const ValidateRequest& request) {
   }
   const bool broken = std::any_of(out.files.begin(), out.files.end(),
                                   [](const FileVerdict& file) { return !file.thing; });
-  require(out.subject.empty() || held || broken,
-          "--subject is what experiments are held to; none of the files is an experiment");
+  require_field("subject", out.subject.empty() || held || broken,
+                "a subject is what experiments are held to; none of the files is an experiment");
   return out;
 }
 

@@ -62,6 +62,15 @@ std::string unknown_argument(const CLI::App& command, const std::string& argumen
                      nearest_option(command, argument), full_name(command));
 }
 
+/// An error as the command line says it: with the option of the field that is wrong, if it has one.
+std::string sentence_of(const CLI::App& app, const InputError& error) {
+  std::string option = "--" + error.field();
+  std::replace(option.begin(), option.end(), '_', '-');
+  if (error.field().empty() || named_command(app).get_option_no_throw(option) == nullptr)
+    return error.what();
+  return fmt::format("{} ({})", error.what(), option);
+}
+
 /// Shows no default where nothing stands by default.
 void hide_empty_defaults(CLI::App& app) {
   // The program, its commands and theirs.
@@ -130,6 +139,9 @@ int run_command(int argc, char** argv) {
   } catch (const Stopped& e) {
     fmt::print(stderr, "thenar: {}\n", e.what());
     return exit_code_of_interruption();
+  } catch (const InputError& e) {
+    fmt::print(stderr, "thenar: {}\n", sentence_of(app, e));
+    return 1;
   } catch (const std::exception& e) {
     fmt::print(stderr, "thenar: {}\n", e.what());
     return 1;

@@ -54,6 +54,22 @@ bool takes_path(const CLI::App& app, const std::vector<std::string>& arguments) 
   return command->get_option_no_throw("--path") != nullptr;
 }
 
+/// The run with its tendon paths stated, if it is of a version in which they were others by
+/// default.
+RecordedRun on_its_paths(RecordedRun recorded, bool takes_path) {
+  std::vector<std::string>& arguments = recorded.run.arguments;
+  const bool stated =
+      std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
+        return argument == "--path" || argument.rfind("--path=", 0) == 0;
+      });
+  if (!takes_path || stated || !ran_on_straight_paths(recorded)) return recorded;
+  arguments.insert(arguments.end(), {"--path", "via"});
+  recorded.warnings.emplace_back(
+      "before version 0.2 tendons ran straight where no paths were asked for: '--path via' is "
+      "added");
+  return recorded;
+}
+
 void run_rerun(const RerunArguments& options, const CLI::App& app) {
   const RecordedRun written = read_recorded_run(options.file);
   std::vector<std::string> commands;

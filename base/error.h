@@ -21,7 +21,16 @@ class Error : public std::runtime_error {
 /// The caller asked for something impossible: wrong shape, sign, name or tier.
 class InputError : public Error {
  public:
-  using Error::Error;
+  /// @param field  of the request that is wrong or left out; empty: it is none, or not known
+  explicit InputError(const std::string& what, std::string field = "")
+      : Error(what), field_(std::move(field)) {}
+
+  /// Name of the field in words joined by "_", as in "centre_of_mass". A command has an option of
+  /// that name, a server a parameter, Python a keyword.
+  [[nodiscard]] const std::string& field() const { return field_; }
+
+ private:
+  std::string field_;
 };
 
 /// A data file is wrong. The message always starts with "path:line: ".
@@ -36,6 +45,14 @@ class DataError : public Error {
 template <typename... Args>
 void require(bool ok, fmt::format_string<Args...> message, Args&&... args) {
   if (!ok) throw InputError(fmt::format(message, std::forward<Args>(args)...));
+}
+
+/// The same of a field of a request:
+///   require_field("digit", ok, "wanted a digit; subject '{}' has {}", ..);
+template <typename... Args>
+void require_field(const char* field, bool ok, fmt::format_string<Args...> message,
+                   Args&&... args) {
+  if (!ok) throw InputError(fmt::format(message, std::forward<Args>(args)...), field);
 }
 
 }  // namespace thenar

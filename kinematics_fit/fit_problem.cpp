@@ -133,8 +133,8 @@ std::vector<std::string> FitProblem::warnings() const {
   for (const Experiment& experiment : experiments_)
     if (!experiment.outside_length.empty() && scaling_ == Scaling::kSubject)
       all.push_back(fmt::format(
-          "experiment '{}': [outside] is not used, as sizes are those of the subject: --scale "
-          "outside uses it",
+          "experiment '{}': [outside] is not used, as sizes are those of the subject; the "
+          "scaling outside uses it",
           experiment.name));
   for (const Experiment& experiment : experiments_)
     if (digit_.net && !experiment.activations.empty())

@@ -33,7 +33,8 @@ int fitted_numbers(const FitProblem& problem, int e) {
 
 const char* const kMisfitAdvice =
     "Look at the sign and order of the force components, the hold, signs and units of moment arms "
-    "and loads, the noise that was stated, and at parameters that are fixed but in doubt (--free)";
+    "and loads, the noise that was stated, and at parameters that are fixed but in doubt: free "
+    "these";
 
 Misfit misfit(double chi_square, int numbers, double effective) {
   Misfit out;

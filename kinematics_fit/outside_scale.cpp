@@ -124,8 +124,8 @@ class OutsideScale {
 
 void require_scalable(const TendonDigit& digit, const Experiment& experiment) {
   require(!experiment.outside_length.empty(),
-          "nothing was measured on its outside: state [outside] in its file, or fit without "
-          "--scale outside");
+          "nothing was measured on its outside: state [outside] in its file, or fit "
+          "with the sizes of the subject");
   require(!digit.net, "a net is laid for the subject's bones and cannot be scaled with them");
   const TendonModel<double>& model = digit.model;
   for (std::size_t s = 0; s < model.paths.size(); ++s)

@@ -105,7 +105,7 @@ HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options
             "a posterior knows forces of the tip alone; leave out the trials that were measured at "
             "other segments ('at'), or ask `thenar fit` and `thenar predict`");
   require(parts.problem.scaling() == Scaling::kSubject,
-          "a posterior has one size for all specimens: sample without --scale outside");
+          "a posterior has one size for all specimens, not those measured outside");
   require(!options.learn_noise || options.noise_sd > 0, "noise_sd must be > 0, got {}",
           options.noise_sd);
   require(!options.learn_specimen_scale || options.specimen_scale_sd > 0,

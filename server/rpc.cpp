@@ -122,6 +122,8 @@ RpcAnswer answer_request(const RpcRequest& request, const MethodTable& table, Se
     return {method.handler(session, params, progress), std::nullopt};
   } catch (const Stopped& stopped) {
     return {{}, RpcFailure{RpcCode::kStopped, stopped.what()}};
+  } catch (const InputError& error) {
+    return {{}, RpcFailure{code, error.what(), error.field()}};
   } catch (const Error& error) {
     return {{}, RpcFailure{code, error.what()}};
   } catch (const std::bad_alloc&) {
@@ -133,11 +135,13 @@ RpcAnswer answer_request(const RpcRequest& request, const MethodTable& table, Se
 
 OrderedJson rpc_reply(const Json& id, const RpcAnswer& answer) {
   OrderedJson reply{{"jsonrpc", "2.0"}, {"id", id}};
-  if (answer.failure)
-    reply["error"] = {{"code", static_cast<int>(answer.failure->code)},
-                      {"message", answer.failure->text}};
-  else
+  if (!answer.failure) {
     reply["result"] = answer.result;
+    return reply;
+  }
+  OrderedJson& error = reply["error"];
+  error = {{"code", static_cast<int>(answer.failure->code)}, {"message", answer.failure->text}};
+  if (!answer.failure->field.empty()) error["data"] = {{"field", answer.failure->field}};
   return reply;
 }
 

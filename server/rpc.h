@@ -39,6 +39,7 @@ struct RpcLimits {
 struct RpcFailure {
   RpcCode code = RpcCode::kRefused;
   std::string text;
+  std::string field = {};  // of the request that is wrong (InputError::field()); "": not known
 };
 
 /// One request of a message; where it cannot be answered, why.
@@ -69,7 +70,8 @@ struct RpcAnswer {
 [[nodiscard]] RpcAnswer answer_request(const RpcRequest& request, const MethodTable& table,
                                        Session& session, const Progress& progress);
 
-/// The reply to a request: {"jsonrpc": "2.0", "id", "result" or "error": {"code", "message"}}.
+/// The reply to a request: {"jsonrpc": "2.0", "id", "result" or "error": {"code", "message",
+/// "data": {"field"} where a field is wrong}}.
 [[nodiscard]] OrderedJson rpc_reply(const Json& id, const RpcAnswer& answer);
 
 /// What session.status says. @param method  of the request that runs; "": none

@@ -1,5 +1,6 @@
 """Who may include whom: folders stand on floors, rooms in no circle, third parties behind fences,
-packages in one file; thenar/thenar.h reaches every question of api/, and clang-tidy reads every room.
+packages in one file; thenar/thenar.h reaches every question of api/, clang-tidy reads every room, and libraries name
+no option of the command.
 
 Run from the repository root. Prints every offence as path:line and fails if there is one.
 """
@@ -275,6 +276,19 @@ def tidied():
         yield f".clang-tidy:1: HeaderFilterRegex has {room}, which is no room of tests/floors_test.py"
 
 
-bad = [*includes(), *packages(), *public(), *circles(), *tidied()]
+# Rooms that speak to somebody at a command line.
+COMMAND_LINE = {"apps", "report", "studies", "server", "bench", "tests"}
+
+
+def options():
+    """Complaints about texts of libraries that name an option of the command: C++, Python and the socket have none."""
+    for room in sorted({folder.split("/")[0] for folder in MAY_SEE} - COMMAND_LINE):
+        for path in sorted(path for path in pathlib.Path(room).rglob("*") if path.suffix in (".h", ".cpp")):
+            for line, text in enumerate(path.read_text().splitlines(), 1):
+                if re.search(r'"[^"]*(?<![\w-])--(?:[a-z]|\{\})[^"]*"', text):
+                    yield f"{path}:{line}: names an option: {text.strip()}"
+
+
+bad = [*options(), *includes(), *packages(), *public(), *circles(), *tidied()]
 print("\n".join(bad))
 sys.exit(bool(bad))

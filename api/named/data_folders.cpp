@@ -28,7 +28,7 @@ constexpr KnownFolder kKnownFolders[] = {{"subjects", "subject", "thenar pose"},
                                          {"robots", "hand", "thenar pose"},
                                          {"worlds", "world", "thenar grasp"},
                                          {"scenes", "scene", "thenar simulate"},
-                                         {"pads", "pad", "thenar pad press --pad"},
+                                         {"pads", "pad", "thenar pad press, its pad"},
                                          {"presses", "file of measured presses", "thenar pad fit"},
                                          {"objects", "object", "thenar explain"},
                                          {"experiments", "experiment", "thenar fit"},
@@ -52,7 +52,8 @@ std::string kind_elsewhere(const std::string& name, const std::string& folder,
 
 std::vector<std::string> data_folders(const std::string& given, const std::string& near) {
   std::error_code none;
-  require(given.empty() || fs::is_directory(given, none), "--data: there is no folder {}", given);
+  require_field("data", given.empty() || fs::is_directory(given, none), "there is no folder {}",
+                given);
   const char* named = std::getenv("THENAR_DATA");
   std::vector<std::string> places;
   std::vector<std::string> all{given, named == nullptr ? "" : named, "data", near};
@@ -77,10 +78,9 @@ std::string data_with(const std::string& what, const std::string& given) {
   std::error_code none;
   for (const std::string& place : places)
     if (fs::is_directory(fs::path(place) / what, none)) return place;
-  throw InputError(
-      fmt::format("there is no folder with {}/: {}; name one with --data or "
-                  "THENAR_DATA",
-                  what, places_words(places)));
+  throw InputError(fmt::format("there is no folder with {}/: {}; THENAR_DATA may name one", what,
+                               places_words(places)),
+                   "data");
 }
 
 std::vector<std::string> names_in(const std::vector<std::string>& places, const std::string& folder,

@@ -148,8 +148,8 @@ DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
     at.map = find_tip_map(at.subject, at.digit, request.map).name;
     const bool straight = request.path.value_or(Path::kViaPoint) == Path::kViaPoint;
     require(request.posture.empty() && request.frozen.empty() && request.vary.empty() && straight,
-            "tip map '{}' stands for one posture of its own; leave out --posture, --frozen and "
-            "--path",
+            "tip map '{}' stands for one posture of its own: it takes no posture, frozen joints, "
+            "swept joints or paths",
             at.map);
     return at;
   }
@@ -204,8 +204,8 @@ Eigen::VectorXd tensions(const DigitCase& at, const std::map<std::string, double
 
 std::string choose_digit(const Subject& subject, const std::string& asked) {
   const std::vector<std::string> names = digit_names(subject);
-  require(!asked.empty() || names.size() == 1, "wanted --digit; subject '{}' has {}", subject.name,
-          listed(names));
+  require_field("digit", !asked.empty() || names.size() == 1, "wanted a digit; subject '{}' has {}",
+                subject.name, listed(names));
   if (asked.empty()) return names.front();
   const std::string meant = did_you_mean(asked, names);
   require(std::count(names.begin(), names.end(), asked) > 0,
@@ -231,7 +231,7 @@ std::vector<std::string> collapse_warnings(const DigitTendons& linear, const Eig
   const bool via = linear.digit().fidelity.path == Path::kViaPoint;
   return {fmt::format(
       "tendons run too close to a joint here: arms of {}; {}", fmt::join(arms, "; "),
-      via ? "straight runs cut through it, and --path wrapped helps where the subject has a surface"
+      via ? "straight runs cut through it, and wrapped paths help where the subject has a surface"
           : "they bend over no surface there")};
 }
 
@@ -296,7 +296,7 @@ SourceText net_source(const std::string& name_or_path) {
 std::string net_meant(const std::optional<Hood>& hood, const std::string& net) {
   if (net.empty()) return hood == Hood::kFloatingNet ? "extensor_hood" : "";
   require(!hood || hood == Hood::kFloatingNet,
-          "--net {} needs a hood that is a net, got --hood {}; leave one of them out", net,
+          "net '{}' needs a hood that is a net, got the hood '{}'", net,
           hood == Hood::kSeparate ? "separate" : "fractions");
   return net;
 }

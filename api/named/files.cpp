@@ -33,30 +33,29 @@ struct KindCommands {
 
 const std::vector<KindCommands>& commands_by_kind() {
   static const std::vector<KindCommands> table{
-      {"subject", {"thenar explain @", "thenar pose @", "thenar fit EXPERIMENT --subject @"}},
-      {"experiment", {"thenar explain @", "thenar fit @ --subject SUBJECT"}},
-      {"fit settings", {"thenar explain SUBJECT --settings @"}},
+      {"subject", {"thenar explain @", "thenar pose @", "thenar fit EXPERIMENT (subject: @)"}},
+      {"experiment", {"thenar explain @", "thenar fit @"}},
+      {"fit settings", {"thenar explain SUBJECT (settings: @)"}},
       {"proportions", {"thenar validate @"}},
-      {"net", {"thenar explain @", "thenar tendon solve SUBJECT --net @"}},
+      {"net", {"thenar explain @", "thenar tendon solve SUBJECT (net: @)"}},
       {"materials", {"thenar explain @"}},
       {"robot", {"thenar pose @", "thenar explain @", "thenar import @"}},
       {"object", {"thenar explain @", "thenar import @"}},
       {"world", {"thenar grasp @", "thenar close @", "thenar explain @"}},
       {"scene", {"thenar simulate @", "thenar validate @"}},
-      {"pad",
-       {"thenar pad press --pad @ --force 1", "thenar pad laws --pad @", "thenar validate @"}},
+      {"pad", {"thenar pad press (pad: @)", "thenar pad laws (pad: @)", "thenar validate @"}},
       {"presses of a pad", {"thenar pad fit @", "thenar validate @"}},
       {"mesh", {"thenar import @"}},
       {"fit", {"thenar predict @ EXPERIMENT", "thenar explain @"}},
       {"posterior",
        {"thenar posterior summary @", "thenar posterior predict @ EXPERIMENT",
-        "thenar posterior plot @ -o PAGE.html"}},
+        "thenar posterior plot @"}},
       {"motion", {"thenar validate @", "thenar rerun @"}},
       {"scene run", {"thenar validate @", "thenar rerun @"}},
       {"page", {"thenar rerun @"}},
       {"answer", {"thenar rerun @"}},
       {"contacts", {"thenar quality @"}},
-      {"comparison", {"thenar compare --hands .. --objects .. -o @"}},
+      {"comparison", {"thenar compare (output: @)"}},
   };
   return table;
 }

@@ -149,26 +149,16 @@ void require_repeatable(const RecordedRun& recorded, const std::vector<std::stri
   const bool known = std::find(commands.begin(), commands.end(), name) != commands.end();
   // No file of a stranger opens a server.
   const bool answers = name != "rerun" && name != "view" && name != "serve";
-  require(known && answers, "'{}' records '{}', which is no command to run again",
-          recorded.file, command_line(recorded.run));
+  require(known && answers, "'{}' records '{}', which is no command to run again", recorded.file,
+          command_line(recorded.run));
   std::error_code none;
   require(fs::is_directory(recorded.run.folder, none),
           "the folder of the run, '{}', is gone; the command was: {}", recorded.run.folder,
           command_line(recorded.run));
 }
 
-RecordedRun on_its_paths(RecordedRun recorded, bool takes_path) {
-  std::vector<std::string>& arguments = recorded.run.arguments;
-  const bool stated =
-      std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
-        return argument == "--path" || argument.rfind("--path=", 0) == 0;
-      });
-  if (!takes_path || stated || !is_before(recorded.version, 0, 2)) return recorded;
-  arguments.insert(arguments.end(), {"--path", "via"});
-  recorded.warnings.emplace_back(
-      "before version 0.2 tendons ran straight where no paths were asked for: '--path via' is "
-      "added");
-  return recorded;
+bool ran_on_straight_paths(const RecordedRun& recorded) {
+  return is_before(recorded.version, 0, 2);
 }
 
 }  // namespace thenar

@@ -31,9 +31,8 @@ struct RecordedRun {
 /// @throws InputError so, or if the folder of the run is gone.
 void require_repeatable(const RecordedRun& recorded, const std::vector<std::string>& commands);
 
-/// The run with its tendon paths stated. Where none were asked for they were straight before
-/// version 0.2 and are default_path() since: "--path via" is added to a run of before, and told.
-/// @param takes_path  whether the command has the option --path
-[[nodiscard]] RecordedRun on_its_paths(RecordedRun recorded, bool takes_path);
+/// Returns whether tendons of the run were straight where no paths were asked for: they were before
+/// version 0.2, and are default_path() since.
+[[nodiscard]] bool ran_on_straight_paths(const RecordedRun& recorded);
 
 }  // namespace thenar

@@ -86,8 +86,9 @@ std::size_t chosen(const WorldSpec& world, const std::string& name, const std::s
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < world.hands.size(); ++i)
     if (!carries(world, world.hands[i].name)) free.push_back(i);
-  require(!free.empty(), "{}: the world has no hand; name one with --hand", path);
-  require(free.size() == 1, "{}: the world has the hands {}; choose one with --hand", path, listed);
+  require_field("hand", !free.empty(), "{}: the world has no hand; wanted one", path);
+  require_field("hand", free.size() == 1, "{}: the world has the hands {}; wanted one of them",
+                path, listed);
   return free.front();
 }
 
@@ -246,9 +247,7 @@ std::string world_file(const WorldRequest& request) {
   const std::string start = read_start(file, kStart);
   const std::size_t sign = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
   require(sign == std::string::npos || start[sign] != '<',
-          "'{0}' is a world of GraspIt!: thenar import {1} -o world.toml makes one of "
-          "it that is read here",
-          file, shell_word(file));
+          "'{}' is a world of GraspIt!: `thenar import` makes one of it that is read here", file);
   return file;
 }
 

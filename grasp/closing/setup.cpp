@@ -39,9 +39,9 @@ Solid solid_of(const BodySpec& body) {
     for (const ShapeSpec& shape : body.shapes)
       if (!shape.mesh_file.empty()) files += (files.empty() ? "" : ", ") + shape.mesh_file;
     if (files.empty()) throw InputError(fmt::format("body '{}': {}", body.name, error.what()));
-    throw InputError(fmt::format(
-        "body '{}' of {}: {}{}", body.name, files, error.what(),
-        any_is_flat(body.shapes) ? "" : "; `thenar import MESH --repair` mends a mesh"));
+    throw InputError(
+        fmt::format("body '{}' of {}: {}{}", body.name, files, error.what(),
+                    any_is_flat(body.shapes) ? "" : "; `thenar import` with repairs mends a mesh"));
   }
 }
 

@@ -68,8 +68,9 @@ void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<
     if (rule.state) choices[p] = {*rule.state, rule.tie_to, rule.tie_ratio, rule.optional};
   }
   const std::string where = rule.line > 0 ? fmt::format("{}:{}", file, rule.line) : file;
-  require(matched || rule.optional,
-          "{}: no parameter matches '{}'; list them with `thenar explain`", where, rule.match);
+  require_field(rule.line > 0 ? "" : "free", matched || rule.optional,
+                "{}: no parameter matches '{}'; list them with `thenar explain`", where,
+                rule.match);
 }
 
 /// Rules of what is chosen, one for each glob; those that match nothing are no error.
@@ -187,7 +188,7 @@ FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std:
     ParameterRule rule;
     rule.match = glob;
     rule.state = ParameterState::kFree;
-    apply_rule(rule, "--free", all, choices);
+    apply_rule(rule, "to be free", all, choices);
   }
 
   // Coordinates of what is free or tied; all others stay fixed.
@@ -275,8 +276,8 @@ std::vector<std::string> fixed_geometry_warnings(const FitParameters& parameters
   std::vector<std::string> warnings;
   const auto warn = [&](int count, const char* what, const char* glob) {
     warnings.push_back(
-        fmt::format("none of the {} {} of the subject may move under these settings: --free '{}' "
-                    "frees them",
+        fmt::format("none of the {} {} of the subject may move under these settings: freeing "
+                    "'{}' lets them",
                     count, what, glob));
   };
   if (arms > 0 && !arms_move) warn(arms, "moment arms", "arm/*");

@@ -184,9 +184,9 @@ AddedThing import_dropped(LiveWorld& live, const std::vector<DroppedFile>& files
   require_room(live.own_folder(), files);
   DropFolder folder(live.own_folder());
   const auto told = [&](const std::string& text) {
-    // The folder means nothing to who reads it, nor do options of the command.
-    return with_words(with_words(text, folder.path().string() + "/", ""), "? --units mm",
-                      "? Then import it with units of mm");
+    // The folder means nothing to who reads it.
+    return with_words(with_words(text, folder.path().string() + "/", ""), "numbers millimetres?",
+                      "numbers millimetres? Then import it with units of mm");
   };
   try {
     AddedThing added =

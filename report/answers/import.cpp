@@ -282,6 +282,10 @@ std::string text_of(const Imported& imported) {
   const OrderedJson warnings = report.value("warnings", OrderedJson::array());
   text += fmt::format("{}\n", warnings.empty() ? "no warnings" : "warnings:");
   for (const OrderedJson& warning : warnings) text += "  " + warning.get<std::string>() + "\n";
+  // Options of the command for what the warnings advise.
+  const auto advised = [&](const char* word) { return text.find(word) != std::string::npos; };
+  if (advised("repairing")) text += "  --repair mends what these warnings say\n";
+  if (advised("numbers millimetres?")) text += "  --units mm reads them so\n";
   return text;
 }
 

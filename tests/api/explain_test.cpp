@@ -57,7 +57,7 @@ TEST(ExplainThing, LeavesMapsWithoutBones) {
 TEST(ExplainThing, TakesADigitOfSubjectsOnly) {
   const std::string path = kData + "/nets/winslow.toml";
   EXPECT_EQ(message_of([] { (void)explain_thing(request_for("winslow", "index")); }),
-            "--digit, --settings and --path explain subjects; '" + path + "' is of kind: net");
+            "a digit, settings and paths explain subjects; '" + path + "' is of kind: net");
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST_F(ImportMesh, RefusesAMassWithoutAVolume) {
   request.mass = 3;
   EXPECT_EQ(message_of([&] { (void)import_file(request); }),
             "'" + request.file +
-                "' has no volume that a mass could fill: its surface is open in 1 place; --repair "
+                "' has no volume that a mass could fill: its surface is open in 1 place; repairing "
                 "closes it");
   request.repair = true;
   EXPECT_DOUBLE_EQ(import_file(request).body->mass->mass, 3);
@@ -100,13 +100,13 @@ TEST_F(ImportMesh, SaysWhatIsWrongRatherThanThatItIsOpen) {
   EXPECT_EQ(
       import_file(request).warnings,
       (std::vector<std::string>{"1 triangle of fins or sheets that enclose nothing: with them "
-                                "the surface has no volume; --repair leaves them out",
-                                "1 edge has more than two triangles; --repair mends this"}));
+                                "the surface has no volume; repairing leaves them out",
+                                "1 edge has more than two triangles; repairing mends this"}));
   request.mass = 1;
   EXPECT_EQ(message_of([&] { (void)import_file(request); }),
             "'" + request.file +
                 "' has no volume that a mass could fill: 1 triangle of fins or sheets encloses "
-                "nothing; --repair leaves them out");
+                "nothing; repairing leaves them out");
   request.repair = true;
   EXPECT_NEAR(import_file(request).body->mass->mass, 1, 1e-12);
 }
@@ -122,7 +122,7 @@ TEST_F(ImportMesh, SaysWhichEdgesLeaveNoVolume) {
   const std::string message = message_of([&] { (void)import_file(request); });
   EXPECT_EQ(message, "'" + request.file +
                          "' has no volume that a mass could fill: 3 edges of its surface have more "
-                         "than two triangles; --repair mends this");
+                         "than two triangles; repairing mends this");
 }
 
 TEST_F(ImportMesh, RefusesUnknownMaterialsAndTwoMasses) {
@@ -132,7 +132,8 @@ TEST_F(ImportMesh, RefusesUnknownMaterialsAndTwoMasses) {
             std::string::npos);
   request.material.clear();
   request.mass = request.density = 1;
-  EXPECT_EQ(message_of([&] { (void)import_file(request); }), "wanted one of --mass and --density");
+  EXPECT_EQ(message_of([&] { (void)import_file(request); }),
+            "wanted a mass or a density, got both");
 }
 
 /// A robot of one link with the meshes of some files.
@@ -251,7 +252,7 @@ TEST_F(ImportMesh, WarnsOfAMaterialWithoutDensity) {
   ImportRequest request = corner(false);
   request.material = "plastic";
   EXPECT_EQ(import_file(request).warnings.back(),
-            "object 'corner' has no mass: 'plastic' has no density; state --mass or --density");
+            "object 'corner' has no mass: 'plastic' has no density; wanted a mass or a density");
 }
 
 /// A jaw of 80 mm stroke on a palm that carries a fixed one, or none; it closes downwards.

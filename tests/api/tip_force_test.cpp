@@ -100,7 +100,7 @@ TEST(AskTipForce, RefusesAHoldOfAMap) {
   request.digit.subject = "valero_cuevas_index";
   request.digit.data = kData;
   request.hold = TipHold::kRigid;
-  EXPECT_NE(message_of([&] { (void)ask_tip_force(request); }).find("leave out --hold rigid"),
+  EXPECT_NE(message_of([&] { (void)ask_tip_force(request); }).find("got a rigid one"),
             std::string::npos);
 }
 

@@ -44,7 +44,7 @@ TEST(Validate, HoldsExperimentsToASubject) {
   EXPECT_EQ(index.files[0].check.misfits.size(), 1U);  // it has no middle finger
   EXPECT_FALSE(index.valid());
   EXPECT_EQ(message_of([] { (void)validate(things_for({"winslow"}, "an_chao_index")); }),
-            "--subject is what experiments are held to; none of the files is an experiment");
+            "a subject is what experiments are held to; none of the files is an experiment");
 }
 
 class ValidateSubjects : public TemporaryFolder {};

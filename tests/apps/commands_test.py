@@ -497,7 +497,7 @@ class Simulate(Near):
         self.assertIn("moves nothing that has mass",
                       complaint("simulate", MIDDLE, "--excitation", "FDP=1", "--muscle", "bounds"))
         self.assertIn("excitations of muscles, a file of them, or gravity", complaint("simulate", INDEX))
-        self.assertIn("--net winslow needs a hood that is a net, got --hood fractions",
+        self.assertIn("net 'winslow' needs a hood that is a net, got the hood 'fractions'",
                       complaint("simulate", INDEX, "--excitation", "FDP=1", "--net", "winslow",
                                 "--hood", "fractions"))
         self.assertIn("wanted excitations from 0 to 1, got 2 of 'FDP'",
@@ -870,11 +870,25 @@ class WrongKinds(unittest.TestCase):
                     (("compare", "--hands", mug, "--objects", "can"),
                      "is an object, wanted a robot or a subject"),
                     (("compare", "--hands", "barrett", "--objects", mesh),
-                     "--units mm --mass KG --material NAME")):
+                     "told its mass and material, and the unit of its numbers")):
                 self.assertIn(wanted, complaint(*words))
 
 
 class Rerun(unittest.TestCase):
+    def test_repeats_runs_of_before_on_straight_paths(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "a.json"
+            for stated, added in ((), " --path via"), (("--path", "wrapped"), ""), (("--path=via",), ""):
+                run("moment-arms", "mirakhorlo2016", "--digit", "thumb", *stated, "-o", file)
+                text = file.read_text()
+                self.assertNotIn(" --path via", run("rerun", file, "--print").replace("--path=via", ""))
+                old = re.sub(r'"thenar": "[0-9.]+"', '"thenar": "0.1.0"', text)
+                self.assertNotEqual(old, text)
+                file.write_text(old)
+                self.assertEqual(added in run("rerun", file, "--print"), True)
+                if stated:
+                    self.assertNotIn("is added", run("rerun", file, "--print"))
+
     def test_writes_the_same_answer_again(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "a.json"
@@ -988,7 +1002,7 @@ class Complaints(unittest.TestCase):
             (("tip-force", MIDDLE, "--tension", "FDP=-1"),
              "wanted a tension >= 0 of 'FDP', got -1 N"),
             (("tip-force", WHOLE, "--tension", "FDP=1"),
-             "wanted --digit; subject 'mirakhorlo2016' has thumb, index, middle, ring, little"),
+             "wanted a digit; subject 'mirakhorlo2016' has thumb, index, middle, ring, little (--digit)"),
             (("tip-force", MIDDLE, "--digit", "thumb", "--tension", "FDP=1"),
              "subject 'an_chao_middle' has no digit 'thumb'; there are middle"),
             (("tip-force", SKEWED, "--digit", "index", "--tension", "FPL=1"),
@@ -999,11 +1013,11 @@ class Complaints(unittest.TestCase):
              "JinvT_R, fvc_hentz_2002, cadaver_hand4"),
             (("feasible-force", INDEX_MAPS, "--posture", "PIP2=3"),
              "tip map 'JinvT_R' stands for one posture of its own; "
-             "leave out --posture, --frozen and --path"),
+             "it takes no posture, frozen joints, swept joints or paths"),
             (("feasible-force", WHOLE, "--digit", "ring", "--direction", 0, 0, 0),
              None),
             (("explain", H01, "--digit", "index"),
-             f"--digit, --settings and --path explain subjects; '{H01}' is of kind: experiment"),
+             f"a digit, settings and paths explain subjects; '{H01}' is of kind: experiment"),
         ]
         for words, text in cases:
             with self.subTest(words=words):

@@ -152,7 +152,7 @@ class DataFromAnywhere(unittest.TestCase):
                       self.run_in("grasp", "barrett_bobbin", "--object", "table").stderr)
         self.assertIn("has no body 'bobin', did you mean 'bobbin'?",
                       self.run_in("grasp", "barrett_bobbin", "--object", "bobin").stderr)
-        self.assertIn("--data: there is no folder elsewhere",
+        self.assertIn("there is no folder elsewhere (--data)",
                       self.run_in("grasp", "jaw_box", "--data", "elsewhere").stderr)
 
 
@@ -410,7 +410,7 @@ class GraspOfJaws(unittest.TestCase):
                                                "f 1 3 2\nf 1 2 4\nf 1 4 3\n")
         world = self.world(kind="mesh", size='file = "leaky.obj"')
         complaint = self.run_it("close", world).stderr
-        for words in ("body 'ball'", "leaky.obj", "1 hole(s)", "thenar import", "--repair"):
+        for words in ("body 'ball'", "leaky.obj", "1 hole(s)", "thenar import", "repairs"):
             self.assertIn(words, complaint)
 
     def test_has_its_grasp_matrix_which_quality_reads(self):

@@ -236,7 +236,7 @@ class Import(Files):
         turned = self.path("turned.off", CORNER.format(4, "3 3 2 1\n"))
         told = self.report(turned)
         self.assertEqual((told["reversed_edges"], told["volume_m3"]), (3, None))
-        self.assertIn("--repair turns them", told["warnings"][0])
+        self.assertIn("repairing turns them", told["warnings"][0])
         body = self.path("body.toml", 'name = "b"\nsource = "x"\nmaterial = "wood"\n[sources]\n'
                          'x = "y"\n[[shape]]\nkind = "mesh"\nfile = "turned.off"\n')
         words = "mesh 'turned.off' of {} 'b': 3 edges lie between triangles"
@@ -258,7 +258,7 @@ class Import(Files):
         body = self.path("body.xml", "<root><material>wood</material><mass>0.001</mass>"
                                      "<geometryFile type='off'>open.off</geometryFile></root>")
         done = self.thenar(body, "--out", self.path("body.toml"), code=1)
-        for words in ["body.xml:1: mesh 'open.off' of body 'body'", "1 hole(s): 3 edges", "--repair"]:
+        for words in ["body.xml:1: mesh 'open.off' of body 'body'", "1 hole(s): 3 edges", "repairing mends it"]:
             self.assertIn(words, done.stderr)
         told = self.report(body, "--repair", "--out", self.path("body.toml"))
         self.assertIn("1 hole(s) closed", told["warnings"][0])
@@ -271,7 +271,7 @@ class Import(Files):
     def test_doubts_the_units_of_huge_meshes(self):
         huge = self.path("huge.off", CORNER.format(4, "3 1 2 3\n").replace("1 0 0\n", "80 0 0\n", 1))
         self.assertEqual(self.report(huge)["warnings"],
-                         ["80 m across: are its numbers millimetres? --units mm"])
+                         ["80 m across: are its numbers millimetres?"])
         self.assertEqual(self.report(huge, "--units", "mm")["warnings"], [])
         # It is not written as if the unit had been stated, unless it was.
         out = self.path("huge.toml")
@@ -343,7 +343,7 @@ class Import(Files):
         told = self.report(self.path("sub/corner.toml"))
         self.assertEqual((told["name"], told["kind"]), ("corner", "object"))
         self.assertEqual(told["shapes"][0]["triangles"], 4)
-        self.assertIn("one of --units", self.thenar(corner, "--units", "cm", "--scale", "2",
+        self.assertIn("wanted units or a scale, got both (--scale)", self.thenar(corner, "--units", "cm", "--scale", "2",
                                                     code=1).stderr)
         self.assertIn("--repair", self.thenar(self.path("open.off", CORNER.format(3, "")), "--out",
                                               self.path("open.toml"), code=1).stderr)

@@ -59,16 +59,21 @@ TEST(ReadRpc, RefusesMembersThatNoRequestHas) {
   EXPECT_EQ(code_of("[1,2,3]", limits), RpcCode::kTooLarge);
 }
 
-/// The code with which a method that throws is answered.
+/// The answer of a method that throws.
 template <typename Thrown>
-int code_of_thrown(const Thrown& thrown) {
+RpcAnswer answer_thrown(const Thrown& thrown) {
   MethodTable table;
   table.add({"a.b", "Throws.", object_schema({}), "", "{}",
              [&](Session&, const Json&, const Progress&) -> OrderedJson { throw thrown; }});
   RpcRequest request;
   request.method = "a.b";
   Session session({});
-  return static_cast<int>(answer_request(request, table, session, {}).failure->code);
+  return answer_request(request, table, session, {});
+}
+
+template <typename Thrown>
+int code_of_thrown(const Thrown& thrown) {
+  return static_cast<int>(answer_thrown(thrown).failure->code);
 }
 
 TEST(AnswerRequest, TurnsWhatIsThrownIntoItsCode) {
@@ -88,6 +93,16 @@ TEST(AnswerRequest, TellsParamsFromWhatIsRefused) {
   EXPECT_EQ(answer_request(request, table, session, {}).failure->code, RpcCode::kInvalidParams);
   request.params = {{"height", 0.1}};  // nothing is open
   EXPECT_EQ(answer_request(request, table, session, {}).failure->code, RpcCode::kRefused);
+}
+
+TEST(RpcReply, NamesTheFieldThatIsWrong) {
+  const auto error_of = [](const InputError& thrown) {
+    return rpc_reply(1, answer_thrown(thrown))["error"];
+  };
+  const OrderedJson error = error_of(InputError("wanted a digit", "digit"));
+  EXPECT_EQ(error["message"], "wanted a digit");
+  EXPECT_EQ(error["data"]["field"], "digit");
+  EXPECT_FALSE(error_of(InputError("no")).contains("data"));
 }
 
 // Whatever bytes come in a name of a method, the reply is JSON.

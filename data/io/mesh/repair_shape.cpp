@@ -56,7 +56,7 @@ void note_turned(const std::vector<ShapeSpec>& shapes, const std::string& owner,
     if (edges > 0)
       warnings.push_back(fmt::format(
           "{}: {} edges lie between triangles that face opposite ways; they are turned to agree, "
-          "and `thenar import --repair` writes them so",
+          "and `thenar import` with repairs writes them so",
           described(shape, owner), edges));
   }
 }

@@ -73,30 +73,15 @@ TEST_F(Recorded, IsReadFromBinaryResults) {
   EXPECT_EQ(read_recorded_run(path("P.nc")).run.arguments.back(), "hand.toml");
 }
 
-// What asked for no paths had straight ones before 0.2.
-TEST_F(Recorded, RunsOfBeforeAreRepeatedOnStraightPaths) {
+TEST_F(Recorded, RanOnStraightPathsBeforeTheyWrapped) {
   RecordedRun run;
-  run.run.arguments = {"tip-force", "mirakhorlo2016"};
   for (const char* version : {"", "0.1.0"}) {
     run.version = version;
-    const RecordedRun again = on_its_paths(run, true);
-    EXPECT_EQ(command_line(again.run), "thenar tip-force mirakhorlo2016 --path via") << version;
-    EXPECT_EQ(again.warnings.size(), 1U);
-    EXPECT_EQ(on_its_paths(run, false).run.arguments, run.run.arguments);
+    EXPECT_TRUE(ran_on_straight_paths(run)) << version;
   }
   for (const char* version : {"0.2.0", "0.10.1", "1.0.0"}) {
     run.version = version;
-    EXPECT_EQ(on_its_paths(run, true).run.arguments, run.run.arguments) << version;
-  }
-}
-
-TEST_F(Recorded, KeepsThePathsThatWereStated) {
-  for (const std::vector<std::string>& stated :
-       {std::vector<std::string>{"--path", "wrapped"}, {"--path=fitted"}}) {
-    RecordedRun run;
-    run.run.arguments = {"tip-force", "mirakhorlo2016"};
-    run.run.arguments.insert(run.run.arguments.end(), stated.begin(), stated.end());
-    EXPECT_EQ(on_its_paths(run, true).run.arguments, run.run.arguments);
+    EXPECT_FALSE(ran_on_straight_paths(run)) << version;
   }
 }
 

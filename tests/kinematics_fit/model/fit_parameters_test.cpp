@@ -199,7 +199,7 @@ TEST(ChooseParameters, NamesTheRowThatMatchesNothing) {
             "fit.toml:3: no parameter matches 'gane/*'; list them with `thenar explain`");
   EXPECT_EQ(refusal("[[parameter]]\nmatch = 'gane/*'\noptional = 'yes'\n"), "");
   EXPECT_EQ(refusal("", {"gane/*"}),
-            "--free: no parameter matches 'gane/*'; list them with `thenar explain`");
+            "to be free: no parameter matches 'gane/*'; list them with `thenar explain`");
 }
 
 TEST(ChooseParameters, NamesTheWrongUnit) {
@@ -265,10 +265,10 @@ TEST(FixedGeometryWarnings, CountWhatCannotMoveAndSayHowToFreeIt) {
   EXPECT_EQ(
       fixed_geometry_warnings(of_planar_finger(sample::planar_finger_of_arms(), angles)),
       std::vector<std::string>{"none of the 5 moment arms of the subject may move under these "
-                               "settings: --free 'arm/*' frees them"});
+                               "settings: freeing 'arm/*' lets them"});
   EXPECT_EQ(fixed_geometry_warnings(of_planar_finger(sample::kPlanarFinger, angles)),
             std::vector<std::string>{"none of the 10 tendon points of the subject may move under "
-                                     "these settings: --free 'path/*' frees them"});
+                                     "these settings: freeing 'path/*' lets them"});
   const std::string arms = sample::planar_finger_of_arms();
   EXPECT_TRUE(fixed_geometry_warnings(of_planar_finger(arms, angles, {"arm/FDP/PIP2"})).empty());
 }

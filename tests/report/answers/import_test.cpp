@@ -27,7 +27,7 @@ TEST(ImportText, EndsInWarnings) {
   const std::string ball = text_of(read("/objects/sphere_70.toml"));
   EXPECT_EQ(ball.substr(ball.size() - none.size()), none);
   // The mug's file is in millimetres.
-  EXPECT_NE(text_of(read("/objects/mug.obj")).find("are its numbers millimetres? --units mm"),
+  EXPECT_NE(text_of(read("/objects/mug.obj")).find("are its numbers millimetres?\n  --units mm"),
             std::string::npos);
 }
 
