@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kLeastProximal = 1e-10;  // of the diagonal of A, which is 1
-constexpr int kRefinements = 2;
+constexpr int kNewtonRefinements = 2;
 
 /// Unit vectors perpendicular to the unit vector d, two of three dimensions or one of two.
 Eigen::Matrix<double, 3, 2> perpendicular(const Vector3d& d, int tangents) {
@@ -147,7 +147,7 @@ void ContactNewton::assemble(const ScaledContacts& contacts, const Ref<const Vec
 
 bool ContactNewton::solve_linear(double proximal) {
   proximal = std::max(proximal, kLeastProximal);
-  const int refinements = proximal > 1e-8 ? 0 : kRefinements;
+  const int refinements = proximal > 1e-8 ? 0 : kNewtonRefinements;
   const auto k = static_cast<Index>(unknowns_.size());
   auto factor = factor_.topLeftCorner(k, k);
   const auto R = R_.topLeftCorner(k, k);

@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Row = Eigen::Ref<const VectorXd>;
 
-constexpr double kSymmetric = 1e-9;  // difference of mirrored entries of W over its largest
+constexpr double kSymmetryError = 1e-9;  // difference of mirrored entries of W over its largest
 
 void check_block(const ContactBlock& block) {
   require(block.law != ConstraintLaw::kBox || block.lower <= block.upper,
@@ -133,8 +133,8 @@ void check_contact_problem(const ContactProblem& problem) {
       difference = std::max(difference, std::abs(problem.W(i, j) - problem.W(j, i)));
   }
   require(std::isfinite(sum), "W and b must be finite");
-  require(difference <= kSymmetric * largest, "W must be symmetric, mirrored entries differ by {}",
-          difference);
+  require(difference <= kSymmetryError * largest,
+          "W must be symmetric, mirrored entries differ by {}", difference);
 }
 
 namespace internal {

@@ -20,19 +20,19 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kMargin = 0.5;          // of the tolerance: what scaling back may cost
+constexpr double kToleranceShare = 0.5;  // of the tolerance: what scaling back may cost
 constexpr double kRoundingFrom = 1e-8;   // residual from which rounding may explain it
 constexpr double kRoundingGoal = 1e-14;  // residual that is not worth another step
 constexpr int kPolishSteps = 2;
-constexpr double kProgress = 0.9;   // of the best residual: a fall that counts
-constexpr int kPatience = 6;        // steps of Newton without such a fall
-constexpr int kFirstSweeps = 5;     // before Newton's second try; each try has twice as many
-constexpr int kTries = 2;           // of sweeps and Newton, before interior points
-constexpr int kPivotTurns = 20;     // steps of Newton by pivots
-constexpr int kFrozenTurns = 20;    // of the fixed point on |ut|
-constexpr int kInteriorTurn = 40;   // steps of interior points in a turn
-constexpr int kRestarts = 20;       // from made-up impulses
-constexpr int kSweepsPerCheck = 5;  // of the residual
+constexpr double kProgressRatio = 0.9;  // of the best residual: a fall that counts
+constexpr int kStalledSteps = 6;        // steps of Newton without such a fall
+constexpr int kFirstSweeps = 5;         // before Newton's second try; each try has twice as many
+constexpr int kMostRounds = 2;          // of sweeps and Newton, before interior points
+constexpr int kPivotTurns = 20;         // steps of Newton by pivots
+constexpr int kFrozenTurns = 20;        // of the fixed point on |ut|
+constexpr int kInteriorTurn = 40;       // steps of interior points in a turn
+constexpr int kMostRestarts = 20;       // from made-up impulses
+constexpr int kSweepsPerCheck = 5;      // of the residual
 constexpr std::uint64_t kRestartSeed = 1;
 
 /// Whether Newton's steps become more proximal where they do not lower the residual.
@@ -90,7 +90,7 @@ void ContactSolver::Workspace::assign(const ContactProblem& problem,
   solution.newton_steps = solution.sweeps = solution.interior_steps = solution.pivots = 0;
   solution.pyramid_residual = 0;
   solution.method = options.method;
-  goal = kMargin * options.tolerance;
+  goal = kToleranceShare * options.tolerance;
   best = kInfinity;
   // Where nothing moves and nothing is asked, no impulse is an answer: a warm start would leave its
   // rounding behind, over a scale of zero.
@@ -108,7 +108,7 @@ bool ContactSolver::Workspace::measure() {
     best_room.head(contacts.rows()) = f();
   }
   return residual <= goal ||
-         (residual < kRoundingFrom && residual <= kMargin * contacts.rounding(f()));
+         (residual < kRoundingFrom && residual <= kToleranceShare * contacts.rounding(f()));
 }
 
 /// Sets f and u, without measuring.
@@ -122,7 +122,7 @@ void ContactSolver::Workspace::go_to(const Ref<const VectorXd>& impulses) {
 bool ContactSolver::Workspace::run_newton(Damped damped) {
   double least = kInfinity, damping = 0;
   residual = contacts.residual(f(), u());
-  for (int idle = 0; idle < kPatience && solution.newton_steps < options.max_newton_steps;) {
+  for (int idle = 0; idle < kStalledSteps && solution.newton_steps < options.max_newton_steps;) {
     ++solution.newton_steps;
     end_if_stopped();
     const double before = residual;
@@ -134,7 +134,7 @@ bool ContactSolver::Workspace::run_newton(Damped damped) {
     if (damped == Damped::kYes)
       damping = residual < before / 2 ? damping / 2
                                       : std::clamp(2 * damping, kLeastDamping, kMostDamping);
-    idle = residual < kProgress * least ? 0 : idle + 1;
+    idle = residual < kProgressRatio * least ? 0 : idle + 1;
     least = std::min(least, residual);
   }
   return false;
@@ -159,7 +159,7 @@ bool ContactSolver::Workspace::run_sweeps(int sweeps) {
 
 /// From the best point found some sweeps, and Newton again.
 bool ContactSolver::Workspace::run_tries() {
-  for (int k = 0; k < kTries; ++k) {
+  for (int k = 0; k < kMostRounds; ++k) {
     f() = best_room.head(contacts.rows());
     if (run_sweeps(kFirstSweeps << k) || run_newton(Damped::kYes)) return true;
   }
@@ -178,7 +178,7 @@ bool ContactSolver::Workspace::run_pivots() {
       solution.method = ContactMethod::kNewton;
       return true;
     }
-    if (k > 2 && residual > kProgress * before) break;
+    if (k > 2 && residual > kProgressRatio * before) break;
   }
   return false;
 }
@@ -206,7 +206,7 @@ bool ContactSolver::Workspace::run_interior() {
 /// Sweeps and Newton from made-up normal impulses: a method may be held by a point that is no
 /// answer, as no function is known that falls towards answers alone.
 bool ContactSolver::Workspace::run_restarts() {
-  for (int start = 0; start < kRestarts; ++start) {
+  for (int start = 0; start < kMostRestarts; ++start) {
     RandomStream random(kRestartSeed, 0, static_cast<std::uint32_t>(start));
     for (const internal::ScaledBlock& block : contacts.blocks()) {
       f().segment(block.start, block.rows).setZero();

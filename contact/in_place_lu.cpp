@@ -10,7 +10,7 @@ using Eigen::Index;
 
 namespace {
 
-constexpr Index kLarge = 200;  // rows of a block that takes long: a column of it, microseconds
+constexpr Index kLargeBlock = 200;  // rows of a block that takes long: a column of it, microseconds
 
 }  // namespace
 
@@ -35,7 +35,7 @@ bool InPlaceLu::factor(Eigen::Ref<Eigen::MatrixXd> R) {
   find_blocks(R);
   for (const auto [begin, end] : blocks_)
     for (Index k = begin; k < end; ++k) {
-      if (end - begin > kLarge) end_if_stopped();
+      if (end - begin > kLargeBlock) end_if_stopped();
       // The largest entry left in the column comes up.
       Index at = 0;
       const double largest = R.col(k).segment(k, end - k).cwiseAbs().maxCoeff(&at);

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kSlides = 1e-9;  // slip over the scale, from which it has a direction [1]
+constexpr double kSlideShare = 1e-9;  // slip over the scale, from which it has a direction [1]
 
 /// f = fixed + z  in bearing rows,  and  G f + g = 0  gives the rows that follow.
 struct States {
@@ -54,7 +54,7 @@ void add_cone(const ScaledContacts& contacts, const ScaledBlock& block, const Ve
   states.bearing.push_back(i);
   const VectorXd slip = u.segment(i + 1, tangents), drag = f.segment(i + 1, tangents);
   const double speed = slip.norm();
-  const bool slides = speed > kSlides * contacts.scale(),
+  const bool slides = speed > kSlideShare * contacts.scale(),
              sticks = !slides && f[i] > 0 && drag.norm() < block.mu * f[i];
   const VectorXd along = slides            ? VectorXd(slip / speed)
                          : drag.norm() > 0 ? VectorXd(-drag.normalized())

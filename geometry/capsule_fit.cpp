@@ -16,9 +16,9 @@ namespace {
 using Eigen::Vector3d;
 using Ends = Eigen::Matrix<double, 8, 1>;  // centres of both balls, then their radii [m]
 
-constexpr int kRounds = 100;
-constexpr double kSlopeStep = 1e-7;  // of finite differences [m]
-constexpr double kEnough = 1e-12;    // a smaller gain of the sum of squares ends the search [1]
+constexpr int kMostRounds = 100;
+constexpr double kSlopeStep = 1e-7;   // of finite differences [m]
+constexpr double kLeastGain = 1e-12;  // a smaller gain of the sum of squares ends the search [1]
 
 ShapeSpec capsule_between(const Ends& ends) {
   const Vector3d from = ends.segment<3>(0), to = ends.segment<3>(3);
@@ -71,7 +71,7 @@ CapsuleFit fit_tapered_capsule(const TriangleMesh& mesh) {
   Eigen::VectorXd apart = distances_from(ends, points);
   Eigen::Matrix<double, Eigen::Dynamic, 8> slope(points.cols(), 8);
   double damping = 1e-3;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kMostRounds; ++round) {
     for (int k = 0; k < 8; ++k) {
       Ends moved = ends;
       moved[k] += kSlopeStep;
@@ -91,7 +91,7 @@ CapsuleFit fit_tapered_capsule(const TriangleMesh& mesh) {
     ends = next;
     apart = then;
     damping = std::max(0.1 * damping, 1e-12);
-    if (gain < kEnough) break;
+    if (gain < kLeastGain) break;
   }
   return {capsule_between(ends), apart.cwiseAbs().maxCoeff(),
           std::sqrt(apart.squaredNorm() / static_cast<double>(apart.size()))};

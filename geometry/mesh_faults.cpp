@@ -12,7 +12,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kFlat = 1e-6;  // of the extent, above the rounding of single precision [1]
+constexpr double kFlatShare = 1e-6;  // of the extent, above the rounding of single precision [1]
 
 /// The corners that triangles use (3, n).
 Eigen::Matrix3Xd used_corners(const TriangleMesh& mesh) {
@@ -33,7 +33,7 @@ bool is_seam(const TriangleMesh& mesh, const MeshHole& hole) {
   const double length = std::sqrt(r.colwise().squaredNorm().maxCoeff(&far));
   if (!(length > 0)) return true;
   const Eigen::Vector3d along = r.col(far) / length;
-  return (r - along * (along.transpose() * r)).colwise().norm().maxCoeff() <= kFlat * length;
+  return (r - along * (along.transpose() * r)).colwise().norm().maxCoeff() <= kFlatShare * length;
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ bool is_flat(const TriangleMesh& mesh) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(r * r.transpose());
   const Eigen::Matrix3Xd along = axes.eigenvectors().transpose() * r;
   const Eigen::Vector3d extent = along.rowwise().maxCoeff() - along.rowwise().minCoeff();
-  return extent.minCoeff() <= kFlat * extent.maxCoeff();
+  return extent.minCoeff() <= kFlatShare * extent.maxCoeff();
 }
 
 bool any_is_flat(const std::vector<ShapeSpec>& shapes) {

@@ -116,9 +116,9 @@ class Grid {
     value_.resize(static_cast<std::size_t>(nodes.prod()));
     // Distances block by block.
     Vector3i low;
-    for (low.z() = 0; low.z() < size_.z(); low.z() += kBlock)
-      for (low.y() = 0; low.y() < size_.y(); low.y() += kBlock)
-        for (low.x() = 0; low.x() < size_.x(); low.x() += kBlock) fill_block(solid, low);
+    for (low.z() = 0; low.z() < size_.z(); low.z() += kBlockCubes)
+      for (low.y() = 0; low.y() < size_.y(); low.y() += kBlockCubes)
+        for (low.x() = 0; low.x() < size_.x(); low.x() += kBlockCubes) fill_block(solid, low);
   }
   [[nodiscard]] const Vector3i& size() const { return size_; }
   [[nodiscard]] Vector3d at(const Vector3i& node) const {
@@ -131,14 +131,15 @@ class Grid {
   [[nodiscard]] bool inside(const Vector3i& node) const { return value(node) < 0; }
 
  private:
-  static constexpr int kBlock = 6;
+  static constexpr int kBlockCubes = 6;
 
   /// Far from the surface the middle of a block speaks for all of it.
   void fill_block(const Shape& solid, const Vector3i& low) {
     // The middle of the block, and how far its nodes reach.
-    const Vector3i high = (low.array() + kBlock).min(size_.array());
-    const double reach = cell_ * std::sqrt(3.0) / 2 * (kBlock - 1) + 2 * solid.accuracy();
-    const double middle = solid.distance(at(low) + Vector3d::Constant(cell_ / 2 * (kBlock - 1)));
+    const Vector3i high = (low.array() + kBlockCubes).min(size_.array());
+    const double reach = cell_ * std::sqrt(3.0) / 2 * (kBlockCubes - 1) + 2 * solid.accuracy();
+    const double middle =
+        solid.distance(at(low) + Vector3d::Constant(cell_ / 2 * (kBlockCubes - 1)));
     const bool far = std::abs(middle) > reach;
     // Nodes near the surface are asked one by one; the border counts as outside.
     Vector3i node;

@@ -15,11 +15,12 @@ using PerCorner = Eigen::Array<double, 8, 1>;
 namespace {
 
 constexpr double kMaxCells = 1e5;
-constexpr double kAround = 1;     // cubes reach so far beyond the mesh, in its longest sides
-constexpr double kInVain = 0.7;   // of its candidates, what dividing must leave out
-constexpr std::size_t kFew = 32;  // candidates that need not be divided
-constexpr std::size_t kMax = 64;  // candidates that are not searched for by the tree
-constexpr int kSearched = 24;     // candidates looked through in the time of a search by the tree
+constexpr double kGridMargin = 1;  // cubes reach so far beyond the mesh, in its longest sides
+constexpr double kInVain = 0.7;    // of its candidates, what dividing must leave out
+constexpr std::size_t kFewCandidates = 32;  // candidates that need not be divided
+constexpr std::size_t kMax = 64;            // candidates that are not searched for by the tree
+constexpr int kTreeCandidates =
+    24;  // candidates looked through in the time of a search by the tree
 
 /// The edge of a smallest cube: about that of a triangle.
 double cell_of(const TriangleTree& tree) {
@@ -54,7 +55,7 @@ NearestGrid::Ball NearestGrid::ball_of(const TriangleForm& form) {
 NearestGrid::NearestGrid(const TriangleTree& tree, double share) : share_(share) {
   // A power of two of smallest cubes around the mesh.
   const double longest = tree.bounds().sizes().maxCoeff();
-  const double whole = (1 + 2 * kAround) * longest;
+  const double whole = (1 + 2 * kGridMargin) * longest;
   levels_ = std::max(0, static_cast<int>(std::floor(std::log2(whole / cell_of(tree)))));
   cell_ = std::ldexp(whole, -levels_);
   inverse_ = 1 / cell_;
@@ -96,7 +97,7 @@ std::vector<NearestGrid::Candidate> NearestGrid::near(const Block& block,
   });
   here.erase(end, here.end());
   // Long lists are worth a sharper test; the nearest comes first.
-  if (here.size() > kFew) drop_beaten(block, here, tree);
+  if (here.size() > kFewCandidates) drop_beaten(block, here, tree);
   std::swap(here.front(), *std::min_element(here.begin(), here.end(), nearer));
   return here;
 }
@@ -155,7 +156,7 @@ bool NearestGrid::fill_if_due(Cell& cell, const Block& block, const std::vector<
                               const TriangleTree& tree) const {
   // Asked often enough to be worth filling, and nobody else is filling.
   const int asked = cell.asked.fetch_add(1, std::memory_order_relaxed);
-  if (asked < static_cast<int>(above.size()) / kSearched) return false;
+  if (asked < static_cast<int>(above.size()) / kTreeCandidates) return false;
   const std::unique_lock lock(filling_, std::try_to_lock);
   if (!lock.owns_lock()) return false;
   if (cell.count.load(std::memory_order_relaxed) == kUnfilled) fill(cell, block, above, tree);
@@ -170,7 +171,7 @@ void NearestGrid::fill(Cell& cell, const Block& block, const std::vector<int>& a
   const double far = here.front().distance;
   const bool in_vain = edge<far&& static_cast<double>(here.size())> kInVain * above.size();
   // A divided cube.
-  if (block.level > 0 && here.size() > kFew && edge > share_ * far && !in_vain) {
+  if (block.level > 0 && here.size() > kFewCandidates && edge > share_ * far && !in_vain) {
     auto divided = std::make_unique<Divided>();
     divided->triangles.reserve(here.size());
     for (const Candidate& candidate : here) divided->triangles.push_back(candidate.triangle);

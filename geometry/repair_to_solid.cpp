@@ -342,8 +342,9 @@ RepairedSolid repair_to_solid(const TriangleMesh& mesh) {
       !is_flat(mesh),
       "the mesh is flat: all its triangles lie in one plane, and no repair gives it a thickness");
   // Large meshes are kept on disk with the words of their repair.
-  constexpr Eigen::Index kMany = 2000;  // triangles, which take longer to mend than to look up
-  if (mesh.triangles.cols() < kMany) return mended(mesh);
+  constexpr Eigen::Index kManyTriangles =
+      2000;  // triangles, which take longer to mend than to look up
+  if (mesh.triangles.cols() < kManyTriangles) return mended(mesh);
   const std::string input = bytes_of(mesh), kind = "mended mesh 2";
   if (const std::optional<std::string> entry = kept(kind, input)) {
     const std::size_t end = std::min(entry->find('\n'), entry->size() - 1);

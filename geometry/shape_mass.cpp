@@ -132,11 +132,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kDepth = 7;           // cubes of the tree are halved so often
-constexpr int kFirstDepth = 3;      // and at least so often
-constexpr double kRounding = 1e-9;  // of the extent: what parts may touch by without overlapping
-constexpr double kMaxFaces = 5e6;   // of convex parts that are cut out of each other
-constexpr double kFaceLook = 0.3;   // at such a face, in looks at distances
+constexpr int kTreeDepth = 7;         // cubes of the tree are halved so often
+constexpr int kFirstDepth = 3;        // and at least so often
+constexpr double kTouchShare = 1e-9;  // of the extent: what parts may touch by without overlapping
+constexpr double kMaxFaces = 5e6;     // of convex parts that are cut out of each other
+constexpr double kFaceLook = 0.3;     // at such a face, in looks at distances
 constexpr std::size_t kFewParts = 2000;  // that are compared in pairs
 constexpr double kMaxLooks = 1e7;        // at distances of primitives to middles of cubes
 constexpr double kMeshLook = 10;         // at one of a mesh or superellipsoid, which takes longer
@@ -229,7 +229,7 @@ std::vector<UnionPart> parts_of(const std::vector<ShapeSpec>& shapes) {
 Eigen::AlignedBox3d common_box(const UnionPart& a, const UnionPart& b) {
   if (!a.box.intersects(b.box)) return {};
   const Eigen::AlignedBox3d box = a.box.intersection(b.box);
-  const double least = kRounding * a.box.merged(b.box).diagonal().norm();
+  const double least = kTouchShare * a.box.merged(b.box).diagonal().norm();
   return !box.isEmpty() && box.sizes().minCoeff() > least ? box : Eigen::AlignedBox3d();
 }
 
@@ -315,7 +315,7 @@ class CubeSum {
     const double reach = box.diagonal().norm() / 2;
     std::vector<const UnionPart*> through;
     end_if_stopped();
-    left_ -= kPass * static_cast<double>(above.size());
+    left_ -= kPassWeight * static_cast<double>(above.size());
     if (!complete()) return;
     for (const UnionPart* part : above) {
       if (part->box.exteriorDistance(box.center()) > reach) continue;
@@ -372,7 +372,7 @@ class CubeSum {
       for (const ConvexBody& body : filled) sum_ += moments_of(body);
   }
 
-  static constexpr double kPass = 0.1;  // what passing by a part counts
+  static constexpr double kPassWeight = 0.1;  // what passing by a part counts
 
   const std::vector<const UnionPart*>& parts_;
   bool excess_;
@@ -434,7 +434,7 @@ Summed sum_cubes(const std::vector<const UnionPart*>& parts, double looks) {
                             [](const UnionPart* part) { return part->has_moments; });
   std::optional<Summed> result;
   double before = 0;  // volume of the sum at the depth before [m^3]
-  for (int depth = kFirstDepth; depth <= kDepth; ++depth) {
+  for (int depth = kFirstDepth; depth <= kTreeDepth; ++depth) {
     CubeSum cubes(parts, excess, depth, looks);
     const Moments sum = cubes.over(cube_around(parts, excess));
     if (!cubes.complete()) break;

@@ -10,9 +10,11 @@ namespace {
 
 using Eigen::Vector3d, Eigen::Vector3i;
 
-constexpr double kMeeting = 1e-10;  // of the mesh's extent: distance of triangles that meet [1]
+constexpr double kMeetingDistance =
+    1e-10;  // of the mesh's extent: distance of triangles that meet [1]
 constexpr std::size_t kMostPairs = 100;  // a triangle that are compared; else all count as meeting
-constexpr double kFolded = 1e-7;  // largest angle between neighbours that lie on each other [rad]
+constexpr double kFoldAngle =
+    1e-7;  // largest angle between neighbours that lie on each other [rad]
 
 /// The part of a segment, as shares of its length, where a linear function is at most `most`.
 struct PartBelow {
@@ -55,7 +57,7 @@ class CrossingSearch {
   CrossingSearch(const TriangleMesh& mesh, const TriangleTree& tree)
       : mesh_(mesh),
         tree_(tree),
-        near_(kMeeting * tree.bounds().diagonal().norm()),
+        near_(kMeetingDistance * tree.bounds().diagonal().norm()),
         boxes_(tree.forms().size()),
         found_(tree.forms().size(), false) {
     for (std::size_t i = 0; i < boxes_.size(); ++i)
@@ -153,7 +155,7 @@ class CrossingSearch {
     const int edge = (alone(shared_a) + 1) % 3;  // across from the triangle's own third corner
     const Vector3d arm = b.corner[alone(shared_b)] - a.corner[edge];
     const double height = a.normal.dot(arm), out = a.across[edge].dot(arm);
-    return out < 0 && std::abs(height) <= -kFolded * out;
+    return out < 0 && std::abs(height) <= -kFoldAngle * out;
   }
 
   const TriangleMesh& mesh_;

@@ -66,7 +66,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as triangles are halved
 int TriangleTree::build(int first, int last, const std::vector<Eigen::AlignedBox3d>& boxes) {
-  constexpr int kLeaf = 3;
+  constexpr int kLeafTriangles = 3;
   // Box of the node and of its triangles' centres.
   const int here = static_cast<int>(nodes_.size());
   nodes_.push_back({{}, first, 0, 0});
@@ -77,7 +77,7 @@ int TriangleTree::build(int first, int last, const std::vector<Eigen::AlignedBox
   }
   nodes_[here].box = box;
   // A leaf.
-  if (last - first <= kLeaf) {
+  if (last - first <= kLeafTriangles) {
     nodes_[here].count = last - first;
     return here;
   }

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kGrazing = 1e-11;  // of the products whose difference it is: no area [1]
+constexpr double kGrazingShare = 1e-11;  // of the products whose difference it is: no area [1]
 
 struct Ray {
   Vector3d from;
@@ -50,7 +50,7 @@ struct Ray {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
       const double plus = x[k] * y[next], minus = x[next] * y[k];
-      const double area = plus - minus, least = kGrazing * (std::abs(plus) + std::abs(minus));
+      const double area = plus - minus, least = kGrazingShare * (std::abs(plus) + std::abs(minus));
       if (area > least) ++left;
       if (area < -least) ++right;
     }

@@ -18,13 +18,13 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr std::size_t kRoom = 256;    // for columns under an object
-constexpr double kForgotten = 1e-12;  // force that is not remembered any more [N]
-constexpr Index kLeaf = 12;           // columns that are looked at together
-constexpr double kLever = 10e-3;      // [m]
-constexpr double kLevel = 1e-3;       // slope of surfaces that counts as none [1]
-constexpr double kBehind = 0.5;       // of the object's normal along the skin's: its far side [1]
-constexpr double kSticks = 1e-6;      // share of the cone that is left where a column sticks [1]
+constexpr std::size_t kColumnRoom = 256;   // for columns under an object
+constexpr double kForgottenForce = 1e-12;  // force that is not remembered any more [N]
+constexpr Index kLeafColumns = 12;         // columns that are looked at together
+constexpr double kTurnArm = 10e-3;         // [m]
+constexpr double kLevelSlope = 1e-3;       // slope of surfaces that counts as none [1]
+constexpr double kFarSideCosine = 0.5;  // of the object's normal along the skin's: its far side [1]
+constexpr double kStickShare = 1e-6;    // share of the cone that is left where a column sticks [1]
 
 void check_pose(const Pose<double>& X, double friction) {
   require(X.R.allFinite() && X.p.allFinite(), "the pose of an object on a pad must be finite");
@@ -78,7 +78,7 @@ void FoundationBed::split(std::vector<Index>& order, Index first, Index end) {
   Eigen::AlignedBox3d box;
   for (Index i = first; i < end; ++i)
     box.extend(Vector3d(columns_.skin.col(order[static_cast<std::size_t>(i)])));
-  if (end - first <= kLeaf) {
+  if (end - first <= kLeafColumns) {
     double radius = 0;
     for (Index i = first; i < end; ++i)
       radius = std::max(
@@ -98,7 +98,7 @@ void FoundationBed::split(std::vector<Index>& order, Index first, Index end) {
 
 FoundationBed::Touches FoundationBed::touches(const Shape& object, const Pose<double>& X_PO) const {
   Touches found;
-  found.all.reserve(kRoom);
+  found.all.reserve(kColumnRoom);
   const Pose<double> X_OP = X_PO.inverse();
   const double reach = reach_ + object.accuracy();
   double least = kInfinity;
@@ -134,7 +134,7 @@ FoundationBed::Touches FoundationBed::touches(const Shape& object, const Pose<do
 /// are inclined to each other.
 double FoundationBed::share_of_area(const Touch& touch) const {
   const double along = touch.normal.dot(columns_.normal.col(touch.column));
-  const double slope = std::max(kLevel, std::sqrt(std::max(0.0, 1 - along * along)));
+  const double slope = std::max(kLevelSlope, std::sqrt(std::max(0.0, 1 - along * along)));
   const double fall = constants_.spread * slope * width_[touch.column];
   return std::clamp(0.5 + touch.delta / fall, 0.0, 1.0);
 }
@@ -153,7 +153,7 @@ void FoundationBed::conclude(const Touches& found, const VectorXd& forces, doubl
     points.col(place) = columns_.skin.col(touch.column);
     if (forces[place] <= 0) continue;
     contact.behind =
-        contact.behind || touch.normal.dot(columns_.normal.col(touch.column)) > kBehind;
+        contact.behind || touch.normal.dot(columns_.normal.col(touch.column)) > kFarSideCosine;
     const Vector3d push = forces[place] * touch.normal;
     contact.push += wrench_of_force(points.col(place), push);
     contact.normal += push;
@@ -190,7 +190,7 @@ Eigen::Matrix<double, 6, 6> FoundationBed::stiffness(const Shape& object, const 
   require(step > 0 && std::isfinite(step), "a step must be positive and finite, got {} m", step);
   Eigen::Matrix<double, 6, 6> K;
   for (int k = 0; k < 6; ++k) {
-    const double way = k < 3 ? step / kLever : step;
+    const double way = k < 3 ? step / kTurnArm : step;
     const auto push = [&](double by) {
       Pose<double> X = X_PO;
       if (k < 3) {
@@ -285,7 +285,7 @@ bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
     past -= n * n.dot(past);
     shear = spring * (way - n * n.dot(way));
     t = weights.now * shear + past;
-    sticks = t.norm() < (1 - kSticks) * limit;
+    sticks = t.norm() < (1 - kStickShare) * limit;
     if (t.norm() > limit) {
       t *= limit / t.norm();
       shear = (t - past) / weights.now;
@@ -306,8 +306,8 @@ bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
     state.shear_terms.block<3, 1>(3 * row, i) =
         weights.decay[j] * state.shear_terms.block<3, 1>(3 * row, i) +
         weights.change[j] * (shear - state.shear.col(i));
-    remembers = remembers || std::abs(state.terms(row, i)) > kForgotten ||
-                state.shear_terms.block<3, 1>(3 * row, i).norm() > kForgotten;
+    remembers = remembers || std::abs(state.terms(row, i)) > kForgottenForce ||
+                state.shear_terms.block<3, 1>(3 * row, i).norm() > kForgottenForce;
   }
   state.remembers[static_cast<std::size_t>(i)] = remembers;
   state.elastic[i] = elastic;

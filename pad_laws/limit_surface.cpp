@@ -9,7 +9,7 @@
 namespace thenar {
 namespace {
 
-constexpr int kRings = 128, kRays = 256;
+constexpr int kPatchRings = 128, kPatchRays = 256;
 
 double pressure_at(PatchPressure pressure, double cosine) {
   switch (pressure) {
@@ -45,13 +45,13 @@ PatchFriction slip_friction(double a, double b, PatchPressure pressure, double f
   // s = sin(phi) makes the integrand smooth at the rim whatever the pressure.
   PatchFriction sum;
   double normal = 0;
-  for (int i = 0; i < kRings; ++i) {
+  for (int i = 0; i < kPatchRings; ++i) {
     // Weight of a ring: its pressure times its area.
-    const double phi = kPi / 2 * (i + 0.5) / kRings, s = std::sin(phi);
+    const double phi = kPi / 2 * (i + 0.5) / kPatchRings, s = std::sin(phi);
     const double weight = pressure_at(pressure, std::cos(phi)) * s * std::cos(phi);
-    normal += weight * kRays;
-    for (int k = 0; k < kRays; ++k) {
-      const double theta = 2 * kPi * (k + 0.5) / kRays;
+    normal += weight * kPatchRays;
+    for (int k = 0; k < kPatchRays; ++k) {
+      const double theta = 2 * kPi * (k + 0.5) / kPatchRays;
       const Eigen::Vector2d x(a * s * std::cos(theta), b * s * std::sin(theta));
       // Unit velocity of the point in a rotation about the centre; friction follows it.
       const Eigen::Vector2d r = x - centre;

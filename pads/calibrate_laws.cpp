@@ -140,9 +140,9 @@ FoundationConstants foundation_at(const VectorXd& z, const FoundationConstants& 
   out.stiffening = z[2];
   out.spread = z[3];
   out.surround = z[4];
-  constexpr double kStrain = 0.2;
+  constexpr double kMeanStrain = 0.2;
   out.modulus = 1;
-  out.modulus = std::exp(z[0]) / spring_pressure(out, kStrain).pressure;
+  out.modulus = std::exp(z[0]) / spring_pressure(out, kMeanStrain).pressure;
   return out;
 }
 
@@ -190,22 +190,22 @@ FoundationConstants fit_foundation(Fits& fits, const FoundationColumns& columns,
 /// Stiffness that sticking adds to a bed of springs across a press, for G = 1 Pa [N/m].
 double shear_per_modulus(const FoundationColumns& columns, FoundationConstants constants,
                          const MeasuredPress& press) {
-  constexpr double kWay = 1e-6, kHolds = 10;  // [m]; a friction that holds
+  constexpr double kDifferenceWay = 1e-6, kHoldingFriction = 10;  // [m]; a friction that holds
   constants.shear = 1;
   const FoundationBed bed(columns, constants);
   const Tangents across = tangents(bed.press(*press.object, press.X_PO).normal);
   double sum = 0;
   for (const Vector3d& way : {across.e1, across.e2}) {
     Pose<double> X = press.X_PO;
-    X.p += kWay * way;
+    X.p += kDifferenceWay * way;
     const auto pull = [&](double friction) {
       BedState state;
       (void)bed.step(*press.object, press.X_PO, friction, 0, state);
       return way.dot(bed.step(*press.object, X, friction, 0, state).push.force);
     };
-    sum += pull(kHolds) - pull(0);
+    sum += pull(kHoldingFriction) - pull(0);
   }
-  return 0.5 * sum / kWay;
+  return 0.5 * sum / kDifferenceWay;
 }
 
 /// A law's answer beside the elements'.

@@ -10,12 +10,15 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int kFacePoints = 8;   // along a side of a face
-constexpr double kFacing = 0.7;  // cosine between normals of skin and object that face each other
-constexpr double kAcross = 0.7854;  // mean share of a cell's side that is across an edge, pi / 4
-constexpr double kNarrow = 0.5;     // mean of unit ways to open nodes, less where they are opposite
-constexpr int kHalvings = 30;       // of the place of an edge
-constexpr double kEdge = 12;        // of mu / h, the scale of pressure over gap at an edge [1]
+constexpr int kFacePoints = 8;  // along a side of a face
+constexpr double kFacingCosine =
+    0.7;  // cosine between normals of skin and object that face each other
+constexpr double kMeanSideShare =
+    0.7854;  // mean share of a cell's side that is across an edge, pi / 4
+constexpr double kNarrowMean =
+    0.5;                           // mean of unit ways to open nodes, less where they are opposite
+constexpr int kEdgeHalvings = 30;  // of the place of an edge
+constexpr double kEdgeScale = 12;  // of mu / h, the scale of pressure over gap at an edge [1]
 
 /// Pressure of the nodes of a mesh [Pa] (nodes); of hanging ones the mean of their masters.
 VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const ContactSurface& surface,
@@ -34,7 +37,7 @@ VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const Contact
 /// Where a function that falls from infinity to 0 has a value.
 template <typename Function>
 double falling_root(double value, double low, double high, const Function& f) {
-  for (int k = 0; k < kHalvings; ++k) {
+  for (int k = 0; k < kEdgeHalvings; ++k) {
     const double middle = (low + high) / 2;
     (f(middle) > value ? low : high) = middle;
   }
@@ -111,7 +114,8 @@ std::vector<Crossing> crossings_of(const HexMesh& mesh, const std::vector<Tissue
       const int in = pressure[one] > 0 ? one : other, out = in == one ? other : one;
       const Vector3d way = place(out) - place(in);
       const double gap = std::max(0.0, object.shape->distance(X_OP * place(out)));
-      crossings.push_back({in, out, way, modulus * gap / (pressure[in] * kAcross * way.norm())});
+      crossings.push_back(
+          {in, out, way, modulus * gap / (pressure[in] * kMeanSideShare * way.norm())});
     }
   }
   return crossings;
@@ -131,7 +135,7 @@ std::vector<double> inside_of(const std::vector<Crossing>& crossings, const Vect
   std::vector<double> inside(static_cast<std::size_t>(pressure.size()), 0);
   for (const Crossing& each : crossings) {
     // Where nodes on opposite sides are open, both edges lie beside the node.
-    const bool narrow = direction.col(each.in).norm() < kNarrow * count[each.in];
+    const bool narrow = direction.col(each.in).norm() < kNarrowMean * count[each.in];
     const double edge = narrow ? strip_place(each.ratio) : edge_place(each.ratio);
     inside[static_cast<std::size_t>(each.in)] += edge / count[each.in];
     inside[static_cast<std::size_t>(each.out)] += (edge - 1) / count[each.out];
@@ -158,7 +162,7 @@ double area_by_points(const HexMesh& mesh, const TissueBody& body,
         pressures[static_cast<Eigen::Index>(k)] += each.weight * pressure[each.node];
     if (!(pressures.array() > 0).any()) continue;
     const HexCell& cell = mesh.cells()[static_cast<std::size_t>(face.cell)];
-    const double scale = kEdge *
+    const double scale = kEdgeScale *
                          modulus_of(tissues[static_cast<std::size_t>(cell.region)],
                                     mean_deformation(cell, at_rest, u)) /
                          std::sqrt(face.area);
@@ -175,7 +179,7 @@ double area_by_points(const HexMesh& mesh, const TissueBody& body,
         const NearestSurface nearest = object.shape->nearest(X_OP * Vector3d(corners * shape));
         const double facing = std::abs(across.dot(state.X_PO.R * nearest.normal));
         if (nearest.distance < 0 ||
-            (nearest.distance < pressures.dot(shape) / scale && facing > kFacing))
+            (nearest.distance < pressures.dot(shape) / scale && facing > kFacingCosine))
           share += 1.0 / (kFacePoints * kFacePoints);
       }
     area += share * 0.5 * between.norm();

@@ -13,9 +13,9 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kInside = 1e-11;     // of an open node that must join [m]
-constexpr int kMostTurns = 20;        // of nodes that join
-constexpr double kRedundant = 1e-12;  // added to compliances, over the largest [1]
+constexpr double kJoinDepth = 1e-11;        // of an open node that must join [m]
+constexpr int kMostTurns = 20;              // of nodes that join
+constexpr double kAddedCompliance = 1e-12;  // added to compliances, over the largest [1]
 
 /// Two tangents of a unit normal (3, 2).
 Eigen::Matrix<double, 3, 2> tangents_of(const Vector3d& n) {
@@ -170,7 +170,7 @@ ContactCones::Rest ContactCones::solve(const ContactSurface& surface, const Iter
     const VectorXd gaps = gaps_after(moved);
     bool more = false;
     for (Index k = 0; k < nodes; ++k) {
-      if (joins[static_cast<std::size_t>(k)] || gaps[k] >= -kInside) continue;
+      if (joins[static_cast<std::size_t>(k)] || gaps[k] >= -kJoinDepth) continue;
       joins[static_cast<std::size_t>(k)] = more = true;
     }
     if (more) continue;
@@ -255,7 +255,7 @@ Eigen::Matrix<double, 6, 6> contact_stiffness(CondensedBody& body, const Contact
   }
   const Index nodes = places.cols(), unknowns = static_cast<Index>(body.size());
   MatrixXd W = compliance(body, surface, J, F, rows);
-  W.diagonal().array() += kRedundant * W.diagonal().maxCoeff();
+  W.diagonal().array() += kAddedCompliance * W.diagonal().maxCoeff();
   const Eigen::PartialPivLU<MatrixXd> lu(W);
   const MatrixXd slopes = dense(J, rows, nodes), pushes = dense(F, rows, nodes);
   return push_slope(places, forces, [&](const Matrix3Xd& rigid, const Matrix3Xd& turned) {

@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kFar = 3;  // gap that cannot matter, over the size of a face [1]
+constexpr double kFarGapShare = 3;  // gap that cannot matter, over the size of a face [1]
 
 constexpr double kEdgeTurn = 0.17;    // difference of normals around an edge, at least [1]
 constexpr double kEdgeRadius = 0.25;  // of an edge, over the size of a face, at most [1]
@@ -171,9 +171,9 @@ bool meets_edge(const ContactSurface& surface, const Shape& object, const Pose<d
     const auto at = [&](const NodeWeight& each) -> const Nearest& {
       return at_nodes[static_cast<std::size_t>(each.node)];
     };
-    const bool far =
-        std::all_of(point.nodes.begin(), point.nodes.end(),
-                    [&](const NodeWeight& each) { return at(each).distance > kFar * point.size; });
+    const bool far = std::all_of(
+        point.nodes.begin(), point.nodes.end(),
+        [&](const NodeWeight& each) { return at(each).distance > kFarGapShare * point.size; });
     if (far) return false;
     const Nearest here = nearest(place_of(point, places));
     return std::any_of(point.nodes.begin(), point.nodes.end(), [&](const NodeWeight& each) {
@@ -212,7 +212,7 @@ void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorX
       mean += each.weight * normal_.col(each.node);
       nearest = std::min(nearest, gap_[each.node]);
     }
-    if (nearest > kFar * point.size) continue;
+    if (nearest > kFarGapShare * point.size) continue;
     const NearestSurface at = object.nearest(X_OP * place_of(point, places));
     const Vector3d normal = X_PO.R * at.normal;
     // A node's share of the point, and what it makes of gap and normals there.

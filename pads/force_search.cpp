@@ -11,11 +11,11 @@
 namespace thenar {
 namespace {
 
-constexpr int kMostTrials = 60;     // of a search
-constexpr double kLonger = 1.5;     // of the next way where a depth was solved [1]
-constexpr double kLongestWay = 4;   // over the first [1]
-constexpr double kShortest = 1e-3;  // of the first way, below which no depth is tried [1]
-constexpr double kEndShare = 0.05;  // of a bracket that a new depth keeps off its ends [1]
+constexpr int kMostTrials = 60;          // of a search
+constexpr double kWayGrowth = 1.5;       // of the next way where a depth was solved [1]
+constexpr double kLongestWay = 4;        // over the first [1]
+constexpr double kLeastWayShare = 1e-3;  // of the first way, below which no depth is tried [1]
+constexpr double kEndShare = 0.05;       // of a bracket that a new depth keeps off its ends [1]
 
 /// A depth that was solved.
 struct SolvedDepth {
@@ -31,7 +31,7 @@ class ForceSearch {
       : step_(step),
         goal_(goal),
         start_(start),
-        shortest_(kShortest * first),
+        shortest_(kLeastWayShare * first),
         longest_(kLongestWay * first),
         way_(first) {}
 
@@ -72,13 +72,13 @@ class ForceSearch {
       const double force = goal_.along.dot(out.push.force);
       was_below_ = force < *goal_.force;
       (was_below_ ? below_ : above_) = SolvedDepth{depth, force, std::move(answer)};
-      way_ = std::min(kLonger * way_, longest_);
+      way_ = std::min(kWayGrowth * way_, longest_);
     } else if (near != nullptr) {
       way_ = std::abs(depth - near->depth) / 2;
     } else {
       // From farther off, where it is less.
       first_depth_ -= way_;
-      way_ = std::min(kLonger * way_, longest_);
+      way_ = std::min(kWayGrowth * way_, longest_);
     }
     return out;
   }

@@ -16,15 +16,15 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNeighbour = 1e-4;  // distance of neighbours, in coordinates [1]
-constexpr double kSingular = 1e-10;  // of an information matrix, relative to its largest [1]
-constexpr double kNoTrace = 10;      // sd of a coordinate that is none: beyond what slopes tell [1]
-constexpr double kAnchor = 1e3;      // sd about the start, of what nothing else decides [1]
-constexpr double kTogether = 0.98;   // correlation of constants known only together [1]
-constexpr double kBeyondChance = 4;  // misfit over its degrees of freedom that is told [1]
-constexpr double kMeshMatters = 0.5;  // shift by the mesh, in sds, that is told [1]
-constexpr double kUsualPads = 10;     // that a search presses, for its progress
-constexpr double kFinerCells = 0.5;   // of the time, for the press on finer cells [1]
+constexpr double kNeighbourDistance = 1e-4;  // distance of neighbours, in coordinates [1]
+constexpr double kSingularShare = 1e-10;  // of an information matrix, relative to its largest [1]
+constexpr double kNoTrace = 10;    // sd of a coordinate that is none: beyond what slopes tell [1]
+constexpr double kAnchorSd = 1e3;  // sd about the start, of what nothing else decides [1]
+constexpr double kJointCorrelation = 0.98;  // correlation of constants known only together [1]
+constexpr double kBeyondChance = 4;         // misfit over its degrees of freedom that is told [1]
+constexpr double kMeshMatters = 0.5;        // shift by the mesh, in sds, that is told [1]
+constexpr double kUsualPads = 10;           // that a search presses, for its progress
+constexpr double kFinerCells = 0.5;         // of the time, for the press on finer cells [1]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double quantity_of(PressQuantity quantity, const PressPoint& point) {
@@ -118,7 +118,7 @@ class PadResiduals {
     std::vector<PadModel> pads{pad_at(z)};
     for (Eigen::Index i = 0; i < n; ++i) {
       VectorXd beside = z;
-      beside[i] += kNeighbour;
+      beside[i] += kNeighbourDistance;
       pads.push_back(pad_at(beside));
     }
     for (const PadModel& pad : pads) {
@@ -141,7 +141,7 @@ class PadResiduals {
         for (Eigen::Index i = 0; i < n; ++i)
           out.J(row, i) =
               (predicted(datum, curves.points[static_cast<std::size_t>(i) + 1]) - here) /
-              (datum.sd * kNeighbour);
+              (datum.sd * kNeighbourDistance);
         ++row;
       }
     }
@@ -172,8 +172,8 @@ class PadResiduals {
 Residuals anchored(const PadResiduals::Answer& at, const VectorXd& start) {
   const Eigen::Index rows = at.r.size(), n = start.size();
   Residuals out{VectorXd(rows + n), MatrixXd(rows + n, n)};
-  out.r << at.r, (at.z - start) / kAnchor;
-  out.J << at.J, MatrixXd::Identity(n, n) / kAnchor;
+  out.r << at.r, (at.z - start) / kAnchorSd;
+  out.J << at.J, MatrixXd::Identity(n, n) / kAnchorSd;
   return out;
 }
 
@@ -182,14 +182,14 @@ VectorXd variances(const MatrixXd& J) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(J.transpose() * J);
   const VectorXd& lambda = spectrum.eigenvalues();
   const MatrixXd& v = spectrum.eigenvectors();
-  const double small = kSingular * std::max(lambda.tail<1>()[0], 1e-300);
+  const double small = kSingularShare * std::max(lambda.tail<1>()[0], 1e-300);
   VectorXd out = VectorXd::Zero(J.cols());
   for (Eigen::Index k = 0; k < lambda.size(); ++k)
     for (Eigen::Index i = 0; i < out.size(); ++i) {
       const double part = v(i, k) * v(i, k);
       if (lambda[k] > small)
         out[i] += part / lambda[k];
-      else if (part > kSingular)
+      else if (part > kSingularShare)
         out[i] = kInfinity;
     }
   for (double& variance : out)
@@ -284,7 +284,7 @@ void warn(const PadFitProblem& problem, PadFitResult& result) {
     for (std::size_t j = 0; j < i; ++j) {
       const double together =
           result.correlations(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      if (std::abs(together) > kTogether)
+      if (std::abs(together) > kJointCorrelation)
         result.warnings.push_back(fmt::format(
             "{} and {} are known only together: correlation {:.3f}", name(j), name(i), together));
     }

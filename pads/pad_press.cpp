@@ -16,12 +16,12 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int kMaxCuts = 12;       // halvings of a step
-constexpr double kFirstWay = 0.1;  // between depths of a search, over distances of nodes [1]
-constexpr double kEqual = 1e-6;    // difference of errors that are equal [1]
-constexpr double kPatchNodes = 1;  // nodes that touch times the error that is asked, at least
-constexpr int kPatchLevels = 3;    // halvings of cells for the sake of it
-constexpr double kTouch = 1e-10;   // gap that counts as touching [m]
+constexpr int kMaxCuts = 12;           // halvings of a step
+constexpr double kFirstWay = 0.1;      // between depths of a search, over distances of nodes [1]
+constexpr double kEqualErrors = 1e-6;  // difference of errors that are equal [1]
+constexpr double kPatchNodes = 1;      // nodes that touch times the error that is asked, at least
+constexpr int kPatchLevels = 3;        // halvings of cells for the sake of it
+constexpr double kTouchGap = 1e-10;    // gap that counts as touching [m]
 
 /// Whether nothing more is to be tried.
 bool ended(const PressOutcome& out) {
@@ -61,9 +61,9 @@ double PadPress::touch(const Vector3d& along) {
     require(k < 10000, "the object does not come near the pad");
     // No point is nearer than the smallest gap: so far the object may go.
     const double gap = smallest_gap(surface_, *object_.shape, state_.X_PO, state_.x);
-    require(k > 0 || gap > -kTouch, "the object begins {:g} mm inside the pad", -gap * 1e3);
+    require(k > 0 || gap > -kTouchGap, "the object begins {:g} mm inside the pad", -gap * 1e3);
     require(gap < 1, "the object passes the pad by");
-    if (gap <= kTouch) break;
+    if (gap <= kTouchGap) break;
     state_.X_PO.p += gap * along;
     way += gap;
   }
@@ -203,7 +203,7 @@ std::vector<int> PadPress::cells_of_errors(const VectorXd& errors) const {
   std::vector<int> marked;
   double sum = 0, least = 0;
   for (const int e : order) {
-    if (sum > options_.refined * errors.sum() && errors[e] < (1 - kEqual) * least) break;
+    if (sum > options_.refined * errors.sum() && errors[e] < (1 - kEqualErrors) * least) break;
     sum += errors[e];
     least = errors[e];
     marked.push_back(mesh_.active()[static_cast<std::size_t>(e)]);

@@ -12,13 +12,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kQuarter = 1.5707963267948966;  // pi / 2
-constexpr double kInner = 0.5;  // half side of the square in the middle of the disc [1]
+constexpr double kQuarterTurn = 1.5707963267948966;  // pi / 2
+constexpr double kInnerHalfSide = 0.5;  // half side of the square in the middle of the disc [1]
 
 /// A point of a half ellipsoid: the polar angle grows straight with the radius of the disc.
 Vector3d dome(double a, double b, const Vector3d& half_axes) {
-  const double r = std::hypot(a, b), polar = kQuarter * r;
-  const double side = r > 1e-12 ? std::sin(polar) / r : kQuarter;
+  const double r = std::hypot(a, b), polar = kQuarterTurn * r;
+  const double side = r > 1e-12 ? std::sin(polar) / r : kQuarterTurn;
   return {half_axes[0] * side * a, half_axes[1] * side * b, half_axes[2] * std::cos(polar)};
 }
 
@@ -118,7 +118,7 @@ HexMesh pad_mesh(const PadShape& shape, const PadCells& cells) {
   const int n = cells.across;
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i)
-      disc.emplace_back(kInner * (2.0 * i / n - 1), kInner * (2.0 * j / n - 1));
+      disc.emplace_back(kInnerHalfSide * (2.0 * i / n - 1), kInnerHalfSide * (2.0 * j / n - 1));
   const auto inner = [&](int i, int j) { return j * (n + 1) + i; };
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
@@ -136,7 +136,7 @@ HexMesh pad_mesh(const PadShape& shape, const PadCells& cells) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Eigen::Vector2d from = disc[static_cast<std::size_t>(square[k])];
       // Equal angles on the rim.
-      const double angle = (static_cast<double>(k) / n - 1.5) * kQuarter;
+      const double angle = (static_cast<double>(k) / n - 1.5) * kQuarterTurn;
       next.push_back(static_cast<int>(disc.size()));
       disc.emplace_back((1 - part) * from +
                         part * Eigen::Vector2d(std::cos(angle), std::sin(angle)));

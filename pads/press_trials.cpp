@@ -40,10 +40,10 @@ MeasuredPress measured(PadPress& press, const PadPressResult& result, const Pres
 /// Whether a patch is more than some nodes: of a disc under even pressure the arm is 0.38 of the
 /// root of its area, of one node it is rounding.
 bool is_patch(const MeasuredPress& press, Eigen::Index nodes) {
-  constexpr Eigen::Index kNodes = 4;
-  constexpr double kArm = 0.1;
+  constexpr Eigen::Index kMostNodes = 4;
+  constexpr double kTurnArm = 0.1;
   return press.force > 0 && press.area > 0 && press.depth > 0 && press.shear > 0 &&
-         nodes >= kNodes && press.arm > kArm * std::sqrt(press.area);
+         nodes >= kMostNodes && press.arm > kTurnArm * std::sqrt(press.area);
 }
 
 /// A pose whose z axis is `z`, at a distance from the origin against `along`.
@@ -94,11 +94,11 @@ void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPr
 }  // namespace
 
 std::vector<double> trial_depths(const PadShape& shape) {
-  constexpr double kParts = 11, kNanometre = 1e9;  // [1], [1/m]
+  constexpr double kTrialParts = 11, kPerNanometre = 1e9;  // [1], [1/m]
   const double thickness = PadChart(shape).thickness(0, 0);
   std::vector<double> depths;
   for (const double part : {1, 2, 3, 4})
-    depths.push_back(std::round(part * thickness / kParts * kNanometre) / kNanometre);
+    depths.push_back(std::round(part * thickness / kTrialParts * kPerNanometre) / kPerNanometre);
   return depths;
 }
 
@@ -128,10 +128,10 @@ LawTrials standard_trials(const PadShape& shape, const std::vector<double>& dept
   };
   const auto cylinder = [&](const Vector3d& axis, const std::string& way,
                             const std::vector<double>& to) {
-    constexpr double kRadius = 8e-3;
+    constexpr double kBallRadius = 8e-3;
     return PressTrial{"cylinder of 8 mm " + way,
-                      {build_cylinder(kRadius, 0.2), 0},
-                      posed(axis, {0, 0, -1}, far + kRadius),
+                      {build_cylinder(kBallRadius, 0.2), 0},
+                      posed(axis, {0, 0, -1}, far + kBallRadius),
                       {0, 0, -1},
                       to};
   };

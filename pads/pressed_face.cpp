@@ -14,12 +14,14 @@ using Eigen::Vector4d;
 using Row = Eigen::Matrix<double, 12, 1>;    // of all coordinates of a face's corners
 using Shapes = Eigen::Matrix<double, 4, 3>;  // of a triangle's corners, of those of the face
 
-constexpr int kParts = 4;           // of a side of a face
-constexpr double kTurn = 3e-3;      // of normals over a triangle, from which on planes count [1]
-constexpr double kConvex = 1e-9;    // of a plane beyond the object, that rounding explains [m]
-constexpr double kBeyond = 1e-13;   // of the object over all known planes, that tells of more [m]
+constexpr int kSideParts = 4;        // of a side of a face
+constexpr double kPlaneTurn = 3e-3;  // of normals over a triangle, from which on planes count [1]
+constexpr double kConvexRounding =
+    1e-9;  // of a plane beyond the object, that rounding explains [m]
+constexpr double kPlaneExcess =
+    1e-13;                          // of the object over all known planes, that tells of more [m]
 constexpr double kSharpTurn = 0.1;  // turn of normals over a triangle that tells of an edge [1]
-constexpr double kEven =
+constexpr double kEvenTurnShare =
     0.25;  // of a turn, that its middle may be off; over an edge half of it [1]
 constexpr int kMostSplits = 4;            // of triangles over curved edges
 constexpr int kMostLooks = 4;             // for more planes of a triangle
@@ -85,7 +87,7 @@ class FacePress {
   FacePress(const FaceCorners& corners, const Vector4d& stiffness, double area, const Shape& object,
             const Pose<double>& X_PO)
       : corners_(corners),
-        stiffness_(stiffness * area / (2 * kParts * kParts)),
+        stiffness_(stiffness * area / (2 * kSideParts * kSideParts)),
         object_(object),
         X_PO_(X_PO),
         X_OP_(X_PO.inverse()) {}
@@ -94,14 +96,14 @@ class FacePress {
     const Sample middle = sample(face_shape(0.5, 0.5));
     if (middle.distance > (corners_.colwise() - middle.place).colwise().norm().maxCoeff())
       return std::move(out_);
-    std::array<std::array<Sample, kParts + 1>, kParts + 1> at;
-    for (std::size_t i = 0; i <= kParts; ++i)
-      for (std::size_t j = 0; j <= kParts; ++j)
-        at[i][j] =
-            sample(face_shape(static_cast<double>(i) / kParts, static_cast<double>(j) / kParts));
+    std::array<std::array<Sample, kSideParts + 1>, kSideParts + 1> at;
+    for (std::size_t i = 0; i <= kSideParts; ++i)
+      for (std::size_t j = 0; j <= kSideParts; ++j)
+        at[i][j] = sample(
+            face_shape(static_cast<double>(i) / kSideParts, static_cast<double>(j) / kSideParts));
     // Diagonals alternate, so that a face has no favoured one.
-    for (std::size_t i = 0; i < kParts; ++i)
-      for (std::size_t j = 0; j < kParts; ++j) {
+    for (std::size_t i = 0; i < kSideParts; ++i)
+      for (std::size_t j = 0; j < kSideParts; ++j) {
         const Sample &a = at[i][j], &b = at[i + 1][j], &c = at[i][j + 1], &d = at[i + 1][j + 1];
         const bool rises = (i + j) % 2 == 0;
         add(rises ? Triangle{a, b, d} : Triangle{a, b, c});
@@ -135,11 +137,11 @@ class FacePress {
       }
     }
     // All of it outside.
-    const bool is_convex = excess < kConvex;
+    const bool is_convex = excess < kConvexRounding;
     if (is_convex && std::any_of(planes.begin(), planes.end(),
                                  [](const Plane& plane) { return plane.values.minCoeff() >= 0; }))
       return;
-    if (turn > kTurn && is_convex && find_planes(at, planes))
+    if (turn > kPlaneTurn && is_convex && find_planes(at, planes))
       add_planes();
     else if (turn < kSharpTurn || cuts == kMostSplits)
       add_linear(at, turn < kSharpTurn || turns_evenly(at));
@@ -175,7 +177,7 @@ class FacePress {
       if (turn(side) > turn(most)) most = side;
     const Sample &from = at[most], &to = at[(most + 1) % 3];
     const Vector3d middle = sample(Vector4d((from.shape + to.shape) / 2)).normal;
-    return (middle - (from.normal + to.normal) / 2).norm() < kEven * turn(most);
+    return (middle - (from.normal + to.normal) / 2).norm() < kEvenTurnShare * turn(most);
   }
 
   /// Adds springs whose depth is linear over the triangle.
@@ -262,7 +264,7 @@ class FacePress {
   /// Adds the object's plane where it is farthest beyond those that are known. Between corners of
   /// parts it is not: a convex distance less a linear one. @return whether there is one
   bool find_another(const Triangle& at) {
-    double most = kBeyond;
+    double most = kPlaneExcess;
     std::optional<Plane> found;
     for (std::size_t p = 0; p < planes_.size(); ++p)
       for (std::size_t i = 0; i < parts_[p].size; ++i) {

@@ -19,22 +19,22 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kGrid = 12;            // places along a radius of the disc, of a first look
-constexpr double kFinest = 1e-7;     // of a search on the disc [1]
-constexpr double kBeside = 0.25;     // places as near belong to the deepest [1]
-constexpr double kNear = 0.02;       // where a search begins around a place nearby [1]
-constexpr int kSlopes = 8;           // around a place
-constexpr double kStep = 0.01;       // of their differences, over the ring they are on [1]
-constexpr double kRise = 0.01;       // of what slopes promise [1]
-constexpr double kLevel = 1e-4;      // a mixture so short, over a slope, is none [1]
-constexpr double kTiny = 1e-300;     // of a square
-constexpr double kSlope = 1e-3;      // step of differences on the disc [1]
-constexpr double kNewton = 0.1;      // longest step that a parabola is believed for [1]
-constexpr double kCurvature = 1e-3;  // step of second differences [m]
+constexpr int kGridPlaces = 12;           // places along a radius of the disc, of a first look
+constexpr double kFinestStep = 1e-7;      // of a search on the disc [1]
+constexpr double kBesideShare = 0.25;     // places as near belong to the deepest [1]
+constexpr double kNearStart = 0.02;       // where a search begins around a place nearby [1]
+constexpr int kSlopePlaces = 8;           // around a place
+constexpr double kSlopeStep = 0.01;       // of their differences, over the ring they are on [1]
+constexpr double kRiseShare = 0.01;       // of what slopes promise [1]
+constexpr double kLevelMixture = 1e-4;    // a mixture so short, over a slope, is none [1]
+constexpr double kTinySquare = 1e-300;    // of a square
+constexpr double kDifferenceStep = 1e-3;  // step of differences on the disc [1]
+constexpr double kMostNewtonStep = 0.1;   // longest step that a parabola is believed for [1]
+constexpr double kCurvatureStep = 1e-3;   // step of second differences [m]
 
 PrincipalCurvatures curvatures_near(const Shape& shape, const Vector3d& p) {
   const NearestSurface near = shape.nearest(p);
-  return curvatures(shape, p - near.distance * near.normal, kCurvature);
+  return curvatures(shape, p - near.distance * near.normal, kCurvatureStep);
 }
 
 /// The point of the convex hull of some points that is nearest to 0.
@@ -43,7 +43,7 @@ Vector2d shortest_mixture(const std::array<Vector2d, n>& points) {
   Vector2d out = points.front();
   for (const Vector2d& a : points)
     for (const Vector2d& b : points) {
-      const double share = -a.dot(b - a) / std::max((b - a).squaredNorm(), kTiny);
+      const double share = -a.dot(b - a) / std::max((b - a).squaredNorm(), kTinySquare);
       const Vector2d x = a + std::clamp(share, 0.0, 1.0) * (b - a);
       if (x.squaredNorm() < out.squaredNorm()) out = x;
     }
@@ -69,8 +69,8 @@ class OverlapSearch {
   /// Follows parabolas from a place nearby. @return false if they lead nowhere
   bool follow(Vector2d c) {
     for (int i = 0; i < 5; ++i) {
-      if (c.norm() > 1 - 2 * kSlope) return false;
-      const Vector2d x(kSlope, 0), y(0, kSlope);
+      if (c.norm() > 1 - 2 * kDifferenceStep) return false;
+      const Vector2d x(kDifferenceStep, 0), y(0, kDifferenceStep);
       const double here = overlap(c), left = overlap(c - x), right = overlap(c + x),
                    below = overlap(c - y), above = overlap(c + y);
       Vector2d slope(right - left, above - below);
@@ -81,8 +81,8 @@ class OverlapSearch {
           overlap(c + x + y) - overlap(c + x - y) - overlap(c - x + y) + overlap(c - x - y);
       // A maximum, and not far.
       if (!(curve.trace() < 0 && curve.determinant() > 0)) return false;
-      const Vector2d step = -2 * kSlope * curve.inverse() * slope;
-      if (!(step.norm() < kNewton)) return false;
+      const Vector2d step = -2 * kDifferenceStep * curve.inverse() * slope;
+      if (!(step.norm() < kMostNewtonStep)) return false;
       c += step;
       if (step.norm() < 1e-6) {
         best = c;
@@ -93,13 +93,15 @@ class OverlapSearch {
     return false;
   }
 
-  /// The best of a grid. @return by how much it is deeper than all that is farther than kBeside
+  /// The best of a grid. @return by how much it is deeper than all that is farther than
+  /// kBesideShare
   double look_over() {
-    constexpr int kSide = 2 * kGrid + 1;
-    std::vector<double> found(std::size_t{kSide} * kSide, -kInfinity);
+    constexpr int kGridSide = 2 * kGridPlaces + 1;
+    std::vector<double> found(std::size_t{kGridSide} * kGridSide, -kInfinity);
     const auto place = [](std::size_t k) -> Vector2d {
-      return Vector2d(static_cast<int>(k) / kSide - kGrid, static_cast<int>(k) % kSide - kGrid) /
-             kGrid;
+      return Vector2d(static_cast<int>(k) / kGridSide - kGridPlaces,
+                      static_cast<int>(k) % kGridSide - kGridPlaces) /
+             kGridPlaces;
     };
     most = -kInfinity;
     for (std::size_t k = 0; k < found.size(); ++k) {
@@ -111,7 +113,7 @@ class OverlapSearch {
     }
     double other = -kInfinity;
     for (std::size_t k = 0; k < found.size(); ++k)
-      if ((place(k) - best).norm() > kBeside) other = std::max(other, found[k]);
+      if ((place(k) - best).norm() > kBesideShare) other = std::max(other, found[k]);
     return most - other;
   }
 
@@ -120,20 +122,20 @@ class OverlapSearch {
   /// on a ring, evenly instead of by chance. Source: [Burke2005].
   void climb(double ring) {
     most = overlap(best);
-    while (ring > kFinest) {
-      std::array<Vector2d, kSlopes> slopes;
-      for (int k = 0; k < kSlopes; ++k) {
-        const double turn = 2 * kPi * k / kSlopes;
+    while (ring > kFinestStep) {
+      std::array<Vector2d, kSlopePlaces> slopes;
+      for (int k = 0; k < kSlopePlaces; ++k) {
+        const double turn = 2 * kPi * k / kSlopePlaces;
         const Vector2d at = best + ring * Vector2d(std::cos(turn), std::sin(turn));
-        const double here = overlap(at), d = kStep * ring;
+        const double here = overlap(at), d = kSlopeStep * ring;
         slopes[static_cast<std::size_t>(k)] =
             Vector2d(overlap(at + Vector2d(d, 0)) - here, overlap(at + Vector2d(0, d)) - here) / d;
       }
       // As far as it rises as slopes say, in part; nearer where it does not.
       const Vector2d mixed = shortest_mixture(slopes), way = mixed.stableNormalized(), from = best;
       double t = ring;
-      if (mixed.norm() > kLevel * slopes[0].norm())
-        while (look_at(from + t * way, kRise * t * mixed.norm())) t *= 2;
+      if (mixed.norm() > kLevelMixture * slopes[0].norm())
+        while (look_at(from + t * way, kRiseShare * t * mixed.norm())) t *= 2;
       if (t == ring) ring /= 2;
     }
   }
@@ -175,10 +177,10 @@ DeepestSkin deepest_skin(const PadChart& chart, const Shape& object, const Pose<
   DeepestSkin out;
   if (!near) {
     out.lead = search.look_over();
-    search.climb(1.0 / kGrid);
+    search.climb(1.0 / kGridPlaces);
   } else if (!search.follow(*near)) {
     search.best = *near;
-    search.climb(kNear);
+    search.climb(kNearStart);
   }
   out.disc = search.best;
   out.overlap = search.most;

@@ -13,7 +13,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kStick = 0.125;  // stiffness of what holds by friction, over that of springs [1]
+constexpr double kStickStiffnessRatio =
+    0.125;  // stiffness of what holds by friction, over that of springs [1]
 
 /// How far off its place an object is taken, so that an edge that lies along nodes lies on one side
 /// of them for all faces [m] (3).
@@ -87,7 +88,8 @@ void SkinSprings::rub(const Pose<double>& X_PO, const Matrix3Xd& places,
     const auto across = [&](const Vector3d& v) {
       return Vector3d(v - v.dot(node.normal) * node.normal);
     };
-    const double stick = kStick * stiffness[static_cast<std::size_t>(k)], bound = friction_ * push;
+    const double stick = kStickStiffnessRatio * stiffness[static_cast<std::size_t>(k)],
+                 bound = friction_ * push;
     const Vector3d last = before.shear.col(k);
     node.push = push;
     node.trial = last - stick * (places.col(k) - X_PO * Vector3d(before.anchor.col(k)));

@@ -7,11 +7,11 @@
 namespace thenar {
 namespace {
 
-constexpr double kSmallest = 1e-9;  // radius at which a fit gives up
-constexpr int kSweeps = 400;
-constexpr double kSettled = 1e-9;  // relative move of a sweep at which descent stops
+constexpr double kLeastRadius = 1e-9;  // radius at which a fit gives up
+constexpr int kMostSweeps = 400;
+constexpr double kSettledMove = 1e-9;  // relative move of a sweep at which descent stops
 
-constexpr double kRounding = 1e-6;  // gap of a linearised problem that no sweep lessens
+constexpr double kGapRounding = 1e-6;  // gap of a linearised problem that no sweep lessens
 
 /// Minimum of the linearised problem within `radius` of here, in every unknown; its gap to `now`.
 Eigen::VectorXd trusted_step(const BoundedFit& fit, BoundedFitResult& now, double radius) {
@@ -40,7 +40,7 @@ Eigen::VectorXd bounded_quadratic(const Eigen::MatrixXd& H, const Eigen::VectorX
   // Coordinate descent from the nearest point to zero.
   Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()).cwiseMax(lower).cwiseMin(upper);
   Eigen::VectorXd slope = 2 * H * d + g;
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     double moved = 0;
     for (Eigen::Index i = 0; i < g.size(); ++i) {
       const double wanted = d(i) - slope(i) / (2 * H(i, i));
@@ -48,9 +48,9 @@ Eigen::VectorXd bounded_quadratic(const Eigen::MatrixXd& H, const Eigen::VectorX
       if (move == 0) continue;
       d(i) += move;
       slope += 2 * move * H.col(i);
-      moved = std::max(moved, std::abs(move) / (std::abs(d(i)) + kSettled));
+      moved = std::max(moved, std::abs(move) / (std::abs(d(i)) + kSettledMove));
     }
-    if (moved < kSettled) break;
+    if (moved < kSettledMove) break;
   }
   return d;
 }
@@ -76,12 +76,12 @@ BoundedFitResult bounded_least_squares(const BoundedFit& fit, const Eigen::Vecto
   now.cost = now.at.r.squaredNorm() + fit.price.dot(now.x);
   double radius = options.radius;
   // Steps within the trust region.
-  for (; now.steps < options.max_steps && radius > kSmallest; ++now.steps) {
+  for (; now.steps < options.max_steps && radius > kLeastRadius; ++now.steps) {
     const Eigen::VectorXd d = trusted_step(fit, now, radius);
     // Converged if the linearised problem promises too little.
     const double foreseen = foreseen_change(fit, now, d);
     const double small = std::max(options.tolerance, options.relative * std::abs(now.cost));
-    now.converged = -foreseen < small && now.gap <= std::max(small, kRounding);
+    now.converged = -foreseen < small && now.gap <= std::max(small, kGapRounding);
     if (-foreseen < small) break;
     // The step as taken, and how much of the promise it keeps.
     const Eigen::VectorXd x = (now.x + d).cwiseMax(fit.lower).cwiseMin(fit.upper);

@@ -20,11 +20,11 @@ using Eigen::VectorXd;
 using internal::ConeScaling;
 using Qr = Eigen::ColPivHouseholderQR<MatrixXd>;
 
-constexpr double kRank = 1e-11;          // pivots below this part of the largest count as zero
-constexpr double kConsistent = 1e-9;     // misfit of dependent equalities that rounding explains
-constexpr int kRefinements = 2;          // of a Newton step
-constexpr int kPatience = 12;            // iterations without a better iterate or certificate
-constexpr double kShyOfBoundary = 0.99;  // part of the step to the boundary that is gone
+constexpr double kRankPivot = 1e-11;        // pivots below this part of the largest count as zero
+constexpr double kConsistencyError = 1e-9;  // misfit of dependent equalities that rounding explains
+constexpr int kStepRefinements = 2;         // of a Newton step
+constexpr int kStalledIterations = 12;      // iterations without a better iterate or certificate
+constexpr double kShyOfBoundary = 0.99;     // part of the step to the boundary that is gone
 
 void check(const ConeProgram& p) {
   const Index n = p.c.size(), m = p.h.size();
@@ -54,7 +54,7 @@ struct Presolve {
 
 Qr rank_revealing(const MatrixXd& M) {
   Qr qr;
-  qr.setThreshold(kRank);
+  qr.setThreshold(kRankPivot);
   qr.compute(M);
   return qr;
 }
@@ -77,7 +77,7 @@ Presolve presolve(const ConeProgram& p) {
   VectorXd x0 = VectorXd::Zero(p.c.size());
   if (p.A.size() > 0) x0 = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A).solve(p.b);
   if (p.A.rows() > 0) result.misfit = p.A * x0 - p.b;
-  if (result.misfit.norm() > kConsistent * (1 + p.b.norm())) return result;
+  if (result.misfit.norm() > kConsistencyError * (1 + p.b.norm())) return result;
   // Directions within the equalities that cones see.
   MatrixXd N =
       p.A.rows() > 0 ? row_spaces(p.A).null_space : MatrixXd::Identity(p.c.size(), p.c.size());
@@ -85,7 +85,8 @@ Presolve presolve(const ConeProgram& p) {
   const VectorXd c = N.transpose() * p.c;
   // The objective falls along a direction that no cone sees.
   const VectorXd unseen = seen.null_space.transpose() * c;
-  if (unseen.norm() > kConsistent * (1 + c.norm())) result.falling = -N * seen.null_space * unseen;
+  if (unseen.norm() > kConsistencyError * (1 + c.norm()))
+    result.falling = -N * seen.null_space * unseen;
   N = (N * seen.row_space).eval();
   result.reduced = Reduced{x0, N.transpose() * p.c, p.h - p.G * x0, N, p.G * N};
   return result;
@@ -103,7 +104,7 @@ class KktSolver {
   void solve(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
     factored(a, b, x, z);
     VectorXd left_a = a - G_.transpose() * z, left_b = b - G_ * x + W_.times(W_.times(z)), dx, dz;
-    for (int again = 0; again < kRefinements; ++again) {
+    for (int again = 0; again < kStepRefinements; ++again) {
       factored(left_a, left_b, dx, dz);
       const VectorXd next_x = x + dx, next_z = z + dz;
       const VectorXd next_a = a - G_.transpose() * next_z,
@@ -294,7 +295,7 @@ Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOp
     if (best.status != Status::kStalled) return best;
     const bool lost = !(embedding.tau > 0) || !embedding.z.allFinite() || !embedding.s.allFinite();
     if (lost || best.iterations == options.max_iterations ||
-        best.iterations - best.last_better > kPatience) {
+        best.iterations - best.last_better > kStalledIterations) {
       best.status = status_of(best, options.acceptable);
       if (best.status == Status::kStalled && best.iterations == options.max_iterations)
         best.status = Status::kLimit;

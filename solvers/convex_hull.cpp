@@ -20,7 +20,7 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double kContained = 1e-10;  // of the extent: how far a point may lie outside a plane
+constexpr double kContainedShare = 1e-10;  // of the extent: how far a point may lie outside a plane
 
 /// Where Qhull writes its complaints.
 class MessageFile {
@@ -183,7 +183,7 @@ ConvexHull convex_hull(const Eigen::Ref<const Eigen::MatrixXd>& points) {
 
   hull.check = check_hull(points, hull);
   const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
-  if (!(hull.check.outside <= kContained * extent))
+  if (!(hull.check.outside <= kContainedShare * extent))
     return {{},
             fmt::format("qhull: a point lies {:.2g} outside the hull", hull.check.outside),
             hull.check};

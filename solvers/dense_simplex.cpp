@@ -15,10 +15,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kInside = 1e-12;  // violation of a bound that counts as none
-constexpr double kPrice = 1e-12;   // that is worth a step
-constexpr double kPivot = 1e-12;   // rate of a basic variable that counts as none
-constexpr double kTie = 1e-13;     // steps as long as one another
+constexpr double kBoundViolation = 1e-12;  // violation of a bound that counts as none
+constexpr double kLeastPrice = 1e-12;      // that is worth a step
+constexpr double kLeastPivot = 1e-12;      // rate of a basic variable that counts as none
+constexpr double kStepTie = 1e-13;         // steps as long as one another
 
 /// The variable that enters, and which way it moves.
 struct Entering {
@@ -96,8 +96,8 @@ class DenseSimplex {
     VectorXd signs = VectorXd::Zero(rows_);
     for (Index k = 0; k < rows_; ++k) {
       const double value = basis_.at(basic(k)), scale = std::max(1.0, std::abs(value));
-      if (value < lower_(basic(k)) - kInside * scale) signs(k) = 1;
-      if (value > upper_(basic(k)) + kInside * scale) signs(k) = -1;
+      if (value < lower_(basic(k)) - kBoundViolation * scale) signs(k) = 1;
+      if (value > upper_(basic(k)) + kBoundViolation * scale) signs(k) = -1;
     }
     return signs;
   }
@@ -114,7 +114,7 @@ class DenseSimplex {
 
   [[nodiscard]] std::optional<Entering> choose(const VectorXd& d, bool bland_rule) const {
     std::optional<Entering> best;
-    double steepest = kPrice;
+    double steepest = kLeastPrice;
     for (Index j = 0; j < n_ + rows_; ++j) {
       // Dantzig's rule, or Bland's least index.
       if (is_basic_[static_cast<std::size_t>(j)] || std::abs(d(j)) <= steepest) continue;
@@ -140,12 +140,12 @@ class DenseSimplex {
     // The entering variable may cross to its other bound.
     Step best{upper_(j) - lower_(j), -1, entering.way > 0 ? upper_(j) : lower_(j)};
     for (Index k = 0; k < rows_; ++k) {
-      if (std::abs(rates(k)) < kPivot) continue;
+      if (std::abs(rates(k)) < kLeastPivot) continue;
       const double bound = stop(k, rates(k), missing(k));
       if (!std::isfinite(bound)) continue;
       const double length = std::max(0.0, (bound - basis_.at(basic(k))) / rates(k));
       // Ties: the largest rate, or by Bland's rule the least index.
-      const bool tie = best.leaving >= 0 && std::abs(length - best.length) <= kTie;
+      const bool tie = best.leaving >= 0 && std::abs(length - best.length) <= kStepTie;
       const bool preferred =
           tie && (bland_rule ? basic(k) < basic(best.leaving)
                              : std::abs(rates(k)) > std::abs(rates(best.leaving)));

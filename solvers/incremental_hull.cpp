@@ -10,9 +10,9 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kUlp = std::numeric_limits<double>::epsilon();
-constexpr double kPlaneRounding = 32 * kUlp;  // of one n'p - d, in parts of the size [1]
-constexpr double kErrorToCheck = 1e-13;       // of a plane, in parts of the size [1]
+constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon();
+constexpr double kPlaneRounding = 32 * kUnitRoundoff;  // of one n'p - d, in parts of the size [1]
+constexpr double kErrorToCheck = 1e-13;                // of a plane, in parts of the size [1]
 
 /// Scatters numbers over 64 bits (the finaliser of SplitMix64).
 std::uint64_t scatter(std::uint64_t x) {

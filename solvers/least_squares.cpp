@@ -40,11 +40,12 @@ Solution dispatch(const LeastSquares& problem, const Eigen::VectorXd& start,
 void refute_if_infeasible(const LeastSquares& problem, LeastSquaresMethod method,
                           Solution& solution) {
   if (!problem.constraints) return;
-  constexpr double kSlack = 1e-6;  // of scaled constraints: what Ipopt is allowed, too [1]
+  constexpr double kConstraintSlack =
+      1e-6;  // of scaled constraints: what Ipopt is allowed, too [1]
   const Eigen::VectorXd c = problem.constraints(solution.z).c;
   // A NaN breaks its constraint.
-  const auto kept = ((c.array() >= problem.c_lower.array() - kSlack) &&
-                     (c.array() <= problem.c_upper.array() + kSlack))
+  const auto kept = ((c.array() >= problem.c_lower.array() - kConstraintSlack) &&
+                     (c.array() <= problem.c_upper.array() + kConstraintSlack))
                         .count();
   if (kept == c.size()) return;
   if (solution.status == Status::kSolved) solution.status = Status::kStalled;
@@ -55,10 +56,10 @@ void refute_if_infeasible(const LeastSquares& problem, LeastSquaresMethod method
 
 /// Coordinates whose bounds leave them room to move.
 std::vector<int> find_free(const LeastSquares& problem) {
-  constexpr double kRoom = 1e-12;  // less is rounding, in prior sds [1]
+  constexpr double kLeastRoom = 1e-12;  // less is rounding, in prior sds [1]
   std::vector<int> free;
   for (Eigen::Index i = 0; i < problem.lower.size(); ++i)
-    if (problem.upper[i] - problem.lower[i] > kRoom || !std::isfinite(problem.lower[i]))
+    if (problem.upper[i] - problem.lower[i] > kLeastRoom || !std::isfinite(problem.lower[i]))
       free.push_back(static_cast<int>(i));
   return free;
 }
@@ -111,12 +112,13 @@ double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostDeri
 /// Rows of constraints that hold the step back, those that let go left out.
 Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& z,
                             const Eigen::VectorXd& gradient) {
-  constexpr double kOn = 1e-5;  // of scaled constraints [1]
+  constexpr double kOnConstraint = 1e-5;  // of scaled constraints [1]
   // Constraints at one of their bounds.
   const ConstraintValues at = problem.constraints(z);
   std::vector<Eigen::Index> active;
   for (Eigen::Index k = 0; k < at.c.size(); ++k)
-    if (at.c[k] < problem.c_lower[k] + kOn || at.c[k] > problem.c_upper[k] - kOn)
+    if (at.c[k] < problem.c_lower[k] + kOnConstraint ||
+        at.c[k] > problem.c_upper[k] - kOnConstraint)
       active.push_back(k);
   // Drop what pulls instead of pushing, the strongest first.
   while (!active.empty()) {
@@ -125,7 +127,7 @@ Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& 
     Eigen::Index worst = -1;
     double most = 1e-9 * push.cwiseAbs().maxCoeff();
     for (Eigen::Index k = 0; k < push.size(); ++k) {
-      const bool lower = at.c[active[k]] < problem.c_lower[active[k]] + kOn;
+      const bool lower = at.c[active[k]] < problem.c_lower[active[k]] + kOnConstraint;
       const double pull = lower ? -push[k] : push[k];
       if (pull > most) {
         most = pull;
@@ -141,9 +143,9 @@ Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& 
 /// Orthonormal directions that the rows of A leave, which may hang on each other.
 Eigen::MatrixXd null_basis(const Eigen::MatrixXd& A) {
   if (A.size() == 0) return Eigen::MatrixXd::Identity(A.cols(), A.cols());
-  constexpr double kDependent = 1e-9;  // of the largest pivot: a row that the others hold [1]
+  constexpr double kDependentPivot = 1e-9;  // of the largest pivot: a row that the others hold [1]
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.transpose());
-  qr.setThreshold(kDependent);
+  qr.setThreshold(kDependentPivot);
   const Eigen::MatrixXd Q = qr.householderQ();
   return Q.rightCols(A.cols() - qr.rank());
 }
@@ -199,11 +201,12 @@ std::optional<CostDerivatives> derivatives_if_any(const LeastSquares& problem,
 /// The same by differences of the residuals, for those without a Jacobian. No point outside the
 /// bounds is asked.
 CostDerivatives derivatives_by_differences(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  constexpr double kPart = 6e-6;  // cube root of the rounding: the best step of central differences
+  constexpr double kDifferenceShare =
+      6e-6;  // cube root of the rounding: the best step of central differences
   const Eigen::VectorXd r = problem.residuals(z, WithJacobian::kNo).r;
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(r.size(), z.size());
   for (Eigen::Index i = 0; i < z.size(); ++i) {
-    const double step = kPart * std::max(1.0, std::abs(z[i]));
+    const double step = kDifferenceShare * std::max(1.0, std::abs(z[i]));
     Eigen::VectorXd below = z, above = z;
     below[i] = std::max(z[i] - step, problem.lower[i]);
     above[i] = std::min(z[i] + step, problem.upper[i]);
@@ -233,9 +236,9 @@ void certify(const LeastSquares& problem, const SolveOptions& options, Solution&
     solution.newton_step = constrained ? constrained_step(problem, solution.z, slopes)
                                        : free_step(problem, solution.z, slopes);
   }
-  constexpr double kStep = 0.01;  // of an sd: nothing that a belief would notice
+  constexpr double kDifferenceSd = 0.01;  // of an sd: nothing that a belief would notice
   // What the tolerance allows; a longer step refutes the solver.
-  const double allowed = std::max(kStep, std::sqrt(20 * options.tolerance * solution.cost));
+  const double allowed = std::max(kDifferenceSd, std::sqrt(20 * options.tolerance * solution.cost));
   if (solution.status == Status::kSolved && !(solution.newton_step <= allowed)) {
     solution.status = Status::kStalled;
     solution.message += fmt::format("; but a step of {:.2g} sds is left", solution.newton_step);
@@ -276,14 +279,16 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
 /// Where that fails too, Ceres goes on.
 Solution solve_by_method(const LeastSquares& problem, const Eigen::VectorXd& start,
                          const SolveOptions& options) {
-  constexpr double kNear = 1e-3;           // relative change of the cost [1]
-  constexpr int kFirst = 80, kLast = 200;  // evaluations by secants at most [1]
+  constexpr double kNearCost = 1e-3;  // relative change of the cost [1]
+  constexpr int kFirstEvaluations = 80,
+                kLastEvaluations = 200;  // evaluations by secants at most [1]
   if (options.method != LeastSquaresMethod::kCeres || options.max_evaluations > 0 ||
-      options.tolerance >= kNear)
+      options.tolerance >= kNearCost)
     return solve_free(problem, start, options);
   Solution found;
   found.z = start;
-  if (!problem.parts.empty() && internal::search_by_secants(problem, options, kFirst, found))
+  if (!problem.parts.empty() &&
+      internal::search_by_secants(problem, options, kFirstEvaluations, found))
     return found;
   const auto solve_on = [&](double tolerance) {
     SolveOptions next = options;
@@ -292,9 +297,9 @@ Solution solve_by_method(const LeastSquares& problem, const Eigen::VectorXd& sta
     then.evaluations += found.evaluations;
     found = std::move(then);
   };
-  solve_on(kNear);
+  solve_on(kNearCost);
   if (found.status != Status::kSolved ||
-      internal::search_by_secants(problem, options, kLast, found))
+      internal::search_by_secants(problem, options, kLastEvaluations, found))
     return found;
   // Kinks stop secants; what is smooth goes to the end as Ceres does.
   if (internal::search_at_kink(problem, options, found)) return found;

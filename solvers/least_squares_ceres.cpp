@@ -80,12 +80,12 @@ namespace {
 
 /// Bounds of one parameter block of Ceres; where they leave no room, the coordinate is held.
 void bound(const LeastSquares& problem, int first, int count, double* z, ceres::Problem& ceres) {
-  constexpr double kRoom = 1e-12;  // less is rounding, in prior sds [1]
+  constexpr double kNoRoom = 1e-12;  // less is rounding, in prior sds [1]
   std::vector<int> held;
   // Coordinates between equal bounds are held.
   for (int i = 0; i < count; ++i) {
     const double lower = problem.lower[first + i], upper = problem.upper[first + i];
-    if (upper - lower <= kRoom) {
+    if (upper - lower <= kNoRoom) {
       held.push_back(i);
       continue;
     }

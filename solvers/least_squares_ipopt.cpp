@@ -30,14 +30,14 @@ class Evaluator {
  private:
   /// For whoever stops half-way: the lowest cost yet that honours the constraints.
   void keep_best() {
-    constexpr double kSlack = 1e-6;  // of scaled constraints [1]
+    constexpr double kIpoptSlack = 1e-6;  // of scaled constraints [1]
     // A lower cost counts if constraints hold.
     const double cost = 0.5 * last_.r.squaredNorm();
     if (!(best_.evaluations == 1 || cost < best_.cost)) return;
     if (problem_.constraints && best_.evaluations > 1) {
       const Eigen::VectorXd c = problem_.constraints(z_).c;
-      if ((c.array() < problem_.c_lower.array() - kSlack).any()) return;
-      if ((c.array() > problem_.c_upper.array() + kSlack).any()) return;
+      if ((c.array() < problem_.c_lower.array() - kIpoptSlack).any()) return;
+      if ((c.array() > problem_.c_upper.array() + kIpoptSlack).any()) return;
     }
     best_.cost = cost;
     best_.z = z_;

@@ -109,8 +109,8 @@ class SecantSearch {
     learn(*now, better ? now->parts : best_.parts);
     if (better) {
       best_ = std::move(*now);
-      constexpr double kLittle = 0.02;
-      damping_ = damping_ > kLittle ? damping_ / 4 : 0;
+      constexpr double kLittleStep = 0.02;
+      damping_ = damping_ > kLittleStep ? damping_ / 4 : 0;
     } else {
       shorten();
     }
@@ -131,8 +131,9 @@ class SecantSearch {
 
   /// By the cost, or by what is left to gain where rounding hides the change of the cost.
   [[nodiscard]] bool is_better(const SecantPoint& next) const {
-    constexpr double kRounding = 1e-14;  // of the cost [1]
-    if (std::abs(next.cost - best_.cost) > kRounding * best_.cost) return next.cost < best_.cost;
+    constexpr double kCostRounding = 1e-14;  // of the cost [1]
+    if (std::abs(next.cost - best_.cost) > kCostRounding * best_.cost)
+      return next.cost < best_.cost;
     return gain(next.gradient, kInfinity) < gain();
   }
 
@@ -250,10 +251,10 @@ namespace {
 /// @param products  inner products of the points (points, points)
 VectorXd nearest_mean(const MatrixXd& products) {
   // min |P y|^2 + (sum y - 1)^2 over y >= 0 has the same direction, and y <= 1.
-  constexpr double kRegular = 1e-12;  // of the largest product [1]
+  constexpr double kRegularization = 1e-12;  // of the largest product [1]
   const Eigen::Index n = products.rows();
   MatrixXd H = products + MatrixXd::Ones(n, n);
-  H.diagonal().array() += kRegular * H.diagonal().maxCoeff();
+  H.diagonal().array() += kRegularization * H.diagonal().maxCoeff();
   const VectorXd y =
       bounded_quadratic(H, VectorXd::Constant(n, -2), VectorXd::Zero(n), VectorXd::Ones(n));
   return y / y.sum();
@@ -278,15 +279,15 @@ class KinkSearch {
   /// A step downhill; where there is none, the gradient across the kink that is in the way.
   /// @return whether there was either
   bool advance() {
-    constexpr double kEnough = 0.05;   // of the fall that the slope promises [1]
-    constexpr std::size_t kMost = 30;  // sides
-    const double shortest = 0.5 * kNear / left_;
+    constexpr double kFallShare = 0.05;  // of the fall that the slope promises [1]
+    constexpr std::size_t kMost = 30;    // sides
+    const double shortest = 0.5 * kKinkDistance / left_;
     for (double part = 1;; part = std::max(part / 4, shortest)) {
       VectorXd next = (z_ + part * step_).cwiseMax(problem_.lower).cwiseMin(problem_.upper);
       CostDerivatives there = cost_derivatives(problem_, next);
       ++evaluations_;
       const bool finite = std::isfinite(there.cost) && there.gradient.allFinite();
-      if (finite && there.cost < at_.cost - kEnough * part * left_ * left_) {
+      if (finite && there.cost < at_.cost - kFallShare * part * left_ * left_) {
         move_to(std::move(next), std::move(there));
         return true;
       }
@@ -298,7 +299,8 @@ class KinkSearch {
   }
 
  private:
-  static constexpr double kNear = 1e-3;  // sides of one kink are as near to each other [sds]
+  static constexpr double kKinkDistance =
+      1e-3;  // sides of one kink are as near to each other [sds]
 
   /// Begins anew at a point, with what is known of the sides near to it.
   void move_to(VectorXd z, CostDerivatives at) {
@@ -321,7 +323,7 @@ class KinkSearch {
     std::swap(known, sides_);
     if (!factor_) return;
     for (Side& side : known)
-      if (length(side.z - z_) < kNear) sides_.push_back(std::move(side));
+      if (length(side.z - z_) < kKinkDistance) sides_.push_back(std::move(side));
     add(at_.gradient, z_);
   }
 
@@ -373,14 +375,14 @@ class KinkSearch {
 }  // namespace
 
 bool search_at_kink(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
-  constexpr int kMost = 200;       // evaluations [1]
-  constexpr double kLeft = 0.003;  // step that may be left [sds]
+  constexpr int kMost = 200;           // evaluations [1]
+  constexpr double kLeftStep = 0.003;  // step that may be left [sds]
   CostDerivatives start = cost_derivatives(problem, solution.z);
   ++solution.evaluations;
   if (!std::isfinite(start.cost) || !start.gradient.allFinite()) return false;
   KinkSearch search(problem, solution.z, std::move(start));
   bool stopped = false, going = true;
-  while (going && !stopped && !search.lost() && search.left() > kLeft &&
+  while (going && !stopped && !search.lost() && search.left() > kLeftStep &&
          search.evaluations() < kMost) {
     going = search.advance();
     options.progress(static_cast<double>(search.evaluations()) / kMost, "kinks");
@@ -390,7 +392,7 @@ bool search_at_kink(const LeastSquares& problem, const SolveOptions& options, So
   solution.z = search.z();
   solution.cost = search.cost();
   if (stopped) solution.status = Status::kStopped;
-  if (stopped || search.lost() || search.left() > kLeft) return stopped;
+  if (stopped || search.lost() || search.left() > kLeftStep) return stopped;
   solution.status = Status::kSolved;
   solution.newton_step = search.left();
   solution.sides = static_cast<int>(search.sides());

@@ -15,10 +15,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
-constexpr double kFeasible = 1e-12;   // of max(1, terms of the row)
-constexpr double kPriced = 1e-11;     // of max(1, terms of the price)
-constexpr double kGap = 1e-11;        // of max(1, |objective|)
-constexpr int kBasisRefinements = 2;  // of a linear system: rounding is reached after one
+constexpr double kFeasibilityError = 1e-12;  // of max(1, terms of the row)
+constexpr double kPriceError = 1e-11;        // of max(1, terms of the price)
+constexpr double kGapError = 1e-11;          // of max(1, |objective|)
+constexpr int kBasisRefinements = 2;         // of a linear system: rounding is reached after one
 
 /// Column k of [A, -1].
 VectorXd column(const LinearProgram& program, Index k) {
@@ -134,8 +134,8 @@ LinearCertificate certify(const LinearProgram& program, const PrimalDualPoint& p
 }
 
 bool holds(const LinearCertificate& certificate, double objective) {
-  return certificate.violation <= kFeasible && certificate.dual_violation <= kPriced &&
-         certificate.gap <= kGap * std::max(1.0, std::abs(objective));
+  return certificate.violation <= kFeasibilityError && certificate.dual_violation <= kPriceError &&
+         certificate.gap <= kGapError * std::max(1.0, std::abs(objective));
 }
 
 }  // namespace thenar::internal

@@ -19,9 +19,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using internal::SimplexBasis;
 
-constexpr double kClpTolerance = 1e-12;   // violation of a row that CLP is asked for
-constexpr double kOptimal = 1e-11;        // of reduced costs, likewise
-constexpr double kBarelyFeasible = 1e-9;  // sum of violations that is rounding of the rows
+constexpr double kClpTolerance = 1e-12;     // violation of a row that CLP is asked for
+constexpr double kOptimalityError = 1e-11;  // of reduced costs, likewise
+constexpr double kBarelyFeasible = 1e-9;    // sum of violations that is rounding of the rows
 
 VectorXd clp_bounds(const VectorXd& bounds) {
   return bounds.cwiseMax(-COIN_DBL_MAX).cwiseMin(COIN_DBL_MAX);
@@ -58,7 +58,7 @@ void load(ClpSimplex& simplex, const LinearProgram& program) {
   simplex.setOptimizationDirection(-1);  // maximise
   simplex.scaling(0);  // its scales hide reduced costs of the wrong sign; ours are of order one
   simplex.setPrimalTolerance(kClpTolerance);
-  simplex.setDualTolerance(kOptimal);
+  simplex.setDualTolerance(kOptimalityError);
   simplex.setPerturbation(100);  // none: the same program gives the same vertex
   simplex.setLogLevel(0);
 }

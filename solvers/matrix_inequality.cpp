@@ -13,9 +13,10 @@ using Eigen::VectorXd;
 
 constexpr double kFirstWeight = 1, kMaxWeight = 1e15, kGrowth = 8;
 constexpr int kMaxNewtonSteps = 30;  // of Newton for one weight
-constexpr double kQuadratic = 0.06;  // decrement squared below which full steps converge [1]
-constexpr double kCentred = 1e-3;    // decrement squared at which the weight may grow [1]
-constexpr double kRegular = 1e-14;   // added to the scaled Hessian's diagonal [1]
+constexpr double kQuadraticDecrement =
+    0.06;                                   // decrement squared below which full steps converge [1]
+constexpr double kCentredDecrement = 1e-3;  // decrement squared at which the weight may grow [1]
+constexpr double kHessianShift = 1e-14;     // added to the scaled Hessian's diagonal [1]
 constexpr int kMaxHalvings = 50;
 
 struct Slope {
@@ -62,12 +63,12 @@ double step(const std::vector<MatrixInequality>& inequalities, VectorXd& y, int 
   // Scaled Newton step.
   const VectorXd D = slope.H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   MatrixXd scaled = D.asDiagonal() * slope.H * D.asDiagonal();
-  scaled.diagonal().array() += kRegular;
+  scaled.diagonal().array() += kHessianShift;
   const VectorXd way = -D.cwiseProduct(scaled.ldlt().solve(D.cwiseProduct(slope.g)));
   const double decrement = -slope.g.dot(way);
   if (!(decrement > 0) || !way.allFinite()) return 0;
   // Damped, and halved until it stays inside.
-  double length = decrement < kQuadratic ? 1 : 1 / (1 + std::sqrt(decrement));
+  double length = decrement < kQuadraticDecrement ? 1 : 1 / (1 + std::sqrt(decrement));
   for (int i = 0; i < kMaxHalvings; ++i, length /= 2)
     if (const VectorXd next = y + length * way; holds(inequalities, next)) {
       y = next;
@@ -91,12 +92,14 @@ MaximisedComponent maximise_component(const std::vector<MatrixInequality>& inequ
   for (const MatrixInequality& each : inequalities) rows += each.C.rows();
   for (double weight = kFirstWeight; weight < kMaxWeight; weight *= kGrowth) {
     double decrement = 1;
-    for (int i = 0; i < kMaxNewtonSteps && decrement > kCentred; ++i) {
+    for (int i = 0; i < kMaxNewtonSteps && decrement > kCentredDecrement; ++i) {
       decrement = step(inequalities, y, which, weight);
       if (y(which) > enough) return {y, true};
     }
     // Twice the way that is left from the centre of the barrier.
-    if (decrement <= kCentred && y(which) + 2 * static_cast<double>(rows) / weight < enough) break;
+    if (decrement <= kCentredDecrement &&
+        y(which) + 2 * static_cast<double>(rows) / weight < enough)
+      break;
   }
   return {y, false};
 }

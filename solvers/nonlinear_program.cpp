@@ -52,7 +52,9 @@ class DenseTnlp : public Ipopt::TNLP {
   }
 
   bool get_bounds_info(Index, Number* x_l, Number* x_u, Index, Number* g_l, Number* g_u) override {
-    const auto finite = [](double bound) { return std::clamp(bound, -kInfinite, kInfinite); };
+    const auto finite = [](double bound) {
+      return std::clamp(bound, -kIpoptInfinity, kIpoptInfinity);
+    };
     Map(x_l, n_) = program_.lower.unaryExpr(finite);
     Map(x_u, n_) = program_.upper.unaryExpr(finite);
     Map(g_l, rows_) = program_.row_lower.unaryExpr(finite);
@@ -133,7 +135,7 @@ class DenseTnlp : public Ipopt::TNLP {
   }
 
  private:
-  static constexpr double kInfinite = 1e20;  // Ipopt's own sign for "no bound"
+  static constexpr double kIpoptInfinity = 1e20;  // Ipopt's own sign for "no bound"
 
   /// Keeps an exception for solve_ipopt(), which throws it on: none may cross Ipopt.
   template <typename Work>

@@ -14,8 +14,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kPinned = 1e-9;      // width of a variable, of order one, that counts as none
-constexpr double kDependent = 1e-12;  // singular value of the equalities that counts as none
+constexpr double kPinnedWidth = 1e-9;      // width of a variable, of order one, that counts as none
+constexpr double kDependentValue = 1e-12;  // singular value of the equalities that counts as none
 
 /// Orthonormal basis of { z : E z = 0, z_i = 0 for pinned i }.
 MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& pinned) {
@@ -25,7 +25,7 @@ MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& pinned) {
   for (std::size_t k = 0; k < pinned.size(); ++k)
     rows(E.rows() + static_cast<Index>(k), pinned[k]) = 1;
   Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
-  svd.setThreshold(kDependent);
+  svd.setThreshold(kDependentValue);
   MatrixXd Z = svd.matrixV().rightCols(E.cols() - svd.rank());
   for (const Index i : pinned) Z.row(i).setZero();
   return Z;
@@ -65,7 +65,7 @@ RelativeInterior relative_interior(LinearProgram program) {
       interior.z0 += extreme.x;
       ++points;
     }
-    if (reached[1] - reached[0] <= kPinned) pinned.push_back(i);
+    if (reached[1] - reached[0] <= kPinnedWidth) pinned.push_back(i);
   }
   interior.z0 /= points;
   interior.Z = null_space(program.A, pinned);

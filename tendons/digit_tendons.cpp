@@ -9,12 +9,12 @@ Eigen::MatrixXd DigitTendons::torque_by_posture(const Eigen::VectorXd& q, const 
                                                 const TendonTorque& at) const {
   // Closed form where it exists, otherwise central differences.
   if (TendonDerivatives known = derivatives(q, t); known.exist) return known.by_posture;
-  constexpr double kStep = 1e-5;  // [rad]
+  constexpr double kAngleStep = 1e-5;  // [rad]
   Eigen::MatrixXd slope(q.size(), q.size());
   for (Eigen::Index j = 0; j < q.size(); ++j) {
-    const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(q.size(), j);
-    slope.col(j) =
-        (evaluate(q + step, t, at.nodes).tau - evaluate(q - step, t, at.nodes).tau) / (2 * kStep);
+    const Eigen::VectorXd step = kAngleStep * Eigen::VectorXd::Unit(q.size(), j);
+    slope.col(j) = (evaluate(q + step, t, at.nodes).tau - evaluate(q - step, t, at.nodes).tau) /
+                   (2 * kAngleStep);
   }
   return slope;
 }
@@ -30,10 +30,10 @@ Excursion excursion(const DigitTendons& tendons, const Eigen::VectorXd& from,
                                                {0.53846931010568309104, 0.47862867049936646804},
                                                {0.90617984593866399280, 0.23692688505618908751}}};
   // Pieces of at most 0.1 rad, five points each.
-  constexpr double kPiece = 0.1;  // [rad]
+  constexpr double kPieceAngle = 0.1;  // [rad]
   const Eigen::VectorXd way = to - from;
   const double longest = way.size() > 0 ? way.cwiseAbs().maxCoeff() : 0;
-  const int pieces = static_cast<int>(std::ceil(longest / kPiece));
+  const int pieces = static_cast<int>(std::ceil(longest / kPieceAngle));
 
   Excursion sum{Eigen::VectorXd::Zero(t.size()), {}};
   Eigen::Matrix3Xd nodes;

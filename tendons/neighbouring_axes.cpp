@@ -9,12 +9,12 @@ namespace thenar {
 
 AxisOffset axis_offset(const Hinge<double>& first, const Hinge<double>& second,
                        const Eigen::Vector3d& distal) {
-  constexpr double kParallel = 1e-12;  // sine of the angle [1]
+  constexpr double kParallelSine = 1e-12;  // sine of the angle [1]
   const Eigen::Vector3d& a = first.direction;
   const Eigen::Vector3d apart = second.point - first.point, n = a.cross(second.direction);
   const double angle = std::atan2(n.norm(), std::abs(a.dot(second.direction)));
   // Parallel axes have many common normals, all of them alike.
-  const Eigen::Vector3d normal = n.norm() < kParallel
+  const Eigen::Vector3d normal = n.norm() < kParallelSine
                                      ? Eigen::Vector3d(apart - a * a.dot(apart))
                                      : Eigen::Vector3d(n * (apart.dot(n) / n.squaredNorm()));
   return {angle, normal.norm(), normal.dot(distal)};
@@ -46,8 +46,8 @@ std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,
   for (const LinkState<double>& link : state) points.push_back(link.point);
   const std::vector<Eigen::Vector3d> given = points;
   const Eigen::Vector3d tip = moved(state, model.tip_link, model.tip);
-  constexpr int kRounds = 50;  // each joint slides to the middle of its neighbours
-  for (int round = 0; round < kRounds; ++round)
+  constexpr int kSlideRounds = 50;  // each joint slides to the middle of its neighbours
+  for (int round = 0; round < kSlideRounds; ++round)
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Eigen::Vector3d& next = i + 1 < points.size() ? points[i + 1] : tip;
       const Eigen::Vector3d wanted = i > 0 ? Eigen::Vector3d((points[i - 1] + next) / 2) : given[0];

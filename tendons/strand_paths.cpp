@@ -152,8 +152,8 @@ std::unique_ptr<StrandPaths> build_wrapped_paths(const Subject& subject, const T
 
 namespace {
 
-constexpr double kTold = 1e-3;  // possible error of an arm that is told: a tenth of a flexor's
-                                // at a finger's joints [m/rad]
+constexpr double kToldArmError = 1e-3;  // possible error of an arm that is told: a tenth of a
+                                        // flexor's at a finger's joints [m/rad]
 
 /// The path whose arms may be furthest off, in words; empty: all are near.
 std::string worst_fit(const std::vector<FittedPath>& paths) {
@@ -161,7 +161,7 @@ std::string worst_fit(const std::vector<FittedPath>& paths) {
       std::max_element(paths.begin(), paths.end(), [](const FittedPath& a, const FittedPath& b) {
         return a.error.arm_bound < b.error.arm_bound;
       });
-  if (worst == paths.end() || worst->error.arm_bound <= kTold) return "";
+  if (worst == paths.end() || worst->error.arm_bound <= kToldArmError) return "";
   return fmt::format("fitted arms of '{}' may be off by {:.2g} mm/rad", worst->name,
                      1e3 * worst->error.arm_bound);
 }

@@ -40,7 +40,7 @@ TendonPath<double> kept_path(const Skeleton& skeleton, const Strand& strand) {
 /// Cosine to the digit's flexion direction above which a joint flexes: 45 degrees, half way to a
 /// joint that purely abducts or pronates, so every joint counts as what it does more of. A choice
 /// of ours, not a measured number.
-constexpr double kFlexion = 0.7071;
+constexpr double kFlexionCosine = 0.7071;
 
 bool crosses_a_joint(const TendonPath<double>& path) {
   return std::any_of(path.begin(), path.end(),
@@ -119,7 +119,7 @@ class DigitBuilder {
     // Every flexion joint bends the sheaths, also a frozen one.
     std::vector<SheathBend>& bends = built_.model.bends;
     for (const JointAxis& joint : subject_.joints)
-      if (kept(joint) && std::abs(flexion(joint)) > kFlexion)
+      if (kept(joint) && std::abs(flexion(joint)) > kFlexionCosine)
         bends.push_back({angle_of(joint), built_.model.coordinates});
     // A coordinate feels a bend if all joints that it moves lie beyond.
     int before = -1;
@@ -149,7 +149,7 @@ class DigitBuilder {
     std::size_t crossed = 0;             // of them up to the middle phalanx
     for (const JointAxis& joint : subject_.joints) {
       if (!kept(joint)) continue;
-      if (std::abs(flexion(joint)) > kFlexion) {
+      if (std::abs(flexion(joint)) > kFlexionCosine) {
         const PostureAngle angle = angle_of(joint);
         const double sign = flexion(joint) > 0 ? 1 : -1;
         flexions.push_back({angle.coordinate, sign * angle.ratio, sign * angle.offset});
@@ -251,7 +251,7 @@ class DigitBuilder {
         const double arm = stated_arm(names.strands[static_cast<std::size_t>(strand)], joint.name);
         if (arm != 0)
           action = arm > 0 ? 1 : -1;
-        else if (std::abs(flexes) > kFlexion)
+        else if (std::abs(flexes) > kFlexionCosine)
           action = (flexes > 0 ? 1 : -1) * named_action(names.muscles[m], joint.name);
       }
     }

@@ -8,9 +8,9 @@
 namespace thenar {
 
 std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eigen::VectorXd& q) {
-  constexpr int kPlaces = 13;    // on a joint's range
-  constexpr double kMin = 3e-3;  // arm of a flexor [m/rad]
-  constexpr double kShare = 0.25;
+  constexpr int kRangePlaces = 13;    // on a joint's range
+  constexpr double kLeastArm = 3e-3;  // arm of a flexor [m/rad]
+  constexpr double kArmShare = 0.25;
   std::vector<VanishingArm> found;
   const TendonDigit& digit = tendons.digit();
   if (digit.fidelity.path < Path::kViaPoint) return found;
@@ -34,15 +34,15 @@ std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eige
     if (!is_flexion_joint(joint) || limit.upper - limit.lower > 2 * kPi - 1e-9) continue;
     // Largest arms over the joint's range.
     Eigen::VectorXd most = here.col(j);
-    for (int k = 0; k < kPlaces; ++k) {
+    for (int k = 0; k < kRangePlaces; ++k) {
       Eigen::VectorXd there = q;
-      there[j] = limit.lower + k * (limit.upper - limit.lower) / (kPlaces - 1);
+      there[j] = limit.lower + k * (limit.upper - limit.lower) / (kRangePlaces - 1);
       most = most.cwiseMax(arms_at(there).col(j));
     }
     // Long flexors whose arm is a small part of that.
     for (Eigen::Index m = 0; m < most.size(); ++m) {
       const std::string& muscle = digit.names.muscles[static_cast<std::size_t>(m)];
-      if (is_long_flexor(muscle) && most[m] > kMin && here(m, j) < kShare * most[m])
+      if (is_long_flexor(muscle) && most[m] > kLeastArm && here(m, j) < kArmShare * most[m])
         found.push_back({muscle, joint, here(m, j), most[m]});
     }
   }
@@ -50,11 +50,11 @@ std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eige
 }
 
 std::vector<ReversedArm> reversed_arms(const TendonDigit& digit, const Eigen::MatrixXd& R) {
-  constexpr double kAcross = 5e-4;  // arm of a tendon that runs across its joint [m/rad]
+  constexpr double kAcrossArm = 5e-4;  // arm of a tendon that runs across its joint [m/rad]
   std::vector<ReversedArm> found;
   for (Eigen::Index m = 0; m < digit.actions.rows(); ++m)
     for (Eigen::Index j = 0; j < digit.actions.cols(); ++j)
-      if (digit.actions(m, j) * R(m, j) < -kAcross)
+      if (digit.actions(m, j) * R(m, j) < -kAcrossArm)
         found.push_back({digit.names.muscles[static_cast<std::size_t>(m)],
                          digit.names.coordinates[static_cast<std::size_t>(j)], R(m, j)});
   return found;

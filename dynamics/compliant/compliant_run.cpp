@@ -11,7 +11,7 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kInstant = 1e-12;  // nearer instants are one [s]
+constexpr double kSameInstant = 1e-12;  // nearer instants are one [s]
 
 /// Samples and steps of one run.
 class CompliantLoop {
@@ -43,7 +43,7 @@ class CompliantLoop {
  private:
   /// Goes on to an instant at which something begins or ends to act.
   void span(double end, const Progress& progress) {
-    while (end - motion_.state().t > kInstant) {
+    while (end - motion_.state().t > kSameInstant) {
       progress(motion_.state().t / options_.seconds, "");
       if (progress.stop()) {
         run_.status = SceneStatus::kStopped;
@@ -61,7 +61,7 @@ class CompliantLoop {
       note_limits(energy_.scene().mechanism, energy_.model().layout, motion_.state().q,
                   run_.cost.beyond);
       const double t = motion_.state().t;
-      if (t >= next - kInstant || t >= options_.seconds - kInstant) sample();
+      if (t >= next - kSameInstant || t >= options_.seconds - kSameInstant) sample();
     }
   }
 

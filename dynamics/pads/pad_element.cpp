@@ -12,21 +12,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLever = 5e-3;                // half a fingertip [m]
-constexpr double kLittle = 0.2;                // of what is allowed, that does not move a pad [1]
-constexpr double kWay = 1e-4;                  // nor does a way [m]
-constexpr double kTurn = 1 * kDegree;          // and a turn below these [rad]
-constexpr double kNoAnswer = 8;                // doubt where a pad has no answer [1]
-constexpr double kShorter = 0.3, kLonger = 2;  // change of the length of a step [1]
-constexpr double kNewStiffness = 0.2;  // error of a prediction from which K is asked for [1]
-constexpr double kJump = 5e-5;         // steps are not made shorter for a pad [s]
-constexpr int kWayIn = 8;              // steps of a pad that begins anew
-constexpr double kOutside = 4e-3;      // where its object begins, along the push [m]
-constexpr double kRetry = 5e-3;        // before it is tried again [s]
-constexpr double kInstant = 1e-12;     // nearer instants are one [s]
-constexpr double kNothing = 1e-24;     // square of a force [N^2]
-constexpr double kDip = 2e-4;          // way into a pad of the step that meets it [m]
-constexpr double kNearly = 0.9;        // of the way that is foreseen, as speeds rise [1]
+constexpr double kFingertipArm = 5e-3;      // half a fingertip [m]
+constexpr double kStillShare = 0.2;         // of what is allowed, that does not move a pad [1]
+constexpr double kStillWay = 1e-4;          // nor does a way [m]
+constexpr double kStillTurn = 1 * kDegree;  // and a turn below these [rad]
+constexpr double kNoAnswer = 8;             // doubt where a pad has no answer [1]
+constexpr double kStepShrink = 0.3, kStepGrowth = 2;  // change of the length of a step [1]
+constexpr double kNewStiffness = 0.2;     // error of a prediction from which K is asked for [1]
+constexpr double kLeastPadStep = 5e-5;    // steps are not made shorter for a pad [s]
+constexpr int kWayIn = 8;                 // steps of a pad that begins anew
+constexpr double kStartDistance = 4e-3;   // where its object begins, along the push [m]
+constexpr double kRetryTime = 5e-3;       // before it is tried again [s]
+constexpr double kSameInstant = 1e-12;    // nearer instants are one [s]
+constexpr double kNoForceSquare = 1e-24;  // square of a force [N^2]
+constexpr double kFirstDip = 2e-4;        // way into a pad of the step that meets it [m]
+constexpr double kForeseenShare = 0.9;    // of the way that is foreseen, as speeds rise [1]
 
 }  // namespace
 
@@ -57,7 +57,7 @@ Pose<double> PadElement::object_pose(const ElementInput& at) const {
 double PadElement::size_of(const Vector6& change) const {
   const Vector3d force = change.tail<3>();
   const Vector3d moment = change.head<3>() - touch_.centre.cross(force);
-  return std::max(force.norm(), moment.norm() / kLever);
+  return std::max(force.norm(), moment.norm() / kFingertipArm);
 }
 
 PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) const {
@@ -114,7 +114,8 @@ bool PadElement::act(const ElementInput& at, ElementAction& out) {
 bool PadElement::changed_little(const Prediction& seen, const Pose<double>& X_PO) const {
   if (touch_.force <= 0) return false;
   const Vector6 motion = motion_from(X_PO_, X_PO);
-  return seen.change < kLittle && motion.tail<3>().norm() < kWay && motion.head<3>().norm() < kTurn;
+  return seen.change < kStillShare && motion.tail<3>().norm() < kStillWay &&
+         motion.head<3>().norm() < kStillTurn;
 }
 
 void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& seen) {
@@ -131,14 +132,14 @@ void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& 
 }
 
 void PadElement::catch_up(double t, const Pose<double>& X_PO, double allowed) {
-  if (t_seen_ <= t_ + kInstant || touch_.force <= 0) return;
+  if (t_seen_ <= t_ + kSameInstant || touch_.force <= 0) return;
   // A motion after a rest is not spread over the rest, which the pad has not seen, where the pad
   // would feel that.
   const std::vector<ExponentialTerm>& terms = pad_->relaxation();
   const double spread = memory_step(terms, std::max(0.0, t - t_)).now,
                late = memory_step(terms, std::max(0.0, t - t_seen_)).now;
   const Vector6 more = stiffness_ * motion_from(X_seen_, X_PO);
-  if (size_of((late - spread) * more) < kLittle * allowed) return;
+  if (size_of((late - spread) * more) < kStillShare * allowed) return;
   try_move(t_seen_, X_seen_, predict(t_seen_, X_seen_));
   if (trial_.touch.status == Status::kSolved) keep_move(trial_.error > kNewStiffness);
 }
@@ -152,12 +153,12 @@ double PadElement::doubt(const ElementInput& at) {
   try_move(at.t, X_PO, seen);
   // What jumps in so short a time, jumps.
   const double seconds = at.t - t_seen_;
-  if (seconds < kJump) return 0;
+  if (seconds < kLeastPadStep) return 0;
   if (touch_.force > 0) return trial_.error;
   // Farther than it was away, and is: it may have gone through.
   set_rows(at);
   const double way = seconds * std::max(speed_, fastest(at)),
-               most = std::max(gap_, trial_.touch.gap) + kDip;
+               most = std::max(gap_, trial_.touch.gap) + kFirstDip;
   return std::max(trial_.error, way / most);
 }
 
@@ -171,7 +172,7 @@ void PadElement::accept(const ElementInput& at) {
   if (!waits) stale_ = false;
   if (!waits && !changed_little(seen, X_PO)) {
     const bool is_tried =
-        std::abs(trial_.t - at.t) < kInstant && motion_from(trial_.X_PO, X_PO).norm() < 1e-6;
+        std::abs(trial_.t - at.t) < kSameInstant && motion_from(trial_.X_PO, X_PO).norm() < 1e-6;
     if (!is_tried) {
       catch_up(at.t, X_PO, seen.allowed);
       try_move(at.t, X_PO, seen);
@@ -184,7 +185,8 @@ void PadElement::accept(const ElementInput& at) {
       keep_move(error > kNewStiffness);
       if (touch_.force > 0 && seconds > 0)
         foresees_ = std::max(
-            kJump, seconds * std::clamp(0.9 / std::sqrt(std::max(error, 1e-6)), kShorter, kLonger));
+            kLeastPadStep,
+            seconds * std::clamp(0.9 / std::sqrt(std::max(error, 1e-6)), kStepShrink, kStepGrowth));
     }
   }
   go_on(at.t, X_PO);
@@ -192,7 +194,7 @@ void PadElement::accept(const ElementInput& at) {
   if (touch_.force > 0 || stale_) return;
   set_rows(at);
   speed_ = fastest(at);
-  if (speed_ > 0) foresees_ = std::max(kJump, kNearly * (gap_ + kDip) / speed_);
+  if (speed_ > 0) foresees_ = std::max(kLeastPadStep, kForeseenShare * (gap_ + kFirstDip) / speed_);
 }
 
 void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
@@ -201,10 +203,10 @@ void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
   PadContact contact;
   for (int i = 0; i <= kWayIn; ++i) {
     Pose<double> X = X_PO;
-    X.p -= kOutside * (1 - static_cast<double>(i) / kWayIn) * touch_.normal;
+    X.p -= kStartDistance * (1 - static_cast<double>(i) / kWayIn) * touch_.normal;
     contact = fresh->move(X, 0);
     if (contact.status != Status::kSolved) {
-      retry_ = t + kRetry;
+      retry_ = t + kRetryTime;
       return;
     }
     fresh->keep();
@@ -281,7 +283,7 @@ double PadElement::energy(const ElementInput& at) {
   double share = 1;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const Vector3d left(memory[3].terms[i], memory[4].terms[i], memory[5].terms[i]);
-    const double part = left.dot(force) / std::max(force.squaredNorm(), kNothing);
+    const double part = left.dot(force) / std::max(force.squaredNorm(), kNoForceSquare);
     if (terms[i].share > 0) share += part * part / terms[i].share - terms[i].share;
   }
   return std::max(0.0, pad_->energy() + work) * share;

@@ -130,11 +130,11 @@ SlipInstant slip_instant(const MovingScene& scene, const TreeModel& model, const
 /// slide. Patches of pads tell themselves.
 void note_sliding(const MovingScene& scene, const SlipInstant& last,
                   std::map<Pair, PairMeasure>& pairs) {
-  constexpr double kResting = 1e-9;  // slower is at rest [m/s]
+  constexpr double kRestSpeed = 1e-9;  // slower is at rest [m/s]
   for (const ContactSample& contact : last.contacts)
     if (contact.mode == ContactMode::kStick && contact.area == 0 &&
         pair_friction(scene, contact.a, contact.b).coefficient == 0 &&
-        sliding_speed(last, contact) > kResting)
+        sliding_speed(last, contact) > kRestSpeed)
       pairs[{contact.a, contact.b}].mode = ContactMode::kSlide;
 }
 

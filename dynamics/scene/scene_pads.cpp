@@ -21,8 +21,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kRings = 18;    // of a bed, as laws are fitted with [LawFitOptions]
-constexpr double kFar = 100;  // where no object touches yet [m]
+constexpr int kBedRings = 18;        // of a bed, as laws are fitted with [LawFitOptions]
+constexpr double kOutOfReach = 100;  // where no object touches yet [m]
 
 /// A pad of a rung under an object.
 std::shared_ptr<const MovingPad> moving_pad(const ScenePadSpec& pad, double scale,
@@ -30,13 +30,13 @@ std::shared_ptr<const MovingPad> moving_pad(const ScenePadSpec& pad, double scal
   PadModel model = build_pad(pad.spec);
   model.shape = scaled_shape(model.shape, scale);
   Pose<double> far;
-  far.p.z() = kFar;
+  far.p.z() = kOutOfReach;
   if (pad.rung == "elements") return std::make_shared<ElementPad>(model, object, far);
   require(pad.law.has_value(), "the rung '{}' needs 'laws' of this pad", pad.rung);
   const CalibratedLaws laws = scaled_laws(*pad.law, scale);
   if (pad.rung == "foundation")
     return std::make_shared<BedPad>(
-        std::make_shared<FoundationBed>(pad_columns(model.shape, kRings), laws.foundation,
+        std::make_shared<FoundationBed>(pad_columns(model.shape, kBedRings), laws.foundation,
                                         laws.relaxation),
         object, far);
   std::shared_ptr<const ContactLaw> law;

@@ -14,7 +14,7 @@ namespace {
 
 using Pair = std::pair<int, int>;
 
-constexpr double kOverlap = 1e-6;  // depth at the start that is told [m]
+constexpr double kToldOverlap = 1e-6;  // depth at the start that is told [m]
 
 Pair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -169,7 +169,7 @@ void set_pairs(const SceneSpec& spec, BuiltScene& built) {
   set_friction(spec, built);
   ContactStep step(built.scene);
   for (const auto& [pair, depth] : depths_at(step, built.scene.q))
-    if (depth > kOverlap)
+    if (depth > kToldOverlap)
       built.warnings.push_back(fmt::format(
           "'{}' and '{}' begin in each other by {:.3g} mm and are pushed apart",
           built.scene.mechanism.bodies[static_cast<std::size_t>(pair.first)].name,

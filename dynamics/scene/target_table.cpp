@@ -13,7 +13,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kEndlessTime = std::numeric_limits<double>::infinity();
 constexpr double kLastBits = 4 * std::numeric_limits<double>::epsilon();  // of numbers of a table
 
 }  // namespace
@@ -61,12 +61,12 @@ TargetTable without_straight_knots(const TargetTable& table) {
           table.target.size());
   std::vector<Eigen::Index> kept{0};
   // Slopes of the lines from the last kept knot that meet all knots since, to rounding.
-  double least = -kEndless, most = kEndless;
+  double least = -kEndlessTime, most = kEndlessTime;
   const auto keep = [&](Eigen::Index k) {
     const Eigen::Index last = kept.back();
     if (table.time[last] != table.time[k] || table.target[last] != table.target[k])
       kept.push_back(k);
-    least = -kEndless, most = kEndless;
+    least = -kEndlessTime, most = kEndlessTime;
   };
   for (Eigen::Index k = 1; k < knots; ++k) {
     const double step = table.time[k] - table.time[k - 1];

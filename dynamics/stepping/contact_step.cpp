@@ -15,12 +15,13 @@ namespace {
 
 using Kind = ActiveContact::Kind;
 
-constexpr double kNoSlip = 1e-9;     // slower is sticking [m/s], [rad/s]
-constexpr double kNothing = 1e-150;  // slower is at rest: squares are no numbers [m/s], [rad/s]
-constexpr double kRoughest = 1e-9;   // tolerance of contact problems, whatever rounding is [1]
-constexpr double kRoundings = 8;     // of positions, in gaps [1]
-constexpr double kLeastSize = 0.1;   // of a scene, for its rounding [m]
-constexpr double kNow = 0.75;        // share of this step in what the mean takes up [1]
+constexpr double kNoSlip = 1e-9;  // slower is sticking [m/s], [rad/s]
+constexpr double kUnderflowSpeed =
+    1e-150;                              // slower is at rest: squares are no numbers [m/s], [rad/s]
+constexpr double kMostTolerance = 1e-9;  // tolerance of contact problems, whatever rounding is [1]
+constexpr double kGapRoundings = 8;      // of positions, in gaps [1]
+constexpr double kLeastSize = 0.1;       // of a scene, for its rounding [m]
+constexpr double kMeanWeight = 0.75;     // share of this step in what the mean takes up [1]
 
 /// Notes a contact that was not closed before.
 void note_deeper(const ActiveContact& contact, StepOutcome& outcome) {
@@ -363,7 +364,7 @@ struct ContactStep::Parts {
 
   /// Without what alternates from step to step. @param before  NaN: there was none
   static double settled(double now, double before) {
-    return std::isnan(before) ? now : kNow * now + (1 - kNow) * before;
+    return std::isnan(before) ? now : kMeanWeight * now + (1 - kMeanWeight) * before;
   }
 
   [[nodiscard]] ContactBlock block_of(const ActiveContact& contact, double h) const {
@@ -428,9 +429,9 @@ struct ContactStep::Parts {
   [[nodiscard]] double rounding_of_gaps(double h) const {
     double size = kLeastSize;
     for (const Pose<double>& X : X_WB) size = std::max(size, X.p.norm());
-    const double rounding = kRoundings * std::numeric_limits<double>::epsilon() * size;
+    const double rounding = kGapRoundings * std::numeric_limits<double>::epsilon() * size;
     const double share = 2 * rounding / (h * problem.b.lpNorm<Eigen::Infinity>());
-    return std::max(solver_options.tolerance, std::min(share, kRoughest));
+    return std::max(solver_options.tolerance, std::min(share, kMostTolerance));
   }
 
   /// Solves, moves the speeds, and writes impulses, velocities and modes into the list.
@@ -448,7 +449,7 @@ struct ContactStep::Parts {
     double enough = options.tolerance;
     if (aim > 0) {
       options.tolerance = aim;
-      enough = std::max(enough, kRoughest);
+      enough = std::max(enough, kMostTolerance);
     }
     const ContactSolution& answer = solver.solve(problem, start, options);
     const bool arrived = solver_options.method == ContactMethod::kPyramid
@@ -645,7 +646,7 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   p.v_free = state.v;
   p.add_efforts(h);
   // What dry friction has stopped keeps last bits of its speed, and bits of those in the next step.
-  p.v_free = (p.v_free.array().abs() < kNothing).select(0, p.v_free);
+  p.v_free = (p.v_free.array().abs() < kUnderflowSpeed).select(0, p.v_free);
   // Whatever may close its gap within the step.
   const double margin = h * p.fastest(p.v_free) + 1e-5;
   p.find(state, std::min(margin, 0.05), outcome.active);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kFirstAim = 4;
 constexpr double kAimedError = 0.5;  // of the next step, over the tolerance [1]
-constexpr double kBetter = 0.9;      // work per time that makes another order worth while [1]
+constexpr double kOrderGain = 0.9;   // work per time that makes another order worth while [1]
 
 /// Substeps of a step of so many columns, and what it costs beside them.
 double work(int columns) { return 1 + 0.5 * columns * (columns + 1); }
@@ -63,7 +63,7 @@ double Extrapolation::next_length(double length, double longest, Verdict verdict
   };
   int best = 2;
   for (int n = 3; n <= columns_; ++n)
-    if (work(n) / length_of(n) < kBetter * work(best) / length_of(best)) best = n;
+    if (work(n) / length_of(n) < kOrderGain * work(best) / length_of(best)) best = n;
   aim_ = best;
   double next = std::max(length_of(best), 0.1 * length);
   const bool again = was_rejected_;

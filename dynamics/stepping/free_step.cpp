@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index kLanes = 8;  // numbers that a sum of rates holds in registers
-using Lanes = Eigen::Matrix<double, kLanes, 1>;
+constexpr Index kSumLanes = 8;  // numbers that a sum of rates holds in registers
+using Lanes = Eigen::Matrix<double, kSumLanes, 1>;
 using Weights = std::array<double, FreeStep::kStages>;
 
 /// Sum of the rates of some stages, by weights: rows of a block. @param rates  its first column
@@ -29,7 +29,7 @@ FreeStep::FreeStep(const ContactStep& scene)
   v_dot_ = Eigen::VectorXd::Zero(at_.v.size());
   z_dot_ = Eigen::VectorXd::Zero(at_.z.size());
   const Index size = at_.q.size() + at_.v.size() + at_.z.size() + flows_;
-  const Index rows = (size + kLanes - 1) / kLanes * kLanes;
+  const Index rows = (size + kSumLanes - 1) / kSumLanes * kSumLanes;
   rates_.setZero(rows, static_cast<Index>(kStages));
   begin_ = y_ = five_ = three_ = Eigen::VectorXd::Zero(rows);
   first_.t = std::numeric_limits<double>::quiet_NaN();
@@ -71,19 +71,19 @@ FreeStep::Error FreeStep::step(ContactStep& scene, double h, SceneState& state) 
   }
   bool acted = first_acted_;
   for (std::size_t i = 1; i < kStages; ++i) {
-    for (Index k = 0; k < rows; k += kLanes)
-      y_.segment<kLanes>(k) =
-          begin_.segment<kLanes>(k) + h * weighted_sum(Method::a[i], i, rates_.data() + k, rows);
+    for (Index k = 0; k < rows; k += kSumLanes)
+      y_.segment<kSumLanes>(k) =
+          begin_.segment<kSumLanes>(k) + h * weighted_sum(Method::a[i], i, rates_.data() + k, rows);
     at_.t = state.t + Method::c[i] * h;
     put(y_);
     acted = find_rates(scene, static_cast<Index>(i)) && acted;
   }
-  for (Index k = 0; k < rows; k += kLanes) {
+  for (Index k = 0; k < rows; k += kSumLanes) {
     const double* rates = rates_.data() + k;
     const Lanes eight = weighted_sum(Method::b, kStages, rates, rows);
-    five_.segment<kLanes>(k) = weighted_sum(Method::less_five, kStages, rates, rows);
-    three_.segment<kLanes>(k) = eight - weighted_sum(Method::three, kStages, rates, rows);
-    y_.segment<kLanes>(k) = begin_.segment<kLanes>(k) + h * eight;
+    five_.segment<kSumLanes>(k) = weighted_sum(Method::less_five, kStages, rates, rows);
+    three_.segment<kSumLanes>(k) = eight - weighted_sum(Method::three, kStages, rates, rows);
+    y_.segment<kSumLanes>(k) = begin_.segment<kSumLanes>(k) + h * eight;
   }
   put(y_);
   state.q = at_.q;

@@ -19,23 +19,24 @@ namespace {
 
 using Kind = ActiveContact::Kind;
 
-constexpr int kRoughColumns = 4;       // of steps in which a mode changes
-constexpr double kShare = 0.1;         // of the tolerance that two orders may differ by: high
-                                       // orders differ little, and steps add up [1]
-constexpr double kRounding = 1e-12;    // they differ by at least that much [m], [rad]
-constexpr double kStretch = 1.1;       // of a step, to end where it must
-constexpr double kQuiet = 5;           // of `longest`, where positions hardly move
-constexpr double kRest = 1e-11;        // slower is at rest [m/s], [rad/s]
-constexpr int kChatter = 200;          // steps that are judged together
-constexpr double kChatterTime = 1e-4;  // that they should have passed [s]
-constexpr double kPass = 1e-3;         // that steps of fixed length pass instead [s]
-constexpr int kPassSteps = 10;         // of them
-constexpr double kHorizon = 0.01;      // over which an error of speeds counts in smooth steps [s]
-constexpr double kBefore = 0.97;       // of the way to a change of modes that a step takes [1]
-constexpr double kAgain = 0.5;         // of the usual length, of a step after such a change [1]
-constexpr int kUnsolvedTrials = 3;     // of a step whose problems are not solved, all shorter
+constexpr int kRoughColumns = 4;           // of steps in which a mode changes
+constexpr double kOrderShare = 0.1;        // of the tolerance that two orders may differ by: high
+                                           // orders differ little, and steps add up [1]
+constexpr double kOrderRounding = 1e-12;   // they differ by at least that much [m], [rad]
+constexpr double kMostStretch = 1.1;       // of a step, to end where it must
+constexpr double kQuietStepFactor = 5;     // of `longest`, where positions hardly move
+constexpr double kRestSpeed = 1e-11;       // slower is at rest [m/s], [rad/s]
+constexpr int kChatterSteps = 200;         // steps that are judged together
+constexpr double kChatterTime = 1e-4;      // that they should have passed [s]
+constexpr double kChatterPassTime = 1e-3;  // that steps of fixed length pass instead [s]
+constexpr int kPassSteps = 10;             // of them
+constexpr double kSpeedErrorTime =
+    0.01;  // over which an error of speeds counts in smooth steps [s]
+constexpr double kModeChangeMargin = 0.97;  // of the way to a change of modes that a step takes [1]
+constexpr double kAfterChangeShare = 0.5;  // of the usual length, of a step after such a change [1]
+constexpr int kUnsolvedTrials = 3;         // of a step whose problems are not solved, all shorter
 constexpr double kUnsolvedDoubt = 4;   // of such a trial, which tells its length as doubts do [1]
-constexpr double kApproach = 1e-7;     // slower approaches are not impacts [m/s], [rad/s]
+constexpr double kImpactSpeed = 1e-7;  // slower approaches are not impacts [m/s], [rad/s]
 
 /// What a trial of one step found.
 struct StepTrial {
@@ -147,7 +148,7 @@ class Simulation {
       const double left = next_stop() - state_.t;
       // Equal parts up to the next stop.
       H = std::min({H, reach_, std::max(step_.elements_foresee(), options_.shortest)});
-      const double parts = std::ceil(left / std::min(kStretch * H, reach_) - 1e-9);
+      const double parts = std::ceil(left / std::min(kMostStretch * H, reach_) - 1e-9);
       const double taken = step_once(parts > 1 ? left / parts : left, left, H);
       sample_if_due();
       if (taken <= 0) return;
@@ -200,7 +201,7 @@ class Simulation {
     closed_.swap(found_);
     const bool approaches =
         std::any_of(closed_.begin(), closed_.end(), [](const ActiveContact& contact) {
-          return contact.kind != Kind::kJointFriction && contact.approach < -kApproach;
+          return contact.kind != Kind::kJointFriction && contact.approach < -kImpactSpeed;
         });
     if (approaches) {
       StepOutcome outcome;
@@ -215,8 +216,8 @@ class Simulation {
     // an impact each time.
     closed_.erase(std::remove_if(closed_.begin(), closed_.end(),
                                  [&](const ActiveContact& c) {
-                                   return c.mode == ContactMode::kOpen && c.approach > kApproach &&
-                                          c.gap > options_.touch;
+                                   return c.mode == ContactMode::kOpen &&
+                                          c.approach > kImpactSpeed && c.gap > options_.touch;
                                  }),
                   closed_.end());
     closed_.insert(closed_.end(), lost_.begin(), lost_.end());
@@ -239,7 +240,7 @@ class Simulation {
   /// The last steps went nowhere: events follow each other without end.
   bool is_chattering() {
     ++since_mark_;
-    if (since_mark_ < kChatter) return false;
+    if (since_mark_ < kChatterSteps) return false;
     since_mark_ = 0;
     const bool stands = state_.t - mark_ < kChatterTime;
     mark_ = state_.t;
@@ -248,7 +249,7 @@ class Simulation {
 
   /// Goes through a pile of events by some steps of fixed length, which need not tell them apart.
   void pass_events() {
-    const double stop = std::min(next_stop(), state_.t + kPass);
+    const double stop = std::min(next_stop(), state_.t + kChatterPassTime);
     const double h = (stop - state_.t) / kPassSteps;
     std::vector<ActiveContact> last = closed_;
     scale_impulses(last, last_h_ > 0 ? h / last_h_ : 0);
@@ -288,7 +289,7 @@ class Simulation {
     bool rejected = false, is_before = false, is_cut = false;
     int unsolved = 0;  // trials of it that were not solved
     // A step that was halved has told where a mode changes behind its end.
-    const double ahead = kBefore * (change_ahead_ - state_.t);
+    const double ahead = kModeChangeMargin * (change_ahead_ - state_.t);
     if (ahead > options_.shortest && ahead < length) {
       is_before = is_cut = true;
       length = ahead;
@@ -335,9 +336,9 @@ class Simulation {
       } else {
         // Up to the instant at which a mode changes; a short step goes over it.
         is_before = true;
-        is_cut = trial.changes >= 0 && kBefore * trial.changes < 0.5 * length;
+        is_cut = trial.changes >= 0 && kModeChangeMargin * trial.changes < 0.5 * length;
         if (trial.changes >= 0 && !is_cut) change_ahead_ = state_.t + trial.changes;
-        length = is_cut ? kBefore * trial.changes : 0.5 * length;
+        length = is_cut ? kModeChangeMargin * trial.changes : 0.5 * length;
       }
       length = std::max(length, options_.shortest);
     }
@@ -350,9 +351,9 @@ class Simulation {
     H = next_length(trial, length, rejected);
     if (!trial.smooth) {
       // A mode has changed: on as before.
-      H = std::max(H, kAgain * usual_);
+      H = std::max(H, kAfterChangeShare * usual_);
     } else if (is_cut) {
-      H = 2 * (1 - kBefore) * length;
+      H = 2 * (1 - kModeChangeMargin) * length;
     } else if (!is_before && !was_before_) {
       usual_ = H;
     }
@@ -390,7 +391,7 @@ class Simulation {
     const bool was_still = is_still();
     // Where positions hardly move, the next step may be long.
     const bool quiet = step_.scene().elements.empty() && moved_by(trial, length) < kNearGap;
-    reach_ = (quiet ? kQuiet : 1) * options_.longest;
+    reach_ = (quiet ? kQuietStepFactor : 1) * options_.longest;
     keep_account(trial.state);
     state_ = trial.state;
     state_.t = end;
@@ -440,7 +441,7 @@ class Simulation {
   }
 
   [[nodiscard]] bool is_still() const {
-    return state_.v.size() == 0 || state_.v.cwiseAbs().maxCoeff() <= kRest;
+    return state_.v.size() == 0 || state_.v.cwiseAbs().maxCoeff() <= kRestSpeed;
   }
 
   /// Whether some drive has a target that moves.
@@ -508,8 +509,8 @@ class Simulation {
   bool extrapolates(StepTrial& column) {
     columns_.add(column.state);
     if (columns_.columns() < 2) return false;
-    const double share = std::max(kShare, std::min(1.0, kRounding / options_.tolerance));
-    column.error = difference(columns_.best(), columns_.lower(), kHorizon) / share;
+    const double share = std::max(kOrderShare, std::min(1.0, kOrderRounding / options_.tolerance));
+    column.error = difference(columns_.best(), columns_.lower(), kSpeedErrorTime) / share;
     verdict_ = columns_.judge(column.error);
     if (verdict_ == Extrapolation::Verdict::kGoOn) return false;
     column.order = columns_.columns();
@@ -577,7 +578,8 @@ class Simulation {
     trial.h = length;
     trial.state = state_;
     const FreeStep::Error error = free_.step(step_, length, trial.state);
-    trial.error = std::max(error.q, kHorizon * std::max(error.v, error.z)) / options_.tolerance;
+    trial.error =
+        std::max(error.q, kSpeedErrorTime * std::max(error.v, error.z)) / options_.tolerance;
     if (!error.acted) ++tried_unsolved_;
     if (!trial.state.q.allFinite() || !trial.state.v.allFinite() || !trial.state.z.allFinite()) {
       trial.error = std::numeric_limits<double>::infinity();

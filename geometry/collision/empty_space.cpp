@@ -35,7 +35,7 @@ double EmptySpace::bound(const Eigen::Matrix3d& corners, double radius) const {
 
 namespace {
 
-constexpr double kHighest = 10;  // lift: farther off, rounding counts [m]
+constexpr double kMostLift = 10;  // lift: farther off, rounding counts [m]
 
 }  // namespace
 
@@ -47,7 +47,7 @@ Ball lifted_ball(const Shape& b, const Eigen::Matrix3d& corners, const Ball& bal
   const double spare = lowest - wanted;
   if (!(spare > 0)) return {ball.c, -std::numeric_limits<double>::infinity()};
   // Lift at which the rim sinks by less than what is to spare.
-  const double h = std::min(ball.r * ball.r / spare, kHighest);
+  const double h = std::min(ball.r * ball.r / spare, kMostLift);
   const Eigen::Vector3d above = ball.c + h * seen.normal;
   return {above, b.distance(above)};
 }

@@ -219,7 +219,7 @@ class FaceCut {
   CutPolygon polygon_;
 };
 
-constexpr double kAligned = 0.98;        // cosine up to which a face cuts [1]
+constexpr double kCuttingCosine = 0.98;  // cosine up to which a face cuts [1]
 constexpr double kReferenceStep = 5e-5;  // by which the other's cosine must be better: of 0.01 rad
 
 /// The points by cutting faces; the least gap among them, infinite if there is none.
@@ -233,7 +233,7 @@ double add_face_points(const PosedBox& a, const PosedBox& b, const BoxAxis& axis
     reference = memory.reference;
   memory.reference = reference;
   const bool flipped = reference == 0;
-  if ((flipped ? on_a : on_b).alignment < kAligned) return least;
+  if ((flipped ? on_a : on_b).alignment < kCuttingCosine) return least;
   const FaceCut cut = flipped ? FaceCut(a, on_a, b, on_b) : FaceCut(b, on_b, a, on_a);
   for (int i = 0; i < cut.count(); ++i) {
     // On the face that is cut, and below it on the one that cuts.
@@ -279,7 +279,7 @@ ManifoldPoint edge_point(const PosedBox& a, const PosedBox& b, const BoxAxis& ax
   return point;
 }
 
-constexpr double kSame = 1e-7;  // by which a nearest point may miss the distance [m]
+constexpr double kDistanceMiss = 1e-7;  // by which a nearest point may miss the distance [m]
 
 /// The nearest points where no face or pair of edges has them.
 ConvexDistance nearest_points(const PosedBox& a, const PosedBox& b, const Vector3d& guess,
@@ -307,11 +307,11 @@ double box_on_box(const CollisionPart& part_a, const CollisionPart& part_b,
       b{Matrix3d::Identity(), Vector3d::Zero(), part_b.half};
   const std::size_t first = points.size();
   double least = add_face_points(a, b, axis, margin, memory, points);
-  if (least <= axis.gap + kSame) return axis.gap;
+  if (least <= axis.gap + kDistanceMiss) return axis.gap;
   // A crossing of edges.
   if (axis.index >= 6) {
     const ManifoldPoint point = edge_point(a, b, axis);
-    if (std::abs((point.on_a - point.on_b).norm() - std::abs(axis.gap)) < kSame) {
+    if (std::abs((point.on_a - point.on_b).norm() - std::abs(axis.gap)) < kDistanceMiss) {
       points.push_back(point);
       return axis.gap;
     }
@@ -336,7 +336,7 @@ double box_on_box(const CollisionPart& part_a, const CollisionPart& part_b,
   axis.n = near.n;
   axis.gap = near.distance;
   least = add_face_points(a, b, axis, margin, memory, points);
-  if (least <= near.distance + kSame) return near.distance;
+  if (least <= near.distance + kDistanceMiss) return near.distance;
   ManifoldPoint point;
   point.on_a = near.at.on_a;
   point.on_b = near.at.on_b;

@@ -12,11 +12,11 @@ namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 
-constexpr double kSector = kPi / 3;  // between points of a rim [rad]
-constexpr double kUpright = 1e-4;    // lean up to which points are fixed [rad]
-constexpr double kLeaning = 1e-3;    // lean from which one is the lowest [rad]
-constexpr double kDepth = 1e-12;     // of a depth along an edge [m]
-constexpr double kKeepFace = 1e-5;   // by which another face must be better [m]
+constexpr double kSectorAngle = kPi / 3;  // between points of a rim [rad]
+constexpr double kUprightLean = 1e-4;     // lean up to which points are fixed [rad]
+constexpr double kLowestLean = 1e-3;      // lean from which one is the lowest [rad]
+constexpr double kDepthError = 1e-12;     // of a depth along an edge [m]
+constexpr double kKeepFace = 1e-5;        // by which another face must be better [m]
 
 /// Which face of the box separates best: that along which the cylinder is highest.
 struct FaceAbove {
@@ -43,8 +43,8 @@ FaceAbove face_above(const Vector3d& c, const Vector3d& u, const Vector3d& half_
 
 /// How far the point next to a rim's lowest one may lag behind it [rad].
 double lag_of(double lean) {
-  const double share = (kLeaning - lean) / (kLeaning - kUpright);
-  return kSector / 2 * std::clamp(share, 0.0, 1.0);
+  const double share = (kLowestLean - lean) / (kLowestLean - kUprightLean);
+  return kSectorAngle / 2 * std::clamp(share, 0.0, 1.0);
 }
 
 }  // namespace
@@ -64,10 +64,10 @@ std::optional<double> cylinder_on_face(const CollisionPart& a, const CollisionPa
   for (const int cap : {0, 1}) {
     // One of the points follows the lowest one.
     double& phase = memory.phase[static_cast<std::size_t>(cap)];
-    const double behind = std::remainder(lowest - phase, kSector), lag = lag_of(lean);
-    if (lean > kUpright && std::abs(behind) > lag) phase += behind - std::copysign(lag, behind);
+    const double behind = std::remainder(lowest - phase, kSectorAngle), lag = lag_of(lean);
+    if (lean > kUprightLean && std::abs(behind) > lag) phase += behind - std::copysign(lag, behind);
     for (int k = 0; k < 6; ++k) {
-      const double angle = phase + kSector * k;
+      const double angle = phase + kSectorAngle * k;
       const Vector3d rim(a.half.x() * std::cos(angle), a.half.x() * std::sin(angle),
                          cap == 0 ? -a.half.z() : a.half.z());
       ManifoldPoint point;
@@ -115,7 +115,7 @@ class EllipsoidSearch {
     LowestPoint here = at(n);
     double residual = (here.seen.normal - n).norm();
     for (int i = 0; i < 40; ++i) {
-      if (residual < kResidual) return here;
+      if (residual < kDirectionError) return here;
       const Vector3d to = newton(n, here);
       // Shorter steps while it gets worse.
       Vector3d step = to - n;
@@ -139,19 +139,19 @@ class EllipsoidSearch {
   }
 
  private:
-  static constexpr double kResidual = 1e-9;  // of a direction [1]
+  static constexpr double kDirectionError = 1e-9;  // of a direction [1]
 
   /// A step of Newton's method in the plane across n, by differences.
   [[nodiscard]] Vector3d newton(const Vector3d& n, const LowestPoint& here) const {
-    constexpr double kStep = 1e-6;
+    constexpr double kTurnStep = 1e-6;
     const Tangents across = tangents(n);
     Eigen::Matrix<double, 3, 2> T;
     T << across.e1, across.e2;
     const Vector2d f = T.transpose() * (here.seen.normal - n);
     Eigen::Matrix2d slope;
     for (int k = 0; k < 2; ++k) {
-      const Vector3d beside = (n + kStep * T.col(k)).normalized();
-      slope.col(k) = (T.transpose() * (at(beside).seen.normal - beside) - f) / kStep;
+      const Vector3d beside = (n + kTurnStep * T.col(k)).normalized();
+      slope.col(k) = (T.transpose() * (at(beside).seen.normal - beside) - f) / kTurnStep;
     }
     const double det = slope.determinant();
     if (!(std::abs(det) > 1e-12)) return here.seen.normal;
@@ -183,7 +183,7 @@ double add_deepest_edge(const CollisionPart& a, const CollisionPart& b, const Po
           const NearestSurface seen = a.shape->nearest(from_A + at * way_A);
           return Tangent{at, seen.distance, seen.normal.dot(way_A)};
         },
-        kDepth);
+        kDepthError);
     const NearestSurface seen = a.shape->nearest(from_A + t * way_A);
     if (seen.distance >= best.distance) continue;
     best = seen;

@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::Vector3d, Eigen::Vector3i;
 
-constexpr double kFlat = 0.002;  // sine of the angle up to which neighbours are one face, 0.1 deg
+constexpr double kFlatSine =
+    0.002;  // sine of the angle up to which neighbours are one face, 0.1 deg
 
 class PolyhedronBuilder {
  public:
@@ -58,7 +59,7 @@ class PolyhedronBuilder {
       const int other = place_[static_cast<std::size_t>(first[1].triangle)];
       const Vector3d n = built_->faces[static_cast<std::size_t>(one)].n;
       const Vector3d n_other = built_->faces[static_cast<std::size_t>(other)].n;
-      if (n.cross(n_other).norm() < kFlat && n.dot(n_other) > 0) {
+      if (n.cross(n_other).norm() < kFlatSine && n.dot(n_other) > 0) {
         const int low = std::min(plane_of(one), plane_of(other));
         const int high = std::max(plane_of(one), plane_of(other));
         plane_[static_cast<std::size_t>(high)] = low;

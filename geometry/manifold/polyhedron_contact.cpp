@@ -11,18 +11,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kReach = 1e-3;     // beyond the margin, in which features are looked for [m]
-constexpr double kMaxReach = 3e-3;  // the same for edges that lie deep [m]
-constexpr std::size_t kMany = 300;  // features from which the reach is a quarter
-constexpr double kDown = -0.5;      // sine at which an edge leads down from a corner [1]
-constexpr double kBesideArc = 0.1;  // by which a normal may miss the arc of an edge [1]
-constexpr double kShallow = 2e-4;   // depth to which edges are believed [m]
-constexpr double kParallel = 1e-4;  // sine of the angle between edges that do not cross [1]
+constexpr double kFeatureReach = 1e-3;  // beyond the margin, in which features are looked for [m]
+constexpr double kMaxReach = 3e-3;      // the same for edges that lie deep [m]
+constexpr std::size_t kManyFeatures = 300;  // features from which the reach is a quarter
+constexpr double kDownSine = -0.5;          // sine at which an edge leads down from a corner [1]
+constexpr double kBesideArc = 0.1;          // by which a normal may miss the arc of an edge [1]
+constexpr double kEdgeDepth = 2e-4;         // depth to which edges are believed [m]
+constexpr double kParallelSine = 1e-4;      // sine of the angle between edges that do not cross [1]
 
 /// Whether a corner is lowest among its neighbours, seen along n.
 bool is_lowest(const Polyhedron& body, const PolyhedronCorner& corner, const Vector3d& n) {
   for (int k = 0; k < corner.count; ++k)
-    if (body.ways[static_cast<std::size_t>(corner.first + k)].dot(n) < kDown) return false;
+    if (body.ways[static_cast<std::size_t>(corner.first + k)].dot(n) < kDownSine) return false;
   return true;
 }
 
@@ -100,7 +100,7 @@ class FeatureContacts {
     // Their common normal, out of B and into A.
     Vector3d n = way.cross(b.way);
     const double sine = n.norm();
-    if (sine < kParallel * std::sqrt(way.squaredNorm() * b.way.squaredNorm())) return;
+    if (sine < kParallelSine * std::sqrt(way.squaredNorm() * b.way.squaredNorm())) return;
     n /= sine;
     if (n.dot(b.normals[0] + b.normals[1]) < 0) n = -n;
     if (!is_between(b, b.way.normalized(), n) ||
@@ -110,7 +110,7 @@ class FeatureContacts {
     }
     const double gap = (on_a - on_b).dot(n);
     // Of deep edges each must be in the other body.
-    if (gap < -kShallow && (b_.shape->distance(on_a) > 0 || a_.shape->distance(X_AB_ * on_b) > 0))
+    if (gap < -kEdgeDepth && (b_.shape->distance(on_a) > 0 || a_.shape->distance(X_AB_ * on_b) > 0))
       return;
     least_ = std::min(least_, gap);
     if (gap <= margin_) add_point(on_a, on_b, n, FeatureKind::kEdges, i, j);
@@ -145,8 +145,9 @@ double polyhedron_on_polyhedron(const CollisionPart& a, const CollisionPart& b,
   NearFeatures& near = memory.near;
   const std::size_t first = points.size();
   double moved = near.found ? motion_bound(a.ball, b.ball, near.X_BA, X_BA) : 0;
-  const bool many = near.corners_a.size() + near.corners_b.size() + near.edges.size() > kMany;
-  double reach = margin + (many ? kReach / 4 : kReach);
+  const bool many =
+      near.corners_a.size() + near.corners_b.size() + near.edges.size() > kManyFeatures;
+  double reach = margin + (many ? kFeatureReach / 4 : kFeatureReach);
   bool fresh = !near.found || moved + margin > near.reach;
   for (;;) {
     // What may touch, anew if the bodies have moved too far or edges lie deeper than was looked.
@@ -164,7 +165,7 @@ double polyhedron_on_polyhedron(const CollisionPart& a, const CollisionPart& b,
       return std::min(least, near.reach - moved);
     }
     points.resize(first);
-    reach = margin + std::min(kMaxReach, kReach - 4 * deepest);
+    reach = margin + std::min(kMaxReach, kFeatureReach - 4 * deepest);
     fresh = true;
   }
 }
@@ -195,7 +196,7 @@ class RoundContacts {
   void add_face(const PolyhedronFace& face, int end) {
     const Vector3d c = a_.at(end);
     const double height = face.n.dot(c - face.corners.col(0));
-    if (height < 0 || height - a_.radius(end) > margin_ + kReach) return;
+    if (height < 0 || height - a_.radius(end) > margin_ + kFeatureReach) return;
     for (int k = 0; k < 3; ++k) {
       const Vector3d side = face.corners.col((k + 1) % 3) - face.corners.col(k);
       if (face.n.cross(side).dot(c - face.corners.col(k)) < 0) return;
@@ -273,7 +274,7 @@ double round_on_polyhedron(const CollisionPart& a, const CollisionPart& b, const
   if (!near.found || moved + margin > near.reach) {
     near.found = true;
     near.X_BA = X_BA;
-    near.reach = margin + kReach;
+    near.reach = margin + kFeatureReach;
     moved = 0;
     find_near_faces(from, to, *b.polyhedron, std::max(a.radius[0], a.radius[1]) + near.reach, near);
   }

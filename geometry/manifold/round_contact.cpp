@@ -12,9 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDeeper = 1e-7;    // by which a point between two ends must be nearer to count [m]
-constexpr double kNowhere = 1e-13;  // centres nearer than this have no direction [m]
-constexpr double kOnRim = 1e-7;     // what is over a face's rim is over the face [m]
+constexpr double kMiddleGain =
+    1e-7;  // by which a point between two ends must be nearer to count [m]
+constexpr double kSameCentre = 1e-13;  // centres nearer than this have no direction [m]
+constexpr double kOnRim = 1e-7;        // what is over a face's rim is over the face [m]
 
 /// A direction from B to A where the centres coincide.
 Vector3d any_direction(const BallHull& a, const BallHull& b, const Vector3d& last) {
@@ -31,7 +32,7 @@ ManifoldPoint ball_on_ball(const BallHull& a, const BallHull& b, const SegmentPl
                            const PartMemory& memory) {
   const Vector3d p = a.at(at.s), q = b.at(at.t), arm = p - q;
   double distance = arm.norm();
-  Vector3d n = distance > kNowhere ? Vector3d(arm / distance) : any_direction(a, b, memory.n);
+  Vector3d n = distance > kSameCentre ? Vector3d(arm / distance) : any_direction(a, b, memory.n);
   // Axes that have crossed while the bodies overlapped are on the wrong side.
   const bool between = at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1;
   if (between && memory.overlapped && n.dot(memory.n) < 0) n = -n, distance = -distance;
@@ -72,7 +73,7 @@ double round_on_round(const CollisionPart& part_a, const CollisionPart& part_b,
       if (s > 0 && s < 1) add_end({s, end});
     }
   // The nearest balls, if they are not as good as those.
-  if (!(least_end < least + kDeeper)) points.push_back(nearest);
+  if (!(least_end < least + kMiddleGain)) points.push_back(nearest);
   return least;
 }
 
@@ -156,7 +157,7 @@ double round_on_convex(const CollisionPart& part_a, const CollisionPart& part_b,
       least_end = std::min(least_end, point.gap);
       if (point.gap <= margin) points.push_back(point);
     }
-  if (!(least_end < nearest.gap + kDeeper)) points.push_back(nearest);
+  if (!(least_end < nearest.gap + kMiddleGain)) points.push_back(nearest);
   return nearest.gap;
 }
 

@@ -53,8 +53,8 @@ ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
 
 namespace {
 
-constexpr double kStep = 0.05;   // in units of the object's radius [1]
-constexpr double kHeadOn = 0.2;  // smallest sine of the angle between normal and approach [1]
+constexpr double kSideStep = 0.05;  // in units of the object's radius [1]
+constexpr double kHeadOn = 0.2;     // smallest sine of the angle between normal and approach [1]
 
 /// Direction in which the object pushes the digit that met it, across the approach; zero: none. (3)
 Eigen::Vector3d push_across(const CollisionHand& hand, const Eigen::VectorXd& q,
@@ -83,7 +83,7 @@ ApproachResult yielding_approach(const CollisionHand& hand, const Pose<double>& 
   require(most.aside >= 0, "a hand gives way by 0 m or more, got {} m", most.aside);
   ApproachResult met = approach(hand, X_WH, q, setup, most.distance, options);
   const Eigen::Vector3d d = X_WH.R * hand.hand->layout().approach.direction;
-  const double step = kStep * setup.object.torque_scale;
+  const double step = kSideStep * setup.object.torque_scale;
   // Step aside, and approach again by the distance that is left.
   for (double given = step; given <= most.aside; given += step) {
     const Eigen::Vector3d across = push_across(hand, q, setup, met, options.accuracy);

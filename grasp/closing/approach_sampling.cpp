@@ -12,10 +12,10 @@
 namespace thenar {
 namespace {
 
-constexpr double kClear = 1e-3;  // clearance between hand and object at the start [m]
-constexpr double kOff = 0.1;     // largest offset of the aim from the centre, by the radius [1]
-constexpr double kOffAny = 0.5;  // the same for approaches from anywhere [1]
-constexpr int kPreshapes = 4;    // one in so many approaches begins with the open hand
+constexpr double kStartClearance = 1e-3;  // clearance between hand and object at the start [m]
+constexpr double kMostOffset = 0.1;  // largest offset of the aim from the centre, by the radius [1]
+constexpr double kOffAny = 0.5;      // the same for approaches from anywhere [1]
+constexpr int kPreshapeInterval = 4;  // one in so many approaches begins with the open hand
 
 /// Random numbers of one approach, in [0, 1).
 struct StartDraws {
@@ -85,7 +85,7 @@ double hand_reach(const CollisionHand& hand, const Eigen::VectorXd& q) {
 
 /// Distance from the point of approach at the start to its aim [m].
 double far_off(const CollisionHand& hand, const Eigen::VectorXd& q, const GraspBody& object) {
-  return (1 + kOffAny) * object.torque_scale + hand_reach(hand, q) + kClear;
+  return (1 + kOffAny) * object.torque_scale + hand_reach(hand, q) + kStartClearance;
 }
 
 }  // namespace
@@ -99,8 +99,8 @@ Pose<double> sample_approach_pose(const CollisionHand& hand, const Eigen::Vector
   Pose<double> X_WH;
   X_WH.R = axes ? along_axes(hand, q, object, u) : any(hand, u);
   // The palm looks at a random point near the centre, from a clear distance.
-  const Eigen::Vector3d aim =
-      object.X_WB * object.com + (axes ? kOff : kOffAny) * object.torque_scale * in_ball(u.aim);
+  const Eigen::Vector3d aim = object.X_WB * object.com +
+                              (axes ? kMostOffset : kOffAny) * object.torque_scale * in_ball(u.aim);
   X_WH.p = aim - X_WH.R * (approach.point + far_off(hand, q, object) * approach.direction);
   return X_WH;
 }
@@ -118,7 +118,7 @@ Eigen::VectorXd sample_preshape(const CollisionHand& hand, int number, std::mt19
   const HandLayout& layout = hand.hand->layout();
   // Every fourth approach begins with the open hand.
   Eigen::VectorXd q = open_posture(hand.hand->layout());
-  if (number % kPreshapes == 0) return q;
+  if (number % kPreshapeInterval == 0) return q;
   const Eigen::VectorXd rates = ClosingDrives(layout).rates();
   const std::vector<LinkSurface>& surfaces = hand.hand->surfaces();
   // Undriven coordinates are random, unless they move all digits alike, like a wrist.

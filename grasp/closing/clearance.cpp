@@ -5,7 +5,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kRelative = 0.2;  // error of a clearance: far ones are measured again anyway [1]
+constexpr double kRelativeError =
+    0.2;  // error of a clearance: far ones are measured again anyway [1]
 
 const LinkSurface& surface_of(const PosedCollisionHand& posed, int surface) {
   return posed.collision_hand.hand->surfaces()[surface];
@@ -23,7 +24,7 @@ SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand&
   // A fifth of the distance is enough where it is large.
   SignedDistanceOptions options;
   options.tolerance = tolerance;
-  options.relative = kRelative;
+  options.relative = kRelativeError;
   options.cutoff = cutoff;
   options.start = clearance.nearest;
   const CollisionTree& touch = posed.collision_hand.trees[clearance.surface];

@@ -10,7 +10,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kAlongside = 0.7;  // cosine of the angle between axes of links side by side [1]
+constexpr double kAlongsideCosine =
+    0.7;  // cosine of the angle between axes of links side by side [1]
 
 MovedBy moved_by(const Hand& hand) {
   const HandLayout& layout = hand.layout();
@@ -58,7 +59,7 @@ Eigen::Vector3d own_turn(const Hand& hand, const MovedBy& moves, int surface, in
 /// Whether two links curl in the same direction.
 bool curl_alongside(const Hand& hand, const MovedBy& moves, int a, int b) {
   const Eigen::Vector3d one = own_turn(hand, moves, a, b), other = own_turn(hand, moves, b, a);
-  return one.dot(other) > kAlongside * one.norm() * other.norm();
+  return one.dot(other) > kAlongsideCosine * one.norm() * other.norm();
 }
 
 /// The pair of two surfaces; nothing if they never meet.

@@ -10,7 +10,7 @@
 namespace thenar {
 namespace {
 
-constexpr int kTimes = 20;  // intervals of closing
+constexpr int kClosingIntervals = 20;  // intervals of closing
 }  // namespace
 
 Eigen::Matrix3Xd fingertip_positions(const Hand& hand, const Eigen::VectorXd& q) {
@@ -31,9 +31,10 @@ FingertipPaths fingertip_paths(const Hand& hand, const Eigen::VectorXd& q) {
   const double whole = time_to_limits(layout, q, rates);
   // Positions at equal times; coordinates stay at their limits.
   FingertipPaths ways;
-  for (int i = 0; i <= kTimes; ++i)
+  for (int i = 0; i <= kClosingIntervals; ++i)
     ways.tips.push_back(fingertip_positions(
-        hand, (q + i * whole / kTimes * rates).cwiseMax(layout.lower).cwiseMin(layout.upper)));
+        hand,
+        (q + i * whole / kClosingIntervals * rates).cwiseMax(layout.lower).cwiseMin(layout.upper)));
   ways.axis = closing_axis(ways.tips, layout.approach.direction);
   return ways;
 }

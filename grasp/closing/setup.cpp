@@ -90,7 +90,8 @@ GraspSetup build_setup(const WorldSpec& world, const std::string& object) {
 
 namespace {
 
-constexpr double kSmaller = 0.99;  // largest ratio of volumes at which the turned box is taken [1]
+constexpr double kSmallerVolume =
+    0.99;  // largest ratio of volumes at which the turned box is taken [1]
 
 /// Box along given axes that holds all points.
 BodyBox box_along(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points) {
@@ -119,7 +120,7 @@ BodyBox body_box(const TriangleMesh& picture) {
   const BodyBox framed = box_along(Eigen::Matrix3d::Identity(), picture.vertices);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(mass_properties(picture, 1).inertia);
   const BodyBox turned = box_along(inertia.eigenvectors(), picture.vertices);
-  const bool smaller = turned.half.prod() < kSmaller * framed.half.prod();
+  const bool smaller = turned.half.prod() < kSmallerVolume * framed.half.prod();
   return longest_first(smaller ? turned : framed);
 }
 

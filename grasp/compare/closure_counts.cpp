@@ -5,7 +5,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kChance = 0.05;  // of a mark though two hands are equal [1]
+constexpr double kMarkChance = 0.05;  // of a mark though two hands are equal [1]
 
 }  // namespace
 
@@ -37,7 +37,7 @@ std::string hand_of_most_closures(const Comparison& comparison) {
     if (other == most) continue;
     if (most->approaches == 0 || other->approaches == 0 ||
         fisher_exact_p({most->closures, most->approaches}, {other->closures, other->approaches}) >=
-            kChance)
+            kMarkChance)
       return "";
   }
   return comparison.hands[static_cast<std::size_t>(most - counts.begin())];

@@ -28,9 +28,9 @@ JsonNode number_node(double value) {
 // ---- what a cell may hold: whoever seals a file anew may write anything
 
 constexpr double kLargestScale = 1000;      // of an object, and the inverse of the smallest [1]
-constexpr double kFarthest = 1000;          // of a place [m]
-constexpr double kStrongest = 1e12;         // of loads and qualities [N], [1], [N m]
-constexpr double kUnit = 1e-6;              // by which directions may be off [1]
+constexpr double kMostDistance = 1000;      // of a place [m]
+constexpr double kMostLoad = 1e12;          // of loads and qualities [N], [1], [N m]
+constexpr double kUnitError = 1e-6;         // by which directions may be off [1]
 constexpr int kMaxApproaches = 10'000'000;  // of approaches
 
 /// What is wrong with a cell, and where.
@@ -40,9 +40,9 @@ struct BrokenCell {
 };
 
 [[noreturn]] void refuse(const std::string& name, const std::string& wanted, const JsonNode& got) {
-  constexpr std::size_t kQuoted = 100;
+  constexpr std::size_t kQuotedCharacters = 100;
   throw BrokenCell{got.line, fmt::format("'{}': wanted {}, got {}", name, wanted,
-                                         canonical_text(got).substr(0, kQuoted))};
+                                         canonical_text(got).substr(0, kQuotedCharacters))};
 }
 
 const JsonNode& member(const JsonNode& node, const std::string& name) {
@@ -74,7 +74,7 @@ const std::string& text(const JsonNode& value, const std::string& name) {
 double load_of(const JsonNode& value, const std::string& name) {
   if (value.kind == JsonKind::kNull) return kNaN;
   if (value.kind == JsonKind::kText && value.text == kInfinite) return kInfinity;
-  return within(value, name, 0, kStrongest);
+  return within(value, name, 0, kMostLoad);
 }
 
 /// Loads of at most `most` grasps, ascending.
@@ -109,8 +109,9 @@ Eigen::Matrix3d rotation_of(const JsonNode& rows) {
   Eigen::Matrix3d R;
   if (rows.items.size() != 3) refuse("rotation", "3 rows", rows);
   for (int i = 0; i < 3; ++i)
-    R.row(i) = vector3(rows.items[static_cast<std::size_t>(i)], "rotation", 1 + kUnit).transpose();
-  if (!(R * R.transpose()).isIdentity(kUnit) || R.determinant() < 0)
+    R.row(i) =
+        vector3(rows.items[static_cast<std::size_t>(i)], "rotation", 1 + kUnitError).transpose();
+  if (!(R * R.transpose()).isIdentity(kUnitError) || R.determinant() < 0)
     refuse("rotation", "the rows of a rotation", rows);
   return R;
 }
@@ -165,15 +166,15 @@ JsonNode contact_node(const HandContact& contact) {
 
 HandContact contact_of(const JsonNode& json) {
   HandContact contact;
-  constexpr double kRoughest = 100;  // nothing real has more friction [1]
-  contact.contact.p = vector3(member(json, "position_m"), "position_m", kFarthest);
-  contact.contact.n = vector3(member(json, "normal"), "normal", 1 + kUnit);
-  if (std::abs(contact.contact.n.norm() - 1) > kUnit)
+  constexpr double kMostFriction = 100;  // nothing real has more friction [1]
+  contact.contact.p = vector3(member(json, "position_m"), "position_m", kMostDistance);
+  contact.contact.n = vector3(member(json, "normal"), "normal", 1 + kUnitError);
+  if (std::abs(contact.contact.n.norm() - 1) > kUnitError)
     refuse("normal", "a direction of length 1", member(json, "normal"));
-  contact.contact.friction = within(member(json, "friction"), "friction", 0, kRoughest);
-  contact.contact.torsion = within(member(json, "torsion_m"), "torsion_m", 0, kFarthest);
+  contact.contact.friction = within(member(json, "friction"), "friction", 0, kMostFriction);
+  contact.contact.torsion = within(member(json, "torsion_m"), "torsion_m", 0, kMostDistance);
   contact.surface = whole(member(json, "surface"), "surface", -1, kMaxApproaches);
-  contact.depth = within(member(json, "depth_m"), "depth_m", -kFarthest, kFarthest);
+  contact.depth = within(member(json, "depth_m"), "depth_m", -kMostDistance, kMostDistance);
   return contact;
 }
 
@@ -198,10 +199,10 @@ JsonNode best_node(const BestGrasp& best) {
 }
 
 BestGrasp best_of(const JsonNode& json, int approaches) {
-  constexpr double kLongest = 1000;  // of a posture's entries [rad] or [m]
+  constexpr double kMostPosture = 1000;  // of a posture's entries [rad] or [m]
   BestGrasp best;
   best.approach = whole(member(json, "approach"), "approach", 0, approaches - 1);
-  best.epsilon = within(member(json, "epsilon"), "epsilon", 0, kStrongest);
+  best.epsilon = within(member(json, "epsilon"), "epsilon", 0, kMostLoad);
   best.type = text(member(json, "type"), "type");
   best.min_grasp_force = load_of(member(json, "hold_N"), "hold_N");
   const JsonNode* standing = json.find("hold_standing_N");  // older files lack it
@@ -218,8 +219,8 @@ BestGrasp best_of(const JsonNode& json, int approaches) {
   for (std::size_t i = 0; i < reasons.names.size(); ++i)
     best.reasons[reasons.names[i]] = text(reasons.items[i], "reasons");
   best.X_WH.R = rotation_of(member(json, "rotation"));
-  best.X_WH.p = vector3(member(json, "position_m"), "position_m", kFarthest);
-  best.q = vector(member(json, "q"), "q", kLongest);
+  best.X_WH.p = vector3(member(json, "position_m"), "position_m", kMostDistance);
+  best.q = vector(member(json, "q"), "q", kMostPosture);
   for (const JsonNode& contact : member(json, "contacts").items)
     best.contacts.push_back(contact_of(contact));
   return best;
@@ -271,7 +272,7 @@ void read_counts(const JsonNode& json, HandOnObject& cell) {
     typed += count;
   }
   const double share = static_cast<double>(cell.closures) / cell.approaches;
-  cell.success = within(member(json, "success"), "success", share - kUnit, share + kUnit);
+  cell.success = within(member(json, "success"), "success", share - kUnitError, share + kUnitError);
   cell.interval.lower = within(member(json, "success_lower"), "success_lower", 0, 1);
   cell.interval.upper =
       within(member(json, "success_upper"), "success_upper", cell.interval.lower, 1);
@@ -345,15 +346,15 @@ void rename_hands(JsonNode& file, const HandName& name) {
 /// Files that a provenance records with another hash: "'cone.stl' (SHA-256 0123abcd then, 4567ef01
 /// now)".
 std::vector<std::string> changed_files(const JsonNode* provenance, const FileDigests& files) {
-  constexpr std::size_t kShown = 8;  // digits of a hash
+  constexpr std::size_t kShownDigits = 8;  // digits of a hash
   std::vector<std::string> changed;
   for (const auto& [path, digest] : files) {
     const JsonNode* then = provenance == nullptr ? nullptr : provenance->find(path);
     if (then == nullptr || then->text.rfind(kFileMark, 0) != 0 || then->text == kFileMark + digest)
       continue;
     changed.push_back(fmt::format("'{}' (SHA-256 {} then, {} now)", path,
-                                  then->text.substr(kFileMark.size(), kShown),
-                                  digest.substr(0, kShown)));
+                                  then->text.substr(kFileMark.size(), kShownDigits),
+                                  digest.substr(0, kShownDigits)));
   }
   return changed;
 }

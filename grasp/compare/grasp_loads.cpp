@@ -14,9 +14,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kGravity = 9.81;       // [m/s^2]
-constexpr double kGap = 0.05;           // relative accuracy of hand_epsilon() [1]
-constexpr double kGrows = 1.5;          // of a load at twice the slack: it is the slack's alone [1]
+constexpr double kEarthGravity = 9.81;  // [m/s^2]
+constexpr double kEpsilonGap = 0.05;    // relative accuracy of hand_epsilon() [1]
+constexpr double kSlackGrowth = 1.5;    // of a load at twice the slack: it is the slack's alone [1]
 constexpr double kPreloadSlack = 1e-6;  // of hand_forces() where its programmes stall [1]
 
 /// Unit wrenches of both signs along axes `first` .. `last`: forces 0..2, torques 3..5.
@@ -56,7 +56,7 @@ double active_part(const HandForceInputs& held_by, const ForceSet& forces,
     pressed = with(kPreloadSlack);
     if (pressed.status == Status::kSolved)
       if (const TaskMargin more = with(2 * kPreloadSlack);
-          more.status == Status::kSolved && more.lower > kGrows * pressed.upper)
+          more.status == Status::kSolved && more.lower > kSlackGrowth * pressed.upper)
         return 0;
   }
   if (pressed.status == Status::kInfeasible) return 0;
@@ -103,19 +103,20 @@ GraspLoads grasp_loads(const HeldObject& held, const GraspBody& object, double m
   GraspLoads loads;
   // Grasp force that friction alone needs for the weight, along every axis.
   const ForceSet friction = free_forces(held_by.set);
-  for (const ScaledWrench& load : both_ways(0, 2, kGravity * mass))
+  for (const ScaledWrench& load : both_ways(0, 2, kEarthGravity * mass))
     loads.min_grasp_force =
         std::max(loads.min_grasp_force,
                  minimum_grasp_force(friction, load, GraspForceObjective::kSum).objective);
   ScaledWrench standing = ScaledWrench::Zero();
-  standing.head<3>() = -kGravity * mass * object.X_WB.R.transpose().col(2);
+  standing.head<3>() = -kEarthGravity * mass * object.X_WB.R.transpose().col(2);
   loads.standing_grasp_force =
       minimum_grasp_force(friction, standing, GraspForceObjective::kSum).objective;
 
   // Margins of the tasks within the actuation of the hand.
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);
   for (const GraspTask task : tasks) {
-    const std::vector<ScaledWrench> list = task_loads(task, kGravity * mass, object.torque_scale);
+    const std::vector<ScaledWrench> list =
+        task_loads(task, kEarthGravity * mass, object.torque_scale);
     if (list.empty()) continue;
     const TaskMargin margin = margin_of_loads(forces, list);
     const ExplainedLoad result =
@@ -136,7 +137,7 @@ ExplainedLoad hand_epsilon(const HeldObject& held, const GraspBody& object) {
   const std::string unknown = explain_unknown_effort(held_by);
   if (!unknown.empty()) return {kNaN, unknown};
   BallOptions options;
-  options.gap = kGap;
+  options.gap = kEpsilonGap;
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);
   if (const std::optional<ScaledWrench> load = unsupported_load(forces))
     return {0, explain_zero_margin(held_by, {*load})};

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kSkinMeets = 10e-3;  // two points of skin nearer than this meet [m]
 constexpr double kTipsMeet = 20e-3;   // centres of two tips, about a finger's thickness [m]
-constexpr int kStarts = 12, kSteps = 60;
-constexpr double kDamping = 1e-6;  // [m^2/rad^2]
+constexpr int kSearchStarts = 12, kSearchSteps = 60;
+constexpr double kAngleDamping = 1e-6;  // [m^2/rad^2]
 
 HandPlace place_of(const HandTip& tip) { return {tip.digit, tip.link, tip.p, 0}; }
 
@@ -34,7 +34,7 @@ double bring_together(const Hand& hand, Eigen::VectorXd q, const HandPlace& a, c
                       double near) {
   const HandLayout& layout = hand.layout();
   double best = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kSearchSteps; ++step) {
     const std::vector<Pose<double>> links = hand.pose(q);
     const Eigen::Vector3d gap = at(b, links) - at(a, links);
     best = std::min(best, gap.norm());
@@ -48,7 +48,7 @@ double bring_together(const Hand& hand, Eigen::VectorXd q, const HandPlace& a, c
         J.col(j).setZero();
     }
     // Damped least-squares step, at most 0.3 rad in any joint.
-    const Eigen::Matrix3d normal = J * J.transpose() + kDamping * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d normal = J * J.transpose() + kAngleDamping * Eigen::Matrix3d::Identity();
     Eigen::VectorXd dq = J.transpose() * normal.ldlt().solve(gap);
     const double largest = dq.cwiseAbs().maxCoeff();
     if (largest > 0.3) dq *= 0.3 / largest;
@@ -66,7 +66,7 @@ bool meet(const Hand& hand, const HandPlace& a, const HandPlace& b,
 
 std::vector<Eigen::VectorXd> draw_starts(const HandLayout& layout, std::mt19937& random) {
   std::vector<Eigen::VectorXd> starts{(layout.lower + layout.upper) / 2};
-  while (static_cast<int>(starts.size()) < kStarts)
+  while (static_cast<int>(starts.size()) < kSearchStarts)
     starts.push_back(sample_posture(layout, random));
   return starts;
 }

@@ -72,7 +72,7 @@ Grasp attempt_grasp(const CollisionHand& hand, const Pregrasp& pregrasp, const G
 
 namespace {
 
-constexpr double kAcross = 0.2;      // smallest sine of the angle between push and approach [1]
+constexpr double kAcrossSine = 0.2;  // smallest sine of the angle between push and approach [1]
 constexpr int kMaxGapSteps = 200;    // of conservative advancement across the clearance
 constexpr double kLongestSlide = 4;  // way of the object to another jaw, over its radius [1]
 constexpr double kLongestPush = 12;  // to what stands still, over its radius [1]
@@ -136,7 +136,7 @@ Push find_push(const CollisionHand& hand, const Grasp& grasp) {
           push.fixed ? Eigen::Vector3d(J * rates) : Eigen::Vector3d(rates[j] * J.col(j));
       const Eigen::Vector3d& d = hand.hand->layout().approach.direction;
       const Eigen::Vector3d across = v - v.dot(d) * d;
-      if (across.norm() > kAcross * v.norm())
+      if (across.norm() > kAcrossSine * v.norm())
         push.along_W = grasp.approached.X_WH.R * across.normalized();
       return push;
     }
@@ -192,7 +192,7 @@ bool holds_against(const Push& push, const Grasp& grasp, const GraspBody& object
   return std::any_of(grasp.contacts.begin(), grasp.contacts.end(), [&](const HandContact& each) {
     const bool still =
         std::find(push.others.begin(), push.others.end(), each.surface) != push.others.end();
-    return still && (object.X_WB.R * each.contact.n).dot(push.along_W) < -kAcross;
+    return still && (object.X_WB.R * each.contact.n).dot(push.along_W) < -kAcrossSine;
   });
 }
 

@@ -14,14 +14,14 @@
 namespace thenar {
 namespace {
 
-constexpr int kDirections = 64;
-constexpr double kStill = 1e-12;    // motion of a tip that counts as none [m/rad]
-constexpr double kClimbs = 1e-9;    // relative gain that a step of the ascent must have [1]
-constexpr int kMaxForceSteps = 20;  // of the ascent
+constexpr int kForceDirections = 64;
+constexpr double kStillMotion = 1e-12;  // motion of a tip that counts as none [m/rad]
+constexpr double kAscentGain = 1e-9;    // relative gain that a step of the ascent must have [1]
+constexpr int kMaxForceSteps = 20;      // of the ascent
 
 /// Direction i of a Fibonacci spiral, evenly spread on the sphere. (3)
 Eigen::Vector3d direction(int i) {
-  const double z = 1 - (2.0 * i + 1) / kDirections, r = std::sqrt(1 - z * z);
+  const double z = 1 - (2.0 * i + 1) / kForceDirections, r = std::sqrt(1 - z * z);
   const double turn = kPi * (3 - std::sqrt(5.0)) * i;
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
@@ -32,13 +32,14 @@ std::vector<int> pressing_joints(const Eigen::MatrixXd& J, const Reactions& reac
   // The outermost non-backdrivable joint that moves the tip.
   int carrier = -1;
   for (const int j : reactions.non_backdrivable)
-    if (!J.col(j).isZero(kStill)) carrier = std::max(carrier, j);
+    if (!J.col(j).isZero(kStillMotion)) carrier = std::max(carrier, j);
   // Locked joints, and inner non-backdrivable ones, support the force as structure.
   for (int j = 0; j < J.cols(); ++j) {
     const bool non_backdrivable =
         std::find(reactions.non_backdrivable.begin(), reactions.non_backdrivable.end(), j) !=
         reactions.non_backdrivable.end();
-    if (!J.col(j).isZero(kStill) && !is_locked(reactions, j) && (!non_backdrivable || j == carrier))
+    if (!J.col(j).isZero(kStillMotion) && !is_locked(reactions, j) &&
+        (!non_backdrivable || j == carrier))
       joints.push_back(j);
   }
   return joints;
@@ -62,7 +63,7 @@ Eigen::MatrixX3d load_map(const Hand& hand, const Eigen::VectorXd& q, int tip,
                           const Eigen::Matrix3Xd& J, const Eigen::VectorXd& rates) {
   Eigen::MatrixX3d L = J.transpose();
   const Eigen::Vector3d way = J * rates;
-  if (way.isZero(kStill)) return L;
+  if (way.isZero(kStillMotion)) return L;
   const std::vector<HandTip>& tips = hand.layout().tip_points;
   for (int t = 0; t < static_cast<int>(tips.size()); ++t) {
     if (t == tip || tips[t].link < 0) continue;
@@ -70,11 +71,11 @@ Eigen::MatrixX3d load_map(const Hand& hand, const Eigen::VectorXd& q, int tip,
     // Does a closing coordinate move both tips?
     bool shared = false;
     for (Eigen::Index j = 0; j < rates.size(); ++j)
-      shared =
-          shared || (rates[j] != 0 && !J.col(j).isZero(kStill) && !other.col(j).isZero(kStill));
+      shared = shared || (rates[j] != 0 && !J.col(j).isZero(kStillMotion) &&
+                          !other.col(j).isZero(kStillMotion));
     // The other tip meets as much force along its own direction.
     const Eigen::Vector3d its = other * rates;
-    if (shared && !its.isZero(kStill))
+    if (shared && !its.isZero(kStillMotion))
       L += other.transpose() * its.normalized() * way.normalized().transpose();
   }
   return L;
@@ -141,7 +142,7 @@ double climb(const ConeProgram& program, const Eigen::MatrixXd& J, Eigen::Vector
     const Farthest most = farthest(program, J, d);
     if (!std::isfinite(most.reach)) return most.reach;
     const double size = most.f.norm();
-    if (!(size > (1 + kClimbs) * best)) break;
+    if (!(size > (1 + kAscentGain) * best)) break;
     best = size;
     d = most.f / size;
   }
@@ -168,14 +169,14 @@ TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip) {
   const Eigen::Vector3d closing = all * rates;
   TipForces forces;
   // Force in the direction of closing.
-  if (!closing.isZero(kStill)) {
+  if (!closing.isZero(kStillMotion)) {
     const Eigen::Vector3d way = closing.normalized();
     forces.closing = farthest(program, J, way).reach;
     if (std::isnan(forces.closing)) return {kNaN, kNaN};
     forces.largest = std::max(forces.closing, climb(program, J, way));
   }
   // Ascent from directions all over the sphere.
-  for (int i = 0; i < kDirections; ++i) {
+  for (int i = 0; i < kForceDirections; ++i) {
     const double reach = climb(program, J, direction(i));
     if (std::isnan(reach)) return {forces.closing, kNaN};
     forces.largest = std::max(forces.largest, reach);

@@ -18,8 +18,8 @@ namespace thenar {
 namespace {
 
 constexpr double kCells[] = {0.25, 0.5, 1, 2, 4};  // sizes tried, in voxels asked for [1]
-constexpr double kShared = 2;                      // size of voxels for the overlap of two tips [1]
-constexpr int kAsk = 1000;                         // draws between two checks for a stop
+constexpr double kVoxelGrowth = 2;                 // size of voxels for the overlap of two tips [1]
+constexpr int kStopInterval = 1000;                // draws between two checks for a stop
 
 using Voxel = std::array<int, 3>;
 using Voxels = std::vector<Voxel>;  // ascending
@@ -68,12 +68,12 @@ Eigen::Matrix3Xd principal(const Eigen::Matrix3Xd& points) {
 /// Postures between the limits, spread evenly but not regularly over every coordinate, the middle
 /// first (coordinates, 5).
 Eigen::MatrixXd spread_postures(const HandLayout& layout) {
-  constexpr double kGolden = 0.6180339887498949;  // multiples of it fill 0..1 evenly
+  constexpr double kGoldenRatio = 0.6180339887498949;  // multiples of it fill 0..1 evenly
   const Eigen::VectorXd range = layout.upper - layout.lower;
   Eigen::MatrixXd postures(range.size(), 5);
   for (Eigen::Index k = 0; k < postures.cols(); ++k)
     for (Eigen::Index c = 0; c < range.size(); ++c) {
-      const double turns = 0.5 + kGolden * double(k * (c + 1));
+      const double turns = 0.5 + kGoldenRatio * double(k * (c + 1));
       postures(c, k) = layout.lower[c] + (turns - std::floor(turns)) * range[c];
     }
   return postures;
@@ -82,8 +82,8 @@ Eigen::MatrixXd spread_postures(const HandLayout& layout) {
 /// How many coordinates move each tip, in some posture at least: it cannot fill a space of more
 /// dimensions.
 std::vector<int> movers_of_tips(const Hand& hand) {
-  constexpr double kStep = 1e-3;      // of a coordinate's range
-  constexpr double kNoMotion = 1e-9;  // [m]
+  constexpr double kRangeStep = 1e-3;  // of a coordinate's range
+  constexpr double kNoMotion = 1e-9;   // [m]
   const HandLayout& layout = hand.layout();
   const Eigen::MatrixXd postures = spread_postures(layout);
   std::vector<int> movers(layout.tip_points.size(), 0);
@@ -92,7 +92,7 @@ std::vector<int> movers_of_tips(const Hand& hand) {
     Eigen::VectorXd far = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(movers.size()));
     for (const Eigen::VectorXd q : postures.colwise()) {
       Eigen::VectorXd stepped = q;
-      stepped[c] += kStep * (layout.upper[c] - layout.lower[c]);
+      stepped[c] += kRangeStep * (layout.upper[c] - layout.lower[c]);
       const Eigen::Matrix3Xd by = fingertip_positions(hand, stepped) - fingertip_positions(hand, q);
       far = far.cwiseMax(by.colwise().norm().transpose());
     }
@@ -139,7 +139,7 @@ Workspaces workspaces(const Hand& hand, int draws, double voxel, std::mt19937& r
   // Tip positions at random postures.
   std::vector<Eigen::Matrix3Xd> points(layout.tip_points.size(), Eigen::Matrix3Xd(3, draws));
   for (int n = 0; n < draws; ++n) {
-    if (n % kAsk == 0 && progress.stop()) return {};
+    if (n % kStopInterval == 0 && progress.stop()) return {};
     const Eigen::Matrix3Xd tips = fingertip_positions(hand, sample_posture(layout, random));
     for (std::size_t t = 0; t < points.size(); ++t)
       points[t].col(n) = tips.col(static_cast<Eigen::Index>(t));
@@ -156,13 +156,13 @@ Workspaces workspaces(const Hand& hand, int draws, double voxel, std::mt19937& r
     // Workspace of each tip; voxels of the opposing digit and of all others.
     out.digits.push_back(measure_space(digit, points[t], movers[t], voxel));
     if (out.digits.back().dimension < 3) continue;  // planes and curves share no volume
-    const Voxels voxels = voxels_of(points[t], 3, kShared * voxel);
+    const Voxels voxels = voxels_of(points[t], 3, kVoxelGrowth * voxel);
     (digit == opposing ? thumb : others).insert(voxels.begin(), voxels.end());
   }
   // Their common voxels are the overlap.
   if (thumb.empty() || others.empty()) out.overlap = std::numeric_limits<double>::quiet_NaN();
   for (const Voxel& each : thumb)
-    if (others.count(each) > 0) out.overlap += std::pow(kShared * voxel, 3);
+    if (others.count(each) > 0) out.overlap += std::pow(kVoxelGrowth * voxel, 3);
   return out;
 }
 

@@ -17,13 +17,13 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kCosTurn = 0.86602540378443865;  // of 30 degrees, within a region [1]
-constexpr double kAround = 1e-4;                  // of a point, where faces count as its own [m]
+constexpr double kPointReach = 1e-4;              // of a point, where faces count as its own [m]
 constexpr double kFitStep = 2e-4;     // by which a nearest point's surroundings are measured [m]
 constexpr double kLongestFit = 1e-3;  // [m]
 constexpr double kLeastCurve = 1;     // of distances that have a least place [1/m]
-constexpr double kStill = 1e-8;       // step that moves no contact [m]
-constexpr int kRefinements = 3;       // of a nearest point
-constexpr double kCoarse = 4;         // resolution of the first search, in that of the rim [1]
+constexpr double kStillStep = 1e-8;   // step that moves no contact [m]
+constexpr int kPointRefinements = 3;  // of a nearest point
+constexpr double kCoarseRatio = 4;    // resolution of the first search, in that of the rim [1]
 
 /// A connected group of pieces of A that are near B.
 struct Region {
@@ -117,7 +117,7 @@ std::vector<const SweptTriangle*> triangles_at(const CollisionTree& a, const Vec
   while (!nodes.empty()) {
     const CollisionNode& node = a.nodes[static_cast<std::size_t>(nodes.back())];
     nodes.pop_back();
-    if ((node.ball.c - p).norm() > node.ball.r + kAround) continue;
+    if ((node.ball.c - p).norm() > node.ball.r + kPointReach) continue;
     if (node.triangle < 0) {
       nodes.push_back(node.left);
       nodes.push_back(node.right);
@@ -125,7 +125,7 @@ std::vector<const SweptTriangle*> triangles_at(const CollisionTree& a, const Vec
     }
     // Leaf: keep the triangle if it is near enough.
     const SweptTriangle& t = a.triangles[static_cast<std::size_t>(node.triangle)];
-    if ((internal::nearest_in_triangle(t.corners, p) - p).norm() <= kAround)
+    if ((internal::nearest_in_triangle(t.corners, p) - p).norm() <= kPointReach)
       triangles.push_back(&t);
   }
   return triangles;
@@ -164,7 +164,7 @@ class PatchFinder {
     // Coarse search: all pieces of A within the tolerance of B.
     PatchQuery coarse;
     coarse.level = options_.tolerance;
-    coarse.resolution = kCoarse * options_.resolution;
+    coarse.resolution = kCoarseRatio * options_.resolution;
     coarse.max_evaluations = options_.max_evaluations;
     std::vector<Pressing> pieces;
     for (PatchPiece& piece : search(coarse)) {
@@ -255,7 +255,7 @@ class PatchFinder {
   bool is_slope(const Region& region) {
     const double nearer = region.nearest.distance - options_.band;
     const PatchPoint around =
-        nearest_within({region.nearest.core, kCoarse * options_.resolution}, nearer);
+        nearest_within({region.nearest.core, kCoarseRatio * options_.resolution}, nearer);
     return around.distance < nearer && into(around).dot(region.normal) < kCosTurn;
   }
 
@@ -272,7 +272,7 @@ class PatchFinder {
   void refine(Region& region) const {
     if (b_.accuracy() > 0) return;
     PatchPoint point = region.nearest;
-    for (int k = 0; k < kRefinements; ++k) {
+    for (int k = 0; k < kPointRefinements; ++k) {
       const PatchPoint last = point;
       // On a side or a corner of triangles each of them may go on.
       for (const SweptTriangle* t : triangles_at(a_, X_BA_.inverse() * last.core))
@@ -290,7 +290,7 @@ class PatchFinder {
     if (triangle.n.isZero()) return point;
     const Tangents t = tangents(X_BA_.R * triangle.n);
     const Eigen::Vector2d step = step_to_least(b_, point.core, t);
-    if (step.norm() < kStill) return point;
+    if (step.norm() < kStillStep) return point;
     const Vector3d goal = point.core + step[0] * t.e1 + step[1] * t.e2;
     const Vector3d core =
         X_BA_ * internal::nearest_in_triangle(triangle.corners, X_BA_.inverse() * goal);
@@ -399,7 +399,7 @@ Around around(const PatchPoint& point, const Shape& b) {
   std::vector<Vector3d>& normals = result.normals;
   // Normals of B at four points around the contact.
   for (const Vector3d& way : ways) {
-    normals.push_back(b.nearest(point.on_b + kAround * way).normal);
+    normals.push_back(b.nearest(point.on_b + kPointReach * way).normal);
     result.middle += normals.back();
   }
   // Sharp: two normals diverge in the direction of their points, as at an edge; in a groove they

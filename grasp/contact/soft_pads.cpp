@@ -12,8 +12,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kFlatCurvature = 10;  // less curved than a ball of 0.1 m [1/m]
-constexpr double kShear = 1.0 / 3;     // shear by Young's modulus of an incompressible layer [1]
+constexpr double kFlatCurvature = 10;    // less curved than a ball of 0.1 m [1/m]
+constexpr double kShearRatio = 1.0 / 3;  // shear by Young's modulus of an incompressible layer [1]
 const double kSamePad = std::cos(30 * kDegree);  // of directions in a region, as contact_patches()
 
 bool is_soft(const Material& material) {
@@ -128,7 +128,8 @@ std::optional<PadStiffness> pad_stiffness(const ContactPatch& patch, const PadBo
   const auto [pressed, stiffness] = pressed_layer(*layer, gap, friction, options.force);
   const double normal = stiffness / static_cast<double>(patch.contacts.size());
   // The twist of one point comes from the shear springs over the ellipse.
-  const double shear = kShear * normal, arms = (pressed.a * pressed.a + pressed.b * pressed.b) / 4;
+  const double shear = kShearRatio * normal,
+               arms = (pressed.a * pressed.a + pressed.b * pressed.b) / 4;
   const bool twists = patch.contacts.size() == 1 && arms > 0;  // a rigid point does not
   return PadStiffness{normal, shear, twists ? shear * arms : 0};
 }

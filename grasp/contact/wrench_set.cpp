@@ -10,12 +10,12 @@
 namespace thenar {
 namespace {
 
-constexpr double kUnit = 1e-6;  // normals may be off unit length by this [1]
+constexpr double kUnitError = 1e-6;  // normals may be off unit length by this [1]
 
 void require_sound(const Contact& contact, std::size_t i) {
   require(contact.p.allFinite() && contact.n.allFinite(), "contact {} is not finite", i);
-  require(std::abs(contact.n.norm() - 1) < kUnit, "normal of contact {} has length {}, wanted 1", i,
-          contact.n.norm());
+  require(std::abs(contact.n.norm() - 1) < kUnitError,
+          "normal of contact {} has length {}, wanted 1", i, contact.n.norm());
   require(contact.friction >= 0 && contact.friction < std::numeric_limits<double>::infinity(),
           "friction of contact {} is {}", i, contact.friction);
   require(contact.torsion >= 0 && contact.torsion < std::numeric_limits<double>::infinity(),

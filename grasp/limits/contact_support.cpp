@@ -26,7 +26,7 @@ constexpr double kForceRounding = 1e-8;
 
 /// A coordinate presses a contact if its normal lever is at least the first share of its longest
 /// lever, and at least the second share of the best such ratio among all coordinates [1].
-constexpr double kAlong = 1e-3, kAsWell = 0.5;
+constexpr double kAlongShare = 1e-3, kAsWellRatio = 0.5;
 
 /// Whether each coordinate does work on internal forces, which cancel out on the object. Others,
 /// like those of an arm, move all contacts as one body would.
@@ -52,7 +52,7 @@ class OneContact {
              const std::vector<bool>& squeezing, double zero)
       : torques_(torques), reactions_(reactions), squeezing_(squeezing), zero_(zero) {
     for (Index j = 0; j < torques.rows(); ++j)
-      if (!is_locked(reactions, j)) least_along_ = std::max(least_along_, kAsWell * along(j));
+      if (!is_locked(reactions, j)) least_along_ = std::max(least_along_, kAsWellRatio * along(j));
   }
 
   [[nodiscard]] ContactSupport contact_support() const {
@@ -94,7 +94,7 @@ class OneContact {
     return std::abs(torques_(j, 0)) / longest_lever(j);
   }
   [[nodiscard]] bool is_stopped(Index j) const {
-    return along(j) > kAlong && bears_torque(reactions_, j, torques_(j, 0));
+    return along(j) > kAlongShare && bears_torque(reactions_, j, torques_(j, 0));
   }
 
   /// Whether effort at a coordinate presses the contact. @param worm  the non-backdrivable one, or
@@ -120,7 +120,7 @@ class OneContact {
   const MatrixXd& torques_;
   const Reactions& reactions_;
   const std::vector<bool>& squeezing_;
-  double zero_, least_along_ = kAlong;
+  double zero_, least_along_ = kAlongShare;
 };
 
 /// Splits the forces of one contact into active and passive ones.

@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 
 /// A joint that lags behind the drive by less still counts as coupled, in units of the drive.
-constexpr double kCoupled = 1e-6;
+constexpr double kCoupledTorque = 1e-6;
 
 /// One drive: its column of B, and the reactions that it adds.
 class OneDrive {
@@ -56,10 +56,11 @@ class OneDrive {
     for (const DrivenCoordinate& move : drive_.moves) farthest = std::max(farthest, gone(move));
     const DrivenCoordinate* outermost = nullptr;
     for (const DrivenCoordinate& move : drive_.moves)
-      if (gone(move) >= farthest - kCoupled) outermost = &move;
+      if (gone(move) >= farthest - kCoupledTorque) outermost = &move;
     // The clutches of all others take their torques; the outermost gets the rest.
     for (const DrivenCoordinate& move : drive_.moves)
-      if (&move != outermost) bear(move, *outermost, gone(move) >= farthest - kCoupled, closing);
+      if (&move != outermost)
+        bear(move, *outermost, gone(move) >= farthest - kCoupledTorque, closing);
     return unit(outermost->coordinate) / outermost->ratio;
   }
 

@@ -22,13 +22,14 @@ using internal::span_of;
 using internal::SupportFunction;
 using internal::SupportPoint;
 
-constexpr double kUndecided = 1e-9;  // an epsilon below this part of the size has no sign [1]
-constexpr int kPolishAt = 400;       // facets, and twice as many, ..: a lower bar leaves out more
-constexpr int kProveAgain = 64;      // times as many facets, after a proof that was not found
+constexpr double kUndecidedShare = 1e-9;  // an epsilon below this part of the size has no sign [1]
+constexpr int kPolishAt = 400;   // facets, and twice as many, ..: a lower bar leaves out more
+constexpr int kProveAgain = 64;  // times as many facets, after a proof that was not found
 constexpr int kFewParts = 8, kMaxParts = 64;  // of the sphere in a proof, on the way, at the end
 constexpr int kLinfParts = 4;                 // of Linf at any time: a part takes 20 to 100 ms
 constexpr int kMaxTries = 20;                 // of a proof, each from a lower bound from above
-constexpr double kProvable = 1e-9;  // a gap that proofs of two caps reach, in parts of the size [1]
+constexpr double kProvableGap =
+    1e-9;  // a gap that proofs of two caps reach, in parts of the size [1]
 constexpr double kOutsideGap = 1e-10;  // asked of distances from outside, as it costs little [1]
 
 void require_options(const WrenchSet& set, const EpsilonOptions& options) {
@@ -62,10 +63,10 @@ Epsilon outside(const WrenchSet& set, const Span& span, const EpsilonOptions& op
   out.lower = -nearest.x.norm() - support.rounding();
   out.upper = nearest.reach + support.rounding();
   // A flat set has no wrench across its span: epsilon is 0 unless the origin is clearly outside.
-  if (span.rank < 6 && !(out.upper < -kUndecided * support.size())) {
+  if (span.rank < 6 && !(out.upper < -kUndecidedShare * support.size())) {
     out.missing_direction = span.basis.col(5);
     out.upper = 0;
-    if (out.lower > -kUndecided * support.size()) out.lower = 0;
+    if (out.lower > -kUndecidedShare * support.size()) out.lower = 0;
   }
   out.worst_wrench = -out.missing_direction;
   out.converged = out.upper - out.lower <= options.gap;
@@ -90,7 +91,7 @@ class EpsilonSearch {
     // Final descent, then proofs for the gap asked for and for the sharpest one.
     facets_ = hull.facets();
     descend_support();
-    for (const double gap : {needed_gap(), kProvable * support_.size()})
+    for (const double gap : {needed_gap(), kProvableGap * support_.size()})
       if (!settled() && prove(gap, linf() ? kLinfParts : kMaxParts)) break;
     return true;
   }
@@ -146,7 +147,7 @@ class EpsilonSearch {
 
   /// Takes the upper bound down to the local minimum.
   void descend_support() {
-    if (upper_ > kUndecided * support_.size())
+    if (upper_ > kUndecidedShare * support_.size())
       (void)look(internal::descend_support(support_, worst_));
   }
 
@@ -156,7 +157,7 @@ class EpsilonSearch {
     for (int tries = 0; tries < kMaxTries; ++tries) {
       // Value to prove: just below the upper bound.
       const double r = upper_ - support_.rounding() - 0.9 * gap;
-      if (upper_ <= kUndecided * support_.size() || r <= lower_) return false;
+      if (upper_ <= kUndecidedShare * support_.size() || r <= lower_) return false;
       const internal::SupportProof proof = internal::prove_support(support_, r, max_parts);
       if (proof.found) {
         lower_ = r;
@@ -183,7 +184,7 @@ class EpsilonSearch {
 
   /// The gap at which the sign is settled, too.
   [[nodiscard]] double needed_gap() const {
-    return std::min(options_.gap, std::max(0.99 * upper_, kUndecided * support_.size()));
+    return std::min(options_.gap, std::max(0.99 * upper_, kUndecidedShare * support_.size()));
   }
   [[nodiscard]] double bar() const { return upper_ - 0.9 * needed_gap(); }
   [[nodiscard]] bool settled() const { return upper_ - lower_ <= needed_gap(); }
@@ -244,7 +245,7 @@ namespace thenar::internal {
 namespace {
 
 constexpr int kMaxSupports = 2000;
-constexpr double kZero = 1e-14;  // of |x|, in parts of the size [1]
+constexpr double kZeroShare = 1e-14;  // of |x|, in parts of the size [1]
 
 /// Weights of the least-norm point in the affine hull of the columns: y = w0 + D a, w0 the last.
 Eigen::VectorXd affine_weights(const Eigen::Matrix<double, 6, Eigen::Dynamic>& points) {
@@ -319,7 +320,7 @@ MinNorm min_norm(const SupportFunction& support, double gap) {
     const double length = x.norm();
     if (length < out.x.norm()) out.x = x;
     // x = 0 to rounding: the origin is in the set.
-    if (length <= kZero * support.size()) break;
+    if (length <= kZeroShare * support.size()) break;
     // Support point against x: its plane bounds the distance from below.
     const ScaledWrench u = -x / length;
     const SupportPoint reach = support(u);

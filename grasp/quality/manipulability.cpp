@@ -30,11 +30,13 @@ Eigen::MatrixXd hand_object_jacobian(const Eigen::Matrix<double, 6, Eigen::Dynam
 
 namespace {
 
-constexpr double kRank = 1e-9;  // singular values of G below this share of the largest are zero [1]
+constexpr double kRankShare =
+    1e-9;  // singular values of G below this share of the largest are zero [1]
 
 using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
 
-constexpr double kNoise = 1e-12;  // rounding of (G')^+ J, in units of |J| / (least of G) [1]
+constexpr double kMotionRounding =
+    1e-12;  // rounding of (G')^+ J, in units of |J| / (least of G) [1]
 
 /// Sets singular values that are no larger than rounding to 0.
 void drop_rounding(Eigen::MatrixXd& M, double rounding) {
@@ -58,7 +60,7 @@ NoSlipMobility no_slip_mobility(const Eigen::Matrix<double, 6, Eigen::Dynamic>& 
   // Without full rank the object could move by itself.
   const Svd of_contacts(G.transpose(), Eigen::ComputeThinU);
   const Eigen::VectorXd& sigma = of_contacts.singularValues();
-  require(sigma.size() == 6 && sigma(5) > kRank * sigma(0),
+  require(sigma.size() == 6 && sigma(5) > kRankShare * sigma(0),
           "the contacts leave the object free to move by itself");
   if (J.cols() == 0) return {Eigen::MatrixXd(0, 0), Eigen::MatrixXd(6, 0)};
 
@@ -71,7 +73,7 @@ NoSlipMobility no_slip_mobility(const Eigen::Matrix<double, 6, Eigen::Dynamic>& 
   // The object follows these speeds in least squares, now without residual.
   found.drives = beside.matrixV().rightCols(J.cols() - stuck);
   found.object = hand_object_jacobian(G, J * found.drives);
-  drop_rounding(found.object, kNoise * largest_singular_value(J) / sigma(5));
+  drop_rounding(found.object, kMotionRounding * largest_singular_value(J) / sigma(5));
   return found;
 }
 

@@ -18,12 +18,14 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Form = std::array<double, 64>;  // exterior product of vectors, indexed by the set of axes
 
-constexpr int kAllAxes = 63;    // the set of all six axes
-constexpr double kTie = 1e-14;  // a determinant below this share of its columns' lengths is 0 [1]
+constexpr int kAllAxes = 63;  // the set of all six axes
+constexpr double kTieShare =
+    1e-14;  // a determinant below this share of its columns' lengths is 0 [1]
 constexpr double kTurns[] = {0, 1e-9, 1e-7};  // of contacts, until in general position [1]
 constexpr double kTurnedArea = 100;  // facets below this times the turn times their vectors'
                                      // lengths are neglected [1]
-constexpr double kOpen = 1e-7;  // sum of normals over area at which a surface is still closed [1]
+constexpr double kOpenShare =
+    1e-7;  // sum of normals over area at which a surface is still closed [1]
 
 int members(int axes) { return __builtin_popcount(static_cast<unsigned>(axes)); }
 
@@ -106,7 +108,7 @@ class Sum {
     one[0] = 1;
     choose(0, 5, one, 1, 1);
     // The normals of a closed surface sum up to zero.
-    if (tie_ || stopped_ || !(surplus_.norm() <= kOpen * surface_)) return {};
+    if (tie_ || stopped_ || !(surplus_.norm() <= kOpenShare * surface_)) return {};
     return volume_ / 6;
   }
 
@@ -148,7 +150,7 @@ class Sum {
       for (int i = 0; i < chosen->face->inwards; ++i) {
         const ScaledWrench& inward = chosen->face->inward[static_cast<std::size_t>(i)];
         const double t = -u.dot(inward);
-        if (std::abs(t) < kTie * lengths * inward.norm()) {
+        if (std::abs(t) < kTieShare * lengths * inward.norm()) {
           uncertain = true;
           continue;
         }
@@ -177,7 +179,7 @@ class Sum {
         second = std::max(second, std::min(best, reach));
         best = std::max(best, reach);
       }
-      if (!is_chosen && best - second < kTie * lengths * longest_[c]) tie(u, lengths);
+      if (!is_chosen && best - second < kTieShare * lengths * longest_[c]) tie(u, lengths);
       h += best;
     }
     // Divergence theorem: volume and closure of the surface.

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
 constexpr double kPlanarRounding = 1e-12;  // of the value, in parts of the largest wrench [1]
-constexpr double kParallel = 1e-12;        // largest sine of the angle of parallel edges [1]
+constexpr double kParallelSine = 1e-12;    // largest sine of the angle of parallel edges [1]
 
 Vector3d in_plane(const ScaledWrench& w) { return {w(0), w(1), w(5)}; }
 
@@ -45,7 +45,7 @@ class LeastSupport {
 
   void look_across(const Vector3d& a, const Vector3d& b) {
     const Vector3d n = a.cross(b);
-    if (n.norm() <= kParallel * a.norm() * b.norm()) return;
+    if (n.norm() <= kParallelSine * a.norm() * b.norm()) return;
     for (const Vector3d& u : {Vector3d(n.normalized()), Vector3d(-n.normalized())}) {
       const double h = support(u);
       if (h < least) least = h, at = u;

@@ -105,13 +105,13 @@ double fisher_exact_p(const HitCount& a, const HitCount& b) {
            std::lgamma(b.trials - of_b + 1.0);
   };
   // Equal ones differ by rounding.
-  constexpr double kEqual = 1e-9;
+  constexpr double kEqualShare = 1e-9;
   const double found = weight(a.hits);
   double all = 0, unlikely = 0;
   for (int of_a = std::max(0, hits - b.trials); of_a <= std::min(hits, a.trials); ++of_a) {
     const double each = weight(of_a) - found;
     all += std::exp(each);
-    if (each <= kEqual) unlikely += std::exp(each);
+    if (each <= kEqualShare) unlikely += std::exp(each);
   }
   return unlikely / all;
 }

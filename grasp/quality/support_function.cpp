@@ -55,10 +55,10 @@ void SupportFunction::add_point(const Cap& cap, const ScaledWrench& u, ScaledWre
 }
 
 SupportPoint SupportFunction::operator()(const ScaledWrench& u) const {
-  constexpr double kLowest = -std::numeric_limits<double>::infinity();
+  constexpr double kNoSupport = -std::numeric_limits<double>::infinity();
   SupportPoint out{0, ScaledWrench::Zero()};
   const Cap* best = nullptr;
-  double best_reach = kLowest;
+  double best_reach = kNoSupport;
   // Best cap of each contact; Linf sums those with positive support.
   for (const Cap& cap : caps_) {
     const double h = reach(cap, u);
@@ -71,7 +71,7 @@ SupportPoint SupportFunction::operator()(const ScaledWrench& u) const {
       out.h += best_reach;
       add_point(*best, u, out.p);
     }
-    best_reach = kLowest;
+    best_reach = kNoSupport;
   }
   if (limit_ == ForceNorm::kL1 && best != nullptr) {
     out.h = best_reach;
@@ -134,12 +134,14 @@ namespace {
 
 constexpr int kMaxPolishSteps = 30;
 constexpr int kMaxColumns = 20;
-constexpr double kDone = 1e-9;    // length of a last step: the next would be its square [rad]
-constexpr double kLongest = 0.2;  // of a step [rad]
-constexpr double kNear = 0.3;     // caps this close to the best, relative to it, take part [1]
-constexpr double kKink = 0.05;    // |A'u| below this share of |A| is held at 0 [1]
-constexpr double kSharp = 1e-6;   // the same in the first attempt: facets may hold a whole cap [1]
-constexpr double kDependent = 1e-9;   // constraints closer to each other's span are dependent [1]
+constexpr double kLastStep = 1e-9;   // length of a last step: the next would be its square [rad]
+constexpr double kMostStep = 0.2;    // of a step [rad]
+constexpr double kNearCap = 0.3;     // caps this close to the best, relative to it, take part [1]
+constexpr double kKinkShare = 0.05;  // |A'u| below this share of |A| is held at 0 [1]
+constexpr double kSharpShare =
+    1e-6;  // the same in the first attempt: facets may hold a whole cap [1]
+constexpr double kDependentDistance =
+    1e-9;                             // constraints closer to each other's span are dependent [1]
 constexpr double kFlatCurve = 1e-12;  // curvatures below this share of the size are zero [1]
 
 // Unknowns of the polish: direction u and value t.
@@ -193,7 +195,7 @@ class Polish {
     for (int i = 0; i < kMaxPolishSteps && build(); ++i) {
       // Multipliers of the active constraints by least squares.
       Eigen::ColPivHouseholderQR<Columns> qr(columns_);
-      qr.setThreshold(kDependent);
+      qr.setThreshold(kDependentDistance);
       const Values multipliers = qr.solve(-slope_);
       // A constraint with a multiplier out of bounds leaves the active set.
       if (!grown && release(multipliers)) continue;
@@ -209,7 +211,7 @@ class Polish {
       }
       // Caps that went beyond their bounds enter; a step that only found these is undone.
       grown = overtaken();
-      if (!grown && length < kDone) return true;
+      if (!grown && length < kLastStep) return true;
       if (!grown || better) continue;
       u_ = before;
       look();
@@ -219,7 +221,7 @@ class Polish {
 
   [[nodiscard]] bool has_kinks() const {
     return std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) {
-      return p.role != Role::kOut && !p.kink && is_kink(p, kKink);
+      return p.role != Role::kOut && !p.kink && is_kink(p, kKinkShare);
     });
   }
   [[nodiscard]] double best_value() const { return best_h_; }
@@ -258,7 +260,7 @@ class Polish {
 
   /// First active set: caps near the value (L1), or near 0 (Linf).
   void choose_roles() {
-    const double near = kNear * std::abs(value_);
+    const double near = kNearCap * std::abs(value_);
     for (Piece& piece : pieces_) {
       if (l1_)
         piece.role = piece.h >= value_ - near ? Role::kTight : Role::kOut;
@@ -266,7 +268,7 @@ class Polish {
         piece.role = Role::kTight;
       else
         piece.role = piece.h > 0 ? Role::kCounted : Role::kOut;
-      piece.kink = is_kink(piece, kinks_ ? kKink : kSharp);
+      piece.kink = is_kink(piece, kinks_ ? kKinkShare : kSharpShare);
     }
   }
 
@@ -378,8 +380,8 @@ class Polish {
     }
     // Limited step on the sphere.
     const double length = d.head<6>().norm();
-    u_ = (u_ + std::min(1.0, kLongest / length) * d.head<6>()).normalized();
-    return std::min(length, kLongest);
+    u_ = (u_ + std::min(1.0, kMostStep / length) * d.head<6>()).normalized();
+    return std::min(length, kMostStep);
   }
 
   /// Takes in pieces that went beyond their bounds. @returns whether there are any

@@ -19,10 +19,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kEnough = 1e-12;  // least eigenvalue wanted of F, the set's size being 1 [1]
+constexpr double kLeastEigenvalue =
+    1e-12;  // least eigenvalue wanted of F, the set's size being 1 [1]
 constexpr double kProofRounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr double kSomeWeight = 0.25;  // least sum of the weights in F, the largest being 1 [1]
-constexpr Index kTime = 6;            // index of t in x = (u, t, levels)
+constexpr Index kTimeIndex = 6;       // index of t in x = (u, t, levels)
 constexpr double kSameCap = 1e-14;    // difference of equal caps, the set's size being 1 [1]
 
 /// Points x with  l'x >= |Z x|; without rows of Z  l'x >= 0.
@@ -74,12 +75,12 @@ std::vector<SupportFunction::Cap> distinct_caps(const SupportFunction& support) 
 /// 0, one for each contact, whose sum is r t.
 std::vector<VectorXd> levels_of(const std::vector<SupportFunction::Cap>& caps, double r,
                                 ForceNorm limit) {
-  const VectorXd all = r * VectorXd::Unit(kTime + 1, kTime);
+  const VectorXd all = r * VectorXd::Unit(kTimeIndex + 1, kTimeIndex);
   if (limit == ForceNorm::kL1) return std::vector<VectorXd>(caps.size(), all);
   const bool two = caps.size() > 1 && caps[0].contact != caps[1].contact;
   if (!two) return std::vector<VectorXd>(caps.size(), all);
-  const VectorXd level = VectorXd::Unit(kTime + 2, kTime + 1);
-  return {level, r * VectorXd::Unit(kTime + 2, kTime) - level};
+  const VectorXd level = VectorXd::Unit(kTimeIndex + 2, kTimeIndex + 1);
+  return {level, r * VectorXd::Unit(kTimeIndex + 2, kTimeIndex) - level};
 }
 
 /// Cones of the directions in which the set does not reach r; all sizes divided by that of the set.
@@ -99,7 +100,7 @@ std::vector<Cone> cones_of(const std::vector<SupportFunction::Cap>& caps,
     cones.push_back(std::move(cone));
   }
   // Levels of Linf are not negative.
-  if (d > kTime + 1)
+  if (d > kTimeIndex + 1)
     for (const VectorXd& level : levels) cones.push_back({level, MatrixXd(0, d)});
   return cones;
 }
@@ -114,13 +115,13 @@ class Problem {
     for (std::size_t i = 0; i < cones.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) add_product(cones[i], cones[j]);
     // Half spaces also with the ball |u| <= t.
-    const Cone ball{VectorXd::Unit(d_, kTime), MatrixXd::Identity(6, d_)};
+    const Cone ball{VectorXd::Unit(d_, kTimeIndex), MatrixXd::Identity(6, d_)};
     for (const Cone& cone : cones)
       if (cone.Z.rows() == 0) add_product(cone, ball);
     // |u|^2 - t^2 is zero: its weight has any sign.
     VectorXd sphere = VectorXd::Zero(d_);
     sphere.head<6>().setOnes();
-    sphere(kTime) = -1;
+    sphere(kTimeIndex) = -1;
     forms_.emplace_back(sphere.asDiagonal());
   }
 
@@ -155,7 +156,7 @@ class Problem {
     all.push_back(sum);
     all.push_back(some);
     y(least) = smallest_eigenvalue(form(y)) - 0.5;
-    return maximise_component(all, std::move(y), least, kEnough);
+    return maximise_component(all, std::move(y), least, kLeastEigenvalue);
   }
 
   /// Least eigenvalue of F and of the constraints of its weights, less their rounding. Recomputed
@@ -240,17 +241,17 @@ class Problem {
 MatrixXd doubts_of(const MatrixXd& F, double least) {
   const MatrixXd one = MatrixXd::Identity(F.rows(), F.cols());
   const MatrixXd moment = (F - least * one).ldlt().solve(one);
-  return moment / moment(kTime, kTime);
+  return moment / moment(kTimeIndex, kTimeIndex);
 }
 
 /// Half space across the unproven points, where they lie farthest apart, through their mean.
 Cone cut_of(const MatrixXd& doubts) {
   const Index d = doubts.rows();
-  const VectorXd mean = doubts.col(kTime);
+  const VectorXd mean = doubts.col(kTimeIndex);
   const MatrixXd spread = doubts - mean * mean.transpose();
   const VectorXd w = Eigen::SelfAdjointEigenSolver<MatrixXd>(spread).eigenvectors().col(d - 1);
   Cone cut{w, MatrixXd(0, d)};
-  cut.l(kTime) = w(kTime) - w.dot(mean);
+  cut.l(kTimeIndex) = w(kTimeIndex) - w.dot(mean);
   return cut;
 }
 
@@ -258,7 +259,7 @@ Cone cut_of(const MatrixXd& doubts) {
 ScaledWrench least_of(const SupportFunction& support, const MatrixXd& doubts) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> main(
       doubts.topLeftCorner<6, 6>());
-  std::vector<ScaledWrench> ways{doubts.col(kTime).head<6>()};
+  std::vector<ScaledWrench> ways{doubts.col(kTimeIndex).head<6>()};
   for (const int k : {5, 4})
     for (const double sign : {1.0, -1.0}) ways.emplace_back(sign * main.eigenvectors().col(k));
   ScaledWrench best = ScaledWrench::Unit(0);

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double kIndependent = 1e-9;  // least share of the longest axis across the others [1]
+constexpr double kIndependentShare = 1e-9;  // least share of the longest axis across the others [1]
 
 /// Appends variables p with |p| <= half width, which form the last rows of the wrench.
 void add_box(ForceSet& forces, Index size, double half_width) {
@@ -100,7 +100,7 @@ TaskMargin margin_of_ellipsoid(const ForceSet& forces,
   // Independent axes, in coordinates in which the ellipsoid is a ball.
   require(Q.cols() > 0 && Q.allFinite(), "an ellipsoid needs finite axes, got {}", Q.cols());
   Eigen::ColPivHouseholderQR<MatrixXd> qr;
-  qr.setThreshold(kIndependent);
+  qr.setThreshold(kIndependentShare);
   qr.compute(Q);
   require(qr.rank() == Q.cols(), "{} axes of the ellipsoid span {} dimensions", Q.cols(),
           qr.rank());

@@ -19,15 +19,15 @@
 namespace thenar {
 namespace {
 
-constexpr double kBeyond = 1e-12;  // a point beyond a facet by less of the size lies on it [1]
-constexpr int kMinEdges = 6;      // below, an estimate with fewer edges than asked for is too rough
-constexpr double kWeight = 0.56;  // of the upper bound's logarithm in the estimate [1]
+constexpr double kBeyondFacet = 1e-12;  // a point beyond a facet by less of the size lies on it [1]
+constexpr int kMinEdges = 6;  // below, an estimate with fewer edges than asked for is too rough
+constexpr double kUpperWeight = 0.56;  // of the upper bound's logarithm in the estimate [1]
 
 constexpr int kFacetsBeforeSum = 100000;  // of a hull, before a way without hull is tried
 constexpr double kSharpVolume = 1e-9;     // error of a volume that needs no other way [1]
-constexpr double kFolded = 1e-4;  // error of a larger hull of a sum: faces that are parallel up to
-                                  // rounding fold it; 1.3e-5 was met [1]
-constexpr int kMostTimes = 20;    // that a point is put into a hull [1]
+constexpr double kFoldError = 1e-4;  // error of a larger hull of a sum: faces that are parallel up
+                                     // to rounding fold it; 1.3e-5 was met [1]
+constexpr int kMostTimes = 20;          // that a point is put into a hull [1]
 constexpr double kLostVolume = 0.1;     // error beyond which a volume is not known [1]
 constexpr double kExactVolume = 1e-12;  // error of a volume that counts as exact [1]
 constexpr double kMaxChoices = 2e7;     // of faces of a sum: takes some seconds
@@ -105,7 +105,7 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
     end_if_stopped();
     const internal::Hull::Plane plane = hull.plane(facet);
     const internal::SupportPoint reach = support(plane.n);
-    if (reach.h > plane.d + kBeyond * support.size() && may_come(reach.p) &&
+    if (reach.h > plane.d + kBeyondFacet * support.size() && may_come(reach.p) &&
         hull.insert(reach.p, facet))
       continue;
     off = std::max(off, reach.h - plane.d);
@@ -140,7 +140,7 @@ Volume enclosed_volume(const WrenchSet& set, const VolumeOptions& options) {
   about.volume *= 1 + about.error;
   if (!about.complete) return {in.volume, kInfinity, kNaN, false, about.facets, options.edges};
   // Weighted geometric mean as the estimate.
-  const double guess = std::pow(in.volume, 1 - kWeight) * std::pow(about.volume, kWeight);
+  const double guess = std::pow(in.volume, 1 - kUpperWeight) * std::pow(about.volume, kUpperWeight);
   return {in.volume, about.volume, guess, true, about.facets, options.edges};
 }
 
@@ -165,7 +165,7 @@ Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
   }
   // Large hulls of sums may be folded, which costs accuracy.
   const bool folded = options.limit == ForceNorm::kLinf && v.facets > kFacetsBeforeSum;
-  if (folded) v.error = std::max(v.error, kFolded);
+  if (folded) v.error = std::max(v.error, kFoldError);
   if (v.error < kExactVolume) v.error = 0;
   const double lower = v.volume * (1 - std::min(1.0, v.error));
   if (!v.complete) return {lower, kInfinity, kNaN, false, v.facets, 0};

@@ -16,12 +16,12 @@ using Eigen::Vector3d;
 // Shares of squared components of axes: least along the second direction of a plane, and most
 // across the plane or the line that they span [1].
 constexpr double kInPlane = 0.1, kOffPlane = 0.02;
-constexpr double kAcross = 0.02;       // cosine to a line that counts as across it [1]
-constexpr double kSameFace = 3e-3;     // angle of directions that are one [rad]
-constexpr double kLeastFace = 0.05;    // share of the area of all faces [1]
-constexpr double kSimilar = 0.5;       // ratio of areas that disagree [1]
-constexpr double kRounding = 1e-5;     // of directions in files [rad]
-constexpr double kNoDirection = 1e-9;  // length of a vector without direction [1]
+constexpr double kAcrossCosine = 0.02;       // cosine to a line that counts as across it [1]
+constexpr double kSameFace = 3e-3;           // angle of directions that are one [rad]
+constexpr double kLeastFace = 0.05;          // share of the area of all faces [1]
+constexpr double kAreaRatio = 0.5;           // ratio of areas that disagree [1]
+constexpr double kDirectionRounding = 1e-5;  // of directions in files [rad]
+constexpr double kNoDirection = 1e-9;        // length of a vector without direction [1]
 
 /// A direction with the area of the faces that look there.
 struct FacedDirection {
@@ -36,7 +36,7 @@ std::vector<FacedDirection> suggested(const Vector3d& face, const Vector3d& roug
   if (!(area > 0)) return {};
   std::vector<Vector3d> ways{face / area};
   if (line) {
-    if (std::abs(ways[0].dot(*line)) > kAcross) return {};
+    if (std::abs(ways[0].dot(*line)) > kAcrossCosine) return {};
     ways[0] = across(ways[0], *line);
     ways.emplace_back(ways[0].cross(*line));
   }
@@ -92,7 +92,7 @@ std::optional<Vector3d> facing_direction(const Matrix3Xd& faces, const Vector3d&
   const std::vector<FacedDirection> groups = joined(std::move(near));
   // Faces that are large, and not contradicted.
   if (groups.empty() || groups[0].area < kLeastFace * faces.colwise().norm().sum()) return {};
-  if (groups.size() > 1 && groups[1].area > kSimilar * groups[0].area) return {};
+  if (groups.size() > 1 && groups[1].area > kAreaRatio * groups[0].area) return {};
   return groups[0].direction;
 }
 
@@ -105,7 +105,7 @@ Vector3d without_rounding(const Vector3d& direction) {
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);
   const Vector3d axis = (direction[largest] < 0 ? -1 : 1) * Vector3d::Unit(largest);
-  return (direction - axis).norm() < kRounding ? axis : direction;
+  return (direction - axis).norm() < kDirectionRounding ? axis : direction;
 }
 
 }  // namespace thenar

@@ -16,10 +16,10 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr int kPoints = 150;         // for each link
-constexpr double kTouch = 5e-4;      // distance that counts as touching [m]
-constexpr double kStill = 1e-7;      // approach that counts as none [m]
-constexpr double kSelfTouch = 3e-3;  // for links of the hand: the spacing of their points [m]
+constexpr int kLinkPoints = 150;         // for each link
+constexpr double kTouchDistance = 5e-4;  // distance that counts as touching [m]
+constexpr double kStillApproach = 1e-7;  // approach that counts as none [m]
+constexpr double kSelfTouch = 3e-3;      // for links of the hand: the spacing of their points [m]
 
 RobotSpec without_shapes(RobotSpec robot) {
   for (RobotLink& link : robot.links) link.shapes.clear();
@@ -34,8 +34,8 @@ double spread(int i, double irrational) {
 
 /// Corners of a mesh: all if there are few, otherwise the outermost along each axis (its box).
 Matrix3Xd outermost(const Matrix3Xd& corners) {
-  constexpr Eigen::Index kFew = 12;
-  if (corners.cols() <= kFew) return corners;
+  constexpr Eigen::Index kFewTriangles = 12;
+  if (corners.cols() <= kFewTriangles) return corners;
   Matrix3Xd points(3, 6);
   for (int k = 0; k < 3; ++k) {
     Eigen::Index least = 0, most = 0;
@@ -78,7 +78,7 @@ Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
 
 /// Normals of triangles times areas, those of one direction summed. (3, directions) [m^2]
 Matrix3Xd faces_of(const TriangleMesh& mesh) {
-  constexpr double kCell = 1e-3;  // of normals that are one [1]
+  constexpr double kNormalCell = 1e-3;  // of normals that are one [1]
   std::map<std::array<long, 3>, Vector3d> sums;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const Vector3d a = mesh.vertices.col(mesh.triangles(0, t));
@@ -87,7 +87,7 @@ Matrix3Xd faces_of(const TriangleMesh& mesh) {
                           2;
     const double size = area.norm();
     if (!(size > 0)) continue;
-    const auto cell = [&](int k) { return std::lround(area[k] / size / kCell); };
+    const auto cell = [&](int k) { return std::lround(area[k] / size / kNormalCell); };
     const auto at = sums.try_emplace({cell(0), cell(1), cell(2)}, Vector3d::Zero()).first;
     at->second += area;
   }
@@ -105,7 +105,7 @@ struct LinkSamples {
 LinkSamples samples_of(const RobotLink& link) {
   // Of each shape, meshes as they are and primitives by their surface.
   std::vector<Matrix3Xd> points, faces;
-  const int each = std::max(30, kPoints / static_cast<int>(link.shapes.size()));
+  const int each = std::max(30, kLinkPoints / static_cast<int>(link.shapes.size()));
   for (const ShapeSpec& shape : link.shapes) {
     if (shape.kind == ShapeKind::kMesh) {
       if (shape.mesh.triangles.cols() == 0) continue;
@@ -263,8 +263,8 @@ class BallGrasp::Closing {
     for (std::size_t s = 0; s < grasp_.surfaces_.size(); ++s) {
       const SampledSurface& surface = grasp_.surfaces_[s];
       const Vector3d c = from(links_, surface.link, ball.centre);
-      const double gap = nearest(surface, c, ball.radius + kTouch).second - ball.radius;
-      if (gap <= kTouch && gap < gaps_[s] - kStill)
+      const double gap = nearest(surface, c, ball.radius + kTouchDistance).second - ball.radius;
+      if (gap <= kTouchDistance && gap < gaps_[s] - kStillApproach)
         for (const int moved : surface.moved_by) drives_.stop(moved, StoppedBy::kContact);
       gaps_[s] = gap;
     }
@@ -317,8 +317,8 @@ std::vector<BallContact> BallGrasp::contacts(const std::vector<Pose<double>>& li
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
     const SampledSurface& surface = surfaces_[s];
     const Vector3d c = from(links, surface.link, ball.centre);
-    const auto [index, distance] = nearest(surface, c, ball.radius + 2 * kTouch);
-    if (index < 0 || distance > ball.radius + 2 * kTouch) continue;
+    const auto [index, distance] = nearest(surface, c, ball.radius + 2 * kTouchDistance);
+    if (index < 0 || distance > ball.radius + 2 * kTouchDistance) continue;
     const Vector3d normal = ball.centre - at(links, surface.link, surface.p.col(index));
     contacts.push_back({static_cast<int>(s), normal.normalized()});
   }

@@ -6,13 +6,14 @@
 namespace thenar {
 namespace {
 
-constexpr double kUndecided = 0.1;    // difference of ranges that is no evidence [1]
-constexpr double kHardlyNear = 1e-3;  // difference of nearness that is no evidence [1]
-constexpr double kAgainst = 0.4;      // weight of evidence against a way of closing [1]
-constexpr double kNear = 0.1;  // difference of nearness that counts with its whole weight [1]
-constexpr double kMostAgainst = 0.6;   // of all evidence: less than a trial can tell for it [1]
-constexpr double kDoubtful = 0.35;     // difference of ranges up to which both ways are tried [1]
-constexpr double kClearlyNear = 0.05;  // difference of nearness that leaves no doubt [1]
+constexpr double kUndecidedRange = 0.1;  // difference of ranges that is no evidence [1]
+constexpr double kHardlyNear = 1e-3;     // difference of nearness that is no evidence [1]
+constexpr double kAgainstWeight = 0.4;   // weight of evidence against a way of closing [1]
+constexpr double kNearDifference =
+    0.1;  // difference of nearness that counts with its whole weight [1]
+constexpr double kMostAgainst = 0.6;     // of all evidence: less than a trial can tell for it [1]
+constexpr double kDoubtfulRange = 0.35;  // difference of ranges up to which both ways are tried [1]
+constexpr double kClearlyNear = 0.05;    // difference of nearness that leaves no doubt [1]
 
 /// Signed evidence for the sense of one group, each -1 to 1.
 struct SenseEvidence {
@@ -51,7 +52,7 @@ std::vector<std::vector<double>> candidate_senses(const std::vector<SenseEvidenc
   // Decide by ranges and by nearness; evidence that says nothing yields to the other.
   std::vector<double> by_range, by_nearness;
   for (const auto& [range, nearness] : evidence) {
-    const bool range_speaks = std::abs(range) > kUndecided,
+    const bool range_speaks = std::abs(range) > kUndecidedRange,
                nearness_speaks = std::abs(nearness) > kHardlyNear;
     by_range.push_back(sense_of(range_speaks || !nearness_speaks ? range : nearness));
     by_nearness.push_back(sense_of(nearness_speaks || !range_speaks ? nearness : range));
@@ -59,7 +60,8 @@ std::vector<std::vector<double>> candidate_senses(const std::vector<SenseEvidenc
   // Both decisions, doubtful groups reversed, and everything reversed.
   std::vector<std::vector<double>> senses{by_range, by_nearness};
   for (std::size_t g = 0; g < evidence.size(); ++g) {
-    if (std::abs(evidence[g].range) > kDoubtful || std::abs(evidence[g].nearness) > kClearlyNear)
+    if (std::abs(evidence[g].range) > kDoubtfulRange ||
+        std::abs(evidence[g].nearness) > kClearlyNear)
       continue;
     senses.push_back(by_range);
     senses.back()[g] *= -1;
@@ -94,9 +96,10 @@ std::vector<SenseOption> closing_options(
     SenseOption option;
     for (std::size_t g = 0; g < senses.size(); ++g) {
       if (senses[g] * evidence[g].range < 0)
-        option.against += kAgainst * std::abs(evidence[g].range);
+        option.against += kAgainstWeight * std::abs(evidence[g].range);
       if (senses[g] * evidence[g].nearness < 0)
-        option.against += kAgainst * std::min(1.0, std::abs(evidence[g].nearness) / kNear);
+        option.against +=
+            kAgainstWeight * std::min(1.0, std::abs(evidence[g].nearness) / kNearDifference);
     }
     option.against = std::min(option.against, kMostAgainst);
     for (std::size_t d = 0; d < drives.size(); ++d)

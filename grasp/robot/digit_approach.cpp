@@ -14,9 +14,9 @@ using Eigen::VectorXd;
 
 // Least cosine of the approach to the direction from the palm to half-closed ends [1].
 constexpr double kNearAhead = 0.96;
-constexpr double kTwoHinges = 1e-3;  // least distance of hinges that are two [m]
-constexpr int kOpenings = 20;        // postures between closed and open that are looked at
-constexpr double kNoSpin = 1e-9;     // rotation per unit of a drive that counts as none [1]
+constexpr double kTwoHinges = 1e-3;   // least distance of hinges that are two [m]
+constexpr int kOpeningPostures = 20;  // postures between closed and open that are looked at
+constexpr double kNoSpin = 1e-9;      // rotation per unit of a drive that counts as none [1]
 
 /// Rotation whose third column is a direction, and whose first is across it, near `side`. (3, 3)
 Eigen::Matrix3d frame_along(const Vector3d& direction, const Vector3d& side) {
@@ -211,8 +211,8 @@ std::optional<FixedJaw> DigitMotion::fixed_jaw(std::size_t option, const VectorX
   VectorXd q = shut;
   std::optional<JawWay> way = jaw_way(option, q);
   if (!way) return {};
-  for (int k = 1; k <= kOpenings && !way->faced; ++k) {
-    const VectorXd other = shut + (open - shut) * k / kOpenings;
+  for (int k = 1; k <= kOpeningPostures && !way->faced; ++k) {
+    const VectorXd other = shut + (open - shut) * k / kOpeningPostures;
     if (const auto there = jaw_way(option, other); there && there->faced) q = other, way = there;
   }
   const Vector3d direction = way->direction;

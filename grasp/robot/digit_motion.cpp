@@ -12,14 +12,15 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kAlong = 0.7;    // smallest cosine of a curling joint to the last one's axis [1]
+constexpr double kAlongCosine =
+    0.7;                          // smallest cosine of a curling joint to the last one's axis [1]
 constexpr double kSameWay = 0.7;  // smallest cosine between tip directions of similar fingers [1]
-constexpr double kSameDistance = 1e-9;  // relative change of tip distances that counts as none [1]
-constexpr double kNothing = 1e-9;       // rotation or motion that counts as none [1], [m]
-constexpr std::size_t kRow = 3;         // fingers that make a palm, approached along its normal
-constexpr double kOpposition = 0.6;     // range from which a turning motor may oppose [rad]
-constexpr double kFarther = 1.4;        // smallest ratio to the ranges of the others [1]
-constexpr double kBack = 0.6;           // farthest that fingers bend backwards to open [rad]
+constexpr double kSameDistance = 1e-9;   // relative change of tip distances that counts as none [1]
+constexpr double kNoMotion = 1e-9;       // rotation or motion that counts as none [1], [m]
+constexpr std::size_t kPalmFingers = 3;  // fingers that make a palm, approached along its normal
+constexpr double kOppositionRange = 0.6;  // range from which a turning motor may oppose [rad]
+constexpr double kFartherRatio = 1.4;     // smallest ratio to the ranges of the others [1]
+constexpr double kMostBackBend = 0.6;     // farthest that fingers bend backwards to open [rad]
 constexpr double kAsFar = 0.85;  // share of a tip's motion from which another moves as far [1]
 constexpr double kNearNormal = 0.9925;  // least cosine to a flat face of the palm's normal [1]
 
@@ -110,7 +111,7 @@ Vector3d DigitMotion::way(std::size_t drive, const Digit& digit) const {
 /// Whether a drive moves every tip, and none relative to another: a wrist.
 bool DigitMotion::moves_alike(std::size_t drive) const {
   for (const Digit& digit : digits_)
-    if (way(drive, digit).norm() < kNothing && spin(drive, digit).norm() < kNothing) return false;
+    if (way(drive, digit).norm() < kNoMotion && spin(drive, digit).norm() < kNoMotion) return false;
   if (digits_.size() < 2) return false;
   // Distances between tips are the same with the drive moved either way.
   std::vector<double> senses(drives_.size(), 0);
@@ -139,14 +140,14 @@ void DigitMotion::sort_drives() {
     std::vector<Digit*> moved;
     for (Digit& digit : digits_) {
       const Vector3d w = spin(d, digit), v = way(d, digit);
-      if (w.norm() < kNothing && v.norm() < kNothing) continue;
+      if (w.norm() < kNoMotion && v.norm() < kNoMotion) continue;
       moved.push_back(&digit);
       if (v.norm() <= farthest) continue;
       farthest = v.norm();
       // Parallel to the last axis: it curls; across: it turns.
       const Vector3d last = last_axis(digit);
-      curls = w.norm() < kNothing || last.isZero(0) ||
-              std::abs(w.dot(last)) >= kAlong * w.norm() * last.norm();
+      curls = w.norm() < kNoMotion || last.isZero(0) ||
+              std::abs(w.dot(last)) >= kAlongCosine * w.norm() * last.norm();
     }
     for (Digit* digit : moved) (curls ? digit->curls : digit->turns).push_back(static_cast<int>(d));
   }
@@ -155,7 +156,7 @@ void DigitMotion::sort_drives() {
 /// Sign of a drive relative to the outermost of a digit, by rotation or by motion of the tip.
 double DigitMotion::sign_against(std::size_t outer, std::size_t drive, const Digit& digit) const {
   const Vector3d w = spin(drive, digit), w_outer = spin(outer, digit);
-  const bool turn = w.norm() > kNothing && w_outer.norm() > kNothing;
+  const bool turn = w.norm() > kNoMotion && w_outer.norm() > kNoMotion;
   const double along = turn ? w.dot(w_outer) : way(drive, digit).dot(way(outer, digit));
   return along < 0 ? -1.0 : 1.0;
 }
@@ -166,7 +167,7 @@ void DigitMotion::orient() {
   groups_.group.assign(drives_.size(), -1);
   for (std::size_t d = 0; d < drives_.size(); ++d)
     groups_.slides.push_back(std::all_of(digits_.begin(), digits_.end(), [&](const Digit& digit) {
-      return spin(d, digit).norm() < kNothing;
+      return spin(d, digit).norm() < kNoMotion;
     }));
   int groups = 0;
   for (const Digit& digit : digits_) {
@@ -255,7 +256,7 @@ double DigitMotion::apart(const VectorXd& q) const {
 double DigitMotion::mean_digit_length() const {
   double sum = 0;
   for (const Digit& digit : digits_) sum += (digit.tip - digit.root).norm();
-  if (sum > kNothing * static_cast<double>(digits_.size()))
+  if (sum > kNoMotion * static_cast<double>(digits_.size()))
     return sum / static_cast<double>(digits_.size());
   // Jaws of one link: the distance by which they part.
   std::vector<double> up(drives_.size(), 1), down(drives_.size(), -1);
@@ -275,7 +276,7 @@ Vector3d DigitMotion::curl_way(const Digit& digit, std::size_t option) const {
     const double speed = options_[option].speed[static_cast<std::size_t>(d)];
     sum += (speed > 0 ? 1 : speed < 0 ? -1 : 0) * way(static_cast<std::size_t>(d), digit);
   }
-  return sum.norm() > kNothing ? Vector3d(sum.normalized()) : Vector3d::Zero();
+  return sum.norm() > kNoMotion ? Vector3d(sum.normalized()) : Vector3d::Zero();
 }
 
 /// The largest range of a motor that turns this digit alone [rad].
@@ -290,7 +291,7 @@ double DigitMotion::turn_range(const Digit& digit) const {
 /// Whether a drive rotates any digit, rather than only sliding it.
 bool DigitMotion::turns(std::size_t drive) const {
   return std::any_of(digits_.begin(), digits_.end(),
-                     [&](const Digit& digit) { return spin(drive, digit).norm() > kNothing; });
+                     [&](const Digit& digit) { return spin(drive, digit).norm() > kNoMotion; });
 }
 
 /// Whether a drive turns other digits about as far as this one.
@@ -311,8 +312,8 @@ std::vector<std::size_t> DigitMotion::find_fingers(const std::vector<Vector3d>& 
   std::sort(sorted.begin(), sorted.end());
   std::vector<bool> turned(count, false);
   for (std::size_t i = 0; i < count; ++i)
-    turned[i] =
-        count > 2 && turns[i] > kOpposition && turns[i] > kFarther * sorted[(count - 1) / 2];
+    turned[i] = count > 2 && turns[i] > kOppositionRange &&
+                turns[i] > kFartherRatio * sorted[(count - 1) / 2];
   // Groups around each digit.
   std::vector<std::size_t> fingers;
   for (std::size_t i = 0; i < count; ++i) {
@@ -337,7 +338,7 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
   if (fingers.size() < 2) {
     // A thumb and one finger: the digit that turns farther is opposed.
     for (std::size_t i = 0; i < count && count == 2; ++i)
-      roles.opposed[i] = turns[i] > kOpposition && turns[i] > kFarther * turns[1 - i];
+      roles.opposed[i] = turns[i] > kOppositionRange && turns[i] > kFartherRatio * turns[1 - i];
     if (count != 2 || roles.opposed[0] == roles.opposed[1]) return roles;
     fingers = {roles.opposed[0] ? 1U : 0U};
   } else {
@@ -359,9 +360,9 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
           .value_or(roles.normal));
   along -= along.dot(roles.normal) * roles.normal;
   // A palm needs fingers and an opposed digit.
-  roles.palm = fingers.size() < count && along.norm() > kNothing;
+  roles.palm = fingers.size() < count && along.norm() > kNoMotion;
   if (roles.palm) roles.along = along.normalized();
-  roles.row = fingers.size() >= kRow;
+  roles.row = fingers.size() >= kPalmFingers;
   return roles;
 }
 
@@ -429,7 +430,7 @@ std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles
   if (only_one) return {open_at(option, stated.size() > 0 ? stated : rest_, kInfinity)};
   if (!roles.palm && are_jaws()) return {open_at(option, rest_, kInfinity)};
   // Fingers that also bend backwards do not open so far that they lie behind the palm.
-  const VectorXd open = open_at(option, rest_, kBack);
+  const VectorXd open = open_at(option, rest_, kMostBackBend);
   std::vector<VectorXd> openings{open};
   // Digits that curl at each other may start with outer joints open.
   if (!roles.palm)

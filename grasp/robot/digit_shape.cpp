@@ -9,21 +9,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kParallel = 0.9;   // least cosine of axes about which links bend together [1]
-constexpr double kShort = 0.3;      // share of a link across its axis that tells no bend [1]
-constexpr double kNoLink = 1e-3;    // distance of hinges that tells no bend [m]
-constexpr double kFolded = 2;       // a larger bend is none of a digit that lies open [rad]
-constexpr double kStraight = 0.15;  // bend that is left as it is [rad]
-constexpr double kSameRow = 0.8;    // least cosine between ways of fingers of a row, either way [1]
+constexpr double kParallelCosine = 0.9;  // least cosine of axes about which links bend together [1]
+constexpr double kShortShare = 0.3;      // share of a link across its axis that tells no bend [1]
+constexpr double kNoLink = 1e-3;         // distance of hinges that tells no bend [m]
+constexpr double kFoldedBend = 2;        // a larger bend is none of a digit that lies open [rad]
+constexpr double kStraightBend = 0.15;   // bend that is left as it is [rad]
+constexpr double kSameRow = 0.8;  // least cosine between ways of fingers of a row, either way [1]
 constexpr double kBesideWays = 0.5;  // largest cosine of the ways to the line between roots [1]
 
 /// Bend of one link against another about an axis; 0: they do not tell. [rad]
 double bend_about(const Vector3d& axis, const Vector3d& inner, const Vector3d& outer) {
   const Vector3d u = inner - inner.dot(axis) * axis, v = outer - outer.dot(axis) * axis;
   for (const auto& [part, whole] : {std::make_pair(u, inner), std::make_pair(v, outer)})
-    if (part.norm() < std::max(kNoLink, kShort * whole.norm())) return 0;
+    if (part.norm() < std::max(kNoLink, kShortShare * whole.norm())) return 0;
   const double bend = std::atan2(axis.dot(u.cross(v)), u.dot(v));
-  return std::abs(bend) < kFolded ? bend : 0;
+  return std::abs(bend) < kFoldedBend ? bend : 0;
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ std::vector<int> DigitMotion::hinges_of(const Digit& digit) const {
   std::vector<int> hinges;
   for (int link = grip_.surfaces()[digit.last].link; link >= 0;
        link = hand.layout().parents[static_cast<std::size_t>(link)])
-    if (std::abs(hand.axis(rest_, link).dot(last)) > kParallel) hinges.push_back(link);
+    if (std::abs(hand.axis(rest_, link).dot(last)) > kParallelCosine) hinges.push_back(link);
   std::reverse(hinges.begin(), hinges.end());
   return hinges;
 }
@@ -74,7 +74,7 @@ void DigitMotion::straighten() {
 /// Turns a coordinate at rest within its limits, with all that its drive moves, if it comes first
 /// among them and its drive curls digits.
 void DigitMotion::turn_by(int coordinate, double angle) {
-  if (std::abs(angle) < kStraight) return;
+  if (std::abs(angle) < kStraightBend) return;
   const HandLayout& layout = grip_.hand().layout();
   for (std::size_t d = 0; d < drives_.size(); ++d) {
     const DrivenCoordinate& first = drives_[d].moves.front();

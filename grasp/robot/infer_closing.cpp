@@ -19,14 +19,14 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kBeside = 3e-4;   // of a ball from the fixed jaw that it comes down beside [m]
-constexpr double kBall = 0.035;    // radius of the ball for hands of human size [m]
-constexpr double kOfReach = 0.35;  // its radius by the length of a finger, for other hands [1]
-constexpr double kHumanSize[] = {0.5, 2};  // range of human size, by kBall [1]
-constexpr double kNoLength = 1e-6;         // size of a hand without length [m]
-constexpr int kCoarse = 24, kFine = 60;    // steps of closing
-constexpr double kAside = 0.5;             // weight of a push across the approach [1]
-constexpr std::size_t kTried = 12;         // candidates that are tried on three balls
+constexpr double kBesideGap = 3e-4;    // of a ball from the fixed jaw that it comes down beside [m]
+constexpr double kBallRadius = 0.035;  // radius of the ball for hands of human size [m]
+constexpr double kOfReach = 0.35;      // its radius by the length of a finger, for other hands [1]
+constexpr double kHumanSize[] = {0.5, 2};          // range of human size, by kBallRadius [1]
+constexpr double kNoLength = 1e-6;                 // size of a hand without length [m]
+constexpr int kCoarseSteps = 24, kFineSteps = 60;  // steps of closing
+constexpr double kAsideWeight = 0.5;               // weight of a push across the approach [1]
+constexpr std::size_t kTriedCandidates = 12;       // candidates that are tried on three balls
 // Sizes of further balls, where no digits face each other across the first one [1].
 constexpr double kFurther[] = {1.0 / 2, 1.0 / 4, 1.0 / 8, 1.0 / 16, 1.5, 2.25, 3.4};
 
@@ -52,8 +52,8 @@ class ClosingSearch {
       : robot_(robot), known_(known), grip_(robot), motion_(grip_, known.closing) {
     // A ball for the size of the hand; a digit that only slides has no length.
     const double size = kOfReach * motion_.mean_digit_length();
-    const bool human = size > kHumanSize[0] * kBall && size < kHumanSize[1] * kBall;
-    ball_ = human || size < kNoLength ? kBall : size;
+    const bool human = size > kHumanSize[0] * kBallRadius && size < kHumanSize[1] * kBallRadius;
+    ball_ = human || size < kNoLength ? kBallRadius : size;
   }
 
   InferredClosing run() {
@@ -81,7 +81,7 @@ class ClosingSearch {
     for (std::size_t option = 0; option < motion_.options().size(); ++option) try_option(option);
     std::stable_sort(tried_.begin(), tried_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-    if (tried_.size() > kTried) tried_.resize(kTried);
+    if (tried_.size() > kTriedCandidates) tried_.resize(kTriedCandidates);
     for (Candidate& candidate : tried_) candidate.score = fine_score(candidate);
     return *std::max_element(
         tried_.begin(), tried_.end(),
@@ -98,7 +98,7 @@ class ClosingSearch {
         for (const Vector3d& origin : ways.origins) {
           Candidate candidate{
               option, open, origin, ways.direction, motion_.options()[option].against, 0};
-          candidate.score = score(candidate, links, roles, ball_, kCoarse, {});
+          candidate.score = score(candidate, links, roles, ball_, kCoarseSteps, {});
           tried_.push_back(std::move(candidate));
         }
       }
@@ -113,7 +113,7 @@ class ClosingSearch {
     // A ball that comes down beside a fixed jaw touches it.
     if (motion_.digits().size() == 1)
       if (const auto jaw = motion_.fixed_jaw(option, open))
-        return {{jaw->direction, {jaw->face + (ball_ + kBeside) * jaw->out}}};
+        return {{jaw->direction, {jaw->face + (ball_ + kBesideGap) * jaw->out}}};
     const PalmApproach ahead = motion_.ahead(option);
     // Towards the ends where digits stand round a palm; along the normal of a row of fingers.
     if (!roles.palm || !roles.row) ways.push_back({ahead.direction, {ahead.point}});
@@ -145,7 +145,7 @@ class ClosingSearch {
                              const std::vector<std::string>& self) const {
     ProbeBall ball{{}, radius};
     if (!place(candidate, links, ball)) return -candidate.against;
-    const double aside = roles.palm ? kAside * aside_of(candidate.direction, links, ball) : 0;
+    const double aside = roles.palm ? kAsideWeight * aside_of(candidate.direction, links, ball) : 0;
     return facing(grip_.close(motion_.drives(candidate.option), candidate.open, ball, steps, self),
                   roles) -
            candidate.against - aside;
@@ -196,7 +196,7 @@ class ClosingSearch {
     const std::vector<Pose<double>> links = grip_.hand().pose(candidate.open);
     double sum = 0;
     for (const double size : {1.0, 0.8, 1.2})
-      sum += score(candidate, links, roles, size * ball_, kFine, standing(roles)) / 3;
+      sum += score(candidate, links, roles, size * ball_, kFineSteps, standing(roles)) / 3;
     return sum;
   }
 
@@ -227,7 +227,7 @@ class ClosingSearch {
     std::set<std::string> touching;
     if (place(best, links, ball)) {
       for (const BallContact& contact :
-           grip_.close(drives, best.open, ball, kFine, standing(roles)))
+           grip_.close(drives, best.open, ball, kFineSteps, standing(roles)))
         touching.insert(grip_.surfaces()[static_cast<std::size_t>(contact.surface)].digit);
       if (!known_.approach && roles.palm)
         guess.robot.approach.point = ball.centre - ball.radius * best.direction;
@@ -280,7 +280,7 @@ class ClosingSearch {
   StatedClosing known_;
   BallGrasp grip_;
   DigitMotion motion_;
-  double ball_ = kBall;
+  double ball_ = kBallRadius;
   std::vector<Candidate> tried_;
 };
 

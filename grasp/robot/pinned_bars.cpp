@@ -16,10 +16,10 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr double kPinned = 1e-4;     // largest motion of a pin against what it joins [m]
-constexpr double kTurnOfBar = 0.02;  // smallest turn of a bar against its finger [rad]
-constexpr double kNearPin = 0.25;    // distance of a pin from what it joins, over its diagonal [1]
-constexpr double kAnyRange = 1;      // taken of a motor without limits, either way [rad] or [m]
+constexpr double kMostPinMotion = 1e-4;  // largest motion of a pin against what it joins [m]
+constexpr double kTurnOfBar = 0.02;      // smallest turn of a bar against its finger [rad]
+constexpr double kNearPin = 0.25;  // distance of a pin from what it joins, over its diagonal [1]
+constexpr double kAnyRange = 1;    // taken of a motor without limits, either way [rad] or [m]
 
 /// Box of a body's shapes in its frame.
 AlignedBox3d box_of(const RobotSpec& robot, const RigidBody& body,
@@ -72,7 +72,7 @@ bool are_pinned(const RobotSpec& robot, const RigidBody& bar, const RigidBody& f
   Eigen::JacobiSVD<Eigen::MatrixXd> solver(equations, Eigen::ComputeThinU | Eigen::ComputeThinV);
   solver.setThreshold(1e-6);
   const Vector3d off = solver.solve(right);
-  if ((equations * off - right).lpNorm<Eigen::Infinity>() > kPinned) return false;
+  if ((equations * off - right).lpNorm<Eigen::Infinity>() > kMostPinMotion) return false;
   const Vector3d pin = c + off;
   return bar_box.exteriorDistance(pin) < kNearPin * bar_box.diagonal().norm() &&
          finger_box.exteriorDistance(X_FB[0] * pin) < kNearPin * finger_box.diagonal().norm();

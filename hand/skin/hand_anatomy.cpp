@@ -15,12 +15,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kBones = 3;  // of a digit with flesh of its own
+constexpr int kFleshBones = 3;  // of a digit with flesh of its own
 
 /// What is known of digits by their names.
 struct Proportion {
-  std::array<double, kBones> radius;  // over hand length, cylinders of [Mirakhorlo2016] [1]
-  double length;                      // of the three bones over hand length [Buchholz1992] [1]
+  std::array<double, kFleshBones> radius;  // over hand length, cylinders of [Mirakhorlo2016] [1]
+  double length;                           // of the three bones over hand length [Buchholz1992] [1]
 };
 
 const std::map<std::string, Proportion>& proportions() {
@@ -65,13 +65,13 @@ std::vector<const Segment*> flesh_of(const Subject& subject, const Digit& digit)
   std::vector<const Segment*> chain;
   // Down the chain from the tip; links of universal joints have no flesh.
   std::string name = digit.tip_segment;
-  while (chain.size() < kBones) {
+  while (chain.size() < kFleshBones) {
     const Segment* segment = segment_named(subject, name);
     if (segment != nullptr && !is_link(*segment)) chain.push_back(segment);
     const JointAxis* joint = joint_moving(subject, name);
-    require(joint != nullptr || chain.size() == kBones,
+    require(joint != nullptr || chain.size() == kFleshBones,
             "digit '{}' of '{}' has {} bones to its tip; a skin wants {}", digit.name, subject.name,
-            chain.size(), kBones);
+            chain.size(), kFleshBones);
     name = joint->parent;
   }
   return chain;
@@ -152,8 +152,8 @@ DigitAnatomy anatomy_of(const Subject& subject, const Digit& digit, double lengt
   // Bones from the root to the tip.
   const std::vector<const Segment*> chain = flesh_of(subject, digit);
   DigitAnatomy anatomy{digit.name, root_of(subject, chain.back()->name), {}};
-  for (int i = 0; i < kBones; ++i) {
-    const Segment& segment = *chain[kBones - 1 - i];
+  for (int i = 0; i < kFleshBones; ++i) {
+    const Segment& segment = *chain[kFleshBones - 1 - i];
     assumed = assumed || segment.radius == 0;
     // Stated radius, or one in proportion to the hand.
     const double radius =

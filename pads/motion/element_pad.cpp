@@ -9,10 +9,10 @@
 namespace thenar {
 namespace {
 
-constexpr double kForgets = 10;  // times the longest relaxation [1]
-constexpr double kClear = 1e-6;  // gap from which a pad at rest is pressed [m]
-constexpr int kIterations = 25;  // of a step, most take fewer than 12
-constexpr int kPieces = 4;       // of a step: who moves a pad may ask for a shorter one
+constexpr double kForgettingTimes = 10;  // times the longest relaxation [1]
+constexpr double kClearGap = 1e-6;       // gap from which a pad at rest is pressed [m]
+constexpr int kMostIterations = 25;      // of a step, most take fewer than 12
+constexpr int kStepPieces = 4;           // of a step: who moves a pad may ask for a shorter one
 
 }  // namespace
 
@@ -27,7 +27,7 @@ ElementPad::ElementPad(PadModel model, RigidObject object, const Pose<double>& X
   reach_ = places.colwise().norm().maxCoeff() * 1.05;
   for (const Tissue& tissue : model_.tissues)
     for (const ExponentialTerm& term : tissue.relaxation)
-      forgets_ = std::max(forgets_, kForgets * term.time);
+      forgets_ = std::max(forgets_, kForgettingTimes * term.time);
 }
 
 std::unique_ptr<MovingPad> ElementPad::clone() const {
@@ -39,8 +39,8 @@ void ElementPad::renew(const Pose<double>& X_PO) {
   options.step = options_.step;
   options.force_error = options_.mesh_error;
   options.max_elements = options_.max_elements;
-  options.pieces = kPieces;
-  options.step.max_iterations = std::min(options.step.max_iterations, kIterations);
+  options.pieces = kStepPieces;
+  options.step.max_iterations = std::min(options.step.max_iterations, kMostIterations);
   options.max_penetration = 1;  // faces are as fine as the error of the force asks
   press_ = std::make_unique<PadPress>(model_, object_, X_PO, options);
 }
@@ -92,7 +92,7 @@ Pose<double> ElementPad::pulled_out(const Pose<double>& X_PO, double overlap) co
     deepest = k;
   }
   Pose<double> out = X_PO;
-  out.p -= (overlap + kClear) *
+  out.p -= (overlap + kClearGap) *
            (X_PO.R * object_.shape->nearest(X_OP * Eigen::Vector3d(places.col(deepest))).normal);
   return out;
 }

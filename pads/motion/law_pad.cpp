@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-constexpr double kRoom = 0.1;  // that an object has beyond the skin, over its depth there [1]
+constexpr double kRoomShare = 0.1;  // that an object has beyond the skin, over its depth there [1]
 
 /// Friction in the plane of the patch as it is now: all that is remembered of it.
 void lay_flat(const Vector3d& normal, std::array<ExponentialMemory, 4>& drag) {
@@ -109,9 +109,9 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
   moved_.touched = true;
   out.normal = X_PO.R * object_.shape->nearest(X_OP * deepest.place).normal;
   // The far side of a thin object would pull, and near its middle depth does not rise any more.
-  const Vector3d deeper = deepest.place - kRoom * deepest.overlap * out.normal;
+  const Vector3d deeper = deepest.place - kRoomShare * deepest.overlap * out.normal;
   if (out.normal.dot(skin_->nearest(deepest.place).normal) > 0 ||
-      object_.shape->distance(X_OP * deeper) > -(1 + 0.5 * kRoom) * deepest.overlap) {
+      object_.shape->distance(X_OP * deeper) > -(1 + 0.5 * kRoomShare) * deepest.overlap) {
     moved_ = kept_;
     return behind_object();
   }

@@ -7,8 +7,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kSmall = 1e-6;   // way of a difference [m]
-constexpr double kLever = 10e-3;  // at which a turn moves as far [m]
+constexpr double kDifferenceWay = 1e-6;  // way of a difference [m]
+constexpr double kTurnArm = 10e-3;       // at which a turn moves as far [m]
 
 }  // namespace
 
@@ -20,7 +20,7 @@ Matrix6 MovingPad::stiffness(const Eigen::Matrix<double, 6, 1>& onward) {
   if (at.status != Status::kSolved) return out;
   for (int k = 0; k < 6; ++k) {
     Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
-    motion[k] = std::copysign(k < 3 ? kSmall / kLever : kSmall, onward[k]);
+    motion[k] = std::copysign(k < 3 ? kDifferenceWay / kTurnArm : kDifferenceWay, onward[k]);
     PadContact after = move(moved_by(from, motion), 0);
     if (after.status != Status::kSolved) {
       motion = -motion;

@@ -13,7 +13,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kTouching =
+constexpr double kTouchingShare =
     1e-7;  // of a limit that leaves no interior, over the unit of force [1]
 
 using Eigen::Index;
@@ -140,7 +140,7 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
   if (best.status == Status::kStalled) {
     // Limits that touch all that is left leave no interior: by a little more there is one.
     program.row_upper.tail(program.row_upper.size() - bounds)
-        .setConstant(kTouching * balance.force_unit);
+        .setConstant(kTouchingShare * balance.force_unit);
     best = solve_ipopt(program, VectorXd::Zero(slope.size()));
   }
 

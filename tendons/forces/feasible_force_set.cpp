@@ -24,14 +24,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kCertified = 1e-9;     // support may exceed a facet by this part of the extent
-constexpr double kAccepted = 1e-6;      // the same of a thin set, where rounding allows no less
-constexpr double kFlat = 1e-9;          // width, as part of the size, below which a set is flat
-constexpr double kNoForce = 1e-9;       // size, in force units, below which nothing is made
-constexpr double kSamePoint = 1e-10;    // of the extent: two support points are one
-constexpr double kStraightEdge = 1e-6;  // sine of an angle below which a corner is none
-constexpr double kVolume = 1e-9;        // by which volumes by x, y and z may differ
-constexpr int kMaxRounds = 200;         // of hull growth; about 6 are needed
+constexpr double kCertifiedExcess = 1e-9;   // support may exceed a facet by this part of the extent
+constexpr double kAcceptedExcess = 1e-6;    // the same of a thin set, where rounding allows no less
+constexpr double kFlatWidth = 1e-9;         // width, as part of the size, below which a set is flat
+constexpr double kNoForce = 1e-9;           // size, in force units, below which nothing is made
+constexpr double kSamePoint = 1e-10;        // of the extent: two support points are one
+constexpr double kStraightEdge = 1e-6;      // sine of an angle below which a corner is none
+constexpr double kVolumeDifference = 1e-9;  // by which volumes by x, y and z may differ
+constexpr int kMaxRounds = 200;             // of hull growth; about 6 are needed
 
 /// A point of the set, and activations that make it.
 struct Point {
@@ -130,7 +130,7 @@ Frame span(SupportOracle& oracle, std::vector<Point>& points) {
   for (Index i = 0; i < r; ++i) add_both_ways(VectorXd::Unit(r, i));
   double size = 0;
   for (const Point& point : points) size = std::max(size, point.phi.norm());
-  const double flat = std::max(kFlat * size, kNoForce);
+  const double flat = std::max(kFlatWidth * size, kNoForce);
 
   Frame frame{VectorXd::Zero(r), MatrixXd(r, 0), VectorXd(0)};
   // One direction after the other, each across those known.
@@ -202,9 +202,9 @@ ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& p
       const Point beyond = oracle.farthest(frame.outward(facet.normal));
       const double over = facet.normal.dot(frame.local(beyond.phi)) + beyond.gap - facet.offset;
       // A new point grows the hull.
-      if (over > kCertified && add_new(frame, beyond, points)) grown = true;
+      if (over > kCertifiedExcess && add_new(frame, beyond, points)) grown = true;
       open = max_or_nan(open, over);
-      if (over > kCertified) continue;
+      if (over > kCertifiedExcess) continue;
       certified.push_back(facet);
       excess = max_or_nan(excess, over);
     }
@@ -224,7 +224,7 @@ std::vector<Point> corners(const ConvexHull& hull, const Frame& frame,
     // Normals of the facets that meet at the point.
     MatrixXd normals(local.size(), 0);
     for (const HullFacet& facet : hull.facets)
-      if (facet.normal.dot(local) > facet.offset - kCertified) append(facet.normal, normals);
+      if (facet.normal.dot(local) > facet.offset - kCertifiedExcess) append(facet.normal, normals);
     if (normals.cols() < local.size()) continue;
     // A corner needs as many independent ones as there are dimensions.
     const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(normals).singularValues();
@@ -334,7 +334,7 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
     return;
   }
   // Facets must be certified.
-  if (!(set.excess <= kAccepted)) {
+  if (!(set.excess <= kAcceptedExcess)) {
     set.status = Status::kStalled;
     set.failure = "a facet of the hull could not be certified";
     return;
@@ -345,7 +345,8 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
   if (set.dimension == 3) {
     write_facets(balance, frame, hull, set);
     const HullCheck& check = hull.check;
-    if (closed(set.triangles) && check.closed && check.volume_error <= kVolume * check.volume)
+    if (closed(set.triangles) && check.closed &&
+        check.volume_error <= kVolumeDifference * check.volume)
       return;
     set.status = Status::kStalled;
     set.failure = "nearly flat facets leave a gap in the hull";

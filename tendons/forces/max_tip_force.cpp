@@ -20,11 +20,11 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kConeViolation = 1e-10;  // of the force's component along the direction
-constexpr double kRounding = 1e-11;       // of the forces that tendons make: a vertex's own error
-constexpr int kMaxCuts = 200;             // about 20 are needed
-constexpr double kPricesHold = 1e-7;      // of max(1 N, force): checks of prices
-constexpr double kSamePrice = 1e-4;       // of the largest price
+constexpr double kConeViolation = 1e-10;   // of the force's component along the direction
+constexpr double kVertexRounding = 1e-11;  // of the forces that tendons make: a vertex's own error
+constexpr int kMaxCuts = 200;              // about 20 are needed
+constexpr double kPricesHold = 1e-7;       // of max(1 N, force): checks of prices
+constexpr double kSamePrice = 1e-4;        // of the largest price
 
 /// Loads c_1..c_k (columns, scaled like `balance`) whose amounts s join the tensions:
 ///   maximise s_1  subject to  loads s + tension_part a = constant,  s_1 >= 0.
@@ -72,7 +72,7 @@ LinearProgram recession(LinearProgram program) {
 /// Adds the tangent plane that cuts x off, if x is outside the cone.
 bool cut_off(const VectorXd& x, LoadProblem& problem) {
   if (problem.loads.cols() == 1) return false;
-  if (std::hypot(x(1), x(2)) <= (1 + kConeViolation) * x(0) + kRounding) return false;
+  if (std::hypot(x(1), x(2)) <= (1 + kConeViolation) * x(0) + kVertexRounding) return false;
   problem.cuts.push_back(std::atan2(x(2), x(1)));
   return true;
 }
@@ -172,7 +172,7 @@ double amount_without_answer(Status status) { return status == Status::kUnbounde
 bool ForceLimitPrices::degenerate() const {
   if (increase.size() == 0) return false;
   const double same = kSamePrice * increase.cwiseAbs().maxCoeff();
-  return !((decrease - increase).array() <= same + kRounding).all();
+  return !((decrease - increase).array() <= same + kVertexRounding).all();
 }
 
 MaxTipForce max_tip_force(const TipStatics& statics, const Vector3d& direction,

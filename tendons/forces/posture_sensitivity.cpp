@@ -17,7 +17,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kStep = 1e-3;  // of the differences [rad]
+constexpr double kAngleStep = 1e-3;  // of the differences [rad]
 
 /// Least squares, of least norm:  x = B+ tau.
 struct TipLeastSquares {
@@ -62,11 +62,11 @@ std::vector<StaticsDerivative> statics_derivatives(const DigitTendons& tendons, 
   for (Index k = 0; k < q.size(); ++k) {
     // Fourth order: two steps each way.
     const auto at = [&](double steps) {
-      return tip_statics(tendons, q + steps * kStep * VectorXd::Unit(q.size(), k));
+      return tip_statics(tendons, q + steps * kAngleStep * VectorXd::Unit(q.size(), k));
     };
     const TipStatics a = at(1), b = at(-1), c = at(2), d = at(-2);
     const auto slope = [&](auto member) {
-      return (8 * (a.*member - b.*member) - (c.*member - d.*member)) / (12 * kStep);
+      return (8 * (a.*member - b.*member) - (c.*member - d.*member)) / (12 * kAngleStep);
     };
     slopes.push_back({slope(&TipStatics::J), slope(&TipStatics::W), slope(&TipStatics::R),
                       slope(&TipStatics::tau_0)});

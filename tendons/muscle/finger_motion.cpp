@@ -13,7 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kPulls = 1e-3;  // beyond its base tension; less is slack [N]
+constexpr double kPullingTension = 1e-3;  // beyond its base tension; less is slack [N]
 
 Index muscles_of(const MotionModel& model) {
   return static_cast<Index>(model.tendons.digit().names.muscles.size());
@@ -224,7 +224,7 @@ FingerMotion::Accepted FingerMotion::accept(const MotionState& state) {
   if (!has_net(model_) || on_tendons_) return out;
   // Excursions of muscles that pull against the lengths of their lines.
   const VectorXd drift = state.excursion - line_excursion(state, now);
-  out.drift = (now.tension.array() <= base_tension_ + kPulls).select(0, drift);
+  out.drift = (now.tension.array() <= base_tension_ + kPullingTension).select(0, drift);
   return out;
 }
 
@@ -288,13 +288,13 @@ using Eigen::VectorXd;
 /// (muscles, coordinates).
 MatrixXd arm_derivatives(const DigitTendons& tendons, const MotionState& state, const VectorXd& t,
                          const TendonTorque& here) {
-  constexpr double kStep = 1e-5;  // of an angle [rad]
+  constexpr double kDifferenceStep = 1e-5;  // of an angle [rad]
   const VectorXd v = here.R * state.q_dot;
   MatrixXd by_q(t.size(), state.q.size());
   for (Index j = 0; j < state.q.size(); ++j) {
     VectorXd q = state.q;
-    q[j] += kStep;
-    by_q.col(j) = (tendons.evaluate(q, t).R * state.q_dot - v) / kStep;
+    q[j] += kDifferenceStep;
+    by_q.col(j) = (tendons.evaluate(q, t).R * state.q_dot - v) / kDifferenceStep;
   }
   return by_q;
 }
@@ -303,16 +303,16 @@ MatrixXd arm_derivatives(const DigitTendons& tendons, const MotionState& state, 
 /// angle, then one a speed [1/s^2] and [1/s] (coordinates, 2 coordinates).
 template <typename Acceleration>
 MatrixXd acceleration_slopes(const MotionState& state, const Acceleration& bones) {
-  constexpr double kStep = 1e-5;  // [rad], [rad/s] over the speed and 1
+  constexpr double kDifferenceStep = 1e-5;  // [rad], [rad/s] over the speed and 1
   const Index n = state.q.size();
-  const double speed_step = kStep * (1 + state.q_dot.cwiseAbs().maxCoeff());
+  const double speed_step = kDifferenceStep * (1 + state.q_dot.cwiseAbs().maxCoeff());
   MatrixXd slopes(n, 2 * n);
   for (Index j = 0; j < n; ++j) {
     // Central differences by an angle, then by a speed.
     const VectorXd one = VectorXd::Unit(n, j);
-    slopes.col(j) =
-        (bones(state.q + kStep * one, state.q_dot) - bones(state.q - kStep * one, state.q_dot)) /
-        (2 * kStep);
+    slopes.col(j) = (bones(state.q + kDifferenceStep * one, state.q_dot) -
+                     bones(state.q - kDifferenceStep * one, state.q_dot)) /
+                    (2 * kDifferenceStep);
     slopes.col(n + j) = (bones(state.q, state.q_dot + speed_step * one) -
                          bones(state.q, state.q_dot - speed_step * one)) /
                         (2 * speed_step);

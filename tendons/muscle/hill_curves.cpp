@@ -19,8 +19,8 @@ constexpr Bell kBell2{0.433, 0.717, -0.030, 0.200};
 constexpr Bell kBell3{0.100, 1.000, 0.354, 0.000};
 constexpr double kNoSecond = 0.15;  // where the second bell has no width: it is 0 up to there
 
-constexpr double kSaturates = 100;  // near the length where the passive force is beyond doubles:
-                                    // exponentials() are finite there
+constexpr double kSaturationExponent = 100;  // near the length where the passive force is beyond
+                                             // doubles: exponentials() are finite there
 
 /// Exponent of a bell, and its derivative by length.
 void set_exponent(double l, const Bell& bell, double& exponent, double& slope) {
@@ -39,7 +39,7 @@ double slope_of(double l, const Bell& bell) {
   return bell.height * (-x * (1 - bell.widening * x) / spread * std::exp(-x * x / 2));
 }
 const double kB11 = (1 - value_of(1, kBell2) - value_of(1, kBell3)) / value_of(1, kBell1);
-constexpr double kSteep = 4 / 0.6;  // of the passive force
+constexpr double kPassiveSteepness = 4 / 0.6;  // of the passive force
 const double kPassive = std::expm1(4.0), kPerPassive = 1 / kPassive;
 
 // d1 and d4 from force_velocity(-1) = 0 and force_velocity(0) = 1.
@@ -108,7 +108,7 @@ void set_length_forces(const Eigen::VectorXd& length, LengthForces& out) {
     set_exponent(l, kBell1, e1[i], g1[i]);
     set_exponent(l, kBell2, e2[i], g2[i]);
     set_exponent(l, kBell3, e3[i], g3[i]);
-    e4[i] = kSteep * (l - 1);
+    e4[i] = kPassiveSteepness * (l - 1);
   }
   exponentials(out.room.head(4 * n));
   // The curves, as above.
@@ -119,8 +119,8 @@ void set_length_forces(const Eigen::VectorXd& length, LengthForces& out) {
     out.active[i] = b1 + b2 + b3;
     out.active_slope[i] = g1[i] * b1 + (l > kNoSecond ? g2[i] * b2 : 0) + g3[i] * b3;
     out.passive[i] = std::max(0.0, (e4[i] - 1) * kPerPassive);
-    out.passive_slope[i] = l < 1 ? 0 : kSteep * kPerPassive * e4[i];
-    if (l < kSaturates) continue;
+    out.passive_slope[i] = l < 1 ? 0 : kPassiveSteepness * kPerPassive * e4[i];
+    if (l < kSaturationExponent) continue;
     out.passive[i] = passive_force(l);
     out.passive_slope[i] = passive_force_derivative(l);
   }

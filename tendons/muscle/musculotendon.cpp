@@ -6,7 +6,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kShortest = 0.05, kFading = 0.10;  // projected_fibre / optimal [1]
+constexpr double kLeastProjection = 0.05,
+                 kFadingProjection = 0.10;  // projected_fibre / optimal [1]
 
 /// Cosine of the fibre's angle to the tendon.
 double cosine(const Musculotendon& muscle, double projected_fibre) {
@@ -98,7 +99,7 @@ TensionDerivatives elastic_tendon_derivatives(const Musculotendon& muscle,
 double projected_fibre_rate(const Musculotendon& muscle, const HillOptions& options,
                             double activation, double length, double projected_fibre) {
   // Fibre of at least the shortest length, and the tendon's force on it.
-  const double r = std::max(projected_fibre, kShortest * muscle.optimal_fibre_length);
+  const double r = std::max(projected_fibre, kLeastProjection * muscle.optimal_fibre_length);
   const double l = normalised_fibre_length(muscle, r), along = cosine(muscle, r);
   const double pull =
       tendon_force((length - projected_fibre) / muscle.slack, options.tendon_strain);
@@ -107,8 +108,8 @@ double projected_fibre_rate(const Musculotendon& muscle, const HillOptions& opti
                                       pull / along - passive_force(l));
   const double rate = v * options.max_velocity * muscle.optimal_fibre_length / along;
   // Shortening fades out near the shortest length.
-  const double fade =
-      (projected_fibre / muscle.optimal_fibre_length - kShortest) / (kFading - kShortest);
+  const double fade = (projected_fibre / muscle.optimal_fibre_length - kLeastProjection) /
+                      (kFadingProjection - kLeastProjection);
   return rate < 0 ? rate * std::clamp(fade, 0.0, 1.0) : rate;
 }
 
@@ -116,7 +117,7 @@ FibreRateDerivatives fibre_rate_derivatives(const Musculotendon& muscle, const H
                                             double activation, double length,
                                             double projected_fibre) {
   // Fibre, tendon and velocity, as in projected_fibre_rate().
-  const double shortest = kShortest * muscle.optimal_fibre_length,
+  const double shortest = kLeastProjection * muscle.optimal_fibre_length,
                r = std::max(projected_fibre, shortest);
   const double moves = projected_fibre > shortest ? 1 : 0;  // of r with the projected_fibre
   const double l = normalised_fibre_length(muscle, r), along = cosine(muscle, r);
@@ -139,12 +140,13 @@ FibreRateDerivatives fibre_rate_derivatives(const Musculotendon& muscle, const H
 
   // rate = v top / along, faded where it shortens
   const double top = options.max_velocity * muscle.optimal_fibre_length / along;
-  const double ramp =
-      (projected_fibre / muscle.optimal_fibre_length - kShortest) / (kFading - kShortest);
+  const double ramp = (projected_fibre / muscle.optimal_fibre_length - kLeastProjection) /
+                      (kFadingProjection - kLeastProjection);
   const bool fades = v < 0 && ramp < 1;
   const double fade = v < 0 ? std::clamp(ramp, 0.0, 1.0) : 1;
   const double thins =
-      fades && ramp > 0 ? 1 / (muscle.optimal_fibre_length * (kFading - kShortest)) : 0;
+      fades && ramp > 0 ? 1 / (muscle.optimal_fibre_length * (kFadingProjection - kLeastProjection))
+                        : 0;
   return {fade * top * v_a, fade * top * v_length,
           fade * top * (v_reach - v * turn / along) + thins * top * v};
 }
@@ -158,7 +160,7 @@ double isometric_projected_fibre(const Musculotendon& muscle, const HillOptions&
            cosine(muscle, projected_fibre) * (activation * active_force(l) + passive_force(l));
   };
   // Bracket between the shortest fibre and a slack tendon; then bisection.
-  double low = kShortest * muscle.optimal_fibre_length;
+  double low = kLeastProjection * muscle.optimal_fibre_length;
   double high = length - taut_tendon(options.tendon_strain) * muscle.slack;
   if (high <= low || excess(low) < 0) return low;
   while (high - low > 1e-14 * muscle.optimal_fibre_length) {

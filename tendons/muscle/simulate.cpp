@@ -13,18 +13,20 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kStray = 1e-4;   // of an excursion, beyond what integration leaves [m]
-constexpr double kFiner = 0.01;   // tolerance of the second integration over that of the first
-constexpr int kPieces = 16;       // of a step in which a net snaps
-constexpr int kObstacles = 30;    // trials without rest of a net that end a motion
-constexpr double kMoreSteps = 5;  // of the second over the first, which a smooth motion needs
-constexpr double kLooser = 100;  // error of a step over the tolerance, where it does not get on ...
+constexpr double kStrayExcursion = 1e-4;  // of an excursion, beyond what integration leaves [m]
+constexpr double kFinerTolerance =
+    0.01;                           // tolerance of the second integration over that of the first
+constexpr int kSnapPieces = 16;     // of a step in which a net snaps
+constexpr int kMostObstacles = 30;  // trials without rest of a net that end a motion
+constexpr double kMoreSteps = 5;    // of the second over the first, which a smooth motion needs
+constexpr double kLooserError =
+    100;  // error of a step over the tolerance, where it does not get on ...
 constexpr double kLooseTime = 10 * kStallTime;  // ... and for how long [s]
 constexpr int kMostLoose = 20;                  // places where it may [1]
 
 /// Whether excursions came off their lines, though no snap tells why.
 bool has_strayed(const Trajectory& path) {
-  return path.snaps.empty() && !(path.drift.value_or(0) <= kStray);
+  return path.snaps.empty() && !(path.drift.value_or(0) <= kStrayExcursion);
 }
 
 /// The first snap of a net, and how many there were.
@@ -115,7 +117,7 @@ class Recorder {
     const double before = kept_.drift.value_or(0);
     if (kept_.drift && (drift <= before || std::isnan(before))) return;
     // First instant at which the drift is too large.
-    if (before <= kStray) strayed_ = time;
+    if (before <= kStrayExcursion) strayed_ = time;
     kept_.drift = drift;
     strays_ = kept_.muscles[static_cast<std::size_t>(most)];
   }
@@ -159,7 +161,7 @@ class Recorder {
   FingerMotion& motion_;
   double sample_, seconds_, tolerance_;
   Index room_, next_ = 0;
-  double strayed_ = 0;  // when the drift first was beyond kStray [s]
+  double strayed_ = 0;  // when the drift first was beyond kStrayExcursion [s]
   double reached_ = 0;  // time of the last state [s]
   std::string strays_;  // muscle of the largest drift
   Trajectory kept_;
@@ -330,7 +332,7 @@ class Integration {
       obstacle_since_ = ode_.time();
       obstacles_ = 0;
     }
-    if (++obstacles_ >= kObstacles)
+    if (++obstacles_ >= kMostObstacles)
       throw Ending{MotionStatus::kIntegratorFailed,
                    motion_.obstacle() + ", however short the step"};
   }
@@ -354,8 +356,8 @@ class Integration {
     // A net that snaps is followed through the step in pieces, which tell when.
     const MotionState now = motion_.unpack(ode_.state());
     if (motion_.snaps_before(now))
-      for (int i = 1; i < kPieces; ++i) {
-        const double time = accepted_ + (ode_.time() - accepted_) * i / kPieces;
+      for (int i = 1; i < kSnapPieces; ++i) {
+        const double time = accepted_ + (ode_.time() - accepted_) * i / kSnapPieces;
         accept(motion_.unpack(ode_.state_at(time)), time);
       }
     accept(now, ode_.time());
@@ -366,7 +368,7 @@ class Integration {
   }
 
   /// Starts the integrator anew, with the errors that are allowed here.
-  void restart() { ode_.restart(loose_ ? kLooser : 1); }
+  void restart() { ode_.restart(loose_ ? kLooserError : 1); }
 
   /// Where rates jump so that no step of the tolerance gets on, as where bands of a net lift off by
   /// the dozen, larger errors carry it past; the balance of energy counts them.
@@ -394,7 +396,7 @@ class Integration {
     recorder_.note_end(
         fmt::format("its rates jump: in {} stretch{} of {:.2g} s steps had {} times the error of "
                     "the tolerance, the last",
-                    loose_places_, loose_places_ == 1 ? "" : "es", kLooseTime, kLooser),
+                    loose_places_, loose_places_ == 1 ? "" : "es", kLooseTime, kLooserError),
         loose_since_);
   }
 
@@ -419,7 +421,7 @@ class Integration {
   double obstacle_since_ = 0;  // ... since this time [s]
   double accepted_ = 0;        // time of the last state [s]
   double renewed_ = -1;        // time at which the integrator was last started anew [s]
-  bool loose_ = false;         // steps have kLooser times the error ...
+  bool loose_ = false;         // steps have kLooserError times the error ...
   double loose_since_ = 0;     // ... since this time [s]
   int loose_places_ = 0;       // how often that was [1]
   StiffOde ode_;
@@ -441,7 +443,7 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   if (path.status != MotionStatus::kCompleted || (balanced && !has_strayed(path))) return path;
   // Energy does not balance, or excursions strayed: once more with a smaller tolerance.
   SimulateOptions finer = options;
-  finer.tolerance *= kFiner;
+  finer.tolerance *= kFinerTolerance;
   finer.max_effort = std::max(1L, allowed_effort(options) - path.effort);
   // Smaller steps do not help where excursions stray by themselves.
   if (balanced)

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kSteps = 12;  // along the run on the bone
+constexpr int kCourseSteps = 12;  // along the run on the bone
 
 /// Angle about z from `side` to p, in (-pi, pi].
 double angle_from(const Vector3d& side, const Vector3d& p) {
@@ -51,9 +51,9 @@ BandCourse band_course(const Net& net, const TreeState<double>& state, const Net
   if (!chord.bent) return {false, {a, b}};
   // Points along the arc.
   BandCourse course{true, {a}};
-  for (int k = 0; k <= kSteps; ++k)
-    course.points.push_back(X_WS *
-                            on_bone(surface, wanted.side, chord, static_cast<double>(k) / kSteps));
+  for (int k = 0; k <= kCourseSteps; ++k)
+    course.points.push_back(
+        X_WS * on_bone(surface, wanted.side, chord, static_cast<double>(k) / kCourseSteps));
   course.points.push_back(b);
   return course;
 }

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMcp = 0, kPip = 1, kDip = 2;
 constexpr std::array<const char*, 3> kJointNames{"MCP", "PIP", "DIP"};
-constexpr double kFlexes = 0.7071;  // cosine to the flexion direction: see tendon_model.cpp
+constexpr double kFlexionCosine = 0.7071;  // cosine to the flexion direction: see tendon_model.cpp
 
 /// One straight run of tendon across a joint.
 struct Run {
@@ -72,7 +72,7 @@ class FrameBuilder {
     std::string segment = tip_digit_->tip_segment;
     for (auto joint = subject_.joints.rbegin(); joint != subject_.joints.rend(); ++joint) {
       if (joint->child != segment) continue;
-      if (std::abs(joint->direction.dot(flexion_)) > kFlexes && found_ < 3)
+      if (std::abs(joint->direction.dot(flexion_)) > kFlexionCosine && found_ < 3)
         joint_[2 - found_++] = &*joint;
       segment = joint->parent;
       chain_.push_back(joint->child);

@@ -38,8 +38,9 @@ std::vector<double> start_lengths(const Net& net, const TreeState<double>& state
 
 double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd& load,
                  const std::vector<FittedBand>& bands, int rounds) {
-  constexpr double kAlike = 1e-6;  // strain to spare below which bands are taut and alike [1]
-  constexpr double kStep = 0.5;    // of each correction, since bands share what one of them loses
+  constexpr double kAlikeStrain = 1e-6;  // strain to spare below which bands are taut and alike [1]
+  constexpr double kCorrectionShare =
+      0.5;  // of each correction, since bands share what one of them loses
   NetSolver solver(net);
   Eigen::Matrix3Xd start;
   double off = 0;
@@ -62,11 +63,11 @@ double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd
       const double wanted =
           fitted.like < 0 ? std::max(own, 0.0) : std::max(strain(fitted.like), 0.0);
       off = std::max(off, std::abs(wanted - own));
-      const double step = fitted.like < 0 ? 1 : kStep;
+      const double step = fitted.like < 0 ? 1 : kCorrectionShare;
       slack.push_back(net.bands[static_cast<std::size_t>(fitted.band)].slack *
                       (1 - step * (wanted - own)));
     }
-    if (off < kAlike) break;
+    if (off < kAlikeStrain) break;
     // New slack lengths, and a new solver for them.
     for (std::size_t k = 0; k < bands.size(); ++k)
       net.bands[static_cast<std::size_t>(bands[k].band)].slack = slack[k];

@@ -127,9 +127,10 @@ class NetWalk {
   /// which grows with the square of the step.
   /// @param off  [m]; 0: not judged
   [[nodiscard]] double next_step(double off) const {
-    constexpr double kSafety = 0.8, kShortest = 0.1, kLongest = 4;
-    if (off == 0) return kLongest;
-    return std::clamp(kSafety * std::sqrt(options_.stray / off), kShortest, kLongest);
+    constexpr double kStepSafety = 0.8, kLeastStepRatio = 0.1, kMostStepRatio = 4;
+    if (off == 0) return kMostStepRatio;
+    return std::clamp(kStepSafety * std::sqrt(options_.stray / off), kLeastStepRatio,
+                      kMostStepRatio);
   }
 
   [[nodiscard]] NetEquilibrium rest_at(double place, const Matrix3Xd& start) {

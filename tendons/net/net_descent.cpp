@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCarried = 1e-9;  // gap of a start that counts as lying on the bone [m]
-constexpr double kLying = 2e-5;    // gap of a start that is tried as lying on the bone [m]
-constexpr double kHard = 10;       // pull at which taut nets swing freely [N]
+constexpr double kCarriedGap = 1e-9;  // gap of a start that counts as lying on the bone [m]
+constexpr double kLyingGap = 2e-5;    // gap of a start that is tried as lying on the bone [m]
+constexpr double kHardPull = 10;      // pull at which taut nets swing freely [N]
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void NetDescent::project_start(int k) {
   for (int s : node.surfaces) {
     const double gap = gap_world(plan_.net, scene_, s, x_[i]).gap;
     depth = std::min(depth, gap);
-    if (std::abs(gap) <= kLying && touch.pressed < 3) touch.surface[touch.pressed++] = s;
+    if (std::abs(gap) <= kLyingGap && touch.pressed < 3) touch.surface[touch.pressed++] = s;
   }
   // Moved out of the bones; if this fails it keeps its place.
   const Vector3d before = x_[i];
@@ -50,7 +50,7 @@ void NetDescent::project_start(int k) {
     x_[i] = before;
     touch.pressed = touch.touching = 0;
   }
-  if (depth < -kCarried) pushed_out_.push_back(i);
+  if (depth < -kCarriedGap) pushed_out_.push_back(i);
 }
 
 void NetDescent::place(const TreeState<double>& state, const Eigen::Matrix3Xd* start) {
@@ -122,11 +122,12 @@ NetStatus NetDescent::settle(const TreeState<double>& state, const NetDrive& dri
 NetStatus NetDescent::load_continuation(const TreeState<double>& state, const NetDrive& drive) {
   const double most = drive.tension.size() > 0 ? drive.tension.maxCoeff() : 0;
   // Pulls ten times less each time, the last one as asked.
-  if (!(most > 0) || most > kHard) return NetStatus::kStalled;
+  if (!(most > 0) || most > kHardPull) return NetStatus::kStalled;
   const std::vector<int> pushed_out = pushed_out_;
   int spent = iterations_;
   NetStatus status = NetStatus::kStalled;
-  for (double times = kHard / most; times > 0; times = times == 1 ? 0 : std::max(times / 10, 1.0)) {
+  for (double times = kHardPull / most; times > 0;
+       times = times == 1 ? 0 : std::max(times / 10, 1.0)) {
     // Start from the nodes of the pull before.
     Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(x_.size()));
     for (std::size_t i = 0; i < x_.size(); ++i) from.col(static_cast<Eigen::Index>(i)) = x_[i];
@@ -161,14 +162,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLift = 1e-11;   // lift from a bone that no number here can tell from none [m]
-constexpr double kDigit = 1e-17;  // rounding of a lift [m]
+constexpr double kNoLift = 1e-11;  // lift from a bone that no number here can tell from none [m]
+constexpr double kLiftRounding = 1e-17;  // rounding of a lift [m]
 
 }  // namespace
 
 /// What bands that bend over a surface hold a node on it with, at the least lift that its place can
 /// tell: their slope along the normal grows as  sqrt(2 lift / radius)  times their tension S, and
-/// rounding of the lift by kDigit changes it by S kDigit / sqrt(2 lift radius).
+/// rounding of the lift by kLiftRounding changes it by S kLiftRounding / sqrt(2 lift radius).
 double NetDescent::wrap_slop(int k, int surface) const {
   // Tensions of the bands that bend over this surface.
   double sum = 0;
@@ -180,8 +181,8 @@ double NetDescent::wrap_slop(int k, int surface) const {
   }
   // Slop of the lift, at least what rounding makes of it.
   const double radius = plan_.net.surfaces[surface].size[0];
-  return sum *
-         std::max(std::sqrt(2 * kLift / radius), 4 * kDigit * sum / (options_.tolerance * radius));
+  return sum * std::max(std::sqrt(2 * kNoLift / radius),
+                        4 * kLiftRounding * sum / (options_.tolerance * radius));
 }
 
 /// The part along the normal of what bands that bend over a surface pull a node on it with: they
@@ -328,8 +329,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNear = 1e-3;   // lift over radius below which clasping bands go as its root [1]
-constexpr double kKinks = 1e-4;  // steps below which slack bands that become taut decide [m]
+constexpr double kNearLift =
+    1e-3;  // lift over radius below which clasping bands go as its root [1]
+constexpr double kKinkStep = 1e-4;  // steps below which slack bands that become taut decide [m]
 
 }  // namespace
 
@@ -348,11 +350,11 @@ void NetDescent::lift(int k, Vector3d& there) const {
     // Lift of the node, and Newton's step in it.
     const double radius = plan_.net.surfaces[s].size[0];
     const SurfaceGap at = gap_world(plan_.net, scene_, s, x);
-    if (at.gap > kNear * radius) continue;
+    if (at.gap > kNearLift * radius) continue;
     const double h = std::max(at.gap, 0.5e-14 * radius), dh = at.normal.dot(there - x);
     if (dh <= -2 * h) continue;
     // The correction ends where the root law ends.
-    const double more = dh * dh / (4 * h), most = kNear * radius;
+    const double more = dh * dh / (4 * h), most = kNearLift * radius;
     if (h + dh + more <= most)
       there += more * at.normal;
     else if (h + dh < most)
@@ -436,7 +438,7 @@ bool NetDescent::line_search() {
       return true;
     }
     // A long first step: bands that it makes taut get their secant stiffness.
-    if (part == 1 && possible && longest_ < kKinks && looks-- > 0 && add_secant_stiffness()) {
+    if (part == 1 && possible && longest_ < kKinkStep && looks-- > 0 && add_secant_stiffness()) {
       if (!direction()) return false;
       definite_ = false;  // of what it was made to be
       continue;

@@ -127,15 +127,15 @@ EndSlopes NetFollower::slopes(const VectorXd& q, const VectorXd& load) {
 }
 
 /// Change of the potential between two states less what its slopes say, by the trapezoid between
-/// them; where that leaves more than `kRound`, by Simpson's rule.
+/// them; where that leaves more than `kRoundedEnergy`, by Simpson's rule.
 double NetFollower::unexplained(const PostureAndLoad& from, const NetEquilibrium& rest,
                                 const PostureAndLoad& to, const NetEquilibrium& there) const {
-  constexpr double kRound = 1e-11;  // [J]
+  constexpr double kRoundedEnergy = 1e-11;  // [J]
   const VectorXd turn = to.q - from.q, load = to.load - from.load;
   const auto rate = [&](const NetPotential& at) { return at.by_load.dot(load) - at.tau.dot(turn); };
   const NetPotential first = pull_->potential(from, rest), last = pull_->potential(to, there);
   const double gained = last.energy - first.energy, ends = rate(first) + rate(last);
-  if (std::abs(gained - ends / 2) <= kRound) return gained - ends / 2;
+  if (std::abs(gained - ends / 2) <= kRoundedEnergy) return gained - ends / 2;
   const PostureAndLoad middle{from.q + turn / 2, from.load + load / 2};
   const NetEquilibrium between = pull_->rest(middle, (rest.x + there.x) / 2);
   return gained - (ends + 4 * rate(pull_->potential(middle, between))) / 6;

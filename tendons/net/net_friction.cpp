@@ -14,10 +14,10 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kOn = 1e-9;     // a start this near to a bone lies on it [m]
-constexpr double kNudge = 1e-7;  // by which a node that gives way starts off [m]
-constexpr double kBack = 2e-9;   // a node this near to its start is back [m]
-constexpr int kMaxReturns = 10;  // of a node to its start, before rounds are given up
+constexpr double kOnBoneGap = 1e-9;       // a start this near to a bone lies on it [m]
+constexpr double kNudgeWay = 1e-7;        // by which a node that gives way starts off [m]
+constexpr double kReturnDistance = 2e-9;  // a node this near to its start is back [m]
+constexpr int kMaxReturns = 10;           // of a node to its start, before rounds are given up
 
 /// A node that may rest on a bone.
 struct Rub {
@@ -76,7 +76,7 @@ class Rounds {
       for (int s : node.free ? node.surfaces : std::vector<int>{}) {
         const BoneSurface& bone = net_.surfaces[static_cast<std::size_t>(s)];
         if (probe_at(s, x).gap < 0) x = frame(s) * nearest_point(bone, frame(s).inverse() * x);
-        rub.sticks |= probe_at(s, x).gap < kOn;
+        rub.sticks |= probe_at(s, x).gap < kOnBoneGap;
       }
       // Nodes at bones stick at first.
       rub.seat = x;
@@ -167,7 +167,7 @@ class Rounds {
     // Its normal part: on the surface that is pressed most.
     for (int s : net_.nodes[static_cast<std::size_t>(rub.node)].surfaces) {
       const SurfaceProbe seen = probe_at(s, rub.seat);
-      if (seen.gap > kOn || -f.dot(seen.normal) <= rub.normal) continue;
+      if (seen.gap > kOnBoneGap || -f.dot(seen.normal) <= rub.normal) continue;
       rub.normal = -f.dot(seen.normal);
       rub.n = seen.normal;
       rub.f = -(f + rub.normal * rub.n);
@@ -177,7 +177,7 @@ class Rounds {
     // Otherwise it starts to slip, against the friction force.
     rub.sticks = false;
     rub.pull = mu_ * rub.normal;
-    x_.col(rub.node) -= kNudge * rub.f.normalized();
+    x_.col(rub.node) -= kNudgeWay * rub.f.normalized();
     return true;
   }
 
@@ -194,7 +194,7 @@ class Rounds {
         rub.n += contact.force * contact.normal;
       }
     // Back at its start: it sticks, unless it has returned too often.
-    if (rub.pull > 0 && way.norm() < kBack) {
+    if (rub.pull > 0 && way.norm() < kReturnDistance) {
       rub.sticks = ++rub.returns <= kMaxReturns;
       x_.col(rub.node) = rub.seat;
       return true;

@@ -82,14 +82,14 @@ TendonTorque PullByTension::torque(const PostureAndLoad& at, NetEquilibrium rest
 }
 
 bool PullByTension::pulls(const VectorXd& load) const {
-  constexpr double kSlack = 1e-6;  // [N]
+  constexpr double kSlackTension = 1e-6;  // [N]
   const VectorXd drive = tendons().drive(load);
-  return drive.size() > 0 && drive.maxCoeff() > kSlack;
+  return drive.size() > 0 && drive.maxCoeff() > kSlackTension;
 }
 
 double PullByTension::least_change(const VectorXd& from, const VectorXd& to, double share) const {
-  constexpr double kLittle = 1e-3;  // [N]
-  double most = kLittle;
+  constexpr double kLittleTension = 1e-3;  // [N]
+  double most = kLittleTension;
   if (from.size() > 0) most = std::max({most, from.maxCoeff(), to.maxCoeff()});
   return share * most;
 }
@@ -184,8 +184,8 @@ PullRates PullByTendon::rates(const PostureAndLoad& at, const NetEquilibrium& re
 }
 
 std::vector<int> PullByTendon::drawn_bands(const Stretched& now) const {
-  constexpr double kShare = 0.01;  // of a pull that a net may miss [1]
-  constexpr double kPull = 0.05;   // force that it may miss [N]
+  constexpr double kPullShare = 0.01;  // of a pull that a net may miss [1]
+  constexpr double kPullError = 0.05;  // force that it may miss [N]
   const NetTendons& all = tendons();
   std::vector<int> bands;
   for (std::size_t b = 0; b < all.net().net.bands.size(); ++b) {
@@ -193,7 +193,7 @@ std::vector<int> PullByTendon::drawn_bands(const Stretched& now) const {
     if (p < 0) continue;
     const MuscleAttachment& pull = all.net().pulls[static_cast<std::size_t>(p)];
     const double missing = 1 - now.exit_slope[p];
-    if (missing > kShare && missing * pull.share * now.tension[pull.muscle] > kPull)
+    if (missing > kPullShare && missing * pull.share * now.tension[pull.muscle] > kPullError)
       bands.push_back(static_cast<int>(b));
   }
   return bands;

@@ -61,10 +61,10 @@ std::vector<PostureAndLoad> under_even_load(const NetTendons& tendons, const Vec
 
 NetContinuation search_rest(const NetTendons& tendons, const VectorXd& q, const VectorXd& t,
                             NetContinuation found, const NetContinuationOptions& options) {
-  constexpr int kSolves = 100;  // on one leg of a way: a course that takes more is none
+  constexpr int kMostSolves = 100;  // on one leg of a way: a course that takes more is none
   const VectorXd& straight = tendons.net().frame.straight;
   NetContinuationOptions quick = options;
-  quick.max_solves = std::min(options.max_solves, kSolves);
+  quick.max_solves = std::min(options.max_solves, kMostSolves);
   const std::vector<std::function<NetContinuation()>> ways{
       [&] { return rest_found(tendons, q, t); },
       [&] { return follow_ways(tendons, under_even_load(tendons, straight, q, t), quick); },

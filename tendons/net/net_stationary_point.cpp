@@ -133,8 +133,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCut = 1e-6;    // angle from the half-plane opposite to a band's side [rad]
-constexpr double kDrawn = 1e-9;  // length at which a pull has collapsed its node in [m]
+constexpr double kCutAngle = 1e-6;     // angle from the half-plane opposite to a band's side [rad]
+constexpr double kDrawnLength = 1e-9;  // length at which a pull has collapsed its node in [m]
 
 }  // namespace
 
@@ -150,7 +150,7 @@ std::vector<int> NetDescent::far_side_bands() const {
     const auto beyond = [&](int node) {
       const Vector3d p = x_[node] - bone.center;
       const double along = bone.e1.dot(p), across = bone.e2.dot(p);
-      return plan_.net.nodes[node].free && along < 0 && std::abs(across) < -kCut * along;
+      return plan_.net.nodes[node].free && along < 0 && std::abs(across) < -kCutAngle * along;
     };
     if (beyond(plan_.net.bands[b].a) || beyond(plan_.net.bands[b].b))
       found.push_back(static_cast<int>(b));
@@ -176,7 +176,7 @@ void NetDescent::report_band(int b, NetEquilibrium& out) const {
   out.tension(b) = at_.tension[b];
   // A short band of constant pull shows the force on its node.
   const double length = (x_[band.a] - x_[band.b]).norm();
-  if (length > kDrawn || !is_regularised(scene_, b, length)) return;
+  if (length > kDrawnLength || !is_regularised(scene_, b, length)) return;
   const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
   if (now.chord.bent) return;
   out.collapsed.push_back({b, -now.pull.tension * now.chord.slope.head<3>()});
@@ -186,7 +186,8 @@ void NetDescent::report_band(int b, NetEquilibrium& out) const {
 /// Floating nodes that no band holds. What is left out of balance leaves bands among them with as
 /// much tension.
 std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
-  constexpr double kLeft = 10;  // tolerances: a chain of knots adds up what each is out of balance
+  constexpr double kKnotTolerances =
+      10;  // tolerances: a chain of knots adds up what each is out of balance
   // Nodes held by a taut band, or in an exit.
   std::vector<bool> held(x_.size(), false);
   const auto hold = [&](int band) {
@@ -194,7 +195,7 @@ std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
     held[holds.a] = held[holds.b] = true;
   };
   for (int b = 0; b < at.tension.size(); ++b)
-    if (at.tension(b) > kLeft * options_.tolerance) hold(b);
+    if (at.tension(b) > kKnotTolerances * options_.tolerance) hold(b);
   for (const CollapsedBand& collapsed : at.collapsed) hold(collapsed.band);
   // Floating nodes that are left.
   std::vector<int> found;

@@ -51,7 +51,7 @@ std::string overstrained(const Net& net, const NetEquilibrium& rest) {
 std::string buried_band(const Net& net, const TreeState<double>& state,
                         const NetEquilibrium& rest) {
   // Tension at the slack length of a smoothed band.
-  constexpr double kInside = 1e-8;  // deeper than the solver's rounding [m]
+  constexpr double kInsideDepth = 1e-8;  // deeper than the solver's rounding [m]
   for (std::size_t b = 0; b < net.bands.size(); ++b) {
     const NetBand& band = net.bands[b];
     const double slack = band.EA * net.blend / 2;  // tension at the slack length [N]
@@ -60,7 +60,7 @@ std::string buried_band(const Net& net, const TreeState<double>& state,
     const BoneSurface& bone = net.surfaces[static_cast<std::size_t>(band.over)];
     const Pose<double> X = surface_pose(bone, state);
     for (int end : {band.a, band.b})
-      if (probe(bone, X.inverse() * Eigen::Vector3d(rest.x.col(end))).gap < -kInside)
+      if (probe(bone, X.inverse() * Eigen::Vector3d(rest.x.col(end))).gap < -kInsideDepth)
         return fmt::format("band '{}' of net '{}' ends inside '{}', over which it bends", band.name,
                            net.name, bone.name);
   }

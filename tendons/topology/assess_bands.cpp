@@ -11,7 +11,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kBlind = 1e-3;  // chi^2 per unit of log EA that counts as not felt [1]
+constexpr double kBlindSlope = 1e-3;  // chi^2 per unit of log EA that counts as not felt [1]
 
 double evidence(const FittedNets& tried, int band) {
   const double without = tried.min_misfit(band, false), with = tried.min_misfit(band, true);
@@ -88,7 +88,7 @@ void settle_rivals(FittedNets& tried, const Progress& progress) {
 
 /// Changes of the best net, until none is better by more than a fit's tolerance.
 void search_around(FittedNets& tried, const AssessOptions& options, const Progress& progress) {
-  constexpr double kBetter = 0.1;  // of chi^2 [1]
+  constexpr double kBetterMisfit = 0.1;  // of chi^2 [1]
   for (int round = 0; round < options.max_rounds && !progress.stop(); ++round) {
     progress(0.7 + 0.3 * round / options.max_rounds, "changes of the best net");
     const double before = tried.best()->fit.misfit;
@@ -98,7 +98,7 @@ void search_around(FittedNets& tried, const AssessOptions& options, const Progre
     try_pairs(tried, options, options.screen * error, progress);
     try_combinations(tried, options, options.doubt * error, progress);
     settle_rivals(tried, progress);
-    if (tried.best()->fit.misfit > before - kBetter) return;
+    if (tried.best()->fit.misfit > before - kBetterMisfit) return;
   }
 }
 
@@ -119,7 +119,7 @@ void state_stiffness(FittedNets& tried, InferredNet& out) {
     // Variance along each eigenvector.
     const Eigen::VectorXd v = eigen.eigenvectors().col(k);
     const bool present = best.fit.s.cwiseProduct(v).norm() > 1e-9;
-    if (lambda(k) < kBlind && present) out.blind.push_back(v);
+    if (lambda(k) < kBlindSlope && present) out.blind.push_back(v);
     for (Eigen::Index c = 0; c < v.size(); ++c)
       if (std::abs(v(c)) > 1e-6) variance(c) += v(c) * v(c) / std::max(lambda(k), 1e-300);
   }

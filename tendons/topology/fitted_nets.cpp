@@ -9,7 +9,7 @@
 namespace thenar {
 namespace {
 
-constexpr int kPairs = 40;  // of changes, tried where a misfit is not noise_explains
+constexpr int kChangePairs = 40;  // of changes, tried where a misfit is not noise_explains
 
 /// Tries all topologies that differ by one band. @return the bands, best change first
 std::vector<int> change_singly(FittedNets& tried, const FittedNet& here, double price) {
@@ -29,7 +29,7 @@ std::vector<int> change_singly(FittedNets& tried, const FittedNet& here, double 
 /// Tries pairs of the changes that harm least alone, until one helps.
 void change_in_pairs(FittedNets& tried, const FittedNet& here, const std::vector<int>& order,
                      double price) {
-  int left = kPairs;
+  int left = kChangePairs;
   for (std::size_t b = 1; b < order.size(); ++b)
     for (std::size_t a = 0; a < b && left > 0; ++a, --left) {
       const Topology next = flipped(flipped(here.bands, order[a]), order[b]);

@@ -6,8 +6,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kCap = 25;          // a difference of 5 sd is as good as certain [1]
-constexpr double kMinWeight = 1e-3;  // of a model that fits badly, so that it is not forgotten [1]
+constexpr double kMostEvidence = 25;  // a difference of 5 sd is as good as certain [1]
+constexpr double kMinWeight = 1e-3;   // of a model that fits badly, so that it is not forgotten [1]
 
 struct Voice {
   Eigen::VectorXd value;  // readings of the whole pool
@@ -42,7 +42,7 @@ double disagreement(const std::vector<Voice>& voices, Eigen::Index row, Eigen::I
       const Eigen::VectorXd vb = voices[b].value.segment(row, rows);
       const Eigen::VectorXd sd = reading_sd(noise, 0.5 * (va + vb));
       const double apart = (va - vb).cwiseQuotient(sd).squaredNorm();
-      sum += voices[a].weight * voices[b].weight * std::min(apart, kCap);
+      sum += voices[a].weight * voices[b].weight * std::min(apart, kMostEvidence);
       weights += voices[a].weight * voices[b].weight;
     }
   return weights > 0 ? sum / weights : 0;

@@ -9,8 +9,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kFirstChance = 0.7;  // that a band is in a topology of the first population
-constexpr double kCross = 0.4;        // chance that a child has two parents
+constexpr double kFirstChance = 0.7;      // that a band is in a topology of the first population
+constexpr double kCrossoverChance = 0.4;  // chance that a child has two parents
 
 /// Topologies with the stiffnesses that they start their next fit from.
 struct Member {
@@ -33,7 +33,7 @@ Member child_of(const std::vector<FittedNet>& parents, std::mt19937& random) {
   Member child{mother.bands, mother.fit.s};
   std::uniform_int_distribution<std::size_t> band(0, child.bands.size() - 1);
   // Crossing: each band from either parent.
-  if (parents.size() > 1 && std::bernoulli_distribution(kCross)(random)) {
+  if (parents.size() > 1 && std::bernoulli_distribution(kCrossoverChance)(random)) {
     const FittedNet& father = parents[pick(random)];
     std::bernoulli_distribution coin(0.5);
     for (std::size_t c = 0; c < child.bands.size(); ++c)
@@ -68,7 +68,7 @@ std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
   // Fit the population to the records at hand.
   for (const Member& member : population)
     if (!progress.stop() || !tried.best()) (void)tried.fit(member.bands, member.s);
-  constexpr double kAll = std::numeric_limits<double>::infinity();
+  constexpr double kAllMisfits = std::numeric_limits<double>::infinity();
   std::vector<FittedNet> alive;
   // Generations: survivors breed, their children are fitted.
   for (int g = 0; g <= options.generations; ++g) {
@@ -77,7 +77,7 @@ std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
     // At the end, single changes of a best net that noise does not explain.
     if (g == options.generations && !noise_explains(best.fit))
       descend(tried, best.bands, best.fit.s, options.price);
-    alive = survivors(tried.alike(kAll), options);
+    alive = survivors(tried.alike(kAllMisfits), options);
     if (g == options.generations || progress.stop()) break;
     for (int i = 0; i < options.children; ++i) {
       const Member child = child_of(alive, random);

@@ -7,8 +7,8 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kDescents = 2;    // from the best stops
-constexpr double kStarts[] = {1, 0.1};  // s of all bands where paths start
+constexpr std::size_t kStopDescents = 2;  // from the best stops
+constexpr double kStarts[] = {1, 0.1};    // s of all bands where paths start
 
 Topology kept(const BandFitter& fitter, const Eigen::VectorXd& s) {
   Topology bands;
@@ -68,10 +68,10 @@ Selection select_bands(FittedNets& tried, const SelectOptions& options, const Pr
   std::sort(starts.begin(), starts.end(), [&](const FittedNet& a, const FittedNet& b) {
     return score(a, price) < score(b, price);
   });
-  starts.resize(std::min<std::size_t>(starts.size(), kDescents));
+  starts.resize(std::min<std::size_t>(starts.size(), kStopDescents));
   // Descend from the best of them by single changes.
   for (const FittedNet& start : starts) {
-    progress(part += 0.1 / kDescents, "changes of single bands");
+    progress(part += 0.1 / kStopDescents, "changes of single bands");
     if (!progress.stop()) descend(tried, start.bands, start.fit.s, price);
   }
   out.bands = tried.best(price)->bands;

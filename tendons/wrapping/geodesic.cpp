@@ -132,11 +132,11 @@ State midpoint(const BoneSurface& surface, const State& y0, double h, int n) {
 
 /// Extrapolates the midpoint rule in h^2 until two columns agree; order 2 * columns.
 State extrapolate(const BoneSurface& surface, const State& y0, double h) {
-  constexpr int kColumns = 9;
-  std::array<State, kColumns> row;  // last row of Aitken and Neville's scheme
+  constexpr int kStateColumns = 9;
+  std::array<State, kStateColumns> row;  // last row of Aitken and Neville's scheme
   // Columns of Aitken and Neville's scheme.
   State best = y0;
-  for (int k = 0; k < kColumns; ++k) {
+  for (int k = 0; k < kStateColumns; ++k) {
     const double n = 2 * (k + 1);
     State newer = midpoint(surface, y0, h, static_cast<int>(n));
     // Eliminate the next even power of the step.

@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTangent = 1e-11;  // largest kink of a taut path [rad]
-constexpr int kAttempts = 24;       // of Newton's method around where beads rest
-constexpr double kInside = 1e-9;    // how deep a point beside a surface may lie in it [m]
+constexpr double kMostKink = 1e-11;    // largest kink of a taut path [rad]
+constexpr int kNewtonAttempts = 24;    // of Newton's method around where beads rest
+constexpr double kInsideDepth = 1e-9;  // how deep a point beside a surface may lie in it [m]
 
 bool is_round(const BoneSurface& surface) {
   return surface.shape == SurfaceShape::kSphere || surface.shape == SurfaceShape::kCylinder;
@@ -191,8 +191,8 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state, bool 
   // The worst finding decides the status.
   if (!std::isfinite(shape.length)) shape.error = 1;
   if (crossed_) shape.status = PathStatus::kFarSideWrap;
-  if (!(shape.error <= kTangent)) shape.status = PathStatus::kStalled;
-  if (!(shape.depth <= kInside)) shape.status = PathStatus::kPointInside;
+  if (!(shape.error <= kMostKink)) shape.status = PathStatus::kStalled;
+  if (!(shape.depth <= kInsideDepth)) shape.status = PathStatus::kPointInside;
 }
 
 /// Gives short runs next to an arc its tangent: a point on the surface that the tendon bends over,
@@ -340,13 +340,13 @@ void PathSolver::tighten(const std::vector<PathWrap>& bends, const Vector3d& a, 
   sweep(bends, a, b, shape);
   double error = settle_on(bends, a, b, shape);
   // A contracted string of beads says which surfaces touch.
-  if (!(error <= kTangent)) {
+  if (!(error <= kMostKink)) {
     start_over_sides(bends);
     contract_beads(a, b, 400, chain_);
     rest_ = chain_;
   }
   // Newton's method again, from slightly different starts.
-  for (int attempt = 0; !(error <= kTangent) && attempt < kAttempts; ++attempt) {
+  for (int attempt = 0; !(error <= kMostKink) && attempt < kNewtonAttempts; ++attempt) {
     chain_ = rest_;
     nudge(chain_, attempt);
     take_chain(bends);
@@ -387,7 +387,7 @@ double PathSolver::touch_together(const Vector3d& a, const Vector3d& b, PathShap
 double PathSolver::settle_on(const std::vector<PathWrap>& bends, const Vector3d& a,
                              const Vector3d& b, PathShape& shape) {
   const double error = touch_together(a, b, shape);
-  return shape.depth > kInside || runs_clear(bends, a, b) ? error : 1;
+  return shape.depth > kInsideDepth || runs_clear(bends, a, b) ? error : 1;
 }
 
 /// Do the straight runs between surfaces that are touched clear those that are not?
@@ -405,7 +405,7 @@ bool PathSolver::runs_clear(const std::vector<PathWrap>& bends, const Vector3d& 
       if (slots_[k].on) to = slots_[k].touch_a;
     const auto s = static_cast<std::size_t>(bends[i].surface);
     const Pose<double> to_S = X_[s].inverse();
-    if (!(clearance(set_->surfaces[s], to_S * from, to_S * to) >= -kInside)) return false;
+    if (!(clearance(set_->surfaces[s], to_S * from, to_S * to) >= -kInsideDepth)) return false;
   }
   return true;
 }

@@ -103,13 +103,14 @@ Tangency tangency_of(const Vector3d& a, const Vector3d& b, const Ends& ends, int
 /// An end of the string on the surface that the string bends over next, or near it.
 struct StringEnd {
   Vector3d p;         // world [m] (3)
-  bool near = false;  // within kNearby of that surface
+  bool near = false;  // within kNearbyDistance of that surface
   double height = 0;  // over it [m]
 };
 
-constexpr double kNearby = 1e-6;     // [m]
-constexpr double kRounding = 4e-18;  // height that rounding of places leaves to a point on it [m]
-constexpr double kClearRun = 1e-6;   // run whose length is known to more digits than wanted [m]
+constexpr double kNearbyDistance = 1e-6;  // [m]
+constexpr double kHeightRounding =
+    4e-18;                          // height that rounding of places leaves to a point on it [m]
+constexpr double kClearRun = 1e-6;  // run whose length is known to more digits than wanted [m]
 
 double least_size(const BoneSurface& surface) {
   return surface.shape == SurfaceShape::kEllipsoid ? surface.size.minCoeff() : surface.size[0];
@@ -128,7 +129,7 @@ void set_near_rows(Tangency& system, int row, int own, const ArcEnd& end, const 
                    double scale, double sign) {
   const Vector3d off = end.p - at.p;
   const double s = sign * off.dot(end.t), curvature = end.t.dot(end.dn.col(0));
-  const bool lifted = curvature > 0 && at.height > kRounding;
+  const bool lifted = curvature > 0 && at.height > kHeightRounding;
   const double square = lifted ? s * s - 2 * off.dot(end.n) / curvature : 0;
   const double run = std::sqrt(std::max(square, 0.0));
   const double weight =
@@ -161,7 +162,7 @@ Tangency tangency(const StringEnd& a, const StringEnd& b, const std::vector<Chai
 /// An end of the string, which begins on the first or ends on the last arc of the chain.
 StringEnd string_end(const ChainArc& link, const Vector3d& p) {
   const Vector3d p_S = link.X.inverse() * p;
-  if (!(std::abs(level(*link.surface, p_S)) < kNearby)) return {p};
+  if (!(std::abs(level(*link.surface, p_S)) < kNearbyDistance)) return {p};
   return {p, true, probe(*link.surface, p_S).gap};
 }
 
@@ -194,7 +195,7 @@ double largest_kink(const Unknowns& f) { return f.allFinite() ? f.lpNorm<Eigen::
 }  // namespace
 
 ChainFit solve_tangency(const Vector3d& from, const Vector3d& to, std::vector<ChainArc>& chain) {
-  constexpr int kSteps = 60;
+  constexpr int kTangencySteps = 60;
   const StringEnd a = string_end(chain.front(), from), b = string_end(chain.back(), to);
   // An arc that begins at a near end starts there.
   if (a.near) {
@@ -206,7 +207,7 @@ ChainFit solve_tangency(const Vector3d& from, const Vector3d& to, std::vector<Ch
   double size = now.f.squaredNorm();
   ChainFit fit{largest_kink(now.f), 0};
   std::array<WrapArc, kMaxWraps> best;
-  for (; fit.iterations < kSteps && fit.error > 1e-15; ++fit.iterations) {
+  for (; fit.iterations < kTangencySteps && fit.error > 1e-15; ++fit.iterations) {
     // Newton step, bounded to where the geometry still resembles the present one.
     const Unknowns step = -Eigen::PartialPivLU<System>(now.J).solve(now.f);
     if (!step.allFinite()) break;
@@ -253,14 +254,14 @@ Eigen::Vector2d carried_rate(const ArcEnd& end, const BodyTwist& on, const Vecto
 
 ChainTangent::ChainTangent(Vector3d a, Vector3d b, const std::vector<ChainArc>& chain)
     : a_(std::move(a)), b_(std::move(b)) {
-  constexpr double kSingular = 1e-12;  // reciprocal condition
+  constexpr double kSingularCondition = 1e-12;  // reciprocal condition
   ends_.reserve(chain.size());
   for (const ChainArc& link : chain) ends_.push_back(ends_of(link));
   // Regular only if the Jacobian of the conditions is well conditioned.
   const System J = tangency_of(a_, b_, ends_, static_cast<int>(ends_.size())).J;
   if (!J.allFinite()) return;
   factor_.compute(J);
-  regular_ = factor_.rcond() > kSingular;
+  regular_ = factor_.rcond() > kSingularCondition;
 }
 
 void ChainTangent::rates(const Vector3d& a_dot, const Vector3d& b_dot,
@@ -294,15 +295,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kBeads = 24;  // a surface
-constexpr double kRelax = 1.7;
+constexpr std::size_t kSurfaceBeads = 24;  // a surface
+constexpr double kOverRelaxation = 1.7;
 
 /// A bead, and the surface that it rests on.
 struct Bead {
   Vector3d p;
   int on = -1;
 };
-using Beads = std::array<Bead, kBeads * kMaxWraps + 2>;
+using Beads = std::array<Bead, kSurfaceBeads * kMaxWraps + 2>;
 
 /// Even beads on the polygon from a over the start of every arc to b.
 std::size_t lay(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc>& chain,
@@ -311,7 +312,7 @@ std::size_t lay(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc
   beads[count++] = {a};
   Vector3d from = a;
   // The same number of beads on each leg of the polygon.
-  const std::size_t legs = chain.size() + 1, each = kBeads * chain.size() / legs;
+  const std::size_t legs = chain.size() + 1, each = kSurfaceBeads * chain.size() / legs;
   for (std::size_t leg = 0; leg < legs; ++leg) {
     const Vector3d to = leg + 1 == legs ? b : Vector3d(chain[leg].X * chain[leg].arc.start.p);
     for (std::size_t i = 1; i <= each; ++i)
@@ -344,7 +345,7 @@ void contract_beads(const Vector3d& a, const Vector3d& b, int sweeps,
     for (std::size_t i = 1; i + 1 < count; ++i) {
       const Vector3d middle = 0.5 * (beads[i - 1].p + beads[i + 1].p);
       // Plain at the end: over-relaxed beads hop on the surface.
-      beads[i].p += (sweep < sweeps * 3 / 4 ? kRelax : 1.0) * (middle - beads[i].p);
+      beads[i].p += (sweep < sweeps * 3 / 4 ? kOverRelaxation : 1.0) * (middle - beads[i].p);
       push_out(beads[i], chain);
     }
   // Surfaces on which beads rest become arcs of the chain.

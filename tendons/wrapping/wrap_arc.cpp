@@ -108,25 +108,26 @@ struct FlatArc {
 FlatArc taut(const BoneSurface& surface, const PlaneSection& section, const Vector2d& a,
              const Vector2d& b, double way) {
   // Samples of the section's edge.
-  constexpr int kSamples = 64;
-  std::array<Vector2d, kSamples> rim;
-  for (int i = 0; i < kSamples; ++i) {
-    const double angle = 2 * kPi * i / kSamples;
+  constexpr int kArcSamples = 64;
+  std::array<Vector2d, kArcSamples> rim;
+  for (int i = 0; i < kArcSamples; ++i) {
+    const double angle = 2 * kPi * i / kArcSamples;
     rim[static_cast<std::size_t>(i)] =
         edge(surface, section, {std::cos(angle), way * std::sin(angle)});
   }
   // Seen from a, and from b backwards, the whole rim lies on one side of the tangent.
   std::size_t on = 0, off = 0;
-  for (std::size_t i = 1; i < kSamples; ++i) {
+  for (std::size_t i = 1; i < kArcSamples; ++i) {
     if (way * signed_area(rim[on] - a, rim[i] - a) < 0) on = i;
     if (way * signed_area(rim[off] - b, rim[i] - b) > 0) off = i;
   }
   // Length of the polygon between the two touch points.
   double length = 0;
-  const std::size_t steps = (off + kSamples - on) % kSamples;
-  if (steps > 3 * kSamples / 4) return {rim[on], b - a, 0};  // between two samples: it just touches
-  for (std::size_t i = on; i != off; i = (i + 1) % kSamples)
-    length += (rim[(i + 1) % kSamples] - rim[i]).norm();
+  const std::size_t steps = (off + kArcSamples - on) % kArcSamples;
+  if (steps > 3 * kArcSamples / 4)
+    return {rim[on], b - a, 0};  // between two samples: it just touches
+  for (std::size_t i = on; i != off; i = (i + 1) % kArcSamples)
+    length += (rim[(i + 1) % kArcSamples] - rim[i]).norm();
   return {rim[on], rim[on] - a, length};
 }
 
