@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/progress_parts.h"
 
 namespace thenar {
@@ -25,7 +26,6 @@ constexpr double kBeyondChance = 4;         // misfit over its degrees of freedo
 constexpr double kMeshMatters = 0.5;        // shift by the mesh, in sds, that is told [1]
 constexpr double kUsualPads = 10;           // that a search presses, for its progress
 constexpr double kFinerCells = 0.5;         // of the time, for the press on finer cells [1]
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double quantity_of(PressQuantity quantity, const PressPoint& point) {
   return quantity == PressQuantity::kIndentation ? point.indentation

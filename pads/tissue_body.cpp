@@ -123,18 +123,26 @@ void TissueBody::build_pattern() {
       pattern_.starts.push_back(static_cast<int>(pattern_.rows.size()));
     }
   }
-  // Where each pair of masters of an element lies: place of the row in its column.
-  for (Element& element : elements_)
-    for (std::size_t b = 0; b < element.masters.size(); ++b)
-      for (std::size_t a = 0; a <= b; ++a)
-        for (const NodeWeight& right : element.masters[b])
-          for (const NodeWeight& left : element.masters[a]) {
-            const int column = std::min(left.node, right.node),
-                      row = std::max(left.node, right.node);
-            const std::vector<int>& list = columns_[static_cast<std::size_t>(column)];
-            element.blocks.push_back(
-                static_cast<int>(std::lower_bound(list.begin(), list.end(), row) - list.begin()));
-          }
+  for (Element& element : elements_) list_shares(element);
+}
+
+void TissueBody::list_shares(Element& element) const {
+  const auto add = [&](std::size_t a, std::size_t b, const NodeWeight& left,
+                       const NodeWeight& right) {
+    // Blocks are stored with their row at or below their column.
+    const int column = std::min(left.node, right.node), row = std::max(left.node, right.node);
+    const bool turned = left.node < right.node;
+    if (a == b && turned) return;  // its mirror image is the pair the other way round
+    const std::vector<int>& list = columns_[static_cast<std::size_t>(column)];
+    const auto place =
+        static_cast<int>(std::lower_bound(list.begin(), list.end(), row) - list.begin());
+    element.shares.push_back({static_cast<int>(a), static_cast<int>(b), column, place,
+                              left.weight * right.weight, turned, place == 0 && a != b});
+  };
+  for (std::size_t b = 0; b < element.masters.size(); ++b)
+    for (std::size_t a = 0; a <= b; ++a)
+      for (const NodeWeight& right : element.masters[b])
+        for (const NodeWeight& left : element.masters[a]) add(a, b, left, right);
 }
 
 std::size_t TissueBody::block_entry(int column, int place, int r, int c) const {
@@ -277,33 +285,20 @@ void TissueBody::add_element(const Element& element, const ElementResponse& resp
                              ElementAsk ask, TissueResponse& out) const {
   out.energy += response.energy;
   if (ask == ElementAsk::kEnergy) return;
-  std::size_t pair = 0;
-  for (std::size_t b = 0; b < element.masters.size(); ++b) {
-    const auto column = static_cast<Eigen::Index>(3 * b);
+  for (std::size_t b = 0; b < element.masters.size(); ++b)
     for (const NodeWeight& each : element.masters[b])
-      out.force.segment<3>(3 * each.node) += each.weight * response.force.segment<3>(column);
-    if (ask != ElementAsk::kStiffness) continue;
-    for (std::size_t a = 0; a <= b; ++a) {
-      Eigen::Matrix3d block =
-          response.stiffness.block<3, 3>(static_cast<Eigen::Index>(3 * a), column);
-      if (a == b) block.triangularView<Eigen::StrictlyLower>() = block.transpose();
-      for (const NodeWeight& right : element.masters[b])
-        for (const NodeWeight& left : element.masters[a]) {
-          const double weight = left.weight * right.weight;
-          const int place = element.blocks[pair++];
-          // Block of (left, right), stored with its row at or below its column.
-          const bool turned = left.node < right.node;
-          if (a == b && turned) continue;  // its mirror image is the pair the other way round
-          const int node = turned ? left.node : right.node;
-          for (int c = 0; c < 3; ++c)
-            for (int r = place == 0 ? c : 0; r < 3; ++r) {
-              double value = turned ? block(c, r) : block(r, c);
-              // Two nodes of an element with one master: the mirrored pair adds as well.
-              if (place == 0 && a != b) value += turned ? block(r, c) : block(c, r);
-              out.values[block_entry(node, place, r, c)] += weight * value;
-            }
-        }
-    }
+      out.force.segment<3>(3 * each.node) +=
+          each.weight * response.force.segment<3>(static_cast<Eigen::Index>(3 * b));
+  if (ask != ElementAsk::kStiffness) return;
+  for (const BlockShare& share : element.shares) {
+    // Of a block on the diagonal the upper half is set.
+    Eigen::Matrix3d block = response.stiffness.block<3, 3>(3 * share.a, 3 * share.b);
+    if (share.a == share.b) block.triangularView<Eigen::StrictlyLower>() = block.transpose();
+    if (share.turned) block.transposeInPlace();
+    if (share.mirrored) block += block.transpose().eval();
+    for (int c = 0; c < 3; ++c)
+      for (int r = share.place == 0 ? c : 0; r < 3; ++r)
+        out.values[block_entry(share.node, share.place, r, c)] += share.weight * block(r, c);
   }
 }
 

@@ -109,15 +109,25 @@ class TissueBody {
   [[nodiscard]] Eigen::VectorXd error_energies(const Eigen::Matrix3Xd& u) const;
 
  private:
+  /// Share of a block of an element's stiffness that goes to a block of the tangent.
+  struct BlockShare {
+    int a, b;       // nodes of the element, a <= b
+    int node;       // free node whose columns the block is in
+    int place;      // of its rows in this column, 0: the diagonal
+    double weight;  // of the element's block [1]
+    bool turned;    // it is transposed
+    bool mirrored;  // its transpose adds as well: two nodes of the element have one master
+  };
   struct Element {
     std::vector<int> nodes;
     int region = 0;
     ElementShape shape;
     std::vector<std::vector<NodeWeight>> masters;  // of each node, in free places; empty: fixed
-    std::vector<int> blocks;  // first value of the block of each pair of masters, see gather()
+    std::vector<BlockShare> shares;                // of its stiffness
   };
   void list_elements(const HexMesh& mesh);
   void build_pattern();
+  void list_shares(Element& element) const;
   [[nodiscard]] const ElementHistory& history_of(std::size_t element,
                                                  const TissueHistory& history) const;
   void add_element(const Element& element, const ElementResponse& response, ElementAsk ask,

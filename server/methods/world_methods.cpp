@@ -92,7 +92,7 @@ OrderedJson get(Session& session, const Json& /*params*/, const Progress& /*prog
                       {"position", to_json(body.X_WB.p)},
                       {"rotation", to_json(quaternion_of(body.X_WB.R))},
                       {"dynamic", body.built->placed.dynamic},
-                      {"material", body.built->scene.material},
+                      {"material", body.built->body.material},
                       {"mass", mass_json(state, body.built->placed.body)}});
   return {{"name", state.header->name}, {"hands", hands}, {"bodies", bodies}};
 }

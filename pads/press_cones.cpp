@@ -1,0 +1,143 @@
+#include "pads/press_cones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "base/numbers.h"
+#include "pads/node_contacts.h"
+#include "solvers/anderson_mixing.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kTangentFallRatio = 0.3;  // Keep the tangent while an iteration leaves less than
+                                           // this share of what was left [1]
+constexpr double kDriveSpringRatio =
+    1e-2;                                 // spring of a drive, over that of tissue under a node [1]
+constexpr double kCreepRatio = 0.4;       // of motions that shrink slowly [1]
+constexpr double kMixingShare = 0.02;     // what is left, over forces, from which on motions are
+                                          // mixed [1]
+constexpr std::size_t kMixedMotions = 3;  // that foretell what they tend to
+constexpr double kTurningDistance = 0.1;  // over which a normal turns, over that of nodes [1]
+
+/// Adds to the tangent that a node which slides over a curved object has its normal force turn:
+/// - normal d2 distance / dx2, by differences over a part of the way between nodes, as if all force
+/// were the node's own.
+void add_turning_slopes(PressIterate& at) {
+  const double step = kTurningDistance * std::sqrt(at.surface.area.mean());
+  const Pose<double> X_OP = at.now.X_PO.inverse();
+  for (std::size_t k = 0; k < at.contacts.size(); ++k) {
+    const double normal = at.now.normal[static_cast<Eigen::Index>(k)];
+    if (normal <= 0) continue;
+    const auto normal_at = [&](const Vector3d& p) {
+      return Vector3d(at.now.X_PO.R * at.object.shape->nearest(X_OP * p).normal);
+    };
+    Matrix3d slope;
+    for (int c = 0; c < 3; ++c) {
+      const Vector3d way = step * Vector3d::Unit(c);
+      slope.col(c) =
+          (normal_at(at.place_of(k) + way) - normal_at(at.place_of(k) - way)) / (2 * step);
+    }
+    at.add_block(k, -0.5 * normal * (slope + slope.transpose()));
+  }
+}
+
+/// Takes the tangent here, with what forces do whose normals turn. Where the body is stable by its
+/// contacts alone, they have springs.
+bool renew_tangent(PressIterate& at, const Matrix3Xd& u) {
+  at.body.respond(u, at.goal.time, at.start.history, at.now.pressure, ElementAsk::kStiffness,
+                  at.tissue);
+  // With turning forces, or else without.
+  const Matrix3Xd none(3, 0);
+  const std::vector<double> tissue = at.tissue.values;
+  add_turning_slopes(at);
+  if (at.factors.cones.factor(at.tissue.values, none)) return true;
+  at.tissue.values = tissue;
+  if (at.factors.cones.factor(at.tissue.values, none)) return true;
+  // With springs.
+  Matrix3Xd springs = Matrix3Xd::Zero(3, static_cast<Eigen::Index>(at.contacts.size()));
+  for (std::size_t k = 0; k < at.contacts.size(); ++k)
+    if (at.contacts[k].push > 0)
+      springs.col(static_cast<Eigen::Index>(k)) = std::sqrt(at.stiffness[k]) * at.gaps.own_slope(k);
+  add_own_slopes(at);
+  return at.factored([&] { return at.factors.cones.factor(at.tissue.values, springs); });
+}
+
+/// Slip of every node since the last step, tangential [m] (3, nodes).
+Matrix3Xd slips_of(const PressIterate& at) {
+  Matrix3Xd out(3, static_cast<Eigen::Index>(at.contacts.size()));
+  for (std::size_t k = 0; k < at.contacts.size(); ++k)
+    out.col(static_cast<Eigen::Index>(k)) = at.slip_of(k);
+  return out;
+}
+
+/// The linear body at rest under its contacts.
+ContactCones::Rest rest_under_cones(PressIterate& at) {
+  const Matrix3Xd slip = slips_of(at);
+  std::optional<ContactCones::Drive> drive;
+  if (at.goal.force)
+    drive = {at.goal.along, *at.goal.force,
+             kDriveSpringRatio * at.body.largest_modulus() * std::sqrt(at.surface.area.mean()),
+             at.longest};
+  return at.factors.cones.solve(at.surface, {at.tissue.force, at.gaps, slip, at.now.normal,
+                                             at.now.shear, at.object.friction, drive});
+}
+
+}  // namespace
+
+PressOutcome press_by_cones(PressIterate& at) {
+  PressOutcome out;
+  const CondensedBody& tangent = at.factors.cones.body();
+  double before = kInfinity;
+  VectorXd dx, last;
+  AndersonMixing mixing(kMixedMotions);
+  for (; at.goes_on(out); ++out.iterations) {
+    // Forces here.
+    Matrix3Xd u;
+    const bool has_factor = tangent.has_factor();
+    if (!at.respond(has_factor ? ElementAsk::kForce : ElementAsk::kStiffness, dx, u, out))
+      return out;
+    if (at.stiffness.empty()) at.find_stiffness(has_factor ? tangent.values() : at.tissue.values);
+    find_contacts(at);
+    at.measure(normal_forces(at), out);
+    if (at.is_solved(out)) return at.ended(u, out);
+    if (at.goal.force && at.scale == 0) {
+      if (!at.go_to_touch(out)) return out;
+      continue;
+    }
+    // A tangent of elsewhere serves while what is left falls well.
+    const double left = std::max(out.residual, at.change);
+    const bool well = out.iterations == 0 || left < kTangentFallRatio * std::min(before, at.scale);
+    if (!(has_factor && well) && !renew_tangent(at, u)) {
+      out.message = "the stiffness is not positive definite";
+      return out;
+    }
+    before = left;
+    const ContactCones::Rest rest = rest_under_cones(at);
+    if (rest.status != Status::kSolved) {
+      out.message = "no forces of contact were found";
+      return out;
+    }
+    // Where motions shrink slowly, as where friction turns with normals, all of what they tend to.
+    dx = rest.dx;
+    const bool creeps = last.size() > 0 && rest.dx.norm() > kCreepRatio * last.norm();
+    last = rest.dx;
+    if (at.goal.force || !creeps || left > kMixingShare * at.scale) mixing.clear();
+    dx = mixing.next(rest.dx);
+    at.now.pressure = at.body.pressure_after(u, at.body.spread(dx, {}));
+    at.now.x += dx;
+    at.now.X_PO.p += rest.motion * at.goal.along;
+    at.now.normal = rest.normal;
+    at.now.shear = rest.shear;
+  }
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,229 @@
+#include "pads/press_iterate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "pads/press_crossing.h"
+#include "solvers/sparse/gmres.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// Stiffness of contacts, over that of ..
+constexpr double kContactOverRest = 100;       // tissue under a node at rest [1]
+constexpr double kContactOverBody = 10;        // the body at a node as it is [1]
+constexpr double kMostContactOverRest = 5000;  // tissue under a node at rest, at most [1]
+
+constexpr double kMotionShare = 0.25;   // of the distance of nodes, that an object moves at most
+                                        // in an iteration to a force [1]
+constexpr double kSearchDistance = 20;  // from which a force is sought, over that motion [1]
+constexpr double kTouchDepth = 0.01;    // at which it touches again, over that motion [1]
+constexpr int kMotionHalvings = 10;     // of a motion that turns an element inside out
+constexpr double kLeastHold = 1e-6;     // springs that hold nodes, over the tangent's diagonal [1]
+constexpr double kMostHold = 1;         // the same
+constexpr double kCouplingTolerance = 1e-6;  // of a step, in what a factor leaves out [1]
+constexpr int kMostCouplingIterations = 40;  //
+constexpr double kRoundedStrain = 1e-14;  // of strains of volume, in the forces of an element [1]
+constexpr double kRoundedPlace = 2e-16;   // of objects of up to a metre [m]
+
+double mean_diagonal(const TissueBody& body, const std::vector<double>& values) {
+  double sum = 0;
+  for (std::size_t i = 0; i < body.free_nodes().size(); ++i)
+    for (int c = 0; c < 3; ++c) sum += values[body.diagonal_entry(static_cast<int>(i), c, c)];
+  return sum / body.unknowns();
+}
+
+void add_to_diagonal(const TissueBody& body, double more, std::vector<double>& values) {
+  for (std::size_t i = 0; i < body.free_nodes().size(); ++i)
+    for (int c = 0; c < 3; ++c) values[body.diagonal_entry(static_cast<int>(i), c, c)] += more;
+}
+
+}  // namespace
+
+PressIterate::PressIterate(const PressProblem& problem, PressFactors& tangents)
+    : body(problem.body),
+      surface(problem.surface),
+      object(problem.object),
+      goal(problem.goal),
+      options(problem.options),
+      start(problem.start),
+      factors(tangents),
+      now(problem.start),
+      gaps(problem.surface),
+      contacts(problem.surface.nodes.size()),
+      longest(kMotionShare * std::sqrt(problem.surface.area.mean())) {
+  now.X_PO = goal.X_PO;
+}
+
+void PressIterate::restart() {
+  now = start;
+  now.X_PO = goal.X_PO;
+  stiffness.clear();
+}
+
+bool PressIterate::goes_on(PressOutcome& out) const {
+  if (out.iterations >= options.max_iterations) {
+    out.status = Status::kLimit;
+    out.message = "too many iterations";
+    return false;
+  }
+  if (options.stop && options.stop()) {
+    out.status = Status::kStopped;
+    out.message = "stopped";
+    return false;
+  }
+  return true;
+}
+
+bool PressIterate::respond(ElementAsk ask, VectorXd& dx, Matrix3Xd& u, PressOutcome& out) {
+  for (int cut = 0; cut <= kMotionHalvings; ++cut) {
+    u = body.spread(now.x, {});
+    body.respond(u, goal.time, start.history, now.pressure, ask, tissue);
+    if (!tissue.inverted) return true;
+    if (dx.size() == 0) break;
+    dx *= 0.5;
+    now.x -= dx;
+  }
+  out.message = "an element turned inside out";
+  return false;
+}
+
+void PressIterate::measure(const Matrix3Xd& forces, PressOutcome& out) {
+  residual = tissue.force;
+  out.gap = change = rounding = 0;
+  out.push = {};
+  scale = 0;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const TouchingNode& c = contacts[k];
+    const auto column = static_cast<Eigen::Index>(k);
+    const Vector3d force = forces.col(column) + c.shear;
+    if (force.isZero(0)) continue;
+    residual.segment<3>(3 * surface.nodes[k]) -= force;
+    out.push += wrench_of_force(place_of(k), force);
+    scale += force.norm();
+    if (c.push <= 0) continue;
+    rounding = std::max(rounding, stiffness[k] * kRoundedPlace);
+    // Forces that still move tell of nodes that should stick or open.
+    change = std::max(change, (c.shear - Vector3d(now.shear.col(column))).norm());
+    if (springs) continue;  // which leave no gap to close
+    out.gap = std::max(out.gap, std::abs(gaps.gap(k)));
+    change = std::max(change, std::abs(c.push - now.normal[column]));
+  }
+  push = out.push;
+  out.residual = residual.lpNorm<Eigen::Infinity>();
+  missing = goal.force ? *goal.force - goal.along.dot(out.push.force) : 0;
+}
+
+bool PressIterate::is_solved(const PressOutcome& out) const {
+  // No better than rounding of the forces within elements, which bulk moduli make large, and of
+  // the places that forces of contact come from.
+  const double rounded = std::max(kRoundedStrain * body.largest_pressure_force(), rounding);
+  const double small = std::max(options.force_tolerance * scale, rounded);
+  return out.residual <= small && std::abs(missing) <= std::max(small, 1e-9) &&
+         out.gap <= options.gap_tolerance && change <= small;
+}
+
+PressOutcome PressIterate::ended(const Matrix3Xd& u, PressOutcome& out) const {
+  out.message = find_crossing(*this, u);
+  if (out.message.empty()) out.status = Status::kSolved;
+  return out;
+}
+
+bool PressIterate::go_to_touch(PressOutcome& out) {
+  double nearest = 1e300;
+  for (std::size_t k = 0; k < contacts.size(); ++k) nearest = std::min(nearest, gaps.gap(k));
+  if (nearest > kSearchDistance * longest) {
+    out.message = "the object does not touch: move it until it does";
+    return false;
+  }
+  now.X_PO.p += (nearest + kTouchDepth * longest) * goal.along;
+  return true;
+}
+
+void PressIterate::find_stiffness(const std::vector<double>& values) {
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const double at_rest =
+        body.largest_modulus() * std::sqrt(surface.area[static_cast<Eigen::Index>(k)]);
+    double here = 0;
+    for (int c = 0; c < 3; ++c)
+      here = std::max(here, values[body.diagonal_entry(surface.nodes[k], c, c)]);
+    // No more than leaves forces exact to rounding of places.
+    stiffness.push_back(std::clamp(kContactOverBody * here, kContactOverRest * at_rest,
+                                   kMostContactOverRest * at_rest));
+  }
+}
+
+bool PressIterate::factored(const std::function<bool()>& factor) {
+  if (factor()) return true;
+  const double mean = mean_diagonal(body, tissue.values);
+  double held = 0;
+  for (double share = kLeastHold; share <= kMostHold; share *= 10) {
+    add_to_diagonal(body, share * mean - held, tissue.values);
+    held = share * mean;
+    if (factor()) return true;
+  }
+  return false;
+}
+
+void PressIterate::add_block(std::size_t k, const Matrix3d& block) {
+  for (int c = 0; c < 3; ++c)
+    for (int r = c; r < 3; ++r)
+      tissue.values[body.diagonal_entry(surface.nodes[k], r, c)] += block(r, c);
+}
+
+bool PressIterate::reach_force(const std::function<Matrix3Xd(const Matrix3Xd&)>& loss,
+                               const std::function<VectorXd(const VectorXd&)>& solve, VectorXd& dx,
+                               double& motion) const {
+  const Matrix3Xd lost = loss(goal.along.replicate(1, static_cast<Eigen::Index>(contacts.size())));
+  const VectorXd follows = solve(on_body(lost));
+  const auto lost_along = [&](const Matrix3Xd& forces) {
+    return goal.along.dot(forces.rowwise().sum());
+  };
+  const double schur = lost_along(lost) - lost_along(loss(on_surface(follows)));
+  if (!(schur > 0)) return false;
+  motion = std::clamp((missing + lost_along(loss(on_surface(dx)))) / schur, -longest, longest);
+  dx += motion * follows;
+  return true;
+}
+
+VectorXd PressIterate::solve_with(
+    const VectorXd& b, const std::function<Matrix3Xd(const Matrix3Xd&)>& left_out) const {
+  return gmres(
+      [&](const VectorXd& x) {
+        return VectorXd(x + factors.moment.solve(on_body(left_out(on_surface(x)))));
+      },
+      factors.moment.solve(b), kCouplingTolerance, kMostCouplingIterations);
+}
+
+Vector3d PressIterate::place_of(std::size_t k) const {
+  return surface.places.col(static_cast<Eigen::Index>(k)) + now.x.segment<3>(3 * surface.nodes[k]);
+}
+
+Vector3d PressIterate::across(std::size_t k, const Vector3d& v) const {
+  const Vector3d normal = gaps.normal(k);
+  return v - v.dot(normal) * normal;
+}
+
+Vector3d PressIterate::slip_of(std::size_t k) const {
+  const Vector3d anchor = start.anchor.col(static_cast<Eigen::Index>(k));
+  return across(k, place_of(k) - now.X_PO * anchor);
+}
+
+Matrix3Xd PressIterate::on_surface(const VectorXd& x) const {
+  return places_of(surface, x) - surface.places;
+}
+
+VectorXd PressIterate::on_body(const Matrix3Xd& forces) const {
+  VectorXd out = VectorXd::Zero(residual.size());
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    out.segment<3>(3 * surface.nodes[k]) = forces.col(static_cast<Eigen::Index>(k));
+  return out;
+}
+
+}  // namespace thenar
