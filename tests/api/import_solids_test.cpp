@@ -127,7 +127,7 @@ int stops_without_partner(const GraspResult& result) {
   const Grasp& grasp = result.grasp;
   const PosedCollisionHand posed{result.collision_hand, grasp.approached.X_WH,
                                  result.collision_hand.hand->pose(grasp.closed.q)};
-  std::vector<Clearance> pairs = scene_clearances(posed, result.setting.scene);
+  std::vector<Clearance> pairs = find_clearances(posed, result.setting.setup);
   for (const SurfacePair& pair : result.collision_hand.self) pairs.push_back({pair.a, pair.b});
   std::vector<Clearance> touching;
   for (Clearance& pair : pairs)

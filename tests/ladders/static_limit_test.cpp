@@ -229,13 +229,13 @@ class StaticLimit : public testing::TestWithParam<LadderPair> {
     spec.stepping.duration = longest + 1;
     spec.stepping.sample = longest + 1;
     const BuiltScene built = build_scene(spec, {robot_});
-    const SceneRun run = simulate_scene(built.body, built.options);
+    const SceneRun run = simulate_scene(built.scene, built.options);
     EXPECT_EQ(run.status, SceneStatus::kDone);
     return touches_of(built, run.samples.back());
   }
 
   static Touches touches_of(const BuiltScene& built, const SceneSample& end) {
-    const Mechanism& mechanism = built.body.mechanism;
+    const Mechanism& mechanism = built.scene.mechanism;
     const int object = body_named(mechanism, "object");
     EXPECT_LT(end.v.cwiseAbs().maxCoeff(), 1e-9);
     Touches out;

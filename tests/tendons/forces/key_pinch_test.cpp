@@ -13,10 +13,14 @@
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
-#include "tests/studies/thumb/study_inputs.h"
 
 namespace thenar {
 namespace {
+
+TendonDigit five_axis_thumb() {
+  return build_tendon_digit(
+      read_subject(std::string(THENAR_DATA_DIR) + "/subjects/arms_five_axis_thumb.toml"), "thumb");
+}
 
 PinchLosses published() { return read_pinch_losses(kData + "/studies/key_pinch_blocks.toml"); }
 
@@ -157,7 +161,7 @@ TEST(KeyPinch, RefusesJointsAndDigitsThatAreNotThere) {
 // The shipped thumb presses, and what both blocks take is no less than what either does.
 TEST(KeyPinch, BothBlocksTakeNoLessThanEither) {
   const PinchLosses losses = published();
-  const PinchStrength pinch = measure_pinch(sample::thumb_of(sample::study_inputs().truth), losses);
+  const PinchStrength pinch = measure_pinch(five_axis_thumb(), losses);
   EXPECT_GT(pinch.intact, kNoPinch);
   EXPECT_GE(pinch.loss[2], pinch.loss[0] - 1e-9);
   EXPECT_GE(pinch.loss[2], pinch.loss[1] - 1e-9);
@@ -184,8 +188,7 @@ TEST(KeyPinch, LossesAreThoseOfAnIndependentProgram) {
                              {"MCP1_FE", of.mcp_flexion * kDegree},
                              {"MCP1_AA", of.mcp_abduction * kDegree},
                              {"IP1", of.ip * kDegree}};
-    const PinchStrength pinch =
-        measure_pinch(sample::thumb_of(sample::study_inputs().truth), losses);
+    const PinchStrength pinch = measure_pinch(five_axis_thumb(), losses);
     EXPECT_NEAR(pinch.intact, of.intact, 1e-3);
     EXPECT_TRUE(matrix_near(pinch.loss, of.loss, 1e-4));
   }
