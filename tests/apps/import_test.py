@@ -343,10 +343,10 @@ class Import(Files):
         told = self.report(self.path("sub/corner.toml"))
         self.assertEqual((told["name"], told["kind"]), ("corner", "object"))
         self.assertEqual(told["shapes"][0]["triangles"], 4)
-        self.assertIn("wanted units or a scale, got both (--scale)", self.thenar(corner, "--units", "cm", "--scale", "2",
-                                                    code=1).stderr)
-        self.assertIn("--repair", self.thenar(self.path("open.off", CORNER.format(3, "")), "--out",
-                                              self.path("open.toml"), code=1).stderr)
+        self.assertIn("wanted units or a scale, got both (--scale)",
+                      self.thenar(corner, "--units", "cm", "--scale", "2", code=1).stderr)
+        self.assertIn("repairing", self.thenar(self.path("open.off", CORNER.format(3, "")), "--out",
+                                               self.path("open.toml"), code=1).stderr)
 
     def test_validate_names_a_leaky_link(self):
         self.path("open.off", CORNER.format(3, ""))
