@@ -220,7 +220,7 @@ Matrix3Xd PressIterate::on_surface(const VectorXd& x) const {
 }
 
 VectorXd PressIterate::on_body(const Matrix3Xd& forces) const {
-  VectorXd out = VectorXd::Zero(residual.size());
+  VectorXd out = VectorXd::Zero(body.unknowns());
   for (std::size_t k = 0; k < contacts.size(); ++k)
     out.segment<3>(3 * surface.nodes[k]) = forces.col(static_cast<Eigen::Index>(k));
   return out;

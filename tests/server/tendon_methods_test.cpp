@@ -119,7 +119,7 @@ TEST_F(TendonMethods, RefuseWhatCannotBe) {
               HasSubstr("one of separate, fractions, net"));
   EXPECT_THAT(refusal("tendons.open",
                       R"({"subject": "synek2019_middle", "hood": "separate", "net": "winslow"})"),
-              HasSubstr("leave one of them out"));
+              HasSubstr("needs a hood that is a net"));
   open_middle();
   EXPECT_THAT(refusal("tendons.set", R"({"tensions": {"EDC": -1}})"), HasSubstr("from 0 to"));
   EXPECT_THAT(refusal("tendons.set", R"({"posture": {"PIP2": 0}})"), HasSubstr("PIP3"));
