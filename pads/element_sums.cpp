@@ -50,7 +50,7 @@ THENAR_INLINE void kinematics(int points, const double* gradient, const double* 
   const Lanes J = F[0] * C[0] + F[1] * C[1] + F[2] * C[2];
   put(out.J + q, J);
   const Lanes over = 1.0 / J;
-  for (int k = 0; k < 9; ++k) C[k] *= over;
+  for (Lanes& each : C) each *= over;
   for (int a = 0; a < N; ++a) {
     const Lanes x = lanes_at(gradient + (3 * a) * points + q),
                 y = lanes_at(gradient + (3 * a + 1) * points + q),

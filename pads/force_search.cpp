@@ -126,7 +126,7 @@ class ForceSearch {
       answer.shear = from->state.shear;
       answer.spring_stiffness = from->state.spring_stiffness;
     }
-    const PressOutcome out = step_(goal, answer);
+    PressOutcome out = step_(goal, answer);
     iterations_ += out.iterations;
     return out;
   }

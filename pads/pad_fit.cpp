@@ -233,7 +233,7 @@ void estimate(const PadFitProblem& problem, const PadResiduals::Answer& at, cons
 void check_mesh(const PadFitProblem& problem, const PadResiduals::Answer& at,
                 const Progress& progress, PadFitResult& result) {
   const auto stopped = [&] {
-    result.warnings.push_back("the mesh is not checked: it was stopped before");
+    result.warnings.emplace_back("the mesh is not checked: it was stopped before");
   };
   if (progress.stop()) return stopped();
   PadModel finer = result.pad;

@@ -53,7 +53,7 @@ Vector3d PadChart::bone_point(double a, double b) const {
 }
 
 Vector3d PadChart::skin_point(double a, double b) const {
-  const Vector3d outer = dome(a, b, {shape_.length / 2, shape_.width / 2, shape_.height});
+  Vector3d outer = dome(a, b, {shape_.length / 2, shape_.width / 2, shape_.height});
   if (!shape_.skin) return outer;
   // From the bone along the ray, by steps as long as the distance, which passes no surface.
   const Vector3d from = bone_point(a, b), along = (outer - from).normalized();

@@ -47,7 +47,7 @@ class CurveWalk {
     // A force needs something to act on: press until the first pad touches.
     double depth = first_touch_;
     while (load.force && pads_[0]->state.push.force.isZero(0) && depth < kDeepestTouch) {
-      const std::string failed = step({{}, depth, 0}, 0);
+      std::string failed = step({{}, depth, 0}, 0);
       if (!failed.empty()) return failed;
       depth *= 2;
     }
@@ -74,7 +74,7 @@ class CurveWalk {
     PressState next = first.state;
     const PressOutcome out = solve(first, load, load.force ? before : load.indentation, next);
     if (out.status == Status::kSolved) {
-      const std::string failed = follow(load, next);
+      std::string failed = follow(load, next);
       if (failed.empty()) first.state = std::move(next);
       return failed;
     }

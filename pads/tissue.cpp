@@ -96,7 +96,7 @@ void principal_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
   const double mu = tissue.shear_modulus, k = tissue.exponent;
   const double J = F.determinant();
   const Eigen::SelfAdjointEigenSolver<Matrix3d> spectrum(F * F.transpose() / std::cbrt(J * J));
-  const Vector3d square = spectrum.eigenvalues();  // of isochoric stretches
+  const Vector3d& square = spectrum.eigenvalues();  // of isochoric stretches
   const Matrix3d& n = spectrum.eigenvectors();
   const Vector3d power = square.array().pow(k / 2);
   out.energy = 2 * mu / (k * k) * (power.sum() - 3);

@@ -374,7 +374,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
     std::vector<Voigt> nodal;
     for (const int node : element.nodes) {
       const auto& [sum, weight] = smooth.at({node, element.region});
-      nodal.push_back(sum / weight);
+      nodal.emplace_back(sum / weight);
     }
     double energy = 0;
     for (std::size_t q = 0; q < points; ++q) {

@@ -120,7 +120,7 @@ class PressRun {
     return std::max(depth / *rate_ - time_, kShortestTime);
   }
 
-  PressGoal goal_at(double depth, double time) const {
+  [[nodiscard]] PressGoal goal_at(double depth, double time) const {
     PressGoal goal;
     goal.X_PO = out_.touch.X_PO;
     goal.X_PO.p += depth * out_.touch.along;

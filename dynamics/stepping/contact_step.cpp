@@ -36,8 +36,8 @@ void note_deeper(const ActiveContact& contact, StepOutcome& outcome) {
 }  // namespace
 
 struct ContactStep::Parts {
-  explicit Parts(const MovingScene& s)
-      : scene(s),
+  explicit Parts(MovingScene s)
+      : scene(std::move(s)),
         model(tree_model(scene.mechanism)),
         motion(model),
         efforts(scene, model),

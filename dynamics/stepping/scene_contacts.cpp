@@ -5,8 +5,11 @@
 #include "dynamics/stepping/meeting_pairs.h"
 
 namespace thenar {
+namespace {
 
 using Kind = ActiveContact::Kind;
+
+}  // namespace
 
 JointValue joint_value_at(const MovingScene& scene, const TreeModel& model, std::size_t joint,
                           const SceneState& state) {

@@ -1,5 +1,6 @@
 #include "report/pads/fit_answer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -34,9 +35,10 @@ double start_of(const FittedPad& fitted, std::size_t i) {
 }
 
 bool has_poisson_ratio(const FittedPad& fitted) {
-  for (const FreeConstant& free : fitted.problem.constants)
-    if (free.constant.kind == PadConstantKind::kPoissonRatio) return true;
-  return false;
+  const std::vector<FreeConstant>& all = fitted.problem.constants;
+  return std::any_of(all.begin(), all.end(), [](const FreeConstant& free) {
+    return free.constant.kind == PadConstantKind::kPoissonRatio;
+  });
 }
 
 std::string quantity_words(const PressDatum& datum) {
@@ -55,9 +57,9 @@ std::string load_words(const PressRecord& record, const PressDatum& datum) {
 
 /// Whether there are correlations: no constant may have any value.
 bool all_known(const FittedPad& fitted) {
-  for (const ConstantEstimate& each : fitted.fit.estimates)
-    if (std::isinf(each.sd)) return false;
-  return true;
+  const std::vector<ConstantEstimate>& all = fitted.fit.estimates;
+  return std::none_of(all.begin(), all.end(),
+                      [](const ConstantEstimate& each) { return std::isinf(each.sd); });
 }
 
 /// What finer cells would multiply a constant by; empty: that was not found out.
