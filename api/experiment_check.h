@@ -1,13 +1,13 @@
 #pragma once
 
-/// Whether an experiment suits a subject, before anything is fitted.
+/// Check that an experiment suits a subject, before anything is fitted.
 
 #include <string>
 #include <vector>
 
+#include "base/provenance.h"
 #include "data/io/experiment.h"
 #include "data/io/subject.h"
-#include "base/provenance.h"
 
 namespace thenar {
 

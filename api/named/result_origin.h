@@ -1,12 +1,12 @@
 #pragma once
 
-/// Where a result file came from.
+/// Origin of a result file.
 
 #include <vector>
 
+#include "base/provenance.h"
 #include "base/run_record.h"
 #include "data/io/result_file.h"
-#include "base/provenance.h"
 
 namespace thenar {
 
