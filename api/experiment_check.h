@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/provenance.h"
 #include "data/io/experiment.h"
 #include "data/io/subject.h"
+#include "base/provenance.h"
 
 namespace thenar {
 

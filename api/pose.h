@@ -9,8 +9,8 @@
 #include "api/named/posture.h"
 #include "api/robot_pose.h"
 #include "base/progress.h"
-#include "base/provenance.h"
 #include "hand/tip_manipulability.h"
+#include "base/provenance.h"
 
 namespace thenar {
 

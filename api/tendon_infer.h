@@ -9,8 +9,8 @@
 
 #include "base/fidelity.h"
 #include "base/progress.h"
-#include "base/provenance.h"
 #include "kinematics_fit/bands/rank_trials.h"
+#include "base/provenance.h"
 #include "tendons/topology/search_nets.h"
 
 namespace thenar {

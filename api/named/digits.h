@@ -12,9 +12,9 @@
 
 #include "api/named/posture.h"
 #include "base/fidelity.h"
-#include "base/provenance.h"
 #include "data/io/net_description.h"
 #include "data/io/subject.h"
+#include "base/provenance.h"
 #include "tendons/digit_tendons.h"
 #include "tendons/forces/posture_sensitivity.h"
 #include "tendons/net/net_tendons.h"

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "base/provenance.h"
 #include "base/run_record.h"
 #include "data/io/result_file.h"
+#include "base/provenance.h"
 
 namespace thenar {
 

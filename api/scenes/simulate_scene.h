@@ -10,10 +10,10 @@
 
 #include "base/fidelity.h"
 #include "base/progress.h"
-#include "base/provenance.h"
 #include "base/run_record.h"
 #include "dynamics/scene/build_scene.h"
 #include "dynamics/scene/measure_run.h"
+#include "base/provenance.h"
 
 namespace thenar {
 
