@@ -6,7 +6,7 @@
 
 namespace thenar {
 
-/// Which hand closes, and which object may be in it.
+/// Options of close_in_world(): the hand that closes and the object that may be in it.
 struct CloseRequest {
   WorldRequest world;
 };

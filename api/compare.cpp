@@ -75,7 +75,8 @@ std::string object_hash(const BodySpec& object) {
   return sha256(object_toml(object) + mesh_bytes(object.shapes));
 }
 
-/// Of what was read, whatever files it came from; of a subject its file; "" if it is built in.
+/// Returns the SHA-256 of a hand's data, independent of the files it was read from: of a robot its
+/// description and meshes, of a subject its file; "" for a built-in hand.
 std::string hand_hash(const std::string& hand, const std::string& data) {
   const HandSource source = find_hand(hand, data_folders(data));
   if (source.human) return source.file.empty() ? "" : sha256(read_source(source.file).text);
@@ -178,7 +179,8 @@ JsonNode content_hashes(const CompareRequest& request, const std::vector<BodySpe
   return contents;
 }
 
-/// What the result depends on, by name: the request without threads, and all that it names.
+/// Returns all inputs that determine the result, by name: the request without threads, and the
+/// contents of everything that it names.
 JsonNode inputs_of(const CompareRequest& request, const std::vector<BodySpec>& objects,
                    const Materials& materials) {
   std::vector<std::string> hands;
@@ -198,7 +200,7 @@ JsonNode inputs_of(const CompareRequest& request, const std::vector<BodySpec>& o
   return inputs;
 }
 
-/// The same as name -> text.
+/// Converts inputs_of() to a map name -> text, with versions of programs and the seed.
 std::map<std::string, std::string> input_texts(const JsonNode& inputs, unsigned seed) {
   std::map<std::string, std::string> texts = versions();
   const JsonNode& contents = *inputs.find("contents");
@@ -210,7 +212,7 @@ std::map<std::string, std::string> input_texts(const JsonNode& inputs, unsigned 
   return texts;
 }
 
-/// Whether there is a cell of that hand and object.
+/// Returns true if there is a cell of the wanted hand and object.
 bool holds(const std::vector<HandOnObject>& cells, const HandOnObject& wanted) {
   return std::any_of(cells.begin(), cells.end(), [&](const HandOnObject& cell) {
     return cell.hand == wanted.hand && cell.object == wanted.object;

@@ -16,7 +16,7 @@
 
 namespace thenar {
 
-/// Which hands are compared, on what, and where the result is kept.
+/// Options of a comparison: hands, objects, tasks, and the place where the result is kept.
 struct CompareRequest {
   std::vector<std::string> hands{"human:orthogonal", "human:skewed", "human:soft",
                                  "human:tendons",    "barrett",      "dlr",

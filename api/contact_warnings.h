@@ -1,6 +1,6 @@
 #pragma once
 
-/// What looks like a mistake in a contact set.
+/// Warnings about probable mistakes in a contact set.
 
 #include <string>
 #include <vector>

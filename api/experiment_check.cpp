@@ -51,7 +51,7 @@ ExperimentLines find_lines(const SourceText& source) {
   return lines;
 }
 
-/// What a check needs at hand.
+/// Inputs of a check: an experiment, its lines, and the digit of a subject.
 struct CheckedExperiment {
   const Experiment& experiment;
   const TendonDigit& digit;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Whether an experiment suits a subject, before anything is fitted.
+/// Check that an experiment suits a subject, before anything is fitted.
 
 #include <string>
 #include <vector>

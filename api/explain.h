@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a file makes thenar do: what is built and dropped, assumed and spent, fitted and found.
+/// Explanation of an input file: what is built and dropped, assumed and spent, fitted and found.
 
 #include <map>
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace thenar {
 
-/// Which thing, and what of it.
+/// Options of explain(): a file or name, and the part of it to explain.
 struct ExplainRequest {
   std::string thing;         // a file, or the name of something that comes with thenar
   std::string digit;         // of a subject; empty: the only one that it has
@@ -26,7 +26,7 @@ struct ExplainRequest {
   std::string data;          // folder with subjects/ ..; empty: the usual ones
 };
 
-/// What one question about a digit costs on this machine, in the middle of the joints' ranges.
+/// Cost of one question about a digit on this machine, in the middle of the joints' ranges.
 struct QuestionCost {
   std::string question;
   std::string rung;
@@ -44,7 +44,7 @@ struct DigitExplained {
   FitParameters parameters;      // under these settings, or with all fixed
 };
 
-/// What a fit found, recomputed.
+/// Predictions and values of a fit, recomputed.
 struct FitExplained {
   std::vector<Prediction> predictions;            // of the experiments that were fitted
   std::vector<FittedValues> values;               // of the population, then of each specimen

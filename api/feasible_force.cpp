@@ -41,7 +41,7 @@ struct HeldJoints {
   std::vector<JointStop> stops;     // in the order of the names
 };
 
-/// What is asked at one posture, and in which axes.
+/// Returns the options of the tip load at one posture, in the axes of the request.
 TipLoadOptions options_of(const FeasibleForceRequest& request, const HeldJoints& held,
                           const ForceAxes& axes) {
   return {request.load,  request.tolerance, request.most_other,

@@ -18,7 +18,7 @@
 
 namespace thenar {
 
-/// What a digit's load does to the joints that digits share: the wrist.
+/// Effect of a digit's load on the joints that digits share: the wrist.
 enum class WristLoad {
   kHeld,  // nothing: something holds the wrist
   kFree,  // the wrist balances it, with the tendons across it, as of a digit that pushes the world
@@ -26,8 +26,8 @@ enum class WristLoad {
           // alone, see without_load_on()
 };
 
-/// Which digit; a direction, the whole set, or both. Forces and moments are those of the tip on the
-/// world, moments about the tip.
+/// Options of a question for feasible forces: a digit, and a direction, the whole set, or both.
+/// Forces and moments are those of the tip on the world, moments about the tip.
 struct FeasibleForceRequest {
   DigitRequest digit;
   TipLoad load = TipLoad::kForce;                 // whether forces or moments are asked for
@@ -59,14 +59,14 @@ struct WholeForceSet {
   std::vector<MaxTipForce> along;  // +1, -1, +2, -2, +3, -3 (6)
 };
 
-/// What paralysed and weakened muscles cost, along the direction asked for.
+/// Loss of tip force by paralysed and weakened muscles, along the direction asked for.
 struct ParalysisLoss {
   MaxTipForce intact;  // with all muscles
   double share;        // 1 - component without them / component with all, 0 .. 1; NaN: one of the
                        // two forces is not known, or the intact hand makes none
 };
 
-/// What ligaments do at a joint that stands at the end of its range.
+/// Torque of ligaments at a joint that stands at the end of its range.
 struct StopAnswer {
   std::string joint;
   double torque;  // positive flexes [N m]

@@ -32,7 +32,8 @@ std::optional<Prediction> predicted_as_published(const SourceText& subject,
   }
 }
 
-/// What the subject that a fit starts from, and all others of the data, say of its experiments.
+/// Returns predictions of a fit's experiments as published, by the subject that the fit starts from
+/// and by all other subjects of the data.
 std::vector<BaselinePrediction> published_predictions(const Fit& fit, const std::string& data) {
   std::vector<BaselinePrediction> all;
   const auto add = [&](const SourceText& subject) {
@@ -149,7 +150,7 @@ LeftOut leave_out(const FitRequest& request, const FitProblem& problem, const Pr
   return out;
 }
 
-/// The same fit without the net, if there is one and the subject has fractions.
+/// Repeats a fit without the net; empty if there is no net or the subject has no fractions.
 std::optional<FractionsFit> fit_fractions(const FitRequest& request, const FitInputs& asked,
                                           const SolveOptions& options) {
   if (!asked.net || options.progress.stop()) return {};

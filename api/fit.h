@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which parameters of a digit explain measured fingertip forces?
+/// Fit of a digit's parameters to measured fingertip forces.
 
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@
 
 namespace thenar {
 
-/// What is fitted to what, by name or file.
+/// Inputs of a fit, by name or file.
 struct FitSources {
   std::vector<std::string> experiments;  // files, or names of experiments/
   std::string subject;                   // that the fit starts from: a file, or a name of subjects/
@@ -40,8 +40,8 @@ struct FitRequest {
   RunRecord run;                    // for the file
 };
 
-/// The same fit with the fractions of the subject's hood in place of a net; settings are chosen
-/// anew where they are chosen.
+/// Fit with the fractions of the subject's hood in place of a net, otherwise like the main fit;
+/// settings are chosen anew where they are chosen.
 struct FractionsFit {
   Fit fit;
   std::vector<Prediction> in_sample;      // as of FitResult

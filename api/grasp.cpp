@@ -21,7 +21,7 @@
 namespace thenar {
 namespace {
 
-/// What parts take of a human hand, roughly [s]: of others they end sooner.
+/// Approximate durations of the parts of a grasp by a human hand [s]; other hands take less.
 constexpr double kHand = 3, kStart = 0.3, kMeasures = 0.6, kDraw = 0.2;
 constexpr int kMaxEdges = 100;  // finer ones change nothing and take seconds that no signal ends
 
@@ -95,8 +95,8 @@ Grasp grasp_from(const GraspResult& result, const Pregrasp& start) {
   return found;
 }
 
-/// How much a grasp is one, least first. Who sends a gripper at a ball wants it between the tips:
-/// a pinch of all that there are goes before a force closure by inner links, such as bars.
+/// Rank of a grasp, lowest first. Grippers that are sent at a ball should hold it between their
+/// tips: a pinch of all tips ranks above a force closure by inner links, such as bars.
 enum class Standing {
   kNothing,
   kTouched,        // by two digits
@@ -238,7 +238,7 @@ GraspRobustness robustness_of(const GraspResult& result, const Progress& progres
 
 // ---- warnings
 
-/// Whether a hand with a thumb holds the object without it.
+/// Returns true if a hand that has a thumb holds the object without the thumb.
 bool thumb_is_idle(const Hand& hand, const Grasp& grasp) {
   const std::vector<std::string>& tips = hand.layout().tips;
   if (grasp.outcome != GraspOutcome::kGrasped ||
@@ -250,7 +250,7 @@ bool thumb_is_idle(const Hand& hand, const Grasp& grasp) {
       });
 }
 
-/// Whether the object lies on what is no digit.
+/// Returns true if the object touches a surface that belongs to no digit.
 bool palm_touches(const GraspResult& result) {
   const std::vector<LinkSurface>& surfaces = result.collision_hand.hand->surfaces();
   return std::any_of(result.grasp.contacts.begin(), result.grasp.contacts.end(),

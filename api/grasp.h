@@ -17,7 +17,7 @@
 
 namespace thenar {
 
-/// What is uncertain about a grasp, and how often it is drawn.
+/// Uncertainties of a grasp, and the number of random draws.
 struct RobustnessRequest {
   int draws = 0;                                // 0: robustness is not asked
   ContactUncertainty contacts{0.2, 2e-3, 0.1};  // friction by a fifth, 2 mm, 0.1 rad
@@ -25,7 +25,7 @@ struct RobustnessRequest {
   double turn = 0.05;                           // of the object, standard deviation an axis [rad]
 };
 
-/// Which hand grasps which object, and how the grasp is measured.
+/// Options of a grasp: the hand, the object, and the measures of the grasp.
 struct GraspRequest {
   WorldRequest world;            // with `starts` the hand may be one that the world does not have
   bool approach = true;          // goes along the palm's direction first; false: closes where the
@@ -88,7 +88,7 @@ struct GraspResult {
 [[nodiscard]] GraspResult grasp_in_world(const GraspRequest& request,
                                          const Progress& progress = {});
 
-/// What was assumed of the hand of a result, and what is doubtful about its grasp.
+/// Returns assumptions made about the hand of a result, and doubts about its grasp.
 [[nodiscard]] std::vector<std::string> grasp_warnings(const GraspResult& result);
 
 /// The world with the hand as the grasp left it.

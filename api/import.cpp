@@ -190,7 +190,7 @@ void require_volume(const ImportRequest& request, const MeshFacts& facts) {
                 request.file, why_no_volume(facts));
 }
 
-/// What is doubtful of the mass of a mesh with a material, and whether there is none.
+/// Returns doubts about the mass of a mesh with a material, or the reason why it has no mass.
 std::vector<std::string> mass_warnings(const BodySpec& body) {
   const std::string owner = fmt::format("object '{}'", body.name);
   if (body.mass || body.uniform_mass > 0 || body.density > 0) return density_warnings(body, owner);
@@ -306,8 +306,8 @@ void point_to(std::vector<ShapeSpec>& shapes, const fs::path& from, const std::s
   for (ShapeSpec& shape : shapes) point_to(shape.mesh_file, from, out);
 }
 
-/// How a hand, or a jaw that holds a ball against a fixed one, grasps, guessed where its format
-/// leaves it unsaid; another robot as it is.
+/// Adds guesses of how a robot grasps, where its format does not say, for a hand or a jaw that
+/// holds a ball against a fixed jaw; returns other robots unchanged.
 RobotSpec with_guesses(const RobotSpec& robot) {
   RobotSpec kept = robot;  // it can be told and written, but not grasp
   try {

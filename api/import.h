@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// Which file, and what is stated besides it.
+/// Options of an import: a file, and facts that the file does not state.
 struct ImportRequest {
   std::string file;               // a robot, world, object or mesh
   bool repair = false;            // mend meshes, also of bodies
@@ -27,7 +27,7 @@ struct ImportRequest {
   std::string material;  // of a mesh or an object, as materials.toml has it; empty: as read
 };
 
-/// What was read.
+/// Result of an import.
 struct Imported {
   ImportRequest request;
   std::string kind;  // "URDF", "GraspIt! body", "mesh"
@@ -45,7 +45,7 @@ struct Imported {
 /// Endings of files that it can be written to: ".toml", ".urdf".
 [[nodiscard]] std::vector<std::string> endings_for(const Imported& imported);
 
-/// What a file of that ending could not say, a sentence each.
+/// Returns a sentence for each property that a file with the ending of `out` cannot store.
 [[nodiscard]] std::vector<std::string> lost_in(const Imported& imported, const std::string& out);
 
 /// Writes it; files that it names are named as seen from the folder of `out`.

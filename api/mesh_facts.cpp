@@ -45,7 +45,7 @@ std::string mesh_size_warning(const TriangleMesh& mesh) {
   return fmt::format("{:.4g} m across: are its numbers millimetres?", across);
 }
 
-/// What keeps the surface from bounding a volume, the causes first, and what mends it.
+/// Returns reasons why the surface bounds no volume, causes first, and their remedies.
 std::vector<std::string> surface_warnings(const MeshReport& found, const MeshFaults& faults) {
   std::vector<std::string> warnings;
   if (faults.flat)
@@ -86,7 +86,8 @@ std::vector<std::string> surface_warnings(const MeshReport& found, const MeshFau
   return warnings;
 }
 
-/// Of the union of its parts; nothing where they do not agree on what is inside.
+/// Volume and mass of the union of a mesh's parts; empty where a part has holes, non-manifold edges
+/// or reversed edges.
 struct MeshMass {
   bool closed = false;
   double enclosed = 0;  // signed, each part counted [m^3]
@@ -134,7 +135,7 @@ void weigh_triangles(const TriangleMesh& mesh, MeshFacts& facts) {
         100 * (found.enclosed / facts.unit_mass.mass - 1)));
 }
 
-/// What the triangles are warned of does not hold for exact solids.
+/// Replaces mass and warnings of the triangles by those of the exact solids.
 void weigh_exact(const MeshContent& content, MeshFacts& facts) {
   const UnionMass all = union_mass(content.exact);
   facts.unit_mass = all.mass;

@@ -39,7 +39,7 @@ struct MomentArmAnswer {
 [[nodiscard]] MomentArmAnswer ask_moment_arms(const DigitRequest& request,
                                               const Progress& progress = {});
 
-/// The same of a digit that is built, at the postures of its grid.
+/// Computes moment arms of a digit that is already built, at the postures of its grid.
 /// @throws InputError for a tip map or a net
 [[nodiscard]] MomentArmAnswer moment_arms_of(const DigitCase& digit, const Progress& progress = {});
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where the joints, segments or links, and tips of a subject or a robot are.
+/// Poses of the joints, segments or links, and tips of a subject or a robot.
 
 #include <string>
 #include <variant>
@@ -14,7 +14,7 @@
 
 namespace thenar {
 
-/// Whose pose, at which postures.
+/// Options of a question for poses: a model and its postures.
 struct PoseRequest {
   std::string model;                // a subject or a robot: its name, or its file
   std::string data;                 // folder with subjects/, robots/ ..; empty: the usual ones
@@ -69,7 +69,7 @@ struct SubjectPoses {
   std::vector<std::string> warnings;  // of limits
 };
 
-/// Of a subject or of a robot, as the request's model is.
+/// Poses of a subject or of a robot, depending on the request's model.
 using PoseAnswer = std::variant<SubjectPoses, RobotPoses>;
 
 /// Poses of a subject or a robot.

@@ -78,7 +78,7 @@ PosteriorRun sample(const FitInputs& inputs, const PosteriorSettings& settings,
                    "fresh");
 }
 
-/// What the first rank does with draws: they are kept, and the state of a finished run goes.
+/// Writes the draws, on the first rank, and removes the saved state of a finished run.
 void keep(const PosteriorResult& result, const SampleRequest& request) {
   const PosteriorRun& run = result.run;
   if (run.draws.draws() == 0) return;
@@ -88,7 +88,7 @@ void keep(const PosteriorResult& result, const SampleRequest& request) {
     forget_run(run.settings.run.folder);
 }
 
-/// All that ranks do together; whatever it throws, it throws on all of them.
+/// Draws samples on all ranks together; an exception on one rank is thrown on all of them.
 PosteriorResult sample_together(const SampleRequest& request, const Progress& progress,
                                 const Communicator& ranks) {
   FitInputs inputs;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What does everything that priors and measured forces allow look like? Draws from the posterior.
+/// Draws from the posterior: all parameters that priors and measured forces allow.
 
 #include <optional>
 #include <string>
@@ -73,7 +73,7 @@ struct PosteriorPredictRequest {
   std::optional<Path> path = {};         // as require_fit_path() allows
 };
 
-/// What draws predict, and the posterior that they are of.
+/// Predictions of posterior draws, with the posterior.
 struct PosteriorPrediction {
   PredictResult predicted;    // means of the draws
   PosteriorResult posterior;  // without a summary

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What forces does a fit predict, also of specimens that it has never seen?
+/// Forces that a fit predicts, also for specimens that it has never seen.
 
 #include <optional>
 #include <string>
@@ -13,7 +13,8 @@
 
 namespace thenar {
 
-/// Which parameters predict, and whether the fit has seen the specimen.
+/// Parameters that predict: those of the specimen or of the population, and whether the fit has
+/// seen the specimen.
 enum class PredictedBy {
   kOwn,            // its own, which were fitted
   kOwnPopulation,  // the population's, which it was a part of
@@ -62,7 +63,7 @@ struct PredictResult {
 /// @throws DataError as parse_experiment(); InputError if it has no trials.
 [[nodiscard]] Experiment read_trials(const SourceText& source);
 
-/// What to know before trusting a prediction of the experiment by this fit.
+/// Returns warnings about a prediction of the experiment by this fit.
 [[nodiscard]] std::vector<std::string> prediction_warnings(const FitProblem& fitted,
                                                            const Experiment& experiment);
 

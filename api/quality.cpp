@@ -105,7 +105,8 @@ std::optional<Volume> volume_of(const WrenchSet& set, const ContactFile& file,
   return volume(set, options);
 }
 
-/// Of a plane the columns n and t, and the rows f_x, f_y and torque.
+/// Computes the grasp matrix of a planar grasp: columns n and t of each contact, rows f_x, f_y and
+/// torque.
 Eigen::MatrixXd planar_matrix(const std::vector<Contact>& contacts, const ContactFile& file) {
   Eigen::MatrixXd G(3, 0);
   for (const Contact& contact : contacts) {

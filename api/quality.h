@@ -1,6 +1,6 @@
 #pragma once
 
-/// How good a grasp is, told by its contacts alone: no hand, no motors.
+/// Quality of a grasp, computed from its contacts alone, without hand or motors.
 
 #include <cstddef>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// Which contacts, and how they are measured.
+/// Options of a question for grasp quality: the contacts and the measures.
 struct QualityRequest {
   std::string contacts;             // a file, or the name of one of contacts/
   std::string text;                 // the contacts themselves (JSON); empty: read from the file
@@ -28,7 +28,7 @@ struct QualityRequest {
   bool volume = true;               // takes 80 to 5,000 times as long as epsilon
 };
 
-/// How much of a task contacts withstand whose normal forces are limited to 1 N.
+/// Largest multiple of a task that contacts withstand if their normal forces are limited to 1 N.
 struct TaskQuality {
   Status status = Status::kSolved;
   std::optional<double> lower, upper;  // of the multiple of the task that is withstood [1]; none: a

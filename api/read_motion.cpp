@@ -43,7 +43,7 @@ auto rung_called(const Rungs& rungs, std::size_t ladder, const std::string& name
   return {};
 }
 
-/// What reads one file.
+/// Reader of one file of a motion.
 class MotionReader {
  public:
   explicit MotionReader(const std::string& path) : path_(path), file_(read_result(path)) {}

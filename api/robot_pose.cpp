@@ -30,7 +30,7 @@ const RobotDof* dof_named(const RobotSpec& robot, const std::string& name) {
   return nullptr;
 }
 
-/// Whether what a name stands for slides; an unknown one does not.
+/// Returns true if the degree of freedom or joint of a name slides; false for unknown names.
 bool drive_slides(const RobotSpec& robot, const std::string& name) {
   if (const RobotDof* dof = dof_named(robot, name)) return slides(robot, *dof);
   return std::any_of(robot.joints.begin(), robot.joints.end(),
@@ -50,7 +50,8 @@ std::map<std::string, double> values_of(const RobotSpec& robot, const PostureReq
   return values;
 }
 
-/// Where a rigid motor stands whose joint is at a value: found between its limits along a curve.
+/// Computes the position of a rigid motor from the value of its joint, by bisection between the
+/// motor's limits if the joint follows a curve.
 double motor_of(const RobotJoint& joint, const RobotDof& dof, double value) {
   if (joint.curve.empty()) return (value - joint.offset) / joint.ratio;
   double a = dof.lower, b = dof.upper;
@@ -121,7 +122,7 @@ class RobotPosture {
   std::map<std::string, double> joints_;
 };
 
-/// The same robot with every joint held at its value.
+/// Returns the robot with every joint held at its value.
 RobotSpec held(RobotSpec robot, const RobotPosture& posture) {
   for (RobotJoint& joint : robot.joints) {
     if (joint.kind == RobotJointKind::kFixed) continue;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where the joints, links and tips of a robot are.
+/// Poses of the joints, links and tips of a robot.
 
 #include <map>
 #include <string>
@@ -62,8 +62,8 @@ struct RobotPoses {
   FileDigests files = {};             // of the robot
 };
 
-/// Where joints, links and tips of a robot are. Tips are those of find_tips(); digits that no file
-/// states are those of infer_digits().
+/// Computes the poses of a robot's joints, links and tips. Tips are those of find_tips(); digits
+/// that no file states are those of infer_digits().
 /// @param posture  of degrees of freedom or joints by name, or of all degrees of freedom in order
 ///                 [rad], of slides [m], or as typed [deg], [mm]; what is left out stands at 0
 /// @param vary     in the same unit, by the same names

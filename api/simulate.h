@@ -1,6 +1,6 @@
 #pragma once
 
-/// How one digit moves when its muscles are excited.
+/// Motion of one digit whose muscles are excited.
 
 #include <map>
 #include <memory>
@@ -16,7 +16,7 @@
 
 namespace thenar {
 
-/// Which digit, which excitations, which physics.
+/// Options of a digit's motion: the digit, its excitations and its physics.
 struct MotionRequest {
   DigitRequest digit;                          // hood absent: fixed force fractions
   std::map<std::string, double> excitation;    // muscle -> 0..1 from the start on; others are 0;
@@ -50,7 +50,7 @@ struct [[nodiscard]] SimulatedMotion {
 [[nodiscard]] SimulatedMotion simulate_digit(const MotionRequest& request,
                                              const Progress& progress = {});
 
-/// What files of motions say that they are, and which entries of explain() they keep as rungs.
+/// Format name in files of motions, and the entries of explain() that they keep as rungs.
 inline constexpr const char* kMotionFormat = "thenar motion 1";
 inline constexpr std::size_t kPathLadder = 2, kHoodLadder = 3;
 

@@ -154,7 +154,7 @@ BandProblems free_problems(const InferNetRequest& request, NetInference& answer)
           inputs.also_free, std::move(bands)};
 }
 
-/// What not to trust of probabilities, a sentence each.
+/// Returns doubts about the probabilities of bands, a sentence each.
 std::vector<std::string> doubts_of(const BandPosterior& posterior) {
   constexpr double kMisfit = 1.3;  // errors per noise beyond which probabilities are too sure [1]
   std::vector<std::string> doubts, open;
@@ -200,7 +200,7 @@ void infer_free(const InferNetRequest& request, const Progress& progress, NetInf
                    ranked.begin() + static_cast<std::ptrdiff_t>(std::min(most, ranked.size())));
 }
 
-/// What not to trust of the fits behind the verdicts, a sentence each.
+/// Returns doubts about the fits behind the verdicts, a sentence each.
 std::vector<std::string> doubts_of(const InferredNet& inferred) {
   std::vector<std::string> doubts, open;
   for (const BandVerdict& band : inferred.verdicts)

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Which bands of an extensor net measured fingertip forces ask for, which they deny, which they
-/// leave open, and what to measure next.
+/// Inference of an extensor net from measured fingertip forces: bands that the forces require,
+/// exclude or leave open, and the best next measurements.
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// How topologies are looked for.
+/// Search method for topologies.
 enum class InferMethod {
   kSparse,  // all candidate bands at once, at a price: select_bands()
   kExplore  // a population of nets that change by single bands: search_nets()
@@ -25,7 +25,7 @@ enum class InferMethod {
 [[nodiscard]] InferMethod infer_method_named(const std::string& name);
 [[nodiscard]] std::string name_of(InferMethod method);
 
-/// Which forces, of which subject, and which bands there may be.
+/// Options of an inference: the forces, the subject and the candidate bands.
 struct InferNetRequest {
   std::string experiment;       // a file, or the name of one of experiments/
   std::string subject;          // a file, or the name of one of subjects/
@@ -48,7 +48,7 @@ struct InferNetRequest {
 /// it is a glob. @throws InputError if it is neither.
 [[nodiscard]] std::vector<std::string> freed_by(const std::string& word);
 
-/// Where a candidate band runs.
+/// End nodes of a candidate band.
 struct BandEnds {
   std::string from, to;  // names of nodes
 };
@@ -59,7 +59,7 @@ struct ProposedTest {
   double disagreement = 0;  // of nets that fit alike, mean squared, in sds of a reading [1]
 };
 
-/// What was inferred with slack lengths, paths and the like free.
+/// Result of an inference in which slack lengths, paths or other parameters are free.
 struct FreeInference {
   std::vector<std::string> freed;  // as asked
   std::string settings;            // path of the settings
@@ -71,7 +71,7 @@ struct FreeInference {
   std::size_t pool = 0;           // trials that were ranked
 };
 
-/// What was inferred.
+/// Result of an inference.
 struct [[nodiscard]] NetInference {
   std::string experiment, subject, net;  // names
   InferMethod method = InferMethod::kSparse;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What given tendon tensions do to one digit: every band of its extensor hood, joint torques, and
-/// the force of its tip; at one posture, or over a grid of postures.
+/// Effects of given tendon tensions on one digit: every band of its extensor hood, joint torques,
+/// and the force of its tip; at one posture, or over a grid of postures.
 
 #include <map>
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace thenar {
 
-/// Which tendons are pulled, in which postures.
+/// Options of a tendon solve: a digit in its postures, and the tensions of its tendons.
 struct TendonRequest {
   DigitRequest digit;                     // hood absent: a net
   std::map<std::string, double> tension;  // muscle -> tension [N]; others are slack
@@ -30,7 +30,7 @@ struct LoadedDigit {
   std::vector<std::string> warnings;            // of limits, and of tendons too close to a joint
 
   [[nodiscard]] const TendonDigit& bones() const { return tendons->digit(); }
-  /// The same tendons if their hood is a net, else null.
+  /// Returns the tendons as a net; null if their hood is no net.
   [[nodiscard]] const NetTendons* net() const {
     return dynamic_cast<const NetTendons*>(tendons.get());
   }

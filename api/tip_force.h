@@ -14,13 +14,13 @@
 
 namespace thenar {
 
-/// What the tip presses on.
+/// Constraint on the tip.
 enum class TipHold {
   kPinned,  // a point: it takes a force and no moment
   kRigid    // a clamp: it takes a force and a moment
 };
 
-/// Which digit, under which tensions.
+/// Options of a tip force: a digit and the tensions of its tendons.
 struct TipForceRequest {
   DigitRequest digit;
   std::map<std::string, double> tension;           // of each muscle [N]; others are slack

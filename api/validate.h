@@ -1,6 +1,6 @@
 #pragma once
 
-/// What files are, or what is wrong with them and where.
+/// Validation of files: their kind, or what is wrong with them and where.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// Which things, and against what.
+/// Options of a validation: files or names, and the data that they are checked against.
 struct ValidateRequest {
   std::vector<std::string> things;  // files, or names of what comes with thenar
   std::string subject;              // name or file that experiments are to suit; empty: none

@@ -25,7 +25,7 @@ struct CompareArguments {
   Outputs outputs;
 };
 
-/// What a stop leaves.
+/// Returns a sentence about what is kept when the command is stopped.
 std::string kept_words(const CompareRequest& request, const HandComparison& result) {
   if (request.file.empty()) return "without -o FILE.json nothing is kept";
   if (result.hands.size() < request.hands.size()) return "nothing new was compared";

@@ -45,7 +45,8 @@ void require_method(const std::string& method) {
           "no fit method '{}'{}; there are {}", method, did_you_mean(method, known), listed(known));
 }
 
-/// Whether a page of the answer can be written says the ending; this says whether a result can.
+/// Requires endings of files that the kind of result can have; other endings, such as that of a
+/// page, are checked elsewhere.
 void require_endings(const Outputs& outputs, bool sampling) {
   const std::vector<std::string> others = outputs.with_ending(
       sampling ? std::vector<std::string>{".h5", ".toml"} : std::vector<std::string>{".nc"});

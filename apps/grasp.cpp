@@ -37,7 +37,7 @@ void run_grasp(GraspArguments& options) {
   if (!found.complete) throw Stopped("stopped: this is what was found by then");
 }
 
-/// Where the hand starts, and how often.
+/// Adds options for the start of the hand and the number of random starts.
 void add_start_options(CLI::App& command, GraspRequest& request) {
   command.add_flag("--approach,!--no-approach", request.approach,
                    "Approach along the palm's direction first (default), or close where the hand "
@@ -50,7 +50,7 @@ void add_start_options(CLI::App& command, GraspRequest& request) {
   command.add_option("--seed", request.seed, "Seed of --random and --robustness");
 }
 
-/// How the grasp is measured.
+/// Adds options for the measures of the grasp.
 void add_measure_options(CLI::App& command, GraspArguments& options) {
   GraspRequest& request = options.request;
   command.add_option("--robustness", request.robustness.draws,

@@ -82,7 +82,7 @@ void hide_empty_defaults(CLI::App& app) {
   }
 }
 
-/// What was wrong with a command line, with a way out.
+/// Prints the error of a command line, with a way out. @return the exit code
 int complain(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = named_command(app);
   std::string text = error.what();

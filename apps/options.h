@@ -42,9 +42,9 @@ void add_data_option(CLI::App& command, std::string& data);
 void add_path_option(CLI::App& command, std::optional<Path>& path);
 /// --passive on|off
 void add_passive_option(CLI::App& command, PassiveMoments& passive);
-/// The same of human hands in worlds, scenes and comparisons.
+/// --path of human hands in worlds, scenes and comparisons.
 void add_hand_path_option(CLI::App& command, std::optional<Path>& path);
-/// The same of fits, which have one rung.
+/// --path of fits, which have one rung.
 void add_fit_path_option(CLI::App& command, std::optional<Path>& path);
 /// --posture JOINT=degrees ..
 void add_posture_option(

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where an answer goes: one set of flags for every command, and one way to hand an answer over.
+/// Output options: one set of flags for every command, and one way to deliver an answer.
 ///
 ///   --json, --csv      print JSON or a table instead of text
 ///   -o FILE            write a file; its ending says what: .html a page, .csv a table, .json, or a
@@ -23,7 +23,7 @@
 
 namespace thenar {
 
-/// What of an answer is wanted.
+/// Formats and files in which an answer is wanted.
 struct Outputs {
   bool json = false, csv = false;  // printed instead of text
   std::vector<std::string> files;  // of -o and --report
@@ -35,7 +35,7 @@ struct Outputs {
   [[nodiscard]] bool page() const { return !with_ending({".html"}).empty(); }
 };
 
-/// What a command can give beside text.
+/// Kinds of output that a command has besides text.
 struct OutputKinds {
   bool json = true, csv = false, page = false;
   std::vector<std::string> own = {};  // endings of its own files: ".h5"

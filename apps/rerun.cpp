@@ -42,7 +42,7 @@ struct RerunArguments {
   throw InputError(fmt::format("cannot start thenar again: {}", std::strerror(errno)));
 }
 
-/// Whether the command of a run has the option --path.
+/// Returns true if the command of a run has the option --path.
 bool takes_path(const CLI::App& app, const std::vector<std::string>& arguments) {
   const CLI::App* command = &app;
   for (const std::string& word : arguments) {

@@ -39,7 +39,7 @@
 namespace thenar {
 namespace {
 
-/// What scenes alone are asked with.
+/// Options that only scenes have.
 struct SceneArguments {
   std::string method;
   std::vector<std::string> pads;
@@ -47,7 +47,7 @@ struct SceneArguments {
   std::vector<SceneVariation> vary;
 };
 
-/// What is said behind an answer that is not whole, or must not be used.
+/// Reports an answer that is incomplete or must not be used. @throws InputError, Stopped
 template <typename Result>
 void tell_outcome(const Result& result, bool stopped, const Outputs& outputs) {
   const std::string refusal = refusal_of(result);

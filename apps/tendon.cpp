@@ -64,7 +64,7 @@ void run_infer(InferArguments options) {
   if (inference.stopped) throw Stopped("stopped: these are the verdicts of what was tried so far");
 }
 
-/// What solve and sweep are asked alike.
+/// Adds the common options of solve and sweep.
 void add_load_options(CLI::App& command, TendonRequest& request) {
   add_tendon_options(command, request.digit, "net");
   add_named_numbers(command, "--tension", request.tension, "MUSCLE=newton",

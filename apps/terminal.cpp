@@ -22,7 +22,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What a signal is answered with.
+/// Returns the text that answers a signal.
 std::string answer_to_signal(const std::string& kept) {
   return fmt::format("{}thenar: stopping{}{}; Ctrl-C again ends at once\n",
                      isatty(STDERR_FILENO) == 0 ? "" : "\r\033[K", kept.empty() ? "" : ": ", kept);

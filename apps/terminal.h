@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the command says beside its answer: a progress bar, warnings, the end of its output.
+/// Messages of a command besides its answer: a progress bar, warnings, the end of its output.
 
 #include <cstddef>
 #include <string>
@@ -24,7 +24,7 @@ void print_warnings(const std::vector<std::string>& warnings);
 /// @param what  "posture"  @throws Stopped if less was done than was asked for
 void tell_if_stopped(std::size_t done, std::size_t asked, const std::string& what);
 
-/// What was printed must have arrived: a full disk may show only now.
+/// Checks that all printed output was written: a full disk may show only now.
 /// @param code  the exit code so far  @return the exit code
 [[nodiscard]] int after_output(int code);
 

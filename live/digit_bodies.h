@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// What stands for the bones of a digit.
+/// Shapes that stand for the bones of a digit.
 enum class DigitLook {
   kAnatomy,  // bones and skin of the subject; capsules where its anatomy is not known
   kCapsules  // from axis to axis to the tip: of digits that are not of the subject's size
@@ -43,7 +43,7 @@ struct DigitBodies {
 /// An arrow along every axis, half of it to either side of the bone.
 /// @param names  of the hinges
 [[nodiscard]] std::vector<LiveArrow> axis_arrows(const std::vector<std::string>& names);
-/// The same at a posture, in the picture.
+/// Computes the vectors of axis_arrows() at a posture, in the picture.
 [[nodiscard]] std::vector<LiveVector> axis_vectors(const DigitBodies& bodies,
                                                    const TendonModel<double>& model,
                                                    const TreeState<double>& state);

@@ -34,7 +34,7 @@ int count_points(const TendonPath<double>& path) {
   return count;
 }
 
-/// The same course through `count` points at even distances along it.
+/// Resamples a course at `count` points that have even distances along it.
 std::vector<Vector3d> evenly(const std::vector<Vector3d>& points, int count) {
   std::vector<double> way{0};
   for (std::size_t i = 1; i < points.size(); ++i)

@@ -38,7 +38,7 @@ class DigitLines {
                                              const NetEquilibrium& rest) const;
 
  private:
-  /// What a line is: one of these is not -1.
+  /// Source of a line: exactly one of these indices is not -1.
   struct Source {
     int strand = -1;  // of the model's paths
     int muscle = -1;  // entry of BuiltNet::muscles, its own path

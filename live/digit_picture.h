@@ -23,7 +23,7 @@ class DigitPicture {
   [[nodiscard]] const LiveShape& shape() const { return shape_; }
   /// The subject's frame in the picture.
   [[nodiscard]] const Pose<double>& placed() const { return bodies_.X_WS; }
-  /// Where capsules stand for bones.
+  /// Returns warnings about bones that are drawn as capsules.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return bodies_.warnings; }
 
   /// @param q     [rad] (coordinates);  @param t  of each muscle [N] (muscles)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the muscles of a digit hold at rest when they are excited.
+/// Tensions that the excited muscles of a digit hold at rest.
 
 #include <memory>
 #include <string>
@@ -31,7 +31,8 @@ class ExcitedMuscles {
   [[nodiscard]] Eigen::VectorXd tensions(const Eigen::VectorXd& excitation,
                                          const Eigen::VectorXd& t, const Eigen::VectorXd& q) const;
 
-  /// What was assumed of those that are excited, and where it is not to be trusted.
+  /// Returns assumptions about the excited muscles, and postures where their tensions are
+  /// unreliable.
   [[nodiscard]] std::vector<std::string> warnings(const Eigen::VectorXd& excitation) const;
 
   /// Lengths of whole tendons, longer than with all joints at 0 [m] (muscles).

@@ -37,7 +37,7 @@ FitSource fit_at(const std::string& path) {
   return source;
 }
 
-/// How axes of one specimen lie, where it moves them.
+/// Returns the axes of one specimen, if the specimen moves them.
 std::vector<PosteriorAxes> axes_of(const std::vector<PosteriorAxes>& all, const FitProblem& problem,
                                    std::size_t specimen) {
   // The only specimen has no name there, where there are several that is the population.

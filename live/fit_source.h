@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a live view needs of a fit, or of draws from a posterior: parameters of every specimen, and
+/// Data of a fit, or of draws from a posterior, for a live view: parameters of every specimen, and
 /// forces measured and predicted.
 
 #include <string>

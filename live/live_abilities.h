@@ -1,14 +1,14 @@
 #pragma once
 
-/// What some live models can do beside being looked at: be edited and saved, go on in time. Servers
-/// ask for these and need not know which model it is.
+/// Interfaces of abilities that some live models have: editing, saving, moving in time. Servers use
+/// them without knowing the type of the model.
 
 #include <optional>
 #include <string>
 
 namespace thenar {
 
-/// What is edited, and what undo() and redo() would do.
+/// State of an edited model: its file, and the edits that undo() and redo() would change.
 struct LiveEditState {
   std::string name;                 // of the world
   std::string file;                 // it was loaded from or saved to; empty: none
@@ -30,7 +30,7 @@ class LiveEdits {
   virtual std::string redo() = 0;
 };
 
-/// Where a model stands in time.
+/// Time of a model, and the settings of play.
 struct LiveTime {
   double t = 0;                    // [s]
   double step = 1e-3;              // that one step of `motion.step` takes [s]

@@ -53,7 +53,7 @@ std::vector<std::string> lower_rungs(const DigitRequest& request, const Fidelity
   return all;
 }
 
-/// Where the tendons are not to be trusted, or the net rests with a doubt.
+/// Adds a warning if the tendons' solution is not to be trusted, or the net rests with a doubt.
 void add_doubts(const DigitPoint& point, std::vector<std::string>& warnings) {
   if (!point.pull.warning.empty())
     warnings.push_back((trusted(point.pull.status) ? "" : "not to be trusted: ") +

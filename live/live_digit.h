@@ -17,7 +17,7 @@
 
 namespace thenar {
 
-/// What is to change of a digit; what is not named stays.
+/// Changes of a digit; inputs that are not named stay.
 struct DigitInputs {
   std::map<std::string, double> posture;     // joint -> angle [rad]
   std::map<std::string, double> tension;     // muscle -> tension [N]; it is no longer excited
@@ -74,7 +74,7 @@ class LiveDigit final : public LiveModel {
 
   [[nodiscard]] const DigitCase& about() const { return case_; }
   [[nodiscard]] const DigitNow& now() const { return now_; }
-  /// Of how it was built.
+  /// Returns the warnings from building the digit.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   /// The subject's frame in the picture; everything but the picture is in the subject's frame.
   [[nodiscard]] const Pose<double>& placed() const { return picture_->placed(); }

@@ -23,7 +23,7 @@ struct LiveTrial {
   int specimen = 0;
 };
 
-/// How two neighbouring axes lie to each other, and where 90 % of the draws lie.
+/// Relative position of two neighbouring axes, and the range of 90 % of the draws.
 struct LiveAxisPair {
   NeighbouringAxes axes;
   AxisOffset estimate;   // of a fit, or means of the draws, each number by itself [rad], [m]
@@ -56,7 +56,7 @@ class LiveFit final : public LiveModel {
   }
   /// The subject's frame in the picture; everything but the picture is in the subject's frame.
   [[nodiscard]] const Pose<double>& placed() const { return looks_[specimen()].bodies.X_WS; }
-  /// Of the file, and of a net that is not at rest in the trial.
+  /// Returns warnings about the file, and about a net that is not at rest in the trial.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
   [[nodiscard]] const LiveShape& shape() const override { return looks_[specimen()].shape; }
@@ -79,7 +79,8 @@ class LiveFit final : public LiveModel {
     return static_cast<std::size_t>(trials_[static_cast<std::size_t>(shown_)].specimen);
   }
   [[nodiscard]] const ExperimentPlan& plan() const;
-  /// Where the force of the trial was measured, and its components in the subject's frame.
+  /// Point where the force of the trial was measured, and the rotation of its components into the
+  /// subject's frame.
   struct ForcePlace {
     Eigen::Vector3d from;      // [m] (3)
     Eigen::Matrix3d to_frame;  // from components of the experiment (3, 3)

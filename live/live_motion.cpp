@@ -12,7 +12,7 @@ namespace {
 
 constexpr long kStepsBetweenLooks = 16;  // at whether to stop
 
-/// Whether a coordinate's first joint slides.
+/// Returns true if the first joint of a coordinate slides.
 bool slides_along(const MovingScene& scene, int coordinate) {
   for (const MechanismJoint& joint : scene.mechanism.joints)
     if (is_scalar(joint.kind) && joint.coordinate == coordinate)

@@ -20,7 +20,7 @@ inline constexpr double kLargestEffort = 1e4;   // [N m], of sliding coordinates
 inline constexpr double kFarthestTarget = 1e3;  // either way from zero [rad] or [m]
 inline constexpr double kLargestTension = 5e3;  // [N]
 
-/// What drives a scene from now on, by names; what is not named stays as it is set.
+/// Inputs that drive a scene from now on, by names; inputs that are not named keep their values.
 struct MotionInputs {
   std::map<std::string, double> efforts;      // of coordinates, in place of drives [N m] or [N]
   std::map<std::string, double> targets;      // of drives [rad] or [m]

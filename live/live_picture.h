@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a live view shows at an instant: bodies, joints, lines, contacts, arrows; no words, no
+/// Picture of a live view at an instant: bodies, joints, lines, contacts, arrows; no words, no
 /// pixels.
 ///
 /// Every kind of model (a world, a moving scene, a digit with tendons, a fit) fills in the same
@@ -19,7 +19,7 @@
 
 namespace thenar {
 
-/// What a body is to the reader, which decides on its colour and on what can be done with it.
+/// Role of a body, which determines its colour and the actions on it.
 enum class LiveRole { kLink, kNail, kBone, kObject, kObstacle };
 
 /// A rigid body with its surface.
@@ -54,7 +54,7 @@ struct LiveLine {
   int points = 0;     // of every instant
 };
 
-/// What an arrow stands for.
+/// Quantity that an arrow shows.
 enum class LiveArrowKind { kForce, kMoment, kAxis, kMeasured, kPredicted, kDisturbance };
 
 /// An arrow that is there at every instant; without length it is not drawn.
@@ -70,7 +70,7 @@ struct LiveCloud {
   std::vector<Eigen::Vector3d> segments;  // from each even entry to the next one [m]
 };
 
-/// What stays as long as the model does.
+/// Parts of a picture that stay as long as the model does.
 struct LiveShape {
   std::vector<LiveBody> bodies;
   std::vector<LiveJoint> joints;
@@ -95,7 +95,7 @@ struct LiveVector {
   Eigen::Vector3d vector{0, 0, 0};  // [N], [N m], or without unit (3)
 };
 
-/// What moves.
+/// Parts of a picture that move.
 struct LiveInstant {
   double time = 0;                           // of a scene that moves [s]; else 0
   std::vector<Pose<double>> bodies;          // X_WB, as LiveShape::bodies
@@ -122,10 +122,10 @@ void check_instant(const LiveShape& shape, const LiveInstant& instant);
 class LiveModel {
  public:
   virtual ~LiveModel() = default;
-  /// What stays until shape_changes() goes up.
+  /// Returns the constant parts of the picture; they stay until shape_changes() increases.
   [[nodiscard]] virtual const LiveShape& shape() const = 0;
   [[nodiscard]] virtual LiveInstant instant() const = 0;
-  /// How often the shape has changed, and how often anything has that an instant shows.
+  /// Counts changes of the shape; changes() counts changes of anything that an instant shows.
   [[nodiscard]] virtual unsigned long shape_changes() const = 0;
   [[nodiscard]] virtual unsigned long changes() const = 0;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What all that goes on in time has in common, whether it is simulated or recorded: clients step
-/// it, play it, turn it back and ask for its state.
+/// Interface of live models with a time axis, simulated or recorded: clients step them, play them,
+/// turn them back and ask for their state.
 
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@
 
 namespace thenar {
 
-/// Which parts of a state are asked for.
+/// Parts of a state that are asked for.
 struct MotionParts {
   bool joints = false, bodies = false, contacts = false, energy = false, muscles = false;
 };
@@ -54,7 +54,7 @@ struct TimelineState {
   std::vector<ElementValue> muscles;  // tensions and activations
 };
 
-/// How well steps were solved, and how far they are to be believed.
+/// Accuracy of the steps: unsolved contact problems, residuals and penetration.
 struct MotionQuality {
   long steps = 0;
   long unsolved = 0;          // contact problems that missed their tolerance
@@ -79,9 +79,10 @@ class LiveTimeline : public LiveModel, public LiveClock {
   /// Back to the start; pauses.
   virtual void reset() = 0;
   [[nodiscard]] virtual TimelineState state(const MotionParts& parts) const = 0;
-  /// Of all steps since the start or the last reset; of a recorded run, as it was recorded.
+  /// Returns the accuracy of all steps since the start or the last reset; of a recorded run, as it
+  /// was recorded.
   [[nodiscard]] virtual MotionQuality quality() const = 0;
-  /// What was assumed.
+  /// Returns the assumptions of the motion.
   [[nodiscard]] virtual std::vector<std::string> warnings() const = 0;
   [[nodiscard]] virtual const std::string& name() const = 0;
 

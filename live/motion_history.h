@@ -16,7 +16,7 @@ struct PastInstant {
   std::vector<double> efforts;      // of drives, by the inputs of then [N m], [N] (coordinates)
 };
 
-/// How much is kept; what is older is forgotten.
+/// Limits of the history; older instants are removed.
 struct HistoryLimits {
   std::size_t instants = 20000;               // at most
   std::size_t bytes = std::size_t{64} << 20;  // the same
@@ -37,7 +37,7 @@ class MotionHistory {
   [[nodiscard]] const PastInstant& at(std::size_t index) const { return past_.at(index); }
   /// The instant whose time is nearest to t. @throws InputError if there is none
   [[nodiscard]] std::size_t nearest(double t) const;
-  /// What all instants take [bytes].
+  /// Returns the memory of all instants [bytes].
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:

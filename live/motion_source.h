@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where live motions come from: scenes of files, and worlds as they stand.
+/// Sources of live motions: scenes of files, and worlds in their present state.
 
 #include <memory>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace thenar {
 
-/// What a live motion is of.
+/// Scene that a live motion moves.
 struct MotionSource {
   std::string name;                         // of the scene or world
   std::shared_ptr<const BuiltScene> built;  // never null

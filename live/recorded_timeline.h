@@ -1,6 +1,6 @@
 #pragma once
 
-/// What all motions that were recorded have in common: a line of time with an end.
+/// Base of all recorded motions: a time axis with an end.
 
 #include <cstddef>
 #include <vector>
@@ -43,7 +43,7 @@ class RecordedTimeline : public LiveTimeline {
     const double from = at(now.from);
     return now.from == now.to ? from : from + now.share * (at(now.to) - from);
   }
-  /// What goes straight between two instants. @param rows  (instants, numbers)
+  /// Interpolates linearly between two instants. @param rows  (instants, numbers)
   [[nodiscard]] Eigen::VectorXd straight(const Eigen::MatrixXd& rows) const;
 
  private:

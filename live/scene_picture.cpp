@@ -21,7 +21,7 @@ int leader_of(const Mechanism& mechanism, int coordinate) {
   return first;
 }
 
-/// Whether a body is fixed to the world through all that carries it.
+/// Returns true if a body is fixed to the world through all bodies that carry it.
 bool stands_still(const Mechanism& mechanism, std::size_t body) {
   for (int at = static_cast<int>(body); at >= 0;
        at = mechanism.joints[static_cast<std::size_t>(at)].parent)

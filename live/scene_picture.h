@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// How the parts of a scene became those of a picture.
+/// Correspondence between the parts of a scene and those of its picture.
 struct ScenePicture {
   LiveShape shape;
   std::vector<int> body_of;     // of shape's bodies: body of the mechanism
@@ -29,7 +29,7 @@ struct ScenePicture {
 [[nodiscard]] ScenePicture scene_picture(const BuiltScene& built,
                                          const std::optional<Camera>& camera);
 
-/// What is to be seen of a scene at an instant.
+/// State of a scene at an instant, as far as a picture shows it.
 struct SceneView {
   double t = 0;                                // [s]
   const Eigen::VectorXd& q;                    // positions (q)

@@ -21,7 +21,8 @@ class SceneTendons {
   explicit SceneTendons(const BuiltScene& built);
 
   [[nodiscard]] const std::vector<LiveLine>& lines() const { return lines_; }
-  /// Whose tensions are asked for: "human:skewed/index/FDP2", as readings and runs name them.
+  /// Returns the names of the muscles whose tensions are needed: "human:skewed/index/FDP2", as in
+  /// readings and runs.
   [[nodiscard]] const std::vector<std::string>& muscles() const { return muscles_; }
 
   /// Points of all lines, one after the other, world [m] (3 each).

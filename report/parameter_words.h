@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the names of parameters mean to a person.
+/// Meaning of the names of parameters, in plain words.
 
 #include <string>
 
@@ -19,7 +19,7 @@ namespace thenar {
 /// The names are in docs/conventions.md. A name that is none of them gives "".
 [[nodiscard]] std::string meaning_of(const std::string& name);
 
-/// The same with the digit that it is of, so that axes have anatomical directions:
+/// Returns the meaning of a name for a given digit, so that axes have anatomical directions:
 ///   "axis/DIP3/direction/1"     "DIP axis: tilt about the digit's length"
 ///   "axis/DIP3/point/2"         "DIP axis: shift dorsally"
 /// A tilt along the tangent e of an axis d turns it about  d x e;  the direction named is the one

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where the numbers of a page came from.
+/// Provenance of the numbers of a page.
 
 #include <vector>
 
@@ -13,9 +13,9 @@ namespace thenar {
 
 /// The hash of every file by its path, and the versions of all that computed.
 [[nodiscard]] nlohmann::json provenance_json(const FileDigests& files);
-/// The same of texts: the hash of every source by its path, and the versions of all that computed.
+/// Returns the hash of every source by its path, and the versions of all programs that computed.
 [[nodiscard]] nlohmann::json provenance_json(const std::vector<SourceText>& sources);
-/// The same with the fidelity.
+/// Returns the provenance of sources, with the fidelity.
 [[nodiscard]] nlohmann::json provenance_json(const std::vector<SourceText>& sources,
                                              const Fidelity& fidelity);
 

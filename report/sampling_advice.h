@@ -1,6 +1,6 @@
 #pragma once
 
-/// What to ask of `thenar fit --method mcmc` next, where the sampler has not converged.
+/// Advice on the next options of `thenar fit --method mcmc`, if the sampler has not converged.
 
 #include <string>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a thing is and holds, in a line.
+/// Summary of a thing and its content, in a line.
 
 #include <string>
 

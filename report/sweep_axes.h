@@ -1,6 +1,7 @@
 #pragma once
 
-/// What varies over the rows of an answer: columns of tables, titles of pictures, curves of charts.
+/// Quantities that vary over the rows of an answer: columns of tables, titles of pictures, curves
+/// of charts.
 
 #include <string>
 #include <vector>

@@ -21,7 +21,8 @@ std::string in_url(const std::string& address) {
 
 bool is_everywhere(const std::string& address) { return address == "0.0.0.0" || address == "::"; }
 
-/// Whether a name is made of digits and dots, or is in brackets: no name that DNS is asked for.
+/// Returns true if a name consists of digits and dots, or is in brackets, so that DNS is not asked
+/// for it.
 bool is_numeric(const std::string& name) {
   if (name.size() > 2 && name.front() == '[' && name.back() == ']') return true;
   return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Who may reach a server: programs of this machine, and pages that the server itself has sent.
+/// Access to a server: for programs of this machine, and pages that the server itself has sent.
 ///
 /// A page of somebody else in the same browser can send requests to any port of this machine. Its
 /// Origin gives it away where it opens a WebSocket; where a name of its own has been turned into
@@ -10,14 +10,14 @@
 
 namespace thenar {
 
-/// Where a server listens, and what it wants to be shown.
+/// Address at which a server listens, and the token that it requires.
 struct ServerAccess {
   std::string address = "127.0.0.1";  // numeric, IPv4 or IPv6
   int port = 0;                       // 0: any that is free
   std::string token;                  // empty: none is wanted
 };
 
-/// Whether an address is one that only this machine can reach: 127.x.x.x or ::1.
+/// Returns true if only this machine can reach an address: 127.x.x.x or ::1.
 [[nodiscard]] bool is_loopback(const std::string& address);
 
 /// @throws InputError where other machines could come in without a token, or a token is shorter
@@ -27,20 +27,20 @@ void require_safe(const ServerAccess& access);
 /// A token of 128 random bits, in hexadecimal. @throws InputError if the machine gives none.
 [[nodiscard]] std::string random_token();
 
-/// Whether two tokens are the same, in a time that tells nothing of where they differ.
+/// Returns true if two tokens are equal, in a time that does not depend on where they differ.
 [[nodiscard]] bool same_token(const std::string& a, const std::string& b);
 
 /// "http://127.0.0.1:8080": what a browser takes.
 /// @param port  that the server got
 [[nodiscard]] std::string url_of(const ServerAccess& access, int port);
 
-/// Whether the header Host names this server: the address it listens at, names of this machine
-/// where that is one of them, or, where it listens everywhere, any numeric address. The port may be
-/// another one, as where it is forwarded.
+/// Returns true if the header Host names this server: the address it listens at, names of this
+/// machine if that address is one of this machine, or, if it listens everywhere, any numeric
+/// address. The port may differ, as behind port forwarding.
 [[nodiscard]] bool is_host_ours(const ServerAccess& access, const std::string& host);
 
-/// Whether the header Origin of a WebSocket is a page of this server. Programs that are no browsers
-/// send none.
+/// Returns true if the header Origin of a WebSocket is a page of this server. Programs that are no
+/// browsers send no Origin.
 [[nodiscard]] bool is_origin_ours(const std::string& origin, const std::string& host);
 
 /// The value of `name` in "a=1&b=2" or "a=1; b=2", for tokens, whose letters nothing escapes; ""

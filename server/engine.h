@@ -1,8 +1,8 @@
 #pragma once
 
-/// One thread that does what all clients ask, in the order in which it came, and tells those who
-/// watch what has changed. While a motion plays, it asks for the steps itself. What asks for
-/// nothing of the session is answered at once, however long the request before it takes.
+/// Executes the requests of all clients on one thread, in order of arrival, and publishes changes
+/// to watching clients. While a motion plays, the engine requests the steps itself. Requests that
+/// need nothing of the session are answered at once, however long the request before them takes.
 
 #include <atomic>
 #include <condition_variable>
@@ -29,7 +29,7 @@ struct EngineOptions {
   std::function<void(const std::string& text)> on_trouble;  // what no client is told of
 };
 
-/// What an engine is busy with, for session.status.
+/// Request that an engine is executing, for session.status.
 struct RunningRequest {
   std::string method;  // "": nothing runs
   Publisher::Clock::time_point since;

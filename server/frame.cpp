@@ -22,7 +22,7 @@ std::uint16_t count_of(std::size_t count, const char* what) {
   return static_cast<std::uint16_t>(count);
 }
 
-/// Where points of lines are counted from, and in which step.
+/// Origin and step of the grid to which points of lines are rounded.
 struct Grid {
   Eigen::Vector3f origin{0, 0, 0};  // [m]
   int step = kUsualStep;            // [kUnit]

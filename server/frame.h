@@ -33,7 +33,7 @@ namespace thenar {
 [[nodiscard]] std::string encode_frame(const LiveInstant& instant, std::uint32_t revision,
                                        std::uint32_t sequence);
 
-/// The same as JSON, in full precision.
+/// Encodes an instant as JSON, in full precision.
 [[nodiscard]] OrderedJson frame_json(const LiveShape& shape, const LiveInstant& instant,
                                      unsigned long revision);
 

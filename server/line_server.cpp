@@ -41,8 +41,8 @@ const std::string kNoGreeting = "wanted session.hello with the token first";
 
 class LineClient;
 
-/// What all connections of a server share. It holds the context that they run on, so that one which
-/// the engine still knows does not outlive it.
+/// State that all connections of a server share. It holds the context on which they run, so that a
+/// connection that the engine still knows does not outlive the context.
 struct LineNet {
   LineNet(Engine& the_engine, ServerAccess the_access)
       : engine(the_engine), access(std::move(the_access)) {}
@@ -210,7 +210,7 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
     if (ended_ && asked_.empty() && texts_.empty() && !writing_) drop();
   }
 
-  /// Whether more may be asked before there are replies, and before these are taken.
+  /// Returns true if more requests may be read before replies are made and taken by the client.
   [[nodiscard]] bool has_room() const {
     if (unread_ >= kMostAskedBytes) return false;
     return asked_.empty() || (asked_.size() < kMostUnanswered && asked_bytes_ < kMostAskedBytes &&

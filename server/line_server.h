@@ -32,14 +32,14 @@ class LineServer {
   std::unique_ptr<Network> network_;
 };
 
-/// Whether a line is session.hello with the token of a server, which is what it begins with where a
-/// token is wanted.
+/// Returns true if a line is session.hello with the token of a server. Connections to a server with
+/// a token begin with this line.
 [[nodiscard]] bool greets_with(const std::string& line, const std::string& token);
 
 /// The reply to a line that is too long.
 [[nodiscard]] std::string too_long_reply();
 
-/// What a line may hold [bytes].
+/// Longest line [bytes].
 inline constexpr std::size_t kLongestLine = 1UL << 20U;
 
 }  // namespace thenar

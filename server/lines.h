@@ -27,7 +27,7 @@ class LineSplitter {
   [[nodiscard]] std::optional<SplitLine> next();
   /// Bytes of lines that were not given out yet.
   [[nodiscard]] std::size_t held() const { return bytes_.size() - begin_; }
-  /// What stands behind the last end of a line: the last line of a stream that has ended.
+  /// Returns the bytes behind the last end of a line: the last line of a stream that has ended.
   [[nodiscard]] std::optional<SplitLine> rest();
 
  private:
@@ -37,8 +37,8 @@ class LineSplitter {
   bool dropping_ = false;
 };
 
-/// How a stream begins: with white space so far, with a request of JSON-RPC ('{' or '['), or with
-/// anything else: a browser that was sent here by a page of somebody else, TLS, mail.
+/// Beginning of a stream: white space so far, a request of JSON-RPC ('{' or '['), or anything else:
+/// a browser that was sent here by a page of somebody else, TLS, mail.
 enum class StreamStart { kBlank, kRequest, kOther };
 [[nodiscard]] StreamStart stream_start(std::string_view begin);
 

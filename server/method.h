@@ -16,7 +16,8 @@ namespace thenar {
 
 class Session;
 
-/// What a method leaves behind. The folder of what is dropped into a session goes with it.
+/// Files that a method writes. The folder of files dropped into a session is removed with the
+/// session.
 enum class MethodWrites { kNothing, kFiles };
 
 /// One method of JSON-RPC.

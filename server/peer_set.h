@@ -22,7 +22,7 @@ class PeerSet {
     const std::lock_guard<std::mutex> lock(mutex_);
     peers_.erase(peer);
   }
-  /// Those that are there now.
+  /// Returns the peers that are connected now.
   [[nodiscard]] std::vector<std::shared_ptr<Peer>> all() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::vector<std::shared_ptr<Peer>> found;

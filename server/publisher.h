@@ -25,13 +25,13 @@ class EngineClient {
   virtual void tell(std::shared_ptr<const std::string> text) = 0;
   /// A frame; one that has not been sent yet is forgotten.
   virtual void show(std::shared_ptr<const std::string> frame) = 0;
-  /// Whether notifications and frames are wanted.
+  /// Returns true if the client wants notifications and frames.
   [[nodiscard]] virtual bool watches() const = 0;
 };
 
 using EngineClients = std::vector<std::shared_ptr<EngineClient>>;
 
-/// What was told last, and what has changed since. Used by one thread but for tell_busy().
+/// State that clients were told last, and changes since. Used by one thread but for tell_busy().
 class Publisher {
  public:
   using Clock = std::chrono::steady_clock;

@@ -24,14 +24,14 @@ struct Execution {
 [[nodiscard]] Execution execute(const RpcRequest& request, const MethodTable& table,
                                 Session& session, const Progress& progress);
 
-/// What a log holds of it. @param client  number of who asked
+/// Returns the log entry of an executed request. @param client  number of the client that asked
 [[nodiscard]] LoggedRequest logged(int client, const RpcRequest& request,
                                    const Execution& execution);
 
-/// What becomes of requests that write files: a log may be a stranger's.
+/// Handling of requests that write files in a replay: a log may be a stranger's.
 enum class ReplayWrites { kSkipped, kDone };
 
-/// How a repetition went.
+/// Result of a replay.
 struct ReplayResult {
   std::size_t requests = 0;            // repeated
   std::size_t skipped = 0;             // that write files

@@ -47,7 +47,7 @@ RpcMessage refusal(RpcCode code, std::string text) {
   return message;
 }
 
-/// What is wrong with the members of a request; nothing if all is well.
+/// Returns a message about wrong members of a request; nothing if all are valid.
 std::optional<std::string> fault_of(const Json& value) {
   if (!value.is_object()) return "wanted a request, an object";
   if (value.value("jsonrpc", Json()) != "2.0") return "wanted \"jsonrpc\": \"2.0\"";

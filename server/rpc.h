@@ -27,7 +27,7 @@ enum class RpcCode {
   kTooLarge = -32002,  // too long, too deep, or too many values
 };
 
-/// What a message may hold at most.
+/// Limits of a message.
 struct RpcLimits {
   std::size_t bytes = 64UL << 20U;  // of a message
   std::size_t depth = 32;           // of lists and objects in each other
@@ -60,7 +60,7 @@ struct RpcMessage {
 /// Reads a message. What is wrong with it stands in its requests; nothing is thrown but bad_alloc.
 [[nodiscard]] RpcMessage read_rpc(const std::string& text, const RpcLimits& limits);
 
-/// What became of a request.
+/// Result of a request, or its failure.
 struct RpcAnswer {
   OrderedJson result;
   std::optional<RpcFailure> failure;
@@ -74,7 +74,7 @@ struct RpcAnswer {
 /// "data": {"field"} where a field is wrong}}.
 [[nodiscard]] OrderedJson rpc_reply(const Json& id, const RpcAnswer& answer);
 
-/// What session.status says. @param method  of the request that runs; "": none
+/// Returns the result of session.status. @param method  of the request that runs; "": none
 /// @param seconds  since it began;  @param waiting  requests behind it
 [[nodiscard]] OrderedJson status_json(const std::string& method, double seconds, double fraction,
                                       const std::string& text, std::size_t waiting);
@@ -82,8 +82,8 @@ struct RpcAnswer {
 /// A message to a client that wants no reply, as text.
 [[nodiscard]] std::string rpc_notification(const std::string& method, const OrderedJson& params);
 
-/// Whether a message is one request of this method, read only if it is short: for the few that
-/// cannot wait for the one before.
+/// Returns the request if a message is one request of this method, read only if it is short: for
+/// the few methods that cannot wait for the request before them. Empty otherwise.
 [[nodiscard]] std::optional<RpcRequest> short_request(const std::string& text,
                                                       const std::string& method);
 

@@ -1,7 +1,6 @@
 #pragma once
 
-/// What clients that watch are told in words: the scene that frames move, and the state of the
-/// session.
+/// Messages to watching clients: the scene that frames move, and the state of the session.
 
 #include <cstddef>
 #include <string>
@@ -21,7 +20,7 @@ namespace thenar {
 [[nodiscard]] OrderedJson scene_message(const LiveShape& shape, unsigned long revision,
                                         const std::string& mode, MeshStore& meshes);
 
-/// What is shown now; an empty scene where nothing is.
+/// Returns the message of the scene that is shown now; an empty scene if nothing is shown.
 [[nodiscard]] OrderedJson scene_message(Session& session);
 
 /// {"mode", "world": {"name", "file", "unsaved"}, "undo", "redo", "motion": null or {"t" [s],

@@ -45,7 +45,8 @@ std::string wish(const Schema& schema) {
   return "an object";
 }
 
-/// What came, briefly: numbers as they are, texts by their kind so that no message is long.
+/// Returns a short text of a received value: numbers as they are, texts by their kind, so that no
+/// message is long.
 std::string seen(const Json& value) {
   if (value.is_number() || value.is_boolean() || value.is_null()) return json_text(value, -1);
   if (value.is_string()) {
@@ -84,7 +85,7 @@ void require_name(const std::string& text, OutsideUse use, const std::string& wh
           use == OutsideUse::kInside ? " within the working folder" : "", fault.value_or(""));
 }
 
-/// Whether four numbers are a quaternion of length 1; three numbers need not be anything.
+/// Checks that a quaternion has length 1; values of other units pass. @throws InputError otherwise
 void require_unit(const Schema& schema, const Json& value, const std::string& where) {
   if (schema.unit != "quaternion") return;
   double square = 0;

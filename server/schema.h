@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a request may hold: types, ranges and units of its parameters, held against JSON.
+/// Schema of a request: types, ranges and units of its parameters, and validation of JSON by it.
 
 #include <limits>
 #include <memory>

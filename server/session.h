@@ -1,7 +1,7 @@
 #pragma once
 
-/// All that clients of a server share: the models that they move and look at, and which one is
-/// shown.
+/// State that all clients of a server share: the models that they move and look at, and the model
+/// that is shown.
 
 #include <array>
 #include <memory>
@@ -15,13 +15,13 @@
 
 namespace thenar {
 
-/// What a session may show.
+/// Kinds of models that a session may show.
 enum class LiveMode { kWorld, kMotion, kTendons, kFit };
 
 /// "world", "motion", "tendons", "fit", in the order of LiveMode.
 [[nodiscard]] const std::vector<std::string>& live_mode_names();
 
-/// Where a session finds and leaves files.
+/// Folders from which a session reads files, and to which it writes them.
 struct SessionPlaces {
   std::string data;          // folder with worlds/, robots/ ..; empty: the usual ones
   std::string folder = ".";  // files that clients save stand in it, or below
@@ -51,7 +51,7 @@ class Session {
     require(found != nullptr, "no {} is open: call {}", what_is(mode), opener_of(mode));
     return *found;
   }
-  /// The same; null if none is open.
+  /// Returns the model of a mode; null if none of this type is open.
   template <typename Model>
   [[nodiscard]] const Model* find(LiveMode mode) const {
     return dynamic_cast<const Model*>(models_[place_of(mode)].get());
@@ -60,7 +60,7 @@ class Session {
   [[nodiscard]] unsigned long revision() const;
   /// Meshes that clients may fetch; other threads may read them at any time.
   [[nodiscard]] MeshStore& meshes() { return meshes_; }
-  /// What was asked for so far.
+  /// Returns the log of all requests so far.
   [[nodiscard]] SessionLog& log() { return log_; }
 
  private:

@@ -19,7 +19,7 @@
 
 namespace thenar {
 
-/// What a log holds that is written or read [bytes].
+/// Longest log that is written or read [bytes].
 inline constexpr std::size_t kLongestLog = 1UL << 30U;
 
 /// A line of a log.
@@ -31,10 +31,10 @@ struct LoggedRequest {
   std::optional<long> stopped_at;  // which question "am I to stop?" was the first to be told yes
 };
 
-/// What the log holds of a reply: the hash of its result, or of its error.
+/// Computes the hash of a reply for the log, from its result or its error.
 [[nodiscard]] std::string reply_hash(const OrderedJson& result_or_error);
 
-/// Whether requests of this method stand in logs.
+/// Returns true if logs hold requests of this method.
 [[nodiscard]] bool is_logged(const std::string& method);
 
 /// A log as text. @throws DataError `path:line: ..` if a line is none of a log.

@@ -8,8 +8,8 @@
 
 namespace thenar {
 
-/// Where tokens are kept, the first that can be made: $XDG_RUNTIME_DIR/thenar,
-/// $XDG_CACHE_HOME/thenar or ~/.cache/thenar.
+/// Returns the folders for tokens, of which the first that can be made is used:
+/// $XDG_RUNTIME_DIR/thenar, $XDG_CACHE_HOME/thenar or ~/.cache/thenar.
 [[nodiscard]] std::vector<std::string> token_folders();
 
 /// FOLDER/PORT.token, which holds the token and the end of a line, for as long as it lives. The

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What is answered to a request of HTTP: the page, its script, meshes, or why not.
+/// Answers to requests of HTTP: the page, its script, meshes, or the reason of a refusal.
 
 #include <functional>
 #include <memory>
@@ -32,7 +32,8 @@ struct WebAnswer {
 /// Gives the bytes of a mesh; null if there is none.
 using MeshSource = std::function<std::shared_ptr<const std::string>(const std::string& id)>;
 
-/// Whether bytes begin with a method of HTTP and a space: not yet, yes, or never.
+/// Result of http_start(), whether bytes begin with a method of HTTP and a space: not yet, yes, or
+/// never.
 enum class HttpStart { kOpen, kMethod, kOther };
 [[nodiscard]] HttpStart http_start(std::string_view begin);
 
@@ -43,7 +44,7 @@ enum class HttpStart { kOpen, kMethod, kOther };
 /// @param port  that the server listens at
 [[nodiscard]] std::optional<WebAnswer> refusal_of(const ServerAccess& access, int port,
                                                   const WebQuestion& question);
-/// The same of a WebSocket that is to be opened.
+/// Returns the refusal of a WebSocket that is to be opened; nothing if it may be opened.
 [[nodiscard]] std::optional<WebAnswer> socket_refusal_of(const ServerAccess& access, int port,
                                                          const WebQuestion& question);
 

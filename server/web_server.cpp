@@ -39,7 +39,7 @@ constexpr std::chrono::seconds kLongMessageTime{60};     // that a longer messag
 constexpr std::size_t kMostFileConnections = 64;         // that ask for files
 constexpr std::chrono::seconds kRequestTime{10};         // that a request may take to arrive
 constexpr std::chrono::milliseconds kFarewell{300};      // that texts have to leave at the end
-constexpr std::size_t kFirstPiece = 1024;                // that shows whether HTTP is spoken [bytes]
+constexpr std::size_t kFirstPiece = 1024;  // that shows whether HTTP is spoken [bytes]
 
 using Request = http::request<http::string_body>;
 using Response = http::response<http::span_body<const char>>;
@@ -48,8 +48,8 @@ class WebPeer;
 class WebClient;
 class WebConnection;
 
-/// What all connections of a server share. It holds the context that they run on, so that one which
-/// the engine still knows does not outlive it.
+/// State that all connections of a server share. It holds the context on which they run, so that a
+/// connection that the engine still knows does not outlive the context.
 struct Web {
   Web(Engine& the_engine, ServerAccess the_access)
       : engine(the_engine), access(std::move(the_access)) {}
@@ -182,7 +182,8 @@ class WebClient final : public EngineClient,
                             });
   }
 
-  /// Whether this message may be longer than many together; if not yet, it is read on in its turn.
+  /// Returns true if this message may exceed the common limit of all messages; otherwise the
+  /// connection waits for its turn to read on.
   bool may_be_long() {
     const auto other = web()->long_message.lock();
     if (other != nullptr && other.get() != this) {
@@ -307,7 +308,7 @@ class WebClient final : public EngineClient,
 /// A connection that asks for files, until it becomes a WebSocket.
 class WebConnection final : public WebPeer, public std::enable_shared_from_this<WebConnection> {
  public:
-  /// Where there are too many, the oldest makes room: it may be one that never asks.
+  /// Drops the oldest connection if there are too many: it may never send a request.
   WebConnection(tcp::socket socket, std::shared_ptr<Web> its_web)
       : WebPeer(std::move(its_web)), stream_(std::move(socket)) {
     if (web()->files.size() >= kMostFileConnections) web()->files.front()->drop();

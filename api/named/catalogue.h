@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// Which names.
+/// Options of a list of names.
 struct CatalogueRequest {
   std::string what;  // "subjects", "hands" .., "joints", "muscles", "digits"; empty: all but parts
   std::string of;    // subject (name or file), or robot, whose joints, muscles or digits are asked

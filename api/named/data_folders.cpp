@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the files of a folder are, and which command asks about them.
+/// Entry of kKnownFolders: the kind of a folder's files, and the command that asks about them.
 struct KnownFolder {
   const char* folder;
   const char* kind;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where the data that comes with thenar is found: one answer for every question.
+/// Folders of the data that comes with thenar, the same for every question.
 
 #include <string>
 #include <vector>

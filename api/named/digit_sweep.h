@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// Which digit was asked, how it was built, and at which postures.
+/// Description of a digit that was asked over postures: names, model and postures.
 struct DigitSweep {
   std::string subject, digit;
   std::string map;                              // empty: built from bones and tendons
@@ -33,7 +33,7 @@ struct DigitSweep {
   [[nodiscard]] std::size_t asked() const { return map.empty() ? grid.postures.size() : 1; }
 };
 
-/// What is told of a digit that was built. @throws InputError if its hood is a net
+/// Returns the description of a digit that was built. @throws InputError if its hood is a net
 [[nodiscard]] DigitSweep sweep_of(const DigitCase& at);
 
 /// Asks at one posture. @param q  [rad] (coordinates); empty for a map  @return warnings

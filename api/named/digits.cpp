@@ -50,7 +50,7 @@ std::vector<std::string> digits_with_tendons(const Subject& subject) {
   return names;
 }
 
-/// Which rungs were asked for; the hood is that of the net where one is named.
+/// Returns the model rungs of a request; the hood is that of the net if a net is named.
 TendonOptions rungs_of(const DigitRequest& request, const Subject& subject, Hood hood) {
   TendonOptions rungs;
   rungs.hood = hood;

@@ -22,7 +22,7 @@
 
 namespace thenar {
 
-/// Which digit, in which posture, on which rungs.
+/// Options that select a digit, its posture and its model rungs.
 struct DigitRequest {
   std::string subject;       // a file, or the name of one of subjects/
   std::string digit;         // empty: the only one that the subject has
@@ -101,7 +101,8 @@ inline constexpr double kMaxTension = 1e4;  // [N]
 /// "FDP", "FDS": muscles whose largest force the subject does not say.
 [[nodiscard]] std::vector<std::string> unlimited_muscles(const TipStatics& statics);
 
-/// Where an arm collapses at this posture, see vanishing_arms(), with what may help.
+/// Returns warnings about moment arms that collapse at this posture, see vanishing_arms(), with
+/// remedies.
 /// @param linear  tendons of the digit without a net
 [[nodiscard]] std::vector<std::string> collapse_warnings(const DigitTendons& linear,
                                                          const Eigen::VectorXd& q);

@@ -21,7 +21,7 @@ namespace thenar {
 /// @throws InputError saying which.
 void require_result_path(const std::string& path);
 
-/// What a file is, as a person calls it.
+/// Kind of a file, as a person calls it.
 struct FileContents {
   // "subject", "experiment", "fit settings", "proportions", "net", "materials", "robot", "object",
   // "world", "scene", "pad", "presses of a pad", "mesh", "fit", "posterior", "motion", "scene run",
@@ -31,8 +31,8 @@ struct FileContents {
   std::vector<std::string> commands;  // lines that take it: "thenar explain hand.toml"
 };
 
-/// What a file is, by its content; of meshes by the ending of its name. A damaged binary file may
-/// stay unknown: whoever reads it says what is wrong.
+/// Finds the kind of a file by its content, of meshes by the ending of the name. A damaged binary
+/// file may stay unknown; its reader then says what is wrong.
 /// @throws InputError if there is no file of that name, with the nearest one beside it; DataError
 /// if a TOML file is wrong or of no kind.
 [[nodiscard]] FileContents contents_of(const std::string& path);

@@ -64,7 +64,8 @@ NamedHand robot(const std::string& name, const std::string& file) {
   return hand;
 }
 
-/// Of a file, with or without a version. @throws InputError if it is neither a subject nor a robot
+/// Returns the source of a hand's file, with or without a version. @throws InputError if the file
+/// is neither a subject nor a robot
 HandSource file_source(const std::string& file, const std::string& version,
                        const std::string& path) {
   require(

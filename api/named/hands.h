@@ -28,7 +28,7 @@ struct NamedHand {
   FileDigests files;                         // that were read for it
 };
 
-/// What builds a hand of a name.
+/// Data from which a hand of a given name is built.
 struct HandSource {
   bool human = false;   // of a subject; else a robot
   std::string file;     // empty: the built-in human

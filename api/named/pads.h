@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// Which pad, and what is other than its file says.
+/// Options of a pad: its file or name, and values that replace those of the file.
 struct PadRequest {
   std::string pad = "index_pad";   // a file, or the name of one of pads/
   std::string data;                // folder with pads/; empty: the usual ones

@@ -27,7 +27,7 @@ fs::path whole_path(const fs::path& folder, const fs::path& file) {
   return fs::absolute(folder / file).lexically_normal();
 }
 
-/// Whether two files have the same bytes; false also where one of them cannot be read.
+/// Returns true if two files have the same bytes; false also if one of them cannot be read.
 bool same_bytes(const fs::path& a, const fs::path& b) {
   std::error_code failed;
   if (!fs::is_regular_file(b, failed)) return false;
@@ -46,7 +46,7 @@ FileSet files_below(const fs::path& folder) {
   return files;
 }
 
-/// Whether a path leads neither up nor to the root.
+/// Returns true if a path leads neither up nor to the root.
 bool stays_below(const fs::path& path) {
   return path.is_relative() && (path.empty() || *path.begin() != "..");
 }
@@ -76,7 +76,7 @@ FileSet with_files_beside(const FileDigests& read) {
   return all;
 }
 
-/// All that is read to build the hand of a file.
+/// Returns all files that are read to build the hand of a file.
 FileDigests files_of_hand(const std::string& file) {
   const bool is_subject =
       fs::path(file).extension() == ".toml" && find_file_kind(file) == FileKind::kSubject;
@@ -133,7 +133,7 @@ class Gathering {
     }
   }
 
-  /// Whether a folder holds the very same files.
+  /// Returns true if a folder holds exactly the same files.
   static bool is_there(const FileCopies& copies, const fs::path& folder) {
     return copies.files == files_below(folder) &&
            std::all_of(copies.files.begin(), copies.files.end(), [&](const fs::path& file) {
@@ -162,8 +162,8 @@ std::string shipped_name(const std::string& file, const std::string& folder,
     std::error_code failed;
     if (fs::equivalent(given, here / given.filename(), failed)) return name;
     const bool same = std::all_of(files.begin(), files.end(), [&](const auto& read) {
-      const fs::path seen = whole_path("", read.first).lexically_relative(
-          whole_path("", given).parent_path());
+      const fs::path seen =
+          whole_path("", read.first).lexically_relative(whole_path("", given).parent_path());
       return same_bytes(read.first, here / seen);
     });
     if (same && same_bytes(given, here / given.filename())) return name;
@@ -206,8 +206,8 @@ PortableWorld portable_world(const WorldSpec& world, const std::string& path,
     for (ShapeSpec& shape : body.body.shapes)
       shape.mesh_file = gathering.placed(shape.mesh_file, read);
   }
-  portable.world.materials_file = gathering.placed(
-      portable.world.materials_file, [&] { return portable.world.materials.files; });
+  portable.world.materials_file = gathering.placed(portable.world.materials_file,
+                                                   [&] { return portable.world.materials.files; });
   portable.copies = std::move(gathering).copies();
   return portable;
 }

@@ -57,7 +57,7 @@ void add_json_record(const std::string& path, const std::string& text, RecordedR
       out.inputs[name] = texts.front().substr(start.size());
 }
 
-/// Of results whose texts have keys: inputs stand whole beside their paths.
+/// Adds inputs of results that store texts by key: the content of an input stands beside its path.
 /// @param ending  of keys: "/path" of HDF5, "_path" of netCDF
 void add_inputs(const std::map<std::string, std::string>& texts, const std::string& slash,
                 RecordedRun& out) {
@@ -88,7 +88,7 @@ void add_posterior_record(const std::string& path, RecordedRun& out) {
   out.version = texts["version_thenar"];
 }
 
-/// Whether an input that is not there was a file, and not the name of what is built in.
+/// Returns true if the name of a missing input names a file rather than built-in data.
 bool was_file(const std::string& name) {
   return name.rfind("built-in ", 0) != 0 && name.find_first_of("/.") != std::string::npos;
 }
@@ -115,7 +115,7 @@ void compare_commits(RecordedRun& out) {
                                      out.run.commit.substr(0, kShown), now.substr(0, kShown)));
 }
 
-/// Whether a version, "0.1.0", came before another; one that is not told did.
+/// Returns true if a version such as "0.1.0" is older than another; an unreadable version is older.
 bool is_before(const std::string& version, int major, int minor) {
   int its_major = 0, its_minor = 0;
   char dot = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which command wrote a result, and what has changed since.
+/// Command that wrote a result, and changes of its inputs since.
 
 #include <map>
 #include <string>

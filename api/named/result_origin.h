@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where a result file came from.
+/// Origin of a result file.
 
 #include <vector>
 

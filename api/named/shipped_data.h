@@ -1,17 +1,18 @@
 #pragma once
 
-/// Where what comes with thenar is, whatever else a person has.
+/// Folders of the data that comes with thenar, independent of a person's own data.
 
 #include <string>
 #include <vector>
 
 namespace thenar {
 
-/// Where `cmake --install` puts data, seen from the program; "" if the system does not tell.
+/// Returns the folder into which `cmake --install` puts data, found from the place of the program;
+/// "" if the system does not tell that place.
 [[nodiscard]] std::string installed_data();
 
-/// The folders of what comes with thenar: installed with the program, and in the sources that it was
-/// built from.
+/// The folders of what comes with thenar: installed with the program, and in the sources that it
+/// was built from.
 [[nodiscard]] std::vector<std::string> shipped_data();
 
 }  // namespace thenar

@@ -33,7 +33,7 @@ using Thing =
                  NetDescription, Materials, RobotSpec, BodySpec, WorldSpec, SceneSpec, PadSpec,
                  CalibratedLaws, PadData, Fit, PosteriorRun, ResultFile>;
 
-/// What a name that commands take stands for.
+/// Kind of thing that a name in a command stands for.
 struct ThingKind {
   std::string plural;  // as `thenar list` takes it: "hands"
   std::string kind;    // as FileContents has it: "robot"

@@ -147,8 +147,8 @@ void mount(const WorldSpec& world, const Places& data, WorldHand& mounted) {
         fmt::join(locked, " and ")));
 }
 
-/// Where the coordinates of a part of a mounted hand went: under their own name, or with the
-/// robot's before it where a carrier has that name too.
+/// Finds the indices of a part's coordinates in a mounted hand: by their own name, or with the
+/// robot's name before it where a carrier has the same coordinate.
 std::vector<int> places_of(const std::vector<std::string>& part, const std::string& robot,
                            const std::vector<std::string>& whole, std::vector<bool>& taken) {
   std::vector<int> places;
@@ -182,8 +182,8 @@ void add_names(const WorldSpec& world, WorldHand& hand, const Places& data) {
   }
 }
 
-/// How far a degree of freedom of a robot moves its coordinates, a unit of it (coordinates); empty:
-/// there is none of that name.
+/// Returns the change of a robot's coordinates per unit of a degree of freedom (coordinates); empty
+/// if no degree of freedom has that name.
 Eigen::VectorXd motion_of_dof(const WorldSpec& world, const PlacedHand& placed,
                               const std::string& name, const Places& data) {
   if (placed.name.rfind("human", 0) == 0 && placed.file.empty()) return {};

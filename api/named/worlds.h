@@ -25,7 +25,7 @@ struct WorldHand {
   std::vector<std::vector<int>> places;         // and as entries of q
 };
 
-/// Which world, and which of its things.
+/// Options that select a world, a hand and an object in it.
 struct WorldRequest {
   std::string world;         // a file, or the name of one of worlds/
   std::string hand, object;  // names; empty: the only ones
@@ -57,7 +57,7 @@ struct WorldCase {
 /// ours
 [[nodiscard]] std::string world_file(const WorldRequest& request);
 
-/// Whether the world has the hand that is named. @throws as open_world()
+/// Returns true if the world has the hand that is named. @throws as open_world()
 [[nodiscard]] bool has_hand(const WorldRequest& request);
 
 /// Builds the hand called `name`; "": the only one that carries no other.

@@ -12,7 +12,7 @@
 
 namespace thenar {
 
-/// Whose laws are wanted, and how good its elements are to be.
+/// Options of calibrate_pad(): a pad, its presses, and the accuracy of the elements.
 struct PadLawsRequest {
   PadRequest pad;
   double force_error = 0.04;       // estimated by elements, below which their meshes do [1]
@@ -21,7 +21,7 @@ struct PadLawsRequest {
   std::vector<double> depths;      // of the presses that are fitted [m]; empty: trial_depths()
 };
 
-/// What laws say of a press.
+/// Forces of a press by the contact laws.
 struct LawForces {
   double power = 0, soft_finger = 0;  // by curvatures of the gap [N]
   double bed = 0;                     // by springs over the skin [N]
@@ -36,7 +36,7 @@ struct LawPress {
   std::optional<LawForces> laws;  // absent: there are none
 };
 
-/// What a calibration found.
+/// Result of a calibration.
 struct [[nodiscard]] PadLaws {
   PadLawsRequest request;
   NamedPad pad;

@@ -49,7 +49,7 @@ NamedPad open_pad_of(const PadFitRequest& request, const PadData& data) {
 
 double imposed(const PressLoad& load) { return load.force.value_or(load.indentation); }
 
-/// The same press with more loads on its way, at the same pace.
+/// Returns a press with additional load points on its way, at the same pace.
 PressCourse with_points(const PressCourse& course, int points) {
   const double largest = imposed(course.loads.back());
   const bool by_force = course.loads.back().force.has_value();

@@ -13,7 +13,7 @@
 
 namespace thenar {
 
-/// Which pad is fitted to what.
+/// Options of a pad fit: the measured presses and the pad.
 struct PadFitRequest {
   std::string presses;             // a data file, or the name of one of presses/
   std::string pad;                 // a file, or a name of pads/; empty: as the data file says
@@ -29,7 +29,7 @@ struct FittedCurve {
   std::vector<PressPoint> points;  // (loads); empty: it could not be pressed
 };
 
-/// What a fit found.
+/// Result of a pad fit.
 struct [[nodiscard]] FittedPad {
   PadFitRequest request;
   PadData data;

@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// Which object.
+/// Options of an object that presses a pad.
 struct PressObjectRequest {
   std::string name = "plane";    // "plane", "sphere", "cylinder", "edge", or a mesh file
   std::optional<double> radius;  // of sphere and cylinder, of an edge's rounding [m];
@@ -42,7 +42,7 @@ struct PressObject {
 /// files.
 [[nodiscard]] PressObject open_press_object(const PressObjectRequest& request, double size);
 
-/// Where an object just touches a pad.
+/// Pose at which an object just touches a pad, and the direction of its motion.
 struct PadTouch {
   Pose<double> X_PO;      // of the object in the pad's frame
   Eigen::Vector3d along;  // unit, of the object's motion into the pad, pad's frame (3)

@@ -14,7 +14,8 @@
 
 namespace thenar {
 
-/// Which pad is pressed by what, and how far. One of `force` and `depth` is given.
+/// Options of press_pad(): the pad, the object, and the way into the pad. One of `force` and
+/// `depth` is given.
 struct PressRequest {
   PadRequest pad;
   PressObjectRequest object;
@@ -33,7 +34,7 @@ struct PressRequest {
   bool rungs = false;           // whether laws, elements, meshes are compared, which takes minutes
 };
 
-/// Of the object's motion.
+/// Phase of the object's motion.
 enum class PressPhase { kWay, kHold };
 /// "way" or "hold".
 [[nodiscard]] std::string name_of(PressPhase phase);
@@ -55,7 +56,7 @@ struct PressInstant {
   double cpu = 0;      // processor time since the press began [s]
 };
 
-/// What became of a press.
+/// Result of press_pad().
 struct [[nodiscard]] PressedPad {
   PressRequest request;
   NamedPad pad;

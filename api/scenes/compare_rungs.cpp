@@ -14,7 +14,7 @@
 namespace thenar {
 namespace {
 
-/// What a rung costs beside the others, for the progress of them all.
+/// Relative cost of a rung, for the progress of the whole comparison.
 double weight_of(const std::string& rung) { return rung == "elements" ? 10 : 1; }
 
 bool was_solved(const SimulatedScene& scene) {

@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// How far a run is from that on the finest rung.
+/// Difference of a run from the run on the finest rung.
 struct RungError {
   // Root of the sum of squares of what normal forces of pads differ, over that of the finest's [1].
   double force_end = 0;  // at the end

@@ -21,7 +21,7 @@ using Eigen::Index;
 constexpr double kSamePlace = 1e-6;   // of a body, now and in the file [m]
 constexpr double kUnitLength = 1e-6;  // of quaternions, off 1 [1]
 
-/// What reads one file.
+/// Reader of one file of a scene run.
 class RunReader {
  public:
   RunReader(const std::string& path, const std::string& data)

@@ -41,9 +41,9 @@ std::string scene_file(const SceneRequest& request) {
   return file;
 }
 
-/// What a hand is built from, by its file or name.
+/// Finds the data from which a hand is built, by its file or name.
 /// @param path   of tendons of a human hand that states none
-/// @param files  get those that were read for it
+/// @param files  receives the files that were read for it
 SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
                   const std::optional<Path>& path, const std::vector<std::string>& places,
                   FileDigests& files) {
@@ -74,7 +74,7 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
   return human;
 }
 
-/// Whether a file is read as text: descriptions and tables.
+/// Returns true if a file is read as text: descriptions and tables.
 bool is_text(const std::string& path) {
   const fs::path extension = fs::path(path).extension();
   return extension == ".toml" || extension == ".csv";
@@ -259,7 +259,7 @@ void gather_runs(const RequestedScene& read, const std::vector<SceneVariation>& 
   });
 }
 
-/// All that processes do together; whatever it throws, it throws on all of them.
+/// Sweeps a scene on all processes together; an exception on one process is thrown on all of them.
 SceneSweep sweep_together(const SceneRequest& request, const Progress& progress,
                           const Communicator& ranks) {
   const auto rank = static_cast<std::size_t>(ranks.rank());
@@ -476,7 +476,7 @@ void add_account(const SimulatedScene& scene, const std::string& group, ResultFi
   file.add(group + "limit_slides", column(slides), "1", {"limit"});
 }
 
-/// How the run went.
+/// Adds the outcome of a run: status, cost, energies and slip of pairs.
 void add_outcome(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
   const SceneCost& cost = scene.run.cost;
   file.add(group + "status", name_of(scene.run.status));
@@ -502,7 +502,7 @@ void add_outcome(const SimulatedScene& scene, const std::string& group, ResultFi
   file.add(group + "slip", slip, "m", {"pair"});
 }
 
-/// What all runs of a scene have in common.
+/// Adds the names and settings that all runs of a scene share.
 void add_names(const SimulatedScene& scene, ResultFile& file) {
   const Mechanism& mechanism = scene.built->scene.mechanism;
   file.add("format", kSceneRunFormat);

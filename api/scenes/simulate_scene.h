@@ -1,6 +1,6 @@
 #pragma once
 
-/// How a scene of bodies and hands moves.
+/// Simulation of a scene of bodies and hands.
 
 #include <memory>
 #include <optional>
@@ -28,7 +28,7 @@ struct SceneVariation {
   }
 };
 
-/// Which scene; what is absent is as its file says.
+/// Options of a scene's simulation; absent values are those of the scene's file.
 struct SceneRequest {
   std::string scene;  // file, or name of one of scenes/
   std::string data;   // folder with scenes/, robots/ ..; empty: the usual ones
@@ -57,7 +57,8 @@ struct [[nodiscard]] SimulatedScene {
   FileDigests files;                // all that was read
 };
 
-/// Whether its method poses contact problems: contacts as springs have none, and no residual.
+/// Returns true if the scene's method solves contact problems; contacts as springs have no
+/// residual.
 [[nodiscard]] bool has_contact_problems(const SimulatedScene& scene);
 
 /// Runs of one scene.
@@ -69,7 +70,7 @@ struct [[nodiscard]] SceneSweep {
   FileDigests files;
 };
 
-/// Whether a name or file is a scene, rather than a subject.
+/// Returns true if a name or file is a scene, rather than a subject.
 [[nodiscard]] bool is_scene(const std::string& name_or_path, const std::string& data);
 
 /// A scene built from its file and the robots that it names.
@@ -94,9 +95,9 @@ struct RequestedScene {
 /// @throws as open_scene(), or InputError where the request names what is not there.
 [[nodiscard]] RequestedScene open_requested_scene(const SceneRequest& request);
 
-/// What the hands of a scene are built from, in their order.
+/// Returns the data from which the hands of a scene are built, in the order of the scene.
 /// @param data, path  as of open_scene()
-/// @param files  get those that were read for them
+/// @param files  receives the files that were read for them
 /// @throws as open_scene()
 [[nodiscard]] std::vector<SceneHand> hands_of_scene(const SceneSpec& scene, const std::string& data,
                                                     FileDigests& files,
@@ -117,7 +118,7 @@ struct RequestedScene {
                                                    const Progress& progress = {});
 inline constexpr std::size_t kMostRuns = 10000;
 
-/// What files of runs say that they are.
+/// Format name in files of scene runs.
 inline constexpr const char* kSceneRunFormat = "thenar scene run 1";
 
 /// Writes all instants as HDF5, dimensions labelled as xarray expects, with the texts and hashes of

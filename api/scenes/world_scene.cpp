@@ -165,7 +165,7 @@ class WorldBuilder {
     hands_.push_back(std::move(model));
   }
 
-  /// Where a link of what was added so far stands in the world.
+  /// Computes the pose of a link in the world, from all that was added so far.
   [[nodiscard]] Pose<double> pose_of(const std::string& link) const {
     const BuiltScene so_far = build_scene(spec_, hands_);
     const TreeModel model = tree_model(so_far.scene.mechanism);

@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// What moves the hands of a world.
+/// Drives that move the hands of a world.
 enum class WorldDrives {
   kHold,     // every coordinate is held where it stands by a drive
   kTendons,  // the same of robots; muscles of human hands pull, at first without tension

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kLook{20};  // between two looks for a signal
 
-/// What opens a file of a kind, and what its parameter is called.
+/// Method that opens a kind of file, and the name of its parameter.
 struct FileOpener {
   const char* kind;
   const char* method;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What `thenar view` and `thenar serve` have in common: options, and how files are opened.
+/// Common options of `thenar view` and `thenar serve`, and the requests that open files.
 
 #include <memory>
 #include <string>
@@ -36,8 +36,8 @@ struct OpeningRequest {
   Json params;
 };
 
-/// What a client would ask for to see a file or a name: a world, hand, object, scene, subject, run,
-/// fit or posterior.
+/// Returns the request by which a client would open a file or a name: a world, hand, object, scene,
+/// subject, run, fit or posterior.
 /// @param data  folder with worlds/ ..; empty: the usual ones
 /// @throws InputError if it is none of these, or not to be found.
 [[nodiscard]] OpeningRequest opening_request(const std::string& name, const std::string& data);

@@ -82,7 +82,7 @@ void run_press(PressArguments options) {
   if (pressed.status == Status::kStopped) throw Stopped("stopped: this is what was done by then");
 }
 
-/// What presses, and how far.
+/// Adds options for the object that presses, and for its way into the pad.
 void add_object_options(CLI::App& command, PressArguments& options) {
   PressRequest& request = options.request;
   command.add_option("--object", request.object.name,
@@ -102,7 +102,7 @@ void add_object_options(CLI::App& command, PressArguments& options) {
   command.add_option("--friction", request.friction, "Of the skin on the object");
 }
 
-/// What the pad is made of, and how it is computed.
+/// Adds options for the materials of the pad, and for the solver.
 void add_model_options(CLI::App& command, PressArguments& options) {
   PressRequest& request = options.request;
   command.add_option("--pad", request.pad.pad, "A pad: its name, or its file (TOML)");

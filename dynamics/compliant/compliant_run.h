@@ -1,6 +1,6 @@
 #pragma once
 
-/// What all runs with compliant contacts have in common: samples, spans of forces, how they end.
+/// Common parts of all runs with compliant contacts: samples, spans of forces, endings.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace thenar::internal {
 
-/// How a step of an integrator ended.
+/// Result of a step of an integrator.
 struct CompliantStep {
   SceneStatus status = SceneStatus::kDone;  // kDone, kNotFinite, kFailed
   std::string reason;                       // of kFailed
@@ -37,18 +37,18 @@ class CompliantMotion {
   [[nodiscard]] virtual long rejected() const = 0;
 };
 
-/// How long steps may be for nothing to pass through something.
+/// Limits the length of steps so that bodies do not pass through each other.
 class StepReach {
  public:
   /// @param longest  step [s]
   explicit StepReach(double longest) : longest_(longest), length_(longest) {}
 
   void restart(double length) { length_ = length; }
-  /// Of the next step [s].
+  /// Returns the length of the next step [s].
   [[nodiscard]] double length() const { return length_; }
 
-  /// How far surfaces moved in a step, over half of the thinner body's thickness; length() is then
-  /// half of what that allows. [1]
+  /// Computes the motion of surfaces in a step, over half of the thinner body's thickness [1];
+  /// length() is then half of the length that this motion allows.
   [[nodiscard]] double follow(ContactStep& step, const SceneState& before, const SceneState& after);
 
  private:

@@ -221,8 +221,8 @@ class SimbodyScene {
     return mesh_geometry(body.solid->collision[of.part].core);
   }
 
-  /// What both surfaces of a pair are made of. Simbody joins two equal ones to 2^-1.5 of their
-  /// modulus in Hertz's law, and to a half in the others.
+  /// Returns the material of both surfaces of a pair. Simbody combines two equal materials to
+  /// 2^-1.5 of their modulus in Hertz's law, and to a half in the other laws.
   [[nodiscard]] SimTK::ContactMaterial material(std::size_t pair) const {
     const SimbodyPair& of = pairs_[pair];
     const auto has = [&](SurfaceKind kind) { return of.a.kind == kind || of.b.kind == kind; };

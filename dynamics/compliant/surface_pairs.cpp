@@ -93,7 +93,8 @@ class PairPlanner {
     return {a, b};
   }
 
-  /// Whether of two boxes the first is the one to be a half space.
+  /// Returns true if the first of two boxes becomes the half space: a fixed box, else the box with
+  /// the larger face.
   [[nodiscard]] bool carries(const SimbodySurface& a, const SimbodySurface& b) const {
     const auto is_fixed = [&](const SimbodySurface& of) {
       return model_.bodies[static_cast<std::size_t>(of.body)].link < 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which surfaces of a scene meet which in Simbody, and by what geometry.
+/// Pairs of surfaces that meet in a scene in Simbody, and their geometries.
 
 #include <cstdint>
 #include <string>

@@ -16,11 +16,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kFarAngle = 0.02;     // at which slopes by posture are found anew [rad]
-constexpr double kFarTension = 0.1;    // likewise, of the tension [1], and
-constexpr double kSomeTension = 0.1;   // of what counts as any [N]
+constexpr double kFarAngle = 0.02;      // at which slopes by posture are found anew [rad]
+constexpr double kFarTension = 0.1;     // likewise, of the tension [1], and
+constexpr double kSomeTension = 0.1;    // of what counts as any [N]
 constexpr double kBaumgarteRate = 1e3;  // at which excursions return to lines of a net [1/s]
-constexpr double kSettledRate = 1e-9;  // of activation [1/s], of a fibre [optimal lengths/s]
+constexpr double kSettledRate = 1e-9;   // of activation [1/s], of a fibre [optimal lengths/s]
 
 SchedulePiece constant_piece(double begin, double value) {
   SchedulePiece piece;
@@ -188,7 +188,8 @@ void DigitPull::set_arms(const VectorXd& q) const {
   arms_q_ = q;
 }
 
-/// Whether slopes by posture are known of a place nearby; those of arms do for all tensions.
+/// Returns true if the slopes by posture are known at a posture nearby; slopes of arms hold for all
+/// tensions, others for similar tensions only.
 bool DigitPull::knows_stiffness(const VectorXd& q, const VectorXd& t) const {
   if (stiffness_q_.size() == 0) return false;
   for (Index i = 0; i < q.size(); ++i)
@@ -215,13 +216,13 @@ void DigitPull::set_posture_stiffness(const Now& now) {
   stiffness_t_ = now.tension;
 }
 
-/// What is asked of a pull: a net has all its parts at once, and slopes by posture are found at
-/// the first call, whatever that is for.
+/// Returns the parts of the action to compute: a net computes all parts at once, and the first call
+/// computes slopes by posture, whatever it needs.
 ElementNeed DigitPull::need_of(const ElementInput& at) const {
   return has_net() || stiffness_q_.size() == 0 ? ElementNeed::kAll : at.need;
 }
 
-/// Whether positions, speeds and states of the pull are numbers.
+/// Returns true if positions, speeds and states of the pull are finite.
 bool DigitPull::is_finite(const ElementInput& at) const {
   // Zero times what is no number is no number; sums apart, so that they do not wait for each other.
   double of_q = 0, of_v = 0, of_z = 0;

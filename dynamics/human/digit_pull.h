@@ -16,8 +16,8 @@
 
 namespace thenar {
 
-/// What one muscle is given for a time: straight between knots, constant before the first and after
-/// the last. Two knots of one time are a jump.
+/// Tension or excitation of one muscle over time: linear between knots, constant before the first
+/// and after the last. Two knots of one time are a jump.
 struct MuscleSchedule {
   int muscle = 0;  // of the group
   TimeSpan when{};
@@ -40,7 +40,7 @@ struct DigitPullModel {
   double base_tension = kBaseTension;  // added to each muscle of a digit with a net [N]
 };
 
-/// What tendons and muscles do at an instant.
+/// State of tendons and muscles at an instant.
 struct PullInstant {
   Eigen::VectorXd tension;     // [N] (muscles)
   Eigen::VectorXd excitation;  // [1] (muscles); 0 of muscles that do not contract
@@ -115,17 +115,17 @@ class DigitPull final : public ForceElement {
   /// Tension of each muscle [N], and "human/index/FDP2 activation" of each that contracts [1].
   [[nodiscard]] std::vector<ElementValue> readings(const ElementInput& at) override;
 
-  /// What it was built from.
+  /// Returns the model from which the pull was built.
   [[nodiscard]] const DigitPullModel& model() const { return *model_; }
   /// Names of the muscles.
   [[nodiscard]] const std::vector<std::string>& muscles() const;
-  /// Whether a muscle contracts.
+  /// Returns true if a muscle contracts.
   [[nodiscard]] bool contracts(int muscle) const;
-  /// What it does at an instant, after accept() of it.
+  /// Computes the state of tendons and muscles at an instant, after accept() of that instant.
   [[nodiscard]] PullInstant at(const ElementInput& at) const;
 
  private:
-  /// All that follows from the states.
+  /// Quantities that follow from the states.
   struct Now {
     Eigen::VectorXd q, q_dot;    // of the group (coordinates)
     Eigen::VectorXd excitation;  // 0 of muscles that do not contract (muscles)

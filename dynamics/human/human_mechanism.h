@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// Which human hand.
+/// Model of a human hand: its subject, version and options.
 struct HumanModel {
   Subject subject;
   HumanVersion version = HumanVersion::kTendonNet;

@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// Where coordinates of a hand or digit stand in a scene.
+/// Indices of the coordinates of a hand or digit in a scene.
 struct CoordinatePlaces {
   std::vector<int> q, v;  // entries of positions and of speeds (coordinates)
 };

@@ -51,13 +51,13 @@ class TendonGroup {
   [[nodiscard]] const std::vector<std::string>& coordinates() const { return coordinates_; }
   [[nodiscard]] const std::vector<std::string>& muscles() const { return muscles_; }
   [[nodiscard]] bool has_net() const { return has_net_; }
-  /// Whether sheaths take part of R, so that lines have no lengths that go with it.
+  /// Returns true if sheaths take part of R, so that no lengths of lines are consistent with R.
   [[nodiscard]] bool has_friction() const { return has_friction_; }
 
   /// A copy whose nets' bands blend from slack to taut, see DigitTendons::smoothed().
   [[nodiscard]] TendonGroup smoothed(double strain) const;
 
-  /// As the functions of DigitTendons of the same names.
+  /// Combines the functions of DigitTendons of the same names over all digits.
   /// @param q  posture [rad] (coordinates);  @param t  tensions [N] (muscles)
   [[nodiscard]] GroupTorque evaluate(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                      const GroupNodes& start) const;

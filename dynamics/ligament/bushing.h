@@ -56,8 +56,8 @@ class LigamentElement : public ForceElement {
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
   [[nodiscard]] std::string name() const override { return name_; }
-  /// Where both points are one it is slack, and does nothing.
-  /// @return true: it is what its law says, at every length
+  /// Adds the ligament's force; if both points coincide, the ligament is slack and adds nothing.
+  /// @return true: its law holds at every length
   bool act(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
   [[nodiscard]] bool is_passive() const override { return true; }

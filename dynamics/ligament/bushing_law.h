@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a joint's capsule does to the six coordinates of one bone on another.
+/// Law of a joint capsule: efforts on the six coordinates of one bone relative to another.
 
 #include <array>
 #include <string>

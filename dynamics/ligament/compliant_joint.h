@@ -12,8 +12,8 @@
 
 namespace thenar {
 
-/// How a hinge gives. Ways of infinite stiffness stay rigid, and cost nothing. Flexion is the
-/// coordinate of the hinge, counted from its value 0.
+/// Compliance of a hinge. Directions of infinite stiffness stay rigid, and cost nothing. Flexion is
+/// the coordinate of the hinge, counted from its value 0.
 struct JointCompliance {
   BushingLaw law;                 // its flexion adds to what the hinge has
   Eigen::Vector3d bone{0, 0, 0};  // direction of the distal bone, body's frame; any length; zero:

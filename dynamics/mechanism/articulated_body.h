@@ -86,7 +86,7 @@ class ArticulatedBody {
     Vec3<T> a_w, a_v;      // acceleration: while no speed changes, then what is more than that
     std::size_t many = 0;  // entry of many_, of a ball or free joint
   };
-  /// What a ball or free joint needs.
+  /// Matrices of a ball or free joint.
   struct Many {
     Eigen::Matrix<T, 6, 6> U;  // inertia times the axes
     Eigen::Matrix<T, 6, 6> D;  // inverse of what the axes see of it

@@ -100,15 +100,16 @@ class MassMatrix {
     assemble(motion);
     return factorise(motion.model());
   }
-  /// The same with numbers added to the diagonal, such as  h damping + h^2 stiffness  of an
-  /// implicit step. @param diagonal  indexable (v)
+  /// Sets M(q) and its factor with numbers added to the diagonal, such as  h damping + h^2
+  /// stiffness  of an implicit step. @param diagonal  indexable (v)
   template <typename Diagonal>
   bool set(const TreeMotion<T>& motion, const Diagonal& diagonal) {
     assemble(motion);
     for (std::size_t k = 0; k < size_; ++k) M_[k * size_ + k] += diagonal[at(k)];
     return factorise(motion.model());
   }
-  /// The same with a symmetric matrix added, of which only entries that the tree has count.
+  /// Sets M(q) and its factor with a diagonal and a symmetric matrix added; only entries that the
+  /// tree has count.
   /// @param added  indexable by (i, j) (v, v)
   template <typename Diagonal, typename Added>
   bool set(const TreeMotion<T>& motion, const Diagonal& diagonal, const Added& added) {

@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// How a body moves against its parent.
+/// Motion of a body relative to its parent.
 enum class JointKind {
   kWeld,   // not at all
   kHinge,  // turns about z of the joint's frames
@@ -26,7 +26,7 @@ enum class JointKind {
 
 /// "weld", "hinge", "slide", "ball", "free".
 [[nodiscard]] std::string name_of(JointKind kind);
-/// Whether a joint has one value: hinges and slides.
+/// Returns true if a joint has one value: hinges and slides.
 [[nodiscard]] inline bool is_scalar(JointKind kind) {
   return kind == JointKind::kHinge || kind == JointKind::kSlide;
 }
@@ -72,7 +72,7 @@ struct MechanismBody {
   std::string digit{};                 // of a hand that it is part of; empty: palm, arm, no hand
 };
 
-/// What hinges and slides share.
+/// Coordinate that hinges and slides share.
 struct MechanismCoordinate {
   std::string name;
   double max_effort = 0;     // of its motor [N m] or [N]; 0: none, or unknown
@@ -91,7 +91,7 @@ struct Mechanism {
   std::vector<MechanismCoordinate> coordinates;
 };
 
-/// Where the entries of each joint begin, and how many entries there are.
+/// First entries of each joint, and the numbers of entries.
 struct MechanismLayout {
   std::vector<int> first_q, first_v;            // (bodies); -1: welds
   std::vector<int> coordinate_q, coordinate_v;  // (coordinates)
@@ -99,8 +99,8 @@ struct MechanismLayout {
 };
 [[nodiscard]] MechanismLayout layout_of(const Mechanism& mechanism);
 
-/// Whether there are only hinges and slides: then each speed is the rate of the position of its
-/// index.
+/// Returns true if there are only hinges and slides: then each speed is the rate of the position of
+/// its index.
 [[nodiscard]] inline bool has_no_quaternion(const MechanismLayout& layout) {
   return layout.q == layout.v;
 }

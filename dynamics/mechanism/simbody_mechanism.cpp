@@ -48,7 +48,8 @@ SimTK::Body::Rigid rigid_body(const MechanismBody& of) try {
   throw InputError(fmt::format("Simbody refuses the mass of '{}': {}", of.name, failure.what()));
 }
 
-/// How far a joint's value is from what its coordinate says, where `leader` follows it linearly.
+/// Difference of a joint's value from the value that its coordinate prescribes, if `leader` follows
+/// the coordinate linearly.
 class CouplingError : public SimTK::Function {
  public:
   CouplingError(const MechanismJoint& leader, MechanismJoint follower)

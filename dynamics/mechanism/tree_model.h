@@ -23,7 +23,7 @@ struct TreeLink {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the origin of M [kg m^2] (3, 3)
 };
 
-/// Where a body stands in its link.
+/// Pose of a body in its link.
 struct BodyInLink {
   int link = -1;      // -1: welded to the world
   Pose<double> X_LB;  // the body in the link's M, or in the world

@@ -87,7 +87,7 @@ class TreeMotion {
   template <typename Row>
   void add_row(int link, const Vec3<T>& p, const Vec3<T>& direction, const Vec3<T>& spin,
                Row&& row) const;
-  /// The same of the velocity of one link against another, both at the point p.
+  /// Adds the row of the velocity of one link relative to another, both at the point p.
   template <typename Row>
   void add_row_against(int link, int other, const Vec3<T>& p, const Vec3<T>& direction,
                        const Vec3<T>& spin, Row&& row) const {

@@ -45,9 +45,9 @@ class PadElement final : public ForceElement {
   [[nodiscard]] std::string name() const override { return name_; }
   bool act(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] bool is_passive() const override { return true; }
-  /// Of the elastic pad E(x), and of what remembers its forces: with F = E' and H_i of the force as
-  /// in MemoryStep,  E (g_inf + sum (H_i / F)^2 / g_i), which is exact for springs with dampers,
-  /// and of any pad at once and after a long rest.
+  /// Returns the energy of the elastic pad E(x) and of its viscous memory: with F = E' and H_i of
+  /// the force as in MemoryStep,  E (g_inf + sum (H_i / F)^2 / g_i), which is exact for springs
+  /// with dampers, and for any pad at once and after a long rest.
   [[nodiscard]] double energy(const ElementInput& at) override;
   [[nodiscard]] double doubt(const ElementInput& at) override;
   void accept(const ElementInput& at) override;
@@ -58,7 +58,7 @@ class PadElement final : public ForceElement {
  private:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   using PushMemory = std::array<ExponentialMemory, 6>;
-  /// What the scene is told of the push.
+  /// Predicted push of the pad on the scene.
   struct Prediction {
     Vector6 push;        // pad's frame, about its origin (6)
     double share = 1;    // of K that a motion in this step feels [1]
@@ -83,7 +83,7 @@ class PadElement final : public ForceElement {
   void begin_anew(double t, const Pose<double>& X_PO);
   /// The memory takes up the push of the pad, which has moved for some time; or goes on without it.
   void remember_push(double seconds);
-  /// What the memory is at t, with the object at X_PO by then and its way straight in time.
+  /// Computes the memory at t, if the object moves to X_PO by then, linearly in time.
   [[nodiscard]] PushMemory memory_at(double t, const Pose<double>& X_PO) const;
   void go_on(double t, const Pose<double>& X_PO);
 

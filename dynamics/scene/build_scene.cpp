@@ -61,7 +61,8 @@ void put_on_joint(const SceneJointSpec& spec, const std::string& name, const Pos
   joint.friction = spec.friction;
 }
 
-/// Where a motor stands that the file says nothing of: where closing begins.
+/// Returns the position of a motor for which the file states none: the position where closing
+/// begins.
 double opening_of(const RobotDof& dof) {
   if (dof.open) return *dof.open;
   if (dof.speed > 0) return dof.lower;

@@ -23,7 +23,7 @@ struct BuiltScene {
   int pads = 0;                                       // elements of [[pad]], each for one pair
 };
 
-/// What a hand of a scene is built from.
+/// Model from which a hand of a scene is built.
 using SceneHand = std::variant<RobotSpec, HumanModel>;
 
 /// Builds a scene at its start.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What tendons and muscles did in a run of a scene.
+/// Measures of tendons and muscles in a run of a scene.
 
 #include <string>
 #include <vector>

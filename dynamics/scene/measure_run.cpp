@@ -117,7 +117,7 @@ SceneSample with_touching(const SceneSample& sample, ContactStep& step) {
   return out;
 }
 
-/// What slips_between() asks of an instant.
+/// Collects the inputs of slips_between() at an instant.
 SlipInstant slip_instant(const MovingScene& scene, const TreeModel& model, const SceneSample& at,
                          const Poses& X_WB) {
   SlipInstant out{at.t, at.contacts, X_WB, {}, body_velocities(scene.mechanism, model, at.q, at.v)};

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a run of a scene did: slip, forces, energy.
+/// Measures of a run of a scene: slip, forces, energy.
 
 #include <optional>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where a finger pad looks while it presses on something.
+/// Direction of a finger pad while it presses on something.
 
 #include <vector>
 

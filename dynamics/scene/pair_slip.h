@@ -1,6 +1,6 @@
 #pragma once
 
-/// How far bodies in contact slide on each other from one instant to the next.
+/// Slip of bodies in contact from one instant to the next.
 
 #include <map>
 #include <utility>

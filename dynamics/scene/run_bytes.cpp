@@ -36,7 +36,7 @@ class ByteReader {
     std::memcpy(&value, bytes_.data() + at_, sizeof value);
     at_ += sizeof value;
   }
-  /// Of things that have a byte at least, each.
+  /// Reads a number of entries, each of which has at least one byte.
   void count(std::size_t& value) {
     plain(value);
     require(value <= bytes_.size() - at_, "a run of a scene promises {} entries in {} bytes", value,

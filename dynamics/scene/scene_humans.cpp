@@ -37,7 +37,7 @@ std::vector<std::string> muscles_of(const HumanMechanism& hand) {
   return names;
 }
 
-/// What one [[tendon]] or [[muscle]] gives.
+/// Returns the muscles that one [[tendon]] or [[muscle]] drives, with their values.
 std::vector<GivenMuscle> given_by(const SceneMuscleSpec& spec, const SceneSpec& scene,
                                   const std::vector<std::string>& names) {
   const TimeSpan when{spec.from, spec.to};
@@ -59,7 +59,7 @@ std::vector<GivenMuscle> given_by(const SceneMuscleSpec& spec, const SceneSpec& 
   return out;
 }
 
-/// Where coordinates of a hand stand in the scene.
+/// Finds the indices of a hand's coordinates in the scene.
 CoordinatePlaces places_of(const std::string& hand, const std::vector<std::string>& coordinates,
                            const Mechanism& mechanism) {
   const MechanismLayout layout = layout_of(mechanism);

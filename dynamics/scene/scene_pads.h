@@ -12,9 +12,9 @@
 
 namespace thenar {
 
-/// Where a pad lies on the fingertip of a digit, in the frame of its link, at what scale. Of the
-/// pad of skin_patches(): x along the digit, z outward, the skin's top in the middle of the patch,
-/// as broad as it: scale = 2 half_breadth / width.
+/// Pose and scale of a pad on the fingertip of a digit, in the frame of the fingertip's link. The
+/// pad is placed by skin_patches(): x along the digit, z outward, the skin's top in the middle of
+/// the patch, with the breadth of the patch: scale = 2 half_breadth / width.
 struct PadPlace {
   Pose<double> X_BP;
   double scale = 1;  // [1]

@@ -43,7 +43,7 @@ std::vector<Pair> pairs_between(const BuiltScene& built, const std::vector<std::
   return pairs;
 }
 
-/// What is stated replaces what was there.
+/// Replaces the constants of a pair that the scene states.
 PairFriction with_stated(PairFriction pair, const SceneFrictionSpec& stated) {
   pair.coefficient = stated.coefficient.value_or(pair.coefficient);
   pair.torsion_radius = stated.torsion_radius.value_or(pair.torsion_radius);
@@ -109,7 +109,7 @@ void set_friction(const SceneSpec& spec, BuiltScene& built) {
   scene.friction_pairs.assign(named.begin(), named.end());
 }
 
-/// How deep bodies are in each other, of pairs that may meet.
+/// Computes the penetration depths of all pairs that may meet.
 std::map<Pair, double> depths_at(ContactStep& step, const Eigen::VectorXd& q) {
   std::vector<ActiveContact> found;
   step.find({0, q, Eigen::VectorXd::Zero(step.model().layout.v)}, 0, found);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which bodies of a scene may touch, and how they rub.
+/// Pairs of bodies of a scene that may touch, and their friction.
 
 #include "data/io/scene/scene.h"
 #include "dynamics/scene/build_scene.h"

@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// How near a run came to the answer, and what that took.
+/// Error of a run and its cost.
 struct WorkPoint {
   SteppingMethod method;
   double setting = 0;      // kEvents: tolerance [m], [rad]; kTimeStepping: length of a step [s]
@@ -20,7 +20,7 @@ struct WorkPoint {
   SceneStatus status = SceneStatus::kDone;  // read it first
 };
 
-/// What is tried.
+/// Tolerances and steps to try.
 struct WorkSettings {
   std::vector<double> tolerances;  // of kEvents [m], [rad]
   std::vector<double> steps;       // of kTimeStepping [s]

@@ -40,7 +40,7 @@ class AppliedEfforts {
   /// Energy in springs of joints [J].
   [[nodiscard]] double spring_energy(const SceneState& state) const;
 
-  /// What elements are told of a state.
+  /// Returns the inputs of elements at a state.
   [[nodiscard]] ElementInput input_at(const SceneMotion& motion, const SceneState& state,
                                       ElementNeed need = ElementNeed::kAll) const {
     return {state.t, acting_, state.q, state.v, state.z, motion.links(), 0, need};

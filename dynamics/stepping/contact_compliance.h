@@ -1,6 +1,6 @@
 #pragma once
 
-/// How contacts yield where they are springs rather than constraints.
+/// Compliance of contacts that are springs rather than constraints.
 
 #include <string>
 #include <vector>

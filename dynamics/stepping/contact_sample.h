@@ -6,7 +6,7 @@
 
 namespace thenar {
 
-/// What a contact or a joint limit does during a step: its motion, whether it has a force or not.
+/// Motion of a contact or a joint limit during a step, with or without a force.
 enum class ContactMode {
   kOpen,   // it opens
   kStick,  // it neither opens nor slips

@@ -33,14 +33,14 @@ class ContactStep {
   ContactStep(ContactStep&&) noexcept;
   ContactStep& operator=(ContactStep&&) noexcept;
 
-  /// Which forces and drives act from now on: those whose span holds t. A step keeps to those of
-  /// its beginning, also at its very end.
+  /// Selects the forces and drives that are active at time t: those whose span holds t. A step
+  /// keeps the selection of its beginning, also at its very end.
   void act_as_at(double t);
 
   /// These drives act from now on, in place of the scene's: they are as check_scene() wants them.
   void set_drives(std::vector<SceneDrive> drives);
 
-  /// How contact problems are solved from now on.
+  /// Sets the options of the contact solver from now on.
   void solve_contacts_by(const ContactSolverOptions& options);
 
   [[nodiscard]] const MovingScene& scene() const;
@@ -99,9 +99,9 @@ class ContactStep {
   /// is made of nothing, and what drives do on that way is not told. @param most  of each gap [m]
   void close_gaps(SceneState& state, const std::vector<ActiveContact>& touching, double most);
 
-  /// How far surfaces have moved between two states, over what may pass unseen: for each pair of
-  /// bodies that could have met, the sum of their largest displacements over half the thinner one's
-  /// thickness. Above 1 they may have gone through each other. [1]
+  /// Computes how far surfaces have moved between two states, relative to the motion that may pass
+  /// unseen: for each pair of bodies that could have met, the sum of their largest displacements
+  /// over half the thinner one's thickness. Above 1 they may have gone through each other. [1]
   /// @param touching  contacts whose pairs need no look
   [[nodiscard]] double motion_between(const SceneState& from, const SceneState& to,
                                       const std::vector<ActiveContact>& touching);
@@ -117,7 +117,7 @@ class ContactStep {
     [[nodiscard]] double total() const { return kinetic + weight + springs; }
   };
   [[nodiscard]] Energy energy(const SceneState& state);
-  /// The same, of motion alone [J].
+  /// Computes the kinetic energy alone [J].
   [[nodiscard]] double kinetic_energy(const SceneState& state);
 
   /// Rates of the state without contacts, limits and dry friction.
@@ -125,38 +125,41 @@ class ContactStep {
   /// @return whether all elements could act
   bool free_rates(const SceneState& state, Eigen::VectorXd& q_dot, Eigen::VectorXd& v_dot,
                   Eigen::VectorXd& z_dot);
-  /// How many flows of energy go on where nothing touches: kFreeFlows, or none.
+  /// Returns the number of energy flows that go on where nothing touches: kFreeFlows, or 0.
   [[nodiscard]] Eigen::Index free_flows() const;
   /// Their powers at the last free_rates() [W] (free_flows()).
   [[nodiscard]] Eigen::VectorBlock<const EnergyFlows> free_powers() const;
 
   /// The scene's beginning.
   [[nodiscard]] SceneState start() const;
-  /// How far off elements were in the step that ends at a state: ForceElement::doubt() [1].
+  /// Returns the largest error of elements in the step that ends at a state: ForceElement::doubt()
+  /// [1].
   [[nodiscard]] double elements_doubt(const SceneState& state);
   /// A step ended at a state: elements go on from there.
   void accept(const SceneState& state);
-  /// For how long elements know what they do [s].
+  /// Returns the longest step for which the forces of all elements are valid [s].
   [[nodiscard]] double elements_foresee() const;
   /// Adds the contacts that elements stand for.
   void add_element_contacts(const SceneState& state, std::vector<ContactSample>& out);
-  /// Whether an element may move what rests.
+  /// Returns true if an element may set a resting scene in motion.
   [[nodiscard]] bool elements_move(const SceneState& state);
-  /// What may be set at elements, and what they say of themselves: see ForceElement.
+  /// Returns the numbers of elements that may be set; readings() returns the values that elements
+  /// report: see ForceElement.
   [[nodiscard]] std::vector<ElementControl> controls() const;
   /// @throws InputError if no element has such a control, or it cannot have that value.
   void set_control(const std::string& name, double value);
   [[nodiscard]] std::vector<ElementValue> readings(const SceneState& state);
 
-  /// As newly built: pairs of bodies and elements remember nothing, and no control is set.
+  /// Resets to the state after construction: pairs of bodies and elements remember nothing, and no
+  /// control is set.
   void forget();
 
   /// Most negative gap among contacts that are not in `closed`, and how fast it closes.
   static void note_new(const std::vector<ActiveContact>& found,
                        const std::vector<ActiveContact>& closed, StepOutcome& outcome);
 
-  /// Whether springs, dampers and drives are so stiff that an explicit step of this length would be
-  /// unstable: h D > M or h^2 K > M on the diagonal.
+  /// Returns true if springs, dampers and drives are so stiff that an explicit step of this length
+  /// would be unstable: h D > M or h^2 K > M on the diagonal.
   [[nodiscard]] bool is_stiff(const SceneState& state, double h);
 
   /// Quaternions to length 1.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Whether the energy of a run balances.
+/// Energy balance of a run.
 
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace thenar {
 inline constexpr double kSceneEnergyShare = 0.01;
 inline constexpr double kSceneEnergyRest = 1e-6;
 
-/// What became of energy between two instants, by the flows of the steps (SceneSample::w).
+/// Energy balance between two instants, by the flows of the steps (SceneSample::w).
 struct FlowBalance {
   double work = 0;         // of forces, drives and muscles on the scene [J]
   double friction = 0;     // what friction of contacts and joints took [J]
@@ -26,16 +26,17 @@ struct FlowBalance {
   [[nodiscard]] double dissipated() const { return friction + impacts + yielding; }
   /// Error over what is turned over, of which next to nothing counts as kSceneEnergyRest [1].
   [[nodiscard]] double share() const;
-  /// Whether the error is one that a run may have.
+  /// Returns true if the error is within the limit for a run.
   [[nodiscard]] bool holds() const { return share() <= kSceneEnergyShare; }
 };
 
-/// What became of energy between two instants.
+/// Computes the energy balance between two instants.
 ///
-/// Losses are what friction, impacts and dampers take. What contacts give in a step of fixed length
-/// or an impact is none, and is missing in the balance (ImpulseBooking). What passive elements give
-/// beyond what they stored makes `yielding` less than 0: of pads that are pressed at the start it
-/// is what they had stored, which is not known before the first step.
+/// Losses are the energies that friction, impacts and dampers take. Energy that contacts add in a
+/// step of fixed length or an impact is no loss, and is missing in the balance (ImpulseBooking).
+/// Energy that passive elements return beyond what they stored makes `yielding` negative: for pads
+/// that are pressed at the start it is their initial stored energy, which is not known before the
+/// first step.
 [[nodiscard]] FlowBalance flow_balance(const SceneSample& first, const SceneSample& last);
 
 /// The balance from the first instant to that of the largest error, the last one if all are

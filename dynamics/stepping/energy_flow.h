@@ -1,6 +1,6 @@
 #pragma once
 
-/// What flows into the energy of a scene and out of it.
+/// Energy flows into a scene and out of it.
 
 #include <Eigen/Core>
 
@@ -23,12 +23,12 @@ enum EnergyFlow : Eigen::Index {
 inline constexpr Eigen::Index kFreeFlows = 3;     // those that go on where nothing touches
 using EnergyFlows = Eigen::Matrix<double, 7, 1>;  // [J] (7)
 
-/// Whether forces, drives or dampers of joints act in a scene at any time.
+/// Returns true if forces, drives or dampers of joints act in a scene at any time.
 [[nodiscard]] bool has_powers(const MovingScene& scene);
 
-/// Where the efforts of a step were taken, and the speeds before and after it. A step has efforts
-/// with their slopes: of a spring and damper with stiffness K and damping D that give tau at (q,
-/// v),
+/// State at which the efforts of a step were computed, and the speeds before and after the step. A
+/// step has efforts with their slopes: of a spring and damper with stiffness K and damping D that
+/// give tau at (q, v),
 ///   tau - (share D + share^2 h K) (v_end - v).
 /// An instant by itself has v_end = v.
 struct StepEfforts {

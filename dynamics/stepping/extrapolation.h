@@ -18,7 +18,7 @@ class Extrapolation {
  public:
   static constexpr int kMostColumns = 8;
 
-  /// What to do after a column.
+  /// Decision after a column: add another, accept the step, or reject it.
   enum class Verdict { kGoOn, kAccept, kReject };
 
   /// @param like  a state of the scene;  @param most  columns, 2..8

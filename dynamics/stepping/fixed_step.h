@@ -29,7 +29,7 @@ class FixedStep {
 /// Multiplies impulses, as of contacts whose step had another length.
 void scale_impulses(std::vector<ActiveContact>& list, double factor);
 
-/// Whether positions, speeds and states of elements are numbers.
+/// Returns true if positions, speeds and states of elements are finite.
 [[nodiscard]] bool is_finite(const SceneState& state);
 
 /// Contacts of a step that do not open, as runs keep them. @param h  over which impulses acted [s];

@@ -1,6 +1,7 @@
 #pragma once
 
-/// What acts by laws and states of its own: ligaments, tendons, muscles, pads.
+/// Interface of force elements: force laws with internal states, such as ligaments, tendons,
+/// muscles and pads.
 
 #include <limits>
 #include <memory>
@@ -15,15 +16,15 @@
 
 namespace thenar {
 
-/// What a step asks of its elements. They may leave out what is not asked for; what they give is
-/// the same, whatever is asked.
+/// Parts of an action that a step needs. Elements may leave out other parts; the parts that they
+/// compute do not depend on the need.
 enum class ElementNeed {
   kAll,    // efforts, rates of states, slopes
   kRates,  // efforts, rates of states
   kStates  // rates of states alone; then that of the work means nothing
 };
 
-/// Where a scene is, as its elements see it.
+/// State of a scene, as its elements see it.
 struct ElementInput {
   double t;                          // [s]
   double acting;                     // whose law acts: a step keeps to that of its beginning [s]
@@ -35,7 +36,7 @@ struct ElementInput {
   ElementNeed need = ElementNeed::kAll;
 };
 
-/// What all elements do there; each adds its part.
+/// Action of all elements at a state; each element adds its part.
 struct ElementAction {
   Eigen::VectorXd tau;        // efforts [N m] or [N] (v)
   Eigen::MatrixXd stiffness;  // -d tau / d position, positions moved by the speeds, the symmetric
@@ -56,7 +57,7 @@ struct ElementControl {
   std::optional<double> set;    // to what it was set; absent: it is as the scene says
 };
 
-/// What an element says of itself at an instant.
+/// Value that an element reports at an instant.
 struct ElementValue {
   std::string name;  // "human/index/FDP2"
   std::string unit;  // "N", "1"
@@ -80,8 +81,8 @@ class ForceElement {
   /// @return false if it found no answer that it can stand for: the step counts as unsolved
   virtual bool act(const ElementInput& at, ElementAction& out) = 0;
 
-  /// Whether it only stores energy and dissipates it, as ligaments do: then what it takes is
-  /// counted as dissipation, and not as work on the scene.
+  /// Returns true if the element only stores and dissipates energy, as ligaments do: then the
+  /// energy that it takes counts as dissipation, and not as work on the scene.
   [[nodiscard]] virtual bool is_passive() const { return false; }
 
   /// Energy that it stores [J].
@@ -94,7 +95,7 @@ class ForceElement {
   /// A step ended here.
   virtual void accept(const ElementInput& /*at*/) {}
 
-  /// For how long after the last accept() its action may be known well enough [s].
+  /// Returns the longest step for which the force is valid after accept() [s].
   [[nodiscard]] virtual double foresees() const { return std::numeric_limits<double>::infinity(); }
 
   /// Adds the contacts that it stands for, as a pad does that presses on something.
@@ -103,7 +104,7 @@ class ForceElement {
   /// Instants at which its law changes suddenly; which one holds, ElementInput::acting says [s].
   [[nodiscard]] virtual std::vector<double> switches() const { return {}; }
 
-  /// Whether it may move what rests, though no position changes.
+  /// Returns true if the element may set a resting scene in motion, though no position changes.
   [[nodiscard]] virtual bool moves(const ElementInput& /*at*/) const { return false; }
 
   /// Numbers that may be set between steps.
@@ -111,7 +112,7 @@ class ForceElement {
   /// Sets one of its controls, from the next step on. @return false if it has none of that name
   /// @throws InputError if the value is not within the control's range.
   virtual bool set_control(const std::string& /*name*/, double /*value*/) { return false; }
-  /// What it does there, in numbers with names.
+  /// Returns the values of the element at a state, with names and units.
   [[nodiscard]] virtual std::vector<ElementValue> readings(const ElementInput& /*at*/) {
     return {};
   }
@@ -147,7 +148,7 @@ class SceneElements {
   [[nodiscard]] double foresees() const;
   void add_contacts(const ElementInput& at, std::vector<ContactSample>& out);
   [[nodiscard]] bool moves(const ElementInput& at) const;
-  /// Of all elements.
+  /// Returns the controls of all elements.
   [[nodiscard]] std::vector<ElementControl> controls() const;
   /// @throws InputError with the nearest name if no element has such a control, or if it cannot
   /// have that value.

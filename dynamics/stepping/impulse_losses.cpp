@@ -20,7 +20,7 @@ struct PairLosses {
   }
 };
 
-/// Whether two contacts are of the same bodies, or of the same joint in the same way.
+/// Returns true if two contacts are of the same bodies, or of the same joint and kind.
 bool is_same_pair(const ActiveContact& one, const ActiveContact& other) {
   return one.kind == other.kind && one.a == other.a && one.b == other.b;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What impulses of contacts, joint limits and dry friction take of the energy.
+/// Energy losses by impulses of contacts, joint limits and dry friction.
 
 #include <vector>
 
@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// Which work of impulses counts.
+/// Selection of the work of impulses that counts.
 enum class ImpulseBooking {
   kNet,    // all of it, also where it makes energy: substeps, which are extrapolated
   kLosses  // what two bodies take; what they make is left out

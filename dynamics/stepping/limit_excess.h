@@ -1,6 +1,6 @@
 #pragma once
 
-/// How far joints went beyond their limits.
+/// Excess of joints beyond their limits.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which bodies of a scene may touch.
+/// Pairs of bodies of a scene that may touch.
 
 #include <utility>
 #include <vector>

@@ -6,14 +6,14 @@
 namespace thenar {
 namespace {
 
-/// The same contact in a list, null if it is not there.
+/// Finds a contact in a list; null if the list does not have it.
 const ActiveContact* same_in(const std::vector<ActiveContact>& list, const ActiveContact& contact) {
   const auto at = std::find_if(list.begin(), list.end(),
                                [&](const ActiveContact& c) { return c.same(contact); });
   return at == list.end() ? nullptr : &*at;
 }
 
-/// Whether a contact slides in both, but the other way: through a standstill between.
+/// Returns true if a contact slides in both, but in opposite directions: it stood still in between.
 bool turned_round(const ActiveContact& a, const ActiveContact& b) {
   if (a.mode != ContactMode::kSlide || b.mode != ContactMode::kSlide) return false;
   if (a.kind == ActiveContact::Kind::kJointFriction) return a.approach * b.approach < 0;
@@ -23,8 +23,9 @@ bool turned_round(const ActiveContact& a, const ActiveContact& b) {
   return friction(a).dot(friction(b)) < 0;
 }
 
-/// How far a contact is from its next mode: the normal force if it opens, else the friction that is
-/// left where it sticks, and the slip where it slides. @param next  null: it is lost
+/// Computes the margin of a contact to its next mode: the normal force if it opens, else the
+/// remaining friction if it sticks, and the slip if it slides. @param next  null: the contact is
+/// lost
 double mode_margin(const ActiveContact& contact, const ActiveContact* next) {
   const double pressed = contact.kind == ActiveContact::Kind::kContact
                              ? contact.impulse.dot(contact.normal)

@@ -8,8 +8,8 @@
 
 namespace thenar {
 
-/// Whether the same contacts bear at the same modes, and none slides the other way. Those that open
-/// have no force, in a list or not.
+/// Returns true if the same contacts have forces in the same modes, and none slides the other way.
+/// Contacts that open have no force and are ignored.
 [[nodiscard]] bool same_modes(const std::vector<ActiveContact>& a,
                               const std::vector<ActiveContact>& b);
 

@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// When something acts. Both ends are instants at which a step ends.
+/// Time span in which something acts. Steps end at both ends of it.
 struct TimeSpan {
   double from = 0;                                      // [s]
   double to = std::numeric_limits<double>::infinity();  // [s]
@@ -32,8 +32,8 @@ struct SceneForce {
   TimeSpan when{};
 };
 
-/// Where a coordinate is to be over time: straight between knots, constant before the first and
-/// after the last. Two knots of one time are a jump.
+/// Target of a coordinate over time: linear between knots, constant before the first and after the
+/// last. Two knots of one time are a jump.
 struct TargetTable {
   Eigen::VectorXd time;    // never falling [s] (knots)
   Eigen::VectorXd target;  // [rad] or [m] (knots)
@@ -54,7 +54,7 @@ struct SceneDrive {
   std::shared_ptr<const TargetTable> table{};  // shared by copies of a scene; null: none
 };
 
-/// Where a drive wants its coordinate, and how fast that moves.
+/// Target of a drive, and the target's speed.
 struct DriveTarget {
   double value;  // [rad] or [m]
   double speed;  // [rad/s] or [m/s]
@@ -71,7 +71,7 @@ struct DriveTarget {
 [[nodiscard]] double drive_effort(const SceneDrive& drive, double u, double rate, double t,
                                   double acting);
 
-/// How two bodies rub and bounce.
+/// Friction and restitution of two bodies.
 struct PairFriction {
   double coefficient = 0;     // mu of Coulomb's law [1]
   double torsion_radius = 0;  // largest torque about the normal over largest tangential force [m]

@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// Where a stepper is. A copy leads back there.
+/// State of a stepper. go_to() a copy returns to it.
 struct SceneInstant {
   SceneState state;
   std::vector<ActiveContact> active;  // of the last step, impulses over `part`
@@ -45,9 +45,10 @@ class SceneStepper {
   [[nodiscard]] SceneSample sample_of(const SceneInstant& instant);
   /// Poses of all bodies at an instant.
   void poses(const SceneInstant& instant, std::vector<Pose<double>>& out);
-  /// What drives do at a coordinate at an instant, by the inputs of now [N m] or [N].
+  /// Computes the effort of drives at a coordinate at an instant, by the present inputs [N m] or
+  /// [N].
   [[nodiscard]] double effort(int coordinate, const SceneInstant& instant) const;
-  /// What elements say of themselves at the present, as tensions of muscles.
+  /// Returns the values that elements report at the present, such as tensions of muscles.
   [[nodiscard]] std::vector<ElementValue> readings() { return step_.readings(now_.state); }
 
   /// The largest effort of a coordinate: that of the scene's drives, or of its motor; infinite
@@ -80,9 +81,9 @@ class SceneStepper {
   /// @throws InputError if the instant is of another scene.
   void go_to(const SceneInstant& instant);
 
-  /// What steps needed since the beginning, or since take_cost().
+  /// Returns the cost of steps since the beginning, or since take_cost().
   [[nodiscard]] const SceneCost& cost() const { return cost_; }
-  /// The same; counts anew from now on.
+  /// Returns the cost, and counts from zero from now on.
   SceneCost take_cost();
 
  private:
@@ -104,7 +105,8 @@ class SceneStepper {
   SceneCost cost_;
 };
 
-/// How many steps simulate_scene() divides a scene's time into, by kTimeStepping.
+/// Computes the number of steps into which simulate_scene() divides a scene's time, by
+/// kTimeStepping.
 [[nodiscard]] long fixed_steps(const SceneOptions& options);
 
 }  // namespace thenar

@@ -13,7 +13,7 @@
 
 namespace thenar {
 
-/// How time goes on.
+/// Method of time integration.
 enum class SteppingMethod {
   kEvents,            // extrapolated steps between events, their length by an error estimate
   kTimeStepping,      // midpoint steps of a fixed length, events within them, no bounces
@@ -56,7 +56,7 @@ struct SceneSample {
   Eigen::VectorXd w;  // EnergyFlows since the start [J] (7); empty: the method has none
 };
 
-/// How a run ended.
+/// Ending of a run.
 enum class SceneStatus {
   kDone,
   kStopped,    // the caller asked for it
@@ -69,7 +69,7 @@ enum class SceneStatus {
 /// "done", "stopped", "unsolved", "not finite", "failed", "energy does not balance".
 [[nodiscard]] std::string name_of(SceneStatus status);
 
-/// What a run needed, and how good it was.
+/// Cost of a run, and its accuracy.
 struct SceneCost {
   long steps = 0;     // accepted
   long rejected = 0;  // for their error, or an event within them

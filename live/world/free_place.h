@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where a thing that is added to a live world stands in nothing's way.
+/// Free place for a thing that is added to a live world.
 
 #include <vector>
 
@@ -11,10 +11,10 @@ namespace thenar {
 /// Balls about the surfaces of a hand in reference posture, or about a body, in its own frame.
 using OwnBalls = std::vector<Ball>;
 
-/// How far a thing moves along x from the origin, so that the box about it meets that of no other
-/// thing: 0 where it stands free there, else to 20 mm beside all others [m]. Boxes hold the balls
-/// of things, so that they are a little too large.
-/// @param R  its rotation (3, 3)
+/// Computes the shift along x from the origin at which the box about a thing meets that of no other
+/// thing: 0 if the origin is free, else to 20 mm beside all others [m]. Boxes hold the balls of
+/// things, so that they are a little too large.
+/// @param R  rotation of the thing (3, 3)
 [[nodiscard]] Eigen::Vector3d free_place(const WorldState& state, const OwnBalls& balls,
                                          const Eigen::Matrix3d& R = Eigen::Matrix3d::Identity());
 

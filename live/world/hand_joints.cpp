@@ -25,7 +25,7 @@ int first_moved_link(const Hand& hand, const Eigen::VectorXd& q, int coordinate)
   return -1;
 }
 
-/// Whether a link is another one, or hangs on it.
+/// Returns true if a link is `root` or hangs on it.
 bool hangs_on(const HandLayout& layout, int link, int root) {
   while (link > root) link = layout.parents[static_cast<std::size_t>(link)];
   return link == root;

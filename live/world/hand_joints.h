@@ -10,8 +10,7 @@
 
 namespace thenar {
 
-/// Where a coordinate acts: the axis of the first link that it moves, which stands still in that
-/// link.
+/// Axis of a coordinate: that of the first link that it moves, at rest in that link.
 struct HandJoint {
   int coordinate = -1;
   int link = -1;                  // the link next to the base of those that the coordinate moves
@@ -32,8 +31,9 @@ struct JointLead {
   double ratio = 0;  // of the motions, this one's by the leader's [rad/rad], [m/m], ..
 };
 
-/// Who leads each coordinate of a robot: the first coordinate of its drive leads the others, in the
-/// ratio of their gears. A digit that tendons pull has no leader: its joints are moved one by one.
+/// Finds the leader of each coordinate of a robot: the first coordinate of its drive leads the
+/// others, in the ratio of their gears. A digit that tendons pull has no leader: its joints are
+/// moved one by one.
 /// @return  (coordinates)
 [[nodiscard]] std::vector<JointLead> joint_leads(const Hand& hand);
 

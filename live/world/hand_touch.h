@@ -51,7 +51,7 @@ class HandTouch {
   bool has_found_ = false;
 };
 
-/// Whether any surface of a hand may be within a distance of a body, by balls around them.
+/// Returns true if any surface of a hand may be within a distance of a body, by balls around them.
 [[nodiscard]] bool may_touch(const StateHand& hand, const StateBody& body, double within);
 
 }  // namespace thenar

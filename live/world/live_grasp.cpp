@@ -41,7 +41,7 @@ void require_distance(double distance) {
 
 bool is_mounted(const StateHand& hand) { return hand.parts.size() > 1; }
 
-/// Whether the hand is to be moved to where an outcome left it.
+/// Returns true if the hand is to be moved to the pose in which an outcome left it.
 bool moves_hand(GraspOutcome outcome) {
   return outcome != GraspOutcome::kOverlaps && outcome != GraspOutcome::kMissed;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a person lets a hand do in a live world: open, approach, close, grasp.
+/// Actions of a hand in a live world: open, approach, close, grasp.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// Which hand, and which object; empty: the only ones.
+/// Names of a hand and an object; empty: the only ones.
 struct LivePair {
   std::string hand, object;
 };

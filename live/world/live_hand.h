@@ -45,13 +45,13 @@ struct LiveHand {
                                                               const std::vector<std::string>& data,
                                                               const Progress& progress = {});
 
-/// What tells whether two worlds have the same hand of a name: files, mounts and carriers, not
-/// where they stand.
+/// Returns a key that is equal if two worlds have the same hand of a name: files, mounts and
+/// carriers count, the pose does not.
 /// @param data  as hand_of_world()
 [[nodiscard]] std::string live_hand_key(const WorldSpec& world, std::size_t hand,
                                         const std::vector<std::string>& data);
 
-/// Whether all files that a hand was built from, its meshes among them, are as they were then.
+/// Returns true if all files from which a hand was built, including meshes, are unchanged.
 [[nodiscard]] bool is_up_to_date(const LiveHand& hand);
 
 /// A ball that holds a mesh, about the middle of its box [m].

@@ -22,7 +22,7 @@ constexpr int kPressBisections = 36;    // of a press, down to picometres
 constexpr int kShearBisections = 60;    // of a way across, which costs nothing
 constexpr double kNearForce = 0.98;     // of the force that was asked for [1]
 
-/// What the pad's material says of its springs; nothing: it is rigid.
+/// Returns the constants of the pad's springs by its material; empty if the pad is rigid.
 std::optional<FoundationConstants> springs_of(const Material& material) {
   if (material.bed != nullptr) {
     FoundationConstants bed = *material.bed;
@@ -199,7 +199,7 @@ std::optional<PadOnObject> pressed_pad(const GraspResult& grasp, const ContactPa
   return pad;
 }
 
-/// What to know of a pad that did not come to its force, or slips.
+/// Adds warnings about a pad that does not reach its force, or slips.
 void tell_pad(const PadOnObject& pad, double force, const std::string& object,
               std::vector<std::string>& reasons) {
   if (pad.force < kNearForce * force)

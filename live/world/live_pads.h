@@ -1,7 +1,7 @@
 #pragma once
 
-/// How soft pads of a hand lie on an object in a live world: pressure over each patch, and where it
-/// sticks.
+/// Soft pads of a hand on an object in a live world: pressure over each patch, and the part of it
+/// that sticks.
 
 #include <string>
 #include <vector>

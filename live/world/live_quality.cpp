@@ -62,7 +62,7 @@ WorldCase case_of(const LiveWorld& live, const LiveMeeting& meeting) {
   return setting;
 }
 
-/// How the hand came to where it stands, if that is known of this very posture and object.
+/// Sets the approach and closing of a grasp, if they are known of this very posture and object.
 void tell_closing(const LiveWorld& live, const LiveMeeting& meeting, Grasp& grasp) {
   grasp.approached.X_WH = meeting.stands.stand.X_WH;
   grasp.closed.q = meeting.stands.stand.q;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What is asked of a grasp in a live world as it stands: contacts, quality, wrench sets, measures.
+/// Measures of a grasp in the present state of a live world: contacts, quality, wrench sets.
 
 #include <array>
 #include <optional>
@@ -26,7 +26,7 @@ inline constexpr double kDeepOverlap = 1e-3;
 /// @throws InputError if there is no such hand or object, or no friction of a pair that touches
 [[nodiscard]] LiveContacts contacts_of(const LiveWorld& live, const LivePair& pair);
 
-/// How the quality of a grasp is to be measured.
+/// Options of the quality of a grasp.
 struct LiveQualityRequest {
   double tolerance = 1e-3;          // largest difference of epsilon's certified bounds, > 0 [1]
   ForceNorm norm = ForceNorm::kL1;  // how forces of all contacts are limited together

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a shape depends on: things that move in place leave it as it is.
+/// Returns true if two states have the same shape; poses and postures do not count.
 bool looks_alike(const WorldState& a, const WorldState& b) {
   if (a.header != b.header || a.hands.size() != b.hands.size() ||
       a.bodies.size() != b.bodies.size())

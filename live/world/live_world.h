@@ -19,13 +19,13 @@
 
 namespace thenar {
 
-/// Where a live world finds and leaves files.
+/// Folders from which a live world reads files, and to which it writes them.
 struct LiveWorldPlaces {
   std::string data;          // folder with worlds/, robots/ ..; empty: the usual ones
   std::string folder = ".";  // working folder: files are saved in it or below, new worlds are in it
 };
 
-/// How the hand came to its posture, for as long as nothing moved since.
+/// Closing that brought the hand to its posture, valid while nothing has moved since.
 struct HandClosing {
   std::size_t hand = 0, object = 0;  // of WorldState
   GraspOutcome outcome = GraspOutcome::kEmpty;
@@ -76,7 +76,7 @@ class LiveWorld final : public LiveModel, public LiveEdits {
                                                         const std::string& path,
                                                         const Progress& progress);
 
-  /// What hands touch, and their collision models.
+  /// Returns the contacts of the hands, and their collision models.
   [[nodiscard]] HandTouch& touch() const { return touch_; }
 
   /// A folder of this world alone, made when it is first asked for and removed with it. Files in

@@ -44,7 +44,7 @@ class PatchCutter {
     return at->second;
   }
 
-  /// Where the outline crosses the edge from a vertex on the patch to one off it.
+  /// Finds the point where the outline crosses the edge from a vertex on the patch to one off it.
   int crossing(int on, int off) {
     const auto [at, fresh] = crossings_.emplace(std::pair(on, off), 0);
     if (!fresh) return at->second;

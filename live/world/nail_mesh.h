@@ -7,7 +7,7 @@
 
 namespace thenar {
 
-/// How far a nail stands out of the skin: drawn so, thinner than it is, as its root is in the skin
+/// Height of a drawn nail over the skin; it is thinner than a real nail, whose root is in the skin
 /// [m].
 inline constexpr double kNailHeight = 3e-4;
 

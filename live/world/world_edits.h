@@ -19,7 +19,7 @@ struct AddedThing {
   std::vector<std::string> warnings;  // what was assumed, mended or left out
 };
 
-/// Where a thing is to be added.
+/// Pose at which a thing is to be added.
 struct WantedPlace {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // of its frame (3, 3)
   std::optional<Eigen::Vector3d> position = {};     // absent: the origin, or beside what is there,
@@ -54,7 +54,7 @@ void place_thing(LiveWorld& live, const std::string& name,
                  const std::optional<Eigen::Vector3d>& position,
                  const std::optional<Eigen::Matrix3d>& R, const std::string& gesture = "");
 
-/// What became of joints that were set.
+/// Result of setting joints.
 struct SetJoints {
   std::map<std::string, double> joints;  // all of the hand [rad] or [m]
   std::vector<std::string> limited;      // those that came to rest at a limit before their target

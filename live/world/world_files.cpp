@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a hand of a world carries another.
+/// Returns true if a hand of a world carries another.
 bool carries_any(const WorldSpec& world, const PlacedHand& hand) {
   return std::any_of(world.hands.begin(), world.hands.end(), [&](const PlacedHand& other) {
     return !other.carrier.empty() &&
@@ -52,7 +52,7 @@ std::string checked_target(const std::string& file) {
   return name;
 }
 
-/// Whether a world was loaded from a file, or saved to it. @param target  canonical
+/// Returns true if a world was loaded from a file, or saved to it. @param target  canonical
 bool is_file_of(const LiveWorld& live, const fs::path& target) {
   std::error_code failed;
   const std::string& own = live.state().file;

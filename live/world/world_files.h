@@ -31,7 +31,7 @@ std::vector<std::string> load_world_text(LiveWorld& live, const std::string& tex
 ///         the session
 [[nodiscard]] std::string world_text(const LiveWorld& live);
 
-/// What saving may replace beside the file of the world itself.
+/// Files that saving may replace, besides the file of the world itself.
 enum class SaveOver { kNothing, kAnything };
 
 /// Saves the world so that it can be moved, as portable_world(): things that come with thenar by

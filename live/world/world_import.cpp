@@ -31,7 +31,7 @@ fs::path checked_name(const std::string& name) {
   return outside_path(name, OutsideUse::kInside);
 }
 
-/// Whether a system keeps something for itself in a file: ".DS_Store", "__MACOSX/._tip.stl".
+/// Returns true if a file holds data of an operating system: ".DS_Store", "__MACOSX/._tip.stl".
 bool is_hidden(const std::string& name) {
   const std::string last = name.substr(name.rfind('/') + 1);
   return last.size() > 1 && last.front() == '.' && last != "..";

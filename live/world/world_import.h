@@ -15,7 +15,7 @@ struct DroppedFile {
   std::string bytes;
 };
 
-/// As what files are taken.
+/// Role in which imported files are added to a world.
 enum class DroppedAs { kObject, kObstacle, kHand };
 
 /// A body that was read from a file of any format, mended, all of it in memory.

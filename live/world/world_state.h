@@ -32,7 +32,7 @@ struct StateHand {
   HandStand stand;                        // of the last of these parts
 };
 
-/// All that a world file says, and what was built of it.
+/// Content of a world file, and the things built from it.
 struct WorldState {
   std::shared_ptr<const WorldSpec> header;  // name, sources, materials, camera, folder; no things
   std::string file;                         // that it was read from or saved to; empty: none

@@ -19,7 +19,8 @@ FileDigests file_at(const std::string& path) {
   return is_file(path) ? digests_of({path}) : FileDigests();
 }
 
-/// What a thing was read from besides its own file: meshes, materials, bodies, laws.
+/// Trait of things that list the files they were read from besides their own: meshes, materials,
+/// bodies, laws.
 template <typename Whole, typename = void>
 struct HasFiles : std::false_type {};
 template <typename Whole>

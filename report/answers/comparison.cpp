@@ -16,7 +16,7 @@
 namespace thenar {
 namespace {
 
-/// What each version is, as build_human_hand() makes them.
+/// Descriptions of the versions of a human hand, as build_human_hand() makes them.
 constexpr std::array<const char*, 4> kVersions{
     "hard contacts; axes of the thumb at right angles; every joint has a strength of its own",
     "hard contacts; axes of the thumb skewed as measured; every joint has a strength of its own",
@@ -46,7 +46,7 @@ const char* words_of(GraspOutcome outcome) {
   return "closed without touching";
 }
 
-/// Of the first load that is not known and says why.
+/// Returns the reason of the first load that is unknown and has a reason.
 std::string why_unknown(const HandOnObject& cell) {
   for (const BestGrasp& best : cell.best)
     for (const auto& [load, reason] : best.reasons)
@@ -131,7 +131,8 @@ Table hand_table(const Comparison& comparison) {
   return table;
 }
 
-/// Which hand has the most force closures, if that is more than chance.
+/// Returns a sentence about the hand with the most force closures, if the difference is more than
+/// chance.
 std::string most_closures_words(const Comparison& comparison) {
   if (!comparison.complete || comparison.hands.size() < 2) return "";
   const std::string hand = hand_of_most_closures(comparison);

@@ -11,8 +11,9 @@
 
 namespace thenar {
 
-/// What hands made of the objects, how approaches ended where nothing closed, what hands can do by
-/// themselves, and warnings. Loads by the same rule as on the page.
+/// Returns the comparison as text: grasps of the objects by each hand, outcomes of approaches where
+/// nothing closed, abilities of hands without an object, and warnings. Loads follow the same rule
+/// as on the page.
 [[nodiscard]] std::string text_of(const HandComparison& result);
 
 /// Members as docs/data_format.md has them; null: not known; "infinite". most_closures: the hand
@@ -43,7 +44,7 @@ namespace thenar {
 /// A number of which only two digits mean anything.
 [[nodiscard]] double in_two_digits(double value);
 
-/// What the numbers mean, and with which settings they came about.
+/// Returns an explanation of the numbers, with the settings of the comparison.
 [[nodiscard]] std::string reading_words(const Comparison& comparison);
 
 }  // namespace thenar

@@ -12,8 +12,8 @@
 
 namespace thenar {
 
-/// What to beware of where the finger is nearly straight: its condition, and the joint on which the
-/// force hangs most. Empty below kNearlyStraight.
+/// Returns a warning if the finger is nearly straight: its condition, and the joint on which the
+/// force depends most. Empty below kNearlyStraight.
 /// @param change  of the force by each joint [N/rad] (joints)
 [[nodiscard]] std::string posture_note(const std::vector<std::string>& joints, double condition,
                                        const Eigen::VectorXd& change);

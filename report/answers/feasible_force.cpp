@@ -29,7 +29,7 @@ std::string status_line(Status status, const FeasibleForcePoint& point) {
   return words.empty() ? "" : fmt::format("{}: {}\n", name_of(status), words);
 }
 
-/// The same of a posture: which forces the bones carry alone.
+/// Returns the status line of a posture, with the forces that the bones carry alone.
 std::string status_line(const FeasibleForcePoint& point) {
   const Status status = point.largest->status;
   if (status != Status::kUnbounded || !point.plane_normal || point.load == TipLoad::kMoment)
@@ -40,7 +40,7 @@ std::string status_line(const FeasibleForcePoint& point) {
       name_of(status));
 }
 
-/// Whether it is certain that no tensions make a force this way.
+/// Returns true if certainly no tensions make a force in this direction.
 bool makes_none(const FeasibleForcePoint& point) {
   const Status status = point.largest->status;
   return status == Status::kInfeasible || (status == Status::kSolved && !makes_force(point));
@@ -189,7 +189,8 @@ void add_point(const FeasibleForceAnswer& answer, const FeasibleForcePoint& poin
   if (point.whole) add_whole(point, json);
 }
 
-/// What bones carry alone in the plane of parallel axes, where a cone of directions may hold it.
+/// Returns a note about the forces that bones carry alone if all axes are parallel and a cone of
+/// directions may hold such forces.
 std::string plane_note(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   if (!point.plane_normal || !makes_force(point) || answer.tolerance <= 0 ||
       answer.load == TipLoad::kMoment)

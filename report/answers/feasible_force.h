@@ -16,7 +16,7 @@ namespace thenar {
 /// A row for each posture.
 [[nodiscard]] Table table_of(const FeasibleForceAnswer& answer);
 
-/// How a load is called and counted.
+/// Words, unit and suffix of a load.
 struct LoadWords {
   std::string one, many;  // "force", "forces"
   std::string unit;       // "N" or "N m"
@@ -30,7 +30,7 @@ struct LoadWords {
 /// "moments beside it free", "of at most 0.1 N m each"; "" if there are none.
 [[nodiscard]] std::string other_words(TipLoad load, double most_other);
 
-/// Whether the posture has a largest force or moment that is more than rounding; not where it is
+/// Returns true if the posture has a largest force or moment above rounding errors; false if it is
 /// unbounded.
 [[nodiscard]] bool makes_force(const FeasibleForcePoint& point);
 
@@ -49,14 +49,14 @@ struct LoadWords {
 /// Muscles that limit the force, the dearest first, as indices.
 [[nodiscard]] std::vector<Eigen::Index> limiting_muscles(const FeasibleForcePoint& point);
 
-/// What to beware of at a posture; may be empty.
+/// Returns a warning about the answer at a posture; may be empty.
 [[nodiscard]] std::string note_of(const FeasibleForceAnswer& answer,
                                   const FeasibleForcePoint& point);
 
-/// Whether a digit has joints that must be in balance, or is a published map alone.
+/// Model of the tip: a digit with joints that must be in balance, or a published map alone.
 enum class TipModel { kJoints, kMap };
 
-/// What a status means to whoever asked for a force; "" if solved.
+/// Returns the meaning of a status for the question of a force; "" if solved.
 [[nodiscard]] std::string force_status_words(Status status, TipLoad load = TipLoad::kForce,
                                              TipModel model = TipModel::kJoints);
 

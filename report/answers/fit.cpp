@@ -78,7 +78,7 @@ std::string learnt_text(const Fit& fit) {
   return text;
 }
 
-/// What a direction that the data leave open is about.
+/// Kind of the parameters in a direction that the data leave open.
 enum class OpenKind {
   kTendons,  // arms, points, gains: what a fit is made for
   kOther,    // angles, shares, ..

@@ -10,11 +10,11 @@
 
 namespace thenar {
 
-/// How it ended, errors in sample and left out, what the data tell most about, and what the prior
-/// alone decides.
+/// Returns a fit as text: its ending, errors in sample and left out, what the data determine best,
+/// and what the prior alone determines.
 [[nodiscard]] std::string text_of(const FitResult& result);
 
-/// The same in full, numbers as they are.
+/// Returns a fit as JSON, complete and with unrounded numbers.
 [[nodiscard]] OrderedJson json_of(const FitResult& result);
 
 /// One row for each coordinate of the fit, best known first: its meaning, and estimate and sd in
@@ -38,7 +38,7 @@ namespace thenar {
 /// nobody else measured them.
 [[nodiscard]] std::string trivial_words(const Prediction& prediction,
                                         const std::string& who = "the mean of others' forces");
-/// The same as numbers, or null.
+/// Returns the error of trivial_words() as numbers, or null.
 [[nodiscard]] Json trivial_json(const Prediction& prediction);
 
 }  // namespace thenar

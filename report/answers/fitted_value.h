@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// What a fit says of a coordinate.
+/// Estimate of a coordinate of a fit, in a unit for people.
 struct CoordinateInUnit {
   double value = 0, sd = 0;  // [unit]
   double prior_sd = 0;       // of the one specimen of a fit, or of the population of several [unit]

@@ -69,7 +69,7 @@ std::string starts_text(const GraspResult& result) {
                           result.request.seed, fmt::join(parts, ", "), result.closures));
 }
 
-/// What a hard point cannot transmit is not a torsion of zero: "-".
+/// Returns a table of the contacts; hard points transmit no torsion and show "-" instead of zero.
 std::string contacts_text(const GraspResult& result) {
   const bool soft = result.setting.hand.named.contact != ContactModel::kHardPoint;
   Table table{{"surface", "x_mm", "y_mm", "z_mm", "nx", "ny", "nz", "friction", "torsion_mm"}, {}};

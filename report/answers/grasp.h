@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// Where a coordinate came to, and why no farther.
+/// Final value of a coordinate, and the reason why it went no farther.
 struct JointRow {
   std::string name;
   bool slides;             // rather than turns
@@ -38,7 +38,7 @@ struct JointRow {
 [[nodiscard]] std::string text_of(const GraspResult& result);
 [[nodiscard]] std::string text_of(const CloseResult& result);
 
-/// The same with units in the names of keys.
+/// Returns a grasp as JSON, with units in the names of keys.
 [[nodiscard]] OrderedJson json_of(const GraspResult& result);
 [[nodiscard]] OrderedJson json_of(const CloseResult& result);
 

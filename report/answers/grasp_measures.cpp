@@ -51,12 +51,13 @@ std::string short_volume_words(const Volume& v) {
 
 constexpr double kSameLoad = 1e-3;  // relative difference below which two loads are told as one [1]
 
-/// What efforts support goes first: no source states the strength of structure.
+/// Returns the load that efforts support, if known: no source states the strength of structure.
+/// Otherwise the load with structure.
 std::string load_words(const SupportedLoad& load, const std::string& unit) {
   return fmt::format("{} {}", shown(load.active.value_or(load.with_structure)), unit);
 }
 
-/// What the first number leaves out; "" if there is no more to it.
+/// Returns a note about what the number of load_words() leaves out; "" if nothing.
 std::string load_note(const SupportedLoad& load, const std::string& unit) {
   if (!load.active) return "with what structure bears; by efforts alone it is not known";
   if (load.with_structure - *load.active <= kSameLoad * load.with_structure) return "";

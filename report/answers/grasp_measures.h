@@ -19,7 +19,8 @@ struct MeasureRow {
 /// With units in the names of keys; null where there is no value, `reasons` says why.
 [[nodiscard]] OrderedJson measures_json(const GraspMeasures& measures);
 
-/// The same in words. Of loads the first number is what efforts and friction support.
+/// Returns the measures in words. The first number of a load is the load that efforts and friction
+/// support.
 [[nodiscard]] std::vector<MeasureRow> measure_rows(const GraspMeasures& measures);
 
 /// Shares of force closure with their intervals, and quantiles of epsilon.

@@ -32,7 +32,7 @@ bool moves(const CollisionHand& hand, int surface, int coordinate) {
   return surface >= 0 && hand.moved_by(surface, coordinate);
 }
 
-/// What touches beyond a coordinate: of parts of the hand on both sides of it.
+/// Returns the contacts that a coordinate changes: those of which it moves one side only.
 std::string contact_words(const CollisionHand& hand, int coordinate,
                           const std::vector<Touching>& touching) {
   std::vector<std::string> found;

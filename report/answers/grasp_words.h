@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a grasp says in words: what touches what, what stopped a coordinate.
+/// Words about a grasp: touching surfaces, and what stopped each coordinate.
 
 #include <string>
 #include <vector>
@@ -22,7 +22,7 @@ struct Touching {
 [[nodiscard]] std::vector<Touching> find_touching(const PosedCollisionHand& posed,
                                                   const GraspSetup& setup, double within);
 
-/// What stopped every coordinate: "at its upper limit", "contact: DP2 on can",
+/// Returns the reason why each coordinate stopped: "at its upper limit", "contact: DP2 on can",
 /// "coupled with one that is stopped", "nothing drives it", "free".
 [[nodiscard]] std::vector<std::string> stop_words(const CollisionHand& hand,
                                                   const ClosedHand& closed,

@@ -16,14 +16,14 @@ namespace thenar {
 /// left out, or the digit has no hood.
 [[nodiscard]] Table hood_row_table(const FitResult& result);
 
-/// The same as lines of text, with the count of free numbers; "" without rows.
+/// Returns hood_row_table() as lines of text, with the count of free numbers; "" without rows.
 [[nodiscard]] std::string hood_row_text(const FitResult& result);
 
 /// "fixed fractions: 519 coordinates move, 23 of them of the hood; the data determine 76.0
 /// parameters, 3.8 of them of the hood" of a fit.
 [[nodiscard]] std::string hood_count_words(const Fit& fit);
 
-/// The same in full, numbers as they are, or null.
+/// Returns hood_row_table() as JSON, complete and with unrounded numbers, or null.
 [[nodiscard]] Json hood_row_json(const FitResult& result);
 
 }  // namespace thenar

@@ -245,7 +245,7 @@ OrderedJson exact_json(const std::vector<ShapeSpec>& exact) {
   return told;
 }
 
-/// What was stated of a mesh besides its file.
+/// Adds the material, mass and inertia that were stated besides a mesh's file.
 void add_body(const BodySpec& body, OrderedJson& report) {
   report["material"] = body.material;
   report["mass_kg"] = mass_json(body);

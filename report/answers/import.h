@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a robot, an object, a world or a mesh of another format holds.
+/// Content of a robot, an object, a world or a mesh of another format.
 
 #include <string>
 
@@ -11,10 +11,10 @@ namespace thenar {
 
 /// Numbers and short lists as lines, then what lies deeper, then the warnings.
 [[nodiscard]] std::string text_of(const Imported& imported);
-/// Of robots counts, mass, leaves at zero, links, joints, degrees of freedom; of bodies material,
-/// mass, shapes; of worlds hands and bodies with their places; of meshes whether they are closed
-/// and where not, box, volume, centre, and inertia about it at density 1, "inertia_m5" [m^5].
-/// Warnings.
+/// Returns an import as JSON. For robots: counts, mass, leaves at zero, links, joints, degrees of
+/// freedom. For bodies: material, mass, shapes. For worlds: hands and bodies with their places. For
+/// meshes: whether they are closed and where not, box, volume, centre, and inertia about the centre
+/// at density 1, "inertia_m5" [m^5]. Always: warnings.
 [[nodiscard]] OrderedJson json_of(const Imported& imported);
 
 }  // namespace thenar

@@ -10,7 +10,7 @@
 namespace thenar {
 namespace {
 
-/// What became of the energy of a run.
+/// Returns the energy losses of a run, in words.
 std::string losses_words(const FlowBalance& balance) {
   return fmt::format("friction {} mJ, impacts {} mJ, dampers and soft parts {} mJ",
                      shown(1e3 * balance.friction), shown(1e3 * balance.impacts),

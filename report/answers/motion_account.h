@@ -1,7 +1,7 @@
 #pragma once
 
-/// How far a motion is to be believed, in words: energy that does not balance, surfaces in each
-/// other, joints beyond their limits, bounces left out.
+/// Reliability of a motion, in words: energy that does not balance, surfaces that overlap, joints
+/// beyond their limits, bounces left out.
 
 #include <string>
 #include <vector>

@@ -16,12 +16,13 @@ namespace thenar {
 /// where no joint has any.
 /// @param q  [rad] (coordinates)
 [[nodiscard]] std::string passive_line(const Skeleton& skeleton, const Eigen::VectorXd& q);
-/// The same of one posture of a sweep; of several without numbers.
+/// Returns the passive moments of a sweep's only posture; if there are several, a line without
+/// numbers.
 [[nodiscard]] std::string passive_line(const DigitSweep& about);
 
 /// Adds "passive_moment_Nm", by coordinate, where a joint has any.
 void add_passive(const Skeleton& skeleton, const Eigen::VectorXd& q, OrderedJson& json);
-/// The same at a posture of a sweep. @param point  its place in the sweep
+/// Adds "passive_moment_Nm" at a posture of a sweep. @param point  its place in the sweep
 void add_passive(const DigitSweep& about, std::size_t point, OrderedJson& json);
 
 }  // namespace thenar

@@ -21,7 +21,7 @@ namespace thenar {
 /// A row for each posture: joints, places of tips, or of links where there are no tips.
 [[nodiscard]] Table table_of(const RobotPoses& poses);
 
-/// How a tip can move: "regular: condition 3.2; moves least along (0, 1, 0)".
+/// Returns the mobility of a tip in words: "regular: condition 3.2; moves least along (0, 1, 0)".
 [[nodiscard]] std::string mobility_in_words(const TipNow& tip);
 
 [[nodiscard]] SweepAxes axes_of(const SubjectPoses& poses);

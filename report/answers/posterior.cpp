@@ -182,7 +182,8 @@ Json advice_json(const PosteriorRun& run) {
   return out;
 }
 
-/// Of the inputs, and of noise that the draws found to be far larger than stated.
+/// Returns warnings about the inputs, and about noise that the draws found to be far larger than
+/// stated.
 std::vector<std::string> all_warnings(const PosteriorResult& result) {
   std::vector<std::string> warnings = result.run.posterior->problem().warnings();
   for (std::string& warning : noise_cautions(result)) warnings.push_back(std::move(warning));

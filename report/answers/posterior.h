@@ -10,17 +10,17 @@
 
 namespace thenar {
 
-/// Whether the sampler has converged, predicted forces beside those measured, leave-one-out,
-/// parameters, directions and modes.
+/// Returns a posterior as text: convergence of the sampler, predicted beside measured forces,
+/// leave-one-out, parameters, directions and modes.
 [[nodiscard]] std::string text_of(const PosteriorResult& result);
 
-/// The same in full, numbers as they are.
+/// Returns a posterior as JSON, complete and with unrounded numbers.
 [[nodiscard]] OrderedJson json_of(const PosteriorResult& result);
 
 /// One row for each parameter and factor, best known first.
 [[nodiscard]] Table table_of(const PosteriorResult& result);
 
-/// What the draws predict: words, JSON and rows as of any prediction.
+/// Returns the predictions of the draws: as text, JSON and rows like any prediction.
 [[nodiscard]] std::string text_of(const PosteriorPrediction& result);
 [[nodiscard]] OrderedJson json_of(const PosteriorPrediction& result);
 [[nodiscard]] Table table_of(const PosteriorPrediction& result);
@@ -29,11 +29,11 @@ namespace thenar {
 /// @param allowed  the person asked for them all the same
 [[nodiscard]] std::string convergence_complaint(const PosteriorRun& run, bool allowed);
 
-/// What a reader of converged draws should know, with ways out; often nothing.
+/// Returns cautions about converged draws, with remedies; often empty.
 [[nodiscard]] std::vector<std::string> convergence_cautions(const PosteriorRun& run);
 
-/// Of experiments whose forces scatter far beyond the stated noise; see noise_warnings(). Nothing
-/// without a summary.
+/// Returns cautions about experiments whose forces scatter far beyond the stated noise; see
+/// noise_warnings(). Empty without a summary.
 [[nodiscard]] std::vector<std::string> noise_cautions(const PosteriorResult& result);
 
 }  // namespace thenar

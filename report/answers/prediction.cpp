@@ -17,7 +17,7 @@ std::string in_columns(const Eigen::Vector3d& v, int components, int width, int 
   return text;
 }
 
-/// The same as cells of a table, empty for one that is not fitted.
+/// Returns components as cells of a table, empty for components that are not fitted.
 std::vector<std::string> component_cells(const Eigen::Vector3d& v, int components) {
   std::vector<std::string> list = cells(v.head(components), 6);
   list.resize(3);

@@ -14,7 +14,7 @@ OrderedJson plain(const ScaledWrench& w) {
   return to_json(ScaledWrench((w.array() + 0.0).matrix()));
 }
 
-/// Of a plane f_x, f_y and the torque.
+/// Returns a wrench as JSON; of a planar grasp f_x, f_y and the torque.
 OrderedJson wrench_json(const ScaledWrench& w, bool planar) {
   return planar ? OrderedJson{w(0) + 0.0, w(1) + 0.0, w(5) + 0.0} : plain(w);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which command wrote a result, in words.
+/// Command that wrote a result, in words.
 
 #include <string>
 

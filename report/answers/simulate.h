@@ -19,7 +19,7 @@ namespace thenar {
 /// tip, energies. Columns: trajectory_table().
 [[nodiscard]] Table table_of(const SimulatedMotion& motion);
 
-/// What to beware of, one sentence each: also of the start.
+/// Returns warnings about a motion and its start, one sentence each.
 [[nodiscard]] std::vector<std::string> warnings_of(const SimulatedMotion& motion);
 /// Why the motion must not be used: it did not get to its end, or its energy does not balance;
 /// empty if it may. A motion that was stopped on request may be used.

@@ -211,7 +211,7 @@ std::string residual_words(const SimulatedScene& scene) {
   return has_contact_problems(scene) ? fmt::format("{:.2g}", scene.run.cost.worst_residual) : "n/a";
 }
 
-/// What took energy; null: not known.
+/// Returns the energy losses as JSON; null if they are unknown.
 OrderedJson losses_json(const SimulatedScene& scene) {
   if (!scene.measures.balance) return nullptr;
   const FlowBalance& balance = *scene.measures.balance;

@@ -22,7 +22,7 @@ namespace thenar {
 [[nodiscard]] OrderedJson json_of(const SceneSweep& sweep);
 [[nodiscard]] Table table_of(const SceneSweep& sweep);
 
-/// What to beware of, one sentence each.
+/// Returns warnings about a run, one sentence each.
 [[nodiscard]] std::vector<std::string> warnings_of(const SimulatedScene& scene);
 [[nodiscard]] std::vector<std::string> warnings_of(const SceneSweep& sweep);
 /// Why a run must not be used: contacts that were not solved, energy that does not balance, or

@@ -16,18 +16,19 @@
 
 namespace thenar {
 
-/// How well the best net explains the forces, the verdict on every band, what cannot be told apart,
-/// and what to measure next.
+/// Returns an inference as text: the fit of the best net to the forces, the verdict on every band,
+/// the bands that cannot be told apart, and the next measurements.
 [[nodiscard]] std::string text_of(const NetInference& inference);
-/// The same; evidence, sd_of_log_EA, log_bayes_factor, chi2_without and effective_parameters_with
-/// are null where they are infinite, EA_N where the data do not decide it.
+/// Returns an inference as JSON; evidence, sd_of_log_EA, log_bayes_factor, chi2_without and
+/// effective_parameters_with are null where they are infinite, EA_N where the data do not decide
+/// it.
 [[nodiscard]] OrderedJson json_of(const NetInference& inference);
 /// A row for each candidate band.
 [[nodiscard]] Table table_of(const NetInference& inference);
 
-/// How well the best net explains the forces, a sentence each.
+/// Returns the errors of the best net, a sentence each.
 [[nodiscard]] std::vector<std::string> fit_in_words(const NetInference& inference);
-/// What the tests that are proposed would tell, in one sentence.
+/// Returns the expected information of the proposed tests, in one sentence.
 [[nodiscard]] std::string next_in_words(const NetInference& inference);
 /// Bands that the data want some of, but not which, a sentence each.
 [[nodiscard]] std::vector<std::string> groups_in_words(const InferredNet& inferred);
@@ -44,9 +45,9 @@ namespace thenar {
 /// "17.67 +- 0.12", "held" [mm].
 [[nodiscard]] std::string slack_words(const BandBelief& band);
 
-/// How many sets were fitted, and how well the best explains the forces, a sentence each.
+/// Returns the number of fitted sets and the errors of the best set, a sentence each.
 [[nodiscard]] std::vector<std::string> posterior_in_words(const FreeInference& free);
-/// What the trials that are proposed would tell, in one sentence.
+/// Returns the expected information of the proposed trials, in one sentence.
 [[nodiscard]] std::string next_in_words(const FreeInference& free);
 
 }  // namespace thenar

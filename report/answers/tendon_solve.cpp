@@ -53,7 +53,7 @@ double slip_ratio(const SlipTension& slips) {
 /// which either may be off.
 constexpr double kLeastRatio = (1 - 0.4945) / 0.4945, kMostRatio = 1.7 * 1.7 / kLeastRatio;
 
-/// What to say of a share of the slips that no publication knows; empty: nothing.
+/// Returns a warning if the ratio of slip tensions is outside the published range; otherwise empty.
 std::string slip_doubt(const LoadedDigit& loaded, const DigitPoint& point) {
   const SlipTension& slips = point.pull.slips;
   if (loaded.net() == nullptr || !trusted(point.pull.status) ||
@@ -84,7 +84,7 @@ OrderedJson tendon_header(const LoadedDigit& loaded) {
   return json;
 }
 
-/// The same as two lines of text.
+/// Returns the header of an answer as two lines of text.
 std::string tendon_title(const LoadedDigit& loaded) {
   const std::string pulled = tensions_in_words(loaded);
   return fmt::format("{} of {} {} N\nmodel: {}{}\n", loaded.digit, loaded.subject,
@@ -255,8 +255,8 @@ std::vector<SweepColumn> number_columns(const LoadedDigit& loaded) {
                          arm_columns(names)});
 }
 
-/// How the search of a net ended; where it ended well, or there is none, how far to believe the
-/// rest.
+/// Returns the status of the net's search; if the net is in balance, or there is no net, the status
+/// of the tendons.
 std::string status_of(const LoadedDigit& loaded, const DigitPoint& point) {
   const bool net = loaded.net() != nullptr && (point.rest.status != NetStatus::kBalanced ||
                                                point.pull.status == TendonStatus::kValid);

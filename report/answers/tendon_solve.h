@@ -13,7 +13,7 @@ namespace thenar {
 
 /// Header, bands, nodes and contacts of a net, slips, joint torques, force of the tip.
 [[nodiscard]] std::string text_of(const TendonSolution& solution);
-/// The same as members with units in their names.
+/// Returns a solution as JSON, with units in the names of members.
 [[nodiscard]] OrderedJson json_of(const TendonSolution& solution);
 /// The row that a sweep has for this posture.
 [[nodiscard]] Table table_of(const TendonSolution& solution);
@@ -25,7 +25,7 @@ namespace thenar {
 /// A row for each posture: angles, status, slips, bands, tip force, torques, moment arms.
 [[nodiscard]] Table table_of(const TendonSweep& sweep);
 
-/// What to beware of, one sentence each: also of the way the digit was built.
+/// Returns warnings about the answer and the model of the digit, one sentence each.
 [[nodiscard]] std::vector<std::string> warnings_of(const TendonSolution& solution);
 [[nodiscard]] std::vector<std::string> warnings_of(const TendonSweep& sweep);
 
@@ -33,7 +33,7 @@ namespace thenar {
 [[nodiscard]] std::string refusal_of(const TendonSolution& solution);
 [[nodiscard]] std::string refusal_of(const TendonSweep& sweep);
 
-/// What to beware of in the force of a pinned tip; empty: nothing.
+/// Returns a warning about the force of a pinned tip; may be empty.
 [[nodiscard]] std::string tip_note(const TipForce& tip);
 
 /// "EDC=2.9 LU=0.4": the tendons that pull [N].

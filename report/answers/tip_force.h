@@ -15,7 +15,7 @@ namespace thenar {
 /// A row for each posture.
 [[nodiscard]] Table table_of(const TipForceAnswer& answer);
 
-/// What to beware of at a posture; may be empty.
+/// Returns a warning about the answer at a posture; may be empty.
 [[nodiscard]] std::string note_of(const TipForceAnswer& answer, const TipForcePoint& point);
 
 /// The force along proximal, dorsal and radial of the tip, where it has bones [N] (3).

@@ -17,7 +17,7 @@ std::string verdict_words(const FileVerdict& file) {
   return file.thing ? summary_of(*file.thing) : placed_error(file);
 }
 
-/// Whether an experiment suits the subject, in sentences.
+/// Returns whether an experiment suits the subject, in sentences.
 std::string check_text(const FileVerdict& file, const std::string& subject) {
   std::string text;
   for (const std::string& misfit : file.check.misfits) text += misfit + "\n";

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What files are, or what is wrong with them, a line a file.
+/// Verdicts on files, a line for each: their kind, or what is wrong with them.
 
 #include "api/validate.h"
 #include "report/json.h"

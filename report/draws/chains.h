@@ -19,7 +19,7 @@ namespace thenar {
 [[nodiscard]] Json chains_block(const std::vector<Quantity>& quantities,
                                 const std::string& caption);
 
-/// How many draws of each chain fall into each of equal parts of all ranks  (bins, chains).
+/// Counts the draws of each chain in equal bins of the ranks of all draws  (bins, chains).
 /// @param x  (draws, chains)
 [[nodiscard]] Eigen::MatrixXd rank_counts(const Eigen::Ref<const Eigen::MatrixXd>& x, int bins);
 
@@ -32,7 +32,7 @@ namespace thenar {
 /// Correlations of a chain with itself at lags 0, 1, ... (draws); NaN as above.
 [[nodiscard]] Eigen::VectorXd autocorrelation(const Eigen::Ref<const Eigen::VectorXd>& x);
 
-/// Where a count lies with 95 % probability.
+/// Interval that holds a count with 95 % probability.
 struct CountBand {
   double low, high;
 };
@@ -44,7 +44,7 @@ struct CountBand {
 /// @param tau    steps that a chain needs to forget [1]
 [[nodiscard]] CountBand rank_band(double draws, double chains, int bins, double tau);
 
-/// Whether R-hat a stands before b where the worst comes first; NaN is the worst.
+/// Returns true if R-hat a is worse than b, for sorting with the worst first; NaN is the worst.
 [[nodiscard]] bool worse(double a, double b);
 
 }  // namespace thenar

@@ -37,7 +37,7 @@ Eigen::VectorXd some(const Eigen::VectorXd& x, Eigen::Index most) {
   return out;
 }
 
-/// What the draws taught: 1 - sd / prior sd. Nothing without a prior.
+/// Information gained from the draws: 1 - sd / prior sd; 0 without a prior.
 double learnt(const Quantity& quantity) {
   const double before = sd_of(quantity.prior);
   return before > 0 ? 1 - sd_of(all_draws(quantity)) / before : 0;

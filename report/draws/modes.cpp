@@ -11,7 +11,7 @@
 namespace thenar {
 namespace {
 
-/// Of one quantity: its mean in every mode, and how far these differ.
+/// Means of one quantity in every mode, and the distance between them.
 struct ModeMeans {
   const Quantity* quantity;
   Eigen::VectorXd mean;  // NaN in a mode without draws [unit] (modes)

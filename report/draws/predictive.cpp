@@ -31,7 +31,8 @@ std::string loads_of(const Trial& trial) {
   return text.empty() ? "no load" : text;
 }
 
-/// What one component may read, and what it read; counts itself if that lies within.
+/// Numbers of measured components: all, and those within the 50 % and 95 % intervals of replicated
+/// ones.
 struct Counts {
   int all = 0, within_50 = 0, within_95 = 0;
 };

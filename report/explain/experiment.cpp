@@ -32,7 +32,7 @@ std::string components_in_words(const Experiment& experiment) {
              : words + "; the force across the plane of flexion is not fitted";
 }
 
-/// How many trials were measured elsewhere than at the tip, by the segment of the load cell.
+/// Counts trials measured elsewhere than at the tip, by the segment of the load cell, in words.
 std::vector<std::string> sites_in_words(const Experiment& experiment) {
   std::map<std::string, std::pair<int, std::string>> sites;  // trials, and axes of the force
   for (const Trial& trial : experiment.trials)

@@ -26,7 +26,7 @@ using Explanation = std::vector<Section>;
 [[nodiscard]] Explanation explain(const Fit& fit, const FitExplained& found);
 /// An extensor net: its nodes, bands, muscles and surfaces, and what a hood that is a net assumes.
 [[nodiscard]] Explanation explain(const NetDescription& net);
-/// What is in a scene, of what it is made, and how it slides.
+/// Explains an object, a world or materials: bodies, materials and friction.
 [[nodiscard]] Explanation explain(const BodySpec& body);
 [[nodiscard]] Explanation explain(const WorldSpec& world);
 [[nodiscard]] Explanation explain(const Materials& materials);

@@ -128,7 +128,7 @@ Section explain_slips(const NetDescription& net) {
             {"terminal", list_or_dash(net.slips.terminal)}}}};
 }
 
-/// What is assumed by a hood that is a net, and on the rungs below of which it is an alternative.
+/// Explains the assumptions of a hood that is a net, and of the lower rungs, which it replaces.
 Section explain_tiers(const NetDescription& net) {
   Section section{"assumes", "Assumptions, by the rung of the hood", {}, {{"rung", "assumes"}, {}}};
   for (const Hood hood : {Hood::kSeparate, Hood::kFractions, Hood::kFloatingNet})

@@ -89,7 +89,7 @@ Section explain_pads(const SceneSpec& scene) {
   return section;
 }
 
-/// What pads and their laws are made of, each once.
+/// Lists the constants of pads and of their laws, each once.
 Section explain_pad_constants(const SceneSpec& scene) {
   Section section{"pad_constants", "Constants of pads", {}, {}};
   std::set<std::string> told;
@@ -117,7 +117,7 @@ Section explain_bodies(const WorldSpec& world) {
   return section;
 }
 
-/// How the materials of a world slide on each other and on skin.
+/// Tabulates the friction between the materials of a world, and of these on skin.
 Section explain_friction(const Materials& materials) {
   Section section{"friction", "Friction between materials", {}, {}};
   section.table.header = {"one", "other", "static", "kinetic"};

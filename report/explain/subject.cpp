@@ -55,7 +55,7 @@ Section explain_rungs(const Fidelity& fidelity) {
   return section;
 }
 
-/// How skewed the joints are.
+/// Tabulates angles and distances between neighbouring joint axes.
 Section explain_axes(const TendonDigit& built) {
   Section section{
       "axes",

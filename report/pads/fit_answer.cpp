@@ -14,7 +14,7 @@
 namespace thenar {
 namespace {
 
-/// Who says what a constant is.
+/// Returns the source of a constant's value: "data", "prior" or "nothing".
 std::string known_by(const ConstantEstimate& estimate, const FreeConstant& free) {
   const std::string who = estimate.determined ? "data" : free.prior_factor ? "prior" : "nothing";
   return estimate.at_bound ? who + ", at a bound" : who;
@@ -29,7 +29,7 @@ std::string constant_name(const FittedPad& fitted, std::size_t i) {
   return name_of(fitted.problem.pad, fitted.problem.constants[i].constant);
 }
 
-/// Where the search began.
+/// Returns the value of a constant at the start of the search.
 double start_of(const FittedPad& fitted, std::size_t i) {
   return value_of(fitted.problem.pad, fitted.problem.constants[i].constant);
 }
@@ -55,14 +55,14 @@ std::string load_words(const PressRecord& record, const PressDatum& datum) {
   return datum.over ? words(datum.load) + " over " + words(*datum.over) : words(datum.load);
 }
 
-/// Whether there are correlations: no constant may have any value.
+/// Returns true if all constants have a finite sd, so that correlations exist.
 bool all_known(const FittedPad& fitted) {
   const std::vector<ConstantEstimate>& all = fitted.fit.estimates;
   return std::none_of(all.begin(), all.end(),
                       [](const ConstantEstimate& each) { return std::isinf(each.sd); });
 }
 
-/// What finer cells would multiply a constant by; empty: that was not found out.
+/// Returns the factor by which finer cells would change a constant; empty if it was not computed.
 std::optional<double> finer_factor(const FittedPad& fitted, std::size_t i) {
   bool pressed = false;
   for (const std::vector<PressPrediction>& record : fitted.fit.predictions)

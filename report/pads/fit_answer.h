@@ -12,12 +12,12 @@ namespace thenar {
 
 /// Constants, data beside predictions, correlations, and how the search ended.
 [[nodiscard]] std::string text_of(const FittedPad& fitted);
-/// The same, with curves of the fitted pad and what citation keys mean.
+/// Returns the fit as JSON, with curves of the fitted pad and the meaning of citation keys.
 [[nodiscard]] OrderedJson json_of(const FittedPad& fitted);
 /// A row for each constant.
 [[nodiscard]] Table table_of(const FittedPad& fitted);
-/// The same tables, force by depth and area by force of the fitted pad with the data on them, and
-/// sources. Defined in fit_page.cpp.
+/// Returns the page of a fit: its tables, force by depth and area by force of the fitted pad with
+/// the data on them, and sources. Defined in fit_page.cpp.
 [[nodiscard]] Json page_of(const FittedPad& fitted);
 [[nodiscard]] FileDigests files_of(const FittedPad& fitted);
 
@@ -29,7 +29,7 @@ namespace thenar {
 [[nodiscard]] Table data_table(const FittedPad& fitted);
 /// A row for each constant; without rows if there is one alone, or one that may have any value.
 [[nodiscard]] Table correlation_table(const FittedPad& fitted);
-/// What the columns of table_of() mean. Lines end with '\n'.
+/// Returns the meaning of the columns of table_of(). Lines end with '\n'.
 [[nodiscard]] std::string constants_note(const FittedPad& fitted);
 
 /// Unit of a measured number; of parts "".

@@ -21,7 +21,7 @@ struct ChartDatum {
   double x = 0, y = 0, sd_x = 0, sd_y = 0;
 };
 
-/// What the fitted pad gives at a load of the data.
+/// Returns the response of the fitted pad to a load of the data.
 const PressPoint& point_at(const FittedCurve& curve, const PressLoad& load) {
   const double imposed = load.force.value_or(load.indentation);
   const auto found = std::find(curve.loads.begin(), curve.loads.end(), imposed);
@@ -112,7 +112,7 @@ Json data_section(const FittedPad& fitted) {
       std::move(blocks));
 }
 
-/// What the citation keys of the data mean.
+/// Returns a section with the meaning of the citation keys in the data.
 Json source_section(const FittedPad& fitted) {
   std::set<std::string> keys;
   for (const PressRecord& record : fitted.problem.records)

@@ -12,11 +12,12 @@ namespace thenar {
 
 /// Errors of each law, presses with what laws say of them, and how the calibration ended.
 [[nodiscard]] std::string text_of(const PadLaws& found);
-/// The same with the constants of the laws.
+/// Returns the calibration as JSON, with the constants of the laws.
 [[nodiscard]] OrderedJson json_of(const PadLaws& found);
 /// Two rows for each law: root of the mean square and worst of its errors [%]. None without laws.
 [[nodiscard]] Table table_of(const PadLaws& found);
-/// The same tables, and force of laws over that of the elements. Defined in laws_page.cpp.
+/// Returns the page of a calibration: its tables, and the force of laws over that of the elements.
+/// Defined in laws_page.cpp.
 [[nodiscard]] Json page_of(const PadLaws& found);
 [[nodiscard]] FileDigests files_of(const PadLaws& found);
 
@@ -26,7 +27,7 @@ namespace thenar {
 [[nodiscard]] std::string conditions_of(const PadLaws& found);
 /// A row for each press: elements, laws beside them.
 [[nodiscard]] Table press_table(const PadLaws& found);
-/// What the columns of table_of() mean. Lines end with '\n'.
+/// Returns the meaning of the columns of table_of(). Lines end with '\n'.
 [[nodiscard]] std::string errors_note();
 
 }  // namespace thenar

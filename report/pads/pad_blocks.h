@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// How an answer ended, and what to know before trusting it.
+/// Returns a banner with the ending of an answer, and its warnings.
 /// @param refusal   why it is not the whole answer; empty: it is
 /// @param warnings  doubts and assumptions
 /// @param title     if it is

@@ -14,9 +14,9 @@ namespace thenar {
 inline constexpr double kSquareMm = 1e-6;   // [m^2]
 inline constexpr double kKilopascal = 1e3;  // [Pa]
 
-/// What was pressed and how, every instant, the rungs, and how far to believe it.
+/// Returns a press as text: pad, object, every instant, the rungs, and the accuracy.
 [[nodiscard]] std::string text_of(const PressedPad& pressed);
-/// The same, and the nodes of the patch: places, pressure, stick.
+/// Returns a press as JSON, with the nodes of the patch: places, pressure, stick.
 [[nodiscard]] OrderedJson json_of(const PressedPad& pressed);
 /// A row for each instant.
 [[nodiscard]] Table table_of(const PressedPad& pressed);

@@ -11,7 +11,8 @@
 
 namespace thenar {
 
-/// What each rung costs and how far it is from the finest; its pads at the end.
+/// Returns the comparison as text: the cost of each rung, its error against the finest, and its
+/// pads at the end.
 [[nodiscard]] std::string text_of(const RungComparison& comparison);
 [[nodiscard]] OrderedJson json_of(const RungComparison& comparison);
 /// A row for each rung.
@@ -19,7 +20,7 @@ namespace thenar {
 /// A row for each rung and pad: its load at the end.
 [[nodiscard]] Table pad_table_of(const RungComparison& comparison);
 
-/// What errors are measured by: "against elements", and whether that was solved.
+/// Returns the reference of the errors: "against elements", and whether that rung was solved.
 [[nodiscard]] std::string finest_words(const RungComparison& comparison);
 /// CPU time for a simulated second [s]; not a number where nothing was simulated.
 [[nodiscard]] double cpu_per_second(const RungRun& run);
@@ -27,7 +28,7 @@ namespace thenar {
 /// Errors over what rungs cost, forces over time, and a film of each rung.
 [[nodiscard]] Json page_of(const RungComparison& comparison);
 
-/// What to beware of, one sentence each: of every run, and runs that are not to be used.
+/// Returns warnings of every run, and runs that are not to be used, one sentence each.
 [[nodiscard]] std::vector<std::string> warnings_of(const RungComparison& comparison);
 /// Why the comparison must not be used: the finest run was not solved; empty if it may.
 [[nodiscard]] std::string refusal_of(const RungComparison& comparison);

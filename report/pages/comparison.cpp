@@ -23,8 +23,8 @@ const ComparePicture* picture_of(const std::vector<ComparePicture>& pictures,
   return nullptr;
 }
 
-/// Where the tips are from the palm's point, across the way of approach; zero where they stand
-/// round it. [m] (3)
+/// Computes the mean offset of the tips from the palm's point, across the way of approach; zero
+/// where the tips stand round it. [m] (3)
 Eigen::Vector3d tips_ahead(const Hand& hand, const Eigen::VectorXd& q) {
   constexpr double kRound = 0.02;  // [m]
   const HandLayout& layout = hand.layout();

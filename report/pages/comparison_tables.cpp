@@ -38,7 +38,7 @@ Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); 
 /// A load, which may be borne without limit.
 Json load(double value) { return std::isinf(value) ? Json("no limit") : finite(value); }
 
-/// Of the finite numbers among some; NaN of none.
+/// Computes the median of the finite values; NaN if there are none.
 double median(std::vector<double> values) {
   values.erase(std::remove_if(values.begin(), values.end(),
                               [](double value) { return !std::isfinite(value); }),
@@ -117,7 +117,8 @@ Json matrix(const Comparison& comparison, const std::string& caption, int digits
   return table_block(caption, columns, rows);
 }
 
-/// Of tasks with a load, how it counts: by efforts, then with structure.
+/// Returns two columns for each task with a load: the load by efforts, then the load with
+/// structure.
 std::vector<BlockColumn> load_columns(const Comparison& comparison) {
   std::vector<BlockColumn> columns;
   const auto add = [&](const std::string& name, const char* unit, int digits) {
@@ -177,7 +178,7 @@ Json all_cells(const Comparison& comparison) {
   return table;
 }
 
-/// How approaches ended where none of them closed.
+/// Returns the outcomes of approaches, for each hand and object without a closure.
 Json outcome_rows(const Comparison& comparison) {
   Json rows = Json::array();
   for (const HandOnObject& cell : comparison.cells)
@@ -256,7 +257,7 @@ Json type_rows(const Comparison& comparison) {
 
 constexpr const char* kKey = "median, middle half (thick), all (thin)";
 
-/// What stands in place of a chart's row.
+/// Returns a row of a chart that shows a reason instead of values.
 Json empty_row(const std::string& hand, const std::string& why) {
   return {
       {"name", hand}, {"estimate", Json()}, {"low", Json()}, {"high", Json()}, {"display", why}};
@@ -289,8 +290,8 @@ Json limited_row(const HandOnObject& cell) {
   return quantile_row(cell.hand, cell.hand_epsilon, cell.closures);
 }
 
-/// Where the axis ends, if a few rows would stretch it so that the others could not be read: rows
-/// that reach beyond thrice the median of all ends are cut; infinite: none is.
+/// Computes the end of the axis, so that a few long rows do not make the others unreadable: rows
+/// that reach beyond thrice the median of all ends are cut; infinite if none is cut.
 double end_of_axis(const Json& rows) {
   std::vector<double> ends;
   for (const Json& row : rows)

@@ -19,10 +19,10 @@ namespace thenar {
 /// Quantiles of epsilon of every hand on every object, by geometry and with the hand's own efforts.
 [[nodiscard]] Json distribution_section(const Comparison& comparison);
 
-/// What hands can do without an object.
+/// Returns the section about the abilities of hands without an object.
 [[nodiscard]] Json abilities_section(const Comparison& comparison);
 
-/// What the numbers mean, and with which settings they came about.
+/// Returns the section that explains the numbers and names the settings of the comparison.
 [[nodiscard]] Json reading_section(const Comparison& comparison);
 
 }  // namespace thenar

@@ -38,7 +38,7 @@ namespace thenar {
 /// The text of a first section: what was asked at which postures, and every warning.
 [[nodiscard]] std::string digit_introduction(const DigitSweep& about, const std::string& words);
 
-/// What else is drawn at a posture. @param tint  colour of the posture
+/// Adds further layers to the picture of a posture. @param tint  colour of the posture
 using AddLayers = std::function<void(std::size_t point, const std::string& tint, Json& layers)>;
 
 /// Bones at up to five of the postures, each a layer, and tendons where they run straight; null for

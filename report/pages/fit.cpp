@@ -87,7 +87,7 @@ Json ending_banner(const FitResult& result) {
   return banner;
 }
 
-/// How the fit ended, and what to know before trusting it.
+/// Returns the banners about the ending of the fit and its warnings.
 Json ending_blocks(const FitResult& result) {
   Json blocks = Json::array({ending_banner(result)});
   if (!result.warnings.empty())
@@ -188,7 +188,8 @@ Json force_section(const FitResult& result) {
                  "Forces of the fingertip in the axes of the distal phalanx.", blocks);
 }
 
-/// What was chosen, by what, and whether the folds agree.
+/// Returns the section about chosen settings: values, the criterion, and the agreement of the
+/// folds.
 Json choice_section(const FitResult& result) {
   const Table table = choice_table(result);
   std::vector<BlockColumn> columns;

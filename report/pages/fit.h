@@ -26,8 +26,8 @@ namespace thenar {
 /// @param meshes    gets those of the skin
 [[nodiscard]] Json fitted_scene(const Fit& fit, int specimen, MeshTable& meshes);
 
-/// What the names of the parameters that move mean, for the text of a section; kinds that do not
-/// occur are left out.
+/// Returns the meaning of the names of moving parameters, for the text of a section; kinds that do
+/// not occur are left out.
 [[nodiscard]] std::string name_rules(const Fit& fit);
 
 }  // namespace thenar

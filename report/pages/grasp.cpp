@@ -95,7 +95,7 @@ Json measure_section(const GraspResult& result) {
 /// Rounding is no number to read.
 double tidy(double x) { return std::abs(x) < kRounding ? 0 : x; }
 
-/// What the last column of the contacts means.
+/// Returns the meaning of the last column of the contacts.
 std::string torsion_words(const GraspResult& result) {
   return contact_model_of(result) == "hard point"
              ? "The contacts are hard points: torsion, a torque about the normal, is not modelled."

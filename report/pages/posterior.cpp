@@ -120,7 +120,8 @@ Json calibration_blocks(const PosteriorPicture& picture) {
 constexpr long kPredictiveDraws = 2000;
 constexpr std::size_t kDoubtful = 8;  // quantities shown for their R-hat
 
-/// Which quantities to show, in their order: the most doubtful, and those most was learnt about.
+/// Selects the quantities to show, in their order: those with the largest R-hat, and those that the
+/// data determine best.
 std::vector<std::size_t> chosen(const std::vector<PosteriorQuantity>& quantities,
                                 const std::vector<Estimate>& estimates, std::size_t most) {
   std::vector<std::size_t> order(quantities.size());

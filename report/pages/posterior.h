@@ -19,7 +19,7 @@
 
 namespace thenar {
 
-/// All that is known of a posterior.
+/// Content of a page about a posterior.
 struct PosteriorPicture {
   std::string title;   // "H01 and H02"; heads the sections
   std::string prefix;  // of section ids, where a page shows several
@@ -41,7 +41,7 @@ struct PosteriorPicture {
   std::vector<SamplerCourse> samplers;
 };
 
-/// How a sampled posterior becomes a picture.
+/// Options of the picture of a sampled posterior.
 struct PictureOptions {
   std::string title;                    // heads the sections
   std::string prefix;                   // of section ids, where a page shows several posteriors

@@ -70,7 +70,7 @@ std::vector<double> still_times(const SimulatedScene& scene, const std::vector<I
   return times;
 }
 
-/// What the scene view needs of a run.
+/// Data of a run for the scene view.
 class SceneFilm {
  public:
   SceneFilm(const SimulatedScene& scene, MeshTable& meshes)

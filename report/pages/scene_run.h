@@ -17,7 +17,7 @@ namespace thenar {
 /// @param instants  that it plays, at most
 [[nodiscard]] Json film_of(const SimulatedScene& scene, Eigen::Index instants, MeshTable& meshes);
 
-/// Whether the run may be believed, and what was assumed.
+/// Returns a banner with the reliability of the run, and its assumptions.
 [[nodiscard]] Json run_banner(const SimulatedScene& scene);
 
 /// Slip, penetration and energy of all runs.

@@ -40,7 +40,7 @@ std::string posture(const TendonSweep& sweep, const DigitPoint& point) {
   return bent.empty() ? "straight" : angles(sweep, point, bent);
 }
 
-/// What sets a point apart from the others.
+/// Returns a title that distinguishes a point from the others.
 std::string title(const TendonSweep& sweep, const DigitPoint& point) {
   return sweep.points.size() > 1 ? angles(sweep, point, sweep.loaded.grid.varied)
                                  : posture(sweep, point);
@@ -123,7 +123,7 @@ Json picture_of(const NetPicture& picture, const DigitPoint& point, MeshTable& m
           {"layers", layers}};
 }
 
-/// Which sense of a coordinate is positive. Joints of ab-adduction are named "MCP3_AA".
+/// Returns the positive sense of a coordinate. Joints of ab-adduction are named "MCP3_AA".
 std::string positive_sense(const std::string& coordinate) {
   const std::string ending = "_AA";
   const bool abducts =
@@ -190,7 +190,7 @@ Json band_table(const TendonSweep& sweep, const Net& net, const std::vector<std:
   return table;
 }
 
-/// Where not to trust the sweep, in one line; empty: nowhere.
+/// Returns a line about postures where the sweep is not to be trusted; empty if there are none.
 std::string trouble_line(const TendonSweep& sweep) {
   const auto troubled = [](const DigitPoint& point) { return !point.pull.warning.empty(); };
   const auto first = std::find_if(sweep.points.begin(), sweep.points.end(), troubled);

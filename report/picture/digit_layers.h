@@ -8,7 +8,8 @@
 
 namespace thenar {
 
-/// What the x, y and z of a picture are called on a digit, as `axes` of the picture: "proximal",
+/// Returns names of the x, y and z axes of a picture of a digit, as `axes` of the picture:
+/// "proximal",
 /// "dorsal", "radial" or their opposites; empty where none is within 30 deg.
 /// @param directions  columns proximal, dorsal, radial; of length 0: not known (3, 3)
 [[nodiscard]] Json axis_words(const Eigen::Matrix3d& directions);

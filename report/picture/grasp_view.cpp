@@ -45,7 +45,7 @@ std::vector<Blocker> blockers_of(const HandPicture& hand, const GraspSetup& setu
   return blockers;
 }
 
-/// Whether the ray from p along d meets the triangle. Source: [Moller1997].
+/// Returns true if the ray from p along d meets the triangle. Source: [Moller1997].
 bool meets(const Vector3d& p, const Vector3d& d, const Vector3d& a, const Vector3d& b,
            const Vector3d& c) {
   const Vector3d ab = b - a, ac = c - a, across = d.cross(ac);

@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// Where an eye may be.
+/// Limits of the eye's direction.
 struct Eyes {
   Eigen::Vector3d usual;  // direction from the object towards the eye, kept if it is as good (3)
   Eigen::Vector3d up;     // of the picture, world frame (3)

@@ -40,7 +40,7 @@ struct HandPicture {
 [[nodiscard]] Json picture_block(const std::string& caption, const Eigen::Vector3d& view,
                                  Json layers);
 
-/// The same as a thumbnail.
+/// Returns a block that shows layers as a thumbnail.
 [[nodiscard]] Json thumbnail_block(const std::string& caption, const Eigen::Vector3d& view,
                                    Json layers);
 

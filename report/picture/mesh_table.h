@@ -17,7 +17,7 @@ namespace thenar {
 /// A colour as bytes of red, green, blue.
 using MeshColor = Eigen::Matrix<unsigned char, 3, 1>;
 
-/// How a mesh is to look.
+/// Appearance of a mesh.
 struct MeshLook {
   double crease = -1;             // sharper edges look sharp [deg]; negative: all are smooth
   std::vector<MeshColor> colors;  // of every vertex; empty: that of its layer

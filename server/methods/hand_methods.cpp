@@ -13,7 +13,7 @@ namespace thenar::internal {
 
 namespace {
 
-/// How a closing ended, and what stopped each joint.
+/// Returns the outcome of a closing, and the reason why each joint stopped, as JSON.
 OrderedJson closing_json(const LiveWorld& live, const LivePair& pair, const HandClosing& closing) {
   OrderedJson stopped = OrderedJson::array();
   const GraspResult standing = standing_grasp(live, pair);

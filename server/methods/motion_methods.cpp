@@ -159,7 +159,7 @@ LiveMotion& motion_of(const Session& session) {
   return session.model<LiveMotion>(LiveMode::kMotion);
 }
 
-/// What is told of a motion that was opened.
+/// Returns the description of a motion that was opened, as JSON.
 OrderedJson opened_json(const LiveTimeline& motion) {
   const LiveTime time = motion.live_time();
   OrderedJson out;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What requests about worlds share: the world of the session, places, names, bytes.
+/// Common parts of requests about worlds: the world of the session, places, names, bytes.
 
 #include <optional>
 #include <string>
@@ -23,7 +23,7 @@ LiveWorld& open_live_world(Session& session);
 inline constexpr std::size_t kNameLength = 300, kPathLength = kLongestOutsidePath;
 inline constexpr double kFarthest = 1000;  // of a position [m]
 
-/// Where things are put: "position" and "rotation" of a request, of which each may be left out.
+/// Returns the schema of a place: "position" and "rotation" of a request; each may be left out.
 [[nodiscard]] SchemaMember position_member();
 [[nodiscard]] SchemaMember rotation_member();
 /// "hand" and "object": names, which may be left out where there is only one.

@@ -1,6 +1,7 @@
 #pragma once
 
-/// What the demo asked, did and learnt, question by question; each number is that of the results.
+/// Findings of the demo, question by question: question, method and answer; each number is that of
+/// the results.
 
 #include <string>
 #include <vector>
@@ -19,29 +20,32 @@ struct Finding {
   std::string line;
 };
 
-/// How well forces are predicted.
+/// Returns the finding about the accuracy of predicted forces.
 [[nodiscard]] Finding force_finding(const std::vector<SpecimenStudy>& studies);
-/// What forces tell of a finger.
+/// Returns the finding about the parameters of a finger that forces determine.
 [[nodiscard]] Finding finger_finding(const std::vector<SpecimenStudy>& studies);
-/// Whether that carries to other hands.
+/// Returns the finding about the transfer of these parameters to other hands.
 [[nodiscard]] Finding population_finding(const PopulationStudy& study);
-/// How sure the forces make us.
+/// Returns the finding about the uncertainty that remains after forces.
 [[nodiscard]] Finding posterior_finding(const std::vector<DemoPosterior>& posteriors);
-/// Of one of them. Its line is empty.
+/// Returns the finding about one posterior. Its line is empty.
 [[nodiscard]] Finding posterior_finding(const DemoPosterior& posterior);
-/// How the extensor hood should be modelled.
+/// Returns the finding about the best model of the extensor hood.
 [[nodiscard]] Finding hood_finding(const DemoHood& hood);
-/// What skewed axes cost a thumb. @param page  its sections, whose table has the sets
+/// Returns the finding about the cost of skewed axes for a thumb. @param page  its sections, whose
+/// table has the sets
 [[nodiscard]] Finding thumb_finding(const ThumbStudy& study, const Json& page);
-/// Whether a thumb is found again from made-up data, and what measurements add.
+/// Returns the finding about the recovery of a thumb from made-up data, and about the information
+/// that measurements add.
 [[nodiscard]] Finding thumb_recovery_finding(const ThumbRecoveryResult& result);
-/// What becomes of a wine glass, of a thumb on a mug, and how accurate steps are.
+/// Returns the findings about a wine glass, about a thumb on a mug, and about the accuracy of
+/// steps.
 [[nodiscard]] Finding glass_finding(const SimulatedScene& glass);
 [[nodiscard]] Finding thumb_mug_finding(const DemoMotion& motion);
 [[nodiscard]] Finding stepping_finding(const std::vector<WorkPoint>& points);
-/// How hands compare in grasping.
+/// Returns the finding about the comparison of hands in grasping.
 [[nodiscard]] Finding hands_finding(const Comparison& comparison);
-/// What a pad does under an object, and what models of it cost.
+/// Returns the findings about a pad under an object, and about the cost of pad models.
 [[nodiscard]] Finding pad_finding(const PressedPad& pressed);
 [[nodiscard]] Finding pencil_finding(const RungComparison& pencil);
 

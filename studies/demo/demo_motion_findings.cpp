@@ -28,7 +28,7 @@ std::string accuracy_words(const WorkPoint* point) {
   return fmt::format("{:.2g} mm in {:.3g} ms", point->error / kMm, 1e3 * point->cpu_seconds);
 }
 
-/// What a hand did on all objects.
+/// Score of a hand over all objects.
 struct HandScore {
   std::string hand;
   ClosureCount count;

@@ -18,7 +18,7 @@ namespace thenar {
 /// Measured against predicted force vectors, in sample and left out.
 [[nodiscard]] Json force_page(const std::vector<SpecimenStudy>& studies);
 
-/// What the data tell about each parameter, and what they cannot.
+/// Returns the page about parameters: what the data determine, and what they cannot.
 [[nodiscard]] Json parameter_page(const std::vector<SpecimenStudy>& studies);
 
 /// Several specimens as one population, and specimens that it has not seen.

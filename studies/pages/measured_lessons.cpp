@@ -28,7 +28,7 @@ Json mean_and_sd(const Eigen::RowVectorXd& values) {
   return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
 }
 
-/// What a row of the table of measurements begins with.
+/// First cells of a row of the table of measurements.
 struct MeasuredNumber {
   std::string name;
   double value, sd, truth;  // `truth` is what the thumb of the made-up data says
@@ -67,7 +67,7 @@ std::size_t measured_numbers(const MeasuredLessons& of) {
   return 3 * of.force.trials.size() + of.losses.blocks.size();
 }
 
-/// Whether values of a key of a block are nobody's measurements.
+/// Returns true if the values of a key of a block are assumed, not measured.
 bool is_assumed(const NerveBlock& block, const std::string& key) {
   return std::find(block.assumed.begin(), block.assumed.end(), key) != block.assumed.end();
 }
@@ -193,7 +193,7 @@ Json tilt_table(const MeasuredLessons& of) {
       columns, std::move(rows));
 }
 
-/// What is left of every tilt's sd, by the draws of each.
+/// Returns a chart of the remaining share of every tilt's sd, by the draws of each.
 Json kept_chart(const MeasuredLessons& of) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < of.reweighted.front().names.size(); ++i)
@@ -229,7 +229,7 @@ std::string words_of_forces(const Experiment& of) {
   return fmt::format("{}", fmt::join(words, "; "));
 }
 
-/// What of the losses is assumed, by the file.
+/// Returns the assumptions about the losses, as stated by the file.
 std::string assumed_of_losses(const PinchLosses& losses) {
   std::vector<std::string> sds, shares;
   for (const NerveBlock& block : losses.blocks) {
@@ -245,7 +245,7 @@ std::string assumed_of_losses(const PinchLosses& losses) {
   return words;
 }
 
-/// What the measurements are, and what is assumed of them.
+/// Describes the measurements and the assumptions about them.
 std::string measurements_words(const MeasuredLessons& of) {
   const Eigen::Vector3d sd = force_sd(of.force, of.force.trials.front());
   return fmt::format(
@@ -314,7 +314,7 @@ std::string undecided_words(const ReweightedDraws& draws) {
       draws.name, undecided);
 }
 
-/// What was learnt alone, in words.
+/// Describes what the measurements alone determine.
 std::string alone_words(const ThumbRecoveryResult& result) {
   const MeasuredLessons& of = result.lessons;
   const ReweightedDraws& prior = of.reweighted.front();
@@ -344,7 +344,7 @@ std::string alone_words(const ThumbRecoveryResult& result) {
          cannot;
 }
 
-/// What is added to the made-up data, and whether both are of one thumb.
+/// Describes what the measurements add to the made-up data, and whether both are of one thumb.
 std::string beside_words(const MeasuredLessons& of) {
   const ReweightedDraws& posterior = of.reweighted.back();
   const DataUpdate& both = update_by_both(posterior);

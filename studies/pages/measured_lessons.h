@@ -1,6 +1,6 @@
 #pragma once
 
-/// What published measurements add to what is believed of a thumb's axes.
+/// Page about the information that published measurements add to prior knowledge of a thumb's axes.
 
 #include <string>
 
@@ -9,8 +9,9 @@
 
 namespace thenar {
 
-/// What published measurements are, what models say of them, and what is left of the sds of tilts
-/// once they are added, to the prior and to the posterior of made-up data.
+/// Returns the section about published measurements: their values, the predictions of models, and
+/// the sds of tilts that remain once they are added, to the prior and to the posterior of made-up
+/// data.
 [[nodiscard]] Json measured_lessons_section(const ThumbRecoveryResult& result);
 
 /// Share of its plain sd that each tilt keeps under an update: rms over tilts, least and most.

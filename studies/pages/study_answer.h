@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// How well each fit explains forces of the true thumb.
+/// Returns the errors of each fit in explaining forces of the true thumb.
 [[nodiscard]] std::string text_of(const ThumbStudyResult& result);
 
 /// Fits with what each learnt, thumbs that were not fitted, and the calibration if there is one.

@@ -39,7 +39,7 @@ std::string pulled_with(const std::vector<Trial>& trials) {
   return least < most ? fmt::format("{:g} to {:g} N", least, most) : fmt::format("{:g} N", most);
 }
 
-/// How the data were made up, and with which thumb.
+/// Describes the thumb of the made-up data, and how the data were generated.
 std::string introduction(const ThumbRecovery& of) {
   const std::vector<ActivationRow>& tasks = of.made_up.activations;
   const double activation_sd = tasks.empty() ? 0 : tasks.front().sd.begin()->second;
@@ -148,7 +148,7 @@ Json number_table(const ThumbRecovery& of) {
                      std::move(rows));
 }
 
-/// How far the draws of a number reach to either side of their mean, in words.
+/// Describes the asymmetry of the draws of a number: their reach to either side of the mean.
 std::string skew_words(const ThumbRecovery& of, const std::string& name) {
   const auto worst =
       std::find_if(of.numbers.begin(), of.numbers.end(),

@@ -10,9 +10,9 @@
 
 namespace thenar {
 
-/// What was made up, and what least squares and chains found of it beside the truth: axes, every
-/// tilt and shift with its 95 % interval, how well both methods agree, what could not be told, and
-/// the axes in space.
+/// Returns the section about the recovery of a thumb: the made-up data, and the values found by
+/// least squares and chains beside the truth: axes, every tilt and shift with its 95 % interval,
+/// the agreement of both methods, what could not be told, and the axes in space.
 [[nodiscard]] Json thumb_recovery_section(const ThumbRecovery& recovery);
 
 /// Numbers that were made up: three components of the force of each trial and each task, and an

@@ -168,7 +168,7 @@ std::string part_of_axis(const std::string& parameter) {
                      parameter.substr(joint + 1, end - joint - 1));
 }
 
-/// What was learnt of each part of an axis, in the order of the parameters.
+/// Collects the ratio of sd to prior sd for each part of an axis, in the order of the parameters.
 std::vector<std::pair<std::string, LearntOver>> learnt_axes(const ThumbStudy& study, Over over,
                                                             Arms arms) {
   std::vector<std::pair<std::string, LearntOver>> axes;

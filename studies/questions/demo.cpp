@@ -23,7 +23,7 @@ constexpr double kSpecimen = 14, kPopulation = 0.5, kPosteriorAlone = 5.5, kPost
                  kHood = 0.3, kThumbStudy = 4.5, kThumbRecovery = 18, kHands = 8, kPad = 5.5,
                  kPencil = 14;
 
-/// How long chains run.
+/// Lengths of chains.
 struct ChainLengths {
   long warm_up, draws;       // of each chain [1]
   int thin;                  // steps a draw [1]
@@ -195,7 +195,7 @@ RungComparison pinch_pencil(const DemoRequest& request, const Progress& progress
   return compare_rungs(scene, pad_rung_names(), progress);
 }
 
-/// What tasks fill in, each a place of its own.
+/// Results that tasks fill in, each in a place of its own.
 struct Places {
   std::vector<std::optional<SpecimenStudy>> specimens;
   std::vector<std::optional<DemoPosterior>> posteriors;

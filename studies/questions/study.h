@@ -1,8 +1,8 @@
 #pragma once
 
-/// What do forces tell of a thumb's axes? A made-up experiment whose answer is known. And which
-/// types of thumbs does the spread of axes between people make? And what of a thumb is found again
-/// from forces and muscle activity, and what do published measurements add?
+/// Studies of thumbs: information about a thumb's axes in forces, by a made-up experiment whose
+/// answer is known; types of thumbs that result from the spread of axes between people; recovery of
+/// a thumb from forces and muscle activity, and the information that published measurements add.
 
 #include <optional>
 #include <string>
@@ -47,8 +47,8 @@ struct ThumbTypesResult {
   unsigned seed = 1;
 };
 
-/// Which types of thumbs the spread of joint axes makes, and how many of each. Same request, same
-/// bits. @throws InputError if no data folder has studies/, or draws is not positive.
+/// Computes the types of thumbs that the spread of joint axes makes, and the number of each. Same
+/// request, same bits. @throws InputError if no data folder has studies/, or draws is not positive.
 [[nodiscard]] ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request,
                                                const Progress& progress = {});
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the few published measurements of a thumb's force teach of its axes: draws of a prior or
-/// a posterior are weighed by how well they say what was measured.
+/// Information about a thumb's axes in the few published measurements of its force: draws of a
+/// prior or a posterior are weighted by the likelihood of the measurements.
 
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ struct MeasuredThumbInputs {
 /// From a folder with experiments/ and studies/. @throws DataError if a file cannot be read.
 [[nodiscard]] MeasuredThumbInputs measured_thumb_inputs(const std::string& data);
 
-/// What models say of the measurements, a column a draw.
+/// Predictions of the measurements by models, a column a draw.
 struct MeasuredPredictions {
   Eigen::MatrixXd force;      // of all trials, tip pinned, in the experiment's components [N] (3
                               // trials, draws)
@@ -32,7 +32,7 @@ struct MeasuredPredictions {
   Eigen::VectorXi undecided;  // programs of each draw, PinchStrength::undecided [1] (draws)
 };
 
-/// What is added to a prior or a posterior.
+/// Measurements that are added to a prior or a posterior.
 struct AddedData {
   std::string name;      // "FPL's force", in words
   bool force = false;    // the experiment's forces
@@ -77,7 +77,7 @@ struct MeasuredLessonsSettings {
   Progress progress;
 };
 
-/// What digits say of both measurements.
+/// Computes the predictions of both measurements by digits.
 /// @param digit   whose model the draws replace
 /// @param models  a model each
 /// @throws InputError if the experiment or the losses do not fit the digit.

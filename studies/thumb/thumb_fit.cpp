@@ -89,7 +89,7 @@ Eigen::VectorXi types_at(const ThumbData& data, const HandPosterior& posterior,
   return types;
 }
 
-/// How probable each type is: shares of draws from the prior and from the posterior.
+/// Estimates the probability of each type: shares of draws from the prior and from the posterior.
 std::vector<TypeProbability> type_probabilities(const ThumbData& data, const PosteriorRun& run) {
   constexpr int kPriorDraws = 4000;
   const HandPosterior& posterior = *run.posterior;

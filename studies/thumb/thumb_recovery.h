@@ -25,7 +25,7 @@ struct ThumbRecoverySettings {
   Progress progress;
 };
 
-/// What one method says of one number.
+/// Estimate of one number by one method.
 struct RecoveredValue {
   double value, sd;  // best point or mean [unit]
   double low, high;  // of the central 95 % interval [unit]
@@ -46,7 +46,7 @@ struct RecoveredAxis {
   double drawn_within;            // 95 % of draws are within this angle of their mean [rad]
   double fit_left, drawn_left;    // rms over both tilts of sd / prior sd [1]
 
-  /// Whether the truth is among the 95 %.
+  /// Returns true if the truth is within the central 95 %.
   [[nodiscard]] bool covered() const { return drawn_error <= drawn_within; }
 };
 
@@ -54,7 +54,7 @@ struct RecoveredAxis {
 /// leave open anyway [sds of the draws].
 inline constexpr double kMethodsAgree = 0.5;
 
-/// How well two methods agree: differences of their estimates in sds of the draws, and ratios of
+/// Agreement of two methods: differences of their estimates in sds of the draws, and ratios of
 /// their sds.
 struct MethodAgreement {
   double rms = 0, worst = 0;                     // |fit - mean of draws| / sd of draws [1]

@@ -77,7 +77,7 @@ struct LearntNumber {
   std::optional<double> truth;  // [unit]; empty for orthogonal models
 };
 
-/// How probable a type of thumb is, by what is known before the forces and after.
+/// Probability of a type of thumb, before the forces and after.
 struct TypeProbability {
   ThumbType type;
   double prior, posterior;  // shares of draws [1]

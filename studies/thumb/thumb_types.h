@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// The same chain with every common normal pointing from its axis to the next one, so that
+/// Returns a chain with every common normal pointing from its axis to the next one, so that
 /// a >= 0: where a < 0, x of the frame is turned by half a turn about the next axis,
 ///   theta_i + pi, -a_i, -alpha_i, theta_(i+1) - pi  (the base and the tool turn at the ends).
 /// In this form a normal that changes its direction turns two thetas by half a turn.
@@ -69,7 +69,7 @@ struct DhStatistics {
                                                const TendonModel<double>& model,
                                                const std::vector<std::string>& hinges);
 
-/// How many of the draws are of a type.
+/// Number of draws of one type.
 struct ThumbTypeShare {
   ThumbType type;
   int count = 0;
