@@ -242,7 +242,7 @@ void require_postures(const std::vector<HandOnObject>& cells, const std::vector<
         if (hand.name == cell.hand) require_fits(best, hand, path);
 }
 
-/// With what an earlier run left and this one did not come to.
+/// Adds cells of an earlier run that this one did not reach.
 Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) {
   for (const HandOnObject& cell : done)
     if (!holds(comparison.cells, cell)) comparison.cells.push_back(cell);
