@@ -101,7 +101,7 @@ std::vector<int> drop_unused(Mechanism& part) {
   return kept;
 }
 
-/// Something of the file as it enters the mechanism.
+/// Body or hand of the file as it enters the mechanism.
 struct ScenePart {
   Mechanism mechanism;             // its world is the scene's
   std::string name, prefix;        // of the file; before names of bodies and coordinates
