@@ -156,7 +156,7 @@ class SceneBuilder {
       part.joint = body.joint;
       part.velocity = body.velocity;
       PlacedBody placed = body.placed;
-      // A welded body on a parent moves with it.
+      // A body that is welded to a parent moves with the parent.
       placed.dynamic = body.joint.kind != SceneJointKind::kWeld || !body.joint.parent.empty();
       part.mechanism = body_mechanism(placed, spec_.materials);
       put_on_joint(body.joint, part.name, placed.X_WB, part.mechanism);
