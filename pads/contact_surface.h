@@ -70,9 +70,9 @@ struct ContactSurface {
 [[nodiscard]] double smallest_gap(const ContactSurface& surface, const Shape& object,
                                   const Pose<double>& X_PO, const Eigen::VectorXd& x);
 
-/// Whether an edge or a corner of an object lies over a face of the surface near it: between the
-/// nearest places of a node and of a point of the face, normals of the object turn by 10 degrees
-/// and more as on a radius of less than a quarter of the face.
+/// Returns whether an edge or a corner of an object lies over a face of the surface near it:
+/// between the nearest places of a node and of a point of the face, normals of the object turn by
+/// 10 degrees and more as on a radius of less than a quarter of the face.
 /// @param x  displacements of the body's free nodes [m] (3 free nodes)
 [[nodiscard]] bool meets_edge(const ContactSurface& surface, const Shape& object,
                               const Pose<double>& X_PO, const Eigen::VectorXd& x);
@@ -99,7 +99,7 @@ class MeanGaps {
   }
   /// Slope of a node's gap by its own place (3).
   [[nodiscard]] const Eigen::Vector3d& own_slope(std::size_t k) const { return slopes_[k][0].by; }
-  /// Whether gaps depend on neighbours: not under planes.
+  /// Returns whether gaps depend on neighbours: not under planes.
   [[nodiscard]] bool neighbours_matter() const { return neighbours_matter_; }
   /// Change of gaps, linear. @param moved  of the nodes, the object at rest [m] (3, nodes)
   [[nodiscard]] Eigen::VectorXd change(const Eigen::Matrix3Xd& moved) const;

@@ -68,7 +68,7 @@ class HexMesh {
   [[nodiscard]] const std::vector<int>& active() const { return active_; }
   [[nodiscard]] int nodes() const { return static_cast<int>(chart_points_.size()); }
   [[nodiscard]] const HexChart& chart() const { return *chart_; }
-  /// Whether an active cell has the node.
+  /// Returns whether an active cell has the node.
   [[nodiscard]] bool in_use(int node) const { return in_use_[static_cast<std::size_t>(node)]; }
   /// Reference position [m] (3), that of a hanging node among its masters; and the place in the
   /// chart.

@@ -23,7 +23,7 @@ constexpr double kPatchNodes = 1;      // nodes that touch times the error that 
 constexpr int kPatchLevels = 3;        // halvings of cells for the sake of it
 constexpr double kTouchGap = 1e-10;    // gap that counts as touching [m]
 
-/// Whether nothing more is to be tried.
+/// Returns whether nothing more is to be tried.
 bool ended(const PressOutcome& out) {
   return out.status == Status::kSolved || out.status == Status::kStopped;
 }

@@ -84,8 +84,8 @@ class PadPress {
   PressOutcome solve_once(const PressGoal& goal, PressState& state);
   /// In pieces where it must be; a force by a search.
   PressOutcome solve(const PressGoal& goal, int cuts);
-  /// Whether too few nodes touch for the error that is asked: the edge of a patch lies on nodes,
-  /// which is an error of up to 1 / nodes that no estimate sees.
+  /// Returns whether too few nodes touch for the error that is asked: the edge of a patch lies on
+  /// nodes, which is an error of up to 1 / nodes that no estimate sees.
   [[nodiscard]] bool patch_is_coarse() const;
   [[nodiscard]] std::vector<int> touching_cells() const;
   /// The elements with the largest errors, which hold a share of the whole.

@@ -37,8 +37,8 @@ MeasuredPress measured(PadPress& press, const PadPressResult& result, const Pres
   return out;
 }
 
-/// Whether a patch is more than some nodes: of a disc under even pressure the arm is 0.38 of the
-/// root of its area, of one node it is rounding.
+/// Returns whether a patch is more than some nodes: of a disc under even pressure the arm is 0.38
+/// of the root of its area, of one node it is rounding.
 bool is_patch(const MeasuredPress& press, Eigen::Index nodes) {
   constexpr Eigen::Index kMostNodes = 4;
   constexpr double kTurnArm = 0.1;

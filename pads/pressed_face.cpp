@@ -167,7 +167,7 @@ class FacePress {
     return out;
   }
 
-  /// Whether normals turn evenly along the side where they turn most, as over no edge.
+  /// Returns whether normals turn evenly along the side where they turn most, as over no edge.
   [[nodiscard]] bool turns_evenly(const Triangle& at) const {
     std::size_t most = 0;
     const auto turn = [&](std::size_t side) {

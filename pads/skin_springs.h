@@ -41,7 +41,8 @@ class SkinSprings {
   /// Deepest point [m].
   [[nodiscard]] double deepest() const { return deepest_; }
 
-  /// Whether a point inside was last on a side of the object that faces away from where it is now.
+  /// Returns whether a point inside was last on a side of the object that faces away from where it
+  /// is now.
   /// @param before  displacements of the body's free nodes then [m] (3 free nodes)
   /// @param cosine  of the normals, below which sides face away [1]
   [[nodiscard]] bool changed_sides(const Shape& object, const Pose<double>& X_PO_before,

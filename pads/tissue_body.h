@@ -78,7 +78,8 @@ class TissueBody {
   [[nodiscard]] Eigen::Matrix3Xd spread(const Eigen::VectorXd& x,
                                         const Eigen::Matrix3Xd& at_fixed) const;
 
-  /// Whether a place lies in an element. @param u  displacements of all nodes [m] (3, nodes)
+  /// Returns whether a place lies in an element.
+  /// @param u  displacements of all nodes [m] (3, nodes)
   [[nodiscard]] bool contains(const Eigen::Vector3d& place, const Eigen::Matrix3Xd& u) const;
 
   /// @param u        displacements of all nodes [m] (3, nodes)

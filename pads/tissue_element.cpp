@@ -165,7 +165,7 @@ class Dilatation {
     }
   }
 
-  /// Whether the dilatation is above 0 everywhere.
+  /// Returns whether the dilatation is above 0 everywhere.
   [[nodiscard]] bool fits() const { return fits_; }
   [[nodiscard]] double energy() const {
     double sum = 0;
