@@ -84,7 +84,8 @@ struct ContactResidual {
   double alignment = 0;        // ft . ut + mu fn |ut|: dissipation that is missing [J]
   double bilateral = 0;        // |u| of bilateral rows [m/s]
 
-  /// Whether `natural` is at most the tolerance, or the rounding where that is larger (up to 1e-8).
+  /// Returns whether `natural` is at most the tolerance, or the rounding where that is larger (up
+  /// to 1e-8).
   [[nodiscard]] bool is_within(double tolerance) const;
 };
 

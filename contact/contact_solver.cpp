@@ -274,8 +274,8 @@ void ContactSolver::Workspace::run_pyramid(const ContactProblem& problem) {
   solution.pyramid_residual = found.residual;
 }
 
-/// Whether a warm start is an answer. It is then the solution, bit for bit, unless polishing halves
-/// its residual.
+/// Returns whether a warm start is an answer. It is then the solution, bit for bit, unless
+/// polishing halves its residual.
 bool ContactSolver::Workspace::is_answer(const ContactProblem& problem,
                                          const Ref<const VectorXd>& warm_start) {
   solution.f = warm_start;
