@@ -10,11 +10,11 @@
 
 namespace thenar {
 
-/// Whether all triangles lie in one plane, or on a line: no thickness beyond a millionth of
+/// Returns whether all triangles lie in one plane, or on a line: no thickness beyond a millionth of
 /// their extent, as files in single precision round.
 [[nodiscard]] bool is_flat(const TriangleMesh& mesh);
 
-/// Whether one of the shapes is a flat mesh.
+/// Returns whether one of the shapes is a flat mesh.
 [[nodiscard]] bool any_is_flat(const std::vector<ShapeSpec>& shapes);
 
 /// What is wrong where check_mesh() finds holes. Where it finds none, only `flat` and edges count.

@@ -59,7 +59,7 @@ struct Part {
   std::optional<internal::TriangleTree> tree = {};  // made when it is asked for
 };
 
-/// Whether a part lies within another, by the box and up to 64 of its vertices.
+/// Returns whether a part lies within another, by the box and up to 64 of its vertices.
 bool is_within(const Part& inner, Part& outer) {
   // The box first, then windings around some vertices.
   if (!outer.box.contains(inner.box)) return false;

@@ -19,8 +19,8 @@ namespace thenar {
 /// Diagonal of the box around the vertices of a mesh [m].
 [[nodiscard]] double diagonal_of(const TriangleMesh& mesh);
 
-/// Whether a closed surface encloses next to nothing: flat, thinner than 3e-5 of its length, or
-/// smaller than 5e-5 of what it is part of.
+/// Returns whether a closed surface encloses next to nothing: flat, thinner than 3e-5 of its
+/// length, or smaller than 5e-5 of what it is part of.
 /// @param volume  [m^3]
 /// @param own, whole  diagonals of the surface and of what it is part of [m]
 [[nodiscard]] bool is_sliver(double volume, double own, double whole);

@@ -183,7 +183,7 @@ UnionPart part_of(const ShapeSpec& spec) {
   return part;
 }
 
-/// Whether two parts are the same points.
+/// Returns whether two parts are the same points.
 bool is_same(const ShapeSpec& a, const ShapeSpec& b) {
   return a.kind == b.kind && a.size == b.size && a.exponents == b.exponents &&
          a.X_BS.p == b.X_BS.p && a.X_BS.R == b.X_BS.R &&
@@ -295,7 +295,7 @@ class CubeSum {
   CubeSum(const std::vector<const UnionPart*>& parts, bool excess, int depth, double looks)
       : parts_(parts), excess_(excess), depth_(depth), left_(looks) {}
 
-  /// Whether it got to the end; else what it summed means nothing.
+  /// Returns whether it got to the end; else what it summed means nothing.
   [[nodiscard]] bool complete() const { return left_ >= 0; }
   /// Looks that it did not take.
   [[nodiscard]] double left() const { return left_; }

@@ -36,7 +36,7 @@ struct PartBelow {
   [[nodiscard]] bool empty() const { return from > to; }
 };
 
-/// Whether a segment comes within `near` of a triangle [m].
+/// Returns whether a segment comes within `near` of a triangle [m].
 bool meets(const TriangleForm& form, const Vector3d& p, const Vector3d& q, double near) {
   // Between the two planes beside the triangle's, then inside its three edges.
   const double at_p = form.normal.dot(p - form.corner[0]);
@@ -146,7 +146,7 @@ class CrossingSearch {
     return false;
   }
 
-  /// Whether a neighbour's third corner lies over the triangle.
+  /// Returns whether a neighbour's third corner lies over the triangle.
   static bool folded(const TriangleForm& a, const std::array<bool, 3>& shared_a,
                      const TriangleForm& b, const std::array<bool, 3>& shared_b) {
     const auto alone = [](const std::array<bool, 3>& shared) {

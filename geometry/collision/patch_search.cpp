@@ -138,7 +138,7 @@ class PatchSearch {
     return bound_by(lifted_ball(b_, part.corners, ball, seen, level), part.corners) > level;
   }
 
-  /// Whether the part need not be halved; its points are then among those found.
+  /// Returns whether the part need not be halved; its points are then among those found.
   bool keep(Part& part, const Ball& ball, const PatchPoint& middle) {
     // Corners inside and outside the level.
     std::vector<PatchPoint> inside, outside;

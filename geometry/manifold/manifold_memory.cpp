@@ -17,7 +17,7 @@ constexpr double kSameNormal = 0.94;     // nor has turned by more than 20 degre
 constexpr double kPreferKept = 1.3;      // how much farther kept points count [1]
 constexpr double kPreferDeepest = 1e-6;  // by which another must be nearer to be the first [m]
 
-/// Whether a point's direction is none of those kept.
+/// Returns whether a point's direction is none of those kept.
 bool is_other_region(const ManifoldPoint& point, const ContactManifold& kept) {
   for (const ManifoldPoint& other : kept)
     if (point.normal.dot(other.normal) > kOtherRegion) return false;

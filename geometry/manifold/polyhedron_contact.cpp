@@ -19,14 +19,14 @@ constexpr double kBesideArc = 0.1;          // by which a normal may miss the ar
 constexpr double kEdgeDepth = 2e-4;         // depth to which edges are believed [m]
 constexpr double kParallelSine = 1e-4;      // sine of the angle between edges that do not cross [1]
 
-/// Whether a corner is lowest among its neighbours, seen along n.
+/// Returns whether a corner is lowest among its neighbours, seen along n.
 bool is_lowest(const Polyhedron& body, const PolyhedronCorner& corner, const Vector3d& n) {
   for (int k = 0; k < corner.count; ++k)
     if (body.ways[static_cast<std::size_t>(corner.first + k)].dot(n) < kDownSine) return false;
   return true;
 }
 
-/// Whether n, across an edge, lies between the normals of its faces.
+/// Returns whether n, across an edge, lies between the normals of its faces.
 bool is_between(const PolyhedronEdge& edge, const Vector3d& along, const Vector3d& n) {
   const double turn = edge.normals[0].cross(edge.normals[1]).dot(along);
   const double sign = turn < 0 ? -1 : 1;
