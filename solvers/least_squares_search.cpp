@@ -87,7 +87,7 @@ class SecantSearch {
   }
 
   [[nodiscard]] const SecantPoint& best() const { return best_; }
-  /// Whether no step lowers the cost, however short.
+  /// Returns whether no step lowers the cost, however short.
   [[nodiscard]] bool exhausted() const { return damping_ > kMostDamping; }
 
   /// What full steps would still gain, at the largest: with the curvature and by J'J alone, which
@@ -273,7 +273,7 @@ class KinkSearch {
   [[nodiscard]] std::size_t sides() const { return sides_.size(); }
   /// Length of the step that is left: of the smallest mean of the gradients [sds].
   [[nodiscard]] double left() const { return left_; }
-  /// Whether J'J cannot be factored, so that nothing is known of steps.
+  /// Returns whether J'J cannot be factored, so that nothing is known of steps.
   [[nodiscard]] bool lost() const { return !factor_; }
 
   /// A step downhill; where there is none, the gradient across the kink that is in the way.

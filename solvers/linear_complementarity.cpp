@@ -79,7 +79,7 @@ class LemkeTableau {
     }
   }
 
-  /// Whether z0 is zero to rounding: the basis is an answer, though z0 has not left it.
+  /// Returns whether z0 is zero to rounding: the basis is an answer, though z0 has not left it.
   [[nodiscard]] bool is_covered() const {
     for (Index i = 0; i < n_; ++i)
       if (in_row(i) == artificial())

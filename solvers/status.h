@@ -26,7 +26,7 @@ enum class Status {
   return kNames[static_cast<std::size_t>(status)];
 }
 
-/// Whether a method ended without an answer and without a proof that there is none.
+/// Returns whether a method ended without an answer and without a proof that there is none.
 [[nodiscard]] inline bool is_undecided(Status status) {
   return status == Status::kLimit || status == Status::kStopped || status == Status::kStalled;
 }
