@@ -39,7 +39,7 @@ struct SkinPatch {
 [[nodiscard]] std::vector<SkinPatch> skin_patches(const HandAnatomy& hand,
                                                   const Skeleton& skeleton);
 
-/// Whether a point of the link's skin lies on a patch. @param p  reference posture [m] (3)
+/// Returns whether a point of the link's skin lies on a patch. @param p  reference posture [m] (3)
 [[nodiscard]] bool on_patch(const SkinPatch& patch, const Eigen::Vector3d& p);
 
 /// Where the pad of a digit meets things, from patches. @throws InputError if there is none.
