@@ -31,7 +31,7 @@ enum class TendonStatus {
   kUnbalanced       // a net without equilibrium: its torques are those of no balance
 };
 
-/// Whether results may be used in computations: up to kBandInsideBone.
+/// Returns whether results may be used in computations: up to kBandInsideBone.
 [[nodiscard]] constexpr bool trusted(TendonStatus status) {
   return status < TendonStatus::kNodeCollapsed;
 }
@@ -127,7 +127,7 @@ class TendonFollower {
   /// @throws InputError as DigitTendons::evaluate().
   virtual TendonTorque at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) = 0;
 
-  /// Whether the net snaps on its way to the state last asked for.
+  /// Returns whether the net snaps on its way to the state last asked for.
   [[nodiscard]] virtual bool snapped() const = 0;
 
   /// Goes on from here.

@@ -12,7 +12,7 @@ namespace thenar {
          name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-/// Whether a joint's axis is one of flexion: it neither abducts nor pronates.
+/// Returns whether a joint's axis is one of flexion: it neither abducts nor pronates.
 [[nodiscard]] inline bool is_flexion_joint(const std::string& joint) {
   return !ends_with(joint, "_AA") && !ends_with(joint, "_PS");
 }

@@ -31,7 +31,7 @@ struct ForceLimitPrices {
   double slackness = kNaN;  // sum of each price times the room to its limit         [N]
   double dual_violation = kNaN;  // of p: force that no limit pays for                [1]
 
-  /// Whether prices of an increase and of a decrease differ.
+  /// Returns whether prices of an increase and of a decrease differ.
   [[nodiscard]] bool degenerate() const;
 };
 

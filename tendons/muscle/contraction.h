@@ -59,10 +59,10 @@ class Contraction {
 
   [[nodiscard]] virtual Muscle rung() const = 0;
 
-  /// Whether tension depends on velocity.
+  /// Returns whether tension depends on velocity.
   [[nodiscard]] virtual bool depends_on_velocity() const = 0;
 
-  /// Whether the projected length of the fibres is a state.
+  /// Returns whether the projected length of the fibres is a state.
   [[nodiscard]] virtual bool has_fibre_state() const = 0;
 
   /// Tension of muscle m, >= 0 [N].

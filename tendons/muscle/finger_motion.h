@@ -118,7 +118,7 @@ class FingerMotion {
     NetStep net;            // since the state accepted before
   };
 
-  /// Whether a net snaps between the state accepted last and this one.
+  /// Returns whether a net snaps between the state accepted last and this one.
   [[nodiscard]] bool snaps_before(const MotionState& state) const;
 
   /// Accepts a state: from here the net is followed on.

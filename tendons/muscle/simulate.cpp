@@ -24,7 +24,7 @@ constexpr double kLooserError =
 constexpr double kLooseTime = 10 * kStallTime;  // ... and for how long [s]
 constexpr int kMostLoose = 20;                  // places where it may [1]
 
-/// Whether excursions came off their lines, though no snap tells why.
+/// Returns whether excursions came off their lines, though no snap tells why.
 bool has_strayed(const Trajectory& path) {
   return path.snaps.empty() && !(path.drift.value_or(0) <= kStrayExcursion);
 }

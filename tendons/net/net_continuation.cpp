@@ -42,7 +42,7 @@ Matrix3Xd node_velocity(const NetPull& pull, const NetEquilibrium& rest, const P
   return internal::node_rates(tangent, input);
 }
 
-/// Whether a knot may be asked where it is.
+/// Returns whether a knot may be asked where it is.
 bool settled(const Net& net, const NetEquilibrium& rest) {
   return why_not_differentiable(net, rest).empty();
 }

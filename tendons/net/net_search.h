@@ -6,8 +6,8 @@
 
 namespace thenar {
 
-/// Whether a net is in balance as tissue can be; also where it does not hold a muscle, which no
-/// other way would change.
+/// Returns whether a net is in balance as tissue can be; also where it does not hold a muscle,
+/// which no other way would change.
 [[nodiscard]] inline bool is_sound(const NetEquilibrium& rest) {
   return rest.status == NetStatus::kBalanced || rest.status == NetStatus::kNodeCollapsed;
 }

@@ -85,7 +85,8 @@ bool NetDescent::update_multipliers() {
 
 namespace thenar::internal {
 
-/// Whether no small move lowers E: positive curvature, but for rounding, in all free directions.
+/// Returns whether no small move lowers E: positive curvature, but for rounding, in all free
+/// directions.
 bool NetDescent::is_minimum() {
   if (definite_ && longest_ < 1e-6) return true;
   reduce();

@@ -70,8 +70,8 @@ struct NetPerturbation : TreeVelocity {
   Eigen::VectorXd radius;   // of each sphere, cylinder or capsule; others: 0 (surfaces)
 };
 
-/// Whether the gap to a surface falls one to one with its radius, as of spheres, cylinders and
-/// capsules.
+/// Returns whether the gap to a surface falls one to one with its radius, as of spheres, cylinders
+/// and capsules.
 [[nodiscard]] bool has_radius(const BoneSurface& surface);
 
 /// The perturbation that moves nothing and changes no tension.

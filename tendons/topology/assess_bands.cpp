@@ -135,8 +135,8 @@ void state_stiffness(FittedNets& tried, InferredNet& out) {
   }
 }
 
-/// Whether, of the four ways to have or lack two bands in the best net, one was tried and fits
-/// worse.
+/// Returns whether, of the four ways to have or lack two bands in the best net, one was tried and
+/// fits worse.
 bool linked(FittedNets& tried, double limit, int a, int b) {
   const FittedNet& best = *tried.best();
   for (int way = 0; way < 4; ++way) {

@@ -55,7 +55,7 @@ class FittedNets {
   std::map<Topology, FittedNet> tried_;
 };
 
-/// Whether noise alone could leave such a misfit: within 6 sd of its chi^2.
+/// Returns whether noise alone could leave such a misfit: within 6 sd of its chi^2.
 [[nodiscard]] bool noise_explains(const BandFit& fit);
 
 /// misfit + price * number of bands; infinite if the net does not hold.

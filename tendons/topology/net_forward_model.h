@@ -17,7 +17,7 @@ namespace thenar {
 /// NetPrediction::residual states it [N].
 inline constexpr double kSettledNet = 1e-4;
 
-/// Whether a net at rest holds every muscle that pulls it: it is balanced, at least to
+/// Returns whether a net at rest holds every muscle that pulls it: it is balanced, at least to
 /// kSettledNet, and no muscle has drawn its knot into its exit.
 [[nodiscard]] bool carries_loads(const Net& net, const NetEquilibrium& rest);
 

@@ -93,8 +93,8 @@ std::vector<FittedNet> eased(std::vector<FittedNet> nets, double error) {
   return nets;
 }
 
-/// Whether survivors may agree by chance: fewer than four numbers a band, or a misfit that noise
-/// does not leave.
+/// Returns whether survivors may agree by chance: fewer than four numbers a band, or a misfit that
+/// noise does not leave.
 bool few(FittedNets& tried) {
   const Eigen::Index bands = tried.fitter().typical().size();
   return tried.fitter().rows() < 4 * bands || !noise_explains(tried.best()->fit);

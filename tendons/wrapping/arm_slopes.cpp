@@ -194,8 +194,8 @@ void span_rates(const TreeVelocity& rate, const PathShape& shape,
   }
 }
 
-/// Whether all touch points are determined, and all runs between links are long enough to tell how
-/// they turn.
+/// Returns whether all touch points are determined, and all runs between links are long enough to
+/// tell how they turn.
 bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
   if (shape.status != PathStatus::kTaut) return false;
   for (const RunChain& chain : chains)
@@ -205,7 +205,8 @@ bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
   });
 }
 
-/// Whether a coordinate turns a hinge between the ends of a run: only then it changes the path.
+/// Returns whether a coordinate turns a hinge between the ends of a run: only then it changes the
+/// path.
 bool has_hinge(const Tree<double>& tree, const PathShape& shape, int coordinate) {
   for (const PathSpan& span : shape.spans) {
     int a = span.link_a, b = span.link_b;

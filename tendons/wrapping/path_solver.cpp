@@ -227,8 +227,8 @@ void PathSolver::ride(std::size_t k, const TreeState<double>& state, PathEnds& l
       shape.status = PathStatus::kRidesOnBend;
 }
 
-/// Whether an end of a run went round the far side of a cylinder beside it. Joints turn by less
-/// than half a turn, so the reference posture tells which way it came.
+/// Returns whether an end of a run went round the far side of a cylinder beside it. Joints turn by
+/// less than half a turn, so the reference posture tells which way it came.
 bool PathSolver::has_crossed(const PathEnds& ends) const {
   return std::any_of(ends.far->begin(), ends.far->end(), [&](const FarSide& far) {
     const Pose<double>& X = X_[static_cast<std::size_t>(far.surface)];
