@@ -22,7 +22,7 @@ double total(const std::map<std::string, double>& pulls) {
   return sum;
 }
 
-/// Whether the same muscles pull in the same proportion.
+/// Returns whether the same muscles pull in the same proportion.
 bool same_loads(const std::map<std::string, double>& a, const std::map<std::string, double>& b) {
   constexpr double kSame = 0.1;  // of each muscle's own share [1]
   if (a.size() != b.size() || a.empty()) return false;

@@ -134,7 +134,8 @@ Sampled sample_sets(KnownSets& known, std::size_t bands, std::mt19937& random,
   return out;
 }
 
-/// Whether draws integrated every set that may matter: within e^-kMinor of the best by Laplace.
+/// Returns whether draws integrated every set that may matter: within e^-kMinor of the best by
+/// Laplace.
 bool all_by_draws(const std::map<Topology, BandEvidence>& sets) {
   constexpr double kMinor = 5;  // [nat]
   double most = -kInfinity;

@@ -36,7 +36,7 @@ std::pair<const Experiment*, const Experiment*> differing(
 /// What with_own_postures() adds to the names of an experiment's postures.
 std::string own_suffix(const Experiment& experiment) { return " (" + experiment.name + ")"; }
 
-/// Whether a posture stands elsewhere in the known experiments: see with_own_postures().
+/// Returns whether a posture stands elsewhere in the known experiments: see with_own_postures().
 bool stands_elsewhere(const PostureRecord& posture, const std::string& specimen,
                       const std::vector<Experiment>& known) {
   int own = 0, own_alike = 0, others_unlike = 0;

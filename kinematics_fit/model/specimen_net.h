@@ -167,8 +167,8 @@ void take_outside_arms(const SpecimenNet<T>& net, const Tree<T>& tree, const Tre
   }
 }
 
-/// Whether any muscle pulls the net. One that nothing pulls is taken to leave the joints alone, as
-/// forces are measured from those of the unloaded finger.
+/// Returns whether any muscle pulls the net. One that nothing pulls is taken to leave the joints
+/// alone, as forces are measured from those of the unloaded finger.
 [[nodiscard]] bool pulls_net(const BuiltNet& built, const Eigen::VectorXd& t);
 
 /// The net with these numbers.
