@@ -192,7 +192,7 @@ void write_files(const std::vector<std::pair<std::string, std::string>>& files) 
 
 namespace {
 
-/// Whether an open file still has that name: its last holder removes it.
+/// Returns whether an open file still has that name: its last holder removes it.
 bool is_named(int file, const std::string& name) {
   struct stat opened {
   }, named{};

@@ -31,7 +31,7 @@ inline constexpr std::size_t kLongestOutsidePath = 4000;
 /// @throws InputError with the fault of the name, or if it leads out of a LinkFence
 [[nodiscard]] std::string linked_path(const std::string& folder, const std::string& name);
 
-/// Whether files in `folder` may name a file: false if a LinkFence stands between them.
+/// Returns whether files in `folder` may name a file: false if a LinkFence stands between them.
 [[nodiscard]] bool may_link(const std::string& folder, const std::string& path);
 
 /// Keeps what stands in a folder together for as long as it lives: files in a subfolder of it name
