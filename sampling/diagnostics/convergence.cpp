@@ -245,7 +245,8 @@ void find_worst(Convergence& result) {
   }
 }
 
-/// Whether an estimate keeps the limits of R-hat and of both effective sizes; NaN keeps none.
+/// Returns whether an estimate keeps the limits of R-hat and of both effective sizes; NaN keeps
+/// none.
 bool keeps_limits(const Estimate& of, double r_hat, double least_size) {
   return of.r_hat <= r_hat && of.bulk_ess >= least_size && of.tail_ess >= least_size;
 }

@@ -43,8 +43,8 @@ class Whitening {
   [[nodiscard]] int size() const { return static_cast<int>(centre_.size()); }
   [[nodiscard]] bool dense() const { return metric_ == Metric::kDense; }
   [[nodiscard]] bool bends() const { return bend_.drivers > 0; }
-  /// Whether, between gradients, y runs along an orbit of the standard normal density instead of a
-  /// straight line.
+  /// Returns whether, between gradients, y runs along an orbit of the standard normal density
+  /// instead of a straight line.
   [[nodiscard]] bool orbits() const { return orbits_; }
 
   /// F and its inverse; of dense coordinates (n, n).
