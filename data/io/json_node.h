@@ -89,7 +89,7 @@ class JsonValue {
   /// @throws DataError "wanted WHAT as contacts.0.friction, got -1", always
   [[noreturn]] void fail_wanted(const std::string& what) const;
 
-  /// Whether it has a member that is not null.
+  /// Returns whether it has a member that is not null.
   [[nodiscard]] bool gives(const std::string& member) const;
   /// A member. @throws DataError if there is none.
   [[nodiscard]] JsonValue operator[](const std::string& member) const;

@@ -67,7 +67,7 @@ class TextReader {
   std::size_t left_;  // [bytes]
 };
 
-/// Whether a type is a text of variable length, which is one pointer for each entry.
+/// Returns whether a type is a text of variable length, which is one pointer for each entry.
 bool is_text(hid_t type) {
   return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0;
 }

@@ -22,7 +22,7 @@ namespace thenar {
 void check_layout(const ResultFile& file, const std::string& path);
 void check_layout(const InferenceFile& file, const std::string& path);
 
-/// Whether a file says that it is of a format that has a layout.
+/// Returns whether a file says that it is of a format that has a layout.
 [[nodiscard]] bool has_layout(const ResultFile& file);
 
 /// Numbers of an array of one dimension. @throws InputError if it is absent or has others.

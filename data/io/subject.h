@@ -194,7 +194,7 @@ struct Subject {
 /// The joints between the base and a segment, the last first; they point into the subject.
 [[nodiscard]] std::vector<const JointAxis*> joints_to(const Subject& subject, std::string segment);
 
-/// Whether a joint has a passive moment.
+/// Returns whether a joint has a passive moment.
 [[nodiscard]] bool has_passive(const JointAxis& joint);
 
 /// Reads a subject from TOML; the format is in docs/data_format.md.

@@ -92,7 +92,8 @@ bool is_narrow(const JointAxis& joint) {
   return !joint.coupling && range > 0 && range < kNarrowestRange;
 }
 
-/// Whether most joints with a stated range have a narrow one, as where radians stand for degrees.
+/// Returns whether most joints with a stated range have a narrow one, as where radians stand for
+/// degrees.
 bool most_are_narrow(const Subject& subject) {
   int stated = 0, narrow = 0;
   for (const JointAxis& joint : subject.joints) {

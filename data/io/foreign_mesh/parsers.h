@@ -36,7 +36,8 @@ void open_nothing();
 /// @throws DataError
 [[nodiscard]] std::string read_one(const std::string& path);
 
-/// Whether `file` is a regular file in the folder of `path` or below it, with links resolved.
+/// Returns whether `file` is a regular file in the folder of `path` or below it, with links
+/// resolved.
 [[nodiscard]] bool is_file_beside(const std::string& path, const std::string& file);
 
 }  // namespace thenar

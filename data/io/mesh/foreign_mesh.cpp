@@ -92,7 +92,7 @@ class SceneWords {
   int line_ = 1;
 };
 
-/// Whether a node stands for another file.
+/// Returns whether a node stands for another file.
 bool includes_file(std::string_view node) {
   constexpr std::array<std::string_view, 5> kIncluding{"File", "SoFile", "Inline", "WWWInline",
                                                        "VRMLInline"};

@@ -42,8 +42,8 @@ struct MjcfActuator {
   EffortRange effort;         // on the joint or tendon
 };
 
-/// Whether an element names a hinge or slide of the robot. In an incomplete model it may name
-/// another, which is noted.
+/// Returns whether an element names a hinge or slide of the robot. In an incomplete model it may
+/// name another, which is noted.
 /// @throws DataError if there is no such joint in a complete model
 [[nodiscard]] bool has_joint(const MjcfSource& source, const RobotSpec& robot,
                              const pugi::xml_node& node, const std::string& name);

@@ -201,7 +201,8 @@ void require_own_names(const std::vector<Part>& parts, const char* kind) {
   }
 }
 
-/// Whether following parents from a joint leads back to its child, in any order of the joints.
+/// Returns whether following parents from a joint leads back to its child, in any order of the
+/// joints.
 bool closes_loop(const std::map<std::string, std::string>& parent_of, const RobotJoint& joint) {
   std::string link = joint.parent;
   for (std::size_t step = 0; step <= parent_of.size(); ++step) {

@@ -50,7 +50,7 @@ void doubt_sizes(const RobotSpec& robot, std::vector<std::string>& doubts) {
           joint.name, joint.X_PJ.p.norm()));
 }
 
-/// Whether a joint carries every link that has shapes.
+/// Returns whether a joint carries every link that has shapes.
 bool carries_all(const RobotSpec& robot, const RobotJoint& carrier) {
   std::set<std::string> carried{carrier.child};
   for (const RobotJoint& joint : robot.joints)
@@ -87,7 +87,7 @@ void doubt_joints(const RobotSpec& robot, std::vector<std::string>& doubts) {
         fmt::format("{} cannot move: the upper limit is the lower one", these("joint", stuck)));
 }
 
-/// Whether a text has a name as a word of its own.
+/// Returns whether a text has a name as a word of its own.
 bool names(const std::string& text, const std::string& name) {
   const auto part_of_word = [&](std::size_t i) {
     return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_');
