@@ -163,8 +163,8 @@ struct HandAbilities {
   std::vector<std::string> types;  // distinct grasp_type() of all closures, in alphabetic order
 };
 
-/// Whether opposition is Kapandji's score of a human thumb; otherwise it is the share of tips that
-/// a thumb meets, times 10.
+/// Returns whether opposition is Kapandji's score of a human thumb; otherwise it is the share of
+/// tips that a thumb meets, times 10.
 [[nodiscard]] bool is_kapandji(const HandAbilities& abilities);
 
 /// How many types of grasp a hand has taken; none of a hand that pinched nowhere: its starts

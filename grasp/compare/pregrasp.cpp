@@ -187,7 +187,7 @@ std::optional<double> way_to_wall(const CollisionHand& hand, const Grasp& grasp,
   return least;
 }
 
-/// Whether a surface that stands still pushes against the push.
+/// Returns whether a surface that stands still pushes against the push.
 bool holds_against(const Push& push, const Grasp& grasp, const GraspBody& object) {
   return std::any_of(grasp.contacts.begin(), grasp.contacts.end(), [&](const HandContact& each) {
     const bool still =

@@ -45,7 +45,7 @@ std::vector<int> pressing_joints(const Eigen::MatrixXd& J, const Reactions& reac
   return joints;
 }
 
-/// Whether an effort that moves one of the joints has no limit.
+/// Returns whether an effort that moves one of the joints has no limit.
 bool is_unknown(const Actuation& a, const std::vector<int>& joints) {
   for (Eigen::Index k = 0; k < a.B.cols(); ++k)
     for (const int j : joints)

@@ -181,7 +181,8 @@ class PatchFinder {
   }
 
  private:
-  /// Whether the bodies are surely too far apart to touch: cheaper than to search for pieces.
+  /// Returns whether the bodies are surely too far apart to touch: cheaper than to search for
+  /// pieces.
   bool is_far() {
     SignedDistanceOptions roughly;
     roughly.tolerance = options_.tolerance;
@@ -251,7 +252,7 @@ class PatchFinder {
     return {s.on_a + radius * s.normal, s.distance, s.on_b, s.normal, radius};
   }
 
-  /// Whether the region is only the slope towards a nearer point of another region.
+  /// Returns whether the region is only the slope towards a nearer point of another region.
   bool is_slope(const Region& region) {
     const double nearer = region.nearest.distance - options_.band;
     const PatchPoint around =
@@ -438,7 +439,7 @@ struct Edge {
   Vector3d first, second;  // normals that differ most, unit (3)
   Vector3d along;          // unit, or zero: no edge, but a corner or a face (3)
 
-  /// Whether a direction across the edge points out between its faces.
+  /// Returns whether a direction across the edge points out between its faces.
   [[nodiscard]] bool lets_out(const Vector3d& way) const {
     const Vector3d turn = first.cross(second);
     return first.cross(way).dot(turn) > 0 && way.cross(second).dot(turn) > 0;

@@ -221,7 +221,7 @@ bool BallGrasp::side_by_side(const SampledSurface& a, const SampledSurface& b) c
   return next_to(a.link, b.link) || next_to(b.link, a.link);
 }
 
-/// Whether points of two links come within a spacing of their points.
+/// Returns whether points of two links come within a spacing of their points.
 bool BallGrasp::collide(const SampledSurface& a, const SampledSurface& b,
                         const std::vector<Pose<double>>& links) {
   const Vector3d ca = at(links, a.link, a.centre), cb = at(links, b.link, b.centre);

@@ -97,7 +97,7 @@ Matrix3Xd DigitMotion::closing_axes(const Digit& digit, std::size_t option,
   return side_by_side(axes);
 }
 
-/// Whether a digit closes along slides alone.
+/// Returns whether a digit closes along slides alone.
 bool DigitMotion::slides_only(const Digit& digit, std::size_t option) const {
   const auto is_slide = [&](int link) { return grip_.hand().is_prismatic(link); };
   bool any_hinge = false;

@@ -108,7 +108,7 @@ Vector3d DigitMotion::way(std::size_t drive, const Digit& digit) const {
   return twist(drive, digit).tail<3>();
 }
 
-/// Whether a drive moves every tip, and none relative to another: a wrist.
+/// Returns whether a drive moves every tip, and none relative to another: a wrist.
 bool DigitMotion::moves_alike(std::size_t drive) const {
   for (const Digit& digit : digits_)
     if (way(drive, digit).norm() < kNoMotion && spin(drive, digit).norm() < kNoMotion) return false;
@@ -288,13 +288,13 @@ double DigitMotion::turn_range(const Digit& digit) const {
   return largest;
 }
 
-/// Whether a drive rotates any digit, rather than only sliding it.
+/// Returns whether a drive rotates any digit, rather than only sliding it.
 bool DigitMotion::turns(std::size_t drive) const {
   return std::any_of(digits_.begin(), digits_.end(),
                      [&](const Digit& digit) { return spin(drive, digit).norm() > kNoMotion; });
 }
 
-/// Whether a drive turns other digits about as far as this one.
+/// Returns whether a drive turns other digits about as far as this one.
 bool DigitMotion::spreads(std::size_t drive, const Digit& digit) const {
   const double own = way(drive, digit).norm();
   return std::any_of(digits_.begin(), digits_.end(), [&](const Digit& other) {
@@ -387,7 +387,7 @@ VectorXd DigitMotion::open_at(std::size_t option, const VectorXd& others, double
   return open;
 }
 
-/// Whether every digit has one drive that curls it, as jaws have.
+/// Returns whether every digit has one drive that curls it, as jaws have.
 bool DigitMotion::are_jaws() const {
   return std::all_of(digits_.begin(), digits_.end(),
                      [](const Digit& digit) { return digit.curls.size() <= 1; });

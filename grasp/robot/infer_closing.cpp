@@ -72,7 +72,7 @@ class ClosingSearch {
   }
 
  private:
-  /// Whether any digits face each other across the ball.
+  /// Returns whether any digits face each other across the ball.
   static bool faces(const Candidate& best) { return best.score + best.against > 0; }
 
   /// All candidates coarsely, then the best ones on three balls.

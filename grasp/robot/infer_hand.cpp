@@ -112,7 +112,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-/// Whether the name of a link says that it is a soft pad.
+/// Returns whether the name of a link says that it is a soft pad.
 bool is_named_soft(const std::string& link) {
   const std::string name = lower_case(link);
   return std::any_of(std::begin(kSoftWords), std::end(kSoftWords),

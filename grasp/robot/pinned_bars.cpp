@@ -49,7 +49,7 @@ Instants instants_of(const RobotSpec& robot, const RobotDof& dof) {
   return all;
 }
 
-/// Whether an axis near both lies still in both.
+/// Returns whether an axis near both lies still in both.
 bool are_pinned(const RobotSpec& robot, const RigidBody& bar, const RigidBody& finger,
                 const Instants& instants) {
   std::array<Pose<double>, 3> X_FB;
@@ -78,7 +78,8 @@ bool are_pinned(const RobotSpec& robot, const RigidBody& bar, const RigidBody& f
          finger_box.exteriorDistance(X_FB[0] * pin) < kNearPin * finger_box.diagonal().norm();
 }
 
-/// Whether a motor alone moves a body against another on which it hangs by two joints or more.
+/// Returns whether a motor alone moves a body against another on which it hangs by two joints or
+/// more.
 bool hangs_by_two(const std::vector<RigidBody>& list, std::size_t body, std::size_t on,
                   const std::string& dof) {
   int joints = 0;
