@@ -20,7 +20,8 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kLogSd = 0.05;  // of logarithms in fits of powers [1]
+// sd of the logarithms of force, radius and torsion in the fits of powers [1]
+constexpr double kLogSd = 0.05;
 
 /// Least squares  |(A z - y) / sd|^2  within bounds.
 Solution fit_lines(const MatrixXd& A, const VectorXd& y, const VectorXd& lower,

@@ -33,7 +33,7 @@ class PressCarrier {
                                  const ContactSurface& surface) const;
 
  private:
-  /// What a present element was before: an element, or an octant of one (-1: all of it).
+  /// Origin of an element of the refined mesh: an old element, or an octant of one (-1: all of it).
   struct Origin {
     std::size_t element;
     int octant;
@@ -45,7 +45,7 @@ class PressCarrier {
   /// Displacements of all nodes [m] (3, nodes of the refined mesh).
   [[nodiscard]] Eigen::Matrix3Xd displacements_in(const HexMesh& mesh, const PressState& old) const;
 
-  /// What nodes of the refined mesh have of the skin.
+  /// Skin quantities, carried to the nodes of the refined mesh.
   struct SkinFields {
     std::vector<double> pressure;                        // [Pa] (nodes)
     std::vector<Eigen::Vector3d> traction;               // of friction [Pa] (nodes)

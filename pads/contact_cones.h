@@ -68,7 +68,7 @@ class ContactCones {
     double spring;          // above 0 [N/m]
     double longest;         // motion [m]
   };
-  /// What nodes and object do to each other at an iterate.
+  /// State of the contact between nodes and object at an iterate.
   struct Iterate {
     const Eigen::VectorXd& force;   // of the tissue on its free nodes [N] (3 free nodes)
     const MeanGaps& gaps;           // of the surface's nodes
@@ -78,7 +78,7 @@ class ContactCones {
     double friction;                // [1]
     std::optional<Drive> drive;     // none: the object stays
   };
-  /// Where the linear body comes to rest.
+  /// Equilibrium of the linear body, the result of solve().
   struct Rest {
     Status status = Status::kStalled;
     Eigen::VectorXd dx;      // from the iterate [m] (3 free nodes)
@@ -126,7 +126,7 @@ struct TouchingNodes {
     CondensedBody& body, const ContactSurface& surface, const MeanGaps& gaps,
     const TouchingNodes& touching, const Eigen::Matrix3Xd& places, const Eigen::Matrix3Xd& forces);
 
-/// What a motion of the object does to nodes of the surface.
+/// Response of the surface's nodes to a motion of the object.
 struct PushAnswer {
   Eigen::Matrix3Xd gained;  // forces on them [N] (3, nodes)
   Eigen::Matrix3Xd moved;   // (3, nodes)

@@ -12,8 +12,8 @@
 
 namespace thenar {
 
-/// Where a mesh lies in space. Cells are refined in coordinates of a chart, so that new nodes lie
-/// on curved boundaries.
+/// Map from the coordinates of a chart to space. Cells are refined in coordinates of a chart, so
+/// that new nodes lie on curved boundaries.
 class HexChart {
  public:
   virtual ~HexChart() = default;
@@ -24,8 +24,9 @@ class HexChart {
                                                const Eigen::Vector3d& b) const {
     return 0.5 * (a + b);
   }
-  /// The same of a face, from the middles of its edges; where all corners lie on a boundary that
-  /// middle() keeps to, so must this.
+  /// Returns the middle of a face in the chart (3). It must lie on a boundary to which middle()
+  /// keeps if all corners do.
+  /// @param mean  mean of the middles of its edges
   [[nodiscard]] virtual Eigen::Vector3d middle_of_face(
       const std::array<Eigen::Vector3d, 4>& /*corners*/, const Eigen::Vector3d& mean) const {
     return mean;

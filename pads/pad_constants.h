@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// What a constant is of a pad.
+/// Kinds of constants of a pad.
 enum class PadConstantKind {
   kShearModulus,  // of a tissue [Pa]
   kExponent,      // of a tissue's law [1]

@@ -29,8 +29,8 @@ struct PadShape {
   std::shared_ptr<const Shape> skin;  // null: the ellipsoid; otherwise in the pad's frame
 };
 
-/// Where nodes of a pad's mesh lie. Chart: a disc (a, b), |(a, b)| = 1 on the rim, and the level w
-/// from 0 on the bone to 1 on the skin.
+/// Chart of a pad's mesh: a disc (a, b), |(a, b)| = 1 on the rim, and the level w from 0 on the
+/// bone to 1 on the skin.
 class PadChart final : public HexChart {
  public:
   /// @throws InputError unless lengths are positive, the bone and all layers fit below the skin,

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where an undeformed pad and an object meet, as laws at a point see it.
+/// Deepest point and gap between an undeformed pad and an object, for laws at a point.
 
 #include <memory>
 #include <optional>
@@ -13,10 +13,10 @@ namespace thenar {
 /// The skin as a solid, in the pad's frame.
 [[nodiscard]] std::shared_ptr<const Shape> skin_solid(const PadShape& shape);
 
-/// A distance from the pad's origin that no point of its skin passes [m].
+/// Returns a distance from the pad's origin that no point of its skin exceeds [m].
 [[nodiscard]] double reach_of(const PadShape& shape);
 
-/// Where a pad's undeformed skin lies deepest in an object.
+/// Point where a pad's undeformed skin lies deepest in an object.
 struct DeepestSkin {
   double overlap = 0;              // below 0: apart [m]
   double thickness = 0;            // of the soft tissue there [m]

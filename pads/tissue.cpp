@@ -15,7 +15,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr std::array<int, 6> kRow{0, 1, 2, 0, 1, 2}, kColumn{0, 1, 2, 1, 2, 0};
-constexpr double kEqualStretches = 1e-6;  // relative difference taken as none [1]
+// Relative difference up to which stretches count as equal [1]
+constexpr double kEqualStretches = 1e-6;
 
 /// Symmetric identity and deviatoric projection applied to tensors in components.
 Voigt deviator(const Voigt& a) {

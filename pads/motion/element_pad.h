@@ -36,7 +36,7 @@ class ElementPad final : public MovingPad {
   [[nodiscard]] const Pose<double>& object_pose() const override { return kept_.X_PO; }
 
  private:
-  /// Where the pad is, but for its elements.
+  /// State of the pad without that of its elements.
   struct State {
     Pose<double> X_PO;
     bool rests = true;  // it is as new
