@@ -17,7 +17,7 @@ namespace thenar {
 
 struct NetEquilibrium;
 
-/// How far the torque of tendons can be trusted, from good to bad.
+/// Reliability of the torque of tendons, from good to bad.
 enum class TendonStatus {
   kValid,           // paths are taut, a net is at equilibrium at a minimum
   kApproximate,     // fitted arms may be off by more than 1 mm/rad, or an origin rides on a bend
@@ -67,8 +67,8 @@ struct [[nodiscard]] TendonDerivatives {
   Eigen::VectorXd length;      // of each muscle's line, up to a constant [m] (muscles)
 };
 
-/// How arms of tendons that are linear in tensions change with posture: at given tensions
-/// d tau / d q  is the sum of these over muscles, each times its tension.
+/// Slopes of moment arms by posture, for tendons that are linear in tensions: d tau / d q  at given
+/// tensions is the sum of these slopes over muscles, each times its tension.
 struct ArmSlopes {
   bool exist = true;        // false: a path is not differentiable here
   Eigen::MatrixXd of_pair;  // -d R_j / d q_k, symmetric part, pair j + k (k + 1) / 2 with j <= k
@@ -95,7 +95,7 @@ struct NetSnap {
   double released = 0;  // energy that net and muscles lost, as heat, as a net has no mass [J]
 };
 
-/// What became of a net since the state before.
+/// Snaps and potential error of a net since the state before.
 struct NetStep {
   std::vector<NetSnap> snaps;  // the first one first
   double unexplained = 0;      // potential of the net that neither its torque and lengths nor its

@@ -233,7 +233,7 @@ class DigitBuilder {
     max_tension_.push_back(muscle.max_force.value_or(std::numeric_limits<double>::infinity()));
   }
 
-  /// What each muscle should do at each joint.
+  /// Sets the expected action of each muscle at each joint.
   void set_actions() {
     const TendonNames& names = built_.names;
     built_.actions.setZero(static_cast<Eigen::Index>(names.muscles.size()),

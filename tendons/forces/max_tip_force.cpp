@@ -108,9 +108,8 @@ struct ForceCone {
   double slope;
 };
 
-/// How far prices p of joint torque are from optimal duals of
-///   maximise d' f  subject to  J' f - R' t = tau_0,  0 <= t <= F0,  f in the cone,
-/// by J and R themselves.
+/// Measures, by J and R alone, the distance of the prices p of joint torque from optimal duals of
+///   maximise d' f  subject to  J' f - R' t = tau_0,  0 <= t <= F0,  f in the cone.
 ForceLimitPrices check_prices(const TipStatics& statics, const ForceCone& cone,
                               const MaxTipForce& largest) {
   const VectorXd& p = largest.torque_shadow_price;
@@ -151,8 +150,8 @@ ForceLimitPrices prices_of(const TipStatics& statics, const internal::TipBalance
   return prices;
 }
 
-/// Of the forces with the same component along d and the same joint torques, the one of which bones
-/// carry least alone: without what lies in the null space of J', across d.
+/// Returns the force with the same component along d and the same joint torques of which bones
+/// alone carry least: it removes the part in the null space of J' across d.
 Vector3d without_bone_force(const internal::TipBalance& balance, const Vector3d& d,
                             const Vector3d& force) {
   // Directions that meet no torque, and among them those across d.
@@ -164,7 +163,7 @@ Vector3d without_bone_force(const internal::TipBalance& balance, const Vector3d&
   return force - carried * amount;
 }
 
-/// What a result says before, or instead of, an answer.
+/// Returns the amount that a result holds before, or instead of, an answer.
 double amount_without_answer(Status status) { return status == Status::kUnbounded ? kInfinity : 0; }
 
 }  // namespace

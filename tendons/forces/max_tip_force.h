@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// What is left between an answer and the truth; not a number unless solved.
+/// Residuals of an answer; not a number unless solved.
 struct MaxTipForceCheck {
   double gap = kUnknown;        // no force in the cone has a component larger by more    [N]
   double outside = kUnknown;    // of the force beyond the cone, across the direction     [N]

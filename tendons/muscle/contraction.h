@@ -90,8 +90,9 @@ class Contraction {
   [[nodiscard]] virtual double isometric_projected_fibre(int m, double activation,
                                                          double length) const = 0;
 
-  /// The same fibres on a short tendon, as long as a fibre, that stretches by `strain` at F0, so
-  /// that tension is a function of states alone; null where it does not depend on velocity.
+  /// Returns the same fibres on a short tendon, as long as a fibre, that stretches by `strain` at
+  /// F0, so that tension is a function of states alone; null where tension does not depend on
+  /// velocity.
   [[nodiscard]] virtual std::unique_ptr<Contraction> with_compliant_tendon(
       double /*strain*/) const {
     return nullptr;

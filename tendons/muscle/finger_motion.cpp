@@ -368,7 +368,7 @@ MatrixXd FingerMotion::slopes_of_states(const MotionState& state, const MotionIn
   return tau_y;
 }
 
-/// The same where tensions and lengths follow from the ends of tendons.
+/// Computes the slopes where tensions and lengths follow from the ends of tendons.
 MatrixXd FingerMotion::slopes_on_tendons(const MotionState& state, const MotionInstant& now,
                                          MatrixXd& J) const {
   const Index n = state.q.size(), m = muscles_, a = 2 * n, r = a + m;

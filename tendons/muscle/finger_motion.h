@@ -174,7 +174,8 @@ class FingerMotion {
   [[nodiscard]] Eigen::VectorXd fibres(const MotionState& state,
                                        const Eigen::VectorXd& excursion) const;
 
-  /// Of a trial of the integrator far off: torques that make it take a shorter step.
+  /// Returns the rates of a trial far from any solution: torques that make the integrator take a
+  /// shorter step.
   [[nodiscard]] MotionInstant far_off(MotionInstant now) const;
 
   [[nodiscard]] Eigen::MatrixXd slopes_of_states(const MotionState& state, const MotionInstant& now,

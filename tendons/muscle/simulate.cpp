@@ -193,13 +193,13 @@ const char* reason(OdeStatus status) {
   return "the integrator failed";
 }
 
-/// The same, with what stood in the way of the last trial.
+/// Says why the integrator ended, with the obstacle of the last trial.
 std::string reason(OdeStatus status, const FingerMotion& motion) {
   const std::string& obstacle = motion.obstacle();
   return reason(status) + (obstacle.empty() ? "" : ": " + obstacle);
 }
 
-/// Adds up what became of energy from step to step.
+/// Balance of energy, summed from step to step.
 class Account {
  public:
   Account(FingerMotion& motion, const MotionState& first)
@@ -226,7 +226,7 @@ class Account {
   double begin_, work_, of_net_ = 0, lost_ = 0, error_ = 0, kinetic_ = 0, turned_ = 0;
 };
 
-/// Whether the last steps have got anywhere.
+/// Watches whether the last steps have advanced the motion.
 class Patience {
  public:
   explicit Patience(int steps) : steps_(steps) {}
@@ -258,7 +258,7 @@ void check(const SimulateOptions& options) {
           options.stall_steps);
 }
 
-/// How a motion ends whose integrator did not step.
+/// Returns the status of a motion whose integrator did not step.
 MotionStatus end_of(OdeStatus status) {
   return status == OdeStatus::kLimit ? MotionStatus::kLimit : MotionStatus::kIntegratorFailed;
 }
@@ -370,8 +370,9 @@ class Integration {
   /// Starts the integrator anew, with the errors that are allowed here.
   void restart() { ode_.restart(loose_ ? kLooserError : 1); }
 
-  /// Where rates jump so that no step of the tolerance gets on, as where bands of a net lift off by
-  /// the dozen, larger errors carry it past; the balance of energy counts them.
+  /// Allows larger errors for a while where rates jump so that steps within the tolerance make no
+  /// progress, as where bands of a net lift off by the dozen. The balance of energy counts these
+  /// errors.
   void get_on() {
     // The end of such a place.
     if (loose_ && ode_.time() - loose_since_ >= kLooseTime) {

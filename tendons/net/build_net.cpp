@@ -188,7 +188,7 @@ class NetBuilder {
                role.pulls.size() == 1 ? muscle : fmt::format("{}/{}", muscle, k + 1));
   }
 
-  /// Where a pull leaves the net that no strand shows: its own place, or the end of its own path.
+  /// Returns the exit of a pull that no strand shows: its own place, or the end of its own path.
   [[nodiscard]] CarriedPoint exit_of(const NetPullPlan& plan) const {
     if (plan.exit_place)
       return {built_.frame.bone(plan.exit_place->bone).link,

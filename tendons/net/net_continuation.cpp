@@ -42,7 +42,7 @@ Matrix3Xd node_velocity(const NetPull& pull, const NetEquilibrium& rest, const P
   return internal::node_rates(tangent, input);
 }
 
-/// Returns whether a knot may be asked where it is.
+/// Returns whether the net is differentiable, so that the places of its knots are determined.
 bool settled(const Net& net, const NetEquilibrium& rest) {
   return why_not_differentiable(net, rest).empty();
 }
@@ -140,7 +140,7 @@ class NetWalk {
     return rest;
   }
 
-  /// What is asked at a share of the way.
+  /// Returns posture and load at a share of the way.
   [[nodiscard]] PostureAndLoad at(double place) const {
     return {from_.q + place * way_.q, from_.load + place * way_.load};
   }

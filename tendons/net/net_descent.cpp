@@ -167,9 +167,10 @@ constexpr double kLiftRounding = 1e-17;  // rounding of a lift [m]
 
 }  // namespace
 
-/// What bands that bend over a surface hold a node on it with, at the least lift that its place can
-/// tell: their slope along the normal grows as  sqrt(2 lift / radius)  times their tension S, and
-/// rounding of the lift by kLiftRounding changes it by S kLiftRounding / sqrt(2 lift radius).
+/// Returns the force with which bands that bend over a surface hold a node on it, at the least lift
+/// that its place can resolve [N]: their slope along the normal grows as  sqrt(2 lift / radius)
+/// times their tension S, and rounding of the lift by kLiftRounding changes it by S kLiftRounding /
+/// sqrt(2 lift radius).
 double NetDescent::wrap_slop(int k, int surface) const {
   // Tensions of the bands that bend over this surface.
   double sum = 0;
@@ -335,8 +336,8 @@ constexpr double kKinkStep = 1e-4;  // steps below which slack bands that become
 
 }  // namespace
 
-/// Where bands clasp a node, its lift h is pulled at as sqrt(h): Newton's step dh is taken in
-/// sqrt(h), which makes it  h (1 + dh / 2h)^2  and exact.
+/// Corrects Newton's step where bands clasp a node. They pull at its lift h as sqrt(h), so the step
+/// dh is taken in sqrt(h), which makes it  h (1 + dh / 2h)^2  and exact.
 void NetDescent::lift(int k, Vector3d& there) const {
   const NodeContact& c = contact_[k];
   const Vector3d& x = x_[plan_.node[k]];
@@ -407,7 +408,8 @@ double NetDescent::step_to_exit() const {
   return part;
 }
 
-/// What rounding of places may change E by: tension times the last digits of places [J].
+/// Returns the largest change of E by rounding of places: tension times the last digits of places
+/// [J].
 double NetDescent::rounding() const {
   double reach = 0, sum = 0;
   for (const Vector3d& x : x_) reach = std::max(reach, x.norm());

@@ -157,7 +157,8 @@ class Rounds {
     return switched;
   }
 
-  /// What the bone does to a node that sticks, and whether that is more than friction can.
+  /// Computes the bone's force on a node that sticks, and returns whether it exceeds friction, so
+  /// that the node starts to slip.
   bool gives_way(Rub& rub) {
     // Force that the bone must balance.
     const Vector3d f = pull_on(rub.node);
@@ -181,8 +182,9 @@ class Rounds {
     return true;
   }
 
-  /// What the bone does to a node that slips. Its band runs aslant into the bone: of its pull t,
-  /// t cos(angle) = mu N is friction, and t sin(angle) is part of the bone's normal force.
+  /// Computes the bone's force on a node that slips, and returns whether the node is back at its
+  /// start. Its band runs aslant into the bone: of its pull t, t cos(angle) = mu N is friction, and
+  /// t sin(angle) is part of the bone's normal force.
   bool comes_back(Rub& rub) {
     const Vector3d way = rub.seat - x_.col(rub.node);
     // Normal force and normal of the contacts.

@@ -41,7 +41,7 @@ class ShareOfTendon : public TensionLaw {
   double share_, beyond_;
 };
 
-/// What exits add to the lines of their muscles [m] (muscles).
+/// Returns the length that exits add to the lines of their muscles [m] (muscles).
 VectorXd excess_of_exits(const NetTendons& tendons, const NetEquilibrium& rest) {
   const VectorXd band = muscle_band_length(tendons.net().net, rest);
   const VectorXd more = band.unaryExpr([](double L) { return OverExit(L).length - L; });

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How muscles pull a net: by given tensions, or by tendons that stretch from given ends.
+/// Pull of muscles on a net: by given tensions, or by tendons that stretch from given ends.
 
 #include <cmath>
 #include <memory>
@@ -60,8 +60,8 @@ class NetPull {
   [[nodiscard]] virtual TendonTorque torque(const PostureAndLoad& at,
                                             NetEquilibrium rest) const = 0;
 
-  /// How torque, tensions and lengths change with posture and ends of tendons; without the net
-  /// where it is not differentiable; none where loads are tensions.
+  /// Returns the slopes of torque, tensions and lengths by posture and ends of tendons; without the
+  /// net where it is not differentiable; none where loads are tensions.
   [[nodiscard]] virtual EndSlopes slopes(const PostureAndLoad& /*at*/,
                                          const NetEquilibrium& /*rest*/) const {
     return {};

@@ -18,7 +18,7 @@ double evidence(const FittedNets& tried, int band) {
   return std::isinf(without) && std::isinf(with) ? 0 : without - with;
 }
 
-/// What the fits behind the evidence on one band have to say of themselves.
+/// Reads convergence and residuals of the fits behind the evidence on one band.
 void state_fits(const FittedNets& tried, int band, BandVerdict& verdict, InferredNet& out) {
   for (bool present : {false, true})
     if (const FittedNet* net = tried.best_where(band, present)) {

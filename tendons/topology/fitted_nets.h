@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// Which candidates exist (candidates).
+/// Presence of each candidate band (candidates).
 using Topology = std::vector<bool>;
 
 /// One fitted topology.

@@ -87,14 +87,15 @@ std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
   return alive;
 }
 
-/// The same nets with misfits by the noise that the best of them leaves.
+/// Returns the nets with their misfits divided by the square of `error`, the noise that the best
+/// net leaves.
 std::vector<FittedNet> eased(std::vector<FittedNet> nets, double error) {
   for (FittedNet& net : nets) net.fit.misfit /= error * error;
   return nets;
 }
 
-/// Returns whether survivors may agree by chance: fewer than four numbers a band, or a misfit that
-/// noise does not leave.
+/// Returns whether survivors may agree by chance: there are fewer than four numbers a band, or
+/// noise does not explain the misfit.
 bool few(FittedNets& tried) {
   const Eigen::Index bands = tried.fitter().typical().size();
   return tried.fitter().rows() < 4 * bands || !noise_explains(tried.best()->fit);
@@ -150,7 +151,7 @@ Search begin(const CandidateNet& candidate, std::vector<TendonRecord> records,
   return search;
 }
 
-/// What is left of the pool, best first.
+/// Returns the tests of the pool that are not used yet, best first.
 std::vector<RankedTest> open_tests(const std::vector<RankedTest>& ranked,
                                    const std::vector<bool>& used) {
   std::vector<RankedTest> open;
@@ -159,7 +160,7 @@ std::vector<RankedTest> open_tests(const std::vector<RankedTest>& ranked,
   return open;
 }
 
-/// Why no more is measured. @param left  tests that may still be
+/// Returns the reason why no more is measured. @param left  tests that may still be
 NetSearchStop reason(const Progress& progress, const std::vector<RankedTest>& next, int left,
                      double enough) {
   if (progress.stop()) return NetSearchStop::kAsked;

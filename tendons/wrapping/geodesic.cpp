@@ -44,8 +44,8 @@ void along_cylinder(GeodesicEnd& end, double radius, double s) {
   carry_fields(end, 0, s);
 }
 
-/// How far a great circle runs from p before its height z about `center` is zero, going on in the
-/// direction of s: the first root ahead of  n_z cos(u) + t_z sin(u) = 0.
+/// Returns the angle that a great circle runs from p until its height z about `center` is zero,
+/// going on in the direction of s: the first root ahead of  n_z cos(u) + t_z sin(u) = 0.
 double to_equator(const Vector3d& n, const Vector3d& t, double sign) {
   double u = std::atan2(-n.z(), t.z());  // a root; the others are pi apart
   while (sign * u <= 1e-12) u += sign * std::acos(-1.0);

@@ -20,7 +20,7 @@ bool is_round(const BoneSurface& surface) {
   return surface.shape == SurfaceShape::kSphere || surface.shape == SurfaceShape::kCylinder;
 }
 
-/// How deep a point lies inside a surface, 0 outside [m].
+/// Returns the depth of a point inside a surface, 0 outside [m].
 double depth_of(const BoneSurface& surface, const Vector3d& p) {
   const double r = surface.size[0];
   switch (surface.shape) {
@@ -37,7 +37,7 @@ double depth_of(const BoneSurface& surface, const Vector3d& p) {
   }
 }
 
-/// Where a carrier is at the distance `ride` from its insertion.
+/// Point of a carrier at the distance `ride` from its insertion.
 struct Ridden {
   Vector3d p;
   int span;  // on which that is, or before the arc on which it is
@@ -381,8 +381,8 @@ double PathSolver::touch_together(const Vector3d& a, const Vector3d& b, PathShap
   return 1;
 }
 
-/// The same; 1 if a run passes through a surface that lifted off. A point that is inside has no way
-/// around.
+/// Settles the touch points with touch_together(), and returns 1 if a run then passes through a
+/// surface that lifted off. A point that is inside has no way around.
 /// @return largest kink [rad]
 double PathSolver::settle_on(const std::vector<PathWrap>& bends, const Vector3d& a,
                              const Vector3d& b, PathShape& shape) {

@@ -23,7 +23,7 @@ using Map34 = Eigen::Matrix<double, 3, 4>;
 using internal::ArcEnd;
 using internal::ArcEnds;
 
-/// How the frame of an end follows its own shift (sigma along, eta across) and turn omega:
+/// Computes the change of an end's frame with its shift (sigma along, eta across) and turn omega:
 ///   dp = sigma t + eta b,  dn = S dp,  db = -omega t - (b . dn) n.
 ArcEnd end_of(const ChainArc& link, const SurfaceRay& ray, const Row4& sigma, const Row4& eta,
               const Row4& omega) {
