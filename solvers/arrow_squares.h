@@ -47,7 +47,7 @@ struct ArrowSquares {
 /// Source: [GolubVanLoan2013] section 2.1.4; [Haynsworth1968] on when it exists.
 class ArrowSquaresFactor {
  public:
-  /// Of the entries of coordinates that are free (size); the others stay where they are.
+  /// Factors the entries of coordinates that are free (size); the others stay where they are.
   /// @return nothing where H is not positive definite, or an own coordinate's D is not positive
   static std::optional<ArrowSquaresFactor> factor(const ArrowSquares& matrix,
                                                   const std::vector<bool>& free);

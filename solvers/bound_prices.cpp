@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 
 constexpr double kAtBound = 1e-11;  // of max(1, |bound|): a vertex's own error is less
 
-/// Which of its bounds a variable or a row stands at.
+/// Bounds that the value of a variable or a row meets.
 struct Standing {
   bool at_lower, at_upper;
 

@@ -22,7 +22,7 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 constexpr double kContainedShare = 1e-10;  // of the extent: how far a point may lie outside a plane
 
-/// Where Qhull writes its complaints.
+/// File to which Qhull writes its messages.
 class MessageFile {
  public:
   MessageFile() : file_(open_memstream(&text_, &size_)) {}

@@ -26,7 +26,7 @@ struct Entering {
   double way;  // +1 or -1
 };
 
-/// How far it moves, and which basic variable then leaves for which bound.
+/// Step of the entering variable: its length, and the basic variable that leaves, with its bound.
 struct Step {
   double length;
   Index leaving;  // place in the basis; -1: none, the entering variable crosses to its other bound
@@ -102,7 +102,8 @@ class DenseSimplex {
     return signs;
   }
 
-  /// Of every variable: the slope of the objective, or of what is missing while anything is.
+  /// Returns for every variable the slope of the objective, or of the infeasibility while the basis
+  /// is infeasible (variables and rows).
   [[nodiscard]] VectorXd duals(bool feasible, const VectorXd& missing) const {
     VectorXd basic_costs = missing, costs = VectorXd::Zero(n_ + rows_);
     if (feasible) costs = cost_;

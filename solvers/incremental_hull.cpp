@@ -22,8 +22,8 @@ std::uint64_t scatter(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// Where vertex j stands in the facet without vertex i, such that all facets are oriented alike: in
-/// order, but with the first two swapped in every other facet.
+/// Returns the position of vertex j in the facet without vertex i, such that all facets are
+/// oriented alike: in order, but with the first two swapped in every other facet.
 int place_in_simplex(int i, int j) {
   const int place = j < i ? j : j - 1;
   return i % 2 == 1 && place < 2 ? 1 - place : place;

@@ -91,7 +91,7 @@ LeastSquares reduce(const LeastSquares& problem, const std::vector<int>& free,
   return rest;
 }
 
-/// Where nothing can move, the start is the answer.
+/// Returns the start as the solution of a problem in which nothing can move.
 Solution stay(const LeastSquares& problem, const Eigen::VectorXd& start) {
   Solution solution;
   solution.z = start;
@@ -102,7 +102,7 @@ Solution stay(const LeastSquares& problem, const Eigen::VectorXd& start) {
   return solution;
 }
 
-/// Length of the step that is left where coordinates meet no constraints.
+/// Returns the length of the step that is left in coordinates without constraints.
 double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostDerivatives slopes) {
   for (Eigen::Index i = 0; i < z.size(); ++i)
     if (internal::held(problem, z, slopes.gradient[i], i)) fix_coordinate(slopes, i);
@@ -150,7 +150,8 @@ Eigen::MatrixXd null_basis(const Eigen::MatrixXd& A) {
   return Q.rightCols(A.cols() - qr.rank());
 }
 
-/// The same where constraints are: within what the active ones leave.
+/// Returns the length of the step that is left in the directions that bounds and active constraints
+/// leave free.
 double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
                         const CostDerivatives& slopes) {
   // Directions that bounds and active constraints leave.
@@ -198,8 +199,8 @@ std::optional<CostDerivatives> derivatives_if_any(const LeastSquares& problem,
   return out;
 }
 
-/// The same by differences of the residuals, for those without a Jacobian. No point outside the
-/// bounds is asked.
+/// Computes gradient and Jacobian by differences of residuals that have no Jacobian. No point
+/// outside the bounds is evaluated.
 CostDerivatives derivatives_by_differences(const LeastSquares& problem, const Eigen::VectorXd& z) {
   constexpr double kDifferenceShare =
       6e-6;  // cube root of the rounding: the best step of central differences
@@ -337,7 +338,7 @@ void check_shapes(const LeastSquares& problem, const Eigen::VectorXd& start) {
             layout.blocks);
 }
 
-/// What the functions of a problem return at the start.
+/// Checks the values that the functions of a problem return at the start.
 void check_values(const LeastSquares& problem, const Eigen::VectorXd& z,
                   LeastSquaresMethod method) {
   const bool derivatives =

@@ -62,8 +62,9 @@ void fix_coordinate(CostDerivatives& slopes, Eigen::Index i);
 [[nodiscard]] CostDerivatives cost_derivatives(const LeastSquares& problem,
                                                const Eigen::VectorXd& z);
 
-/// Which solver. All minimise the same function; only Ipopt keeps `constraints`. The others search
-/// without them: where their minimum breaks one, the status is not kSolved.
+/// Solver of a least-squares problem. All minimise the same function; only Ipopt keeps
+/// `constraints`. The others search without them: where their minimum breaks one, the status is not
+/// kSolved.
 enum class LeastSquaresMethod {
   kCeres,        // secants, Levenberg-Marquardt; needs the Jacobian
   kNloptLocal,   // BOBYQA: local, without derivatives

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFarAway = 8;  // stands for an infinite bound of a standard normal coordinate
 
-/// What the C callback needs; remembers the best point, because a stop throws it away.
+/// State of the C callback. It remembers the best point, because a stop throws it away.
 struct Context {
   const LeastSquares& problem;
   const SolveOptions& options;

@@ -90,8 +90,8 @@ class SecantSearch {
   /// Returns whether no step lowers the cost, however short.
   [[nodiscard]] bool exhausted() const { return damping_ > kMostDamping; }
 
-  /// What full steps would still gain, at the largest: with the curvature and by J'J alone, which
-  /// is not asked where the first is above `enough` [1].
+  /// Returns the larger gain of two full steps, with the curvature and by J'J alone [1]; the second
+  /// is not computed if the first is above `enough`.
   [[nodiscard]] double gain(double enough = kInfinity) const {
     return gain(best_.gradient, enough);
   }
@@ -139,7 +139,7 @@ class SecantSearch {
 
   void shorten() { damping_ = std::max(0.1, 4 * damping_); }
 
-  /// Of the Hessian and as many J'J as damp it; nothing where that is not positive definite.
+  /// Factors the Hessian plus `damping_` times J'J; nothing where this is not positive definite.
   [[nodiscard]] std::optional<ArrowSquaresFactor> damped_factor() const {
     return damping_ == 0 ? newton_ : ArrowSquaresFactor::factor(hessian(damping_), free_);
   }

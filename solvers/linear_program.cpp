@@ -63,7 +63,7 @@ void load(ClpSimplex& simplex, const LinearProgram& program) {
   simplex.setLogLevel(0);
 }
 
-/// What a method proposes. Nothing of it is believed: `end` only says what to try to prove.
+/// Proposal of a method. It is not trusted: `end` only says what to try to prove.
 struct Proposal {
   Status end;
   std::optional<SimplexBasis> basis;

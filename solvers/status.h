@@ -1,6 +1,6 @@
 #pragma once
 
-/// How a numerical method ended: one enumeration for optimisers, root finders and the questions
+/// Status of a numerical method: one enumeration for optimisers, root finders and the questions
 /// that they answer. Enumerations with words of a domain stand beside what they describe, as
 /// NetStatus and OdeStatus.
 
