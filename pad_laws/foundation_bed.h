@@ -21,7 +21,7 @@ struct FoundationColumns {
   Eigen::VectorXd area;       // [m^2] (columns)
 };
 
-/// Where a bed is: what each column remembers. Empty: untouched.
+/// State of a bed, the memory of each column. Empty: untouched.
 struct BedState {
   Eigen::VectorXd elastic;       // normal force if nothing relaxed [N] (columns)
   Eigen::MatrixXd terms;         // of its relaxation [N] (terms, columns)
