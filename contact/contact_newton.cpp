@@ -14,7 +14,8 @@ using Eigen::Ref;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kLeastProximal = 1e-10;  // of the diagonal of A, which is 1
+// Least proximal term, over the diagonal of A, which is 1 [1]
+constexpr double kLeastProximal = 1e-10;
 constexpr int kNewtonRefinements = 2;
 
 /// Unit vectors perpendicular to the unit vector d, two of three dimensions or one of two.

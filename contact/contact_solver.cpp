@@ -20,22 +20,25 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kToleranceShare = 0.5;  // of the tolerance: what scaling back may cost
-constexpr double kRoundingFrom = 1e-8;   // residual from which rounding may explain it
-constexpr double kRoundingGoal = 1e-14;  // residual that is not worth another step
+constexpr double kToleranceShare = 0.5;  // Share of the tolerance that scaling back may cost [1]
+constexpr double kRoundingFrom = 1e-8;   // Residuals below this may be due to rounding [1]
+constexpr double kRoundingGoal = 1e-14;  // Residuals below this are not worth another step [1]
 constexpr int kPolishSteps = 2;
-constexpr double kProgressRatio = 0.9;  // of the best residual: a fall that counts
-constexpr int kStalledSteps = 6;        // steps of Newton without such a fall
-constexpr int kFirstSweeps = 5;         // before Newton's second try; each try has twice as many
-constexpr int kMostRounds = 2;          // of sweeps and Newton, before interior points
-constexpr int kPivotTurns = 20;         // steps of Newton by pivots
-constexpr int kFrozenTurns = 20;        // of the fixed point on |ut|
-constexpr int kInteriorTurn = 40;       // steps of interior points in a turn
-constexpr int kMostRestarts = 20;       // from made-up impulses
-constexpr int kSweepsPerCheck = 5;      // of the residual
+// A residual below this share of the best so far counts as progress [1]
+constexpr double kProgressRatio = 0.9;
+constexpr int kStalledSteps = 6;  // Newton steps without progress after which a try ends
+// Sweeps before Newton's second try; each further try has twice as many
+constexpr int kFirstSweeps = 5;
+constexpr int kMostRounds = 2;      // Most rounds of sweeps and Newton, before interior points
+constexpr int kPivotTurns = 20;     // Most Newton steps by pivots
+constexpr int kFrozenTurns = 20;    // Most turns of the fixed point on |ut|
+constexpr int kInteriorTurn = 40;   // Steps of interior points in one turn
+constexpr int kMostRestarts = 20;   // Most restarts from invented impulses
+constexpr int kSweepsPerCheck = 5;  // Sweeps between two checks of the residual
 constexpr std::uint64_t kRestartSeed = 1;
 
-/// Whether Newton's steps become more proximal where they do not lower the residual.
+/// Damping of Newton's steps: with kYes they become more proximal where they do not lower the
+/// residual.
 enum class Damped { kNo, kYes };
 constexpr double kLeastDamping = 0.3, kMostDamping = 10;  // stiffness over the residual [1]
 

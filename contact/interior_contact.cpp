@@ -15,11 +15,13 @@ using Eigen::Vector4d;
 using Eigen::VectorXd;
 
 constexpr double kToBoundary = 0.99;
-constexpr double kLeastCentring = 1e-4, kMostCentring = 0.5;  // share of tau that is aimed at
-constexpr double kCorrectFrom = 0.1;  // step of the predictor from which its square counts
+// Least and largest share of tau at which a step aims [1]
+constexpr double kLeastCentring = 1e-4, kMostCentring = 0.5;
+// Step of the predictor from which its square is corrected [1]
+constexpr double kCorrectFrom = 0.1;
 constexpr double kShortStep = 0.1, kAwayFromWalls = 0.9;
-constexpr double kLeastFall = 1e-3;  // of the merit, for a whole step
-constexpr double kMostGrowth = 2;    // of tau
+constexpr double kLeastFall = 1e-3;  // Least relative fall of the merit for a whole step [1]
+constexpr double kMostGrowth = 2;    // Largest growth of tau in a step [1]
 constexpr int kMostHalvings = 12;
 
 /// u0^2 - |u1|^2 without cancellation of large squares.
