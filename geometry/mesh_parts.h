@@ -35,7 +35,7 @@ namespace thenar {
 /// @throws InputError if the mesh has no triangle, is flat, has holes (naming their cause), an edge
 /// of a part has more than two triangles, or a part encloses nothing.
 [[nodiscard]] std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh);
-/// The same; none where the mesh is refused.
+/// Returns solid_parts(); none where it would refuse the mesh.
 [[nodiscard]] std::vector<TriangleMesh> solids_or_none(const TriangleMesh& mesh);
 
 }  // namespace thenar

@@ -202,7 +202,7 @@ TriangleMesh without_walls(const TriangleMesh& mesh) {
   return with(mesh, kept);
 }
 
-/// What was done, in words.
+/// Description of the repairs that were made.
 class Done {
  public:
   void add(int count, const std::string& what) {

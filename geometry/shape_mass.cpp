@@ -225,7 +225,7 @@ std::vector<UnionPart> parts_of(const std::vector<ShapeSpec>& shapes) {
   return parts;
 }
 
-/// What two boxes have in common; of those that only touch, nothing.
+/// Returns the intersection of two boxes; empty if they only touch.
 Eigen::AlignedBox3d common_box(const UnionPart& a, const UnionPart& b) {
   if (!a.box.intersects(b.box)) return {};
   const Eigen::AlignedBox3d box = a.box.intersection(b.box);
@@ -401,7 +401,8 @@ struct Summed {
   double error = 0;  // [m^3]
 };
 
-/// Of a part without a closed form, by coarse cubes; where they take too long, of its box.
+/// Computes the moments of a part without a closed form by coarse cubes; if these take too long,
+/// returns the moments of its box.
 Moments coarse_moments(const UnionPart& part, double looks) {
   const std::vector<const UnionPart*> alone{&part};
   CubeSum cubes(alone, false, kCoarseDepth, looks);

@@ -192,7 +192,7 @@ Bound settle(const Norm& norm, const Vector3d& p, Bound best, int most, double e
   return best;
 }
 
-/// What the tessellation is made from: distances by the norm alone.
+/// Shape for the tessellation, with distances by the norm alone.
 class Rough final : public Shape {
  public:
   Rough(const Norm& norm, Vector3d semi_axes) : norm_(norm), semi_axes_(std::move(semi_axes)) {}

@@ -174,8 +174,8 @@ class PatchSearch {
     for (const PatchPoint& in : inside) piece.points.push_back(crossing(in, point));
   }
 
-  /// Where the way from a point inside to one outside crosses the rim: the last point inside.
-  /// Neighbours share most sides.
+  /// Returns the last point inside on the way from a point inside to a point outside, where it
+  /// crosses the rim. Neighbours share most sides.
   const PatchPoint& crossing(const PatchPoint& inside, const PatchPoint& outside) {
     Side side;
     Eigen::Map<Eigen::Matrix<double, 7, 1>>(side.data()) << inside.core, outside.core,

@@ -202,7 +202,7 @@ class DistanceSearch {
     push({seen, -1, static_cast<int>(pieces_.size()) - 1});
   }
 
-  /// What a piece's own middle tells of it.
+  /// Returns a lower bound of the distance of a piece, from the distance at its middle [m].
   static double bound_of(const Piece& piece) {
     const NearestSurface& seen = piece.seen;
     const double by_ball = seen.distance - piece.ball.r - piece.radius;

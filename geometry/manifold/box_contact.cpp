@@ -189,7 +189,8 @@ class FaceCut {
   /// Height above the cutting face [m].
   [[nodiscard]] double height(int i) const { return normal_.dot(at(i)) - offset_; }
 
-  /// What meets in a corner of the polygon. @param flipped  the cutting box is A
+  /// Returns the key of the features that meet in a corner of the polygon.
+  /// @param flipped  the cutting box is A
   [[nodiscard]] std::uint64_t feature(int i, bool flipped) const {
     const int before =
         polygon_.corners[static_cast<std::size_t>((i + polygon_.count - 1) % polygon_.count)].line;
@@ -256,7 +257,8 @@ int farthest_corner(const PosedBox& box, const Vector3d& n) {
   return corner_number(box.R.transpose() * n);
 }
 
-/// Where two edges cross, seen along n; their corners farthest along n are on them.
+/// Finds the contact point where two edges cross, seen along n. The edges run through the corners
+/// farthest along n.
 ManifoldPoint edge_point(const PosedBox& a, const PosedBox& b, const BoxAxis& axis) {
   const int k = (axis.index - 6) / 3, j = (axis.index - 6) % 3;
   const int corner_a = farthest_corner(a, -axis.n), corner_b = farthest_corner(b, axis.n);

@@ -18,7 +18,7 @@ constexpr double kLowestLean = 1e-3;      // lean from which one is the lowest [
 constexpr double kDepthError = 1e-12;     // of a depth along an edge [m]
 constexpr double kKeepFace = 1e-5;        // by which another face must be better [m]
 
-/// Which face of the box separates best: that along which the cylinder is highest.
+/// Face of the box that separates best: the face above which the cylinder is highest.
 struct FaceAbove {
   int axis = 0;
   double gap = -std::numeric_limits<double>::infinity();  // [m]
@@ -41,7 +41,8 @@ FaceAbove face_above(const Vector3d& c, const Vector3d& u, const Vector3d& half_
   return best;
 }
 
-/// How far the point next to a rim's lowest one may lag behind it [rad].
+/// Returns the largest angle by which the second point of a rim may lag behind its lowest point
+/// [rad].
 double lag_of(double lean) {
   const double share = (kLowestLean - lean) / (kLowestLean - kUprightLean);
   return kSectorAngle / 2 * std::clamp(share, 0.0, 1.0);
@@ -110,7 +111,7 @@ class EllipsoidSearch {
     return {p, b_.nearest(p)};
   }
 
-  /// Where the lowest point along n sees B along n, from a guess.
+  /// Finds, from a guess, the direction n along which A's lowest point has B's nearest normal n.
   [[nodiscard]] std::optional<LowestPoint> find(Vector3d n) const {
     LowestPoint here = at(n);
     double residual = (here.seen.normal - n).norm();

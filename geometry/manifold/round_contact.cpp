@@ -123,7 +123,8 @@ ManifoldPoint ball_contact(const BallHull& a, const Shape& b, double t, int feat
   return point;
 }
 
-/// Which ball of A is nearest to B: its distance is convex along the axis.
+/// Finds the place on the axis of the ball of A nearest to B; the distance is convex along the
+/// axis.
 double nearest_ball(const BallHull& a, const Shape& b) {
   if (a.length == 0) return 0;
   const auto tangent = [&](double t) {
