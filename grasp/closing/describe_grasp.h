@@ -13,7 +13,7 @@ namespace thenar {
 /// largest are left out; "none" of a zero wrench.
 [[nodiscard]] std::string direction_words(const ScaledWrench& wrench);
 
-/// The same of a motion: "along -z, turning about +x".
+/// Returns the large parts of a motion: "along -z, turning about +x".
 [[nodiscard]] std::string motion_words(const ScaledWrench& motion);
 
 /// Returns whether two hard points press on each other within friction: they resist every load but

@@ -33,7 +33,7 @@ constexpr double kMostLoad = 1e12;          // of loads and qualities [N], [1], 
 constexpr double kUnitError = 1e-6;         // by which directions may be off [1]
 constexpr int kMaxApproaches = 10'000'000;  // of approaches
 
-/// What is wrong with a cell, and where.
+/// Fault of a cell, with its line.
 struct BrokenCell {
   int line;
   std::string complaint;

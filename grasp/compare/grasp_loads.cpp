@@ -41,7 +41,8 @@ ExplainedLoad limited(const HandForceInputs& forces, Status status, double value
   return {value, std::isinf(value) ? kSupportedByStructure : ""};
 }
 
-/// What of a load efforts and friction bear by themselves [the load's unit]; NaN: not known.
+/// Computes the part of a load that efforts and friction bear by themselves [the load's unit]; NaN:
+/// not known.
 /// @param whole  with structure
 double active_part(const HandForceInputs& held_by, const ForceSet& forces,
                    const std::vector<ScaledWrench>& loads, double whole) {

@@ -79,8 +79,8 @@ Eigen::MatrixXd spread_postures(const HandLayout& layout) {
   return postures;
 }
 
-/// How many coordinates move each tip, in some posture at least: it cannot fill a space of more
-/// dimensions.
+/// Counts the coordinates that move each tip in at least one posture (tips). A tip cannot fill a
+/// space of more dimensions.
 std::vector<int> movers_of_tips(const Hand& hand) {
   constexpr double kRangeStep = 1e-3;  // of a coordinate's range
   constexpr double kNoMotion = 1e-9;   // [m]

@@ -28,8 +28,8 @@ constexpr double kForceRounding = 1e-8;
 /// lever, and at least the second share of the best such ratio among all coordinates [1].
 constexpr double kAlongShare = 1e-3, kAsWellRatio = 0.5;
 
-/// Whether each coordinate does work on internal forces, which cancel out on the object. Others,
-/// like those of an arm, move all contacts as one body would.
+/// Returns for each coordinate whether it does work on internal forces, which cancel out on the
+/// object. Others, like those of an arm, move all contacts as one body would.
 std::vector<bool> squeezing(const WrenchSet& set, const MatrixXd& T) {
   std::vector<bool> squeezing(static_cast<std::size_t>(T.rows()), false);
   if (T.size() == 0) return squeezing;
