@@ -24,7 +24,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Where a body is cut flat; what lies along the direction from there is left out.
+/// Plane at which a body is cut flat; the part on the side of `outward` is left out.
 struct FlatCut {
   Vector3d point, outward;  // [m], unit (3)
 };

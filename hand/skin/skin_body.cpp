@@ -81,7 +81,7 @@ ImplicitBody fingertip(const DigitAnatomy& digit) {
   return body;
 }
 
-/// Where the free edge of the web between thumb and index hangs, and what it spans.
+/// Corners of the web between thumb and index: the root, and the ends of the free edge.
 struct ThumbWeb {
   Vector3d root, thumb, index;
 };
@@ -158,7 +158,7 @@ class PalmMaker {
     }
   }
 
-  /// Where a metacarpal stands on the carpus.
+  /// Returns the point where a metacarpal stands on the carpus.
   [[nodiscard]] Vector3d foot(int i) const {
     return at(0.20 - 0.40 * i / (static_cast<double>(fingers_.size()) - 1), 0.12, 0);
   }
