@@ -13,11 +13,11 @@ namespace thenar {
 /// @param answer  at most 1023 bytes, the rest is cut off
 void catch_interrupts(const std::string& answer);
 
-/// Was Ctrl-C pressed, or SIGTERM sent, since catch_interrupts()?
+/// Returns whether Ctrl-C was pressed, or SIGTERM sent, since catch_interrupts().
 [[nodiscard]] bool interrupted();
 
-/// As shells say of a program that a signal ended: 130 after Ctrl-C, also where another process of
-/// the run was told to stop; 143 after SIGTERM.
+/// Returns the exit code that shells report for a program that a signal ended: 130 after Ctrl-C,
+/// also where another process of the run was told to stop; 143 after SIGTERM.
 [[nodiscard]] int exit_code_of_interruption();
 
 /// For as long as it lives, Ctrl-C and SIGTERM end the program at once where catch_interrupts() had

@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// What a name from outside is for.
+/// Purpose of a name from outside.
 enum class OutsideUse {
   kRead,    // a name, or any file of this machine: UTF-8 as it is, without control characters
   kInside,  // a file in a folder: also relative, without "..", no part of it begins with a dot
