@@ -111,7 +111,8 @@ class EllipsoidSearch {
     return {p, b_.nearest(p)};
   }
 
-  /// Finds, from a guess, the direction n along which A's lowest point has B's nearest normal n.
+  /// Finds from a guess n the ellipsoid's point at which B's normal equals the direction n along
+  /// which the point is lowest.
   [[nodiscard]] std::optional<LowestPoint> find(Vector3d n) const {
     LowestPoint here = at(n);
     double residual = (here.seen.normal - n).norm();
