@@ -25,8 +25,8 @@ std::set<std::string> moved_by(const Subject& subject, const JointAxis& joint) {
   return moved;
 }
 
-/// How far along the axis, from its point, the run from a to b passes it [m]; NaN of one parallel
-/// to it.
+/// Returns the position along the axis, from its point, at which the run from a to b passes it [m];
+/// NaN for a run parallel to the axis.
 double passing(const JointAxis& joint, const Vector3d& a, const Vector3d& b) {
   const Vector3d run = b - a;
   const Vector3d across = run - run.dot(joint.direction) * joint.direction;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kBetter = 1e-3;  // gain below which a choice stays as it is [nat]
 
-/// How well left-out forces are predicted.
+/// Score of the predictions of left-out forces.
 struct LeftOutScore {
   double loss = 0;   // [nat]
   double error = 0;  // relative [1]

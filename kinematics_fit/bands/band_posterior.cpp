@@ -190,7 +190,8 @@ void believe_by_chances(const std::vector<double>& chances, BandBelief& belief) 
   belief.error = 0.5 * std::abs(a - b);
 }
 
-/// How the best sets with and without a band compare, and its slack length in the first.
+/// Compares the best sets with and without a band, and reads the band's slack length from the
+/// first.
 void compare_best(const BandProblems& problems, const KnownSets& known, std::size_t band,
                   BandBelief& belief) {
   const auto* with = known.best_where(band, true);

@@ -34,7 +34,7 @@ enum class WhyUntold {
   kOthers  // it pulls, and what it does others can do
 };
 
-/// What the data say of one band.
+/// Evidence of the data for one band.
 struct BandBelief {
   std::string name;
   double probability = 0;  // that it exists, posterior [1]

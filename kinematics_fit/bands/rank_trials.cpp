@@ -19,7 +19,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What one set of bands expects of all trials. Entries are those of z that move the specimen.
+/// Prediction of all trials by one set of bands. Entries are those of z that move the specimen.
 struct Forecast {
   Eigen::Matrix3Xd force;  // [N] (3, trials)
   MatrixXd J;              // its slope by the entries [N] (3 trials, entries)
@@ -27,7 +27,7 @@ struct Forecast {
   std::vector<int> slack;  // those that move slack lengths
 };
 
-/// Which of the entries are behind free slack lengths.
+/// Returns the entries that move free slack lengths.
 std::vector<int> slack_entries(const FitProblem& problem, const std::vector<int>& entries) {
   const FitParameters& parameters = problem.parameters();
   std::vector<int> found;

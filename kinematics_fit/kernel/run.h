@@ -76,7 +76,8 @@ inline long tape_length(const Program& program) {
   return bump.used();
 }
 
-/// Room for u and forces, work space, and the adjoints of numbers and one posture.
+/// Returns the length of the scratch memory for u and forces, work space, and the adjoints of
+/// numbers and one posture.
 inline long scratch_length(const Program& program) {
   BumpAllocator bump(nullptr);
   DigitParameters numbers(program, bump);

@@ -33,7 +33,7 @@ std::pair<const Experiment*, const Experiment*> differing(
   return {nullptr, nullptr};
 }
 
-/// What with_own_postures() adds to the names of an experiment's postures.
+/// Returns the suffix that with_own_postures() adds to the names of an experiment's postures.
 std::string own_suffix(const Experiment& experiment) { return " (" + experiment.name + ")"; }
 
 /// Returns whether a posture stands elsewhere in the known experiments: see with_own_postures().

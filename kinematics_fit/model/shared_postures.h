@@ -1,7 +1,7 @@
 #pragma once
 
-/// Which postures of several experiments are one: what the geometry does not explain of a force in
-/// one posture is shared between people only where they stand alike.
+/// Postures that several experiments share. The part of a force that the geometry does not explain
+/// is shared between people only in postures in which they stand alike.
 
 #include <string>
 #include <vector>
