@@ -128,7 +128,7 @@ std::string now() {
   return text;
 }
 
-/// What the run, rather than a step, has to say: groups, swaps, time.
+/// Writes the statistics of the run, not of its steps: groups, swaps, time.
 void add_run(const Draws& draws, InferenceGroup& stats) {
   // Groups of chains, and the ladder of temperatures.
   stats.arrays["group"] = {{draws.group.begin(), draws.group.end()},
