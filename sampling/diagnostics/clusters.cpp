@@ -119,7 +119,7 @@ Whitened whiten(const Eigen::MatrixXd& x) {
   return of;
 }
 
-/// Where the means of chains lie apart, widest first (k, at most k).
+/// Returns the directions in which the means of chains lie apart, widest first (k, at most k).
 Eigen::MatrixXd between_chains(const Eigen::MatrixXd& y, const std::vector<int>& chain) {
   // Sums of each chain; the whole has mean zero.
   std::map<int, std::pair<Eigen::VectorXd, double>> sums;

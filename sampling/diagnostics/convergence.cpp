@@ -134,7 +134,7 @@ struct Offence {
   [[nodiscard]] std::string who() const {
     return others > 0 ? fmt::format("{} and {} more", worst->name, others) : worst->name;
   }
-  /// What to add to the worst figure.
+  /// Returns the text that follows the worst figure.
   [[nodiscard]] std::string more() const {
     return others > 0 ? fmt::format(" (as is that of {} more)", others) : "";
   }

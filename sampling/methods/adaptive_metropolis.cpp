@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t kProposal = 0;
 constexpr double kBestAcceptance = 0.234;  // in many dimensions [Roberts1997]
 
-/// What one chain has learnt of the target's shape.
+/// Shape of the target that one chain has learnt.
 struct ProposalShape {
   Eigen::VectorXd mean;  // (n)
   Eigen::MatrixXd L;     // L L' the covariance, L lower triangular (n, n)

@@ -27,7 +27,8 @@ double swap_probability(double temper_drop, double cold, double hot) {
   return std::exp(std::min(0.0, temper_drop * (hot - cold)));
 }
 
-/// What is rejection_rate between neighbours; never quite nothing, so that the barrier rises.
+/// Returns the rejection rates between neighbours, unknown ones replaced by the mean of the others;
+/// never quite 0, so that the barrier rises [1].
 Eigen::VectorXd known_rejection_rates(const Eigen::VectorXd& rejection_rate) {
   constexpr double kMinRejection = 1e-3;
   // Pairs that never tried are taken for the mean of the others.

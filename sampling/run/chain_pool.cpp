@@ -120,7 +120,8 @@ bool splits(int parts, int items, int length, int offset = 0) {
   return false;
 }
 
-/// As many threads as fill batches of the target; one for each of several ranks, unless told.
+/// Returns the number of threads: as many as fill batches of the target; one for each of several
+/// ranks, unless options say otherwise.
 int threads_for(const RunOptions& options, const Target& target, int samplers, int ranks) {
   // Unless told: all processors, or one of several ranks.
   int threads = options.threads;
