@@ -18,7 +18,7 @@ inline constexpr const char* kUncheckedProgram = "thenar";
 /// the file invalidates the checksum.
 [[nodiscard]] std::string with_checksum(std::string bytes);
 
-/// Whether a checksum was found; it holds if it was.
+/// Result of take_checksum(); a checksum that was found holds.
 enum class Checksum { kHolds, kAbsent };
 
 /// Removes the checksum from the end of bytes, if there is one, and verifies it.

@@ -36,7 +36,7 @@ Eigen::RowVector3i signed_axis(TomlTable& table, const std::string& word, const 
   return negative ? Eigen::RowVector3i(-found->second) : found->second;
 }
 
-/// Which numbers of a row are components of a fitted force.
+/// Positions in a row of the components of a fitted force.
 struct ReadComponents {
   int stated = 3;                 // numbers in a row [1]
   std::vector<int> fitted;        // their places in it, in order

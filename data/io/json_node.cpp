@@ -157,7 +157,7 @@ class TreeBuilder : public nlohmann::json_sax<PlainJson> {
   std::vector<std::set<std::string>> met_;  // names of members of each open object
 };
 
-/// As nlohmann has it.
+/// Converts a tree to nlohmann's type.
 template <typename Json>
 Json fence_json(const JsonNode& node) {  // NOLINT(misc-no-recursion): as deep as the tree
   switch (node.kind) {

@@ -71,7 +71,7 @@ struct JsonNode {
 [[nodiscard]] std::map<std::string, std::vector<std::string>> text_members(
     const JsonNode& root, const std::vector<std::string>& steps);
 
-/// As a file has it. Bytes that are not UTF-8 become U+FFFD.
+/// Returns the tree as the text of a file. Bytes that are not UTF-8 become U+FFFD.
 /// @param indent  blanks a level; -1: all on one line
 [[nodiscard]] std::string written(const JsonNode& node, int indent = -1);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Which arrays the result files of each format hold, and of which shape. Files are held against
-/// this where they are read, so that no reader meets an array of another shape.
+/// Layouts of result files: the arrays of each format, with their shapes. Files are checked against
+/// these layouts when they are read, so that no reader meets an array of another shape.
 
 #include <cstddef>
 #include <string>

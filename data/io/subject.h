@@ -42,7 +42,7 @@ struct PassiveEnd {
   double width = 1;   // turn by which the moment grows e-fold [rad], above 0
 };
 
-/// Whether the joints' passive moments are counted.
+/// Switch of the joints' passive moments.
 enum class PassiveMoments { kOn, kOff };
 
 /// A hinge about a general (skewed) axis. A universal joint is two hinges in a row.
@@ -201,7 +201,7 @@ struct Subject {
 /// @throws DataError  `path:line: what was wanted, what came`.
 [[nodiscard]] Subject read_subject(const std::string& path);
 
-/// The same from text already in memory; `path` only names it in messages.
+/// Parses a subject from text already in memory; `path` only names it in messages.
 [[nodiscard]] Subject parse_subject(const std::string& text, const std::string& path);
 
 }  // namespace thenar

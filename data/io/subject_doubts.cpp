@@ -45,8 +45,8 @@ double distance_to_axis(const Eigen::Vector3d& point, const JointAxis& joint) {
   return (point - joint.point).cross(joint.direction).norm();
 }
 
-/// How far the tip of a digit is from its axes, the last first, without those that point along its
-/// last bone. [m]
+/// Returns the distances of a digit's tip from its axes, the last first, without axes that point
+/// along its last bone [m].
 std::vector<double> levers_of(const Subject& subject, const Digit& digit) {
   constexpr double kAlong = 0.7;  // cosine of the least angle between an axis and the bone
   std::vector<double> levers;
@@ -129,7 +129,7 @@ void doubt_joints(const Subject& subject, std::vector<std::string>& doubts) {
   for (const auto& found : {narrow, far, stiff}) tell(found, "joints", doubts);
 }
 
-/// How far the straight line between two points passes from an axis. [m]
+/// Returns the distance from an axis at which the straight line between two points passes it [m].
 double distance_to_axis(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                         const JointAxis& joint) {
   const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {

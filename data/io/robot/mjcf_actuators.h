@@ -30,7 +30,8 @@ struct FixedTendon {
 struct EffortRange {
   double up = 0, down = 0;  // at least 0 [N m] or [N]
 
-  /// Of what moves by 1 / ratio: times its size, the directions exchanged where it is negative.
+  /// Returns the efforts on a coordinate that moves by 1 / ratio: multiplied by |ratio|, with the
+  /// directions exchanged if the ratio is negative.
   [[nodiscard]] EffortRange through(double ratio) const;
   EffortRange& operator+=(const EffortRange& other);
 };

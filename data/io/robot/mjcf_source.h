@@ -1,6 +1,6 @@
 #pragma once
 
-/// What holds for a whole MJCF file: compiler settings, defaults, included files, replicates.
+/// Settings of a whole MJCF file: compiler settings, defaults, included files, replicates.
 
 #include <map>
 #include <string>

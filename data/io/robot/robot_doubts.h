@@ -1,7 +1,7 @@
 #pragma once
 
-/// What a person would doubt in a robot that was read: numbers of another unit, joints that cannot
-/// move, placeholders.
+/// Doubtful values in a robot that was read: numbers of another unit, joints that cannot move,
+/// placeholders.
 
 #include <string>
 #include <vector>
