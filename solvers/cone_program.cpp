@@ -20,11 +20,13 @@ using Eigen::VectorXd;
 using internal::ConeScaling;
 using Qr = Eigen::ColPivHouseholderQR<MatrixXd>;
 
-constexpr double kRankPivot = 1e-11;        // pivots below this part of the largest count as zero
-constexpr double kConsistencyError = 1e-9;  // misfit of dependent equalities that rounding explains
-constexpr int kStepRefinements = 2;         // of a Newton step
-constexpr int kStalledIterations = 12;      // iterations without a better iterate or certificate
-constexpr double kShyOfBoundary = 0.99;     // part of the step to the boundary that is gone
+constexpr double kRankPivot = 1e-11;  // Pivots below this share of the largest count as zero [1]
+// Relative misfit of dependent equalities that rounding explains [1]
+constexpr double kConsistencyError = 1e-9;
+constexpr int kStepRefinements = 2;  // Refinements of a Newton step
+// A run stalls after so many iterations without a better iterate or proof
+constexpr int kStalledIterations = 12;
+constexpr double kShyOfBoundary = 0.99;  // Share of the way to the boundary that a step takes [1]
 
 void check(const ConeProgram& p) {
   const Index n = p.c.size(), m = p.h.size();

@@ -20,7 +20,8 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double kContainedShare = 1e-10;  // of the extent: how far a point may lie outside a plane
+// Largest distance of a point outside a plane, over the extent [1]
+constexpr double kContainedShare = 1e-10;
 
 /// File to which Qhull writes its messages.
 class MessageFile {

@@ -15,10 +15,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kBoundViolation = 1e-12;  // violation of a bound that counts as none
-constexpr double kLeastPrice = 1e-12;      // that is worth a step
-constexpr double kLeastPivot = 1e-12;      // rate of a basic variable that counts as none
-constexpr double kStepTie = 1e-13;         // steps as long as one another
+// Violations of a bound below this count as none, over the scale [1]
+constexpr double kBoundViolation = 1e-12;
+constexpr double kLeastPrice = 1e-12;  // Least reduced cost that is worth a step
+constexpr double kLeastPivot = 1e-12;  // Rates of basic variables below this count as none
+constexpr double kStepTie = 1e-13;     // Steps whose lengths differ by less tie
 
 /// The variable that enters, and which way it moves.
 struct Entering {

@@ -56,7 +56,7 @@ void refute_if_infeasible(const LeastSquares& problem, LeastSquaresMethod method
 
 /// Coordinates whose bounds leave them room to move.
 std::vector<int> find_free(const LeastSquares& problem) {
-  constexpr double kLeastRoom = 1e-12;  // less is rounding, in prior sds [1]
+  constexpr double kLeastRoom = 1e-12;  // Less room between bounds is rounding [prior sds]
   std::vector<int> free;
   for (Eigen::Index i = 0; i < problem.lower.size(); ++i)
     if (problem.upper[i] - problem.lower[i] > kLeastRoom || !std::isfinite(problem.lower[i]))
@@ -112,7 +112,7 @@ double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostDeri
 /// Rows of constraints that hold the step back, those that let go left out.
 Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& z,
                             const Eigen::VectorXd& gradient) {
-  constexpr double kOnConstraint = 1e-5;  // of scaled constraints [1]
+  constexpr double kOnConstraint = 1e-5;  // Scaled constraints this near to a bound are active [1]
   // Constraints at one of their bounds.
   const ConstraintValues at = problem.constraints(z);
   std::vector<Eigen::Index> active;
@@ -143,7 +143,8 @@ Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& 
 /// Orthonormal directions that the rows of A leave, which may hang on each other.
 Eigen::MatrixXd null_basis(const Eigen::MatrixXd& A) {
   if (A.size() == 0) return Eigen::MatrixXd::Identity(A.cols(), A.cols());
-  constexpr double kDependentPivot = 1e-9;  // of the largest pivot: a row that the others hold [1]
+  // Rows with a pivot below this share of the largest are dependent [1]
+  constexpr double kDependentPivot = 1e-9;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.transpose());
   qr.setThreshold(kDependentPivot);
   const Eigen::MatrixXd Q = qr.householderQ();
@@ -237,7 +238,7 @@ void certify(const LeastSquares& problem, const SolveOptions& options, Solution&
     solution.newton_step = constrained ? constrained_step(problem, solution.z, slopes)
                                        : free_step(problem, solution.z, slopes);
   }
-  constexpr double kDifferenceSd = 0.01;  // of an sd: nothing that a belief would notice
+  constexpr double kDifferenceSd = 0.01;  // Differences of a solution below this do not matter [sd]
   // What the tolerance allows; a longer step refutes the solver.
   const double allowed = std::max(kDifferenceSd, std::sqrt(20 * options.tolerance * solution.cost));
   if (solution.status == Status::kSolved && !(solution.newton_step <= allowed)) {
@@ -280,7 +281,7 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
 /// Where that fails too, Ceres goes on.
 Solution solve_by_method(const LeastSquares& problem, const Eigen::VectorXd& start,
                          const SolveOptions& options) {
-  constexpr double kNearCost = 1e-3;  // relative change of the cost [1]
+  constexpr double kNearCost = 1e-3;  // Relative tolerance of the cost in a first, rough search [1]
   constexpr int kFirstEvaluations = 80,
                 kLastEvaluations = 200;  // evaluations by secants at most [1]
   if (options.method != LeastSquaresMethod::kCeres || options.max_evaluations > 0 ||

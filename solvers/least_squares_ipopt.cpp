@@ -30,7 +30,8 @@ class Evaluator {
  private:
   /// For whoever stops half-way: the lowest cost yet that honours the constraints.
   void keep_best() {
-    constexpr double kIpoptSlack = 1e-6;  // of scaled constraints [1]
+    // Violation of scaled constraints at which a point still counts as feasible [1]
+    constexpr double kIpoptSlack = 1e-6;
     // A lower cost counts if constraints hold.
     const double cost = 0.5 * last_.r.squaredNorm();
     if (!(best_.evaluations == 1 || cost < best_.cost)) return;

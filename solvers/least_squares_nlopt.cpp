@@ -8,7 +8,7 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kFarAway = 8;  // stands for an infinite bound of a standard normal coordinate
+constexpr double kFarAway = 8;  // Replaces an infinite bound of a standard normal coordinate [1]
 
 /// State of the C callback. It remembers the best point, because a stop throws it away.
 struct Context {

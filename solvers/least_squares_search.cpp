@@ -118,7 +118,7 @@ class SecantSearch {
   }
 
  private:
-  static constexpr double kMostDamping = 1e6;  // of J'J [1]
+  static constexpr double kMostDamping = 1e6;  // Largest factor of J'J in the damped Hessian [1]
 
   [[nodiscard]] double gain(const VectorXd& gradient, double enough) const {
     const auto by = [&](const std::optional<ArrowSquaresFactor>& factor) {
@@ -131,7 +131,8 @@ class SecantSearch {
 
   /// By the cost, or by what is left to gain where rounding hides the change of the cost.
   [[nodiscard]] bool is_better(const SecantPoint& next) const {
-    constexpr double kCostRounding = 1e-14;  // of the cost [1]
+    // Relative change of the cost that rounding explains [1]
+    constexpr double kCostRounding = 1e-14;
     if (std::abs(next.cost - best_.cost) > kCostRounding * best_.cost)
       return next.cost < best_.cost;
     return gain(next.gradient, kInfinity) < gain();
@@ -251,7 +252,7 @@ namespace {
 /// @param products  inner products of the points (points, points)
 VectorXd nearest_mean(const MatrixXd& products) {
   // min |P y|^2 + (sum y - 1)^2 over y >= 0 has the same direction, and y <= 1.
-  constexpr double kRegularization = 1e-12;  // of the largest product [1]
+  constexpr double kRegularization = 1e-12;  // Added to the diagonal, over its largest entry [1]
   const Eigen::Index n = products.rows();
   MatrixXd H = products + MatrixXd::Ones(n, n);
   H.diagonal().array() += kRegularization * H.diagonal().maxCoeff();
@@ -279,8 +280,9 @@ class KinkSearch {
   /// A step downhill; where there is none, the gradient across the kink that is in the way.
   /// @return whether there was either
   bool advance() {
-    constexpr double kFallShare = 0.05;  // of the fall that the slope promises [1]
-    constexpr std::size_t kMost = 30;    // sides
+    // Least fall of the cost, over the fall that the slope predicts [1]
+    constexpr double kFallShare = 0.05;
+    constexpr std::size_t kMost = 30;  // sides
     const double shortest = 0.5 * kKinkDistance / left_;
     for (double part = 1;; part = std::max(part / 4, shortest)) {
       VectorXd next = (z_ + part * step_).cwiseMax(problem_.lower).cwiseMin(problem_.upper);
@@ -375,8 +377,9 @@ class KinkSearch {
 }  // namespace
 
 bool search_at_kink(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
-  constexpr int kMost = 200;           // evaluations [1]
-  constexpr double kLeftStep = 0.003;  // step that may be left [sds]
+  constexpr int kMost = 200;  // evaluations [1]
+  // The search ends when the step that is left is shorter [sds]
+  constexpr double kLeftStep = 0.003;
   CostDerivatives start = cost_derivatives(problem, solution.z);
   ++solution.evaluations;
   if (!std::isfinite(start.cost) || !start.gradient.allFinite()) return false;

@@ -19,9 +19,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using internal::SimplexBasis;
 
-constexpr double kClpTolerance = 1e-12;     // violation of a row that CLP is asked for
-constexpr double kOptimalityError = 1e-11;  // of reduced costs, likewise
-constexpr double kBarelyFeasible = 1e-9;    // sum of violations that is rounding of the rows
+constexpr double kClpTolerance = 1e-12;     // Violation of a row that CLP is asked for
+constexpr double kOptimalityError = 1e-11;  // Violation of reduced costs that CLP is asked for
+constexpr double kBarelyFeasible = 1e-9;  // Sums of violations below this are rounding of the rows
 
 VectorXd clp_bounds(const VectorXd& bounds) {
   return bounds.cwiseMax(-COIN_DBL_MAX).cwiseMin(COIN_DBL_MAX);
