@@ -152,8 +152,8 @@ std::unique_ptr<StrandPaths> build_wrapped_paths(const Subject& subject, const T
 
 namespace {
 
-constexpr double kToldArmError = 1e-3;  // possible error of an arm that is told: a tenth of a
-                                        // flexor's at a finger's joints [m/rad]
+// Warn of a larger possible error of an arm: a tenth of a flexor's at finger joints [m/rad]
+constexpr double kToldArmError = 1e-3;
 
 /// The path whose arms may be furthest off, in words; empty: all are near.
 std::string worst_fit(const std::vector<FittedPath>& paths) {

@@ -20,11 +20,15 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kConeViolation = 1e-10;   // of the force's component along the direction
-constexpr double kVertexRounding = 1e-11;  // of the forces that tendons make: a vertex's own error
-constexpr int kMaxCuts = 200;              // about 20 are needed
-constexpr double kPricesHold = 1e-7;       // of max(1 N, force): checks of prices
-constexpr double kSamePrice = 1e-4;        // of the largest price
+// Largest violation of the cone, over the force along the direction [1]
+constexpr double kConeViolation = 1e-10;
+// Rounding error of a vertex, over the force that tendons make [1]
+constexpr double kVertexRounding = 1e-11;
+constexpr int kMaxCuts = 200;  // Most cuts; about 20 are needed
+// Largest error of prices that pass the checks, over max(1 N, force) [1]
+constexpr double kPricesHold = 1e-7;
+// Prices that differ by less than this share of the largest are equal [1]
+constexpr double kSamePrice = 1e-4;
 
 /// Loads c_1..c_k (columns, scaled like `balance`) whose amounts s join the tensions:
 ///   maximise s_1  subject to  loads s + tension_part a = constant,  s_1 >= 0.

@@ -13,7 +13,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kPullingTension = 1e-3;  // beyond its base tension; less is slack [N]
+// A muscle with less tension beyond its base tension is slack [N]
+constexpr double kPullingTension = 1e-3;
 
 Index muscles_of(const MotionModel& model) {
   return static_cast<Index>(model.tendons.digit().names.muscles.size());

@@ -13,16 +13,19 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kStrayExcursion = 1e-4;  // of an excursion, beyond what integration leaves [m]
-constexpr double kFinerTolerance =
-    0.01;                           // tolerance of the second integration over that of the first
-constexpr int kSnapPieces = 16;     // of a step in which a net snaps
-constexpr int kMostObstacles = 30;  // trials without rest of a net that end a motion
-constexpr double kMoreSteps = 5;    // of the second over the first, which a smooth motion needs
-constexpr double kLooserError =
-    100;  // error of a step over the tolerance, where it does not get on ...
-constexpr double kLooseTime = 10 * kStallTime;  // ... and for how long [s]
-constexpr int kMostLoose = 20;                  // places where it may [1]
+// Drift of an excursion that integration errors do not explain [m]
+constexpr double kStrayExcursion = 1e-4;
+// Tolerance of the second integration, over that of the first [1]
+constexpr double kFinerTolerance = 0.01;
+constexpr int kSnapPieces = 16;  // Pieces into which a step with a snap is divided
+// A motion ends after so many trials in which the net finds no equilibrium
+constexpr int kMostObstacles = 30;
+// Most steps of the second integration, over those of the first [1]
+constexpr double kMoreSteps = 5;
+// Error of a step over the tolerance, where steps make no progress [1]
+constexpr double kLooserError = 100;
+constexpr double kLooseTime = 10 * kStallTime;  // Time for which the larger error is allowed [s]
+constexpr int kMostLoose = 20;                  // Most places in a motion with larger errors
 
 /// Returns whether excursions came off their lines, though no snap tells why.
 bool has_strayed(const Trajectory& path) {

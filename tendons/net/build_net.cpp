@@ -246,9 +246,11 @@ NetDescription straightened(NetDescription plan) {
   return plan;
 }
 
-constexpr double kMostLoad = 3;  // tension of a band per sum of pulls: one that bears more holds
-                                 // by its strain what no muscle pulls; a choice of ours [1]
-constexpr double kSlackLeft = 1e-5;  // strain by which fitted bands may miss: 0.1 um of a band [1]
+// Largest tension of a band over the sum of pulls, our choice; beyond it the band's strain holds a
+// load that no muscle pulls [1]
+constexpr double kMostLoad = 3;
+// Largest error of strain of fitted bands: 0.1 um for a band of 10 mm [1]
+constexpr double kSlackLeft = 1e-5;
 
 template <typename Part>
 int needed(const std::vector<Part>& parts, const std::string& name, const std::string& kind,

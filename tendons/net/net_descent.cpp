@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCarriedGap = 1e-9;  // gap of a start that counts as lying on the bone [m]
-constexpr double kLyingGap = 2e-5;    // gap of a start that is tried as lying on the bone [m]
-constexpr double kHardPull = 10;      // pull at which taut nets swing freely [N]
+constexpr double kCarriedGap = 1e-9;  // Starts deeper than this are pushed out of the bone [m]
+constexpr double kLyingGap = 2e-5;    // Starts within this gap are tried as lying on the bone [m]
+constexpr double kHardPull = 10;      // Pull at which taut nets swing freely [N]
 
 }  // namespace
 
@@ -162,8 +162,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNoLift = 1e-11;  // lift from a bone that no number here can tell from none [m]
-constexpr double kLiftRounding = 1e-17;  // rounding of a lift [m]
+// Least lift from a bone that doubles can distinguish from none [m]
+constexpr double kNoLift = 1e-11;
+constexpr double kLiftRounding = 1e-17;  // Rounding of a lift [m]
 
 }  // namespace
 
@@ -330,9 +331,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNearLift =
-    1e-3;  // lift over radius below which clasping bands go as its root [1]
-constexpr double kKinkStep = 1e-4;  // steps below which slack bands that become taut decide [m]
+// Lift over radius below which clasping bands follow the root law [1]
+constexpr double kNearLift = 1e-3;
+// Steps shorter than this may add the secant stiffness of slack bands [m]
+constexpr double kKinkStep = 1e-4;
 
 }  // namespace
 

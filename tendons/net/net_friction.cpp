@@ -14,10 +14,11 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kOnBoneGap = 1e-9;       // a start this near to a bone lies on it [m]
-constexpr double kNudgeWay = 1e-7;        // by which a node that gives way starts off [m]
-constexpr double kReturnDistance = 2e-9;  // a node this near to its start is back [m]
-constexpr int kMaxReturns = 10;           // of a node to its start, before rounds are given up
+constexpr double kOnBoneGap = 1e-9;  // Starts within this gap lie on the bone [m]
+constexpr double kNudgeWay = 1e-7;   // First displacement of a node that starts to slip [m]
+// A node within this distance of its start has returned [m]
+constexpr double kReturnDistance = 2e-9;
+constexpr int kMaxReturns = 10;  // Most returns of a node to its start before rounds are given up
 
 /// A node that may rest on a bone.
 struct Rub {

@@ -61,7 +61,8 @@ std::vector<PostureAndLoad> under_even_load(const NetTendons& tendons, const Vec
 
 NetContinuation search_rest(const NetTendons& tendons, const VectorXd& q, const VectorXd& t,
                             NetContinuation found, const NetContinuationOptions& options) {
-  constexpr int kMostSolves = 100;  // on one leg of a way: a course that takes more is none
+  // Most solves on one leg of a path; a course that needs more is rejected
+  constexpr int kMostSolves = 100;
   const VectorXd& straight = tendons.net().frame.straight;
   NetContinuationOptions quick = options;
   quick.max_solves = std::min(options.max_solves, kMostSolves);

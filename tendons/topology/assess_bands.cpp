@@ -11,7 +11,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kBlindSlope = 1e-3;  // chi^2 per unit of log EA that counts as not felt [1]
+// The data do not feel a band with less chi^2 per unit of log EA [1]
+constexpr double kBlindSlope = 1e-3;
 
 double evidence(const FittedNets& tried, int band) {
   const double without = tried.min_misfit(band, false), with = tried.min_misfit(band, true);
@@ -88,7 +89,7 @@ void settle_rivals(FittedNets& tried, const Progress& progress) {
 
 /// Changes of the best net, until none is better by more than a fit's tolerance.
 void search_around(FittedNets& tried, const AssessOptions& options, const Progress& progress) {
-  constexpr double kBetterMisfit = 0.1;  // of chi^2 [1]
+  constexpr double kBetterMisfit = 0.1;  // Least fall of chi^2 of a better net [1]
   for (int round = 0; round < options.max_rounds && !progress.stop(); ++round) {
     progress(0.7 + 0.3 * round / options.max_rounds, "changes of the best net");
     const double before = tried.best()->fit.misfit;

@@ -9,8 +9,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kFirstChance = 0.7;      // that a band is in a topology of the first population
-constexpr double kCrossoverChance = 0.4;  // chance that a child has two parents
+// Chance that a band is in a topology of the first population [1]
+constexpr double kFirstChance = 0.7;
+constexpr double kCrossoverChance = 0.4;  // Chance that a child has two parents [1]
 
 /// Topologies with the stiffnesses that they start their next fit from.
 struct Member {

@@ -12,9 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMostKink = 1e-11;    // largest kink of a taut path [rad]
-constexpr int kNewtonAttempts = 24;    // of Newton's method around where beads rest
-constexpr double kInsideDepth = 1e-9;  // how deep a point beside a surface may lie in it [m]
+constexpr double kMostKink = 1e-11;  // Largest kink of a taut path [rad]
+// Most attempts of Newton's method around the equilibrium of the beads
+constexpr int kNewtonAttempts = 24;
+constexpr double kInsideDepth = 1e-9;  // Largest depth of a point in a surface beside it [m]
 
 bool is_round(const BoneSurface& surface) {
   return surface.shape == SurfaceShape::kSphere || surface.shape == SurfaceShape::kCylinder;

@@ -107,10 +107,10 @@ struct StringEnd {
   double height = 0;  // over it [m]
 };
 
-constexpr double kNearbyDistance = 1e-6;  // [m]
+constexpr double kNearbyDistance = 1e-6;  // Ends within this distance of the surface lie on it [m]
 constexpr double kHeightRounding =
     4e-18;                          // height that rounding of places leaves to a point on it [m]
-constexpr double kClearRun = 1e-6;  // run whose length is known to more digits than wanted [m]
+constexpr double kClearRun = 1e-6;  // Least run whose length is known to enough digits [m]
 
 double least_size(const BoneSurface& surface) {
   return surface.shape == SurfaceShape::kEllipsoid ? surface.size.minCoeff() : surface.size[0];

@@ -14,8 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRideReach = 1e-3;    // how far an origin may lie from what it rides on [m]
-constexpr double kPointInside = 1e-9;  // how deep a point beside a surface may lie in it [m]
+// Largest distance of an origin from the strand on which it rides [m]
+constexpr double kRideReach = 1e-3;
+constexpr double kPointInside = 1e-9;  // Largest depth of a point in a surface beside it [m]
 
 int index_of(const std::vector<BoneSurface>& surfaces, const std::string& name) {
   for (std::size_t i = 0; i < surfaces.size(); ++i)
