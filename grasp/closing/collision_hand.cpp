@@ -10,8 +10,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kAlongsideCosine =
-    0.7;  // cosine of the angle between axes of links side by side [1]
+constexpr double kAlongsideCosine = 0.7;  // Least cosine between the axes of links side by side [1]
 
 MovedBy moved_by(const Hand& hand) {
   const HandLayout& layout = hand.layout();

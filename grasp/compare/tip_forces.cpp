@@ -15,9 +15,9 @@ namespace thenar {
 namespace {
 
 constexpr int kForceDirections = 64;
-constexpr double kStillMotion = 1e-12;  // motion of a tip that counts as none [m/rad]
+constexpr double kStillMotion = 1e-12;  // Smaller motions of a tip count as none [m/rad]
 constexpr double kAscentGain = 1e-9;    // relative gain that a step of the ascent must have [1]
-constexpr int kMaxForceSteps = 20;      // of the ascent
+constexpr int kMaxForceSteps = 20;      // Most steps of the ascent
 
 /// Direction i of a Fibonacci spiral, evenly spread on the sphere. (3)
 Eigen::Vector3d direction(int i) {

@@ -23,7 +23,8 @@ Contact seen_from(const Pose<double>& X_AB, const Contact& contact_B) {
 
 namespace {
 
-constexpr double kSamePlace = 1e-9;  // places, in parts of the grasp's extent, and normals [1]
+// Contacts are equal within this: places over the grasp's extent, and normals [1]
+constexpr double kSamePlace = 1e-9;
 
 /// Contacts are sorted along this direction; its components are irrational, so that points rarely
 /// tie.

@@ -16,14 +16,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCosTurn = 0.86602540378443865;  // of 30 degrees, within a region [1]
-constexpr double kPointReach = 1e-4;              // of a point, where faces count as its own [m]
-constexpr double kFitStep = 2e-4;     // by which a nearest point's surroundings are measured [m]
-constexpr double kLongestFit = 1e-3;  // [m]
-constexpr double kLeastCurve = 1;     // of distances that have a least place [1/m]
-constexpr double kStillStep = 1e-8;   // step that moves no contact [m]
-constexpr int kPointRefinements = 3;  // of a nearest point
-constexpr double kCoarseRatio = 4;    // resolution of the first search, in that of the rim [1]
+// Normals of one region turn by at most 30 degrees: its cosine [1]
+constexpr double kCosTurn = 0.86602540378443865;
+constexpr double kPointReach = 1e-4;  // Faces within this distance of a point count as its own [m]
+constexpr double kFitStep = 2e-4;     // Step that measures the surroundings of a nearest point [m]
+constexpr double kLongestFit = 1e-3;  // Longest step to a nearest point [m]
+constexpr double kLeastCurve = 1;     // Least curvature of distances that have a minimum [1/m]
+constexpr double kStillStep = 1e-8;   // Shorter steps move no contact [m]
+constexpr int kPointRefinements = 3;  // Refinements of a nearest point
+constexpr double kCoarseRatio = 4;    // Resolution of the first search, over that of the rim [1]
 
 /// A connected group of pieces of A that are near B.
 struct Region {
@@ -382,9 +383,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCosFlat = 0.984807753012208;     // of 10 degrees [1]
-constexpr double kSinFlat = 0.17364817766693;      // of 10 degrees [1]
-constexpr double kCosSharp = 0.86602540378443865;  // of 30 degrees [1]
+constexpr double kCosFlat = 0.984807753012208;     // Cosine of 10 degrees [1]
+constexpr double kSinFlat = 0.17364817766693;      // Sine of 10 degrees [1]
+constexpr double kCosSharp = 0.86602540378443865;  // Cosine of 30 degrees [1]
 
 /// Normals of B at a point and around it.
 struct Around {

@@ -12,8 +12,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kAlongCosine =
-    0.7;                          // smallest cosine of a curling joint to the last one's axis [1]
+constexpr double kAlongCosine = 0.7;  // Least cosine of a curling joint to the last one's axis [1]
 constexpr double kSameWay = 0.7;  // smallest cosine between tip directions of similar fingers [1]
 constexpr double kSameDistance = 1e-9;   // relative change of tip distances that counts as none [1]
 constexpr double kNoMotion = 1e-9;       // rotation or motion that counts as none [1], [m]

@@ -18,8 +18,10 @@ using Eigen::Vector3d;
 
 constexpr double kMostPinMotion = 1e-4;  // largest motion of a pin against what it joins [m]
 constexpr double kTurnOfBar = 0.02;      // smallest turn of a bar against its finger [rad]
-constexpr double kNearPin = 0.25;  // distance of a pin from what it joins, over its diagonal [1]
-constexpr double kAnyRange = 1;    // taken of a motor without limits, either way [rad] or [m]
+// Largest distance of a pin from the part that it joins, over the part's diagonal [1]
+constexpr double kNearPin = 0.25;
+// Range assumed for a motor without limits, either way [rad] or [m]
+constexpr double kAnyRange = 1;
 
 /// Box of a body's shapes in its frame.
 AlignedBox3d box_of(const RobotSpec& robot, const RigidBody& body,
