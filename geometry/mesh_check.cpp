@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d, Eigen::Vector3i;
 
-constexpr std::size_t kHolesTold = 8;  // in words; more are counted
+constexpr std::size_t kHolesTold = 8;  // Holes that are described; more are only counted
 
 using Edge = std::pair<int, int>;
 

@@ -15,12 +15,13 @@ using PerCorner = Eigen::Array<double, 8, 1>;
 namespace {
 
 constexpr double kMaxCells = 1e5;
-constexpr double kGridMargin = 1;  // cubes reach so far beyond the mesh, in its longest sides
-constexpr double kInVain = 0.7;    // of its candidates, what dividing must leave out
-constexpr std::size_t kFewCandidates = 32;  // candidates that need not be divided
-constexpr std::size_t kMax = 64;            // candidates that are not searched for by the tree
-constexpr int kTreeCandidates =
-    24;  // candidates looked through in the time of a search by the tree
+constexpr double kGridMargin = 1;  // Margin of the cubes around the mesh, over its longest side [1]
+// Dividing is in vain if it leaves more than this share of the candidates [1]
+constexpr double kInVain = 0.7;
+constexpr std::size_t kFewCandidates = 32;  // So few candidates are not divided
+constexpr std::size_t kMax = 64;            // With more candidates the tree is searched instead
+// Candidates that are tested in the time of one search by the tree
+constexpr int kTreeCandidates = 24;
 
 /// The edge of a smallest cube: about that of a triangle.
 double cell_of(const TriangleTree& tree) {

@@ -342,8 +342,8 @@ RepairedSolid repair_to_solid(const TriangleMesh& mesh) {
       !is_flat(mesh),
       "the mesh is flat: all its triangles lie in one plane, and no repair gives it a thickness");
   // Large meshes are kept on disk with the words of their repair.
-  constexpr Eigen::Index kManyTriangles =
-      2000;  // triangles, which take longer to mend than to look up
+  // Triangles from which mending takes longer than looking up
+  constexpr Eigen::Index kManyTriangles = 2000;
   if (mesh.triangles.cols() < kManyTriangles) return mended(mesh);
   const std::string input = bytes_of(mesh), kind = "mended mesh 2";
   if (const std::optional<std::string> entry = kept(kind, input)) {

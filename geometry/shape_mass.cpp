@@ -132,15 +132,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kTreeDepth = 7;         // cubes of the tree are halved so often
-constexpr int kFirstDepth = 3;        // and at least so often
-constexpr double kTouchShare = 1e-9;  // of the extent: what parts may touch by without overlapping
-constexpr double kMaxFaces = 5e6;     // of convex parts that are cut out of each other
-constexpr double kFaceLook = 0.3;     // at such a face, in looks at distances
-constexpr std::size_t kFewParts = 2000;  // that are compared in pairs
-constexpr double kMaxLooks = 1e7;        // at distances of primitives to middles of cubes
-constexpr double kMeshLook = 10;         // at one of a mesh or superellipsoid, which takes longer
-constexpr int kCoarseDepth = 4;          // for what no closed form weighs, where work is too much
+constexpr int kTreeDepth = 7;         // Most halvings of the cubes of the tree
+constexpr int kFirstDepth = 3;        // Fewest halvings of the cubes
+constexpr double kTouchShare = 1e-9;  // Parts that overlap by less only touch, over the extent [1]
+constexpr double kMaxFaces = 5e6;     // Most faces of convex parts that are cut out of each other
+constexpr double kFaceLook = 0.3;     // Cost of one such face, in evaluations of a distance [1]
+constexpr std::size_t kFewParts = 2000;  // Most parts that are compared in pairs
+// Most evaluations of distances of primitives at middles of cubes
+constexpr double kMaxLooks = 1e7;
+// Cost of a distance of a mesh or superellipsoid, in those of a primitive [1]
+constexpr double kMeshLook = 10;
+constexpr int kCoarseDepth = 4;  // Halvings for parts without a closed form, where work is too much
 
 /// One of the shapes whose union is asked for.
 struct UnionPart {
@@ -372,7 +374,8 @@ class CubeSum {
       for (const ConvexBody& body : filled) sum_ += moments_of(body);
   }
 
-  static constexpr double kPassWeight = 0.1;  // what passing by a part counts
+  // Cost of passing by a part, in evaluations of a distance [1]
+  static constexpr double kPassWeight = 0.1;
 
   const std::vector<const UnionPart*>& parts_;
   bool excess_;

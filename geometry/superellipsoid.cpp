@@ -229,8 +229,10 @@ class Superellipsoid final : public Shape {
   double accuracy() const override { return 2.1 * kTessellation * size_; }
 
  private:
-  static constexpr double kTessellation = 1.4e-4;  // its error, by the largest semi-axis
-  static constexpr double kEnough = 1e-12;         // gap that counts as none, by the same
+  // Error of the tessellation, over the largest semi-axis [1]
+  static constexpr double kTessellation = 1.4e-4;
+  // Smaller gaps count as none, over the largest semi-axis [1]
+  static constexpr double kEnough = 1e-12;
 
   static TriangleMesh octant(const Norm& norm, const Vector3d& semi_axes, double tolerance) {
     return tessellate_octant(Rough(norm, semi_axes), tolerance);

@@ -10,11 +10,11 @@ namespace {
 
 using Eigen::Vector3d, Eigen::Vector3i;
 
-constexpr double kMeetingDistance =
-    1e-10;  // of the mesh's extent: distance of triangles that meet [1]
-constexpr std::size_t kMostPairs = 100;  // a triangle that are compared; else all count as meeting
-constexpr double kFoldAngle =
-    1e-7;  // largest angle between neighbours that lie on each other [rad]
+// Triangles within this distance meet, over the mesh's extent [1]
+constexpr double kMeetingDistance = 1e-10;
+// Most pairs per triangle that are compared; beyond it all count as meeting
+constexpr std::size_t kMostPairs = 100;
+constexpr double kFoldAngle = 1e-7;  // Neighbours within this angle lie on each other [rad]
 
 /// The part of a segment, as shares of its length, where a linear function is at most `most`.
 struct PartBelow {

@@ -15,7 +15,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kGrazingShare = 1e-11;  // of the products whose difference it is: no area [1]
+// Differences below this share of their products are no area [1]
+constexpr double kGrazingShare = 1e-11;
 
 struct Ray {
   Vector3d from;

@@ -379,12 +379,12 @@ class DistanceSearch {
     return s;
   }
 
-  static constexpr double kNothing = -kInfinity;  // a bound that says nothing [m]
-  static constexpr double kEverywhere = 1e29;     // radius of a ball that restricts nothing [m]
+  static constexpr double kNothing = -kInfinity;  // Bound that excludes nothing [m]
+  static constexpr double kEverywhere = 1e29;     // Radius of a ball that restricts nothing [m]
   static constexpr int kMaxAlong = 40;
   static constexpr std::size_t kMaxPairs = 200;
   static constexpr int kGuesses = 4;
-  static constexpr double kRounding = 1e-14;  // of a distance, per coordinate [1]
+  static constexpr double kRounding = 1e-14;  // Rounding of a distance, over the coordinates [1]
 
   const CollisionTree& a_;
   const Pose<double> X_BA_;

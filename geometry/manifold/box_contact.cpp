@@ -220,8 +220,9 @@ class FaceCut {
   CutPolygon polygon_;
 };
 
-constexpr double kCuttingCosine = 0.98;  // cosine up to which a face cuts [1]
-constexpr double kReferenceStep = 5e-5;  // by which the other's cosine must be better: of 0.01 rad
+constexpr double kCuttingCosine = 0.98;  // A face cuts up to this cosine to the normal [1]
+// The reference face changes if the other's cosine is larger by this: at 0.01 rad [1]
+constexpr double kReferenceStep = 5e-5;
 
 /// The points by cutting faces; the least gap among them, infinite if there is none.
 double add_face_points(const PosedBox& a, const PosedBox& b, const BoxAxis& axis, double margin,
@@ -281,7 +282,7 @@ ManifoldPoint edge_point(const PosedBox& a, const PosedBox& b, const BoxAxis& ax
   return point;
 }
 
-constexpr double kDistanceMiss = 1e-7;  // by which a nearest point may miss the distance [m]
+constexpr double kDistanceMiss = 1e-7;  // Largest error of a nearest point in the distance [m]
 
 /// The nearest points where no face or pair of edges has them.
 ConvexDistance nearest_points(const PosedBox& a, const PosedBox& b, const Vector3d& guess,

@@ -12,11 +12,12 @@ namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 
-constexpr double kSectorAngle = kPi / 3;  // between points of a rim [rad]
-constexpr double kUprightLean = 1e-4;     // lean up to which points are fixed [rad]
-constexpr double kLowestLean = 1e-3;      // lean from which one is the lowest [rad]
-constexpr double kDepthError = 1e-12;     // of a depth along an edge [m]
-constexpr double kKeepFace = 1e-5;        // by which another face must be better [m]
+constexpr double kSectorAngle = kPi / 3;  // Angle between points of a rim [rad]
+constexpr double kUprightLean = 1e-4;     // Points of a rim are fixed up to this lean [rad]
+constexpr double kLowestLean = 1e-3;   // One point is the lowest of a rim from this lean on [rad]
+constexpr double kDepthError = 1e-12;  // Tolerance of a depth along an edge [m]
+// Another face replaces the present one if it is better by this [m]
+constexpr double kKeepFace = 1e-5;
 
 /// Face of the box that separates best: the face above which the cylinder is highest.
 struct FaceAbove {
@@ -141,7 +142,7 @@ class EllipsoidSearch {
   }
 
  private:
-  static constexpr double kDirectionError = 1e-9;  // of a direction [1]
+  static constexpr double kDirectionError = 1e-9;  // Tolerance of a direction [1]
 
   /// A step of Newton's method in the plane across n, by differences.
   [[nodiscard]] Vector3d newton(const Vector3d& n, const LowestPoint& here) const {
