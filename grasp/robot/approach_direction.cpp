@@ -19,7 +19,8 @@ constexpr double kInPlane = 0.1, kOffPlane = 0.02;
 constexpr double kAcrossCosine = 0.02;  // Largest cosine to a line of a direction across it [1]
 constexpr double kSameFace = 3e-3;      // Directions within this angle are one [rad]
 constexpr double kLeastFace = 0.05;     // Least share of a face in the area of all faces [1]
-constexpr double kAreaRatio = 0.5;      // Faces with a larger ratio of areas may disagree [1]
+// The second direction disagrees if its area over the first's exceeds this [1]
+constexpr double kAreaRatio = 0.5;
 constexpr double kDirectionRounding = 1e-5;  // Rounding of directions in files [rad]
 constexpr double kNoDirection = 1e-9;        // Shorter vectors have no direction [1]
 
