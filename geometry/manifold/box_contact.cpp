@@ -220,8 +220,9 @@ class FaceCut {
   CutPolygon polygon_;
 };
 
-constexpr double kCuttingCosine = 0.98;  // A face cuts up to this cosine to the normal [1]
+constexpr double kCuttingCosine = 0.98;  // Least cosine to the normal of a face that cuts [1]
 // The reference face changes if the other's cosine is larger by this: at 0.01 rad [1]
+// Least difference of cosines that changes the reference face, 1 - cos 0.01 [1]
 constexpr double kReferenceStep = 5e-5;
 
 /// The points by cutting faces; the least gap among them, infinite if there is none.

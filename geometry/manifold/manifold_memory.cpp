@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kOfOneRegion = 6;  // Most points of one direction
+constexpr int kOfOneRegion = 6;  // Points of a manifold beyond which only other directions count
 // Least cosine between normals of one direction, 30 degrees [1]
 constexpr double kOtherRegion = 0.87;
 constexpr double kOnePoint = 1e-6;  // Points closer than this are one [m]
