@@ -13,9 +13,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFar = 0.01;  // from the middle of the tendons, about a finger's radius [m]
-constexpr double kFarFromAxes = 0.015;  // the same of the axes beside it, which tell less [m]
-constexpr double kAcross = 0.5;         // sine of the angle from which axes are not parallel [1]
+// Largest distance of a point from the middle of the tendons, about a finger's radius [m]
+constexpr double kFar = 0.01;
+// Largest distance from the place nearest to the axes beside it, which tell less [m]
+constexpr double kFarFromAxes = 0.015;
+constexpr double kAcross = 0.5;  // Least sine of the angle between axes that are not parallel [1]
 
 /// Segments that a joint moves.
 std::set<std::string> moved_by(const Subject& subject, const JointAxis& joint) {

@@ -9,7 +9,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kBetter = 1e-3;  // gain below which a choice stays as it is [nat]
+constexpr double kBetter = 1e-3;  // Least gain that changes a choice [nat]
 
 /// Score of the predictions of left-out forces.
 struct LeftOutScore {

@@ -14,8 +14,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kBeyond = 5 * kDegree;  // limits are of other hands: some slack [rad]
-constexpr double kTooStrong = 2;         // tension per largest force beyond any living muscle [1]
+constexpr double kBeyond = 5 * kDegree;  // Slack of joint limits, which are of other hands [rad]
+// Largest tension over a muscle's largest force; no living muscle exceeds it [1]
+constexpr double kTooStrong = 2;
 
 using Warnings = std::vector<std::string>;
 
@@ -139,9 +140,10 @@ std::vector<std::string> experiment_warnings(const TendonDigit& digit, const Exp
 
 namespace {
 
-constexpr double kSingular = 1e12;  // condition beyond which no digit of a force is right [1]
-constexpr double kParallel = 15 * kDegree;  // of axes with the normal of their plane [rad]
-constexpr double kNoAngle = 1e-6;           // the same, of parallel axes up to rounding [rad]
+constexpr double kSingular = 1e12;  // Condition beyond which no digit of a force is right [1]
+// Largest angle of axes with the normal of their plane [rad]
+constexpr double kParallel = 15 * kDegree;
+constexpr double kNoAngle = 1e-6;  // Largest angle of axes that are parallel up to rounding [rad]
 
 /// Do all axes between the tip and the base stand on the plane of flexion, to within `angle` [rad]?
 bool all_flex(const TendonModel<double>& digit, double angle) {
