@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kFleshBones = 3;  // of a digit with flesh of its own
+constexpr int kFleshBones = 3;  // Bones of a digit with flesh of its own
 
 /// Proportions of a digit, which depend on its name only.
 struct Proportion {
