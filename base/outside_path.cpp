@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kShownName = 300;  // of a name in a message [bytes]
+constexpr std::size_t kShownName = 300;  // Most bytes of a name in a message [bytes]
 constexpr std::ptrdiff_t kDeepest =
     32;  // parts of a name; programs that tidy up give up on deeper ones
 
