@@ -32,7 +32,8 @@ Eigen::VectorXd specimen_scale_of(const HandPosterior& posterior, const FitParam
 /// Deviation of a new specimen from the population [SI], drawn until their sum is within the bounds
 /// of the parameter.
 double new_specimen(const Parameter& leader, double population, double sd, RandomStream& random) {
-  constexpr int kMaxTries = 1000;  // bounds enclose the population, so that one soon falls inside
+  // Most tries; bounds enclose the population, so that one soon falls inside
+  constexpr int kMaxTries = 1000;
   const double mean = leader.mean + population;
   double u = sd * random.normal();
   for (int k = 0; k < kMaxTries && !(leader.lower <= mean + u && mean + u <= leader.upper); ++k)

@@ -19,9 +19,11 @@
 namespace thenar {
 namespace {
 
-constexpr int kGlobalSearch = 60, kManyCoordinates = 1000;  // coordinates [1]
-constexpr int kStarts = 16, kStartsOfMany = 4;  // searches for modes, unless somebody says [1]
-constexpr double kInflation = 2;                // of the starts, in Laplace sds [1]
+// Most coordinates for a global search, and for the usual number of starts
+constexpr int kGlobalSearch = 60, kManyCoordinates = 1000;
+// Searches for modes, unless options say otherwise, and for many coordinates
+constexpr int kStarts = 16, kStartsOfMany = 4;
+constexpr double kInflation = 2;  // Spread of the starts [Laplace sds]
 
 std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settings) {
   // All texts, then the settings that change the density or the starts.
