@@ -90,9 +90,9 @@ Valley find_valley(const Eigen::Ref<const Eigen::VectorXd>& y, double min_share)
 
 namespace {
 
-constexpr int kMaxStarts = 20;         // of the climb of kurtosis
-constexpr int kClimbSteps = 15;        // it converges cubically
-constexpr Eigen::Index kDraws = 4000;  // that it looks at
+constexpr int kMaxStarts = 20;         // Most starts of the climb of kurtosis
+constexpr int kClimbSteps = 15;        // Most steps of the climb, which converges cubically
+constexpr Eigen::Index kDraws = 4000;  // Most draws that the climb uses
 
 /// y = A (x - mean) has unit covariance; directions without variance are left out.
 struct Whitened {
@@ -179,7 +179,7 @@ Eigen::MatrixXd projection_directions(const Eigen::Ref<const Eigen::MatrixXd>& x
 
 namespace {
 
-constexpr Eigen::Index kMinDraws = 50;  // draws worth cutting
+constexpr Eigen::Index kMinDraws = 50;  // Fewest draws that are worth cutting
 
 /// Draws of one part, chain by chain.
 struct Part {

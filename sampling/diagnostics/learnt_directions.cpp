@@ -13,7 +13,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kTold = 0.05;  // entries of a smaller share are left out of the text
+constexpr double kTold = 0.05;  // Entries with a smaller share are left out of the text [1]
 constexpr int kMaxTold = 5;
 
 std::string tell(const std::vector<std::string>& names, const LearntDirection& direction) {

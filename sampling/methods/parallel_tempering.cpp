@@ -10,7 +10,8 @@
 namespace thenar {
 namespace {
 
-constexpr std::uint32_t kSwapStream = 0x73776170;  // purpose of the stream: no sampler uses it
+// Purpose of the random stream of swaps; no sampler uses it
+constexpr std::uint32_t kSwapStream = 0x73776170;
 constexpr double kLadderPower = 5;
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 

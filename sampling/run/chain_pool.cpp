@@ -104,7 +104,7 @@ void ChainSlot::restore(StateReader& from) {
 
 namespace {
 
-constexpr double kSwapsToLearn = 20;  // of each pair, before the ladder follows them
+constexpr double kSwapsToLearn = 20;  // Swaps of each pair before the ladder follows them
 
 /// Items are dealt in consecutive shares: `part` has those from first_of(part) to first_of(part+1).
 int first_of(int part, int parts, int items) {
