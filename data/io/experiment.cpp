@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNotFitted = std::numeric_limits<double>::infinity();  // sd: says nothing [N]
+// sd of a component that is not fitted [N]
+constexpr double kNotFitted = std::numeric_limits<double>::infinity();
 
 /// Conversion of a hung weight to a tendon tension.
 struct Pulley {

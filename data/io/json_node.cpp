@@ -20,10 +20,10 @@ namespace {
 
 using PlainJson = nlohmann::json;            // members in alphabetic order
 using FileJson = nlohmann::ordered_json;     // members as they were added
-constexpr int kMisspelt = 2;                 // letters that differ
+constexpr int kMisspelt = 2;                 // Most letters by which a misspelt key differs
 constexpr double kLargestNumber = 1e12;      // beyond it wrenches lose all digits
-constexpr std::size_t kLongestShown = 60;    // of a value in a message [characters]
-constexpr double kLargestWhole = 1LL << 53;  // that a double has exactly
+constexpr std::size_t kLongestShown = 60;    // Most characters of a value in a message
+constexpr double kLargestWhole = 1LL << 53;  // Largest whole number up to which a double is exact
 
 int line_at(const std::string& text, std::size_t position) {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(position, text.size()));

@@ -10,23 +10,30 @@
 namespace thenar {
 namespace {
 
-constexpr double kShortestDigit = 0.015, kLongestDigit = 0.5;  // to its furthest axis [m]
-constexpr double kShortestLink = 0.005;                        // of its joints, in the mean [m]
-constexpr double kShortestTip = 0.004;                         // from its last axis [m]
-constexpr double kNarrowestRange = 4 * kPi / 180;              // [rad]
-constexpr double kFurthestLimit = 1.5 * kPi;                   // from the reference posture [rad]
-constexpr double kLargestStiffness = 50;                       // [N m/rad]
-constexpr double kShortestArm = 1e-4, kLongestArm = 0.1;       // [m]
-constexpr double kNearestChord = 8e-4, kFurthestChord = 0.05;  // from an axis [m]
-constexpr double kShortestOfAll = 0.003;                       // the longest arm of a hand [m]
-constexpr double kFurthestPoint = 1;                           // from its neighbour [m]
-constexpr double kSmallestForce = 0.5, kLargestForce = 5e3;    // [N]
-constexpr double kLightest = 5e-4, kHeaviest = 1.5;            // of moved segments [kg]
-constexpr double kThinnest = 1e-3, kThickest = 0.15;           // radii of skin and surfaces [m]
-constexpr double kFurthestBone = 0.08;                         // from its axis and its mass [m]
-constexpr double kShortestFibre = 2e-3, kLongestFibre = 0.5;   // of muscles [m]
-constexpr double kLongestSlack = 1;                            // of tendons [m]
-constexpr double kLeastPennation = 0.6 * kDegree, kMostPennation = 70 * kDegree;  // [rad]
+// Distance from a digit's tip to its furthest axis [m]
+constexpr double kShortestDigit = 0.015, kLongestDigit = 0.5;
+constexpr double kShortestLink = 0.005;            // Least length of a digit per joint [m]
+constexpr double kShortestTip = 0.004;             // Least distance of a tip from its last axis [m]
+constexpr double kNarrowestRange = 4 * kPi / 180;  // Least range of a joint [rad]
+constexpr double kFurthestLimit = 1.5 * kPi;  // Largest limit, from the reference posture [rad]
+constexpr double kLargestStiffness = 50;      // Largest stiffness of a joint [N m/rad]
+// Least and largest constant moment arm [m]
+constexpr double kShortestArm = 1e-4, kLongestArm = 0.1;
+// Distance of a path's chord from an axis [m]
+constexpr double kNearestChord = 8e-4, kFurthestChord = 0.05;
+constexpr double kShortestOfAll = 0.003;  // Least longest arm of a hand [m]
+constexpr double kFurthestPoint = 1;  // Largest distance of a path's point from its neighbour [m]
+// Largest force of a muscle: its range [N]
+constexpr double kSmallestForce = 0.5, kLargestForce = 5e3;
+// Mass of moved segments: the heaviest's least, and the largest [kg]
+constexpr double kLightest = 5e-4, kHeaviest = 1.5;
+constexpr double kThinnest = 1e-3, kThickest = 0.15;  // Radii of skin and surfaces [m]
+// Largest distance of a bone from its axis and its centre of mass [m]
+constexpr double kFurthestBone = 0.08;
+constexpr double kShortestFibre = 2e-3, kLongestFibre = 0.5;  // Length of a muscle's fibres [m]
+constexpr double kLongestSlack = 1;  // Largest slack length of a tendon [m]
+// Pennation of fibres [rad]
+constexpr double kLeastPennation = 0.6 * kDegree, kMostPennation = 70 * kDegree;
 
 const char* const kMillimetres = "are its numbers millimetres, as they are read?";
 

@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* kReaderProgram = "thenar-mesh-reader";
-constexpr double kNoTime = 0.05;   // less is not worth starting [s]
-constexpr double kMegabyte = 0.2;  // processor time added by each megabyte [s]
-constexpr double kQuick = 0.5;  // a reader that takes less processor time only waits for others [s]
+constexpr double kNoTime = 0.05;   // A reader is not started with less time left [s]
+constexpr double kMegabyte = 0.2;  // Processor time added for each megabyte [s]
+constexpr double kQuick = 0.5;  // A reader that takes less processor time only waits for others [s]
 
 /// Places where the program may be, best first.
 std::vector<fs::path> reader_places() {

@@ -244,8 +244,8 @@ void check_tree(const RobotSpec& robot) {
     require(reached.count(link.name) == 1, "link '{}' hangs on no joint", link.name);
 }
 
-constexpr int kAlong = 256;       // places of a motor's range at which a curve is checked
-constexpr double kBeyond = 1e-6;  // largest violation of a joint's limits there [rad] or [m]
+constexpr int kAlong = 256;       // Places of a motor's range at which a curve is checked
+constexpr double kBeyond = 1e-6;  // Largest violation of a joint's limits there [rad] or [m]
 
 /// Checks that a joint that follows its motor along a curve stays within its limits everywhere.
 void check_curve(const RobotJoint& joint, const RobotDof& dof) {

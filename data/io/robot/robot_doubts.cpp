@@ -13,12 +13,13 @@
 namespace thenar {
 namespace {
 
-constexpr double kLargest = 10;  // shape or offset: larger ones are in another unit [m]
+constexpr double kLargest = 10;  // Largest shape or offset; larger ones are in another unit [m]
 // Of a slide from 0; of one that carries the whole robot, as of a vehicle [m].
 constexpr double kMostTravel = 1, kMostWay = 100;
-constexpr double kMostTurn = 4 * kPi;  // of a hinge between its limits [rad]
-constexpr double kFarAbove = 20;       // ratio of a placeholder to the efforts of others [1]
-constexpr double kLeastTorque = 100, kLeastForce = 1000;  // of placeholders [N m], [N]
+constexpr double kMostTurn = 4 * kPi;  // Largest range of a hinge between its limits [rad]
+constexpr double kFarAbove = 20;       // Ratio of a placeholder to the efforts of others [1]
+// Least efforts of placeholders [N m], [N]
+constexpr double kLeastTorque = 100, kLeastForce = 1000;
 
 /// Longest side of a mesh, otherwise the largest size of a shape, such as a radius [m].
 double across(const ShapeSpec& shape) {
