@@ -24,7 +24,7 @@ namespace thenar {
 /// Where pulp is squeezed to a fifth, cells at the skin would turn inside out without it.
 class PressCarrier {
  public:
-  /// Before the mesh is refined.
+  /// Keeps mesh, body and surface as they are before the mesh is refined.
   PressCarrier(const HexMesh& mesh, std::unique_ptr<TissueBody> body, ContactSurface surface);
 
   /// A state of the old body on the new one: displacements, pressures, histories, and tractions on

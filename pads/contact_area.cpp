@@ -56,8 +56,8 @@ double edge_place(double ratio) {
   });
 }
 
-/// Half width of a patch that nodes of one row alone touch, over h, by the same ratio: a strip
-/// [-b h, b h] under a parabola, with all of its push on the row (Hertz):
+/// Returns the half width of a patch that nodes of one row alone touch, over h, by the same ratio:
+/// a strip [-b h, b h] under a parabola, with all of its push on the row (Hertz):
 ///   r(b) = 2 [(1 - b^2)^1/2 - b^2 arcosh(1 / b)] / (pi b^2),  0 < b < 1.  [1]
 double strip_place(double ratio) {
   return falling_root(ratio, 0, 1, [](double b) {

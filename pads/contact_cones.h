@@ -21,7 +21,7 @@ class CondensedBody {
  public:
   explicit CondensedBody(const TissueBody& body) : pattern_(body.pattern()) {}
 
-  /// Takes a tangent. @return whether it is positive definite
+  /// Factors a tangent. @return whether it is positive definite
   [[nodiscard]] bool factor(const std::vector<double>& values);
   [[nodiscard]] bool has_factor() const { return has_factor_; }
   [[nodiscard]] int size() const { return pattern_.size; }
@@ -52,8 +52,9 @@ class ContactCones {
  public:
   explicit ContactCones(const TissueBody& body) : body_(body) {}
 
-  /// Takes the tangent of the tissue, or one with springs between nodes and the object, which a
-  /// body may need to be stable: they resist motion alone, so that they change the way to rest.
+  /// Factors the tangent of the tissue, or a tangent with springs between nodes and the object,
+  /// which a body may need to be stable: they resist motion alone, so that they change the way to
+  /// rest.
   /// @param springs  direction times the root of the stiffness that `values` have [(N/m)^1/2] (3,
   /// nodes), or none (3, 0)
   /// @return whether it is positive definite

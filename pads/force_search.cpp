@@ -120,7 +120,7 @@ class ForceSearch {
     return above_->force - *goal_.force < *goal_.force - below_->force ? &*above_ : &*below_;
   }
 
-  /// From an answer, but with what was at the beginning.
+  /// Solves a step from an answer, with the history of the beginning.
   PressOutcome step_from(const SolvedDepth* from, const PressGoal& goal, PressState& answer) {
     ++trials_;
     answer = start_;

@@ -61,7 +61,8 @@ class HexMesh {
 
   /// Splits cells in eight, and others as the balance asks. Cells with children are passed over.
   void refine(const std::vector<int>& cells);
-  /// Takes back the children of cells where all eight are active and the balance allows it.
+  /// Replaces the children of cells by the cells, where all eight are active and the balance allows
+  /// it.
   void coarsen(const std::vector<int>& cells);
 
   [[nodiscard]] const std::vector<HexCell>& cells() const { return cells_; }

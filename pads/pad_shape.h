@@ -64,8 +64,9 @@ struct PadCells {
   int across = 4, around = 2, through = 3;
 };
 
-/// Without layers, levels w are even. With n layers the pulp has w from 0 to 1/2 and each layer a
-/// share 1 / (2 n) of the rest. Regions: 0 the pulp, then layers from the inside out.
+/// Builds the mesh of a pad. Without layers, levels w are even. With n layers the pulp has w from 0
+/// to 1/2 and each layer a share 1 / (2 n) of the rest. Regions: 0 the pulp, then layers from the
+/// inside out.
 [[nodiscard]] HexMesh pad_mesh(const PadShape& shape, const PadCells& cells);
 
 /// Nodes on the skin (nodes of the mesh).

@@ -51,8 +51,8 @@ void add_turning_slopes(PressIterate& at) {
   }
 }
 
-/// Takes the tangent here, with what forces do whose normals turn. Where the body is stable by its
-/// contacts alone, they have springs.
+/// Factors the tangent at this state, with the effect of forces whose normals turn. If the body is
+/// stable only by its contacts, the contacts get springs.
 bool renew_tangent(PressIterate& at, const Matrix3Xd& u) {
   at.body.respond(u, at.goal.time, at.start.history, at.now.pressure, ElementAsk::kStiffness,
                   at.tissue);

@@ -28,7 +28,7 @@ bool changed_sides(const PressIterate& at, std::size_t k, const Pose<double>& X_
              .normal.dot(shape.nearest(at.start.X_PO.inverse() * was).normal) < kOppositeCosine;
 }
 
-/// Says where a node is inside the object; "" if none is.
+/// Describes the place of a node inside the object; "" if none is.
 /// @param allowed  depth of free nodes [m] (free nodes)
 std::string find_inside(const PressIterate& at, const Matrix3Xd& u, const Pose<double>& X_OP,
                         const std::vector<double>& allowed) {

@@ -44,7 +44,8 @@ class CurveWalk {
     first_touch_ = kFirstTouch * pads[0].shape.height;
   }
 
-  /// Goes to a load. @return empty, or why not
+  /// Presses up to a load.
+  /// @return empty, or the reason of the failure
   std::string go_to(const PressLoad& load) {
     // A force needs something to act on: press until the first pad touches.
     double depth = first_touch_;

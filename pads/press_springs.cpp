@@ -155,7 +155,7 @@ class SpringPress {
     return true;
   }
 
-  /// Takes the step. @param may_grow  if it runs off an equilibrium that is not stable
+  /// Applies the step. @param may_grow  if it runs off an equilibrium that is not stable
   void take_step(const Matrix3Xd& u, bool may_grow) {
     const bool runs = may_grow && runs_off();
     last_ = dx_;

@@ -117,9 +117,9 @@ class OverlapSearch {
     return most - other;
   }
 
-  /// From `best` up to a maximum, which may lie on a ridge, as edges of boxes make them: along the
-  /// shortest of all mixtures of slopes around, which rises on both sides of it. Slopes are taken
-  /// on a ring, evenly instead of by chance. Source: [Burke2005].
+  /// Climbs from `best` to a maximum, which may lie on a ridge, as edges of boxes make them: along
+  /// the shortest of all mixtures of slopes around, which rises on both sides of it. Slopes are
+  /// taken on a ring, evenly instead of by chance. Source: [Burke2005].
   void climb(double ring) {
     most = overlap(best);
     while (ring > kFinestStep) {

@@ -26,9 +26,9 @@ struct DeepestSkin {
                     // 0: from a place nearby [m]
 };
 
-/// By a search to 1e-7 of the pad's size over all of the skin, on a grid first. From a place nearby
-/// the maximum that belongs to it, which is the deepest of all as long as the object has moved by
-/// less than half of the lead that it had.
+/// Finds the deepest point by a search over all of the skin to 1e-7 of the pad's size, on a grid
+/// first. With `near` it finds the maximum that belongs to this place, which is the deepest of all
+/// as long as the object has moved by less than half of its lead.
 /// @param near  on the disc [1] (2)
 [[nodiscard]] DeepestSkin deepest_skin(const PadChart& chart, const Shape& object,
                                        const Pose<double>& X_PO,

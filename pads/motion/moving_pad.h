@@ -35,7 +35,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 class MovingPad {
  public:
   virtual ~MovingPad() = default;
-  /// Another one that nothing has touched yet.
+  /// Returns another such pad that nothing has touched yet.
   [[nodiscard]] virtual std::unique_ptr<MovingPad> clone() const = 0;
   /// "elements", "foundation", "soft-finger".
   [[nodiscard]] virtual std::string rung() const = 0;
