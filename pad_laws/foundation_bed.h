@@ -84,7 +84,7 @@ class FoundationBed {
   [[nodiscard]] Eigen::Matrix<double, 6, 6> stiffness(const Shape& object, const Pose<double>& X_PO,
                                                       double step = 1e-6) const;
 
-  /// In the order of the state.
+  /// Returns the columns, in the order of the state.
   [[nodiscard]] const FoundationColumns& columns() const { return columns_; }
   [[nodiscard]] const FoundationConstants& constants() const { return constants_; }
   [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const { return terms_; }
