@@ -160,7 +160,7 @@ bool ContactSolver::Workspace::run_sweeps(int sweeps) {
   return false;
 }
 
-/// From the best point found some sweeps, and Newton again.
+/// Tries sweeps from the best point found, and then Newton again.
 bool ContactSolver::Workspace::run_tries() {
   for (int k = 0; k < kMostRounds; ++k) {
     f() = best_room.head(contacts.rows());
@@ -169,7 +169,7 @@ bool ContactSolver::Workspace::run_tries() {
   return false;
 }
 
-/// From the best point found, steps with pivots on what bears.
+/// Takes Newton steps with pivots from the best point found, on the contacts that bear.
 bool ContactSolver::Workspace::run_pivots() {
   f() = best_room.head(contacts.rows());
   go_to(f());
@@ -250,8 +250,8 @@ bool ContactSolver::Workspace::run() {
   }
 }
 
-/// From an answer on to rounding, by steps of Newton that at least halve the residual: what it
-/// leaves over would add up from step to step.
+/// Improves an answer to rounding by Newton steps that at least halve the residual, because its
+/// errors would add up from step to step.
 void ContactSolver::Workspace::polish() {
   for (int k = 0; k < kPolishSteps && best > kRoundingGoal; ++k) {
     const double before = best;

@@ -304,8 +304,9 @@ void InteriorContact::find_step() {
   take_direction();
 }
 
-/// Half steps until the equations and tau have fallen together, or the equations for themselves
-/// about as a linear system's would, while tau has not grown much; false where none does.
+/// Halves the step until the equations and tau have fallen together, or the equations for
+/// themselves about as a linear system's would, while tau has not grown much; false where none
+/// does.
 bool InteriorContact::move_down(const ScaledContacts& contacts) {
   const double size = contacts.scale();
   const auto merit = [&] { return missing_ / size + tau_ / (size * size); };
