@@ -25,8 +25,9 @@ namespace thenar {
 /// @param own, whole  diagonals of the surface and of what it is part of [m]
 [[nodiscard]] bool is_sliver(double volume, double own, double whole);
 
-/// Why a mesh with holes bounds no solid: causes of describe(MeshFaults), and the holes if they are
-/// not left by these. @param found  check_mesh() of it
+/// Describes why a mesh with holes bounds no solid: causes of describe(MeshFaults), and the holes
+/// if they are not left by these.
+/// @param found  check_mesh() of it
 [[nodiscard]] std::string why_open(const TriangleMesh& mesh, const MeshReport& found);
 
 /// The solids whose union a mesh bounds. Triangles that face inwards are turned, those of no area

@@ -38,7 +38,7 @@ FootPoint foot_on(const TriangleForm& form, const Vector3d& p) {
   return foot;
 }
 
-/// Takes the point of a triangle nearest to p if it is nearer than the best so far.
+/// Keeps the point of a triangle nearest to p if it is nearer than the best so far.
 void keep_nearer(const TriangleForm& form, const Vector3d& p, FootPoint& best) {
   FootPoint foot;
   if (form.find_foot(p, best.squared, foot) && foot.squared < best.squared) best = foot;

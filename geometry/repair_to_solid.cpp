@@ -109,7 +109,7 @@ TriangleMesh best_welded(const TriangleMesh& mesh) {
 /// Vertices of open edges, by x.
 using Loose = std::multimap<double, int>;
 
-/// Those within `near` of the inside of an edge, along it.
+/// Returns the vertices within `near` of the inside of an edge, in order along it.
 std::vector<int> vertices_on(const TriangleMesh& mesh, const Loose& loose, int a, int b,
                              double near) {
   // The edge, and loose vertices whose x lies in its range.

@@ -53,8 +53,8 @@ MassProperties capsule(double r, double height) {
   return body;
 }
 
-/// With B the beta function, by Dirichlet's integrals over  x = a cos^e1 cos^e2, y = b cos^e1
-/// sin^e2, z = c sin^e1:
+/// Mass properties of a superellipsoid, with B the beta function, by Dirichlet's integrals over  x
+/// = a cos^e1 cos^e2, y = b cos^e1 sin^e2, z = c sin^e1:
 ///   volume = 2 abc e1 e2 B(e1/2, e1 + 1) B(e2/2, e2/2 + 1),
 ///   integral of x^2 = 1/2 a^3 bc e1 e2 B(3/2 e2, e2/2) B(e1/2, 2 e1 + 1),  of y^2 alike,
 ///   integral of z^2 = 2 ab c^3 e1 e2 B(e2/2, e2/2 + 1) B(3/2 e1, e1 + 1).
@@ -348,7 +348,7 @@ class CubeSum {
     }
   }
 
-  /// In a smallest cube, each part is what lies below the plane nearest to the middle.
+  /// Adds a smallest cube, in which each part is the space below the plane nearest to the middle.
   void add_cut(const Eigen::AlignedBox3d& box, const std::vector<const UnionPart*>& through,
                int whole) {
     // Each part as the cube below its nearest plane.

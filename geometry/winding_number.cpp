@@ -63,7 +63,7 @@ struct Ray {
   }
 };
 
-/// Nothing if the ray passes an edge.
+/// Returns the winding number along a ray; nothing if the ray passes an edge.
 std::optional<int> along(const TriangleTree& tree, const Ray& ray) {
   std::array<int, 64> stack{};  // as deep as the tree of 2^63 triangles
   int waiting = 0, sum = 0;

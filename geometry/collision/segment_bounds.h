@@ -36,10 +36,10 @@ struct Tangent {
 /// below both tangents.
 class ConvexBracket {
  public:
-  /// On [low, high]. @param first  a tangent within
+  /// Brackets the minimum on [low, high]. @param first  a tangent within
   ConvexBracket(double low, double high, const Tangent& first);
 
-  /// Takes notice of another tangent, at next().
+  /// Adds another tangent, at next().
   void add(const Tangent& tangent);
 
   /// Returns a lower bound of the function [m].

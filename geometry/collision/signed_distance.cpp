@@ -108,8 +108,8 @@ class DistanceSearch {
     return top;
   }
 
-  /// Goes to the triangle farthest down, as B is seen from the best point, until none is better;
-  /// large empty balls that stand there then tell of most others at once that they are no nearer.
+  /// Moves to the triangle farthest down, as B is seen from the best point, until none is better.
+  /// Large empty balls there then exclude most other triangles at once.
   void guess(Eigen::Vector3d n) {
     for (int i = 0, last = -1; i < kGuesses; ++i) {
       const double before = best_;
@@ -151,7 +151,7 @@ class DistanceSearch {
     return best;
   }
 
-  /// Remembers a point of A's core if it is the best.
+  /// Keeps a point of A's core if it is the best.
   void offer(const Eigen::Vector3d& core, const NearestSurface& seen, const Piece& piece) {
     if (seen.distance - piece.radius >= best_) return;
     best_ = seen.distance - piece.radius;
@@ -216,8 +216,8 @@ class DistanceSearch {
     return a_.triangles[static_cast<std::size_t>(triangle)].n.isZero(0);
   }
 
-  /// Along a segment planes of B close in from both sides. Returns a bound of the segment,
-  /// kNothing if a plane does not support B.
+  /// Bounds a segment by planes of B from both sides. Returns the bound, kNothing if a plane does
+  /// not support B.
   double close_in(const Piece& piece) {
     // Distance and slope at a point of the segment.
     const Eigen::Matrix3d& c = piece.corners;
@@ -246,9 +246,9 @@ class DistanceSearch {
     return is_segment(triangle) && options_.within.r >= kEverywhere && b_.accuracy() == 0;
   }
 
-  /// Along a segment outside B empty balls leave nothing nearer between them: balls about points of
-  /// it, where the bound is least, down to what is enough. Returns a bound of the segment, kNothing
-  /// if it goes into B, not all of it counts, or distances are not exact.
+  /// Bounds a segment outside B by empty balls about its points, placed where the bound is least
+  /// until it is enough: nothing between the balls is nearer. Returns the bound of the segment,
+  /// kNothing if it goes into B, not all of it counts, or distances are not exact.
   double fill_in(const Piece& piece) {
     const double r = piece.ball.r;
     // Only where all of the segment counts and distances are exact.
@@ -362,7 +362,7 @@ class DistanceSearch {
       if (near(internal::smallest_ball(half))) add_piece(half, piece.radius, piece.triangle, bound);
   }
 
-  /// In B's frame.
+  /// Returns the result in B's frame.
   SignedDistance result() {
     // The lowest bound that is left tells the error.
     if (triangle_ < 0) whole(0);  // beyond the cutoff before any triangle was seen
