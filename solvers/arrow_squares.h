@@ -25,7 +25,7 @@ struct ArrowSquares {
   /// Adds J'J of rows that read the shared coordinates, then those of a block (-1: shared ones
   /// alone). Rows with a single entry, as priors have, cost next to nothing.
   void add(int block, const Eigen::MatrixXd& J);
-  /// Takes J'J away.
+  /// Subtracts J'J.
   void take(int block, const Eigen::MatrixXd& J);
   /// Multiplies all of it by a factor > 0.
   void scale(double factor);

@@ -56,7 +56,7 @@ class BlockFactor {
   /// Solves in place.
   void solve(std::vector<Eigen::Vector3d>& y) const;
 
-  /// After a failed factorise(): v with v' A v <= 0, built from the first bad pivot.
+  /// Finds v with v' A v <= 0 after a failed factorise(), from its first bad pivot.
   [[nodiscard]] bool negative_direction(std::vector<Eigen::Vector3d>& v) const;
 
  private:

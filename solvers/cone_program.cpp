@@ -101,8 +101,8 @@ class KktSolver {
     if (G.cols() > 0) qr_.compute(scaled_G_);
   }
 
-  /// With refinement: near the optimum W is so far from a multiple of 1 that QR alone loses half of
-  /// the digits.
+  /// Solves with refinement: near the optimum W is so far from a multiple of 1 that QR alone loses
+  /// half of the digits.
   void solve(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
     factored(a, b, x, z);
     VectorXd left_a = a - G_.transpose() * z, left_b = b - G_ * x + W_.times(W_.times(z)), dx, dz;

@@ -106,7 +106,8 @@ void sort_ring(const Eigen::Ref<const Eigen::MatrixXd>& points, HullFacet& facet
             [&](int a, int b) { return angle(a) < angle(b); });
 }
 
-/// Is every edge of every ring run through once each way, and does Euler's formula hold?
+/// Returns whether every edge of every ring is run through once each way, and Euler's formula
+/// holds.
 bool is_closed(const std::vector<HullFacet>& facets, Eigen::Index d) {
   // Each edge is walked once each way.
   std::set<std::pair<int, int>> open;

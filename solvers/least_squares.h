@@ -55,7 +55,7 @@ struct CostDerivatives {
   std::vector<ArrowRows> rows;  // J
 };
 
-/// Takes a coordinate out: its gradient and column are zero, and a unit row keeps the rank.
+/// Fixes a coordinate: its gradient and column are zero, and a unit row keeps the rank.
 void fix_coordinate(CostDerivatives& slopes, Eigen::Index i);
 
 /// @throws InputError if the residuals have no Jacobian.
@@ -159,7 +159,7 @@ struct ResidualBlocks {
 };
 [[nodiscard]] ResidualBlocks blocks_of(const LeastSquares&);
 
-/// Does the gradient push coordinate i against a bound it lies on?
+/// Returns whether the gradient pushes coordinate i against a bound on which it lies.
 [[nodiscard]] bool held(const LeastSquares&, const Eigen::VectorXd& z, double gradient,
                         Eigen::Index i);
 

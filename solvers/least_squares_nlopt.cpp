@@ -43,7 +43,8 @@ std::vector<double> finite(const Eigen::VectorXd& z) {
   return {near.data(), near.data() + near.size()};
 }
 
-/// Half a prior sd, or less where the bounds are close: the search must fit in twice over.
+/// Returns first steps of half a prior sd, or less where the bounds are close: the search must fit
+/// in twice over.
 std::vector<double> first_steps(const LeastSquares& problem) {
   const std::vector<double> lower = finite(problem.lower), upper = finite(problem.upper);
   std::vector<double> steps;

@@ -129,7 +129,8 @@ class SecantSearch {
     return std::max(curved, by(ArrowSquaresFactor::factor(gauss_newton_, free_)));
   }
 
-  /// By the cost, or by what is left to gain where rounding hides the change of the cost.
+  /// Returns whether a point is better, by the cost, or by the gain that is left where rounding
+  /// hides the change of the cost.
   [[nodiscard]] bool is_better(const SecantPoint& next) const {
     // Relative change of the cost that rounding explains [1]
     constexpr double kCostRounding = 1e-14;

@@ -173,7 +173,8 @@ LinearProgram recession(LinearProgram program) {
   return program;
 }
 
-/// Is there a feasible point? Where rows are missed by rounding alone, they are relaxed to meet it.
+/// Finds whether there is a feasible point. Rows that are missed by rounding alone are relaxed to
+/// meet it.
 /// @param proof  becomes the optimum of the elastic program: a point, or duals that are a Farkas
 /// ray
 Status find_feasible(LinearProgram& program, LinearResult& proof) {

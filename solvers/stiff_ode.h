@@ -65,7 +65,7 @@ class StiffOde {
   [[nodiscard]] double time() const;
   [[nodiscard]] Eigen::VectorXd state() const;
 
-  /// Within the last step. @throws InputError outside it.
+  /// Returns the state at a time within the last step. @throws InputError outside it.
   [[nodiscard]] Eigen::VectorXd state_at(double time) const;
 
   [[nodiscard]] OdeCounts counts() const;
