@@ -5,7 +5,7 @@
 namespace thenar {
 namespace {
 
-/// Does hinge i move link j?
+/// Returns whether hinge i moves link j.
 bool moves(const Tree<double>& tree, int i, int j) {
   while (j > i) j = tree[j].parent;
   return i == j;

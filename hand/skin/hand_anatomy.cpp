@@ -175,7 +175,7 @@ DigitAnatomy anatomy_of(const Subject& subject, const Digit& digit, double lengt
   return anatomy;
 }
 
-/// From the bones of all digits together.
+/// Returns the hand length, as stated or from the bones of all digits together [m].
 double length_of(const Subject& subject) {
   // Stated, or from the lengths of all bones.
   const auto stated = subject.lengths.find("hand_length");

@@ -195,7 +195,7 @@ struct Skin {
   TriangleMesh mesh, picture;
 };
 
-/// Those of all segments that have links, but for the user's own.
+/// Returns the skins of all segments that have links, except the user's own.
 std::vector<Skin> skins_of(const HandAnatomy& hand, const Skeleton& skeleton,
                            const SkinOptions& options) {
   // Segments without a mesh of their own.

@@ -136,7 +136,7 @@ class PalmMaker {
   }
 
  private:
-  /// In parts of breadth, length and half thickness, from the wrist.
+  /// Returns a point of the palm in parts of breadth, length and half thickness, from the wrist.
   [[nodiscard]] Vector3d at(double radial, double distal, double dorsal) const {
     return palm_.wrist + radial * palm_.breadth * palm_.radial + distal * length_ * palm_.distal +
            dorsal * half_ * palm_.dorsal;
@@ -163,7 +163,7 @@ class PalmMaker {
     return at(0.20 - 0.40 * i / (static_cast<double>(fingers_.size()) - 1), 0.12, 0);
   }
 
-  /// Between the metacarpals and the forearm.
+  /// Adds the carpus between the metacarpals and the forearm.
   void carpus() {
     Lump lump = capsule(at(0.18, 0.02, 0), at(-0.18, 0.02, 0), 0.8 * half_, 0.78 * half_, half_);
     body_.push_back(lump);
