@@ -130,7 +130,7 @@ class TendonFollower {
   /// Returns whether the net snaps on its way to the state last asked for.
   [[nodiscard]] virtual bool snapped() const = 0;
 
-  /// Goes on from here.
+  /// Accepts a state, from which the net is followed on.
   virtual NetStep accept(const Eigen::VectorXd& q, const Eigen::VectorXd& load) = 0;
 
   /// Slopes at at(q, load), of muscles on tendons.

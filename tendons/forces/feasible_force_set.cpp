@@ -310,7 +310,7 @@ void write_facets(const internal::TipBalance& balance, const Frame& frame, const
   set.offsets = (set.normals * set.vertices.transpose()).rowwise().maxCoeff();
 }
 
-/// Is every edge run through once each way, so that the triangles close a surface?
+/// Returns whether every edge is run through once each way, so that the triangles close a surface.
 bool closed(const Eigen::MatrixX3i& triangles) {
   std::set<std::pair<int, int>> open;
   for (Index i = 0; i < triangles.rows(); ++i)

@@ -90,7 +90,8 @@ class FingerMotion {
   /// @throws InputError if the contraction has other muscles than the digit.
   explicit FingerMotion(const MotionModel& model);
 
-  /// At rest at a posture, with the excursion from the reference posture, and fibres in balance.
+  /// Starts a motion at a posture, with the excursion from the reference posture, and fibres in
+  /// balance.
   /// @param activation  (muscles)
   /// @throws InputError if a length is wrong or an entry not finite.
   MotionOnset start(const Eigen::VectorXd& q, const Eigen::VectorXd& q_dot,
@@ -127,7 +128,7 @@ class FingerMotion {
   /// Evaluations of a net's energy so far: the work that a motion takes, counted.
   [[nodiscard]] long effort() const { return effort_; }
 
-  /// Why the rates last asked for are not finite; may be empty.
+  /// Returns the reason why the last rates are not finite; may be empty.
   [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
 
   /// Energy of motion, weights, springs and stops [J].

@@ -125,7 +125,7 @@ class Recorder {
     strays_ = kept_.muscles[static_cast<std::size_t>(most)];
   }
 
-  /// Why it ended comes before whatever was noted on the way.
+  /// Puts the reason of the end before all other warnings.
   void note_end(const std::string& why, double time) {
     if (why.empty()) return;
     const std::string before = std::exchange(kept_.warning, "");
@@ -170,7 +170,7 @@ class Recorder {
   Trajectory kept_;
 };
 
-/// Why a motion ends, thrown where that is found.
+/// End of a motion with its reason, thrown where it is found.
 struct Ending {
   MotionStatus status;
   std::string why;
@@ -394,7 +394,7 @@ class Integration {
     restart();
   }
 
-  /// Tells where steps had larger errors.
+  /// Adds a warning about the times at which steps had larger errors.
   void tell_loose() {
     if (loose_places_ == 0) return;
     recorder_.note_end(
@@ -404,7 +404,7 @@ class Integration {
         loose_since_);
   }
 
-  /// Goes on from a state, and accounts for its energy.
+  /// Accepts a state, and accounts for its energy.
   void accept(const MotionState& state, double time) {
     const FingerMotion::Accepted accepted = motion_.accept(state);
     recorder_.note_accepted(accepted, time);

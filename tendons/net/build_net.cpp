@@ -129,7 +129,7 @@ class NetBuilder {
     for (const std::string& muscle : muscles) add_muscle(role, muscle);
   }
 
-  /// Is the link this bone's, or nearer to the base?
+  /// Returns whether the link is this bone's, or nearer to the base.
   [[nodiscard]] bool within(int link, const FingerBone& bone) const {
     for (int i = bone.link; i >= 0; i = digit_.skeleton.tree[static_cast<std::size_t>(i)].parent)
       if (i == link) return true;

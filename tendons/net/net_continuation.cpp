@@ -165,7 +165,7 @@ class NetWalk {
     walk_.snaps.push_back(std::move(snap));
   }
 
-  /// Takes the equilibrium at the end of a step, `off` from its prediction [m].
+  /// Accepts the equilibrium at the end of a step, `off` from its prediction [m].
   void accept(NetEquilibrium next, double end, double off) {
     // No balance found from the prediction: search from scratch.
     if (unbalanced(next)) {

@@ -297,8 +297,9 @@ bool NetDescent::direction() {
   return true;
 }
 
-/// After a step too long: bands that it stretches get the stiffness that they show over it, slack
-/// ones too, so that the next direction knows them. @return whether there were any
+/// Gives the bands that a too long step stretches the secant stiffness over it, slack bands too, so
+/// that the next direction accounts for them.
+/// @return whether there were any
 bool NetDescent::add_secant_stiffness() {
   bool any = false;
   for (int b = 0; b < static_cast<int>(plan_.bands.size()); ++b) {

@@ -21,7 +21,7 @@ class NetFollower : public TendonFollower {
   explicit NetFollower(const NetTendons& tendons,
                        const NetContinuationOptions& options = follower_options());
 
-  /// From a rest under muscles on tendons, whose ends are the loads.
+  /// Follows from a rest under muscles on tendons, whose ends are the loads.
   NetFollower(std::unique_ptr<PullByTendon> pull, PostureAndLoad here, const NetEquilibrium& rest);
 
   TendonTorque at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;

@@ -150,7 +150,8 @@ class Rounds {
     return f;
   }
 
-  /// Tells sticking from slipping by the forces found. @return whether a node changed sides
+  /// Decides by the forces found which nodes stick and which slip.
+  /// @return whether a node changed sides
   bool judge() {
     out_.change = 0;
     bool switched = false;

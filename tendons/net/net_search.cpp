@@ -35,7 +35,7 @@ NetContinuation follow_ways(const NetTendons& tendons, const std::vector<Posture
   return walk;
 }
 
-/// From the straight finger with its joints bent one after the other.
+/// Order in which joints of the straight finger are bent one after the other.
 enum class BendOrder { kFromTip, kFromBase };
 std::vector<PostureAndLoad> joint_by_joint(const VectorXd& straight, const VectorXd& q,
                                            const VectorXd& t, BendOrder order) {

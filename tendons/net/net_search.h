@@ -1,6 +1,6 @@
 #pragma once
 
-/// Other ways to an equilibrium of a net, where the usual one leads to none.
+/// Search for an equilibrium of a net by other paths, where the usual path finds none.
 
 #include "tendons/net/net_continuation.h"
 

@@ -66,8 +66,8 @@ class NetTendons : public DigitTendons {
   TendonTorque evaluate(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                         const Eigen::Matrix3Xd& start) const override;
 
-  /// By implicit differentiation of the net and derivatives() of what runs outside of it; by
-  /// differences where one of them is not differentiable.
+  /// Computes the slopes of torque by implicit differentiation of the net and derivatives() of what
+  /// runs outside of it; by differences where one of them is not differentiable.
   [[nodiscard]] Eigen::MatrixXd torque_by_posture(const Eigen::VectorXd& q,
                                                   const Eigen::VectorXd& t,
                                                   const TendonTorque& at) const override;

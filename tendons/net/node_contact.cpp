@@ -183,7 +183,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// From the centre of a sphere, or from the axis of a cylinder.
+/// Radial direction from the centre of a sphere, or from the axis of a cylinder.
 struct Radial {
   Vector3d normal;
   double distance, inverse;  // [m], [1/m]

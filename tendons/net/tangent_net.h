@@ -16,7 +16,7 @@
 
 namespace thenar::internal {
 
-/// At most three columns, without the heap.
+/// Matrices of at most three columns, or rows, without the heap.
 using Columns3 = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
 using Rows3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, 3, 3>;
 

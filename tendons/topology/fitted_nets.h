@@ -42,7 +42,7 @@ class FittedNets {
   /// Its misfit; infinite if there is none.
   [[nodiscard]] double min_misfit(int band, bool present) const;
 
-  /// Those that hold, within `doubt` of the least misfit, best first.
+  /// Returns the nets that carry the loads with misfits within `doubt` of the least, best first.
   [[nodiscard]] std::vector<FittedNet> alike(double doubt) const;
 
   [[nodiscard]] bool knows(const Topology& bands) const { return tried_.count(bands) > 0; }

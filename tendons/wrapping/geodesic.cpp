@@ -53,7 +53,7 @@ double to_equator(const Vector3d& n, const Vector3d& t, double sign) {
   return u;
 }
 
-/// On the cylinder of a capsule: up to the seam, or to the end. @return what is left to go [m]
+/// Follows the cylinder of a capsule up to the seam, or to the end. @return what is left to go [m]
 double along_side(GeodesicEnd& end, const Vector3d& size, double s) {
   const double radius = size[0], half = size[1];
   const double sign = s > 0 ? 1 : -1, climb = sign * end.ray.t.z();
@@ -66,7 +66,7 @@ double along_side(GeodesicEnd& end, const Vector3d& size, double s) {
   return left;
 }
 
-/// On a cap of a capsule: up to its equator, or to the end. @return what is left to go [m]
+/// Follows a cap of a capsule up to its equator, or to the end. @return what is left to go [m]
 double along_cap(GeodesicEnd& end, const Vector3d& size, double s) {
   const double radius = size[0], half = size[1], sign = s > 0 ? 1 : -1;
   const Vector3d center(0, 0, std::copysign(half, end.ray.p.z()));

@@ -391,7 +391,7 @@ double PathSolver::settle_on(const std::vector<PathWrap>& bends, const Vector3d&
   return shape.depth > kInsideDepth || runs_clear(bends, a, b) ? error : 1;
 }
 
-/// Do the straight runs between surfaces that are touched clear those that are not?
+/// Returns whether the straight runs between touched surfaces clear all other surfaces.
 bool PathSolver::runs_clear(const std::vector<PathWrap>& bends, const Vector3d& a,
                             const Vector3d& b) const {
   Vector3d from = a;

@@ -49,8 +49,8 @@ std::vector<int> between(const Tree<double>& tree, int a, int b) {
   return {crossed.begin(), crossed.end()};
 }
 
-/// Within the limits of the joints between them, at their ends and middles, no point may get to a
-/// cylinder's half plane opposite to the path's side, where the length jumps. Joints without a
+/// Checks that no point gets to a cylinder's half plane opposite to the path's side, where the
+/// length jumps, at the ends and middles of the ranges of the joints between them. Joints without a
 /// range stand still.
 void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
                  const BoneSurface& surface, const Skeleton& skeleton) {
