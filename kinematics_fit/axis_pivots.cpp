@@ -39,7 +39,8 @@ double passing(const JointAxis& joint, const Vector3d& a, const Vector3d& b) {
   return (a + part * run - joint.point).dot(joint.direction);
 }
 
-/// Along an axis from its point, the middle of the tendons that cross it; nothing if no path does.
+/// Returns the middle of the tendons that cross an axis, along it from its point [m]; nothing if no
+/// path crosses it.
 std::optional<double> middle_of_tendons(const Subject& subject, const JointAxis& joint) {
   const std::set<std::string> moved = moved_by(subject, joint);
   double lowest = HUGE_VAL, highest = -HUGE_VAL;
@@ -60,8 +61,9 @@ std::optional<double> middle_of_tendons(const Subject& subject, const JointAxis&
   return (lowest + highest) / 2;
 }
 
-/// Along joint i of a chain from its point, the place nearest to the axes next to it, in least
-/// squares; nearest to the tip if these are about parallel to it. No stated point counts.
+/// Returns the place along joint i of a chain, from its point, that is nearest to the axes next to
+/// it [m], in least squares; nearest to the tip if these are about parallel to it. No stated point
+/// counts.
 double nearest_to_chain(const std::vector<const JointAxis*>& chain, std::size_t i,
                         const Vector3d& tip) {
   const JointAxis& joint = *chain[i];

@@ -47,7 +47,7 @@ class OutsideScale {
   }
 
  private:
-  /// From the point of each hinge to that of the next, or to the tip.
+  /// Finds the bones from the point of each hinge to that of the next, or to the tip.
   void find_bones() {
     const TendonModel<double>& model = digit_.model;
     bones_.resize(model.tree.size());

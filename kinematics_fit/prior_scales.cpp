@@ -50,7 +50,7 @@ class Evidence {
   Evidence(const std::vector<LinearForces>& specimens, const std::vector<ScaledPriors>& scales)
       : specimens_(specimens), scales_(scales) {}
 
-  /// With what is believed of the factors beforehand.
+  /// Returns the log evidence with the prior belief about the factors [nat].
   [[nodiscard]] double at(const std::vector<int>& steps, int noise_step) const {
     std::vector<double> factors;
     double belief = 0;

@@ -55,8 +55,8 @@ Forecast forecast_of(const FitProblem& problem, const VectorXd& z, const Experim
           slack_entries(problem, problem.coordinates().entries_of_specimen(specimen))};
 }
 
-/// Half of log2 det V / det V|y of slack lengths: before and after a reading of slope J and noise
-/// S.
+/// Returns half of log2 det V / det V|y of slack lengths: before and after a reading of slope J and
+/// noise S.
 double slack_information(const Forecast& at, const MatrixXd& J, const MatrixXd& S) {
   if (at.slack.empty()) return 0;
   // By the readings' side: det V / det V|y = det(J C J' + S) / det(the same with slack known).
