@@ -8,8 +8,8 @@
 
 namespace thenar {
 
-/// From now on the first of these signals sets interrupted() and writes `answer` to standard error
-/// at once; after it they end the program.
+/// Catches Ctrl-C and SIGTERM: from now on the first of these signals sets interrupted() and writes
+/// `answer` to standard error at once; after it they end the program.
 /// @param answer  at most 1023 bytes, the rest is cut off
 void catch_interrupts(const std::string& answer);
 
@@ -20,9 +20,9 @@ void catch_interrupts(const std::string& answer);
 /// also where another process of the run was told to stop; 143 after SIGTERM.
 [[nodiscard]] int exit_code_of_interruption();
 
-/// For as long as it lives, Ctrl-C and SIGTERM end the program at once where catch_interrupts() had
-/// caught them; then as before. For work that keeps nothing and asks nobody whether to stop.
-/// Handlers of others, as of an interpreter that loaded this library, stay.
+/// Scope in which Ctrl-C and SIGTERM end the program at once where catch_interrupts() had caught
+/// them. It is for work that keeps nothing and does not check whether to stop. Handlers of others,
+/// as of an interpreter that loaded this library, stay.
 class SignalsEndAtOnce {
  public:
   SignalsEndAtOnce();

@@ -29,7 +29,7 @@ std::size_t find_control(const std::string& text) {
   return std::string::npos;
 }
 
-/// Why a path is no file in a folder; nothing if it is one.
+/// Returns the reason why a path is no file in a folder; nothing if it is one.
 std::optional<std::string> fault_inside(const std::string& text) {
   const fs::path path(text);
   if (path.is_absolute()) return "an absolute path";
