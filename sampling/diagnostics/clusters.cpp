@@ -31,7 +31,8 @@ double bandwidth_of(const Eigen::VectorXd& rising) {
   return 0.9 * (quartiles > 0 ? std::min(sd, quartiles) : sd) * std::pow(n, -0.2);
 }
 
-/// Between the quantiles beyond which no cut is allowed, and one bandwidth further.
+/// Estimates the density between the quantiles beyond which no cut is allowed, and one bandwidth
+/// further.
 Density density_of(const Eigen::VectorXd& rising, double min_share) {
   // A grid of several cells to a bandwidth.
   const double h = bandwidth_of(rising);

@@ -197,7 +197,8 @@ void judge_size(const std::vector<Estimate>& estimates, const char* what, double
                                    few.worst->name, -few.figure, least, few.more()));
 }
 
-/// To be called last: a few divergent draws are a caution where nothing else is wrong.
+/// Judges divergent steps. Call it last: a few divergent draws are a caution where nothing else is
+/// wrong.
 void judge_steps(long steps, double allowed, Convergence& result) {
   if (result.divergent == 0) return;
   const double share = double(result.divergent) / double(steps);

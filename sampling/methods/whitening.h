@@ -62,11 +62,11 @@ class Whitening {
   /// Sigma: all of it (n, n), or its diagonal (n, 1).
   [[nodiscard]] Eigen::MatrixXd covariance() const;
 
-  /// Takes another Sigma of that shape, straight, without orbits. Returns false and changes nothing
-  /// unless it is finite and positive definite.
+  /// Sets another Sigma of the same shape, straight, without orbits. Returns false and changes
+  /// nothing unless it is finite and positive definite.
   bool set(const Eigen::MatrixXd& covariance);
-  /// Takes another centre, factor (n, n) and bend. Returns false and changes nothing unless all
-  /// are finite and the factor has an inverse. Dense only.
+  /// Sets another centre, factor (n, n) and bend. Returns false and changes nothing unless all are
+  /// finite and the factor has an inverse. Dense only.
   bool set(const Eigen::VectorXd& centre, const Eigen::MatrixXd& factor, const Bend& bend,
            bool orbits);
 

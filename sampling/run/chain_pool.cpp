@@ -111,7 +111,8 @@ int first_of(int part, int parts, int items) {
   return static_cast<int>(static_cast<long>(part) * items / parts);
 }
 
-/// Does a share end within one of the groups of `length` items? The first starts at item `offset`.
+/// Returns whether a share ends within one of the groups of `length` items. The first starts at
+/// item `offset`.
 bool splits(int parts, int items, int length, int offset = 0) {
   for (int part = 1; part < parts; ++part) {
     const int at = offset + first_of(part, parts, items);
