@@ -30,7 +30,7 @@ int line_at(const std::string& text, std::size_t position) {
   return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
 }
 
-/// Goes over the tokens of a text as the parser tells of them, and counts lines.
+/// Reader of a text's tokens, as the parser reports them, that counts lines.
 class TokenLines {
  public:
   TokenLines(const std::string& text, int first_line) : text_(text), line_(first_line) {

@@ -54,7 +54,8 @@ struct JsonNode {
   JsonNode& member(const std::string& name);
 };
 
-/// Same values; members may stand in another order. Lines do not count.
+/// Return whether two trees have equal values, and whether they do not. The order of members, and
+/// lines, do not count.
 [[nodiscard]] bool operator==(const JsonNode& a, const JsonNode& b);
 [[nodiscard]] bool operator!=(const JsonNode& a, const JsonNode& b);
 
@@ -103,7 +104,7 @@ class JsonValue {
 
   /// A number of at most 1e12. @throws DataError, as wanting `what`, otherwise.
   [[nodiscard]] double number(const std::string& what) const;
-  /// So many numbers of at most 1e12 each. @throws DataError otherwise.
+  /// Returns `count` numbers of at most 1e12 each. @throws DataError otherwise.
   [[nodiscard]] std::vector<double> numbers(std::size_t count) const;
   /// A whole number from 0 to 1e9. @throws DataError otherwise.
   [[nodiscard]] int count() const;

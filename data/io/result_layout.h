@@ -14,7 +14,7 @@
 
 namespace thenar {
 
-/// Holds a file against the layout of its format; a file of another format has none. read_result()
+/// Checks a file against the layout of its format; a file of another format has none. read_result()
 /// and read_inference() do so with every file.
 /// @param path  of the file, for messages
 /// @throws DataError "path:1: 'fit/z': wanted 6 numbers (coordinate), got 1 x 6 numbers": for an

@@ -37,7 +37,7 @@ constexpr double kLeastPennation = 0.6 * kDegree, kMostPennation = 70 * kDegree;
 
 const char* const kMillimetres = "are its numbers millimetres, as they are read?";
 
-/// Tells doubts of one kind, of many only the first and their number.
+/// Appends doubts of one kind; of many only the first and their number.
 void tell(const std::vector<std::string>& found, const std::string& kind,
           std::vector<std::string>& doubts) {
   constexpr std::size_t kMany = 4;

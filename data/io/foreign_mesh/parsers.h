@@ -28,8 +28,8 @@ namespace thenar {
 /// @throws DataError at the first line that is wrong.
 void check_collada(const std::string& text, const std::string& path);
 
-/// From now on this process opens no file except by read_one(): parsers and the libraries below
-/// them find none of the textures, fonts and files that a mesh may name.
+/// Forbids this process to open files except by read_one(): parsers and the libraries below them
+/// find none of the textures, fonts and files that a mesh may name.
 void open_nothing();
 
 /// Reads a file within the size limit of meshes [bytes], also after open_nothing().

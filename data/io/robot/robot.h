@@ -119,8 +119,9 @@ struct RobotSpec {
 /// Returns whether the joints of a degree of freedom slide: as its first joint does.
 [[nodiscard]] bool slides(const RobotSpec& robot, const RobotDof& dof);
 
-/// Takes the effort of a degree of freedom in the direction of its speed, where its efforts differ
-/// by direction; 0, unknown, where it has none that way. @returns whether they differed
+/// Sets the effort of a degree of freedom to that in the direction of its speed, where efforts
+/// differ by direction; 0, unknown, if there is none that way.
+/// @returns whether they differed
 bool take_effort_of_speed(RobotDof& dof);
 
 /// Reads a robot from TOML; docs/data_format.md describes the format. Mesh files are beside it.

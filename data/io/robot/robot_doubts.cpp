@@ -133,8 +133,8 @@ std::vector<RobotDof*> far_above_others(RobotSpec& robot, bool sliding) {
   return above;
 }
 
-/// Takes efforts for placeholders that are too large for any hand, and all the same or round, or
-/// the same in several joints and far above those of the others.
+/// Marks efforts as placeholders that are too large for any hand, and all the same or round, or the
+/// same in several joints and far above those of the others.
 void doubt_placeholders(RobotSpec& robot) {
   const auto all = [&](const auto& is) {
     return std::all_of(robot.dofs.begin(), robot.dofs.end(), is);
