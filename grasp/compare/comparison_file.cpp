@@ -361,7 +361,7 @@ std::vector<std::string> changed_files(const JsonNode* provenance, const FileDig
   return changed;
 }
 
-/// In what two comparisons differ, as people call it: "'seed'", "hand 'barrett'", a changed file.
+/// Names the difference of two comparisons for people: "'seed'", "hand 'barrett'", a changed file.
 /// @param then  value of the file; null: it has none
 std::string difference(const std::string& name, const JsonNode& now, const JsonNode* then,
                        const std::vector<std::string>& changed) {

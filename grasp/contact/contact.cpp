@@ -36,7 +36,8 @@ double extent(const std::vector<Contact>& contacts) {
   return most;
 }
 
-/// For every contact without a patch the first one at its place with its normal, maybe itself.
+/// Returns for every contact without a patch the first contact at its place with its normal, maybe
+/// itself.
 std::vector<std::size_t> first_at_place(const std::vector<Contact>& contacts) {
   const double near = kSamePlace * extent(contacts);
   std::vector<std::size_t> first(contacts.size()), order;

@@ -148,7 +148,7 @@ class EpsilonSearch {
     }
   }
 
-  /// Takes the upper bound down to the local minimum.
+  /// Lowers the upper bound to the local minimum.
   void descend_support() {
     if (upper_ > kUndecidedShare * support_.size())
       (void)look(internal::descend_support(support_, worst_));

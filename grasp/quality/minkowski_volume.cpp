@@ -163,7 +163,7 @@ class Sum {
     if (way <= 0) add(-u, size, lengths);
   }
 
-  /// It is uncertain whether this is a facet, which matters if it is large.
+  /// Notes that it is uncertain whether this is a facet, which matters if it is large.
   void tie(const ScaledWrench& u, double lengths) { tie_ = tie_ || u.norm() > no_area_ * lengths; }
 
   void add(const ScaledWrench& u, double size, double lengths) {

@@ -384,7 +384,7 @@ class Polish {
     return std::min(length, kMostStep);
   }
 
-  /// Takes in pieces that went beyond their bounds. @returns whether there are any
+  /// Includes pieces that went beyond their bounds. @returns whether there are any
   bool overtaken() {
     const double beyond = support_.rounding();
     // L1: the level is the highest tight piece; Linf: zero.

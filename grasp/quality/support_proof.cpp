@@ -244,7 +244,8 @@ MatrixXd doubts_of(const MatrixXd& F, double least) {
   return moment / moment(kTimeIndex, kTimeIndex);
 }
 
-/// Half space across the unproven points, where they lie farthest apart, through their mean.
+/// Returns a half space across the unproven points, through their mean, in the direction in which
+/// they lie farthest apart.
 Cone cut_of(const MatrixXd& doubts) {
   const Index d = doubts.rows();
   const VectorXd mean = doubts.col(kTimeIndex);

@@ -187,7 +187,8 @@ struct DigitMotion::JawWay {
   bool faced;          // whether a face of the palm is near it
 };
 
-/// From the palm to the end, as approach_near(); none: one lies in the way of the other.
+/// Returns the way from the palm to the end, as approach_near(); none: one lies in the way of the
+/// other.
 std::optional<DigitMotion::JawWay> DigitMotion::jaw_way(std::size_t option,
                                                         const VectorXd& q) const {
   const std::vector<Pose<double>> links = grip_.hand().pose(q);

@@ -392,7 +392,7 @@ bool DigitMotion::are_jaws() const {
                      [](const Digit& digit) { return digit.curls.size() <= 1; });
 }
 
-/// Up to three motors with the largest ranges that turn opposed digits.
+/// Returns up to three motors with the largest ranges that turn opposed digits.
 std::vector<std::size_t> DigitMotion::opposing_motors(const DigitRoles& roles) const {
   std::vector<std::size_t> motors;
   for (std::size_t i = 0; i < digits_.size(); ++i)

@@ -43,7 +43,8 @@ void tell_digits(RobotSpec& robot) {
                                        digits_in(robot).size(), fmt::join(names, ", ")));
 }
 
-/// Takes efforts in the direction of closing, where a file's differ by direction, and says so.
+/// Chooses the efforts in the direction of closing, where a file's efforts differ by direction, and
+/// reports it.
 void take_closing_efforts(RobotSpec& robot) {
   std::vector<std::string> taken, none;
   for (RobotDof& dof : robot.dofs) {
