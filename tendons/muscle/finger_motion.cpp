@@ -289,7 +289,7 @@ using Eigen::VectorXd;
 /// (muscles, coordinates).
 MatrixXd arm_derivatives(const DigitTendons& tendons, const MotionState& state, const VectorXd& t,
                          const TendonTorque& here) {
-  constexpr double kDifferenceStep = 1e-5;  // of an angle [rad]
+  constexpr double kDifferenceStep = 1e-5;  // Step of an angle [rad]
   const VectorXd v = here.R * state.q_dot;
   MatrixXd by_q(t.size(), state.q.size());
   for (Index j = 0; j < state.q.size(); ++j) {

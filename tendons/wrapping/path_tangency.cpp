@@ -108,8 +108,8 @@ struct StringEnd {
 };
 
 constexpr double kNearbyDistance = 1e-6;  // Ends within this distance of the surface lie on it [m]
-constexpr double kHeightRounding =
-    4e-18;                          // height that rounding of places leaves to a point on it [m]
+// Height above a surface that rounding leaves to a point on it [m]
+constexpr double kHeightRounding = 4e-18;
 constexpr double kClearRun = 1e-6;  // Least run whose length is known to enough digits [m]
 
 double least_size(const BoneSurface& surface) {
