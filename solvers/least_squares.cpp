@@ -40,8 +40,8 @@ Solution dispatch(const LeastSquares& problem, const Eigen::VectorXd& start,
 void refute_if_infeasible(const LeastSquares& problem, LeastSquaresMethod method,
                           Solution& solution) {
   if (!problem.constraints) return;
-  constexpr double kConstraintSlack =
-      1e-6;  // of scaled constraints: what Ipopt is allowed, too [1]
+  // Largest violation of scaled constraints, which Ipopt is allowed, too [1]
+  constexpr double kConstraintSlack = 1e-6;
   const Eigen::VectorXd c = problem.constraints(solution.z).c;
   // A NaN breaks its constraint.
   const auto kept = ((c.array() >= problem.c_lower.array() - kConstraintSlack) &&
@@ -203,8 +203,8 @@ std::optional<CostDerivatives> derivatives_if_any(const LeastSquares& problem,
 /// Computes gradient and Jacobian by differences of residuals that have no Jacobian. No point
 /// outside the bounds is evaluated.
 CostDerivatives derivatives_by_differences(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  constexpr double kDifferenceShare =
-      6e-6;  // cube root of the rounding: the best step of central differences
+  // Relative step of central differences: the cube root of the rounding [1]
+  constexpr double kDifferenceShare = 6e-6;
   const Eigen::VectorXd r = problem.residuals(z, WithJacobian::kNo).r;
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(r.size(), z.size());
   for (Eigen::Index i = 0; i < z.size(); ++i) {

@@ -302,8 +302,8 @@ class KinkSearch {
   }
 
  private:
-  static constexpr double kKinkDistance =
-      1e-3;  // sides of one kink are as near to each other [sds]
+  // Sides of one kink are at most this far apart [sds]
+  static constexpr double kKinkDistance = 1e-3;
 
   /// Begins anew at a point, with what is known of the sides near to it.
   void move_to(VectorXd z, CostDerivatives at) {
