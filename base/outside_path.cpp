@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kShownName = 300;  // Most bytes of a name in a message [bytes]
-constexpr std::ptrdiff_t kDeepest =
-    32;  // parts of a name; programs that tidy up give up on deeper ones
+// Most parts of a name; programs that tidy up give up on deeper names
+constexpr std::ptrdiff_t kDeepest = 32;
 
 /// The place of the first control character, of C1 (U+0080 to U+009F in UTF-8) too; npos: none.
 std::size_t find_control(const std::string& text) {
