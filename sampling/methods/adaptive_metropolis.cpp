@@ -8,7 +8,8 @@ namespace thenar::internal {
 namespace {
 
 constexpr std::uint32_t kProposal = 0;
-constexpr double kBestAcceptance = 0.234;  // in many dimensions [Roberts1997]
+// Optimal acceptance rate in many dimensions [1] [Roberts1997]
+constexpr double kBestAcceptance = 0.234;
 
 /// Shape of the target that one chain has learnt.
 struct ProposalShape {
