@@ -179,7 +179,7 @@ std::vector<std::string> guard_hdf5(std::string& bytes, const std::string& path)
 
 namespace {
 
-constexpr rlim_t kMemory = 1000 * 1000 * 1000;  // in addition to this process's own [bytes]
+constexpr rlim_t kMemory = 1000 * 1000 * 1000;  // Most memory beyond that of this process [bytes]
 
 /// Address space of this process [bytes].
 rlim_t memory_in_use() {

@@ -21,7 +21,7 @@ namespace {
 using PlainJson = nlohmann::json;            // members in alphabetic order
 using FileJson = nlohmann::ordered_json;     // members as they were added
 constexpr int kMisspelt = 2;                 // Most letters by which a misspelt key differs
-constexpr double kLargestNumber = 1e12;      // beyond it wrenches lose all digits
+constexpr double kLargestNumber = 1e12;      // Largest number; beyond it wrenches lose all digits
 constexpr std::size_t kLongestShown = 60;    // Most characters of a value in a message
 constexpr double kLargestWhole = 1LL << 53;  // Largest whole number up to which a double is exact
 
