@@ -22,7 +22,7 @@ namespace {
 // Points beyond a facet by less than this share of the size lie on it [1]
 constexpr double kBeyondFacet = 1e-12;
 constexpr int kMinEdges = 6;           // Fewest edges of an estimate that is not too rough
-constexpr double kUpperWeight = 0.56;  // of the upper bound's logarithm in the estimate [1]
+constexpr double kUpperWeight = 0.56;  // Weight of the upper bound's logarithm in the estimate [1]
 
 constexpr int kFacetsBeforeSum = 100000;  // Facets of a hull before a method without hull is tried
 constexpr double kSharpVolume = 1e-9;     // A volume with a smaller error needs no other method [1]
