@@ -141,7 +141,7 @@ FoundationConstants foundation_at(const VectorXd& z, const FoundationConstants& 
   out.stiffening = z[2];
   out.spread = z[3];
   out.surround = z[4];
-  constexpr double kMeanStrain = 0.2;
+  constexpr double kMeanStrain = 0.2;  // Strain at which the modulus of the springs is matched [1]
   out.modulus = 1;
   out.modulus = std::exp(z[0]) / spring_pressure(out, kMeanStrain).pressure;
   return out;

@@ -164,7 +164,7 @@ void isochoric_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
 }
 
 double tangent_shear_modulus(const Tissue& tissue, const IsochoricResponse& at) {
-  constexpr double kLeastModulusRatio = 0.1;
+  constexpr double kLeastModulusRatio = 0.1;  // Least tangent shear modulus, over that at rest [1]
   // Of 2 mu times the deviatoric projection, whose trace is 5.
   const auto& diagonal = at.tangent.diagonal();
   const double trace = diagonal.head<3>().sum() + 2 * diagonal.tail<3>().sum();
