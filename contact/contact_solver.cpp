@@ -23,7 +23,7 @@ namespace {
 constexpr double kToleranceShare = 0.5;  // Share of the tolerance that scaling back may cost [1]
 constexpr double kRoundingFrom = 1e-8;   // Residuals below this may be due to rounding [1]
 constexpr double kRoundingGoal = 1e-14;  // Residuals below this are not worth another step [1]
-constexpr int kPolishSteps = 2;
+constexpr int kPolishSteps = 2;          // Most Newton steps that polish an answer
 // A residual below this share of the best so far counts as progress [1]
 constexpr double kProgressRatio = 0.9;
 constexpr int kStalledSteps = 6;  // Newton steps without progress after which a try ends

@@ -14,11 +14,13 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
 
+// Share of the way to the boundary of the cones that a step takes [1]
 constexpr double kToBoundary = 0.99;
 // Least and largest share of tau at which a step aims [1]
 constexpr double kLeastCentring = 1e-4, kMostCentring = 0.5;
 // Step of the predictor from which its square is corrected [1]
 constexpr double kCorrectFrom = 0.1;
+// A shorter step is replaced by one away from the walls, aimed at this share of tau [1]
 constexpr double kShortStep = 0.1, kAwayFromWalls = 0.9;
 constexpr double kLeastFall = 1e-3;  // Least relative fall of the merit for a whole step [1]
 constexpr double kMostGrowth = 2;    // Largest growth of tau in a step [1]
