@@ -131,7 +131,7 @@ class Grid {
   [[nodiscard]] bool inside(const Vector3i& node) const { return value(node) < 0; }
 
  private:
-  static constexpr int kBlockCubes = 6;
+  static constexpr int kBlockCubes = 6;  // Cubes along one edge of a block
 
   /// Far from the surface the middle of a block speaks for all of it.
   void fill_block(const Shape& solid, const Vector3i& low) {

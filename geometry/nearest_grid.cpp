@@ -14,7 +14,7 @@ using PerCorner = Eigen::Array<double, 8, 1>;
 
 namespace {
 
-constexpr double kMaxCells = 1e5;
+constexpr double kMaxCells = 1e5;  // Most cells of the grid; the mesh gets a quarter
 constexpr double kGridMargin = 1;  // Margin of the cubes around the mesh, over its longest side [1]
 // Dividing is in vain if it leaves more than this share of the candidates [1]
 constexpr double kInVain = 0.7;

@@ -97,7 +97,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMaxParts = 64;
+constexpr std::size_t kMaxParts = 64;  // Most parts of a smooth union
 
 /// Returns the most by which the blend reduces equal distances of `parts` shapes, over the blend
 /// [1].

@@ -381,9 +381,9 @@ class DistanceSearch {
 
   static constexpr double kNothing = -kInfinity;  // Bound that excludes nothing [m]
   static constexpr double kEverywhere = 1e29;     // Radius of a ball that restricts nothing [m]
-  static constexpr int kMaxAlong = 40;
-  static constexpr std::size_t kMaxPairs = 200;
-  static constexpr int kGuesses = 4;
+  static constexpr int kMaxAlong = 40;            // Most planes along one segment
+  static constexpr std::size_t kMaxPairs = 200;   // Most pairs of balls along one segment
+  static constexpr int kGuesses = 4;              // Most triangles tried as a first guess
   static constexpr double kRounding = 1e-14;  // Rounding of a distance, over the coordinates [1]
 
   const CollisionTree& a_;

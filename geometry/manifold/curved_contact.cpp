@@ -146,7 +146,7 @@ class EllipsoidSearch {
 
   /// A step of Newton's method in the plane across n, by differences.
   [[nodiscard]] Vector3d newton(const Vector3d& n, const LowestPoint& here) const {
-    constexpr double kTurnStep = 1e-6;
+    constexpr double kTurnStep = 1e-6;  // Step of the differences of a direction [1]
     const Tangents across = tangents(n);
     Eigen::Matrix<double, 3, 2> T;
     T << across.e1, across.e2;
