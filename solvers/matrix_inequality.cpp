@@ -18,7 +18,7 @@ constexpr double kQuadraticDecrement = 0.06;
 // The weight may grow once the squared decrement is below this [1]
 constexpr double kCentredDecrement = 1e-3;
 constexpr double kHessianShift = 1e-14;  // Added to the diagonal of the scaled Hessian [1]
-constexpr int kMaxHalvings = 50;
+constexpr int kMaxHalvings = 50;         // Most halvings of a step
 
 struct Slope {
   VectorXd g;
