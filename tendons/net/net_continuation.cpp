@@ -127,6 +127,7 @@ class NetWalk {
   /// which grows with the square of the step.
   /// @param off  [m]; 0: not judged
   [[nodiscard]] double next_step(double off) const {
+    // Safety factor of the next step, and bounds of its ratio to the last step [1]
     constexpr double kStepSafety = 0.8, kLeastStepRatio = 0.1, kMostStepRatio = 4;
     if (off == 0) return kMostStepRatio;
     return std::clamp(kStepSafety * std::sqrt(options_.stray / off), kLeastStepRatio,

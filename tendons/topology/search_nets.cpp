@@ -69,6 +69,7 @@ std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
   // Fit the population to the records at hand.
   for (const Member& member : population)
     if (!progress.stop() || !tried.best()) (void)tried.fit(member.bands, member.s);
+  // Limit that keeps all nets
   constexpr double kAllMisfits = std::numeric_limits<double>::infinity();
   std::vector<FittedNet> alive;
   // Generations: survivors breed, their children are fitted.

@@ -132,7 +132,7 @@ State midpoint(const BoneSurface& surface, const State& y0, double h, int n) {
 
 /// Extrapolates the midpoint rule in h^2 until two columns agree; order 2 * columns.
 State extrapolate(const BoneSurface& surface, const State& y0, double h) {
-  constexpr int kStateColumns = 9;
+  constexpr int kStateColumns = 9;       // Most columns of Aitken and Neville's scheme
   std::array<State, kStateColumns> row;  // last row of Aitken and Neville's scheme
   // Columns of Aitken and Neville's scheme.
   State best = y0;

@@ -195,7 +195,7 @@ double largest_kink(const Unknowns& f) { return f.allFinite() ? f.lpNorm<Eigen::
 }  // namespace
 
 ChainFit solve_tangency(const Vector3d& from, const Vector3d& to, std::vector<ChainArc>& chain) {
-  constexpr int kTangencySteps = 60;
+  constexpr int kTangencySteps = 60;  // Most Newton steps
   const StringEnd a = string_end(chain.front(), from), b = string_end(chain.back(), to);
   // An arc that begins at a near end starts there.
   if (a.near) {
@@ -296,6 +296,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kSurfaceBeads = 24;  // a surface
+// Factor on the moves of beads in the first three quarters of the sweeps [1]
 constexpr double kOverRelaxation = 1.7;
 
 /// A bead, and the surface that it rests on.
