@@ -164,7 +164,7 @@ Eigen::VectorXd carried(const FitProblem& from, Eigen::VectorXd z, const FitProb
 /// Narrow priors leave few ways around a local minimum, as between axes that tilt to one side or
 /// the other.
 Eigen::VectorXd best_start(const FitProblem& problem, const SolveOptions& options) {
-  constexpr int kDraws = 40;
+  constexpr int kDraws = 40;  // Most draws of the prior that are tried as starts
   SolveOptions rough = options;
   rough.max_evaluations = 40;
   rough.tolerance = 1e-4;
@@ -193,7 +193,7 @@ struct FittedScales {
 /// @param z  where the first fit starts, under these factors
 FittedScales settle(const FitProblem& start, std::vector<int> steps, const Eigen::VectorXd& z,
                     const SolveOptions& options) {
-  constexpr int kRounds = 12;
+  constexpr int kRounds = 12;  // Most rounds of choosing factors anew
   FittedScales out{{start, solve(least_squares(start), z, options)}, std::move(steps)};
   for (int round = 1;; ++round) {
     if (out.fit.solution.status == Status::kStopped) return out;

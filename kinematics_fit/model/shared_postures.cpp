@@ -64,7 +64,7 @@ const PostureRecord* find_posture(const Experiment& experiment, const std::strin
 }
 
 bool same_posture(const PostureRecord* a, const PostureRecord* b) {
-  const double kSame = radians(2);
+  const double kSame = radians(2);  // Largest difference of angles in equal postures [rad]
   if (a == nullptr || b == nullptr) return false;
   const auto alike = [&](const auto& joint) {
     return std::abs(angle_of(*a, joint.first) - angle_of(*b, joint.first)) <= kSame;
