@@ -119,7 +119,7 @@ PosteriorSettings settings_of(const AttributeReader& given) {
 namespace thenar {
 namespace {
 
-constexpr int kPriorDraws = 1000;
+constexpr int kPriorDraws = 1000;  // Draws from the prior that the file keeps
 
 std::string now() {
   const std::time_t time = std::time(nullptr);
