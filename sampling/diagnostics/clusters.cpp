@@ -21,8 +21,8 @@ struct Density {
   Eigen::ArrayXd share;  // of draws up to the end of each cell (cells)
 };
 
-constexpr int kCellsPerBandwidth = 4;
-constexpr int kMaxCells = 4000;
+constexpr int kCellsPerBandwidth = 4;  // Cells of the density's grid per bandwidth
+constexpr int kMaxCells = 4000;        // Most cells of the density's grid
 
 double bandwidth_of(const Eigen::VectorXd& rising) {
   const auto n = double(rising.size());

@@ -12,7 +12,7 @@ namespace {
 
 // Purpose of the random stream of swaps; no sampler uses it
 constexpr std::uint32_t kSwapStream = 0x73776170;
-constexpr double kLadderPower = 5;
+constexpr double kLadderPower = 5;  // Power of the first ladder, from 1 down to 0
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
 double sound(double log_likelihood) {
@@ -31,7 +31,7 @@ double swap_probability(double temper_drop, double cold, double hot) {
 /// Returns the rejection rates between neighbours, unknown ones replaced by the mean of the others;
 /// never quite 0, so that the barrier rises [1].
 Eigen::VectorXd known_rejection_rates(const Eigen::VectorXd& rejection_rate) {
-  constexpr double kMinRejection = 1e-3;
+  constexpr double kMinRejection = 1e-3;  // Least rejection rate of a pair [1]
   // Pairs that never tried are taken for the mean of the others.
   double sum = 0;
   int known = 0;
