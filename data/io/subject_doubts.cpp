@@ -40,7 +40,7 @@ const char* const kMillimetres = "are its numbers millimetres, as they are read?
 /// Appends doubts of one kind; of many only the first and their number.
 void tell(const std::vector<std::string>& found, const std::string& kind,
           std::vector<std::string>& doubts) {
-  constexpr std::size_t kMany = 4;
+  constexpr std::size_t kMany = 4;  // Fewest doubts of one kind that are only counted
   if (found.size() < kMany) {
     doubts.insert(doubts.end(), found.begin(), found.end());
     return;

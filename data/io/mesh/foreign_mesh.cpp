@@ -115,6 +115,7 @@ void refuse_inclusion(std::string_view text, const std::string& path) {
 
 /// The JSON chunk of a GLB, behind its header; empty if it is malformed.
 std::string_view json_of_glb(std::string_view bytes) {
+  // Bytes of the header of a GLB file and of its first chunk [bytes]
   constexpr std::size_t kHead = 20;
   if (bytes.size() < kHead || bytes.substr(0, 4) != "glTF") return {};
   std::uint32_t size = 0;

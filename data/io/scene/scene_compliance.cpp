@@ -16,6 +16,7 @@ const std::vector<std::string>& compliance_way_names() {
 namespace internal {
 namespace {
 
+// Number of ways that are translations, the first of all ways
 constexpr std::size_t kTranslations = 3;
 
 /// Reads the ways that yield: those of 'ways', or all.
