@@ -41,7 +41,7 @@ struct BrokenCell {
 };
 
 [[noreturn]] void refuse(const std::string& name, const std::string& wanted, const JsonNode& got) {
-  constexpr std::size_t kQuotedCharacters = 100;
+  constexpr std::size_t kQuotedCharacters = 100;  // Most characters of a value in a message
   throw BrokenCell{got.line, fmt::format("'{}': wanted {}, got {}", name, wanted,
                                          canonical_text(got).substr(0, kQuotedCharacters))};
 }

@@ -14,7 +14,7 @@
 namespace thenar {
 namespace {
 
-constexpr int kForceDirections = 64;
+constexpr int kForceDirections = 64;    // Directions of force, evenly over the sphere
 constexpr double kStillMotion = 1e-12;  // Smaller motions of a tip count as none [m/rad]
 constexpr double kAscentGain = 1e-9;    // relative gain that a step of the ascent must have [1]
 constexpr int kMaxForceSteps = 20;      // Most steps of the ascent

@@ -313,7 +313,7 @@ class PatchFinder {
     return {{point.on_b, into(point), friction_, 0}, -1, std::max(0.0, -point.distance)};
   }
 
-  static constexpr int kRimHalvings = 5;
+  static constexpr int kRimHalvings = 5;  // Most halvings of a triangle at the rim
 
   const CollisionTree& a_;
   const Pose<double> X_BA_;

@@ -247,7 +247,7 @@ Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
 namespace thenar::internal {
 namespace {
 
-constexpr int kMaxSupports = 2000;
+constexpr int kMaxSupports = 2000;    // Most evaluations of the support function
 constexpr double kZeroShare = 1e-14;  // Shorter vectors |x| count as zero, over the size [1]
 
 /// Weights of the least-norm point in the affine hull of the columns: y = w0 + D a, w0 the last.

@@ -132,8 +132,8 @@ FirstSimplex first_simplex(const SupportFunction& support, double flat) {
 
 namespace {
 
-constexpr int kMaxPolishSteps = 30;
-constexpr int kMaxColumns = 20;
+constexpr int kMaxPolishSteps = 30;  // Most steps of a polish
+constexpr int kMaxColumns = 20;      // Most columns of the matrices of a polish
 constexpr double kLastStep = 1e-9;   // Length of a last step: the next would be its square [rad]
 constexpr double kMostStep = 0.2;    // Longest step [rad]
 constexpr double kNearCap = 0.3;     // caps this close to the best, relative to it, take part [1]

@@ -21,6 +21,7 @@ using Eigen::VectorXd;
 
 // Least eigenvalue wanted of F, the set's size being 1 [1]
 constexpr double kLeastEigenvalue = 1e-12;
+// Rounding of an eigenvalue, over the size of the matrix [1]
 constexpr double kProofRounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr double kSomeWeight = 0.25;  // least sum of the weights in F, the largest being 1 [1]
 constexpr Index kTimeIndex = 6;       // index of t in x = (u, t, levels)
