@@ -242,7 +242,7 @@ void require_postures(const std::vector<HandOnObject>& cells, const std::vector<
         if (hand.name == cell.hand) require_fits(best, hand, path);
 }
 
-/// With what an earlier run left and this one did not come to.
+/// Adds cells of an earlier run that this one did not reach.
 Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) {
   for (const HandOnObject& cell : done)
     if (!holds(comparison.cells, cell)) comparison.cells.push_back(cell);
@@ -273,6 +273,7 @@ Comparison go_on(const CompareRequest& request, CompareOptions options, const Js
       provenance = next_provenance(kept.provenance, request.run, of.files);
     save(comparison);
   };
+  // Compare what the file does not have, and write the whole.
   const Comparison comparison = compare(hands, of.objects, options, progress, kept.cells);
   save(comparison);
   return joined(comparison, kept.cells);
@@ -284,6 +285,7 @@ HandComparison compare_hands(const CompareRequest& request, const Progress& prog
   HandComparison result;
   result.file = request.file;
   result.objects = objects_of(request);
+  // Objects without a material get the default; hands warn of it.
   std::vector<std::string> without_material;
   for (std::size_t i = 0; i < result.objects.size(); ++i)
     if (result.objects[i].material.empty()) {
@@ -297,6 +299,7 @@ HandComparison compare_hands(const CompareRequest& request, const Progress& prog
   if (!request.file.empty()) require_writable(request.file);
   result.hands = hands_of(request, progress);
   if (result.hands.size() < request.hands.size()) return result;  // stopped
+  // Collect the digests of all files that the result depends on.
   result.files = files_of(result.hands, result.objects);
   if (!request.materials.empty()) result.files.merge(digests_of({request.materials}));
   result.files.insert(materials.files.begin(), materials.files.end());

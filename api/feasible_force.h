@@ -115,7 +115,7 @@ inline constexpr double kNoTipForce = 1e-6;   // [N]
 inline constexpr double kNoTipMoment = 1e-8;  // [N m]
 [[nodiscard]] double no_tip_load(TipLoad load);
 
-/// At every posture, as requested: the largest load along `direction` with prices of F0
+/// Computes at every posture, as requested: the largest load along `direction` with prices of F0
 /// (max_tip_load()), the whole set (feasible_load_set()), or both. Muscles of `without` have F0 = 0
 /// in all of these, as under a nerve block; those of the subject that cross no free joint of the
 /// digit are named in a warning, as their paralysis changes nothing. Where the wrist is not held,

@@ -204,7 +204,8 @@ RobustnessOptions robustness_options(const GraspResult& result) {
   return options;
 }
 
-/// Both parts, each from a generator of the seed. @throws Stopped where progress says stop
+/// Measures both parts of robustness, each from a generator of the seed. @throws Stopped where
+/// progress says stop
 GraspRobustness robustness_of(const GraspResult& result, const Progress& progress) {
   const RobustnessRequest& asked = result.request.robustness;
   const RobustnessOptions options = robustness_options(result);

@@ -46,7 +46,7 @@ struct GraspRobustness {
   Robustness pose;      // the object moved and turned: approached, closed and touched anew
 };
 
-/// In the order of GraspResult::outcomes.
+/// Outcomes in the order of GraspResult::outcomes.
 inline constexpr std::array<GraspOutcome, 6> kOutcomes{
     GraspOutcome::kGrasped, GraspOutcome::kOverlaps, GraspOutcome::kMissed,
     GraspOutcome::kBlocked, GraspOutcome::kTooLong,  GraspOutcome::kEmpty};

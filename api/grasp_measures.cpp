@@ -23,7 +23,7 @@ Measured<Value> none(const std::string& reason) {
   return {{}, reason};
 }
 
-/// Everything that loads are asked of.
+/// Inputs from which loads are computed.
 struct Asked {
   const GraspResult& result;
   HeldObject hand;
@@ -84,7 +84,7 @@ ScaledWrench weight_load(const GraspBody& object, double weight) {
   return load;
 }
 
-/// Why what drives the hand does not hold a load: it bears none of it, or not all.
+/// Returns the reason why the hand's motors do not hold a load: they bear none of it, or not all.
 std::string why_not_held(const Asked& asked, const ScaledWrench& load) {
   const WrenchSupport reach = load_margin(asked.forces, load);
   const std::string cannot = "what drives the hand cannot make forces that hold the weight: ";

@@ -154,7 +154,7 @@ BodySpec object_of(const MeshContent& content, const ImportRequest& request, boo
   return body;
 }
 
-/// Why triangles bound no volume, the first cause, with what mends it.
+/// Returns the first reason why triangles bound no volume, with its remedy.
 std::string why_no_volume(const MeshFacts& facts) {
   const MeshReport& surface = facts.surface;
   const MeshFaults& faults = facts.faults;
@@ -347,7 +347,7 @@ Sentences write_thing(RobotSpec robot, const Imported& imported, const std::stri
   return guessed;
 }
 
-/// With the meshes that stand in no file as STL files beside it.
+/// Writes an object, and meshes that have no file as STL files beside it.
 void write_object(BodySpec body, const std::string& out) {
   StlFiles files(out);
   files.leave(body.shapes);

@@ -12,7 +12,7 @@
 namespace thenar {
 namespace {
 
-/// Everything of an answer but the experiments.
+/// Returns an answer without its experiments.
 PredictResult answer_of(const PredictRequest& request, const Fit& fit) {
   PredictResult result{request.fit, fit.inputs, fit.run, fit.problem.digit().fidelity, {}, {}, {}};
   result.warnings = checksum_warnings(request.fit);

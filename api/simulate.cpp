@@ -82,7 +82,7 @@ void add_snaps(const Trajectory& t, ResultFile& file) {
   file.add("snap/released", released, "J", {"snap"});
 }
 
-/// By what the digit is built again.
+/// Adds the rungs from which the digit can be built again.
 void add_rungs(const TendonOptions& rungs, PassiveMoments passive, ResultFile& file) {
   const std::vector<RungWords> words = explain(Fidelity(rungs.path, rungs.hood));
   file.add("rungs/path", words[kPathLadder].rung);

@@ -22,7 +22,7 @@
 namespace thenar {
 namespace {
 
-/// Everything that the inference starts from.
+/// Inputs of the inference.
 struct InferenceCase {
   CandidateNet candidate;
   std::vector<TendonRecord> records;

@@ -76,7 +76,7 @@ void fit_best(FitArguments& options) {
   print_warnings({complaint});
 }
 
-/// Why there are no draws, or fewer than asked for.
+/// Checks that all requested draws were made. @throws Stopped otherwise
 void require_complete(const PosteriorResult& result) {
   const PosteriorRun& run = result.run;
   if (run.modes.empty()) throw Stopped("stopped in the search for modes; nothing was written");

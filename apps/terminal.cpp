@@ -32,7 +32,7 @@ constexpr double kLong = 10;  // what takes longer is told beforehand [s]
 
 constexpr double kMore = 2;  // times what was told, from which it is told again [1]
 
-/// Says how long work takes, where that is long, and draws a bar on a terminal.
+/// Reports the duration of long work, and draws a progress bar on a terminal.
 class Teller {
  public:
   ~Teller() { wipe(); }
@@ -56,7 +56,7 @@ class Teller {
     told_ = *whole;
   }
 
-  /// At most ten times a second.
+  /// Draws the progress bar, at most ten times a second.
   void draw(Clock::time_point now, double fraction, const std::string& what) {
     if (now - begin_ < std::chrono::seconds(1) || now - last_ < std::chrono::milliseconds(100))
       return;

@@ -26,9 +26,10 @@ namespace fs = std::filesystem;
 const std::string kHeading = "thenar cache 1\n";
 const std::string kEnding = ".thenar";
 const std::string kUnfinished = ".unfinished";
-constexpr std::size_t kHash = 64;    // hexadecimal digits
-constexpr double kForgotten = 3600;  // after which an unfinished file is nobody's [s]
-constexpr double kRoom = 0.9;        // of the limit that is left when entries give way [1]
+constexpr std::size_t kHash = 64;  // Hexadecimal digits of a hash
+// Age from which an unfinished file belongs to no running process [s]
+constexpr double kForgotten = 3600;
+constexpr double kRoom = 0.9;  // Share of the limit that remains after entries are removed [1]
 
 std::mutex& guard() {
   static std::mutex mutex;

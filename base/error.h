@@ -47,7 +47,7 @@ void require(bool ok, fmt::format_string<Args...> message, Args&&... args) {
   if (!ok) throw InputError(fmt::format(message, std::forward<Args>(args)...));
 }
 
-/// The same of a field of a request:
+/// Throws as require(), and names the field of a request:
 ///   require_field("digit", ok, "wanted a digit; subject '{}' has {}", ..);
 template <typename... Args>
 void require_field(const char* field, bool ok, fmt::format_string<Args...> message,

@@ -50,10 +50,11 @@ class RegularFile {
   RegularFile(const RegularFile&) = delete;
   RegularFile& operator=(const RegularFile&) = delete;
 
-  /// As the file system tells it; another process may change it while we read [bytes].
+  /// Returns the size that the file system states; another process may change it while we read
+  /// [bytes].
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// The first bytes: `most`, or as many as there are.
+  /// Returns the first `most` bytes, or as many as there are.
   [[nodiscard]] std::string first(std::size_t most) const {
     std::string bytes(std::min(most, size_ + 1), '\0');
     std::size_t count = 0;
@@ -142,7 +143,7 @@ class Temporary {
   std::FILE* file_ = nullptr;
 };
 
-/// What a path stands for when links are followed, whether it is there or not.
+/// Returns the target of a path when links are followed, whether it exists or not.
 std::string behind_links(const std::string& path) {
   constexpr int kMaxLinks = 40;  // as many as Linux follows
   fs::path place(path);
@@ -192,7 +193,7 @@ void write_files(const std::vector<std::pair<std::string, std::string>>& files) 
 
 namespace {
 
-/// Whether an open file still has that name: its last holder removes it.
+/// Returns whether an open file still has that name: its last holder removes it.
 bool is_named(int file, const std::string& name) {
   struct stat opened {
   }, named{};
@@ -200,7 +201,8 @@ bool is_named(int file, const std::string& name) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-/// Where links lead, also to a file that is yet to come: two names of one file are one lock.
+/// Returns the file behind links, also one that does not exist yet, so that two names of one file
+/// share one lock.
 std::string file_behind(const std::string& path) {
   constexpr int kMaxLinks = 40;  // as the system follows
   std::error_code none;

@@ -9,8 +9,8 @@
 
 namespace thenar {
 
-/// Whether a regular file, or a link to one, is there; false also where that cannot be found out,
-/// as of names that are too long.
+/// Returns whether a regular file, or a link to one, is there; false also where that cannot be
+/// found out, as of names that are too long.
 [[nodiscard]] bool is_file(const std::string& path);
 
 /// All bytes of a regular file, or of a link to one. A folder, a pipe, a socket or a device (which

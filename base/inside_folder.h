@@ -10,7 +10,7 @@ namespace thenar {
 /// it is followed, even if another process puts one there meanwhile.
 class InsideFolder {
  public:
-  /// What stands under a name.
+  /// Kind of entry under a name.
   enum class Entry { kNothing, kFile, kFolder, kOther };  // kOther: a link, a pipe, a device
 
   /// @param folder  links in its own path are followed: the caller has chosen it

@@ -18,7 +18,7 @@ void on_interrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-/// Whether this signal is caught by us; if so it ends the program from now on.
+/// Returns whether this signal is caught by us; if so it ends the program from now on.
 bool let_end(int signal) {
   struct sigaction now {};
   if (sigaction(signal, nullptr, &now) != 0 || now.sa_handler != on_interrupt) return false;

@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kShownName = 300;  // of a name in a message [bytes]
-constexpr std::ptrdiff_t kDeepest =
-    32;  // parts of a name; programs that tidy up give up on deeper ones
+constexpr std::size_t kShownName = 300;  // Most bytes of a name in a message [bytes]
+// Most parts of a name; programs that tidy up give up on deeper names
+constexpr std::ptrdiff_t kDeepest = 32;
 
 /// The place of the first control character, of C1 (U+0080 to U+009F in UTF-8) too; npos: none.
 std::size_t find_control(const std::string& text) {
@@ -29,7 +29,7 @@ std::size_t find_control(const std::string& text) {
   return std::string::npos;
 }
 
-/// Why a path is no file in a folder; nothing if it is one.
+/// Returns the reason why a path is no file in a folder; nothing if it is one.
 std::optional<std::string> fault_inside(const std::string& text) {
   const fs::path path(text);
   if (path.is_absolute()) return "an absolute path";

@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// What a name from outside is for.
+/// Purpose of a name from outside.
 enum class OutsideUse {
   kRead,    // a name, or any file of this machine: UTF-8 as it is, without control characters
   kInside,  // a file in a folder: also relative, without "..", no part of it begins with a dot
@@ -31,7 +31,7 @@ inline constexpr std::size_t kLongestOutsidePath = 4000;
 /// @throws InputError with the fault of the name, or if it leads out of a LinkFence
 [[nodiscard]] std::string linked_path(const std::string& folder, const std::string& name);
 
-/// Whether files in `folder` may name a file: false if a LinkFence stands between them.
+/// Returns whether files in `folder` may name a file: false if a LinkFence stands between them.
 [[nodiscard]] bool may_link(const std::string& folder, const std::string& path);
 
 /// Keeps what stands in a folder together for as long as it lives: files in a subfolder of it name

@@ -8,8 +8,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kTellingTime = 1.5;    // of work that says something of the pace [s]
-constexpr double kTellingShare = 0.02;  // likewise [1]
+constexpr double kTellingTime = 1.5;    // Work that determines the pace [s]
+constexpr double kTellingShare = 0.02;  // Share of the work that determines the pace [1]
 
 }  // namespace
 

@@ -18,11 +18,11 @@ class Pace {
   /// @param fraction  of the work that is done [1]
   void hear(double now, double fraction);
 
-  /// What the whole takes: from the beginning until now, and what is left; absent as left() is [s].
+  /// Returns the total duration: the time since the beginning plus left(); absent as left() is [s].
   [[nodiscard]] std::optional<double> whole() const;
 
-  /// What is left of it at the pace since the first report; absent until 1.5 s of work, and 2 % of
-  /// it, are done since [s].
+  /// Returns the remaining time at the pace since the first report; absent until 1.5 s of work, and
+  /// 2 % of it, are done since [s].
   [[nodiscard]] std::optional<double> left() const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace thenar {
 
-/// As many threads as were asked for; 0: as there are processors.
+/// Returns the number of threads: `asked`, or the number of processors if it is 0.
 [[nodiscard]] int threads_or_all(int asked);
 
 /// Calls work(k) once on each of so many threads, all of which hear the caller's stop; work(0) is

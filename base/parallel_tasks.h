@@ -15,7 +15,7 @@ struct ParallelTask {
   std::function<void(const Progress&)> work;  // writes to a place of its own; its progress is 0..1
 };
 
-/// Does all tasks, several at once, the longest first; returns when all are done. Reports their
+/// Runs all tasks, several at once, the longest first; returns when all are done. Reports their
 /// progress as that of the whole, one report at a time. Tasks that have not begun when the whole is
 /// asked to stop are left out.
 /// @throws the exception of one of the tasks that threw; tasks that have not begun then are left

@@ -6,7 +6,7 @@
 
 namespace thenar {
 
-/// What becomes of a folder that is there already.
+/// Treatment of a folder that exists already.
 enum class ExistingFolder { kIsClosed, kStays };
 
 /// Makes a folder and its missing parents, of mode 700.

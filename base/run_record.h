@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which run of the command wrote a file: what it was asked, where, by which sources, and when.
+/// Record of the run of the command that wrote a file: its arguments, folder, sources and time.
 
 #include <string>
 #include <vector>

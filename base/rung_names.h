@@ -16,8 +16,8 @@ namespace thenar {
 [[nodiscard]] Path path_named(const std::string& name);
 /// "via", "fitted", "wrapped"; "none" and "constant" of rungs that nobody asks for.
 [[nodiscard]] std::string name_of(Path path);
-/// What a result records of the paths that it was asked for: the name of the rung, or where it is
-/// left to subjects kSubjectsPaths.
+/// Returns the record of the requested paths in a result: the name of the rung, or kSubjectsPaths
+/// if subjects decide.
 [[nodiscard]] std::string asked_paths(const std::optional<Path>& asked);
 inline constexpr const char* kSubjectsPaths = "wrapped where surfaces are stated";
 

@@ -97,7 +97,7 @@ struct SinCos {
   V sine, cosine;
 };
 
-inline constexpr double kSinCosBound = 1e5;  // of |angle| for sin_cos() [rad]
+inline constexpr double kSinCosBound = 1e5;  // Largest |angle| for sin_cos() [rad]
 
 /// Sine and cosine to 1e-16, for |angle| <= kSinCosBound. V is any of the above.
 ///

@@ -17,13 +17,14 @@ class StopScope {
   using Request = std::function<bool()>;  // as Progress::stop_requested
 
   explicit StopScope(const Progress& progress) : StopScope(&progress.stop_requested) {}
-  /// Of another thread that works on the same. @param stop_requested  of its scope; null: none
+  /// Joins the scope of another thread that works on the same task.
+  /// @param stop_requested  of its scope; null: none
   explicit StopScope(const Request* stop_requested);
   ~StopScope();
   StopScope(const StopScope&) = delete;
   StopScope& operator=(const StopScope&) = delete;
 
-  /// What the scope of this thread asks; null where there is none.
+  /// Returns the request of this thread's scope; null where there is none.
   [[nodiscard]] static const Request* current();
 
  private:

@@ -14,8 +14,9 @@ using Eigen::Ref;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kLeastProximal = 1e-10;  // of the diagonal of A, which is 1
-constexpr int kNewtonRefinements = 2;
+// Least proximal term, over the diagonal of A, which is 1 [1]
+constexpr double kLeastProximal = 1e-10;
+constexpr int kNewtonRefinements = 2;  // Refinements of a Newton step with a small proximal term
 
 /// Unit vectors perpendicular to the unit vector d, two of three dimensions or one of two.
 Eigen::Matrix<double, 3, 2> perpendicular(const Vector3d& d, int tangents) {

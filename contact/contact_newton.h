@@ -23,7 +23,7 @@ namespace thenar::internal {
 /// singular. Quadratic near an answer; nothing is promised far from one.
 class ContactNewton {
  public:
-  /// Room for a problem of this size.
+  /// Allocates memory for a problem of this size.
   void assign(const ScaledContacts& contacts);
 
   /// One step from f, u to a new f and  u = A f + b.

@@ -13,7 +13,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Row = Eigen::Ref<const VectorXd>;
 
-constexpr double kSymmetryError = 1e-9;  // difference of mirrored entries of W over its largest
+// Largest difference of mirrored entries of W, over its largest entry [1]
+constexpr double kSymmetryError = 1e-9;
 
 void check_block(const ContactBlock& block) {
   require(block.law != ConstraintLaw::kBox || block.lower <= block.upper,

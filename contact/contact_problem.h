@@ -12,7 +12,7 @@
 
 namespace thenar {
 
-/// What the impulse f and the velocity u of a block of rows obey.
+/// Law that the impulse f and the velocity u of a block of rows obey.
 enum class ConstraintLaw {
   kBilateral,   // f free, u = 0: loops, couplings, locked joints
   kUnilateral,  // 0 <= f _|_ u >= 0: joint limits, contacts without friction
@@ -65,7 +65,7 @@ struct ContactProblem {
 /// @throws InputError unless shapes fit, all is finite and blocks are as their makers ask.
 void check_contact_problem(const ContactProblem& problem);
 
-/// How far impulses are from an answer, computed from W, b and f alone.
+/// Distance of impulses from an answer, computed from W, b and f alone.
 ///
 /// `natural` does not depend on units. With the scale s of a block's rows, 1 / sqrt(mean of its
 /// diagonal of W) (torsion rows times e first), f' = f / s and u' = s u have the unit sqrt(J), and
@@ -84,7 +84,8 @@ struct ContactResidual {
   double alignment = 0;        // ft . ut + mu fn |ut|: dissipation that is missing [J]
   double bilateral = 0;        // |u| of bilateral rows [m/s]
 
-  /// Whether `natural` is at most the tolerance, or the rounding where that is larger (up to 1e-8).
+  /// Returns whether `natural` is at most the tolerance, or the rounding where that is larger (up
+  /// to 1e-8).
   [[nodiscard]] bool is_within(double tolerance) const;
 };
 
@@ -94,13 +95,15 @@ struct ContactResidual {
 
 namespace internal {
 
-inline constexpr double kRoundings = 4;        // of doubles, in ContactResidual::rounding [1]
-inline constexpr double kMostRounding = 1e-8;  // that counts as an answer [1]
+// Roundings of a double that ContactResidual::rounding counts [1]
+inline constexpr double kRoundings = 4;
+// Largest rounding with which a residual still counts as an answer [1]
+inline constexpr double kMostRounding = 1e-8;
 
 /// Ends of the interval of a law with one row.
 [[nodiscard]] std::pair<double, double> ends_of(const ContactBlock& block);
 
-/// The same for callers that have room for the velocities.
+/// Computes contact_residual() for callers that already know the velocities.
 /// @param u  W f + b (n)
 [[nodiscard]] ContactResidual contact_residual_at(const ContactProblem& problem,
                                                   const Eigen::Ref<const Eigen::VectorXd>& f,

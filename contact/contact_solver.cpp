@@ -20,22 +20,25 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kToleranceShare = 0.5;  // of the tolerance: what scaling back may cost
-constexpr double kRoundingFrom = 1e-8;   // residual from which rounding may explain it
-constexpr double kRoundingGoal = 1e-14;  // residual that is not worth another step
-constexpr int kPolishSteps = 2;
-constexpr double kProgressRatio = 0.9;  // of the best residual: a fall that counts
-constexpr int kStalledSteps = 6;        // steps of Newton without such a fall
-constexpr int kFirstSweeps = 5;         // before Newton's second try; each try has twice as many
-constexpr int kMostRounds = 2;          // of sweeps and Newton, before interior points
-constexpr int kPivotTurns = 20;         // steps of Newton by pivots
-constexpr int kFrozenTurns = 20;        // of the fixed point on |ut|
-constexpr int kInteriorTurn = 40;       // steps of interior points in a turn
-constexpr int kMostRestarts = 20;       // from made-up impulses
-constexpr int kSweepsPerCheck = 5;      // of the residual
+constexpr double kToleranceShare = 0.5;  // Share of the tolerance that scaling back may cost [1]
+constexpr double kRoundingFrom = 1e-8;   // Residuals below this may be due to rounding [1]
+constexpr double kRoundingGoal = 1e-14;  // Residuals below this are not worth another step [1]
+constexpr int kPolishSteps = 2;          // Most Newton steps that polish an answer
+// A residual below this share of the best so far counts as progress [1]
+constexpr double kProgressRatio = 0.9;
+constexpr int kStalledSteps = 6;  // Newton steps without progress after which a try ends
+// Sweeps before Newton's second try; each further try has twice as many
+constexpr int kFirstSweeps = 5;
+constexpr int kMostRounds = 2;      // Most rounds of sweeps and Newton, before interior points
+constexpr int kPivotTurns = 20;     // Most Newton steps by pivots
+constexpr int kFrozenTurns = 20;    // Most turns of the fixed point on |ut|
+constexpr int kInteriorTurn = 40;   // Steps of interior points in one turn
+constexpr int kMostRestarts = 20;   // Most restarts from invented impulses
+constexpr int kSweepsPerCheck = 5;  // Sweeps between two checks of the residual
 constexpr std::uint64_t kRestartSeed = 1;
 
-/// Whether Newton's steps become more proximal where they do not lower the residual.
+/// Damping of Newton's steps: with kYes they become more proximal where they do not lower the
+/// residual.
 enum class Damped { kNo, kYes };
 constexpr double kLeastDamping = 0.3, kMostDamping = 10;  // stiffness over the residual [1]
 
@@ -157,7 +160,7 @@ bool ContactSolver::Workspace::run_sweeps(int sweeps) {
   return false;
 }
 
-/// From the best point found some sweeps, and Newton again.
+/// Tries sweeps from the best point found, and then Newton again.
 bool ContactSolver::Workspace::run_tries() {
   for (int k = 0; k < kMostRounds; ++k) {
     f() = best_room.head(contacts.rows());
@@ -166,7 +169,7 @@ bool ContactSolver::Workspace::run_tries() {
   return false;
 }
 
-/// From the best point found, steps with pivots on what bears.
+/// Takes Newton steps with pivots from the best point found, on the contacts that bear.
 bool ContactSolver::Workspace::run_pivots() {
   f() = best_room.head(contacts.rows());
   go_to(f());
@@ -247,8 +250,8 @@ bool ContactSolver::Workspace::run() {
   }
 }
 
-/// From an answer on to rounding, by steps of Newton that at least halve the residual: what it
-/// leaves over would add up from step to step.
+/// Improves an answer to rounding by Newton steps that at least halve the residual, because its
+/// errors would add up from step to step.
 void ContactSolver::Workspace::polish() {
   for (int k = 0; k < kPolishSteps && best > kRoundingGoal; ++k) {
     const double before = best;
@@ -274,8 +277,8 @@ void ContactSolver::Workspace::run_pyramid(const ContactProblem& problem) {
   solution.pyramid_residual = found.residual;
 }
 
-/// Whether a warm start is an answer. It is then the solution, bit for bit, unless polishing halves
-/// its residual.
+/// Returns whether a warm start is an answer. It is then the solution, bit for bit, unless
+/// polishing halves its residual.
 bool ContactSolver::Workspace::is_answer(const ContactProblem& problem,
                                          const Ref<const VectorXd>& warm_start) {
   solution.f = warm_start;

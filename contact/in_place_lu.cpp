@@ -10,7 +10,8 @@ using Eigen::Index;
 
 namespace {
 
-constexpr Index kLargeBlock = 200;  // rows of a block that takes long: a column of it, microseconds
+// Rows from which a block takes long: microseconds for each column
+constexpr Index kLargeBlock = 200;
 
 }  // namespace
 

@@ -14,12 +14,16 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
 
+// Share of the way to the boundary of the cones that a step takes [1]
 constexpr double kToBoundary = 0.99;
-constexpr double kLeastCentring = 1e-4, kMostCentring = 0.5;  // share of tau that is aimed at
-constexpr double kCorrectFrom = 0.1;  // step of the predictor from which its square counts
+// Least and largest share of tau at which a step aims [1]
+constexpr double kLeastCentring = 1e-4, kMostCentring = 0.5;
+// Step of the predictor from which its square is corrected [1]
+constexpr double kCorrectFrom = 0.1;
+// A shorter step is replaced by one away from the walls, aimed at this share of tau [1]
 constexpr double kShortStep = 0.1, kAwayFromWalls = 0.9;
-constexpr double kLeastFall = 1e-3;  // of the merit, for a whole step
-constexpr double kMostGrowth = 2;    // of tau
+constexpr double kLeastFall = 1e-3;  // Least relative fall of the merit for a whole step [1]
+constexpr double kMostGrowth = 2;    // Largest growth of tau in a step [1]
 constexpr int kMostHalvings = 12;
 
 /// u0^2 - |u1|^2 without cancellation of large squares.
@@ -302,8 +306,9 @@ void InteriorContact::find_step() {
   take_direction();
 }
 
-/// Half steps until the equations and tau have fallen together, or the equations for themselves
-/// about as a linear system's would, while tau has not grown much; false where none does.
+/// Halves the step until the equations and tau have fallen together, or the equations for
+/// themselves about as a linear system's would, while tau has not grown much; false where none
+/// does.
 bool InteriorContact::move_down(const ScaledContacts& contacts) {
   const double size = contacts.scale();
   const auto merit = [&] { return missing_ / size + tau_ / (size * size); };

@@ -21,7 +21,7 @@ namespace thenar::internal {
 /// Source: [Mehrotra1992] for predictor and corrector.
 class InteriorContact {
  public:
-  /// How |ut| of De Saxce's form enters.
+  /// Treatment of |ut| in De Saxce's form.
   enum class Coupling {
     kFull,   // as an unknown
     kFrozen  // as it is at the impulses given: a convex problem, one turn of a fixed point

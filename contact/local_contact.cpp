@@ -12,7 +12,7 @@ using Eigen::Vector4d;
 
 // Stiffness that holds what S does not determine near the former impulse; the diagonal of A is 1.
 constexpr double kLocalProximal = 1e-10;
-constexpr int kMostSecularSteps = 100;
+constexpr int kMostSecularSteps = 100;  // Most Newton steps on the secular equation
 
 /// ft and fn as functions of kappa, in the axes of S.
 struct Slip {

@@ -35,8 +35,8 @@ class LocalContact {
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
 };
 
-/// The same of an interval: the f in [lower, upper] nearest to  -q / A;  where A is 0, the end to
-/// which q leads, and `former` if there is none.
+/// Solves a block whose impulse has an interval: returns the f in [lower, upper] nearest to  -q /
+/// A;  where A is 0, the end to which q leads, and `former` if there is none.
 [[nodiscard]] double solve_interval(const ScaledBlock& block, double A, double q, double former);
 
 }  // namespace thenar::internal

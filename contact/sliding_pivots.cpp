@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kSlideShare = 1e-9;  // slip over the scale, from which it has a direction [1]
+constexpr double kSlideShare = 1e-9;  // Slip over the scale from which it has a direction [1]
 
 /// f = fixed + z  in bearing rows,  and  G f + g = 0  gives the rows that follow.
 struct States {

@@ -16,9 +16,9 @@ namespace {
 using Eigen::Vector3d;
 using Ends = Eigen::Matrix<double, 8, 1>;  // centres of both balls, then their radii [m]
 
-constexpr int kMostRounds = 100;
-constexpr double kSlopeStep = 1e-7;   // of finite differences [m]
-constexpr double kLeastGain = 1e-12;  // a smaller gain of the sum of squares ends the search [1]
+constexpr int kMostRounds = 100;      // Most rounds of the search
+constexpr double kSlopeStep = 1e-7;   // Step of finite differences [m]
+constexpr double kLeastGain = 1e-12;  // The search ends at a smaller gain of the sum of squares [1]
 
 ShapeSpec capsule_between(const Ends& ends) {
   const Vector3d from = ends.segment<3>(0), to = ends.segment<3>(3);

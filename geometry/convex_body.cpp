@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector3d;
 using Polygon = std::vector<Vector3d>;
 
-/// What of a polygon lies within a half space. @param cuts  gets the two points of its rim
+/// Returns the part of a polygon within a half space. @param cuts  gets the two points of its rim
 /// @param height  of each corner above the plane, 0 where it is on it [m]
 Polygon cut_polygon(const Polygon& polygon, const std::vector<double>& height, Polygon& cuts) {
   Polygon kept;

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d, Eigen::Vector3i;
 
-constexpr std::size_t kHolesTold = 8;  // in words; more are counted
+constexpr std::size_t kHolesTold = 8;  // Holes that are described; more are only counted
 
 using Edge = std::pair<int, int>;
 
@@ -105,7 +105,7 @@ TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<Vector3i
   return out;
 }
 
-/// Whether a triangle walks edge k of another in the same direction as this one.
+/// Returns whether a triangle walks edge k of another in the same direction as this one.
 bool same_way(const TriangleMesh& mesh, int t, int k, int other) {
   const int from = mesh.triangles(k, t), to = mesh.triangles((k + 1) % 3, t);
   for (int j = 0; j < 3; ++j)

@@ -24,7 +24,7 @@ struct MeshReport {
   int degenerate = 0;         // triangles whose corners coincide or are in line
   double volume = 0;          // enclosed, if there is no hole; negative: inside out [m^3]
 
-  /// Whether it is ready to bound a solid.
+  /// Returns whether it is ready to bound a solid.
   [[nodiscard]] bool watertight() const {
     return holes.empty() && nonmanifold_edges == 0 && reversed_edges == 0 && degenerate == 0;
   }

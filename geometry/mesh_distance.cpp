@@ -68,7 +68,7 @@ std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh, const Triangl
   return all;
 }
 
-constexpr double kOnSurface = 1e-12;  // [m]
+constexpr double kOnSurface = 1e-12;  // Points within this distance are on the surface [m]
 
 /// A surface that goes through itself nowhere: the side of its nearest feature decides.
 class MeshDistance final : public Shape {
@@ -193,7 +193,8 @@ class Recent {
   }
 
  private:
-  static constexpr Eigen::Index kMax = 200'000;  // triangles held when nobody uses them, 0.1 GB
+  // Most triangles of unused meshes that are kept, 0.1 GB
+  static constexpr Eigen::Index kMax = 200'000;
 
   std::mutex mutex_;
   std::unordered_map<std::string, std::weak_ptr<const Shape>> known_;  // by content

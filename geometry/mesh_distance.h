@@ -22,7 +22,7 @@ namespace thenar {
 /// @param mesh  watertight, outward, no triangle of no area: what build_solid() makes of meshes
 [[nodiscard]] std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh);
 
-/// Whether a shape is of build_mesh_distance(), and its surface goes through itself.
+/// Returns whether a shape is of build_mesh_distance(), and its surface goes through itself.
 [[nodiscard]] bool goes_through_itself(const Shape& shape);
 
 }  // namespace thenar

@@ -12,7 +12,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kFlatShare = 1e-6;  // of the extent, above the rounding of single precision [1]
+// Flat meshes are thinner, over the extent; above rounding of single precision [1]
+constexpr double kFlatShare = 1e-6;
 
 /// The corners that triangles use (3, n).
 Eigen::Matrix3Xd used_corners(const TriangleMesh& mesh) {

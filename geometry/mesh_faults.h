@@ -10,14 +10,14 @@
 
 namespace thenar {
 
-/// Whether all triangles lie in one plane, or on a line: no thickness beyond a millionth of
+/// Returns whether all triangles lie in one plane, or on a line: no thickness beyond a millionth of
 /// their extent, as files in single precision round.
 [[nodiscard]] bool is_flat(const TriangleMesh& mesh);
 
-/// Whether one of the shapes is a flat mesh.
+/// Returns whether one of the shapes is a flat mesh.
 [[nodiscard]] bool any_is_flat(const std::vector<ShapeSpec>& shapes);
 
-/// What is wrong where check_mesh() finds holes. Where it finds none, only `flat` and edges count.
+/// Faults of a mesh in which check_mesh() finds holes. Without holes only `flat` and edges count.
 struct MeshFaults {
   bool flat = false;   // is_flat(): no repair makes a solid of it; nothing else is counted then
   int holes = 0;       // of parts that would enclose something if they were closed

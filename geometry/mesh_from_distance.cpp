@@ -27,7 +27,7 @@ int edge_between(int a, int b) {
       return edge;
 }
 
-/// How the surface passes through a cell, by which of its corners are inside (bits).
+/// Patches of the surface in a cell, by the set of its corners that are inside (bits).
 struct Passage {
   int patches = 0;
   std::array<int, 12> patch_of_edge;  // -1: both ends on one side
@@ -131,7 +131,7 @@ class Grid {
   [[nodiscard]] bool inside(const Vector3i& node) const { return value(node) < 0; }
 
  private:
-  static constexpr int kBlockCubes = 6;
+  static constexpr int kBlockCubes = 6;  // Cubes along one edge of a block
 
   /// Far from the surface the middle of a block speaks for all of it.
   void fill_block(const Shape& solid, const Vector3i& low) {
@@ -195,7 +195,8 @@ class Mesher {
     return bits;
   }
 
-  /// Where the surface crosses an edge of the grid, were the distance linear.
+  /// Returns the point where the surface crosses an edge of the grid, as if the distance were
+  /// linear.
   [[nodiscard]] Vector3d crossing(const Vector3i& a, const Vector3i& b) const {
     const double share = grid_.value(a) / (grid_.value(a) - grid_.value(b));
     return grid_.at(a) + share * (grid_.at(b) - grid_.at(a));

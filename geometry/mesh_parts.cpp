@@ -21,8 +21,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFlatVolume = 1e-9;   // of the cube of the own diagonal [1]
-constexpr double kLostVolume = 1e-13;  // of the cube of the diagonal of the whole [1]
+// Parts with a smaller volume over their own diagonal cubed are slivers [1]
+constexpr double kFlatVolume = 1e-9;
+// Parts with a smaller volume over the whole diagonal cubed are slivers [1]
+constexpr double kLostVolume = 1e-13;
 
 /// @param number  of each vertex of the mesh, -1; left so
 TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangles,
@@ -59,7 +61,7 @@ struct Part {
   std::optional<internal::TriangleTree> tree = {};  // made when it is asked for
 };
 
-/// Whether a part lies within another, by the box and up to 64 of its vertices.
+/// Returns whether a part lies within another, by the box and up to 64 of its vertices.
 bool is_within(const Part& inner, Part& outer) {
   // The box first, then windings around some vertices.
   if (!outer.box.contains(inner.box)) return false;

@@ -19,14 +19,15 @@ namespace thenar {
 /// Diagonal of the box around the vertices of a mesh [m].
 [[nodiscard]] double diagonal_of(const TriangleMesh& mesh);
 
-/// Whether a closed surface encloses next to nothing: flat, thinner than 3e-5 of its length, or
-/// smaller than 5e-5 of what it is part of.
+/// Returns whether a closed surface encloses next to nothing: flat, thinner than 3e-5 of its
+/// length, or smaller than 5e-5 of what it is part of.
 /// @param volume  [m^3]
 /// @param own, whole  diagonals of the surface and of what it is part of [m]
 [[nodiscard]] bool is_sliver(double volume, double own, double whole);
 
-/// Why a mesh with holes bounds no solid: causes of describe(MeshFaults), and the holes if they are
-/// not left by these. @param found  check_mesh() of it
+/// Describes why a mesh with holes bounds no solid: causes of describe(MeshFaults), and the holes
+/// if they are not left by these.
+/// @param found  check_mesh() of it
 [[nodiscard]] std::string why_open(const TriangleMesh& mesh, const MeshReport& found);
 
 /// The solids whose union a mesh bounds. Triangles that face inwards are turned, those of no area
@@ -35,7 +36,7 @@ namespace thenar {
 /// @throws InputError if the mesh has no triangle, is flat, has holes (naming their cause), an edge
 /// of a part has more than two triangles, or a part encloses nothing.
 [[nodiscard]] std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh);
-/// The same; none where the mesh is refused.
+/// Returns solid_parts(); none where it would refuse the mesh.
 [[nodiscard]] std::vector<TriangleMesh> solids_or_none(const TriangleMesh& mesh);
 
 }  // namespace thenar

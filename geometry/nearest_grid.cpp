@@ -14,13 +14,14 @@ using PerCorner = Eigen::Array<double, 8, 1>;
 
 namespace {
 
-constexpr double kMaxCells = 1e5;
-constexpr double kGridMargin = 1;  // cubes reach so far beyond the mesh, in its longest sides
-constexpr double kInVain = 0.7;    // of its candidates, what dividing must leave out
-constexpr std::size_t kFewCandidates = 32;  // candidates that need not be divided
-constexpr std::size_t kMax = 64;            // candidates that are not searched for by the tree
-constexpr int kTreeCandidates =
-    24;  // candidates looked through in the time of a search by the tree
+constexpr double kMaxCells = 1e5;  // Most cells of the grid; the mesh gets a quarter
+constexpr double kGridMargin = 1;  // Margin of the cubes around the mesh, over its longest side [1]
+// Dividing is in vain if it leaves more than this share of the candidates [1]
+constexpr double kInVain = 0.7;
+constexpr std::size_t kFewCandidates = 32;  // So few candidates are not divided
+constexpr std::size_t kMax = 64;            // With more candidates the tree is searched instead
+// Candidates that are tested in the time of one search by the tree
+constexpr int kTreeCandidates = 24;
 
 /// The edge of a smallest cube: about that of a triangle.
 double cell_of(const TriangleTree& tree) {
@@ -37,7 +38,7 @@ FootPoint foot_on(const TriangleForm& form, const Vector3d& p) {
   return foot;
 }
 
-/// Takes the point of a triangle nearest to p if it is nearer than the best so far.
+/// Keeps the point of a triangle nearest to p if it is nearer than the best so far.
 void keep_nearer(const TriangleForm& form, const Vector3d& p, FootPoint& best) {
   FootPoint foot;
   if (form.find_foot(p, best.squared, foot) && foot.squared < best.squared) best = foot;

@@ -56,7 +56,7 @@ class NearestGrid {
       Divided* divided;
     };
   };
-  /// What stands in place of a cube that is too large.
+  /// Eight smaller cells that replace a cube that is too large.
   struct Divided {
     std::array<Cell, 8> cells;
     std::vector<int> triangles;  // that may be nearest, the nearest to the centre first

@@ -157,7 +157,7 @@ class Ellipsoid final : public Shape {
   };
   static double sq(double a) { return a * a; }
 
-  /// With s = t + least^2, so that nothing is lost near the root's pole.
+  /// Finds the foot of y, with s = t + least^2, so that no digits are lost near the root's pole.
   [[nodiscard]] Foot find_foot(const Vector3d& y) const {
     // A start to the left of the root.
     const Vector3d ey = e_.cwiseProduct(y);

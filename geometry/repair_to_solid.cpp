@@ -109,7 +109,7 @@ TriangleMesh best_welded(const TriangleMesh& mesh) {
 /// Vertices of open edges, by x.
 using Loose = std::multimap<double, int>;
 
-/// Those within `near` of the inside of an edge, along it.
+/// Returns the vertices within `near` of the inside of an edge, in order along it.
 std::vector<int> vertices_on(const TriangleMesh& mesh, const Loose& loose, int a, int b,
                              double near) {
   // The edge, and loose vertices whose x lies in its range.
@@ -202,7 +202,7 @@ TriangleMesh without_walls(const TriangleMesh& mesh) {
   return with(mesh, kept);
 }
 
-/// What was done, in words.
+/// Description of the repairs that were made.
 class Done {
  public:
   void add(int count, const std::string& what) {
@@ -342,8 +342,8 @@ RepairedSolid repair_to_solid(const TriangleMesh& mesh) {
       !is_flat(mesh),
       "the mesh is flat: all its triangles lie in one plane, and no repair gives it a thickness");
   // Large meshes are kept on disk with the words of their repair.
-  constexpr Eigen::Index kManyTriangles =
-      2000;  // triangles, which take longer to mend than to look up
+  // Triangles from which mending takes longer than looking up
+  constexpr Eigen::Index kManyTriangles = 2000;
   if (mesh.triangles.cols() < kManyTriangles) return mended(mesh);
   const std::string input = bytes_of(mesh), kind = "mended mesh 2";
   if (const std::optional<std::string> entry = kept(kind, input)) {

@@ -53,8 +53,8 @@ MassProperties capsule(double r, double height) {
   return body;
 }
 
-/// With B the beta function, by Dirichlet's integrals over  x = a cos^e1 cos^e2, y = b cos^e1
-/// sin^e2, z = c sin^e1:
+/// Mass properties of a superellipsoid, with B the beta function, by Dirichlet's integrals over  x
+/// = a cos^e1 cos^e2, y = b cos^e1 sin^e2, z = c sin^e1:
 ///   volume = 2 abc e1 e2 B(e1/2, e1 + 1) B(e2/2, e2/2 + 1),
 ///   integral of x^2 = 1/2 a^3 bc e1 e2 B(3/2 e2, e2/2) B(e1/2, 2 e1 + 1),  of y^2 alike,
 ///   integral of z^2 = 2 ab c^3 e1 e2 B(e2/2, e2/2 + 1) B(3/2 e1, e1 + 1).
@@ -132,15 +132,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kTreeDepth = 7;         // cubes of the tree are halved so often
-constexpr int kFirstDepth = 3;        // and at least so often
-constexpr double kTouchShare = 1e-9;  // of the extent: what parts may touch by without overlapping
-constexpr double kMaxFaces = 5e6;     // of convex parts that are cut out of each other
-constexpr double kFaceLook = 0.3;     // at such a face, in looks at distances
-constexpr std::size_t kFewParts = 2000;  // that are compared in pairs
-constexpr double kMaxLooks = 1e7;        // at distances of primitives to middles of cubes
-constexpr double kMeshLook = 10;         // at one of a mesh or superellipsoid, which takes longer
-constexpr int kCoarseDepth = 4;          // for what no closed form weighs, where work is too much
+constexpr int kTreeDepth = 7;         // Most halvings of the cubes of the tree
+constexpr int kFirstDepth = 3;        // Fewest halvings of the cubes
+constexpr double kTouchShare = 1e-9;  // Parts that overlap by less only touch, over the extent [1]
+constexpr double kMaxFaces = 5e6;     // Most faces of convex parts that are cut out of each other
+constexpr double kFaceLook = 0.3;     // Cost of one such face, in evaluations of a distance [1]
+constexpr std::size_t kFewParts = 2000;  // Most parts that are compared in pairs
+// Most evaluations of distances of primitives at middles of cubes
+constexpr double kMaxLooks = 1e7;
+// Cost of a distance of a mesh or superellipsoid, in those of a primitive [1]
+constexpr double kMeshLook = 10;
+constexpr int kCoarseDepth = 4;  // Halvings for parts without a closed form, where work is too much
 
 /// One of the shapes whose union is asked for.
 struct UnionPart {
@@ -183,7 +185,7 @@ UnionPart part_of(const ShapeSpec& spec) {
   return part;
 }
 
-/// Whether two parts are the same points.
+/// Returns whether two parts are the same points.
 bool is_same(const ShapeSpec& a, const ShapeSpec& b) {
   return a.kind == b.kind && a.size == b.size && a.exponents == b.exponents &&
          a.X_BS.p == b.X_BS.p && a.X_BS.R == b.X_BS.R &&
@@ -225,7 +227,7 @@ std::vector<UnionPart> parts_of(const std::vector<ShapeSpec>& shapes) {
   return parts;
 }
 
-/// What two boxes have in common; of those that only touch, nothing.
+/// Returns the intersection of two boxes; empty if they only touch.
 Eigen::AlignedBox3d common_box(const UnionPart& a, const UnionPart& b) {
   if (!a.box.intersects(b.box)) return {};
   const Eigen::AlignedBox3d box = a.box.intersection(b.box);
@@ -295,7 +297,7 @@ class CubeSum {
   CubeSum(const std::vector<const UnionPart*>& parts, bool excess, int depth, double looks)
       : parts_(parts), excess_(excess), depth_(depth), left_(looks) {}
 
-  /// Whether it got to the end; else what it summed means nothing.
+  /// Returns whether it got to the end; else what it summed means nothing.
   [[nodiscard]] bool complete() const { return left_ >= 0; }
   /// Looks that it did not take.
   [[nodiscard]] double left() const { return left_; }
@@ -346,7 +348,7 @@ class CubeSum {
     }
   }
 
-  /// In a smallest cube, each part is what lies below the plane nearest to the middle.
+  /// Adds a smallest cube, in which each part is the space below the plane nearest to the middle.
   void add_cut(const Eigen::AlignedBox3d& box, const std::vector<const UnionPart*>& through,
                int whole) {
     // Each part as the cube below its nearest plane.
@@ -372,7 +374,8 @@ class CubeSum {
       for (const ConvexBody& body : filled) sum_ += moments_of(body);
   }
 
-  static constexpr double kPassWeight = 0.1;  // what passing by a part counts
+  // Cost of passing by a part, in evaluations of a distance [1]
+  static constexpr double kPassWeight = 0.1;
 
   const std::vector<const UnionPart*>& parts_;
   bool excess_;
@@ -401,7 +404,8 @@ struct Summed {
   double error = 0;  // [m^3]
 };
 
-/// Of a part without a closed form, by coarse cubes; where they take too long, of its box.
+/// Computes the moments of a part without a closed form by coarse cubes; if these take too long,
+/// returns the moments of its box.
 Moments coarse_moments(const UnionPart& part, double looks) {
   const std::vector<const UnionPart*> alone{&part};
   CubeSum cubes(alone, false, kCoarseDepth, looks);

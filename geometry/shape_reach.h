@@ -1,6 +1,6 @@
 #pragma once
 
-/// How far a solid reaches from a point.
+/// Largest distance of a solid's points from a given point.
 
 #include <Eigen/Core>
 

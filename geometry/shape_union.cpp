@@ -97,9 +97,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMaxParts = 64;
+constexpr std::size_t kMaxParts = 64;  // Most parts of a smooth union
 
-/// What equal distances of `parts` shapes lose in the blend, per blend.
+/// Returns the most by which the blend reduces equal distances of `parts` shapes, over the blend
+/// [1].
 double largest_fillet(std::size_t parts) {
   double loss = 0;
   for (std::size_t i = 1; i < parts; ++i) loss += (1 - loss) * (1 - loss) / 4;

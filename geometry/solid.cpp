@@ -21,7 +21,7 @@ using Eigen::Vector2d, Eigen::Vector3d;
 // Sizes and places beyond these are of no thing that a hand meets, and lose all their digits.
 constexpr double kLeastSize = 1e-9, kLargestSize = 1e6;  // [m]
 
-/// How many entries of `size` a kind uses.
+/// Returns the number of entries of `size` that a kind uses.
 int sizes_of(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::kSphere:
@@ -132,7 +132,8 @@ double touch_tolerance(const Shape& shape) {
   return std::max(2e-5, 1.5e-4 * shape.bounds().sizes().maxCoeff());
 }
 
-/// What a ball sweeps, if the shape is such a thing; else its surface.
+/// Returns the core of a shape that a ball sweeps along it, with the ball's radius; for other
+/// shapes their surface.
 RoundedMesh touch_of(const ShapeSpec& spec, const Shape& shape) {
   RoundedMesh touch;
   // Spheres and capsules keep their core; others are tessellated.

@@ -70,7 +70,8 @@ class Norm {
     return Vector3d(whole.x() * disc.x(), whole.x() * disc.y(), whole.y()).cwiseQuotient(inverse_);
   }
 
-  /// With T = N^q = s^(q/p) + (z/c)^q, s = (x/a)^p + (y/b)^p.
+  /// Computes the norm N and its derivatives, with T = N^q = s^(q/p) + (z/c)^q, s = (x/a)^p +
+  /// (y/b)^p.
   [[nodiscard]] Value value(const Vector3d& x) const {
     // So near a plane of symmetry that powers would underflow is on it.
     Vector3d u = x.cwiseProduct(inverse_);
@@ -192,12 +193,13 @@ Bound settle(const Norm& norm, const Vector3d& p, Bound best, int most, double e
   return best;
 }
 
-/// What the tessellation is made from: distances by the norm alone.
+/// Shape for the tessellation, with distances by the norm alone.
 class Rough final : public Shape {
  public:
   Rough(const Norm& norm, Vector3d semi_axes) : norm_(norm), semi_axes_(std::move(semi_axes)) {}
   [[nodiscard]] double distance(const Vector3d& p) const override { return nearest(p).distance; }
-  /// Towards the origin, by as much as lies between p and the surface along its normal.
+  /// Returns the nearest surface towards the origin, at the distance between p and the surface
+  /// along its normal.
   [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
     const Norm::Value at = norm_.value(p.cwiseAbs());
     const Vector3d sign = p.unaryExpr([](double a) { return std::copysign(1.0, a); });
@@ -229,8 +231,10 @@ class Superellipsoid final : public Shape {
   double accuracy() const override { return 2.1 * kTessellation * size_; }
 
  private:
-  static constexpr double kTessellation = 1.4e-4;  // its error, by the largest semi-axis
-  static constexpr double kEnough = 1e-12;         // gap that counts as none, by the same
+  // Error of the tessellation, over the largest semi-axis [1]
+  static constexpr double kTessellation = 1.4e-4;
+  // Smaller gaps count as none, over the largest semi-axis [1]
+  static constexpr double kEnough = 1e-12;
 
   static TriangleMesh octant(const Norm& norm, const Vector3d& semi_axes, double tolerance) {
     return tessellate_octant(Rough(norm, semi_axes), tolerance);

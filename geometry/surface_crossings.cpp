@@ -10,11 +10,11 @@ namespace {
 
 using Eigen::Vector3d, Eigen::Vector3i;
 
-constexpr double kMeetingDistance =
-    1e-10;  // of the mesh's extent: distance of triangles that meet [1]
-constexpr std::size_t kMostPairs = 100;  // a triangle that are compared; else all count as meeting
-constexpr double kFoldAngle =
-    1e-7;  // largest angle between neighbours that lie on each other [rad]
+// Triangles within this distance meet, over the mesh's extent [1]
+constexpr double kMeetingDistance = 1e-10;
+// Most pairs per triangle that are compared; beyond it all count as meeting
+constexpr std::size_t kMostPairs = 100;
+constexpr double kFoldAngle = 1e-7;  // Neighbours within this angle lie on each other [rad]
 
 /// The part of a segment, as shares of its length, where a linear function is at most `most`.
 struct PartBelow {
@@ -36,7 +36,7 @@ struct PartBelow {
   [[nodiscard]] bool empty() const { return from > to; }
 };
 
-/// Whether a segment comes within `near` of a triangle [m].
+/// Returns whether a segment comes within `near` of a triangle [m].
 bool meets(const TriangleForm& form, const Vector3d& p, const Vector3d& q, double near) {
   // Between the two planes beside the triangle's, then inside its three edges.
   const double at_p = form.normal.dot(p - form.corner[0]);
@@ -146,7 +146,7 @@ class CrossingSearch {
     return false;
   }
 
-  /// Whether a neighbour's third corner lies over the triangle.
+  /// Returns whether a neighbour's third corner lies over the triangle.
   static bool folded(const TriangleForm& a, const std::array<bool, 3>& shared_a,
                      const TriangleForm& b, const std::array<bool, 3>& shared_b) {
     const auto alone = [](const std::array<bool, 3>& shared) {

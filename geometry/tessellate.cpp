@@ -30,7 +30,7 @@ struct Growing {
   }
 };
 
-/// Where a ray from the origin leaves the solid.
+/// Returns the point where a ray from the origin leaves the solid.
 Vector3d on_ray(const Shape& convex, const Vector3d& direction) {
   double inside = 0, outside = convex.bounds().sizes().norm();
   for (int i = 0; i < 30; ++i) {

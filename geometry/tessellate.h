@@ -26,8 +26,8 @@ namespace thenar {
 /// @param radius, tolerance  [m]
 [[nodiscard]] int sides_of_circle(double radius, double tolerance);
 
-/// What the corners of that polygon must stand outside, relative to the radius
-/// [1].
+/// Returns the distance by which the corners of this polygon stand outside the circle, over its
+/// radius [1].
 [[nodiscard]] double outside_by(int sides);
 
 /// Triangles within about `tolerance` of a convex solid around the origin, to

@@ -66,7 +66,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as triangles are halved
 int TriangleTree::build(int first, int last, const std::vector<Eigen::AlignedBox3d>& boxes) {
-  constexpr int kLeafTriangles = 3;
+  constexpr int kLeafTriangles = 3;  // Most triangles of a leaf
   // Box of the node and of its triangles' centres.
   const int here = static_cast<int>(nodes_.size());
   nodes_.push_back({{}, first, 0, 0});

@@ -97,7 +97,7 @@ class TriangleTree {
   /// Replaces `best` by triangle i if that is nearer.
   void ask(int i, const Eigen::Vector3d& p, NearestTriangle& best) const;
 
-  /// In the order of forms(): the mesh's triangle that stands there.
+  /// Returns for each of forms() the number of the mesh's triangle.
   [[nodiscard]] const std::vector<int>& order() const { return order_; }
   /// Neighbours in space are neighbours in memory.
   [[nodiscard]] const std::vector<TriangleForm>& forms() const { return forms_; }

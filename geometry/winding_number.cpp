@@ -15,7 +15,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kGrazingShare = 1e-11;  // of the products whose difference it is: no area [1]
+// Differences below this share of their products are no area [1]
+constexpr double kGrazingShare = 1e-11;
 
 struct Ray {
   Vector3d from;
@@ -62,7 +63,7 @@ struct Ray {
   }
 };
 
-/// Nothing if the ray passes an edge.
+/// Returns the winding number along a ray; nothing if the ray passes an edge.
 std::optional<int> along(const TriangleTree& tree, const Ray& ray) {
   std::array<int, 64> stack{};  // as deep as the tree of 2^63 triangles
   int waiting = 0, sum = 0;

@@ -5,7 +5,7 @@
 namespace thenar {
 namespace {
 
-/// Does hinge i move link j?
+/// Returns whether hinge i moves link j.
 bool moves(const Tree<double>& tree, int i, int j) {
   while (j > i) j = tree[j].parent;
   return i == j;
@@ -23,14 +23,14 @@ class MovedAxis {
     if (hinge_.parent >= 0) R_parent_ = question.state[hinge_.parent].X.R;
   }
 
-  /// Of a point beyond the hinge.
+  /// Derivative of a point beyond the hinge.
   [[nodiscard]] ByAxis point(const Eigen::Vector3d& x) const {
     ByAxis D = direction(x - state_.point);
     D.rightCols<3>() = R_parent_ - state_.X.R;
     return D;
   }
 
-  /// Of a direction beyond the hinge.
+  /// Derivative of a direction beyond the hinge.
   [[nodiscard]] ByAxis direction(const Eigen::Vector3d& now) const {
     const Eigen::Vector3d& d = hinge_.direction;
     // Derivative of Rodrigues' formula by a tilt of the axis.
@@ -44,7 +44,7 @@ class MovedAxis {
     return D;
   }
 
-  /// Of the direction of hinge j now.
+  /// Derivative of the present direction of hinge j.
   [[nodiscard]] ByAxis axis_of(int j) const {
     // Hinges nearer the base do not move; those beyond move as directions do.
     if (!moves(question_.tree, question_.hinge, j)) return ByAxis::Zero();
@@ -54,7 +54,7 @@ class MovedAxis {
     return D;
   }
 
-  /// Of the point of hinge j now.
+  /// Derivative of the present point of hinge j.
   [[nodiscard]] ByAxis point_of(int j) const {
     // Hinges nearer the base do not move; those beyond move as points do.
     if (!moves(question_.tree, question_.hinge, j)) return ByAxis::Zero();

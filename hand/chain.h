@@ -66,7 +66,7 @@ void pose_tree_over(const Tree<T>& tree, const Q& q, TreeState<T>& state) {
   }
 }
 
-/// The same as a value.
+/// Returns the state of a tree at posture q, as pose_tree_over() writes it.
 template <typename T, typename Q>
 [[nodiscard]] TreeState<T> pose_tree(const Tree<T>& tree, const Q& q) {
   TreeState<T> state;

@@ -22,7 +22,7 @@ struct Reactions {
   std::vector<int> non_backdrivable;  // coordinates whose drive cannot be driven back: worm gears
 };
 
-/// How far the torques of a hand can be trusted, from good to bad.
+/// Reliability of the torques of a hand, from good to bad.
 enum class ActuationStatus {
   kExact,       // torque is linear in the efforts
   kLinearised,  // torque is not linear in the efforts: B u is exact at u = 0 and at one effort,

@@ -47,7 +47,7 @@ SimTK::Body::Rigid rigid_body(const LinkMass& body) {
       SimTK::MassProperties(body.mass, com, central.shiftFromMassCenter(-com, body.mass)));
 }
 
-/// Which links move something that has mass.
+/// Returns for each link whether it moves a mass (links).
 std::vector<bool> carries_mass(const Skeleton& skeleton) {
   std::vector<bool> carries(skeleton.tree.size());
   for (int i = static_cast<int>(skeleton.tree.size()) - 1; i >= 0; --i) {

@@ -12,7 +12,7 @@
 
 namespace thenar {
 
-/// Whether the passive springs and dampers of the joints act.
+/// Switch of the passive springs and dampers of the joints.
 enum class Passive {
   kOff,  // only the torques and loads that are handed in
   kOn    // plus  -stiffness (q - rest) - damping q_dot  at every coordinate

@@ -26,7 +26,7 @@ inline constexpr double kStraightPast = 12;
 /// Energy stored, 0 at rest, whose derivative is minus the moment [J].
 [[nodiscard]] double passive_energy(const CoordinateLimits& limits, double q);
 
-/// Whether a coordinate of the skeleton has a passive moment.
+/// Returns whether a coordinate of the skeleton has a passive moment.
 [[nodiscard]] bool has_passive(const Skeleton& skeleton);
 
 }  // namespace thenar

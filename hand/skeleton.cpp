@@ -152,8 +152,8 @@ class Builder {
     if (leader.stiffness > 0) leader.rest = moment / leader.stiffness;
   }
 
-  /// Takes what a follower's own range does not allow off the range of its leader; a joint without
-  /// a range allows all.
+  /// Narrows the range of a leader to the range that its follower allows; a joint without a range
+  /// allows all.
   static void narrow(CoordinateLimits& leader, const JointAxis& joint, const Coupling& by) {
     if (by.ratio == 0 || joint.upper - joint.lower > 2 * kPi - 1e-9) return;
     // The follower's range, seen from the leader.

@@ -13,7 +13,8 @@
 
 namespace thenar {
 
-/// Which part of the subject to build. Segments across a frozen joint are welded.
+/// Options of a skeleton: the part of the subject to build. Segments across a frozen joint are
+/// welded.
 struct SkeletonOptions {
   std::vector<std::string> digits;       // digits to keep; empty: all
   std::map<std::string, double> frozen;  // joint -> the angle it is frozen at [rad]
@@ -107,7 +108,7 @@ inline constexpr double kHandDensity = 1160;
 /// Mass of two bodies moving as one (parallel-axis theorem).
 [[nodiscard]] LinkMass combine(const LinkMass& a, const LinkMass& b);
 
-/// The same body after a displacement.
+/// Returns the body after a displacement.
 [[nodiscard]] LinkMass displace(const Pose<double>& X, const LinkMass& body);
 
 }  // namespace thenar

@@ -15,7 +15,7 @@ struct TorqueLimits {
   Eigen::VectorXd upper;  // [N m] (coordinates)
 };
 
-/// How a hand closes: its drives, the posture it starts from and its approach direction.
+/// Closing synergy of a hand: its drives, the posture it starts from and its approach direction.
 struct ClosingSynergy {
   std::vector<Drive> drives;
   PalmApproach approach;

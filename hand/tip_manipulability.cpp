@@ -35,7 +35,7 @@ TipManipulability tip_manipulability(const Eigen::Ref<const Eigen::Matrix3Xd>& J
 
 std::optional<Eigen::Vector3d> plane_normal(const Eigen::Ref<const Eigen::Matrix3Xd>& J,
                                             const Eigen::Ref<const Eigen::Matrix3Xd>& W) {
-  constexpr double kRounding = 1e-12;  // of unit axes turned by a few rotations [1]
+  constexpr double kRounding = 1e-12;  // Rounding of unit axes turned by a few rotations [1]
   std::optional<Eigen::Vector3d> normal;
   for (Eigen::Index k = 0; k < W.cols(); ++k) {
     const double turns = W.col(k).norm();

@@ -31,7 +31,7 @@ struct TipManipulability {
 /// @throws InputError if J is empty or not finite.
 [[nodiscard]] TipManipulability tip_manipulability(const Eigen::Ref<const Eigen::Matrix3Xd>& J);
 
-/// The same of a tip that also turns. Where all axes are parallel, the tip moves in a plane,
+/// Mobility of a tip that also turns. Where all axes are parallel, the tip moves in a plane,
 /// whatever the posture, and its condition is that of the two directions in the plane.
 /// @param W  tip rotation Jacobian, world frame   3 x n  [1]
 [[nodiscard]] TipManipulability tip_manipulability(const Eigen::Ref<const Eigen::Matrix3Xd>& J,

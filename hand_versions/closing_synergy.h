@@ -27,7 +27,7 @@ namespace thenar {
 [[nodiscard]] Eigen::VectorXd max_flexor_tensions(const std::vector<std::string>& actuators,
                                                   const Actuation& actuation);
 
-/// The same at the hand's zero posture, or at its nearest limits.
+/// Returns the tensions at the hand's zero posture, or at its nearest limits.
 [[nodiscard]] Eigen::VectorXd max_flexor_tensions(const Hand& hand);
 
 /// Closing by tendon excursion: the flexors (FDS and FDP, or FPL) pull with tensions in the ratio

@@ -37,7 +37,8 @@ class HandActuator {
   /// Forgets the state.
   void reset();
 
-  /// Of one digit, to keep its nodes or go on from others; null: it has no muscles.
+  /// Returns the actuator of one digit, to keep its nodes or continue from others; null: it has no
+  /// muscles.
   [[nodiscard]] TendonActuator* digit(std::size_t i) { return digits_[i].get(); }
 
  private:

@@ -83,7 +83,7 @@ struct HumanTendons {
 /// Names of the versions, in the order of HumanVersion: "orthogonal", "skewed", "soft", "tendons".
 [[nodiscard]] const std::vector<std::string>& human_versions();
 
-/// Whether a word names a version, by its name or its old one.
+/// Returns whether a word names a version, by its name or its old one.
 [[nodiscard]] bool is_human_version(const std::string& name);
 
 /// The version of that name, or of its old one, "tier1" .. "tier4".

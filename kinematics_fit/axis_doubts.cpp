@@ -12,7 +12,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kTraded = 0.8;  // correlation [1]
+constexpr double kTraded = 0.8;  // Estimates with a larger correlation trade against each other [1]
 
 /// Entries of a specimen, the population's and its own, that move parameters of one kind.
 std::vector<int> entries_of_kind(const FitCoordinates& coordinates, ParameterKind kind) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a fit could not tell of joint axes.
+/// Doubts about joint axes that a fit leaves open.
 
 #include <string>
 #include <vector>

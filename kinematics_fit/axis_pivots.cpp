@@ -13,9 +13,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFar = 0.01;  // from the middle of the tendons, about a finger's radius [m]
-constexpr double kFarFromAxes = 0.015;  // the same of the axes beside it, which tell less [m]
-constexpr double kAcross = 0.5;         // sine of the angle from which axes are not parallel [1]
+// Largest distance of a point from the middle of the tendons, about a finger's radius [m]
+constexpr double kFar = 0.01;
+// Largest distance from the place nearest to the axes beside it, which tell less [m]
+constexpr double kFarFromAxes = 0.015;
+constexpr double kAcross = 0.5;  // Least sine of the angle between axes that are not parallel [1]
 
 /// Segments that a joint moves.
 std::set<std::string> moved_by(const Subject& subject, const JointAxis& joint) {
@@ -25,8 +27,8 @@ std::set<std::string> moved_by(const Subject& subject, const JointAxis& joint) {
   return moved;
 }
 
-/// How far along the axis, from its point, the run from a to b passes it [m]; NaN of one parallel
-/// to it.
+/// Returns the position along the axis, from its point, at which the run from a to b passes it [m];
+/// NaN for a run parallel to the axis.
 double passing(const JointAxis& joint, const Vector3d& a, const Vector3d& b) {
   const Vector3d run = b - a;
   const Vector3d across = run - run.dot(joint.direction) * joint.direction;
@@ -37,7 +39,8 @@ double passing(const JointAxis& joint, const Vector3d& a, const Vector3d& b) {
   return (a + part * run - joint.point).dot(joint.direction);
 }
 
-/// Along an axis from its point, the middle of the tendons that cross it; nothing if no path does.
+/// Returns the middle of the tendons that cross an axis, along it from its point [m]; nothing if no
+/// path crosses it.
 std::optional<double> middle_of_tendons(const Subject& subject, const JointAxis& joint) {
   const std::set<std::string> moved = moved_by(subject, joint);
   double lowest = HUGE_VAL, highest = -HUGE_VAL;
@@ -58,8 +61,9 @@ std::optional<double> middle_of_tendons(const Subject& subject, const JointAxis&
   return (lowest + highest) / 2;
 }
 
-/// Along joint i of a chain from its point, the place nearest to the axes next to it, in least
-/// squares; nearest to the tip if these are about parallel to it. No stated point counts.
+/// Returns the place along joint i of a chain, from its point, that is nearest to the axes next to
+/// it [m], in least squares; nearest to the tip if these are about parallel to it. No stated point
+/// counts.
 double nearest_to_chain(const std::vector<const JointAxis*>& chain, std::size_t i,
                         const Vector3d& tip) {
   const JointAxis& joint = *chain[i];

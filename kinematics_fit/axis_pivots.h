@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where on its axis a joint's tilt turns.
+/// Pivots of tilt: the points of joint axes about which a fit tilts the axes.
 
 #include <string>
 

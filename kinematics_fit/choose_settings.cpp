@@ -9,9 +9,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kBetter = 1e-3;  // gain below which a choice stays as it is [nat]
+constexpr double kBetter = 1e-3;  // Least gain that changes a choice [nat]
 
-/// How well left-out forces are predicted.
+/// Score of the predictions of left-out forces.
 struct LeftOutScore {
   double loss = 0;   // [nat]
   double error = 0;  // relative [1]

@@ -18,7 +18,7 @@ struct TriedSettings {
   double error;                     // the same of the relative error alone [1]
 };
 
-/// What was chosen, and on what grounds.
+/// Result of choose_settings(): the chosen settings, and the scores of all tried settings.
 struct ChosenSettings {
   FitSettings settings;              // with the choices in force
   std::vector<LeaveOut> by;          // postures; and specimens, where there are several
@@ -41,11 +41,11 @@ struct ChosenSettings {
                                              const std::vector<std::string>& also_free = {},
                                              const SolveOptions& options = {});
 
-/// The same trials under other settings.
+/// Returns the problem with the same trials under other settings.
 [[nodiscard]] FitProblem with_settings(const FitProblem& problem, const FitSettings& settings,
                                        const std::vector<std::string>& also_free = {});
 
-/// What a fold chose.
+/// Settings that one fold chose.
 struct FoldChoice {
   std::string fold;
   ChosenSettings settings;

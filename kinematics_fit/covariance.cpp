@@ -12,7 +12,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kNullCurvature = 1e-9;  // of data, per prior curvature: nothing is learnt [1]
+// Curvature of data over that of the prior below which nothing is learnt [1]
+constexpr double kNullCurvature = 1e-9;
 
 using Direction = Eigen::SparseVector<double>;
 
@@ -170,7 +171,8 @@ Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd
   name_nulls(data.layout, null_directions, names, out.null_directions);
 
   // Estimates, entry by entry.
-  constexpr double kOnBound = 1e-6;  // interior-point solvers stop a little short [1]
+  // Distance at which z is at a bound: interior-point solvers stop a little short [1]
+  constexpr double kOnBound = 1e-6;
   for (Eigen::Index i = 0; i < z.size(); ++i) {
     const bool at_bound = z[i] < problem.coordinates().lower()[i] + kOnBound ||
                           z[i] > problem.coordinates().upper()[i] - kOnBound;

@@ -16,7 +16,7 @@ bool loads(const Trial& trial, const std::string& muscle) {
   return found != trial.tension.end() && found->second > 0;
 }
 
-/// Is the trial in the fold?
+/// Returns whether the trial is in the fold.
 bool in_fold(LeaveOut what, const std::string& fold, const Experiment& experiment,
              const Trial& trial) {
   if (what == LeaveOut::kPosture) return trial.posture == fold;

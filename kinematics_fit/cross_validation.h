@@ -26,7 +26,7 @@ struct CrossValidation {
   int not_converged = 0;                // folds done whose fit did not converge [1]
 };
 
-/// What is done with the trials that a fold keeps before they are fitted, such as a choice of
+/// Function that prepares the trials that a fold keeps before they are fitted, such as a choice of
 /// settings.
 using PrepareFold = std::function<FitProblem(const FitProblem& rest, const std::string& fold)>;
 

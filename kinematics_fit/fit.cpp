@@ -179,7 +179,8 @@ void add_inputs(const FitInputs& inputs, ResultFile& file) {
   if (inputs.scaling == Scaling::kOutside) file.add("inputs/scale", "outside");
 }
 
-/// What the fit has seen: the experiments it was fitted to, and those that its start was.
+/// Writes the data that the fit has seen: its own experiments, and the experiments to which its
+/// start was fitted.
 void add_seen(const FitProblem& problem, ResultFile& file) {
   // The experiments of this fit.
   std::vector<std::string> experiments, specimens, sources;

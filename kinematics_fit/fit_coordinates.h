@@ -12,7 +12,7 @@
 
 namespace thenar {
 
-/// In place of the index of a specimen: the population.
+/// Index that stands for the population in place of a specimen.
 inline constexpr int kPopulation = -1;
 
 /// Entries of z that move one coordinate of every specimen:

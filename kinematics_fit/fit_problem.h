@@ -1,6 +1,7 @@
 #pragma once
 
-/// What a fit solves and a posterior samples: measured forces, a digit and its free parameters.
+/// Problem that a fit solves and a posterior samples: measured forces, a digit and its free
+/// parameters.
 
 #include <functional>
 #include <memory>

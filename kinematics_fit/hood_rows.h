@@ -39,7 +39,7 @@ struct HoodCount {
                          // of Covariance::effective_parameters [1]
 };
 
-/// Of the parameters hood/* and net/*.
+/// Counts the parameters hood/* and net/*.
 [[nodiscard]] HoodCount count_hood(const Covariance& covariance);
 
 }  // namespace thenar

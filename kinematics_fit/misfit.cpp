@@ -11,7 +11,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kChance = 1e-4;        // tail probability that is no chance any more [1]
+constexpr double kChance = 1e-4;        // Tail probabilities below this are not due to chance [1]
 constexpr double kNoiseStraySds = 0.5;  // prior sd of the logarithm of a factor on the noise [1]
 
 /// Sum of squares of residuals without the robust loss, force by force.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Whether a fit misses the forces by more than the stated noise allows.
+/// Misfit of a fit: the test whether it misses the forces by more than the stated noise allows.
 
 #include <string>
 #include <vector>
@@ -36,7 +36,7 @@ struct Misfit {
 [[nodiscard]] std::vector<Misfit> misfits(const FitProblem& problem, const Eigen::VectorXd& z,
                                           const Covariance& covariance);
 
-/// What to look at where forces are missed by far: a sentence.
+/// Sentence that advises what to check if forces are missed by far.
 extern const char* const kMisfitAdvice;
 
 /// "the fit misses the forces by 7.0 times the stated noise ..: what to look at"; "" where chance

@@ -15,8 +15,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kOdd = 1e-3;   // tail probability of an odd trial [1]
-constexpr double kRival = 0.5;  // of its distance, from which another one may be wrong instead [1]
+constexpr double kOdd = 1e-3;  // Largest tail probability of an odd trial [1]
+// Another trial may be wrong instead from this share of the odd trial's distance on [1]
+constexpr double kRival = 0.5;
 
 /// "FDS in posture 'Hook'", or "activation row 2 in posture 'Hook'".
 std::string name_of(const Experiment& experiment, std::size_t row) {
@@ -113,7 +114,8 @@ std::vector<OddTrial> odd_trials(const FitProblem& problem, const Eigen::VectorX
 }
 
 std::vector<std::string> describe(const FitProblem& problem, const std::vector<OddTrial>& odd) {
-  constexpr std::size_t kNamed = 3;  // of an experiment; the others are counted
+  // Most odd trials of an experiment that are named; the others are counted
+  constexpr std::size_t kNamed = 3;
   std::vector<std::string> warnings;
   for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
     const Experiment& experiment = problem.experiments()[static_cast<std::size_t>(e)];

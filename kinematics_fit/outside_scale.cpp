@@ -10,8 +10,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLeast = 0.5, kMost = 2;  // of a size by that of the subject's hand [1]
-constexpr double kNoBone = 1e-6;           // joints that meet [m]
+// Least and largest size over that of the subject's hand [1]
+constexpr double kLeast = 0.5, kMost = 2;
+constexpr double kNoBone = 1e-6;  // Joints closer than this meet, without a bone between them [m]
 
 /// Motion of the points of one link, see scale_to_outside().
 struct BoneScale {
@@ -46,7 +47,7 @@ class OutsideScale {
   }
 
  private:
-  /// From the point of each hinge to that of the next, or to the tip.
+  /// Finds the bones from the point of each hinge to that of the next, or to the tip.
   void find_bones() {
     const TendonModel<double>& model = digit_.model;
     bones_.resize(model.tree.size());

@@ -26,12 +26,12 @@ double normal_loss(double r, double sd) {
   return kHalfLogTwoPi + std::log(sd) + 0.5 * (r / sd) * (r / sd);
 }
 
-/// Kinds of parameters that each posture has of its own.
+/// Returns whether each posture has its own parameter of this kind.
 bool of_one_posture(const Parameter& p) {
   return p.kind == ParameterKind::kPostureAngle || p.kind == ParameterKind::kPostureForce;
 }
 
-/// What is believed of such a parameter in a posture, as the mean over known postures.
+/// Belief about such a parameter in a posture, the mean over known postures.
 struct PostureBelief {
   double mean = 0;      // [SI]
   double variance = 0;  // [SI^2]

@@ -75,7 +75,7 @@ struct Prediction {
 /// Prediction of experiment `e` of the problem at z, without predictive sds.
 [[nodiscard]] Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, int e);
 
-/// In place of the index of a specimen: one that was not fitted, predicted by the population.
+/// Index that stands for a specimen that was not fitted, which the population predicts.
 inline constexpr int kUnfittedSpecimen = -1;
 
 /// Prediction of any experiment; the population predicts a specimen that was not fitted. It is the

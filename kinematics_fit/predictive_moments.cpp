@@ -39,7 +39,7 @@ CoordinateOrder order_of(const FitParameters& parameters, const TendonDigit& dig
 /// The first `count` columns of the lower triangular L with V = L L'; a column of a coordinate that
 /// others determine is zero.
 Eigen::MatrixXd first_columns_of_root(const Eigen::MatrixXd& V, Eigen::Index count) {
-  constexpr double kNone = 1e-12;  // of a variance: what is left of it is rounding [1]
+  constexpr double kNone = 1e-12;  // Variances that shrink below this share are rounding [1]
   Eigen::MatrixXd rest = V;
   Eigen::MatrixXd L = Eigen::MatrixXd::Zero(V.rows(), count);
   for (Eigen::Index k = 0; k < count; ++k) {

@@ -8,21 +8,21 @@
 
 namespace thenar {
 
-/// How uneven steps may be, in sds of a force [1], and draws of what is more uneven.
+/// Largest unevenness of steps, in sds of a force [1], and number of draws for a force beyond it.
 inline constexpr double kUneven = 0.1;
 inline constexpr int kMomentDraws = 1000;
 
-/// Where draws of a number lie, and how wide, whatever their tails.
+/// Median and width of the draws of a number, insensitive to their tails.
 struct RobustMoments {
   double median;
   double
       sd;  // half the width of the central 95 % over that of a standard normal: the sd, if normal
 };
 
-/// Of the finite values; NaN without any.
+/// Computes the moments of the finite values; NaN if there are none.
 [[nodiscard]] RobustMoments robust_moments(const Eigen::VectorXd& draws);
 
-/// Of each force component, without noise.
+/// Moments of each force component, without noise.
 struct PredictiveMoments {
   Eigen::Matrix3Xd mean;       // [N] (3, trials)
   Eigen::VectorXd variance;    // [N^2] (3 trials)
@@ -35,8 +35,8 @@ struct PredictiveMoments {
 /// The mean is that of the quadratic that f is taken for (1/2 tr H V beyond f); of its variance the
 /// part of mixed second derivatives is left out. A load cell tilted by an unknown angle of 12
 /// degrees about each of two axes shortens the mean force by 4 %.
-/// Steps end at the bounds of their parameters, alike on both sides: what a bound holds stays there,
-/// as data push it, and the mean does not hang on which root L is.
+/// Steps end at the bounds of their parameters, alike on both sides: what a bound holds stays
+/// there, as data push it, and the mean does not hang on which root L is.
 ///
 /// Near a posture in which the tip is singular that expansion may point the opposite way. A trial
 /// in which odd parts of the steps differ from their slopes, or even parts exceed them,

@@ -50,7 +50,7 @@ class Evidence {
   Evidence(const std::vector<LinearForces>& specimens, const std::vector<ScaledPriors>& scales)
       : specimens_(specimens), scales_(scales) {}
 
-  /// With what is believed of the factors beforehand.
+  /// Returns the log evidence with the prior belief about the factors [nat].
   [[nodiscard]] double at(const std::vector<int>& steps, int noise_step) const {
     std::vector<double> factors;
     double belief = 0;
@@ -61,7 +61,7 @@ class Evidence {
     return belief + of(factors, preferred(noise_step));
   }
 
-  /// Of the forces alone.
+  /// Returns the log evidence of the forces alone [nat].
   [[nodiscard]] double of(const std::vector<double>& factors, double noise = 1) const {
     double sum = 0;
     for (const LinearForces& one : specimens_) sum += log_evidence(one, factors, noise);
@@ -145,7 +145,7 @@ ScaledFit by_method(ScaledFit fit, const SolveOptions& options) {
   return fit;
 }
 
-/// The same displacements under other factors of the scales.
+/// Converts z to other factors of the scales, so that displacements stay the same.
 Eigen::VectorXd carried(const FitProblem& from, Eigen::VectorXd z, const FitProblem& to) {
   const FitCoordinates& coordinates = from.coordinates();
   const std::vector<int> scale = scale_of_entries(coordinates);
@@ -160,10 +160,11 @@ Eigen::VectorXd carried(const FitProblem& from, Eigen::VectorXd z, const FitProb
   return z;
 }
 
-/// Where a fit from draws of the prior gets lowest, from the prior means first: narrow priors leave
-/// few ways around a local minimum, as between axes that tilt to the one side or to the other.
+/// Returns the lowest minimum of rough fits from the prior means and from draws of the prior.
+/// Narrow priors leave few ways around a local minimum, as between axes that tilt to one side or
+/// the other.
 Eigen::VectorXd best_start(const FitProblem& problem, const SolveOptions& options) {
-  constexpr int kDraws = 40;
+  constexpr int kDraws = 40;  // Most draws of the prior that are tried as starts
   SolveOptions rough = options;
   rough.max_evaluations = 40;
   rough.tolerance = 1e-4;
@@ -192,7 +193,7 @@ struct FittedScales {
 /// @param z  where the first fit starts, under these factors
 FittedScales settle(const FitProblem& start, std::vector<int> steps, const Eigen::VectorXd& z,
                     const SolveOptions& options) {
-  constexpr int kRounds = 12;
+  constexpr int kRounds = 12;  // Most rounds of choosing factors anew
   FittedScales out{{start, solve(least_squares(start), z, options)}, std::move(steps)};
   for (int round = 1;; ++round) {
     if (out.fit.solution.status == Status::kStopped) return out;
@@ -260,7 +261,7 @@ double log_evidence(const LinearForces& forces, const std::vector<double>& facto
 
 namespace {
 
-/// What fit_with_scales() finds, its time that of the last fit.
+/// Computes the result of fit_with_scales(); its time is that of the last fit.
 ScaledFit chosen_scales(const FitProblem& problem, const SolveOptions& options) {
   const std::vector<ScaledPriors>& scales = problem.parameters().scales;
   if (scales.empty()) return {problem, fitted(problem, options)};

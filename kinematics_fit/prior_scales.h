@@ -1,6 +1,6 @@
 #pragma once
 
-/// How wide priors are, decided by the forces themselves: empirical Bayes.
+/// Width of priors, decided by the forces themselves: empirical Bayes.
 
 #include <vector>
 
@@ -66,8 +66,9 @@ struct NoiseEvidence {
   [[nodiscard]] bool understated() const { return factor >= 2 && gain > 1.92; }
 };
 
-/// Of every specimen at z. Prior scales are chosen anew beside the noise: priors that are wide take up
-/// any force, so that the sum of squares of residuals alone says nothing about noise.
+/// Computes the noise evidence of every specimen at z. Prior scales are chosen anew beside the
+/// noise: wide priors take up any force, so that the sum of squares of residuals alone says nothing
+/// about noise.
 [[nodiscard]] std::vector<NoiseEvidence> noise_evidence(const FitProblem& problem,
                                                         const Eigen::VectorXd& z);
 

@@ -12,7 +12,8 @@ namespace {
 /// Refits from the estimate to one end of the grid, each point starting at the last.
 void walk(const LeastSquares& problem, const Eigen::VectorXd& z, int i, double end,
           const ProfileOptions& options, Profile& profile) {
-  constexpr double kNothing = 1e-6;  // no side to walk: the estimate sits on its bound [1]
+  // A side shorter than this is not walked: the estimate is on its bound [1]
+  constexpr double kNothing = 1e-6;
   if (std::abs(end - z[i]) < kNothing) return;
   LeastSquares held = problem;
   Eigen::VectorXd start = z;

@@ -15,7 +15,7 @@ struct DeviationBounds {
 };
 
 DeviationBounds deviation_bounds(const CoordinateEntries& of, double population, double sd) {
-  constexpr double kFar = 9;  // beyond lies 1e-19 of a normal distribution [sds]
+  constexpr double kFar = 9;  // Beyond this lies 1e-19 of a normal distribution [sds]
   // Rounding may leave the population a last bit outside.
   const double lower = std::min(0.0, (of.lower - population) / sd);
   const double upper = std::max(0.0, (of.upper - population) / sd);
@@ -43,7 +43,7 @@ SpecimenDeviation specimen_deviation(const CoordinateEntries& of, double populat
 }
 
 double deviation_entry(const CoordinateEntries& of, double population, double u, double factor) {
-  constexpr double kMargin = 1e-12;  // x is infinite on a bound [sds]
+  constexpr double kMargin = 1e-12;  // Margin to a bound, on which x is infinite [sds]
   const double sd = factor * of.deviation_sd;
   const DeviationBounds bounds = deviation_bounds(of, population, sd);
   if (bounds.far) return u / sd;

@@ -22,9 +22,10 @@ double total(const std::map<std::string, double>& pulls) {
   return sum;
 }
 
-/// Whether the same muscles pull in the same proportion.
+/// Returns whether the same muscles pull in the same proportion.
 bool same_loads(const std::map<std::string, double>& a, const std::map<std::string, double>& b) {
-  constexpr double kSame = 0.1;  // of each muscle's own share [1]
+  // Largest relative difference of each muscle's share in equal loads [1]
+  constexpr double kSame = 0.1;
   if (a.size() != b.size() || a.empty()) return false;
   const double total_a = total(a), total_b = total(b);
   return std::equal(a.begin(), a.end(), b.begin(), [&](const auto& one, const auto& other) {

@@ -50,8 +50,8 @@ struct ErrorsOfLoad {
   Eigen::Vector3d trivial;   // the same of the trivial prediction [N] (3)
 };
 
-/// Of every load that has a trivial prediction, over the trials that have one, in the order of the
-/// trials.
+/// Computes the errors of every load that has a trivial prediction, over the trials that have one,
+/// in the order of the trials.
 [[nodiscard]] std::vector<ErrorsOfLoad> errors_by_load(const Prediction& prediction);
 
 /// Prediction of an experiment by a baseline without a fit.

@@ -19,7 +19,7 @@ class DigitPicture {
   DigitPicture(const Subject& subject, const std::string& name,
                std::shared_ptr<const DigitTendons> tendons, const Eigen::VectorXd& q);
 
-  /// Its arrows are the axes of the joints alone.
+  /// Returns the constant parts of the picture; its arrows are the axes of the joints alone.
   [[nodiscard]] const LiveShape& shape() const { return shape_; }
   /// The subject's frame in the picture.
   [[nodiscard]] const Pose<double>& placed() const { return bodies_.X_WS; }

@@ -25,7 +25,7 @@ class LiveEdits {
   /// Takes the last edit back. @returns what it was: "move mug"
   /// @throws InputError if nothing is left to undo.
   virtual std::string undo() = 0;
-  /// Does again what was undone last. @returns what it was
+  /// Repeats the edit that was undone last. @returns what it was
   /// @throws InputError if nothing is left to redo.
   virtual std::string redo() = 0;
 };

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kNoTension = 1e-6;  // below it a muscle of a net is slack [N]
 
-/// On the rungs that are asked for, or else with a net where the digit can carry one.
+/// Opens a digit on the rungs that are asked for, or else with a net where the digit can carry one.
 DigitCase open_digit(const DigitRequest& request, std::vector<std::string>& warnings) {
   require(request.vary.empty() && request.map.empty(),
           "wanted a digit to move, got a sweep or map");

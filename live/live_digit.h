@@ -93,7 +93,7 @@ class LiveDigit final : public LiveModel {
   [[nodiscard]] DigitPoint point_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
   [[nodiscard]] Eigen::MatrixXd arms_at(const DigitPoint& point, const Eigen::VectorXd& t) const;
   [[nodiscard]] Eigen::VectorXd lengths_at(const DigitPoint& point, const Eigen::VectorXd& t) const;
-  /// Why a point of a net is doubtful; "": it is not.
+  /// Returns the reason why a point of a net is doubtful; "" if it is not.
   [[nodiscard]] std::string doubt_at(const DigitPoint& point) const;
   [[nodiscard]] DigitCurves net_curves(const std::string& joint, const PostureGrid& grid,
                                        const Progress& progress) const;

@@ -49,7 +49,7 @@ class LiveFit final : public LiveModel {
   [[nodiscard]] const PredictedTrial& predicted(int trial) const;
   /// The digit of the specimen that is shown, as fitted.
   [[nodiscard]] const TendonDigit& digit() const { return looks_[specimen()].tendons->digit(); }
-  /// Its posture with the fitted errors of angles [rad] (coordinates).
+  /// Returns the digit's posture with the fitted errors of angles [rad] (coordinates).
   [[nodiscard]] Eigen::VectorXd posture() const { return posed_.angles; }
   [[nodiscard]] const std::vector<LiveAxisPair>& axis_pairs() const {
     return looks_[specimen()].pairs;

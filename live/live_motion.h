@@ -29,7 +29,7 @@ struct MotionInputs {
   std::vector<std::string> release;           // coordinates that go back to the scene's drives
 };
 
-/// Something that may be set.
+/// Input of a motion that may be set.
 struct MotionInput {
   std::string name;
   std::string kind;             // "effort", "target", "tension", "excitation"
@@ -56,7 +56,8 @@ class LiveMotion final : public LiveTimeline {
   [[nodiscard]] const MovingScene& scene() const { return source_.built->scene; }
   [[nodiscard]] std::vector<std::string> warnings() const override { return source_.warnings; }
 
-  /// With the inputs that are set.
+  /// Steps with the inputs that are set.
+  ///
   /// Play pauses once where the time of the scene ends, after the step that comes there.
   /// A step that is divided tells and asks between its parts; stopped there, it is not made.
   /// @throws InputError if the state is not finite any more: the motion then stands where it was
@@ -69,7 +70,7 @@ class LiveMotion final : public LiveTimeline {
   [[nodiscard]] std::vector<MotionInput> inputs() const;
 
   double seek(double t) override;
-  /// Without inputs, without a past.
+  /// Returns to the start, and removes all inputs and the history.
   void reset() override;
   [[nodiscard]] TimelineState state(const MotionParts& parts) const override;
 

@@ -30,7 +30,7 @@ class RecordedTimeline : public LiveTimeline {
   [[nodiscard]] double shown() const { return t_; }  // [s]
   /// The instant that is nearest to what is shown.
   [[nodiscard]] std::size_t nearest() const { return nearest_; }
-  /// Between which instants it is: a share of the way from one to the other.
+  /// Position between two instants: a share of the way from one to the other.
   struct Between {
     std::size_t from = 0, to = 0;  // instants; the same one where it is one of them
     double share = 0;              // [1]

@@ -16,7 +16,7 @@ TendonPath<double> moving_part(const TendonPath<double>& path) {
   return part;
 }
 
-/// Both ends, and nodes evenly between them.
+/// Returns a path with both ends, and nodes evenly between them.
 TendonPath<double> thinned(const TendonPath<double>& path) {
   if (path.size() <= kLinePoints) return path;
   TendonPath<double> thin;

@@ -28,7 +28,7 @@ struct LawError {
   RelativeError shear;    // stiffness across the press, G area / h, while all sticks
 };
 
-/// What laws were fitted to and checked against.
+/// Presses to which laws were fitted and against which they were checked.
 struct LawEvidence {
   int fitted = 0, checked = 0;  // presses
   double depth = 0;             // largest of a fitted press [m]

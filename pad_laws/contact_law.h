@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a soft pad does at one contact with a rigid object: the interface of all reduced laws.
+/// Interface of all reduced laws of a soft pad at one contact with a rigid object.
 
 #include <vector>
 
@@ -10,8 +10,8 @@
 
 namespace thenar {
 
-/// Gaps less curved than a ball of 0.1 m count as that ball: laws of patches know no flat faces,
-/// whose extent their edges give. [1/m]
+/// Least curvature of a gap [1/m]. Flatter gaps count as a ball of 0.1 m, because laws of patches
+/// know no flat faces, whose edges bound the patch.
 inline constexpr double kFlattestGap = 10;
 
 /// One contact. All zero, but for `patch.depth`, where nothing touches.
@@ -40,7 +40,7 @@ class ContactLaw {
   /// @throws InputError unless the gap is finite, and force and friction are finite and >= 0.
   [[nodiscard]] virtual LawContact at_force(const RelativeCurvatures& gap, double force,
                                             double friction) const = 0;
-  /// How force relaxes at a depth that is held; empty: it does not.
+  /// Returns the relaxation of force at a constant depth; empty: force does not relax.
   [[nodiscard]] virtual const std::vector<ExponentialTerm>& relaxation() const = 0;
 };
 

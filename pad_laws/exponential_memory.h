@@ -25,15 +25,15 @@ struct MemoryStep {
 /// @param h  step [s], >= 0; 0: instantaneous; infinity: all has decayed
 [[nodiscard]] MemoryStep memory_step(const std::vector<ExponentialTerm>& terms, double h);
 
-/// What y remembers of x.
+/// State of an exponential memory: the last x and its history terms.
 struct ExponentialMemory {
   double x = 0;               // at the last step
   std::vector<double> terms;  // H_i; empty: all zero (terms)
 };
 
-/// `history` of a step, before x_new is known.
+/// Returns `history` of a step, before x_new is known.
 [[nodiscard]] double history_of(const MemoryStep& step, const ExponentialMemory& memory);
-/// Goes on to x_new. @return y
+/// Advances the memory to x_new. @return y
 double remember(const MemoryStep& step, double x_new, ExponentialMemory& memory);
 
 /// @throws InputError unless shares are not negative and sum to less than 1, and times are positive

@@ -18,13 +18,15 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr std::size_t kColumnRoom = 256;   // for columns under an object
-constexpr double kForgottenForce = 1e-12;  // force that is not remembered any more [N]
-constexpr Index kLeafColumns = 12;         // columns that are looked at together
-constexpr double kTurnArm = 10e-3;         // [m]
-constexpr double kLevelSlope = 1e-3;       // slope of surfaces that counts as none [1]
-constexpr double kFarSideCosine = 0.5;  // of the object's normal along the skin's: its far side [1]
-constexpr double kStickShare = 1e-6;    // share of the cone that is left where a column sticks [1]
+constexpr std::size_t kColumnRoom = 256;   // Memory reserved for columns under an object [columns]
+constexpr double kForgottenForce = 1e-12;  // Forces below this are forgotten [N]
+constexpr Index kLeafColumns = 12;    // Columns of one leaf of the tree, which are tested together
+constexpr double kTurnArm = 10e-3;    // Lever arm that converts turns to displacements [m]
+constexpr double kLevelSlope = 1e-3;  // Surfaces with a smaller slope count as level [1]
+// Object and skin normals with a larger cosine show the object's far side [1]
+constexpr double kFarSideCosine = 0.5;
+// A column sticks if this share of the cone's bound is left [1]
+constexpr double kStickShare = 1e-6;
 
 void check_pose(const Pose<double>& X, double friction) {
   require(X.R.allFinite() && X.p.allFinite(), "the pose of an object on a pad must be finite");

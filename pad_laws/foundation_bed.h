@@ -21,7 +21,7 @@ struct FoundationColumns {
   Eigen::VectorXd area;       // [m^2] (columns)
 };
 
-/// Where a bed is: what each column remembers. Empty: untouched.
+/// State of a bed, the memory of each column. Empty: untouched.
 struct BedState {
   Eigen::VectorXd elastic;       // normal force if nothing relaxed [N] (columns)
   Eigen::MatrixXd terms;         // of its relaxation [N] (terms, columns)
@@ -84,7 +84,7 @@ class FoundationBed {
   [[nodiscard]] Eigen::Matrix<double, 6, 6> stiffness(const Shape& object, const Pose<double>& X_PO,
                                                       double step = 1e-6) const;
 
-  /// In the order of the state.
+  /// Returns the columns, in the order of the state.
   [[nodiscard]] const FoundationColumns& columns() const { return columns_; }
   [[nodiscard]] const FoundationConstants& constants() const { return constants_; }
   [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const { return terms_; }

@@ -9,6 +9,8 @@
 namespace thenar {
 namespace {
 
+// Rings and rays of the points of a patch over which friction is summed
+// Rings of a patch, and points of each ring, over which friction is summed
 constexpr int kPatchRings = 128, kPatchRays = 256;
 
 double pressure_at(PatchPressure pressure, double cosine) {

@@ -16,7 +16,8 @@ LawContact no_contact(double depth) {
   return apart;
 }
 
-/// Of a circle that sticks on an incompressible half space, nu = 1/2 [N/m].
+/// Returns the shear stiffness of a circle that sticks on an incompressible half space, nu = 1/2
+/// [N/m].
 double shear_of(double modulus, double radius) { return 16.0 / 3 * modulus * radius; }
 
 void check_powers(double force, double depth_exponent, double patch, double patch_exponent,

@@ -6,9 +6,9 @@
 
 namespace thenar {
 
-/// Lengths that constants of laws refer to.
+/// Reference lengths of the constants of laws: depth, and radius 1 / sqrt(k1 k2) of a gap.
 inline constexpr double kLawDepth = 1e-3;    // [m]
-inline constexpr double kLawRadius = 10e-3;  // of a gap, 1 / sqrt(k1 k2) [m]
+inline constexpr double kLawRadius = 10e-3;  // [m]
 
 /// A rigid point: any force at depth 0, no patch, no torsion; beyond depth 0 the force is infinite.
 class HardPoint final : public ContactLaw {

@@ -14,7 +14,7 @@ constexpr std::array kTissueLaws{TissueLaw::kNeoHookean, TissueLaw::kOgden,
 constexpr std::array kHexElements{HexElement::kDisplacement, HexElement::kMeanDilatation,
                                   HexElement::kCentroidDilatation, HexElement::kQuadratic};
 
-/// Which of some enumerators has the name.
+/// Returns the enumerator of `kinds` with this name.
 template <typename Kinds>
 auto kind_named(const std::string& name, const Kinds& kinds, const std::string& what) {
   std::vector<std::string> names;

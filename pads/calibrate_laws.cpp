@@ -20,7 +20,8 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kLogSd = 0.05;  // of logarithms in fits of powers [1]
+// sd of the logarithms of force, radius and torsion in the fits of powers [1]
+constexpr double kLogSd = 0.05;
 
 /// Least squares  |(A z - y) / sd|^2  within bounds.
 Solution fit_lines(const MatrixXd& A, const VectorXd& y, const VectorXd& lower,
@@ -140,7 +141,7 @@ FoundationConstants foundation_at(const VectorXd& z, const FoundationConstants& 
   out.stiffening = z[2];
   out.spread = z[3];
   out.surround = z[4];
-  constexpr double kMeanStrain = 0.2;
+  constexpr double kMeanStrain = 0.2;  // Strain at which the modulus of the springs is matched [1]
   out.modulus = 1;
   out.modulus = std::exp(z[0]) / spring_pressure(out, kMeanStrain).pressure;
   return out;

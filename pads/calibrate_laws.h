@@ -16,7 +16,7 @@ struct LawFitOptions {
   double force_sd = 0.05, area_sd = 0.1;  // relative: weights of the foundation's fit [1]
 };
 
-/// How a calibration ended.
+/// Result of fit_laws().
 struct [[nodiscard]] LawCalibration {
   CalibratedLaws laws;
   Status status = Status::kStalled;   // kSolved: each fit is at a certified minimum

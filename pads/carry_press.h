@@ -24,7 +24,7 @@ namespace thenar {
 /// Where pulp is squeezed to a fifth, cells at the skin would turn inside out without it.
 class PressCarrier {
  public:
-  /// Before the mesh is refined.
+  /// Keeps mesh, body and surface as they are before the mesh is refined.
   PressCarrier(const HexMesh& mesh, std::unique_ptr<TissueBody> body, ContactSurface surface);
 
   /// A state of the old body on the new one: displacements, pressures, histories, and tractions on
@@ -33,7 +33,7 @@ class PressCarrier {
                                  const ContactSurface& surface) const;
 
  private:
-  /// What a present element was before: an element, or an octant of one (-1: all of it).
+  /// Origin of an element of the refined mesh: an old element, or an octant of one (-1: all of it).
   struct Origin {
     std::size_t element;
     int octant;
@@ -45,7 +45,7 @@ class PressCarrier {
   /// Displacements of all nodes [m] (3, nodes of the refined mesh).
   [[nodiscard]] Eigen::Matrix3Xd displacements_in(const HexMesh& mesh, const PressState& old) const;
 
-  /// What nodes of the refined mesh have of the skin.
+  /// Skin quantities, carried to the nodes of the refined mesh.
   struct SkinFields {
     std::vector<double> pressure;                        // [Pa] (nodes)
     std::vector<Eigen::Vector3d> traction;               // of friction [Pa] (nodes)

@@ -10,15 +10,15 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int kFacePoints = 8;  // along a side of a face
-constexpr double kFacingCosine =
-    0.7;  // cosine between normals of skin and object that face each other
-constexpr double kMeanSideShare =
-    0.7854;  // mean share of a cell's side that is across an edge, pi / 4
-constexpr double kNarrowMean =
-    0.5;                           // mean of unit ways to open nodes, less where they are opposite
-constexpr int kEdgeHalvings = 30;  // of the place of an edge
-constexpr double kEdgeScale = 12;  // of mu / h, the scale of pressure over gap at an edge [1]
+constexpr int kFacePoints = 8;  // Points along one side of a face at which contact is sampled
+// Normals of skin and object face each other if their cosine exceeds this [1]
+constexpr double kFacingCosine = 0.7;
+// Mean share of a cell's side that runs across an edge, pi / 4 [1]
+constexpr double kMeanSideShare = 0.7854;
+// A patch is a strip at a node if the mean unit vector to open nodes is shorter [1]
+constexpr double kNarrowMean = 0.5;
+constexpr int kEdgeHalvings = 30;  // Bisections for the place of an edge
+constexpr double kEdgeScale = 12;  // Ratio of pressure to gap at an edge, over mu / h [1]
 
 /// Pressure of the nodes of a mesh [Pa] (nodes); of hanging ones the mean of their masters.
 VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const ContactSurface& surface,
@@ -34,7 +34,7 @@ VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const Contact
   return pressure;
 }
 
-/// Where a function that falls from infinity to 0 has a value.
+/// Finds by bisection the argument in (low, high) at which the falling function f has a value.
 template <typename Function>
 double falling_root(double value, double low, double high, const Function& f) {
   for (int k = 0; k < kEdgeHalvings; ++k) {
@@ -44,10 +44,10 @@ double falling_root(double value, double low, double high, const Function& f) {
   return (low + high) / 2;
 }
 
-/// Where the edge of a patch lies between a node that touches and one that does not, from the first
-/// on, over their distance h, by the ratio r = E* gap / (p h). Within and beyond the edge pressure
-/// is K s^1/2 and the gap 4/3 K s^3/2 / E* at a distance s; a node's pressure is the mean over half
-/// a cell on both sides, so that it touches from -1/2 on:
+/// Returns the distance of a patch's edge from a touching node towards an open neighbour, over the
+/// distance h of the two nodes [1]. It follows from the ratio r = E* gap / (p h). Within and beyond
+/// the edge pressure is K s^1/2 and the gap 4/3 K s^3/2 / E* at a distance s; a node's pressure is
+/// the mean over half a cell on both sides, so that it touches from -1/2 on:
 ///   r(a) = 2 (1 - a)^3/2 / [(a + 1/2)^3/2 - max(0, a - 1/2)^3/2],  -1/2 < a < 1.  [1]
 double edge_place(double ratio) {
   return falling_root(ratio, -0.5, 1, [](double a) {
@@ -56,8 +56,8 @@ double edge_place(double ratio) {
   });
 }
 
-/// Half width of a patch that nodes of one row alone touch, over h, by the same ratio: a strip
-/// [-b h, b h] under a parabola, with all of its push on the row (Hertz):
+/// Returns the half width of a patch that nodes of one row alone touch, over h, by the same ratio:
+/// a strip [-b h, b h] under a parabola, with all of its push on the row (Hertz):
 ///   r(b) = 2 [(1 - b^2)^1/2 - b^2 arcosh(1 / b)] / (pi b^2),  0 < b < 1.  [1]
 double strip_place(double ratio) {
   return falling_root(ratio, 0, 1, [](double b) {
@@ -121,7 +121,8 @@ std::vector<Crossing> crossings_of(const HexMesh& mesh, const std::vector<Tissue
   return crossings;
 }
 
-/// How far inside of the patch each node is, over the size of a face: the mean over its crossings.
+/// Returns the depth of each node inside the patch, over the size of a face [1] (nodes): the mean
+/// over the node's crossings, negative outside, 1 or -1 for nodes without a crossing.
 /// @param pressure  (nodes)
 std::vector<double> inside_of(const std::vector<Crossing>& crossings, const VectorXd& pressure) {
   // Mean direction from a node that touches to those that do not.

@@ -13,9 +13,11 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kJoinDepth = 1e-11;        // of an open node that must join [m]
-constexpr int kMostTurns = 20;              // of nodes that join
-constexpr double kAddedCompliance = 1e-12;  // added to compliances, over the largest [1]
+// An open node joins the problem if it is deeper inside than this [m]
+constexpr double kJoinDepth = 1e-11;
+constexpr int kMostTurns = 20;  // Most solutions, each with the nodes that joined after the last
+// Regularises W: this share of its largest entry is added to its diagonal [1]
+constexpr double kAddedCompliance = 1e-12;
 
 /// Two tangents of a unit normal (3, 2).
 Eigen::Matrix<double, 3, 2> tangents_of(const Vector3d& n) {
@@ -65,7 +67,7 @@ MatrixXd compliance(CondensedBody& body, const ContactSurface& surface, const Ro
   return W;
 }
 
-/// The same rows as a matrix (rows, 3 nodes).
+/// Converts the rows to a matrix (rows, 3 nodes).
 MatrixXd dense(const Rows& list, Index rows, Index nodes) {
   MatrixXd out = MatrixXd::Zero(rows, 3 * nodes);
   for (const MeanGaps::Slope& each : list)

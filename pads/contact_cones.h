@@ -21,7 +21,7 @@ class CondensedBody {
  public:
   explicit CondensedBody(const TissueBody& body) : pattern_(body.pattern()) {}
 
-  /// Takes a tangent. @return whether it is positive definite
+  /// Factors a tangent. @return whether it is positive definite
   [[nodiscard]] bool factor(const std::vector<double>& values);
   [[nodiscard]] bool has_factor() const { return has_factor_; }
   [[nodiscard]] int size() const { return pattern_.size; }
@@ -52,8 +52,9 @@ class ContactCones {
  public:
   explicit ContactCones(const TissueBody& body) : body_(body) {}
 
-  /// Takes the tangent of the tissue, or one with springs between nodes and the object, which a
-  /// body may need to be stable: they resist motion alone, so that they change the way to rest.
+  /// Factors the tangent of the tissue, or a tangent with springs between nodes and the object,
+  /// which a body may need to be stable: they resist motion alone, so that they change the way to
+  /// rest.
   /// @param springs  direction times the root of the stiffness that `values` have [(N/m)^1/2] (3,
   /// nodes), or none (3, 0)
   /// @return whether it is positive definite
@@ -68,7 +69,7 @@ class ContactCones {
     double spring;          // above 0 [N/m]
     double longest;         // motion [m]
   };
-  /// What nodes and object do to each other at an iterate.
+  /// State of the contact between nodes and object at an iterate.
   struct Iterate {
     const Eigen::VectorXd& force;   // of the tissue on its free nodes [N] (3 free nodes)
     const MeanGaps& gaps;           // of the surface's nodes
@@ -78,7 +79,7 @@ class ContactCones {
     double friction;                // [1]
     std::optional<Drive> drive;     // none: the object stays
   };
-  /// Where the linear body comes to rest.
+  /// Equilibrium of the linear body, the result of solve().
   struct Rest {
     Status status = Status::kStalled;
     Eigen::VectorXd dx;      // from the iterate [m] (3 free nodes)
@@ -126,7 +127,7 @@ struct TouchingNodes {
     CondensedBody& body, const ContactSurface& surface, const MeanGaps& gaps,
     const TouchingNodes& touching, const Eigen::Matrix3Xd& places, const Eigen::Matrix3Xd& forces);
 
-/// What a motion of the object does to nodes of the surface.
+/// Response of the surface's nodes to a motion of the object.
 struct PushAnswer {
   Eigen::Matrix3Xd gained;  // forces on them [N] (3, nodes)
   Eigen::Matrix3Xd moved;   // (3, nodes)

@@ -13,10 +13,10 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kFarGapShare = 3;  // gap that cannot matter, over the size of a face [1]
+constexpr double kFarGapShare = 3;  // Gaps beyond this cannot close, over the size of a face [1]
 
-constexpr double kEdgeTurn = 0.17;    // difference of normals around an edge, at least [1]
-constexpr double kEdgeRadius = 0.25;  // of an edge, over the size of a face, at most [1]
+constexpr double kEdgeTurn = 0.17;    // Normals around an edge differ by at least this [1]
+constexpr double kEdgeRadius = 0.25;  // Largest radius of an edge, over the size of a face [1]
 
 // Gauss's rule along a side of a face.
 constexpr std::array<double, 3> kGaussPlaces{0.112701665379258311, 0.5, 0.887298334620741689};

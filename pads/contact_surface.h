@@ -53,10 +53,10 @@ struct ContactSurface {
 /// nodes)
 [[nodiscard]] Eigen::Matrix3Xd places_of(const ContactSurface& surface, const Eigen::VectorXd& x);
 
-/// Where a point of a surface is. @param places  of the nodes [m] (3, nodes)
+/// Returns the position of a point of a surface [m] (3). @param places  of the nodes [m] (3, nodes)
 [[nodiscard]] Eigen::Vector3d place_of(const SurfacePoint& point, const Eigen::Matrix3Xd& places);
 
-/// Where the corners of a face are [m]. @param places  of the nodes [m] (3, nodes)
+/// Returns the positions of the corners of a face [m]. @param places  of the nodes [m] (3, nodes)
 [[nodiscard]] FaceCorners corners_of(const SurfaceFace& face, const Eigen::Matrix3Xd& places);
 
 /// Area of faces that is each node's share, a quarter of each of its faces; shares of hanging nodes
@@ -70,9 +70,9 @@ struct ContactSurface {
 [[nodiscard]] double smallest_gap(const ContactSurface& surface, const Shape& object,
                                   const Pose<double>& X_PO, const Eigen::VectorXd& x);
 
-/// Whether an edge or a corner of an object lies over a face of the surface near it: between the
-/// nearest places of a node and of a point of the face, normals of the object turn by 10 degrees
-/// and more as on a radius of less than a quarter of the face.
+/// Returns whether an edge or a corner of an object lies over a face of the surface near it:
+/// between the nearest places of a node and of a point of the face, normals of the object turn by
+/// 10 degrees and more as on a radius of less than a quarter of the face.
 /// @param x  displacements of the body's free nodes [m] (3 free nodes)
 [[nodiscard]] bool meets_edge(const ContactSurface& surface, const Shape& object,
                               const Pose<double>& X_PO, const Eigen::VectorXd& x);
@@ -91,7 +91,7 @@ class MeanGaps {
   void find(const Shape& object, const Pose<double>& X_PO, const Eigen::VectorXd& x);
 
   [[nodiscard]] double gap(std::size_t k) const { return gap_[static_cast<Eigen::Index>(k)]; }
-  /// What a gap is more than the distance of its node [m].
+  /// Returns the gap of a node less the distance of the node itself to the object [m].
   [[nodiscard]] double more(std::size_t k) const { return more_[static_cast<Eigen::Index>(k)]; }
   /// Unit normal of the object in the mean around a node, body's frame (3).
   [[nodiscard]] Eigen::Vector3d normal(std::size_t k) const {
@@ -99,7 +99,7 @@ class MeanGaps {
   }
   /// Slope of a node's gap by its own place (3).
   [[nodiscard]] const Eigen::Vector3d& own_slope(std::size_t k) const { return slopes_[k][0].by; }
-  /// Whether gaps depend on neighbours: not under planes.
+  /// Returns whether gaps depend on neighbouring nodes, as they do under all objects but planes.
   [[nodiscard]] bool neighbours_matter() const { return neighbours_matter_; }
   /// Change of gaps, linear. @param moved  of the nodes, the object at rest [m] (3, nodes)
   [[nodiscard]] Eigen::VectorXd change(const Eigen::Matrix3Xd& moved) const;

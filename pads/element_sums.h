@@ -10,7 +10,7 @@ namespace thenar {
 /// Points with copies to the next multiple of four.
 [[nodiscard]] constexpr int padded_points(int points) { return (points + 3) / 4 * 4; }
 
-/// Largest of them, of 27 nodes and points.
+/// Padded points and nodes of the largest element, which has 27 of each.
 inline constexpr int kMostPoints = 28, kMostNodes = 27;
 
 /// F at all points, det F, and spatial gradients F^-T dN/dX.

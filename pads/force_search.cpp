@@ -11,11 +11,14 @@
 namespace thenar {
 namespace {
 
-constexpr int kMostTrials = 60;          // of a search
-constexpr double kWayGrowth = 1.5;       // of the next way where a depth was solved [1]
-constexpr double kLongestWay = 4;        // over the first [1]
-constexpr double kLeastWayShare = 1e-3;  // of the first way, below which no depth is tried [1]
-constexpr double kEndShare = 0.05;       // of a bracket that a new depth keeps off its ends [1]
+constexpr int kMostTrials = 60;  // Most depths that a search tries
+// The next step in depth grows by this factor after a depth is solved [1]
+constexpr double kWayGrowth = 1.5;
+constexpr double kLongestWay = 4;  // Longest step in depth, over the first [1]
+// Shortest step in depth, over the first; the search ends below it [1]
+constexpr double kLeastWayShare = 1e-3;
+// A new depth keeps this share of a bracket away from both of its ends [1]
+constexpr double kEndShare = 0.05;
 
 /// A depth that was solved.
 struct SolvedDepth {
@@ -49,7 +52,8 @@ class ForceSearch {
   }
 
  private:
-  /// Where to look: between depths that enclose the force by a straight line, or farther on.
+  /// Returns the next depth to try [m]: by linear interpolation between two depths that enclose the
+  /// force, otherwise one step beyond the last.
   [[nodiscard]] double next_depth() const {
     const SolvedDepth* near = nearest();
     if (near == nullptr) return first_depth_;
@@ -83,7 +87,8 @@ class ForceSearch {
     return out;
   }
 
-  /// What is known where the search ends without an answer.
+  /// Returns the outcome of a search without an answer, with the forces between or beyond which it
+  /// failed.
   [[nodiscard]] PressOutcome without_answer(PressOutcome out) const {
     if (out.status == Status::kSolved) out.status = Status::kStalled;
     const std::string why = out.message.empty() ? "too many trials" : out.message;
@@ -115,7 +120,7 @@ class ForceSearch {
     return above_->force - *goal_.force < *goal_.force - below_->force ? &*above_ : &*below_;
   }
 
-  /// From an answer, but with what was at the beginning.
+  /// Solves a step from an answer, with the history of the beginning.
   PressOutcome step_from(const SolvedDepth* from, const PressGoal& goal, PressState& answer) {
     ++trials_;
     answer = start_;

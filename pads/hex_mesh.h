@@ -12,8 +12,8 @@
 
 namespace thenar {
 
-/// Where a mesh lies in space. Cells are refined in coordinates of a chart, so that new nodes lie
-/// on curved boundaries.
+/// Map from the coordinates of a chart to space. Cells are refined in coordinates of a chart, so
+/// that new nodes lie on curved boundaries.
 class HexChart {
  public:
   virtual ~HexChart() = default;
@@ -24,8 +24,9 @@ class HexChart {
                                                const Eigen::Vector3d& b) const {
     return 0.5 * (a + b);
   }
-  /// The same of a face, from the middles of its edges; where all corners lie on a boundary that
-  /// middle() keeps to, so must this.
+  /// Returns the middle of a face in the chart (3). It must lie on a boundary to which middle()
+  /// keeps if all corners do.
+  /// @param mean  mean of the middles of its edges
   [[nodiscard]] virtual Eigen::Vector3d middle_of_face(
       const std::array<Eigen::Vector3d, 4>& /*corners*/, const Eigen::Vector3d& mean) const {
     return mean;
@@ -60,7 +61,8 @@ class HexMesh {
 
   /// Splits cells in eight, and others as the balance asks. Cells with children are passed over.
   void refine(const std::vector<int>& cells);
-  /// Takes back the children of cells where all eight are active and the balance allows it.
+  /// Replaces the children of cells by the cells, where all eight are active and the balance allows
+  /// it.
   void coarsen(const std::vector<int>& cells);
 
   [[nodiscard]] const std::vector<HexCell>& cells() const { return cells_; }
@@ -68,7 +70,7 @@ class HexMesh {
   [[nodiscard]] const std::vector<int>& active() const { return active_; }
   [[nodiscard]] int nodes() const { return static_cast<int>(chart_points_.size()); }
   [[nodiscard]] const HexChart& chart() const { return *chart_; }
-  /// Whether an active cell has the node.
+  /// Returns whether an active cell has the node.
   [[nodiscard]] bool in_use(int node) const { return in_use_[static_cast<std::size_t>(node)]; }
   /// Reference position [m] (3), that of a hanging node among its masters; and the place in the
   /// chart.

@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// What a constant is of a pad.
+/// Kinds of constants of a pad.
 enum class PadConstantKind {
   kShearModulus,  // of a tissue [Pa]
   kExponent,      // of a tissue's law [1]
@@ -47,7 +47,8 @@ void set_value(PadModel& pad, const PadConstant& constant, double value);
 /// @param like  a value of the same sign
 [[nodiscard]] double value_at(const PadConstant& constant, double coordinate, double like);
 
-/// Why a pad cannot be: a tissue that check_tissue() refuses, a bone outside of the skin; or empty.
+/// Returns the reason why a pad is impossible: a tissue that check_tissue() refuses, a bone outside
+/// of the skin; or empty.
 [[nodiscard]] std::string why_impossible(const PadModel& pad);
 
 }  // namespace thenar

@@ -17,15 +17,23 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNeighbourDistance = 1e-4;  // distance of neighbours, in coordinates [1]
-constexpr double kSingularShare = 1e-10;  // of an information matrix, relative to its largest [1]
-constexpr double kNoTrace = 10;    // sd of a coordinate that is none: beyond what slopes tell [1]
-constexpr double kAnchorSd = 1e3;  // sd about the start, of what nothing else decides [1]
-constexpr double kJointCorrelation = 0.98;  // correlation of constants known only together [1]
-constexpr double kBeyondChance = 4;         // misfit over its degrees of freedom that is told [1]
-constexpr double kMeshMatters = 0.5;        // shift by the mesh, in sds, that is told [1]
-constexpr double kUsualPads = 10;           // that a search presses, for its progress
-constexpr double kFinerCells = 0.5;         // of the time, for the press on finer cells [1]
+// Step of the differences for slopes, in coordinates [1]
+constexpr double kNeighbourDistance = 1e-4;
+// Eigenvalues of the information below this share of the largest count as 0 [1]
+constexpr double kSingularShare = 1e-10;
+// A larger sd of a coordinate counts as infinite: slopes tell nothing so far off [1]
+constexpr double kNoTrace = 10;
+// sd of a weak prior about the start, for constants that nothing else decides [1]
+constexpr double kAnchorSd = 1e3;
+// Warn of two constants whose estimates are correlated more than this [1]
+constexpr double kJointCorrelation = 0.98;
+// Warn of a misfit above this multiple of the degrees of freedom [1]
+constexpr double kBeyondChance = 4;
+// Warn if finer cells would shift an estimate by more sds than this [1]
+constexpr double kMeshMatters = 0.5;
+constexpr double kUsualPads = 10;  // Presses of pads that a search usually takes, for its progress
+// Share of the time that the press on finer cells takes, for progress [1]
+constexpr double kFinerCells = 0.5;
 
 double quantity_of(PressQuantity quantity, const PressPoint& point) {
   return quantity == PressQuantity::kIndentation ? point.indentation
@@ -228,8 +236,8 @@ void estimate(const PadFitProblem& problem, const PadResiduals::Answer& at, cons
     if (!each.prior_factor) --result.degrees_of_freedom;
 }
 
-/// What the estimate would be on cells of half the size, to first order, and what it predicts
-/// there.
+/// Computes to first order the shift of the estimate on cells of half the size, and the predictions
+/// on these cells.
 void check_mesh(const PadFitProblem& problem, const PadResiduals::Answer& at,
                 const Progress& progress, PadFitResult& result) {
   const auto stopped = [&] {

@@ -44,7 +44,7 @@ struct FreeConstant {
   std::optional<double> prior_factor = {};         // exp of the prior's sd, > 1 [1]
 };
 
-/// What is to be found.
+/// Problem of fit_pad(): a pad, its free constants and the records.
 struct PadFitProblem {
   PadModel pad;  // where the search begins; its cells are those of the fit
   std::vector<FreeConstant> constants;
@@ -67,7 +67,7 @@ struct ConstantEstimate {
   double mesh_shift = 0;  // of the coordinate, if cells were finer; 0 without a check [1]
 };
 
-/// Two sds that still count as determined, as a factor.
+/// Largest factor by which two sds may change a constant that counts as determined [1].
 inline constexpr double kDetermined = 3;
 
 /// A datum and what the pad makes of it.
@@ -100,7 +100,8 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options 
                                                      const std::vector<PressRecord>& records,
                                                      const Progress& progress = {});
 
-/// What curves make of a datum. @param points  of a pad under the loads of its record
+/// Returns the prediction for a datum, in its unit.
+/// @param points  of a pad under the loads of its record
 [[nodiscard]] double predicted(const PressDatum& datum, const std::vector<PressPoint>& points);
 
 }  // namespace thenar

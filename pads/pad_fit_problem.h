@@ -26,8 +26,8 @@ namespace thenar {
 [[nodiscard]] PadSpec fitted_pad(const PadSpec& pad, const PadData& data,
                                  const PadFitProblem& problem, const PadFitResult& result);
 
-/// What the head of the fitted pad's file says: each estimate with its factor at one sd, what the
-/// data leave open, and the misfit. Lines end with '\n'.
+/// Returns the comment at the head of the fitted pad's file: each estimate with its factor at one
+/// sd, constants that the data do not determine, and the misfit. Lines end with '\n'.
 [[nodiscard]] std::string fit_comment(const PadData& data, const PadFitProblem& problem,
                                       const PadFitResult& result);
 

@@ -16,14 +16,17 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int kMaxCuts = 12;           // halvings of a step
-constexpr double kFirstWay = 0.1;      // between depths of a search, over distances of nodes [1]
-constexpr double kEqualErrors = 1e-6;  // difference of errors that are equal [1]
-constexpr double kPatchNodes = 1;      // nodes that touch times the error that is asked, at least
-constexpr int kPatchLevels = 3;        // halvings of cells for the sake of it
-constexpr double kTouchGap = 1e-10;    // gap that counts as touching [m]
+constexpr int kMaxCuts = 12;  // Most halvings of a step
+// First step in depth of a search, over the distance of nodes [1]
+constexpr double kFirstWay = 0.1;
+// Relative difference up to which error estimates are equal [1]
+constexpr double kEqualErrors = 1e-6;
+// A patch is fine enough if touching nodes times the requested error reach this [1]
+constexpr double kPatchNodes = 1;
+constexpr int kPatchLevels = 3;  // Most halvings of cells to reach that number of touching nodes
+constexpr double kTouchGap = 1e-10;  // Gap up to which the object touches [m]
 
-/// Whether nothing more is to be tried.
+/// Returns whether a step needs no further trial: it is solved or was stopped.
 bool ended(const PressOutcome& out) {
   return out.status == Status::kSolved || out.status == Status::kStopped;
 }

@@ -65,7 +65,7 @@ class PadPress {
   /// @param friction  instead of the object's: 1 for a press without friction, whose nodes stick
   [[nodiscard]] Eigen::Matrix<double, 6, 6> stiffness(std::optional<double> friction = {});
 
-  /// From the next step on.
+  /// Sets the force error that is asked from the next step on.
   void set_force_error(double error) { options_.force_error = error; }
 
   [[nodiscard]] const PressState& state() const { return state_; }
@@ -82,10 +82,10 @@ class PadPress {
   };
   void build();
   PressOutcome solve_once(const PressGoal& goal, PressState& state);
-  /// In pieces where it must be; a force by a search.
+  /// Solves a step, in pieces where necessary; finds a force by a search.
   PressOutcome solve(const PressGoal& goal, int cuts);
-  /// Whether too few nodes touch for the error that is asked: the edge of a patch lies on nodes,
-  /// which is an error of up to 1 / nodes that no estimate sees.
+  /// Returns whether too few nodes touch for the error that is asked: the edge of a patch lies on
+  /// nodes, which is an error of up to 1 / nodes that no estimate sees.
   [[nodiscard]] bool patch_is_coarse() const;
   [[nodiscard]] std::vector<int> touching_cells() const;
   /// The elements with the largest errors, which hold a share of the whole.

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kQuarterTurn = 1.5707963267948966;  // pi / 2
-constexpr double kInnerHalfSide = 0.5;  // half side of the square in the middle of the disc [1]
+constexpr double kInnerHalfSide = 0.5;  // Half side of the square in the middle of the disc [1]
 
 /// A point of a half ellipsoid: the polar angle grows straight with the radius of the disc.
 Vector3d dome(double a, double b, const Vector3d& half_axes) {

@@ -29,8 +29,8 @@ struct PadShape {
   std::shared_ptr<const Shape> skin;  // null: the ellipsoid; otherwise in the pad's frame
 };
 
-/// Where nodes of a pad's mesh lie. Chart: a disc (a, b), |(a, b)| = 1 on the rim, and the level w
-/// from 0 on the bone to 1 on the skin.
+/// Chart of a pad's mesh: a disc (a, b), |(a, b)| = 1 on the rim, and the level w from 0 on the
+/// bone to 1 on the skin.
 class PadChart final : public HexChart {
  public:
   /// @throws InputError unless lengths are positive, the bone and all layers fit below the skin,
@@ -64,8 +64,9 @@ struct PadCells {
   int across = 4, around = 2, through = 3;
 };
 
-/// Without layers, levels w are even. With n layers the pulp has w from 0 to 1/2 and each layer a
-/// share 1 / (2 n) of the rest. Regions: 0 the pulp, then layers from the inside out.
+/// Builds the mesh of a pad. Without layers, levels w are even. With n layers the pulp has w from 0
+/// to 1/2 and each layer a share 1 / (2 n) of the rest. Regions: 0 the pulp, then layers from the
+/// inside out.
 [[nodiscard]] HexMesh pad_mesh(const PadShape& shape, const PadCells& cells);
 
 /// Nodes on the skin (nodes of the mesh).

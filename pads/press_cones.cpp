@@ -17,15 +17,17 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kTangentFallRatio = 0.3;  // Keep the tangent while an iteration leaves less than
-                                           // this share of what was left [1]
-constexpr double kDriveSpringRatio =
-    1e-2;                                 // spring of a drive, over that of tissue under a node [1]
-constexpr double kCreepRatio = 0.4;       // of motions that shrink slowly [1]
-constexpr double kMixingShare = 0.02;     // what is left, over forces, from which on motions are
-                                          // mixed [1]
-constexpr std::size_t kMixedMotions = 3;  // that foretell what they tend to
-constexpr double kTurningDistance = 0.1;  // over which a normal turns, over that of nodes [1]
+// Keep the tangent while an iteration leaves less than this share of the residual [1]
+constexpr double kTangentFallRatio = 0.3;
+// Spring of a drive, over the stiffness of tissue under a node [1]
+constexpr double kDriveSpringRatio = 1e-2;
+// A motion longer than this share of the motion before it creeps [1]
+constexpr double kCreepRatio = 0.4;
+// Creeping motions are mixed once the residual is below this share of the forces [1]
+constexpr double kMixingShare = 0.02;
+constexpr std::size_t kMixedMotions = 3;  // Number of motions that Anderson mixing combines
+// Distance over which a normal's turn is measured, over the distance of nodes [1]
+constexpr double kTurningDistance = 0.1;
 
 /// Adds to the tangent that a node which slides over a curved object has its normal force turn:
 /// - normal d2 distance / dx2, by differences over a part of the way between nodes, as if all force
@@ -49,8 +51,8 @@ void add_turning_slopes(PressIterate& at) {
   }
 }
 
-/// Takes the tangent here, with what forces do whose normals turn. Where the body is stable by its
-/// contacts alone, they have springs.
+/// Factors the tangent at this state, with the effect of forces whose normals turn. If the body is
+/// stable only by its contacts, the contacts get springs.
 bool renew_tangent(PressIterate& at, const Matrix3Xd& u) {
   at.body.respond(u, at.goal.time, at.start.history, at.now.pressure, ElementAsk::kStiffness,
                   at.tissue);

@@ -12,8 +12,11 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kOppositeCosine = -0.5;  // of normals on two sides of an object [1]
-constexpr double kSpringDepth = 0.2;      // of springs of skin, over the distance of nodes [1]
+// Normals on two sides of an object have a cosine below this [1]
+constexpr double kOppositeCosine = -0.5;
+// Depth that the springs of skin may yield, over the distance of nodes [1]
+// Largest depth of the object under springs, over the distance of nodes [1]
+constexpr double kSpringDepth = 0.2;
 
 /// Returns whether a node touches a side of the object that faces away from the one where it was:
 /// steps of a press are too short to go around it.
@@ -25,7 +28,7 @@ bool changed_sides(const PressIterate& at, std::size_t k, const Pose<double>& X_
              .normal.dot(shape.nearest(at.start.X_PO.inverse() * was).normal) < kOppositeCosine;
 }
 
-/// Says where a node is inside the object; "" if none is.
+/// Describes the place of a node inside the object; "" if none is.
 /// @param allowed  depth of free nodes [m] (free nodes)
 std::string find_inside(const PressIterate& at, const Matrix3Xd& u, const Pose<double>& X_OP,
                         const std::vector<double>& allowed) {

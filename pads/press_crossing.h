@@ -10,8 +10,8 @@
 
 namespace thenar {
 
-/// Says how the object came through skin, or skin through the object, since the step began; "" if
-/// all is well. Hanging nodes of the surface may be inside a little, as all between nodes.
+/// Describes how the object came through skin, or skin through the object, since the step began; ""
+/// if all is well. Hanging nodes of the surface may be inside a little, as all between nodes.
 /// @param u  displacements of all nodes [m] (3, nodes)
 [[nodiscard]] std::string find_crossing(const PressIterate& at, const Eigen::Matrix3Xd& u);
 

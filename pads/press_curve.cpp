@@ -11,9 +11,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kMaxHalvings = 10;        // halvings of a step
-constexpr double kFirstTouch = 0.005;   // of the pad's height: pressed at once before a force [1]
-constexpr double kDeepestTouch = 3e-3;  // beyond which a pad that is not touched is passed by [m]
+constexpr int kMaxHalvings = 10;  // Most halvings of a step
+// First depth of a press to a force, over the pad's height [1]
+constexpr double kFirstTouch = 0.005;
+// An object that has not touched within this depth passes the pad by [m]
+constexpr double kDeepestTouch = 3e-3;
 
 /// A pad on its way.
 struct PadTrack {
@@ -42,7 +44,8 @@ class CurveWalk {
     first_touch_ = kFirstTouch * pads[0].shape.height;
   }
 
-  /// Goes to a load. @return empty, or why not
+  /// Presses up to a load.
+  /// @return empty, or the reason of the failure
   std::string go_to(const PressLoad& load) {
     // A force needs something to act on: press until the first pad touches.
     double depth = first_touch_;

@@ -33,7 +33,7 @@ struct PressPoint {
   double area = 0;         // contact_area() [m^2]
 };
 
-/// How pads answered to a course.
+/// Result of press_curves().
 struct [[nodiscard]] PressCurves {
   Status status = Status::kSolved;              // kStopped: asked to; otherwise how a step failed
   std::string message;                          // "at 3 N: too many iterations"

@@ -15,22 +15,32 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Stiffness of contacts, over that of ..
-constexpr double kContactOverRest = 100;       // tissue under a node at rest [1]
-constexpr double kContactOverBody = 10;        // the body at a node as it is [1]
-constexpr double kMostContactOverRest = 5000;  // tissue under a node at rest, at most [1]
+// Least stiffness of contacts, over that of tissue under a node at rest [1]
+constexpr double kContactOverRest = 100;
+// Stiffness of contacts, over that of the deformed body at a node [1]
+constexpr double kContactOverBody = 10;
+// Largest stiffness of contacts, over tissue under a node at rest [1]
+constexpr double kMostContactOverRest = 5000;
 
-constexpr double kMotionShare = 0.25;   // of the distance of nodes, that an object moves at most
-                                        // in an iteration to a force [1]
-constexpr double kSearchDistance = 20;  // from which a force is sought, over that motion [1]
-constexpr double kTouchDepth = 0.01;    // at which it touches again, over that motion [1]
-constexpr int kMotionHalvings = 10;     // of a motion that turns an element inside out
-constexpr double kLeastHold = 1e-6;     // springs that hold nodes, over the tangent's diagonal [1]
-constexpr double kMostHold = 1;         // the same
-constexpr double kCouplingTolerance = 1e-6;  // of a step, in what a factor leaves out [1]
-constexpr int kMostCouplingIterations = 40;  //
-constexpr double kRoundedStrain = 1e-14;  // of strains of volume, in the forces of an element [1]
-constexpr double kRoundedPlace = 2e-16;   // of objects of up to a metre [m]
+// Longest motion of the object in an iteration to a force, over the distance of nodes [1]
+constexpr double kMotionShare = 0.25;
+// Distance beyond which a force is searched for anew, over that longest motion [1]
+// Largest gap from which an object is brought to touch, over that motion [1]
+constexpr double kSearchDistance = 20;
+// Depth at which the object touches again, over that longest motion [1]
+constexpr double kTouchDepth = 0.01;
+constexpr int kMotionHalvings = 10;  // Most halvings of a motion that turns an element inside out
+// Weakest springs that hold nodes, over the diagonal of the tangent [1]
+constexpr double kLeastHold = 1e-6;
+// Strongest springs that hold nodes, over the diagonal of the tangent [1]
+constexpr double kMostHold = 1;
+// Relative tolerance of a step in the coupling that the factor leaves out [1]
+constexpr double kCouplingTolerance = 1e-6;
+constexpr int kMostCouplingIterations = 40;  // Most iterations on that coupling
+// Rounding of volume strains in the forces of an element [1]
+constexpr double kRoundedStrain = 1e-14;
+// Rounding of coordinates, for objects of up to a metre [m]
+constexpr double kRoundedPlace = 2e-16;
 
 double mean_diagonal(const TissueBody& body, const std::vector<double>& values) {
   double sum = 0;

@@ -29,7 +29,7 @@ struct TouchingNode {
 struct PressIterate {
   PressIterate(const PressProblem& problem, PressFactors& factors);
 
-  /// Goes back to where the step began, with the object at its goal.
+  /// Resets the state to the start of the step, with the object at its goal.
   void restart();
 
   /// Returns whether there is another iteration; if not, `out` says why.

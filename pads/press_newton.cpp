@@ -13,9 +13,10 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// A tangent is kept while an iteration leaves less than this ..
-constexpr double kTangentReuseRatio = 0.3;  // of what was left before [1]
-constexpr double kTangentReuseShare = 0.2;  // of contact forces [1]
+// Keep the tangent while an iteration leaves less than this share of the residual [1]
+constexpr double kTangentReuseRatio = 0.3;
+// Keep it only while the residual is below this share of the contact forces [1]
+constexpr double kTangentReuseShare = 0.2;
 
 /// Solves with the matrix of this iteration: most of it has a factor, and what contacts add between
 /// nodes comes by iterations.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a step of a press is of: its goal, its options, and how it ended.
+/// Goal, options and outcome of one step of a press.
 
 #include <functional>
 #include <optional>

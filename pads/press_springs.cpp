@@ -12,20 +12,25 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-constexpr double kSpringStiffnessRatio = 2;  // of skin, over that of other contacts [1]
-constexpr double kStiffnessChange = 8;  // of the body, from which on springs change with it [1]
+// Stiffness of the skin's springs, over that of other contacts [1]
+constexpr double kSpringStiffnessRatio = 2;
+// Springs change once the body's stiffness has changed by this factor [1]
+constexpr double kStiffnessChange = 8;
 
-constexpr int kFreeIterations = 2;           // before steps are shortened or made longer
-constexpr int kStepHalvings = 10;            // in a line search
-constexpr double kArmijoParameter = 1e-4;    // share of the fall that slopes promise [1]
-constexpr double kRoundedPotential = 1e-11;  // of a potential, whose parts are rounded [1]
-constexpr double kRoundedStretch = 1e-15;    // of squares of stretches less 3, in an energy [1]
+constexpr int kFreeIterations = 2;  // Iterations before steps are shortened or lengthened
+constexpr int kStepHalvings = 10;   // Most halvings in a line search
+// Least fall of the potential, over the fall that its slope predicts [1]
+constexpr double kArmijoParameter = 1e-4;
+constexpr double kRoundedPotential = 1e-11;  // Relative rounding of a potential [1]
+// Rounding of the sum of squared stretches less 3, in an energy [1]
+constexpr double kRoundedStretch = 1e-15;
 
-constexpr double kSameWayCosine = 0.95;  // of steps that go one way [1]
-constexpr double kMostGrowth = 16;       // of a step that runs off [1]
+constexpr double kSameWayCosine = 0.95;  // Steps go the same way if their cosine exceeds this [1]
+// Largest factor by which a step that runs off is lengthened [1]
+constexpr double kMostGrowth = 16;
 
-constexpr int kRoundIterations = 8;  // in which a residual must fall
-constexpr double kRoundFall = 0.5;   // to this share [1]
+constexpr int kRoundIterations = 8;  // Iterations within which a residual must fall
+constexpr double kRoundFall = 0.5;   // A fall of the residual to less than this share counts [1]
 
 class SpringPress {
  public:
@@ -150,7 +155,7 @@ class SpringPress {
     return true;
   }
 
-  /// Takes the step. @param may_grow  if it runs off an equilibrium that is not stable
+  /// Applies the step. @param may_grow  if it runs off an equilibrium that is not stable
   void take_step(const Matrix3Xd& u, bool may_grow) {
     const bool runs = may_grow && runs_off();
     last_ = dx_;

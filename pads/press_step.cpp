@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-constexpr int kMostConeNodes = 60;  // that touch, of which cones cost less than Newton's method
+// Most touching nodes for which cones cost less than Newton's method
+constexpr int kMostConeNodes = 60;
 
 /// Nodes that touch or, if no tissue moves, will be inside the object.
 int nodes_to_touch(PressIterate& at) {

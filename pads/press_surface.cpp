@@ -15,7 +15,7 @@ void turn_outward(const Eigen::Matrix3Xd& places, std::vector<std::array<int, 4>
   }
 }
 
-/// What nodes of the mesh have (nodes of the mesh).
+/// Contact quantities of the mesh's nodes, each (nodes of the mesh).
 struct MeshContact {
   Eigen::VectorXd area;              // share of the deformed skin [m^2]
   Eigen::VectorXd normal;            // force [N]

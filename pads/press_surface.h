@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// Whether a node of the skin touches, and holds.
+/// Contact state of a node of the skin: open, sticking or slipping.
 enum class SkinContact : unsigned char { kFree, kSticks, kSlips };
 
 /// The skin at one instant, in the pad's frame.

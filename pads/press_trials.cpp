@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What the elements say of a press.
+/// Measures force, area, moments of pressure, errors and shear stiffness of a solved press.
 MeasuredPress measured(PadPress& press, const PadPressResult& result, const PressTrial& trial) {
   MeasuredPress out;
   out.trial = trial.name;
@@ -37,11 +37,11 @@ MeasuredPress measured(PadPress& press, const PadPressResult& result, const Pres
   return out;
 }
 
-/// Whether a patch is more than some nodes: of a disc under even pressure the arm is 0.38 of the
-/// root of its area, of one node it is rounding.
+/// Returns whether a patch has more than some nodes. For a disc under even pressure the arm is 0.38
+/// times the root of its area; for a single node it is only rounding.
 bool is_patch(const MeasuredPress& press, Eigen::Index nodes) {
-  constexpr Eigen::Index kMostNodes = 4;
-  constexpr double kTurnArm = 0.1;
+  constexpr Eigen::Index kMostNodes = 4;  // Least nodes of a patch
+  constexpr double kTurnArm = 0.1;  // Least arm of the pressure, over the root of the area [1]
   return press.force > 0 && press.area > 0 && press.depth > 0 && press.shear > 0 &&
          nodes >= kMostNodes && press.arm > kTurnArm * std::sqrt(press.area);
 }
@@ -128,7 +128,8 @@ LawTrials standard_trials(const PadShape& shape, const std::vector<double>& dept
   };
   const auto cylinder = [&](const Vector3d& axis, const std::string& way,
                             const std::vector<double>& to) {
-    constexpr double kBallRadius = 8e-3;
+    // Radius of the cylinder and of its distance to the pad [m]
+    constexpr double kBallRadius = 8e-3;  // Radius of the cylinder [m]
     return PressTrial{"cylinder of 8 mm " + way,
                       {build_cylinder(kBallRadius, 0.2), 0},
                       posed(axis, {0, 0, -1}, far + kBallRadius),

@@ -63,8 +63,9 @@ struct [[nodiscard]] MeasuredPresses {
   std::vector<std::string> failures;
   bool stopped = false;  // whether there were more to come
 };
-/// Where a press is not solved, deeper ones of its trial are left out; one with too few nodes for a
-/// patch is a failure, too, but deeper ones go on. Stopped: those that were done by then.
+/// Presses the pad in all trials. After a press that is not solved, the deeper presses of its trial
+/// are left out; a press with too few nodes for a patch is a failure, too, but deeper presses go
+/// on. A stop returns the presses that were done before it.
 /// @param progress  reports press by press; a stop ends the present one
 /// @throws InputError as PadPress, or if a trial's object begins inside the pad or passes it by.
 MeasuredPresses measure_presses(const PadModel& model, const std::vector<PressTrial>& trials,

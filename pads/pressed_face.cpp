@@ -14,20 +14,22 @@ using Eigen::Vector4d;
 using Row = Eigen::Matrix<double, 12, 1>;    // of all coordinates of a face's corners
 using Shapes = Eigen::Matrix<double, 4, 3>;  // of a triangle's corners, of those of the face
 
-constexpr int kSideParts = 4;        // of a side of a face
-constexpr double kPlaneTurn = 3e-3;  // of normals over a triangle, from which on planes count [1]
-constexpr double kConvexRounding =
-    1e-9;  // of a plane beyond the object, that rounding explains [m]
-constexpr double kPlaneExcess =
-    1e-13;                          // of the object over all known planes, that tells of more [m]
-constexpr double kSharpTurn = 0.1;  // turn of normals over a triangle that tells of an edge [1]
-constexpr double kEvenTurnShare =
-    0.25;  // of a turn, that its middle may be off; over an edge half of it [1]
-constexpr int kMostSplits = 4;            // of triangles over curved edges
-constexpr int kMostLooks = 4;             // for more planes of a triangle
-constexpr double kSamePlane = 1e-7;       // difference of normals [1]
-constexpr double kNoPart = 1e-10;         // of a triangle [1]
-constexpr std::size_t kMostCorners = 16;  // of a part of a triangle: 3, one of each of 8 planes
+constexpr int kSideParts = 4;  // Parts into which a side of a face is divided
+// Planes are found if normals turn by more than this over a triangle [1]
+constexpr double kPlaneTurn = 3e-3;
+// Largest excess of a plane over the object that rounding explains [m]
+constexpr double kConvexRounding = 1e-9;
+// Excess of the object over all known planes that shows a further plane [m]
+constexpr double kPlaneExcess = 1e-13;
+constexpr double kSharpTurn = 0.1;  // A larger turn of normals over a triangle shows an edge [1]
+// Largest deviation of the middle normal, over the turn; over an edge it is half [1]
+constexpr double kEvenTurnShare = 0.25;
+constexpr int kMostSplits = 4;       // Most splits of triangles over curved edges
+constexpr int kMostLooks = 4;        // Most searches for further planes of a triangle
+constexpr double kSamePlane = 1e-7;  // Planes with normals that differ by less are the same [1]
+constexpr double kNoPart = 1e-10;    // Parts below this share of a triangle are left out [1]
+// Most corners of a part of a triangle: 3, and one for each of 8 planes
+constexpr std::size_t kMostCorners = 16;
 
 /// A convex part of a triangle, by barycentric coordinates of its corners.
 struct Polygon {
@@ -167,7 +169,8 @@ class FacePress {
     return out;
   }
 
-  /// Whether normals turn evenly along the side where they turn most, as over no edge.
+  /// Returns whether normals turn evenly along the side where they turn most, as they do where no
+  /// edge of the object lies over the triangle.
   [[nodiscard]] bool turns_evenly(const Triangle& at) const {
     std::size_t most = 0;
     const auto turn = [&](std::size_t side) {

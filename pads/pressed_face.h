@@ -17,7 +17,8 @@ using FaceCorners = Eigen::Matrix<double, 3, 4>;
 /// Shape functions of a face's corners [1] (4). @param x, y  from 0 to 1
 [[nodiscard]] Eigen::Vector4d face_shape(double x, double y);
 
-/// What springs over a face do, of which each presses along the object's normal.
+/// Energy, forces and stiffness of springs over a face. Each spring presses along the object's
+/// normal.
 struct PressedFace {
   /// A point inside the object.
   struct Point {

@@ -19,17 +19,20 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kGridPlaces = 12;           // places along a radius of the disc, of a first look
-constexpr double kFinestStep = 1e-7;      // of a search on the disc [1]
-constexpr double kBesideShare = 0.25;     // places as near belong to the deepest [1]
-constexpr double kNearStart = 0.02;       // where a search begins around a place nearby [1]
-constexpr int kSlopePlaces = 8;           // around a place
-constexpr double kSlopeStep = 0.01;       // of their differences, over the ring they are on [1]
-constexpr double kRiseShare = 0.01;       // of what slopes promise [1]
-constexpr double kLevelMixture = 1e-4;    // a mixture so short, over a slope, is none [1]
-constexpr double kTinySquare = 1e-300;    // of a square
+constexpr int kGridPlaces = 12;       // Places along a radius of the disc in the first search
+constexpr double kFinestStep = 1e-7;  // Shortest step of a search on the disc [1]
+// Places within this distance on the disc belong to the deepest [1]
+constexpr double kBesideShare = 0.25;
+constexpr double kNearStart = 0.02;  // First ring of a search that begins at a place nearby [1]
+constexpr int kSlopePlaces = 8;      // Places around a point at which slopes are taken
+// Step of the slopes' differences, over the radius of their ring [1]
+constexpr double kSlopeStep = 0.01;
+// Least rise of the overlap, over the rise that slopes predict [1]
+constexpr double kRiseShare = 0.01;
+constexpr double kLevelMixture = 1e-4;    // Shorter mixtures of slopes, over a slope, are level [1]
+constexpr double kTinySquare = 1e-300;    // Squares below this count as 0
 constexpr double kDifferenceStep = 1e-3;  // step of differences on the disc [1]
-constexpr double kMostNewtonStep = 0.1;   // longest step that a parabola is believed for [1]
+constexpr double kMostNewtonStep = 0.1;   // Longest step for which a parabola is trusted [1]
 constexpr double kCurvatureStep = 1e-3;   // step of second differences [m]
 
 PrincipalCurvatures curvatures_near(const Shape& shape, const Vector3d& p) {
@@ -117,9 +120,9 @@ class OverlapSearch {
     return most - other;
   }
 
-  /// From `best` up to a maximum, which may lie on a ridge, as edges of boxes make them: along the
-  /// shortest of all mixtures of slopes around, which rises on both sides of it. Slopes are taken
-  /// on a ring, evenly instead of by chance. Source: [Burke2005].
+  /// Climbs from `best` to a maximum, which may lie on a ridge, as edges of boxes make them: along
+  /// the shortest of all mixtures of slopes around, which rises on both sides of it. Slopes are
+  /// taken on a ring, evenly instead of by chance. Source: [Burke2005].
   void climb(double ring) {
     most = overlap(best);
     while (ring > kFinestStep) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where an undeformed pad and an object meet, as laws at a point see it.
+/// Deepest point and gap between an undeformed pad and an object, for laws at a point.
 
 #include <memory>
 #include <optional>
@@ -13,10 +13,10 @@ namespace thenar {
 /// The skin as a solid, in the pad's frame.
 [[nodiscard]] std::shared_ptr<const Shape> skin_solid(const PadShape& shape);
 
-/// A distance from the pad's origin that no point of its skin passes [m].
+/// Returns a distance from the pad's origin that no point of its skin exceeds [m].
 [[nodiscard]] double reach_of(const PadShape& shape);
 
-/// Where a pad's undeformed skin lies deepest in an object.
+/// Point where a pad's undeformed skin lies deepest in an object.
 struct DeepestSkin {
   double overlap = 0;              // below 0: apart [m]
   double thickness = 0;            // of the soft tissue there [m]
@@ -26,9 +26,9 @@ struct DeepestSkin {
                     // 0: from a place nearby [m]
 };
 
-/// By a search to 1e-7 of the pad's size over all of the skin, on a grid first. From a place nearby
-/// the maximum that belongs to it, which is the deepest of all as long as the object has moved by
-/// less than half of the lead that it had.
+/// Finds the deepest point by a search over all of the skin to 1e-7 of the pad's size, on a grid
+/// first. With `near` it finds the maximum that belongs to this place, which is the deepest of all
+/// as long as the object has moved by less than half of its lead.
 /// @param near  on the disc [1] (2)
 [[nodiscard]] DeepestSkin deepest_skin(const PadChart& chart, const Shape& object,
                                        const Pose<double>& X_PO,

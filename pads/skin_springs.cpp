@@ -13,11 +13,11 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kStickStiffnessRatio =
-    0.125;  // stiffness of what holds by friction, over that of springs [1]
+// Stiffness of sticking friction, over that of the normal springs [1]
+constexpr double kStickStiffnessRatio = 0.125;
 
-/// How far off its place an object is taken, so that an edge that lies along nodes lies on one side
-/// of them for all faces [m] (3).
+/// Returns the offset at which the object is evaluated [m] (3), so that an edge along nodes lies on
+/// the same side of these nodes for all faces.
 const Vector3d& beside() {
   static const Vector3d kBeside = 1e-11 * Vector3d(1, 0.618, 0.382);
   return kBeside;

@@ -36,25 +36,26 @@ class SkinSprings {
   /// Forces along normals, and friction, on nodes [N] (3, nodes).
   [[nodiscard]] const Eigen::Matrix3Xd& push() const { return push_; }
   [[nodiscard]] const Eigen::Matrix3Xd& shear() const { return shear_; }
-  /// Of what pushes along normals [J].
+  /// Returns the energy of the springs along normals [J].
   [[nodiscard]] double energy() const { return energy_; }
   /// Deepest point [m].
   [[nodiscard]] double deepest() const { return deepest_; }
 
-  /// Whether a point inside was last on a side of the object that faces away from where it is now.
+  /// Returns whether a point inside was last on a side of the object that faces away from where it
+  /// is now.
   /// @param before  displacements of the body's free nodes then [m] (3 free nodes)
   /// @param cosine  of the normals, below which sides face away [1]
   [[nodiscard]] bool changed_sides(const Shape& object, const Pose<double>& X_PO_before,
                                    const Pose<double>& X_PO, const Eigen::VectorXd& before,
                                    double cosine) const;
 
-  /// Adds what is symmetric of the loss of forces as nodes move to a tangent of the body.
+  /// Adds the symmetric part of loss() to a tangent of the body.
   void add_slopes(std::vector<double>& values) const;
   /// Loss of forces as nodes move against the object [N] (3, nodes). @param moved  [m] (3, nodes)
   [[nodiscard]] Eigen::Matrix3Xd loss(const Eigen::Matrix3Xd& moved) const;
-  /// What add_slopes() leaves out of it.
+  /// Returns the part of loss() that add_slopes() leaves out [N] (3, nodes).
   [[nodiscard]] Eigen::Matrix3Xd loss_left_out(const Eigen::Matrix3Xd& moved) const;
-  /// The part of friction (3, nodes).
+  /// Returns the part of loss() due to friction [N] (3, nodes).
   [[nodiscard]] Eigen::Matrix3Xd friction_loss(const Eigen::Matrix3Xd& moved) const;
 
  private:
@@ -78,7 +79,7 @@ class SkinSprings {
            const std::vector<double>& stiffness, const Before& before);
   /// Loss of forces along normals (3, nodes).
   [[nodiscard]] Eigen::Matrix3Xd push_loss(const Eigen::Matrix3Xd& moved) const;
-  /// What is symmetric of the slope of friction of a node by its own place (3, 3).
+  /// Returns the symmetric part of the slope of a node's friction by its own place (3, 3).
   [[nodiscard]] static Eigen::Matrix3d own_slope(const Rubbing& node);
 
   const TissueBody& body_;

@@ -15,7 +15,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr std::array<int, 6> kRow{0, 1, 2, 0, 1, 2}, kColumn{0, 1, 2, 1, 2, 0};
-constexpr double kEqualStretches = 1e-6;  // relative difference taken as none [1]
+// Relative difference up to which stretches count as equal [1]
+constexpr double kEqualStretches = 1e-6;
 
 /// Symmetric identity and deviatoric projection applied to tensors in components.
 Voigt deviator(const Voigt& a) {
@@ -163,7 +164,7 @@ void isochoric_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
 }
 
 double tangent_shear_modulus(const Tissue& tissue, const IsochoricResponse& at) {
-  constexpr double kLeastModulusRatio = 0.1;
+  constexpr double kLeastModulusRatio = 0.1;  // Least tangent shear modulus, over that at rest [1]
   // Of 2 mu times the deviatoric projection, whose trace is 5.
   const auto& diagonal = at.tangent.diagonal();
   const double trace = diagonal.head<3>().sum() + 2 * diagonal.tail<3>().sum();

@@ -18,7 +18,7 @@ using TissueHistory = std::vector<ElementHistory>;
 /// Pressure within elements, coefficients of its modes [Pa] (elements).
 using TissuePressure = std::vector<Eigen::Vector4d>;
 
-/// What a body answers at a displacement.
+/// Energy, forces and stiffness of a body at a displacement.
 struct TissueResponse {
   bool inverted = false;       // an element is turned inside out: nothing else is written
   double energy = 0;           // incremental potential [J]
@@ -58,7 +58,8 @@ class TissueBody {
   }
   [[nodiscard]] std::size_t elements() const { return elements_.size(); }
   [[nodiscard]] const SymmetricPattern& pattern() const { return pattern_; }
-  /// Where the diagonal block (3, 3) of a free node lies among the values: entry (r, c), r >= c.
+  /// Returns the position among the values of entry (r, c), r >= c, of the diagonal block (3, 3) of
+  /// a free node.
   [[nodiscard]] std::size_t diagonal_entry(int free, int r, int c) const;
   /// Adds a block to the values: rows of free node `row`, columns of `column`, which share an
   /// element; of a symmetric matrix, so each pair once. @param block  (3, 3)
@@ -78,7 +79,8 @@ class TissueBody {
   [[nodiscard]] Eigen::Matrix3Xd spread(const Eigen::VectorXd& x,
                                         const Eigen::Matrix3Xd& at_fixed) const;
 
-  /// Whether a place lies in an element. @param u  displacements of all nodes [m] (3, nodes)
+  /// Returns whether a place lies in an element.
+  /// @param u  displacements of all nodes [m] (3, nodes)
   [[nodiscard]] bool contains(const Eigen::Vector3d& place, const Eigen::Matrix3Xd& u) const;
 
   /// @param u        displacements of all nodes [m] (3, nodes)

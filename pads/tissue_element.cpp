@@ -116,7 +116,7 @@ Matrix3d deformation_at(const PointKinematics& at, int points, int q) {
   return F;
 }
 
-/// What a point adds to the sums.
+/// Writes the weighted stress and tangent of a point to the sums.
 void set_point(int points, int q, double w, const Voigt& tau, const VoigtTangent* c,
                PointStresses& out) {
   for (int p = 0; p < 6; ++p) {
@@ -135,7 +135,7 @@ void add_pressure_tangent(double s, double r, VoigtTangent& c) {
   }
 }
 
-/// What stands for J in the volumetric energy.
+/// Dilatation that replaces J in the volumetric energy, by kind of element.
 template <int N>
 class Dilatation {
  public:
@@ -165,7 +165,7 @@ class Dilatation {
     }
   }
 
-  /// Whether the dilatation is above 0 everywhere.
+  /// Returns whether the dilatation is above 0 everywhere.
   [[nodiscard]] bool fits() const { return fits_; }
   [[nodiscard]] double energy() const {
     double sum = 0;
@@ -179,7 +179,7 @@ class Dilatation {
                ? shape_.modes.row(static_cast<Eigen::Index>(q)).dot(pressure_)
                : at_[q].pressure;
   }
-  /// The same as the stiffness sees it.
+  /// Returns the pressure at a point for the stiffness.
   [[nodiscard]] double tangent_pressure(std::size_t q) const {
     if (tangent_ == nullptr || kind_ == HexElement::kDisplacement ||
         kind_ == HexElement::kCentroidDilatation)

@@ -33,8 +33,8 @@ struct ElementTable;
 /// The table of a kind; lives as long as the program.
 [[nodiscard]] const ElementTable& element_table(HexElement kind);
 
-/// What an element has from its reference shape. Nodes of Q1 are ordered as HexCell::corners, those
-/// of Q2 as the lattice 0..26, first axis fastest.
+/// Quantities of an element that follow from its reference shape. Nodes of Q1 are ordered as
+/// HexCell::corners, those of Q2 as the lattice 0..26, first axis fastest.
 struct ElementShape {
   std::vector<double> gradient;       // dN/dX [1/m] (nodes, 3, padded points), see element_sums.h
   std::vector<double> volume;         // weights [m^3] (points)

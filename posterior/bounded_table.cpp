@@ -6,8 +6,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kReach = 8.5;  // of the table [1]
-constexpr int kPerUnit = 64;    // cells
+constexpr double kReach = 8.5;  // The table covers [-kReach, kReach] [1]
+constexpr int kPerUnit = 64;    // Cells per unit
 constexpr int kCells = static_cast<int>(2 * kReach * kPerUnit);
 
 internal::PiecewisePolynomial cells(const std::vector<double>& coefficients) {

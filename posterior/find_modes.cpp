@@ -29,7 +29,7 @@ void check_mode_search(const LeastSquares& problem, const ModeSearchOptions& sea
 /// Standard normal entries, those outside their bounds drawn again or else set on them.
 Eigen::VectorXd prior_draw(const LeastSquares& problem, const ModeSearchOptions& search,
                            int number) {
-  constexpr int kTrials = 20;
+  constexpr int kTrials = 20;  // Most trials of an entry within its bounds
   // Each search has a stream of its own.
   RandomStream random(search.seed, static_cast<std::uint32_t>(number), 0, kSearchStream);
   Eigen::VectorXd z(problem.lower.size());

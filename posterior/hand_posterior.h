@@ -56,7 +56,7 @@ class HandPosterior : public Target {
   [[nodiscard]] std::vector<std::string> specimen_scale_kinds() const;
 
   [[nodiscard]] PosteriorValues values(const Eigen::Ref<const Eigen::MatrixXd>& x) const;
-  /// From x to z of the fit and back. Entries of z without an entry of x become zero, factors of
+  /// Convert x to z of the fit and back. Entries of z without an entry of x become zero, factors of
   /// noise and specimen_scale become 1 (size).
   [[nodiscard]] Eigen::VectorXd fit_coordinates(const Eigen::VectorXd& x) const;
   [[nodiscard]] Eigen::VectorXd from_fit(const Eigen::VectorXd& z) const;

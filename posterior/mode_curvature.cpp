@@ -17,7 +17,8 @@ ArrowFactor factor_blocks(const LeastSquares& problem, const Eigen::VectorXd& z)
 
 ModeCurvature::ModeCurvature(const LeastSquares& problem, const Eigen::VectorXd& z)
     : size_(z.size()) {
-  constexpr double kUnknown = 1e-12;  // of the largest curvature: neither data nor priors
+  // Smaller curvatures, over the largest, are known from neither data nor priors [1]
+  constexpr double kUnknown = 1e-12;
   for (int i = 0; i < static_cast<int>(z.size()); ++i)
     if (problem.lower[i] < problem.upper[i]) free_.push_back(i);
   if (!problem.parts.empty()) {

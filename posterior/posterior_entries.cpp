@@ -40,7 +40,7 @@ class EntryLister {
  private:
   void add(int z, int c, int specimen, double sd) {
     if (std::count(left_out_.begin(), left_out_.end(), c) > 0) return;
-    constexpr double kRoom = 1e-12;  // less is rounding [prior sds]
+    constexpr double kRoom = 1e-12;  // Less room between bounds is rounding [prior sds]
     const CoordinateEntries& of = problem_.coordinates().entries(c);
     if (specimen >= 0 && of.upper - of.lower <= kRoom * sd) return;  // its population is fixed, too
     CoordinateEntry entry{
@@ -127,7 +127,7 @@ class EntryLister {
 }  // namespace
 
 std::optional<BoundedNormal> CoordinateEntry::bounds(double k) const {
-  constexpr double kFar = 38;  // no mass of a normal distribution lies beyond [sds]
+  constexpr double kFar = 38;  // No mass of a normal distribution lies beyond this [sds]
   if (lower < -kFar * k && upper > kFar * k) return std::nullopt;
   return BoundedNormal(lower / k, upper / k);
 }

@@ -212,7 +212,7 @@ class TiltTerm {
   TiltDensity density_;
 };
 
-/// Is the prior of this pair the same whatever the other entries are?
+/// Returns whether the prior of this pair is independent of all other entries.
 bool alone(const PosteriorEntries& entries, const TiltPair& pair) {
   return pair.centre[0] < 0 && pair.centre[1] < 0 &&
          entries.coordinates[pair.x[0]].specimen_scale < 0;

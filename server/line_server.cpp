@@ -129,7 +129,7 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
       return false;
     }
   }
-  /// Is a stranger no longer.
+  /// Removes the connection from the strangers.
   void end_waiting() {
     if (!stranger_) return;
     net_->strangers.erase(*std::exchange(stranger_, std::nullopt));
@@ -197,7 +197,7 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
     asked_.pop_front();
   }
 
-  /// Says why, and ends.
+  /// Sends the reason of a refusal, and ends.
   void refuse(const std::string& why) {
     put(json_text(rpc_reply(nullptr, {{}, RpcFailure{RpcCode::kRefused, why}}), -1));
     finish();

@@ -14,8 +14,8 @@
 
 namespace thenar {
 
-/// Someone at the other end of a connection. The engine's thread calls these; they hand over to a
-/// thread of their own and return at once.
+/// Client at the other end of a connection. The engine's thread calls these functions; they hand
+/// over to a thread of their own and return at once.
 class EngineClient {
  public:
   virtual ~EngineClient() = default;
@@ -40,7 +40,7 @@ class Publisher {
   /// @param clients  all that are connected
   /// @returns when it wants to be called again; the end of time if nothing waits
   Clock::time_point publish(Session& session, const EngineClients& clients);
-  /// Someone new watches: all is told to everybody at the next call.
+  /// Tells everything to all clients at the next call: called when a new client watches.
   void tell_all();
   /// Tells what the engine is busy with, beside what was told last.
   void tell_busy(const EngineClients& clients, const std::string& text);

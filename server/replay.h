@@ -20,7 +20,7 @@ struct Execution {
   std::optional<long> stopped_at;  // which question "am I to stop?" was the first to be told yes
 };
 
-/// Does what a request asks for, and counts how often it asks whether it is to stop.
+/// Executes a request, and counts how often it asks whether it is to stop.
 [[nodiscard]] Execution execute(const RpcRequest& request, const MethodTable& table,
                                 Session& session, const Progress& progress);
 

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kShortRequest = 512;  // [bytes]
 
-/// Why a text is too large to be read; counts brackets and commas outside of its strings.
+/// Returns the reason why a text is too large to be read; counts brackets and commas outside of its
+/// strings.
 std::optional<std::string> excess(const std::string& text, const RpcLimits& limits) {
   if (text.size() > limits.bytes)
     return fmt::format("a message of {} bytes, at most {} are read", text.size(), limits.bytes);

@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// Why a request has no result, as numbers of the protocol.
+/// Error codes of the protocol: reasons why a request has no result.
 enum class RpcCode {
   kParse = -32700,           // no JSON
   kInvalidRequest = -32600,  // JSON, but no request
@@ -66,7 +66,7 @@ struct RpcAnswer {
   std::optional<RpcFailure> failure;
 };
 
-/// Does what a request asks for. Whatever a handler throws is a failure.
+/// Executes a request. Whatever a handler throws is a failure.
 [[nodiscard]] RpcAnswer answer_request(const RpcRequest& request, const MethodTable& table,
                                        Session& session, const Progress& progress);
 

@@ -40,7 +40,7 @@ enum class HttpStart { kOpen, kMethod, kOther };
 /// "/mesh/0123": a target without what follows '?'.
 [[nodiscard]] std::string path_of(const WebQuestion& question);
 
-/// Why a question is not answered at all; nothing if it may be.
+/// Returns the refusal of a question; nothing if it may be answered.
 /// @param port  that the server listens at
 [[nodiscard]] std::optional<WebAnswer> refusal_of(const ServerAccess& access, int port,
                                                   const WebQuestion& question);

@@ -26,7 +26,8 @@ MatrixXd stack(const std::vector<MatrixXd>& parts, const std::vector<bool>& free
   return all;
 }
 
-/// Which of the shared coordinates and of a block's own ones are free (shared + own).
+/// Returns for each shared coordinate, then for each own coordinate of a block, whether it is free
+/// (shared + own).
 std::vector<bool> free_of_block(const ArrowLayout& layout, int block,
                                 const std::vector<bool>& free) {
   std::vector<bool> out(free.begin(), free.begin() + layout.shared);

@@ -25,7 +25,7 @@ struct ArrowSquares {
   /// Adds J'J of rows that read the shared coordinates, then those of a block (-1: shared ones
   /// alone). Rows with a single entry, as priors have, cost next to nothing.
   void add(int block, const Eigen::MatrixXd& J);
-  /// Takes J'J away.
+  /// Subtracts J'J.
   void take(int block, const Eigen::MatrixXd& J);
   /// Multiplies all of it by a factor > 0.
   void scale(double factor);
@@ -47,7 +47,7 @@ struct ArrowSquares {
 /// Source: [GolubVanLoan2013] section 2.1.4; [Haynsworth1968] on when it exists.
 class ArrowSquaresFactor {
  public:
-  /// Of the entries of coordinates that are free (size); the others stay where they are.
+  /// Factors the entries of coordinates that are free (size); the others stay where they are.
   /// @return nothing where H is not positive definite, or an own coordinate's D is not positive
   static std::optional<ArrowSquaresFactor> factor(const ArrowSquares& matrix,
                                                   const std::vector<bool>& free);

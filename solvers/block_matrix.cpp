@@ -9,7 +9,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kMinPivot = 1e-13;
+constexpr double kMinPivot = 1e-13;  // Least pivot, over the trace of the block [1]
 
 using Neighbours = std::vector<std::set<int>>;
 

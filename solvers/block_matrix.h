@@ -17,7 +17,7 @@ class BlockPattern {
 
   [[nodiscard]] int size() const { return static_cast<int>(place_.size()); }
   [[nodiscard]] int blocks() const { return static_cast<int>(row_.size()); }
-  /// Where a row stands in elimination order.
+  /// Returns the position of a row in elimination order.
   [[nodiscard]] int place(int row) const { return place_[row]; }
   /// Slot of the block (i, j), i > j both in elimination order; -1: none.
   [[nodiscard]] int slot(int i, int j) const;
@@ -56,7 +56,7 @@ class BlockFactor {
   /// Solves in place.
   void solve(std::vector<Eigen::Vector3d>& y) const;
 
-  /// After a failed factorise(): v with v' A v <= 0, built from the first bad pivot.
+  /// Finds v with v' A v <= 0 after a failed factorise(), from its first bad pivot.
   [[nodiscard]] bool negative_direction(std::vector<Eigen::Vector3d>& v) const;
 
  private:

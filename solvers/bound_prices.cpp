@@ -13,9 +13,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kAtBound = 1e-11;  // of max(1, |bound|): a vertex's own error is less
+// Values this near to a bound are at it, over max(1, |bound|) [1]
+constexpr double kAtBound = 1e-11;
 
-/// Which of its bounds a variable or a row stands at.
+/// Bounds that the value of a variable or a row meets.
 struct Standing {
   bool at_lower, at_upper;
 

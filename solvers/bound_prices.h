@@ -6,8 +6,9 @@
 
 namespace thenar {
 
-/// What an upper bound is worth. The optimum is a concave function of each bound, so that a bound
-/// let out by one unit gives at most what the same bound drawn in by one unit takes.
+/// Prices of upper bounds, the change of the optimum per unit. The optimum is a concave function of
+/// each bound, so that a bound let out by one unit gives at most what the same bound drawn in by
+/// one unit takes.
 struct BoundPrices {
   Eigen::VectorXd increase;  // d optimum / d upper bound as it grows; 0 where it does not bind (n)
   Eigen::VectorXd decrease;  // the same as it shrinks, >= increase; infinite where the program has

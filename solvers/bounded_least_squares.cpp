@@ -7,11 +7,13 @@
 namespace thenar {
 namespace {
 
-constexpr double kLeastRadius = 1e-9;  // radius at which a fit gives up
-constexpr int kMostSweeps = 400;
-constexpr double kSettledMove = 1e-9;  // relative move of a sweep at which descent stops
+constexpr double kLeastRadius = 1e-9;  // A fit gives up when its trust radius is below this
+constexpr int kMostSweeps = 400;       // Most sweeps of coordinate descent
+// Descent stops when the largest relative move of a sweep is below this [1]
+constexpr double kSettledMove = 1e-9;
 
-constexpr double kGapRounding = 1e-6;  // gap of a linearised problem that no sweep lessens
+// Gap of a linearised problem that further sweeps do not reduce
+constexpr double kGapRounding = 1e-6;
 
 /// Minimum of the linearised problem within `radius` of here, in every unknown; its gap to `now`.
 Eigen::VectorXd trusted_step(const BoundedFit& fit, BoundedFitResult& now, double radius) {

@@ -20,11 +20,13 @@ using Eigen::VectorXd;
 using internal::ConeScaling;
 using Qr = Eigen::ColPivHouseholderQR<MatrixXd>;
 
-constexpr double kRankPivot = 1e-11;        // pivots below this part of the largest count as zero
-constexpr double kConsistencyError = 1e-9;  // misfit of dependent equalities that rounding explains
-constexpr int kStepRefinements = 2;         // of a Newton step
-constexpr int kStalledIterations = 12;      // iterations without a better iterate or certificate
-constexpr double kShyOfBoundary = 0.99;     // part of the step to the boundary that is gone
+constexpr double kRankPivot = 1e-11;  // Pivots below this share of the largest count as zero [1]
+// Relative misfit of dependent equalities that rounding explains [1]
+constexpr double kConsistencyError = 1e-9;
+constexpr int kStepRefinements = 2;  // Refinements of a Newton step
+// A run stalls after so many iterations without a better iterate or proof
+constexpr int kStalledIterations = 12;
+constexpr double kShyOfBoundary = 0.99;  // Share of the way to the boundary that a step takes [1]
 
 void check(const ConeProgram& p) {
   const Index n = p.c.size(), m = p.h.size();
@@ -99,8 +101,8 @@ class KktSolver {
     if (G.cols() > 0) qr_.compute(scaled_G_);
   }
 
-  /// With refinement: near the optimum W is so far from a multiple of 1 that QR alone loses half of
-  /// the digits.
+  /// Solves with refinement: near the optimum W is so far from a multiple of 1 that QR alone loses
+  /// half of the digits.
   void solve(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
     factored(a, b, x, z);
     VectorXd left_a = a - G_.transpose() * z, left_b = b - G_ * x + W_.times(W_.times(z)), dx, dz;
@@ -173,7 +175,7 @@ class Embedding {
     VectorXd x, s, z;
     double tau = 0, kappa = 0;
   };
-  /// What a direction is to bring about.
+  /// Target of a direction.
   struct Aim {
     double share;      // by which it cuts the residuals [1]
     VectorXd product;  // lambda o (...)
@@ -276,7 +278,7 @@ void keep_if_better(Core& best, const Embedding& e, const IterateQuality& progre
   best.z = e.z / e.tau;
 }
 
-/// What the best iterate and the best certificates show to a tolerance.
+/// Returns the status that the best iterate and the best certificates prove to a tolerance.
 Status status_of(const Core& best, double tolerance) {
   if (best.residual <= tolerance) return Status::kSolved;
   if (best.infeasible <= tolerance) return Status::kInfeasible;
@@ -311,7 +313,8 @@ VectorXd equality_multipliers(const ConeProgram& p, const VectorXd& rest) {
   return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A.transpose()).solve(rest);
 }
 
-/// How far parts of v lie outside of their cones.
+/// Returns the largest distance of the parts of v outside of their cones; negative if all lie
+/// inside.
 double outside_cones(const VectorXd& v, const std::vector<int>& cones) {
   double worst = 0;
   Index row = 0;
@@ -338,9 +341,9 @@ double residual_of(const ConeProgram& p, const ConeResult& r) {
                      over(std::abs(r.objective - r.dual), std::abs(r.objective))});
 }
 
-/// How far y and z are from Farkas' proof: with A'y + G'z = e, z in K and -(b'y + h'z) = g > 0, no
-/// x shorter than g / |e| obeys all. @return |e| / g and how far z is outside of K, infinite if
-/// there is no proof
+/// Measures the error of y and z as Farkas' proof of infeasibility: with A'y + G'z = e, z in K and
+/// -(b'y + h'z) = g > 0, no x shorter than g / |e| obeys all.
+/// @return the larger of |e| / g and the relative distance of z outside of K, infinite if g <= 0
 double misses_infeasible(const ConeProgram& p, const VectorXd& y, const VectorXd& z) {
   VectorXd e = p.G.transpose() * z;
   double gain = -p.h.dot(z);
@@ -350,8 +353,9 @@ double misses_infeasible(const ConeProgram& p, const VectorXd& y, const VectorXd
   return max_or_nan(e.norm() / gain, outside_cones(z, p.cones) / std::max(gain, z.norm()));
 }
 
-/// How far a direction d is from one along which the objective falls and everything still holds:
-/// A d = 0, -G d in K, c'd < 0. @return what is missing over -c'd, infinite if it does not fall
+/// Measures the error of d as a direction along which the objective falls without end: A d = 0, -G
+/// d in K, c'd < 0.
+/// @return largest violation over -c'd, infinite if the objective does not fall
 double misses_unbounded(const ConeProgram& p, const VectorXd& d) {
   const double gain = -p.c.dot(d);
   if (!(gain > 0)) return kInfinity;
@@ -359,7 +363,7 @@ double misses_unbounded(const ConeProgram& p, const VectorXd& d) {
   return max_or_nan(equalities, outside_cones(-p.G * d, p.cones)) / gain;
 }
 
-/// What is said before anything is known.
+/// Returns a result without an answer, kStalled.
 ConeResult unanswered(const ConeProgram& p) {
   return {Status::kStalled,
           VectorXd::Zero(p.c.size()),

@@ -20,9 +20,10 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double kContainedShare = 1e-10;  // of the extent: how far a point may lie outside a plane
+// Largest distance of a point outside a plane, over the extent [1]
+constexpr double kContainedShare = 1e-10;
 
-/// Where Qhull writes its complaints.
+/// File to which Qhull writes its messages.
 class MessageFile {
  public:
   MessageFile() : file_(open_memstream(&text_, &size_)) {}
@@ -105,7 +106,8 @@ void sort_ring(const Eigen::Ref<const Eigen::MatrixXd>& points, HullFacet& facet
             [&](int a, int b) { return angle(a) < angle(b); });
 }
 
-/// Is every edge of every ring run through once each way, and does Euler's formula hold?
+/// Returns whether every edge of every ring is run through once each way, and Euler's formula
+/// holds.
 bool is_closed(const std::vector<HullFacet>& facets, Eigen::Index d) {
   // Each edge is walked once each way.
   std::set<std::pair<int, int>> open;

@@ -15,10 +15,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kBoundViolation = 1e-12;  // violation of a bound that counts as none
-constexpr double kLeastPrice = 1e-12;      // that is worth a step
-constexpr double kLeastPivot = 1e-12;      // rate of a basic variable that counts as none
-constexpr double kStepTie = 1e-13;         // steps as long as one another
+// Violations of a bound below this count as none, over the scale [1]
+constexpr double kBoundViolation = 1e-12;
+constexpr double kLeastPrice = 1e-12;  // Least reduced cost that is worth a step
+constexpr double kLeastPivot = 1e-12;  // Rates of basic variables below this count as none
+constexpr double kStepTie = 1e-13;     // Steps whose lengths differ by less tie
 
 /// The variable that enters, and which way it moves.
 struct Entering {
@@ -26,7 +27,7 @@ struct Entering {
   double way;  // +1 or -1
 };
 
-/// How far it moves, and which basic variable then leaves for which bound.
+/// Step of the entering variable: its length, and the basic variable that leaves, with its bound.
 struct Step {
   double length;
   Index leaving;  // place in the basis; -1: none, the entering variable crosses to its other bound
@@ -102,7 +103,8 @@ class DenseSimplex {
     return signs;
   }
 
-  /// Of every variable: the slope of the objective, or of what is missing while anything is.
+  /// Returns for every variable the slope of the objective, or of the infeasibility while the basis
+  /// is infeasible (variables and rows).
   [[nodiscard]] VectorXd duals(bool feasible, const VectorXd& missing) const {
     VectorXd basic_costs = missing, costs = VectorXd::Zero(n_ + rows_);
     if (feasible) costs = cost_;

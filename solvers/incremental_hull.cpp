@@ -11,8 +11,9 @@ namespace thenar::internal {
 namespace {
 
 constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon();
-constexpr double kPlaneRounding = 32 * kUnitRoundoff;  // of one n'p - d, in parts of the size [1]
-constexpr double kErrorToCheck = 1e-13;                // of a plane, in parts of the size [1]
+constexpr double kPlaneRounding = 32 * kUnitRoundoff;  // Rounding of one n'p - d, over the size [1]
+// A plane with a larger error is checked, over the size [1]
+constexpr double kErrorToCheck = 1e-13;
 
 /// Scatters numbers over 64 bits (the finaliser of SplitMix64).
 std::uint64_t scatter(std::uint64_t x) {
@@ -22,8 +23,8 @@ std::uint64_t scatter(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// Where vertex j stands in the facet without vertex i, such that all facets are oriented alike: in
-/// order, but with the first two swapped in every other facet.
+/// Returns the position of vertex j in the facet without vertex i, such that all facets are
+/// oriented alike: in order, but with the first two swapped in every other facet.
 int place_in_simplex(int i, int j) {
   const int place = j < i ? j : j - 1;
   return i % 2 == 1 && place < 2 ? 1 - place : place;

@@ -39,7 +39,8 @@ class Hull {
   /// Facets at or beyond `bar` need no visit: they are no longer queued. Never raise it.
   void set_bar(double bar) { bar_ = bar; }
 
-  /// Takes the queued facet of least offset off the queue; -1 when none is left below the bar.
+  /// Removes the facet of least offset from the queue and returns it; -1 when none is left below
+  /// the bar.
   int pop_nearest();
 
   /// Adds a point beyond `facet`, which is replaced. @returns false if it is not, to rounding, and

@@ -28,7 +28,8 @@ struct Bounded {
     return worst;
   }
 
-  /// Takes prices of infinite bounds out; sum of the others times the distance to their bounds.
+  /// Removes prices of infinite bounds, and returns the sum of the others times the distance to
+  /// their bounds.
   [[nodiscard]] double complementarity(VectorXd& prices) const {
     double sum = 0;
     for (Index i = 0; i < value.size(); ++i) {

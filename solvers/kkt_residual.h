@@ -21,7 +21,7 @@ namespace thenar {
 [[nodiscard]] double slope_terms(const NonlinearProgram& program, const Eigen::VectorXd& x,
                                  const Eigen::VectorXd& rows, const Eigen::VectorXd& bounds);
 
-/// How far x is outside its bounds and rows, at most; each over max(1, |its bound|).
+/// Returns the largest violation of bounds and rows by x, each over max(1, |its bound|) [1].
 [[nodiscard]] double violation(const NonlinearProgram& program, const Eigen::VectorXd& x);
 
 }  // namespace thenar

@@ -40,8 +40,8 @@ Solution dispatch(const LeastSquares& problem, const Eigen::VectorXd& start,
 void refute_if_infeasible(const LeastSquares& problem, LeastSquaresMethod method,
                           Solution& solution) {
   if (!problem.constraints) return;
-  constexpr double kConstraintSlack =
-      1e-6;  // of scaled constraints: what Ipopt is allowed, too [1]
+  // Largest violation of scaled constraints, which Ipopt is allowed, too [1]
+  constexpr double kConstraintSlack = 1e-6;
   const Eigen::VectorXd c = problem.constraints(solution.z).c;
   // A NaN breaks its constraint.
   const auto kept = ((c.array() >= problem.c_lower.array() - kConstraintSlack) &&
@@ -56,7 +56,7 @@ void refute_if_infeasible(const LeastSquares& problem, LeastSquaresMethod method
 
 /// Coordinates whose bounds leave them room to move.
 std::vector<int> find_free(const LeastSquares& problem) {
-  constexpr double kLeastRoom = 1e-12;  // less is rounding, in prior sds [1]
+  constexpr double kLeastRoom = 1e-12;  // Less room between bounds is rounding [prior sds]
   std::vector<int> free;
   for (Eigen::Index i = 0; i < problem.lower.size(); ++i)
     if (problem.upper[i] - problem.lower[i] > kLeastRoom || !std::isfinite(problem.lower[i]))
@@ -91,7 +91,7 @@ LeastSquares reduce(const LeastSquares& problem, const std::vector<int>& free,
   return rest;
 }
 
-/// Where nothing can move, the start is the answer.
+/// Returns the start as the solution of a problem in which nothing can move.
 Solution stay(const LeastSquares& problem, const Eigen::VectorXd& start) {
   Solution solution;
   solution.z = start;
@@ -102,7 +102,7 @@ Solution stay(const LeastSquares& problem, const Eigen::VectorXd& start) {
   return solution;
 }
 
-/// Length of the step that is left where coordinates meet no constraints.
+/// Returns the length of the step that is left in coordinates without constraints.
 double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostDerivatives slopes) {
   for (Eigen::Index i = 0; i < z.size(); ++i)
     if (internal::held(problem, z, slopes.gradient[i], i)) fix_coordinate(slopes, i);
@@ -112,7 +112,7 @@ double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostDeri
 /// Rows of constraints that hold the step back, those that let go left out.
 Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& z,
                             const Eigen::VectorXd& gradient) {
-  constexpr double kOnConstraint = 1e-5;  // of scaled constraints [1]
+  constexpr double kOnConstraint = 1e-5;  // Scaled constraints this near to a bound are active [1]
   // Constraints at one of their bounds.
   const ConstraintValues at = problem.constraints(z);
   std::vector<Eigen::Index> active;
@@ -143,14 +143,16 @@ Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& 
 /// Orthonormal directions that the rows of A leave, which may hang on each other.
 Eigen::MatrixXd null_basis(const Eigen::MatrixXd& A) {
   if (A.size() == 0) return Eigen::MatrixXd::Identity(A.cols(), A.cols());
-  constexpr double kDependentPivot = 1e-9;  // of the largest pivot: a row that the others hold [1]
+  // Rows with a pivot below this share of the largest are dependent [1]
+  constexpr double kDependentPivot = 1e-9;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.transpose());
   qr.setThreshold(kDependentPivot);
   const Eigen::MatrixXd Q = qr.householderQ();
   return Q.rightCols(A.cols() - qr.rank());
 }
 
-/// The same where constraints are: within what the active ones leave.
+/// Returns the length of the step that is left in the directions that bounds and active constraints
+/// leave free.
 double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
                         const CostDerivatives& slopes) {
   // Directions that bounds and active constraints leave.
@@ -198,11 +200,11 @@ std::optional<CostDerivatives> derivatives_if_any(const LeastSquares& problem,
   return out;
 }
 
-/// The same by differences of the residuals, for those without a Jacobian. No point outside the
-/// bounds is asked.
+/// Computes gradient and Jacobian by differences of residuals that have no Jacobian. No point
+/// outside the bounds is evaluated.
 CostDerivatives derivatives_by_differences(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  constexpr double kDifferenceShare =
-      6e-6;  // cube root of the rounding: the best step of central differences
+  // Relative step of central differences: the cube root of the rounding [1]
+  constexpr double kDifferenceShare = 6e-6;
   const Eigen::VectorXd r = problem.residuals(z, WithJacobian::kNo).r;
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(r.size(), z.size());
   for (Eigen::Index i = 0; i < z.size(); ++i) {
@@ -236,7 +238,7 @@ void certify(const LeastSquares& problem, const SolveOptions& options, Solution&
     solution.newton_step = constrained ? constrained_step(problem, solution.z, slopes)
                                        : free_step(problem, solution.z, slopes);
   }
-  constexpr double kDifferenceSd = 0.01;  // of an sd: nothing that a belief would notice
+  constexpr double kDifferenceSd = 0.01;  // Differences of a solution below this do not matter [sd]
   // What the tolerance allows; a longer step refutes the solver.
   const double allowed = std::max(kDifferenceSd, std::sqrt(20 * options.tolerance * solution.cost));
   if (solution.status == Status::kSolved && !(solution.newton_step <= allowed)) {
@@ -279,7 +281,7 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
 /// Where that fails too, Ceres goes on.
 Solution solve_by_method(const LeastSquares& problem, const Eigen::VectorXd& start,
                          const SolveOptions& options) {
-  constexpr double kNearCost = 1e-3;  // relative change of the cost [1]
+  constexpr double kNearCost = 1e-3;  // Relative tolerance of the cost in a first, rough search [1]
   constexpr int kFirstEvaluations = 80,
                 kLastEvaluations = 200;  // evaluations by secants at most [1]
   if (options.method != LeastSquaresMethod::kCeres || options.max_evaluations > 0 ||
@@ -337,7 +339,7 @@ void check_shapes(const LeastSquares& problem, const Eigen::VectorXd& start) {
             layout.blocks);
 }
 
-/// What the functions of a problem return at the start.
+/// Checks the values that the functions of a problem return at the start.
 void check_values(const LeastSquares& problem, const Eigen::VectorXd& z,
                   LeastSquaresMethod method) {
   const bool derivatives =

@@ -55,15 +55,16 @@ struct CostDerivatives {
   std::vector<ArrowRows> rows;  // J
 };
 
-/// Takes a coordinate out: its gradient and column are zero, and a unit row keeps the rank.
+/// Fixes a coordinate: its gradient and column are zero, and a unit row keeps the rank.
 void fix_coordinate(CostDerivatives& slopes, Eigen::Index i);
 
 /// @throws InputError if the residuals have no Jacobian.
 [[nodiscard]] CostDerivatives cost_derivatives(const LeastSquares& problem,
                                                const Eigen::VectorXd& z);
 
-/// Which solver. All minimise the same function; only Ipopt keeps `constraints`. The others search
-/// without them: where their minimum breaks one, the status is not kSolved.
+/// Solver of a least-squares problem. All minimise the same function; only Ipopt keeps
+/// `constraints`. The others search without them: where their minimum breaks one, the status is not
+/// kSolved.
 enum class LeastSquaresMethod {
   kCeres,        // secants, Levenberg-Marquardt; needs the Jacobian
   kNloptLocal,   // BOBYQA: local, without derivatives
@@ -158,7 +159,7 @@ struct ResidualBlocks {
 };
 [[nodiscard]] ResidualBlocks blocks_of(const LeastSquares&);
 
-/// Does the gradient push coordinate i against a bound it lies on?
+/// Returns whether the gradient pushes coordinate i against a bound on which it lies.
 [[nodiscard]] bool held(const LeastSquares&, const Eigen::VectorXd& z, double gradient,
                         Eigen::Index i);
 

@@ -80,7 +80,7 @@ namespace {
 
 /// Bounds of one parameter block of Ceres; where they leave no room, the coordinate is held.
 void bound(const LeastSquares& problem, int first, int count, double* z, ceres::Problem& ceres) {
-  constexpr double kNoRoom = 1e-12;  // less is rounding, in prior sds [1]
+  constexpr double kNoRoom = 1e-12;  // Less room between bounds is rounding [prior sds]
   std::vector<int> held;
   // Coordinates between equal bounds are held.
   for (int i = 0; i < count; ++i) {

@@ -9,7 +9,8 @@ namespace {
 /// Thrown through the solver to leave it; the best point is kept by then.
 struct StopRequested {};
 
-/// Remembers residuals at the last point, since cost, gradient and Hessian ask for the same one.
+/// Evaluator of residuals that keeps the last point, since cost, gradient and Hessian need the same
+/// one.
 class Evaluator {
  public:
   Evaluator(const LeastSquares& problem, const SolveOptions& options, Solution& best)
@@ -28,9 +29,11 @@ class Evaluator {
   }
 
  private:
-  /// For whoever stops half-way: the lowest cost yet that honours the constraints.
+  /// Keeps the point of lowest cost so far that honours the constraints, for a search that is
+  /// stopped.
   void keep_best() {
-    constexpr double kIpoptSlack = 1e-6;  // of scaled constraints [1]
+    // Violation of scaled constraints at which a point still counts as feasible [1]
+    constexpr double kIpoptSlack = 1e-6;
     // A lower cost counts if constraints hold.
     const double cost = 0.5 * last_.r.squaredNorm();
     if (!(best_.evaluations == 1 || cost < best_.cost)) return;

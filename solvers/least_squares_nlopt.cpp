@@ -8,9 +8,9 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kFarAway = 8;  // stands for an infinite bound of a standard normal coordinate
+constexpr double kFarAway = 8;  // Replaces an infinite bound of a standard normal coordinate [1]
 
-/// What the C callback needs; remembers the best point, because a stop throws it away.
+/// State of the C callback. It remembers the best point, because a stop throws it away.
 struct Context {
   const LeastSquares& problem;
   const SolveOptions& options;
@@ -43,7 +43,8 @@ std::vector<double> finite(const Eigen::VectorXd& z) {
   return {near.data(), near.data() + near.size()};
 }
 
-/// Half a prior sd, or less where the bounds are close: the search must fit in twice over.
+/// Returns first steps of half a prior sd, or less where the bounds are close: the search must fit
+/// in twice over.
 std::vector<double> first_steps(const LeastSquares& problem) {
   const std::vector<double> lower = finite(problem.lower), upper = finite(problem.upper);
   std::vector<double> steps;

@@ -87,11 +87,11 @@ class SecantSearch {
   }
 
   [[nodiscard]] const SecantPoint& best() const { return best_; }
-  /// Whether no step lowers the cost, however short.
+  /// Returns whether no step lowers the cost, however short.
   [[nodiscard]] bool exhausted() const { return damping_ > kMostDamping; }
 
-  /// What full steps would still gain, at the largest: with the curvature and by J'J alone, which
-  /// is not asked where the first is above `enough` [1].
+  /// Returns the larger gain of two full steps, with the curvature and by J'J alone [1]; the second
+  /// is not computed if the first is above `enough`.
   [[nodiscard]] double gain(double enough = kInfinity) const {
     return gain(best_.gradient, enough);
   }
@@ -118,7 +118,7 @@ class SecantSearch {
   }
 
  private:
-  static constexpr double kMostDamping = 1e6;  // of J'J [1]
+  static constexpr double kMostDamping = 1e6;  // Largest factor of J'J in the damped Hessian [1]
 
   [[nodiscard]] double gain(const VectorXd& gradient, double enough) const {
     const auto by = [&](const std::optional<ArrowSquaresFactor>& factor) {
@@ -129,9 +129,11 @@ class SecantSearch {
     return std::max(curved, by(ArrowSquaresFactor::factor(gauss_newton_, free_)));
   }
 
-  /// By the cost, or by what is left to gain where rounding hides the change of the cost.
+  /// Returns whether a point is better, by the cost, or by the gain that is left where rounding
+  /// hides the change of the cost.
   [[nodiscard]] bool is_better(const SecantPoint& next) const {
-    constexpr double kCostRounding = 1e-14;  // of the cost [1]
+    // Relative change of the cost that rounding explains [1]
+    constexpr double kCostRounding = 1e-14;
     if (std::abs(next.cost - best_.cost) > kCostRounding * best_.cost)
       return next.cost < best_.cost;
     return gain(next.gradient, kInfinity) < gain();
@@ -139,7 +141,7 @@ class SecantSearch {
 
   void shorten() { damping_ = std::max(0.1, 4 * damping_); }
 
-  /// Of the Hessian and as many J'J as damp it; nothing where that is not positive definite.
+  /// Factors the Hessian plus `damping_` times J'J; nothing where this is not positive definite.
   [[nodiscard]] std::optional<ArrowSquaresFactor> damped_factor() const {
     return damping_ == 0 ? newton_ : ArrowSquaresFactor::factor(hessian(damping_), free_);
   }
@@ -251,7 +253,7 @@ namespace {
 /// @param products  inner products of the points (points, points)
 VectorXd nearest_mean(const MatrixXd& products) {
   // min |P y|^2 + (sum y - 1)^2 over y >= 0 has the same direction, and y <= 1.
-  constexpr double kRegularization = 1e-12;  // of the largest product [1]
+  constexpr double kRegularization = 1e-12;  // Added to the diagonal, over its largest entry [1]
   const Eigen::Index n = products.rows();
   MatrixXd H = products + MatrixXd::Ones(n, n);
   H.diagonal().array() += kRegularization * H.diagonal().maxCoeff();
@@ -273,14 +275,15 @@ class KinkSearch {
   [[nodiscard]] std::size_t sides() const { return sides_.size(); }
   /// Length of the step that is left: of the smallest mean of the gradients [sds].
   [[nodiscard]] double left() const { return left_; }
-  /// Whether J'J cannot be factored, so that nothing is known of steps.
+  /// Returns whether J'J cannot be factored, so that nothing is known of steps.
   [[nodiscard]] bool lost() const { return !factor_; }
 
   /// A step downhill; where there is none, the gradient across the kink that is in the way.
   /// @return whether there was either
   bool advance() {
-    constexpr double kFallShare = 0.05;  // of the fall that the slope promises [1]
-    constexpr std::size_t kMost = 30;    // sides
+    // Least fall of the cost, over the fall that the slope predicts [1]
+    constexpr double kFallShare = 0.05;
+    constexpr std::size_t kMost = 30;  // sides
     const double shortest = 0.5 * kKinkDistance / left_;
     for (double part = 1;; part = std::max(part / 4, shortest)) {
       VectorXd next = (z_ + part * step_).cwiseMax(problem_.lower).cwiseMin(problem_.upper);
@@ -299,8 +302,8 @@ class KinkSearch {
   }
 
  private:
-  static constexpr double kKinkDistance =
-      1e-3;  // sides of one kink are as near to each other [sds]
+  // Sides of one kink are at most this far apart [sds]
+  static constexpr double kKinkDistance = 1e-3;
 
   /// Begins anew at a point, with what is known of the sides near to it.
   void move_to(VectorXd z, CostDerivatives at) {
@@ -375,8 +378,9 @@ class KinkSearch {
 }  // namespace
 
 bool search_at_kink(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
-  constexpr int kMost = 200;           // evaluations [1]
-  constexpr double kLeftStep = 0.003;  // step that may be left [sds]
+  constexpr int kMost = 200;  // evaluations [1]
+  // The search ends when the step that is left is shorter [sds]
+  constexpr double kLeftStep = 0.003;
   CostDerivatives start = cost_derivatives(problem, solution.z);
   ++solution.evaluations;
   if (!std::isfinite(start.cost) || !start.gradient.allFinite()) return false;

@@ -15,10 +15,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
-constexpr double kFeasibilityError = 1e-12;  // of max(1, terms of the row)
-constexpr double kPriceError = 1e-11;        // of max(1, terms of the price)
-constexpr double kGapError = 1e-11;          // of max(1, |objective|)
-constexpr int kBasisRefinements = 2;         // of a linear system: rounding is reached after one
+// Largest violation of a row, over max(1, its terms) [1]
+constexpr double kFeasibilityError = 1e-12;
+constexpr double kPriceError = 1e-11;  // Largest violation of a price, over max(1, its terms) [1]
+constexpr double kGapError = 1e-11;    // Largest duality gap, over max(1, |objective|) [1]
+constexpr int kBasisRefinements = 2;   // Refinements of a linear system; one reaches rounding
 
 /// Column k of [A, -1].
 VectorXd column(const LinearProgram& program, Index k) {

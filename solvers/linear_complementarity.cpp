@@ -15,10 +15,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kPivotTolerance = 1e-11;  // entries of a column that count, over its largest
-constexpr double kTieTolerance = 1e-12;    // ratios that count as equal
-constexpr double kFarkasTolerance = 1e-9;
-constexpr int kPivotsPerTableau = 60;  // until it is built anew from M and q
+// Least entry of a column that may be a pivot, over its largest [1]
+constexpr double kPivotTolerance = 1e-11;
+constexpr double kTieTolerance = 1e-12;  // Ratios with a smaller relative difference are equal [1]
+constexpr double kFarkasTolerance = 1e-9;  // Relative rounding in Farkas' proof [1]
+constexpr int kPivotsPerTableau = 60;      // Pivots after which the tableau is rebuilt from M and q
 
 double or_one(double size) { return size > 0 ? size : 1; }
 
@@ -79,7 +80,7 @@ class LemkeTableau {
     }
   }
 
-  /// Whether z0 is zero to rounding: the basis is an answer, though z0 has not left it.
+  /// Returns whether z0 is zero to rounding: the basis is an answer, though z0 has not left it.
   [[nodiscard]] bool is_covered() const {
     for (Index i = 0; i < n_; ++i)
       if (in_row(i) == artificial())

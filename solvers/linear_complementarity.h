@@ -48,7 +48,7 @@ struct [[nodiscard]] ComplementaritySolution {
 [[nodiscard]] double complementarity_residual(const LinearComplementarity& problem,
                                               const Eigen::VectorXd& z);
 
-/// Whether  y >= 0,  M' y <= 0,  q' y < 0  to rounding: then no z >= 0 has M z + q >= 0, as
+/// Returns whether  y >= 0,  M' y <= 0,  q' y < 0  to rounding: then no z >= 0 has M z + q >= 0, as
 /// y' (M z + q) < 0 for every one (Farkas).
 [[nodiscard]] bool proves_infeasible(const LinearComplementarity& problem,
                                      const Eigen::VectorXd& y);

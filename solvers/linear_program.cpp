@@ -19,9 +19,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using internal::SimplexBasis;
 
-constexpr double kClpTolerance = 1e-12;     // violation of a row that CLP is asked for
-constexpr double kOptimalityError = 1e-11;  // of reduced costs, likewise
-constexpr double kBarelyFeasible = 1e-9;    // sum of violations that is rounding of the rows
+constexpr double kClpTolerance = 1e-12;     // Violation of a row that CLP is asked for
+constexpr double kOptimalityError = 1e-11;  // Violation of reduced costs that CLP is asked for
+constexpr double kBarelyFeasible = 1e-9;  // Sums of violations below this are rounding of the rows
 
 VectorXd clp_bounds(const VectorXd& bounds) {
   return bounds.cwiseMax(-COIN_DBL_MAX).cwiseMin(COIN_DBL_MAX);
@@ -63,7 +63,7 @@ void load(ClpSimplex& simplex, const LinearProgram& program) {
   simplex.setLogLevel(0);
 }
 
-/// What a method proposes. Nothing of it is believed: `end` only says what to try to prove.
+/// Proposal of a method. It is not trusted: `end` only says what to try to prove.
 struct Proposal {
   Status end;
   std::optional<SimplexBasis> basis;
@@ -173,7 +173,8 @@ LinearProgram recession(LinearProgram program) {
   return program;
 }
 
-/// Is there a feasible point? Where rows are missed by rounding alone, they are relaxed to meet it.
+/// Finds whether there is a feasible point. Rows that are missed by rounding alone are relaxed to
+/// meet it.
 /// @param proof  becomes the optimum of the elastic program: a point, or duals that are a Farkas
 /// ray
 Status find_feasible(LinearProgram& program, LinearResult& proof) {

@@ -17,8 +17,8 @@ struct LinearProgram {
   Eigen::VectorXd lower, upper;          // (n)
 };
 
-/// How far x is from feasible, and by how much any feasible point can exceed its objective. Duals
-/// of the bounds of x are  d = objective - A' duals.
+/// Certificate of x: its infeasibility, and the most by which any feasible point can exceed its
+/// objective. Duals of the bounds of x are  d = objective - A' duals.
 struct LinearCertificate {
   double violation;       // largest amount by which x breaks a bound or row, over
                           // max(1, sum |a_ij x_j|) [1]

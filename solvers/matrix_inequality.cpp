@@ -12,19 +12,20 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kFirstWeight = 1, kMaxWeight = 1e15, kGrowth = 8;
-constexpr int kMaxNewtonSteps = 30;  // of Newton for one weight
-constexpr double kQuadraticDecrement =
-    0.06;                                   // decrement squared below which full steps converge [1]
-constexpr double kCentredDecrement = 1e-3;  // decrement squared at which the weight may grow [1]
-constexpr double kHessianShift = 1e-14;     // added to the scaled Hessian's diagonal [1]
-constexpr int kMaxHalvings = 50;
+constexpr int kMaxNewtonSteps = 30;  // Most Newton steps for one weight
+// Full steps converge if the squared decrement is below this [1]
+constexpr double kQuadraticDecrement = 0.06;
+// The weight may grow once the squared decrement is below this [1]
+constexpr double kCentredDecrement = 1e-3;
+constexpr double kHessianShift = 1e-14;  // Added to the diagonal of the scaled Hessian [1]
+constexpr int kMaxHalvings = 50;         // Most halvings of a step
 
 struct Slope {
   VectorXd g;
   MatrixXd H;
 };
 
-/// Of the barrier alone.
+/// Computes gradient and Hessian of the barrier alone.
 Slope slope_at(const std::vector<MatrixInequality>& inequalities, const VectorXd& y) {
   Slope out{VectorXd::Zero(y.size()), MatrixXd::Zero(y.size(), y.size())};
   for (const MatrixInequality& each : inequalities) {

@@ -257,7 +257,7 @@ Run run(const NonlinearProgram& program, const VectorXd& x0, const NonlinearOpti
   return run;
 }
 
-/// Does what the status claims hold by our own arithmetic? NaN fails.
+/// Returns whether the claim of the status holds by our own arithmetic. NaN fails.
 bool holds(const NonlinearProgram& program, const VectorXd& x0, const Run& run, double certified) {
   const NonlinearResult& result = run.result;
   const KktResidual& at = result.kkt_residual;

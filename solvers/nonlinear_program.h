@@ -38,7 +38,7 @@ struct NonlinearOptions {
   double certified = 1e-6;  // what our own check of the conditions asks for, at least      [1]
 };
 
-/// What is left of the first-order conditions at x, computed from the functions of the program.
+/// Residuals of the first-order conditions at x, computed from the functions of the program.
 struct KktResidual {
   double violation = kUnknown;        // of a bound or row, over max(1, |bound|)      [1]
   double stationarity = kUnknown;     // largest slope of the Lagrangian  [objective / x]

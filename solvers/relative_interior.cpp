@@ -14,8 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kPinnedWidth = 1e-9;      // width of a variable, of order one, that counts as none
-constexpr double kDependentValue = 1e-12;  // singular value of the equalities that counts as none
+// Variables, of order one, with a smaller width are constant [1]
+constexpr double kPinnedWidth = 1e-9;
+// Smaller singular values of the equalities count as zero [1]
+constexpr double kDependentValue = 1e-12;
 
 /// Orthonormal basis of { z : E z = 0, z_i = 0 for pinned i }.
 MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& pinned) {

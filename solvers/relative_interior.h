@@ -21,7 +21,7 @@ struct RelativeInterior {
   Eigen::VectorXd lower, upper;  // of z; infinite at pinned variables                   (n)
 };
 
-/// Only E, its row bounds (alike) and the bounds of `program` are looked at.
+/// Finds the relative interior. It uses only E, its row bounds (alike) and the bounds of `program`.
 [[nodiscard]] RelativeInterior relative_interior(LinearProgram program);
 
 /// A program over y whose constraints are the finite bounds of z. The objective, and whatever else

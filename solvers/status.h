@@ -1,6 +1,6 @@
 #pragma once
 
-/// How a numerical method ended: one enumeration for optimisers, root finders and the questions
+/// Status of a numerical method: one enumeration for optimisers, root finders and the questions
 /// that they answer. Enumerations with words of a domain stand beside what they describe, as
 /// NetStatus and OdeStatus.
 
@@ -26,7 +26,7 @@ enum class Status {
   return kNames[static_cast<std::size_t>(status)];
 }
 
-/// Whether a method ended without an answer and without a proof that there is none.
+/// Returns whether a method ended without an answer and without a proof that there is none.
 [[nodiscard]] inline bool is_undecided(Status status) {
   return status == Status::kLimit || status == Status::kStopped || status == Status::kStalled;
 }

@@ -93,7 +93,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  /// C code is in between: no exception may pass through it.
+  /// Passes the right-hand side to CVODE. No exception may pass through its C code.
   static int call(double t, N_Vector y, N_Vector y_dot, void* user) {
     auto& parts = *static_cast<Parts*>(user);
     try {
@@ -107,7 +107,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
     }
   }
 
-  /// As call().
+  /// Passes the Jacobian to CVODE; lets no exception through, as call().
   // NOLINTNEXTLINE(readability-function-size): the signature is CVODE's
   static int turn(double t, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector,
                   N_Vector) {

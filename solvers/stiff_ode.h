@@ -25,7 +25,7 @@ struct StiffOdeOptions {
   OdeJacobian jacobian{};    // empty: by differences of f
 };
 
-/// What became of a step; every answer of CVODE is one of them.
+/// Outcome of a step; every answer of CVODE is one of them.
 enum class OdeStatus {
   kStepped,     // one step further
   kLimit,       // max_steps done
@@ -36,8 +36,8 @@ enum class OdeStatus {
   kFailed       // anything else
 };
 
-/// What the work was; slopes are without those of Jacobians that are given. Rejected are steps
-/// whose error was too large, or whose equations Newton's steps did not solve.
+/// Counts of the work; slopes exclude those of given Jacobians. Rejected are steps whose error was
+/// too large, or whose equations Newton's steps did not solve.
 struct OdeCounts {
   long steps = 0, slopes = 0, jacobians = 0, rejected = 0;
 };
@@ -65,7 +65,7 @@ class StiffOde {
   [[nodiscard]] double time() const;
   [[nodiscard]] Eigen::VectorXd state() const;
 
-  /// Within the last step. @throws InputError outside it.
+  /// Returns the state at a time within the last step. @throws InputError outside it.
   [[nodiscard]] Eigen::VectorXd state_at(double time) const;
 
   [[nodiscard]] OdeCounts counts() const;

@@ -17,7 +17,7 @@ namespace thenar {
 
 struct NetEquilibrium;
 
-/// How far the torque of tendons can be trusted, from good to bad.
+/// Reliability of the torque of tendons, from good to bad.
 enum class TendonStatus {
   kValid,           // paths are taut, a net is at equilibrium at a minimum
   kApproximate,     // fitted arms may be off by more than 1 mm/rad, or an origin rides on a bend
@@ -31,7 +31,7 @@ enum class TendonStatus {
   kUnbalanced       // a net without equilibrium: its torques are those of no balance
 };
 
-/// Whether results may be used in computations: up to kBandInsideBone.
+/// Returns whether results may be used in computations: up to kBandInsideBone.
 [[nodiscard]] constexpr bool trusted(TendonStatus status) {
   return status < TendonStatus::kNodeCollapsed;
 }
@@ -67,8 +67,8 @@ struct [[nodiscard]] TendonDerivatives {
   Eigen::VectorXd length;      // of each muscle's line, up to a constant [m] (muscles)
 };
 
-/// How arms of tendons that are linear in tensions change with posture: at given tensions
-/// d tau / d q  is the sum of these over muscles, each times its tension.
+/// Slopes of moment arms by posture, for tendons that are linear in tensions: d tau / d q  at given
+/// tensions is the sum of these slopes over muscles, each times its tension.
 struct ArmSlopes {
   bool exist = true;        // false: a path is not differentiable here
   Eigen::MatrixXd of_pair;  // -d R_j / d q_k, symmetric part, pair j + k (k + 1) / 2 with j <= k
@@ -95,7 +95,7 @@ struct NetSnap {
   double released = 0;  // energy that net and muscles lost, as heat, as a net has no mass [J]
 };
 
-/// What became of a net since the state before.
+/// Snaps and potential error of a net since the state before.
 struct NetStep {
   std::vector<NetSnap> snaps;  // the first one first
   double unexplained = 0;      // potential of the net that neither its torque and lengths nor its
@@ -127,10 +127,10 @@ class TendonFollower {
   /// @throws InputError as DigitTendons::evaluate().
   virtual TendonTorque at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) = 0;
 
-  /// Whether the net snaps on its way to the state last asked for.
+  /// Returns whether the net snaps on its way to the state last asked for.
   [[nodiscard]] virtual bool snapped() const = 0;
 
-  /// Goes on from here.
+  /// Accepts a state, from which the net is followed on.
   virtual NetStep accept(const Eigen::VectorXd& q, const Eigen::VectorXd& load) = 0;
 
   /// Slopes at at(q, load), of muscles on tendons.

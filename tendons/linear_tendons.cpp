@@ -118,7 +118,7 @@ class LinearTendons : public DigitTendons {
     return std::make_unique<Arms>(*this);
   }
 
-  /// What arms posture after posture use again.
+  /// Scratch memory of set_arms(); it does not affect results.
   struct Room {
     std::unique_ptr<StrandRoom> paths;
     TreeState<double> state;

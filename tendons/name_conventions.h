@@ -12,7 +12,7 @@ namespace thenar {
          name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-/// Whether a joint's axis is one of flexion: it neither abducts nor pronates.
+/// Returns whether a joint's axis is one of flexion: it neither abducts nor pronates.
 [[nodiscard]] inline bool is_flexion_joint(const std::string& joint) {
   return !ends_with(joint, "_AA") && !ends_with(joint, "_PS");
 }
@@ -22,11 +22,11 @@ namespace thenar {
   return muscle.rfind("FDS", 0) == 0 || muscle.rfind("FDP", 0) == 0 || muscle.rfind("FPL", 0) == 0;
 }
 
-/// What a muscle does to a finger's or a thumb's joint of flexion by its name: 1 flexes it, -1
-/// extends it, 0 where the name does not say. Long flexors and extensors do the same at every joint
-/// but the wrist and the carpometacarpal ones of the thumb, whose axes are skew to the digit's;
-/// interosseous muscles of fingers flex the metacarpophalangeal joint and extend those beyond, as
-/// lumbricals do, which at the former unload the deep flexor by what they pull.
+/// Returns the action of a muscle on a finger's or a thumb's joint of flexion by its name: 1 flexes
+/// it, -1 extends it, 0 if the name does not say. Long flexors and extensors do the same at every
+/// joint but the wrist and the carpometacarpal ones of the thumb, whose axes are skew to the
+/// digit's; interosseous muscles of fingers flex the metacarpophalangeal joint and extend those
+/// beyond, as lumbricals do, which at the former unload the deep flexor by what they pull.
 [[nodiscard]] inline int named_action(const std::string& muscle, const std::string& joint) {
   const auto begins = [](const std::string& text, std::initializer_list<const char*> with) {
     for (const char* start : with)

@@ -9,7 +9,8 @@ namespace thenar {
 
 AxisOffset axis_offset(const Hinge<double>& first, const Hinge<double>& second,
                        const Eigen::Vector3d& distal) {
-  constexpr double kParallelSine = 1e-12;  // sine of the angle [1]
+  // Axes with a smaller sine of their angle are parallel [1]
+  constexpr double kParallelSine = 1e-12;
   const Eigen::Vector3d& a = first.direction;
   const Eigen::Vector3d apart = second.point - first.point, n = a.cross(second.direction);
   const double angle = std::atan2(n.norm(), std::abs(a.dot(second.direction)));
@@ -46,7 +47,8 @@ std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,
   for (const LinkState<double>& link : state) points.push_back(link.point);
   const std::vector<Eigen::Vector3d> given = points;
   const Eigen::Vector3d tip = moved(state, model.tip_link, model.tip);
-  constexpr int kSlideRounds = 50;  // each joint slides to the middle of its neighbours
+  // Rounds in which each joint slides to the middle of its neighbours
+  constexpr int kSlideRounds = 50;
   for (int round = 0; round < kSlideRounds; ++round)
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Eigen::Vector3d& next = i + 1 < points.size() ? points[i + 1] : tip;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// How joint axes of a digit lie to each other in its reference posture: the angle between them,
-/// how far apart they pass, and which of two is the distal one.
+/// Relative position of a digit's joint axes in its reference posture: the angle between two axes,
+/// their distance, and which of them is the distal one.
 
 #include <string>
 #include <vector>
@@ -28,11 +28,11 @@ struct NeighbouringAxes {
   std::string name;   // "CMC1_FE-CMC1_AA"
 };
 
-/// Of all hinges between the base and the tip.
+/// Returns the pairs of successive hinges between the base and the tip.
 [[nodiscard]] std::vector<NeighbouringAxes> neighbouring_axes(const TendonDigit& digit);
 
-/// How the second axis lies to the first in the reference posture; along the digit is away from the
-/// tip's proximal direction there.
+/// Returns the offset of the second axis from the first in the reference posture; along the digit
+/// is opposite to the tip's proximal direction there.
 [[nodiscard]] AxisOffset axis_offset(const TendonModel<double>& model,
                                      const NeighbouringAxes& axes);
 

@@ -107,7 +107,7 @@ class WrappedStrands : public StrandPaths {
   }
 
  private:
-  /// Of all strands (strands) [m].
+  /// Returns the lengths of all strands (strands) [m].
   [[nodiscard]] Eigen::VectorXd lengths_of(const std::vector<PathShape>& shapes,
                                            const Eigen::VectorXd& q) const {
     // Constant arms give lengths that are linear in the posture.
@@ -126,7 +126,7 @@ class WrappedStrands : public StrandPaths {
     return R;
   }
 
-  /// The same, written over R.
+  /// Writes the arms of all strands over R (strands, coordinates) [m/rad].
   void set_rows(const TreeState<double>& state, const std::vector<PathShape>& shapes,
                 Eigen::MatrixXd& R) const {
     // Rows of the paths replace the constant ones.
@@ -152,8 +152,8 @@ std::unique_ptr<StrandPaths> build_wrapped_paths(const Subject& subject, const T
 
 namespace {
 
-constexpr double kToldArmError = 1e-3;  // possible error of an arm that is told: a tenth of a
-                                        // flexor's at a finger's joints [m/rad]
+// Warn of a larger possible error of an arm: a tenth of a flexor's at finger joints [m/rad]
+constexpr double kToldArmError = 1e-3;
 
 /// The path whose arms may be furthest off, in words; empty: all are near.
 std::string worst_fit(const std::vector<FittedPath>& paths) {

@@ -26,7 +26,7 @@ struct [[nodiscard]] StrandDerivatives {
   std::vector<Eigen::MatrixXd> dR;  // d R_j/d q_k [m/rad^2] (strands) of (coordinates, coordinates)
 };
 
-/// Room for arms of wrapped strands posture after posture. It changes no answer.
+/// Scratch memory for arms of wrapped strands; it does not affect results.
 struct StrandRoom {
   PathSolver solver;
 };
@@ -37,14 +37,14 @@ class StrandPaths {
   virtual ~StrandPaths() = default;
   [[nodiscard]] virtual StrandArms arms(const TreeState<double>& state,
                                         const Eigen::VectorXd& q) const = 0;
-  /// Room for set_arms(), which these paths must outlive; null: they need none.
+  /// Returns scratch memory for set_arms(), which these paths must outlive; null: they need none.
   [[nodiscard]] virtual std::unique_ptr<StrandRoom> room() const { return nullptr; }
-  /// arms() written over `out`. @param room  by room()
+  /// Writes arms() over `out`. @param room  by room()
   virtual void set_arms(const TreeState<double>& state, const Eigen::VectorXd& q,
                         StrandRoom* /*room*/, StrandArms& out) const {
     out = arms(state, q);
   }
-  /// As of StrandDerivatives.
+  /// Returns the lengths of StrandDerivatives (strands) [m].
   [[nodiscard]] virtual Eigen::VectorXd lengths(const TreeState<double>& state,
                                                 const Eigen::VectorXd& q) const = 0;
   /// @param room  by room(); null: it has one of its own

@@ -132,7 +132,7 @@ class DigitBuilder {
     }
   }
 
-  /// Does the strand reach the segment that the joint moves?
+  /// Returns whether the strand reaches the segment that the joint moves.
   static bool reaches(const Strand& strand, const JointAxis& joint) {
     if (strand.path.empty()) return strand.arms.count(joint.name) > 0;
     return std::any_of(strand.path.begin(), strand.path.end(), [&](const PathPoint& point) {
@@ -196,7 +196,7 @@ class DigitBuilder {
            std::any_of(rule.branches.begin(), rule.branches.end(), pulls);
   }
 
-  /// Is it pulled by a muscle that counts whatever it crosses?
+  /// Returns whether a muscle that counts whatever it crosses pulls the strand.
   [[nodiscard]] bool is_kept(const std::string& strand) const {
     const std::vector<std::string>& kept = options_.kept;
     return std::any_of(subject_.muscles.begin(), subject_.muscles.end(), [&](const auto& m) {
@@ -233,7 +233,7 @@ class DigitBuilder {
     max_tension_.push_back(muscle.max_force.value_or(std::numeric_limits<double>::infinity()));
   }
 
-  /// What each muscle should do at each joint.
+  /// Sets the expected action of each muscle at each joint.
   void set_actions() {
     const TendonNames& names = built_.names;
     built_.actions.setZero(static_cast<Eigen::Index>(names.muscles.size()),

@@ -92,8 +92,7 @@ enum class WristMode {
 /// originates from another tendon; straight between via points elsewhere.
 [[nodiscard]] Path default_path(const Subject& subject);
 
-/// Which tendons to build, as a builder is told: where a question leaves `path` open, it is
-/// default_path().
+/// Options of the tendons to build. A question that leaves `path` open takes default_path().
 struct TendonOptions {
   Path path = Path::kViaPoint;             // kConstant: only the subject's constant arms
   Hood hood = Hood::kFractions;            // kSeparate: every muscle pulls its own strand only
@@ -133,8 +132,8 @@ template <typename T>
   return S;
 }
 
-/// How far a tendon bends: |angle|, smoothed within 0.01 rad where a coordinate moves it, so that
-/// derivatives exist in the straight finger [rad].
+/// Returns the angle by which a tendon bends: |angle|, smoothed within 0.01 rad where a coordinate
+/// moves it, so that derivatives exist in the straight finger [rad].
 template <typename T>
 [[nodiscard]] T bend_size(const PostureAngle& angle, const VectorX<T>& q) {
   using std::sqrt;

@@ -23,8 +23,7 @@ struct TipStatics {
   std::vector<std::string> muscles;  // (m)
 };
 
-/// Whether W is known.
-/// A TipStatics without it has a W of 3 x 0.
+/// Returns whether W is known. A TipStatics without it has a W of 3 x 0.
 [[nodiscard]] inline bool has_rotation(const TipStatics& statics) { return statics.W.cols() > 0; }
 
 }  // namespace thenar

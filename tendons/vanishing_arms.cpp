@@ -8,9 +8,9 @@
 namespace thenar {
 
 std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eigen::VectorXd& q) {
-  constexpr int kRangePlaces = 13;    // on a joint's range
-  constexpr double kLeastArm = 3e-3;  // arm of a flexor [m/rad]
-  constexpr double kArmShare = 0.25;
+  constexpr int kRangePlaces = 13;    // Angles on a joint's range
+  constexpr double kLeastArm = 3e-3;  // Flexors whose largest arm is smaller are left out [m/rad]
+  constexpr double kArmShare = 0.25;  // An arm below this share of its largest has vanished [1]
   std::vector<VanishingArm> found;
   const TendonDigit& digit = tendons.digit();
   if (digit.fidelity.path < Path::kViaPoint) return found;
@@ -50,7 +50,7 @@ std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eige
 }
 
 std::vector<ReversedArm> reversed_arms(const TendonDigit& digit, const Eigen::MatrixXd& R) {
-  constexpr double kAcrossArm = 5e-4;  // arm of a tendon that runs across its joint [m/rad]
+  constexpr double kAcrossArm = 5e-4;  // Largest arm of a tendon that runs across its joint [m/rad]
   std::vector<ReversedArm> found;
   for (Eigen::Index m = 0; m < digit.actions.rows(); ++m)
     for (Eigen::Index j = 0; j < digit.actions.cols(); ++j)

@@ -10,7 +10,7 @@
 namespace thenar {
 namespace {
 
-/// Something that happens at some of the postures: the first time, and how often.
+/// Event at some of the postures: its first occurrence, and their number.
 struct Occurrence {
   std::string first_text, first_angles;
   std::size_t count = 0;

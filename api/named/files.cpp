@@ -75,7 +75,7 @@ bool starts_with(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
 }
 
-/// By the names of what an HDF5 file holds; none of its values is read.
+/// Finds the kind of an HDF5 file by the names in it; none of its values is read.
 FileContents of_hdf5(const std::string& path) {
   std::vector<std::string> keys;
   try {
@@ -117,7 +117,7 @@ FileContents of_xml(const std::string& path, const std::string& start) {
   return {"", "XML", {}};
 }
 
-/// By names that members of its first part have.
+/// Finds the kind of a JSON file by names of members in its first part.
 FileContents of_json(const std::string& start) {
   const auto has = [&](const char* member) {
     return start.find(fmt::format("\"{}\"", member)) != std::string::npos;

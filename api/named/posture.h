@@ -14,7 +14,7 @@
 
 namespace thenar {
 
-/// In which units the numbers of a posture are.
+/// Units of the numbers of a posture.
 enum class PostureUnit {
   kSI,    // [rad], of slides [m]
   kTyped  // as people type them: [deg], of slides [mm]

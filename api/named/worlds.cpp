@@ -42,7 +42,7 @@ std::string beside(const WorldSpec& world, const std::string& file) {
   return (fs::path(world.folder) / file).string();
 }
 
-/// By which name hand_by_name() knows a placed hand: a subject's file with its version.
+/// Returns the name by which hand_by_name() knows a placed hand: a subject's file with its version.
 std::string name_to_build(const WorldSpec& world, const PlacedHand& placed) {
   if (placed.file.empty()) return placed.name;
   return beside(world, placed.file) + version_of_hand(placed.name);

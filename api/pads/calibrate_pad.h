@@ -62,7 +62,7 @@ struct [[nodiscard]] PadLaws {
 /// @throws InputError if there are none.
 [[nodiscard]] std::string pad_laws_text(const PadLaws& found);
 
-/// Why there are no laws to go on with; empty if there are, or if it was stopped.
+/// Returns the reason why there are no usable laws; empty if there are, or if it was stopped.
 [[nodiscard]] std::string refusal_of(const PadLaws& found);
 
 }  // namespace thenar

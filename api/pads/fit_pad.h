@@ -58,8 +58,8 @@ struct [[nodiscard]] FittedPad {
 /// @throws InputError if there is no estimate.
 [[nodiscard]] std::string fitted_pad_text(const FittedPad& fitted, const std::string& path);
 
-/// Why there is no pad to go on with: the search did not converge, and that was not allowed; empty
-/// if there is one.
+/// Returns the reason why there is no usable pad: the search did not converge, and that was not
+/// allowed; empty if there is one.
 [[nodiscard]] std::string refusal_of(const FittedPad& fitted);
 
 }  // namespace thenar

@@ -92,7 +92,7 @@ class PressRun {
   }
 
  private:
-  /// Without a rate nothing relaxes, and history costs.
+  /// Returns the model of the pad; without a rate it has no relaxation, as history costs time.
   static PadModel model_of(const PressedPad& out) {
     PadModel model = out.pad.model;
     if (!out.request.rate)

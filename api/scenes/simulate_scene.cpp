@@ -52,6 +52,7 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
                          : (fs::path(scene.folder) / hand.placed.file).string();
   if (!hand.version.empty()) name += ":" + hand.version;
   const HandSource source = at_line(scene.path, hand.line, [&] { return find_hand(name, places); });
+  // A robot: options of skins are errors, and the file must hold a robot.
   if (!source.human) {
     if (hand.skin_triangles > 0 || hand.skin_capsules || hand.passive)
       throw DataError(scene.path, hand.line,
@@ -63,6 +64,7 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
     files.insert(robot->files.begin(), robot->files.end());
     return std::move(*robot);
   }
+  // A human hand: the version, paths and skin of the scene.
   HumanModel human{source.file.empty() ? default_human() : read_subject(source.file),
                    human_version(source.version)};
   human.options.path = source.path.empty() ? path : path_named(source.path);
@@ -111,6 +113,7 @@ SimulatedScene simulated(const RequestedScene& read,
   out.files = read.open.files;
   out.varied = numbers;
   out.path = read.path;
+  // Change the numbers in a copy, since runs share what was read.
   auto built = std::make_shared<BuiltScene>(read.open.built);
   for (const auto& [name, value] : numbers) set_number(*built, name, value);
   out.run = done ? std::move(*done) : simulate_by_method(built->scene, built->options, progress);
@@ -216,6 +219,7 @@ RequestedScene open_requested_scene(const SceneRequest& request) {
     require(!read.spec.pads.empty(), "'{}' has no [[pad]]", read.spec.name);
     for (ScenePadSpec& pad : read.spec.pads) pad.rung = request.pads;
   }
+  // Options of the request replace those of the file.
   read.open = open_scene(read.spec, request.data, request.path);
   SceneOptions& options = read.open.built.options;
   if (!request.method.empty())
@@ -283,6 +287,7 @@ SceneSweep sweep_together(const SceneRequest& request, const Progress& progress,
   collective_call(ranks, [&] {
     runs.resize(sweep.asked);
     packed.resize(sweep.asked);
+    // Each process runs every size-th scene, and packs its motions for the first.
     const std::size_t mine = (sweep.asked + size - 1 - rank) / size;
     SharedProgress shared(progress, std::max<std::size_t>(1, mine));
     parallel_for(mine, [&](std::size_t k) {

@@ -53,6 +53,7 @@ void take_posture(RobotSpec& robot, std::map<std::string, double>& posture,
     double u = known ? posture.at(dof.name) : 0;
     bool found = known, apart = false;
     for (RobotJoint& joint : robot.joints) {
+      // Take the motor's value from its first named joint, and shift joints that differ.
       if (joint.dof != dof.name || posture.count(joint.name) == 0) continue;
       if (known && joint.name == dof.name) continue;
       const double value = posture.at(joint.name);
@@ -64,6 +65,7 @@ void take_posture(RobotSpec& robot, std::map<std::string, double>& posture,
       joint.offset += off;
       apart = true;
     }
+    // The posture names the motor from now on, in place of its joints.
     if (found) posture[dof.name] = u;
     if (apart)
       warnings.push_back(fmt::format(
@@ -119,6 +121,7 @@ class WorldBuilder {
 
   void add_hands() {
     std::vector<bool> added(world_.hands.size(), false);
+    // Each round adds the hands whose carriers are there.
     for (std::size_t round = 0; round < world_.hands.size(); ++round)
       for (std::size_t i = 0; i < world_.hands.size(); ++i) {
         const PlacedHand& placed = world_.hands[i];
@@ -126,6 +129,7 @@ class WorldBuilder {
         add_hand(placed);
         added[i] = true;
       }
+    // A hand that is left has no carrier in the world.
     const auto left = std::find(added.begin(), added.end(), false);
     require(left == added.end(), "hand '{}' is mounted on '{}', which is not there",
             left == added.end() ? ""
@@ -144,6 +148,7 @@ class WorldBuilder {
     SceneHandSpec out;
     out.placed = placed;
     out.joint.kind = SceneJointKind::kWeld;
+    // Express a mount on a carrier as a weld to its link.
     if (!placed.carrier.empty()) {
       out.joint.parent = placed.carrier + "/" + placed.carrier_link;
       out.placed.X_WH = pose_of(out.joint.parent) * placed.X_WH;
@@ -152,6 +157,7 @@ class WorldBuilder {
     }
     const std::string version = version_of_hand(placed.name);
     if (!placed.file.empty() && !version.empty()) out.version = version.substr(1);
+    // Find the model of this hand alone.
     SceneSpec alone = spec_;
     alone.hands = {out};
     SceneHand model = std::move(hands_of_scene(alone, data_, alone.files).front());
@@ -201,6 +207,7 @@ class WorldBuilder {
         add_drive(hand + "/" + joint, true);
       return;
     }
+    // All muscles pull from the start, with tension 0.
     require(!mechanism.digits.empty(), "hand '{}' has no muscles", hand);
     SceneMuscleSpec muscles;
     muscles.hand = hand;
@@ -233,6 +240,7 @@ class WorldBuilder {
         for (std::size_t i = 0; i < stops->ranges().size(); ++i)
           weight[stops->places().v[i]] -=
               passive_moment(stops->ranges()[i], scene.q[stops->places().q[i]]);
+    // Set each drive to the present value and the weight there.
     for (SceneDrive& drive : scene.drives) {
       const auto c = static_cast<std::size_t>(drive.coordinate);
       const int row = model.layout.coordinate_v[c];
@@ -258,6 +266,7 @@ class WorldBuilder {
         mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name;
     drive.bias = weight - springs;
     drive.target = u;
+    // Choose the stiffness by the largest effort, else by a frequency; damp critically.
     const bool known = std::isfinite(drive.max_effort);
     drive.stiffness = known ? drive.max_effort / (slides ? kFullEffortLength : kFullEffortAngle)
                             : inertia * kSwing * kSwing;

@@ -48,7 +48,7 @@ struct HandProportions {
 /// @throws DataError  `path:line: what was wanted, what came`.
 [[nodiscard]] HandProportions read_proportions(const std::string& path);
 
-/// The same from text already in memory; `path` only names it in messages.
+/// Parses hand proportions from text already in memory; `path` only names it in messages.
 [[nodiscard]] HandProportions parse_proportions(const std::string& text, const std::string& path);
 
 /// Size of a hand by tape measure.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How the joint axes of a digit differ between people.
+/// Variability of a digit's joint axes between people.
 
 #include <string>
 #include <vector>

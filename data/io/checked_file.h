@@ -18,7 +18,7 @@ inline constexpr const char* kUncheckedProgram = "thenar";
 /// the file invalidates the checksum.
 [[nodiscard]] std::string with_checksum(std::string bytes);
 
-/// Whether a checksum was found; it holds if it was.
+/// Result of take_checksum(); a checksum that was found holds.
 enum class Checksum { kHolds, kAbsent };
 
 /// Removes the checksum from the end of bytes, if there is one, and verifies it.
@@ -33,10 +33,10 @@ enum class Checksum { kHolds, kAbsent };
 void require_ours(const std::string& program, Checksum checksum, const std::string& path,
                   const std::string& format);
 
-/// Whether a regular file begins as HDF5 does; false if there is no such file.
+/// Returns whether a regular file begins as HDF5 does; false if there is no such file.
 [[nodiscard]] bool has_hdf5_start(const std::string& path);
 
-/// Whether a file ends with a checksum, which is not verified.
+/// Returns whether a file ends with a checksum, which is not verified.
 [[nodiscard]] bool has_checksum(const std::string& path);
 
 }  // namespace thenar

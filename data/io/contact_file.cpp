@@ -14,10 +14,11 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-constexpr double kSmallest = 1e-12;         // scale or length of a normal [m], [1]
-constexpr std::size_t kMaxContacts = 1000;  // a palm full of points; hulls take minutes beyond
+constexpr double kSmallest = 1e-12;  // Least scale, and least length of a normal [m], [1]
+// Most contacts, a palm full of points; hulls take minutes beyond
+constexpr std::size_t kMaxContacts = 1000;
 
-/// What the members are called: in a contact set, and in what `thenar grasp` answers.
+/// Names of members in a contact set, and in the answer of `thenar grasp`.
 struct ContactKeys {
   std::string centre, scale, position, torsion;
 };

@@ -23,7 +23,7 @@ struct FileContact {
                                       // [N] (6); empty: the cone counts
 };
 
-/// What a grasp is for: loads on the object, about its centre of mass.
+/// Task of a grasp: loads on the object, about its centre of mass.
 struct FileTask {
   enum class Kind { kNone, kLoads, kBox, kEllipsoid };
   Kind kind = Kind::kNone;
@@ -54,7 +54,7 @@ struct ContactFile {
 /// @throws DataError `path:line: ...`: what was wanted, and what came.
 [[nodiscard]] ContactFile read_contact_file(const std::string& path);
 
-/// The same of a text, such as one line of a stream.
+/// Parses a contact set from a text, such as one line of a stream.
 /// @param path        what stands for the file in messages
 /// @param first_line  number of the text's first line
 [[nodiscard]] ContactFile parse_contacts(const std::string& path, const std::string& text,

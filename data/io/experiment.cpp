@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNotFitted = std::numeric_limits<double>::infinity();  // sd: says nothing [N]
+// sd of a component that is not fitted [N]
+constexpr double kNotFitted = std::numeric_limits<double>::infinity();
 
 /// Conversion of a hung weight to a tendon tension.
 struct Pulley {
@@ -36,7 +37,7 @@ Eigen::RowVector3i signed_axis(TomlTable& table, const std::string& word, const 
   return negative ? Eigen::RowVector3i(-found->second) : found->second;
 }
 
-/// Which numbers of a row are components of a fitted force.
+/// Positions in a row of the components of a fitted force.
 struct ReadComponents {
   int stated = 3;                 // numbers in a row [1]
   std::vector<int> fitted;        // their places in it, in order

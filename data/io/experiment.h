@@ -17,7 +17,7 @@ enum class TipConstraint {
   kRigid    // clamped to the load cell: force and moment
 };
 
-/// How tendons leave the mount on which a digit stands, on their way to the muscles.
+/// Course of tendons from the mount on which a digit stands to the muscles.
 enum class TendonExit {
   kCrossing,  // straight on from where they cross the joint next to the mount
   kAlongBone  // turned along the bone by the mount, proximal
@@ -87,13 +87,13 @@ struct Experiment {
 /// @throws DataError  `path:line: what was wanted, what came`.
 [[nodiscard]] Experiment read_experiment(const std::string& path);
 
-/// The same from text already in memory; `path` only names it in messages.
+/// Parses an experiment from text already in memory; `path` only names it in messages.
 [[nodiscard]] Experiment parse_experiment(const std::string& text, const std::string& path);
 
 /// Standard deviation of the force components of a trial: its own, or the stated noise; infinite
 /// for a component that is not fitted [N] (3)
 [[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const Trial& trial);
-/// The same for an activation row [N] (3)
+/// Standard deviation of the force components of an activation row [N] (3)
 [[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const ActivationRow& row);
 
 }  // namespace thenar

@@ -46,7 +46,7 @@ struct FileLimit {
 void guard_text(std::string_view text, const std::string& path, GuardedKind kind,
                 int first_line = 1);
 
-/// Whether `file`, which need not exist, is in the folder of `path` or below it, with links
+/// Returns whether `file`, which need not exist, is in the folder of `path` or below it, with links
 /// resolved.
 [[nodiscard]] bool is_in_folder_of(const std::string& path, const std::string& file);
 

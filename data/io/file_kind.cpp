@@ -23,7 +23,8 @@ bool has_proportions(const TomlNode& top) {
          has_any(digits->items.front(), {"joint_distal_ratio", "segment"});
 }
 
-/// Whether a key is a list of tables. Objects and nets have such keys, too, but not as lists.
+/// Returns whether a key is a list of tables. Objects and nets have such keys, too, but not as
+/// lists.
 bool has_list(const TomlNode& top, const std::string& key) {
   const TomlNode* list = top.find(key);
   return list != nullptr && list->kind == TomlKind::kArray;

@@ -75,7 +75,7 @@ constexpr ChoiceWord kChoiceWords[] = {
     {"misfit", ChoiceKey::kMisfit, false, false},
     {"robust_scale", ChoiceKey::kRobustScale, false, false}};
 
-/// Which of the values is in force: counted from 1 in the file, from 0 here.
+/// Returns the index of the value in force, from 0; the file counts from 1.
 std::size_t chosen_value(TomlTable& table, std::size_t values) {
   const double chosen = table.number_or(Dimension::kNumber, "chosen", 1, Range::kPositive);
   const auto count = static_cast<double>(values);

@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// Whether a fit moves a parameter.
+/// State of a parameter in a fit.
 enum class ParameterState { kFree, kFixed, kTied };
 
 /// Rule for every parameter whose name matches; later rules win. Numbers are SI; the reader
@@ -100,7 +100,8 @@ void set_choice(FitSettings& settings, std::size_t at, std::size_t value);
 /// @param text  that `settings` was parsed from
 [[nodiscard]] std::string with_choices(const std::string& text, const FitSettings& settings);
 
-/// The same with other factors of the prior scales: only their `factor` keys change.
+/// Returns the text of a settings file with other factors of the prior scales: only their `factor`
+/// keys change.
 /// @param factors  of settings.scales [1]
 [[nodiscard]] std::string with_scale_factors(const std::string& text, const FitSettings& settings,
                                              const std::vector<double>& factors);
@@ -109,7 +110,7 @@ void set_choice(FitSettings& settings, std::size_t at, std::size_t value);
 /// @throws DataError  `path:line: what was wanted, what came`.
 [[nodiscard]] FitSettings read_fit_settings(const std::string& path);
 
-/// The same from text already in memory; `path` only names it in messages.
+/// Parses fit settings from text already in memory; `path` only names it in messages.
 [[nodiscard]] FitSettings parse_fit_settings(const std::string& text, const std::string& path);
 
 }  // namespace thenar

@@ -24,10 +24,10 @@
 namespace thenar {
 namespace {
 
-constexpr int kDeepest = 8;                   // nesting of groups; ours need 4
-constexpr int kMaxDimensions = 8;             // of an array; ours need 3
-constexpr int kMaxAttributes = 1000;          // of one object; each is searched among all
-constexpr std::size_t kMaxObjects = 100'000;  // groups, datasets and their attributes
+constexpr int kDeepest = 8;           // Deepest nesting of groups; ours need 4
+constexpr int kMaxDimensions = 8;     // Most dimensions of an array; ours need 3
+constexpr int kMaxAttributes = 1000;  // Most attributes of one object; each is searched among all
+constexpr std::size_t kMaxObjects = 100'000;  // Most groups, datasets and attributes together
 
 static_assert(std::is_same_v<hid_t, std::int64_t> && std::is_same_v<herr_t, int>);
 
@@ -179,7 +179,7 @@ std::vector<std::string> guard_hdf5(std::string& bytes, const std::string& path)
 
 namespace {
 
-constexpr rlim_t kMemory = 1000 * 1000 * 1000;  // in addition to this process's own [bytes]
+constexpr rlim_t kMemory = 1000 * 1000 * 1000;  // Most memory beyond that of this process [bytes]
 
 /// Address space of this process [bytes].
 rlim_t memory_in_use() {
@@ -195,7 +195,7 @@ void lower_limit(int resource, rlim_t value) {
   (void)setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
-constexpr std::size_t kMaxMessage = 4000;  // that a pipe takes at once [bytes]
+constexpr std::size_t kMaxMessage = 4000;  // Most bytes that a pipe takes at once [bytes]
 constexpr int kRefused = 1, kTooMuch = 2;
 
 /// Work of the copy. Nothing of it is seen outside except its exit status and a message.

@@ -20,17 +20,17 @@ namespace {
 
 using PlainJson = nlohmann::json;            // members in alphabetic order
 using FileJson = nlohmann::ordered_json;     // members as they were added
-constexpr int kMisspelt = 2;                 // letters that differ
-constexpr double kLargestNumber = 1e12;      // beyond it wrenches lose all digits
-constexpr std::size_t kLongestShown = 60;    // of a value in a message [characters]
-constexpr double kLargestWhole = 1LL << 53;  // that a double has exactly
+constexpr int kMisspelt = 2;                 // Most letters by which a misspelt key differs
+constexpr double kLargestNumber = 1e12;      // Largest number; beyond it wrenches lose all digits
+constexpr std::size_t kLongestShown = 60;    // Most characters of a value in a message
+constexpr double kLargestWhole = 1LL << 53;  // Largest whole number up to which a double is exact
 
 int line_at(const std::string& text, std::size_t position) {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(position, text.size()));
   return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
 }
 
-/// Goes over the tokens of a text as the parser tells of them, and counts lines.
+/// Reader of a text's tokens, as the parser reports them, that counts lines.
 class TokenLines {
  public:
   TokenLines(const std::string& text, int first_line) : text_(text), line_(first_line) {
@@ -157,7 +157,7 @@ class TreeBuilder : public nlohmann::json_sax<PlainJson> {
   std::vector<std::set<std::string>> met_;  // names of members of each open object
 };
 
-/// As nlohmann has it.
+/// Converts a tree to nlohmann's type.
 template <typename Json>
 Json fence_json(const JsonNode& node) {  // NOLINT(misc-no-recursion): as deep as the tree
   switch (node.kind) {

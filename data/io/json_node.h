@@ -54,7 +54,8 @@ struct JsonNode {
   JsonNode& member(const std::string& name);
 };
 
-/// Same values; members may stand in another order. Lines do not count.
+/// Return whether two trees have equal values, and whether they do not. The order of members, and
+/// lines, do not count.
 [[nodiscard]] bool operator==(const JsonNode& a, const JsonNode& b);
 [[nodiscard]] bool operator!=(const JsonNode& a, const JsonNode& b);
 
@@ -71,7 +72,7 @@ struct JsonNode {
 [[nodiscard]] std::map<std::string, std::vector<std::string>> text_members(
     const JsonNode& root, const std::vector<std::string>& steps);
 
-/// As a file has it. Bytes that are not UTF-8 become U+FFFD.
+/// Returns the tree as the text of a file. Bytes that are not UTF-8 become U+FFFD.
 /// @param indent  blanks a level; -1: all on one line
 [[nodiscard]] std::string written(const JsonNode& node, int indent = -1);
 
@@ -89,7 +90,7 @@ class JsonValue {
   /// @throws DataError "wanted WHAT as contacts.0.friction, got -1", always
   [[noreturn]] void fail_wanted(const std::string& what) const;
 
-  /// Whether it has a member that is not null.
+  /// Returns whether it has a member that is not null.
   [[nodiscard]] bool gives(const std::string& member) const;
   /// A member. @throws DataError if there is none.
   [[nodiscard]] JsonValue operator[](const std::string& member) const;
@@ -103,7 +104,7 @@ class JsonValue {
 
   /// A number of at most 1e12. @throws DataError, as wanting `what`, otherwise.
   [[nodiscard]] double number(const std::string& what) const;
-  /// So many numbers of at most 1e12 each. @throws DataError otherwise.
+  /// Returns `count` numbers of at most 1e12 each. @throws DataError otherwise.
   [[nodiscard]] std::vector<double> numbers(std::size_t count) const;
   /// A whole number from 0 to 1e9. @throws DataError otherwise.
   [[nodiscard]] int count() const;

@@ -58,7 +58,7 @@ class LayoutCheck {
 
   static std::string scope_of(const LayoutRow& row) { return row.key.substr(0, row.key.find('*')); }
 
-  /// What stands at '*' in a key; nothing if it is no key of that row.
+  /// Returns the text at '*' in a key; nothing if the key is not of this row.
   static std::optional<std::string> name_in(const std::string& key, const LayoutRow& row) {
     const std::size_t star = row.key.find('*');
     const std::string scope = row.key.substr(0, star), rest = row.key.substr(star + 1);
@@ -120,7 +120,7 @@ class LayoutCheck {
     if (row.holds == Holds::kTexts && row.shape.size() == 1) (void)length_of(row.shape[0], 0, own);
   }
 
-  /// Whether all entries of a word are there, or none.
+  /// Checks that either all entries of a bundle (one word of `presence`) are there, or none.
   void check_bundle(const LayoutRow& row, const std::string& key, bool there) {
     const auto [first, added] = bundles_.emplace(row.presence, std::make_pair(there, key));
     if (first->second.first == there) return;

@@ -9,7 +9,7 @@
 
 namespace thenar::internal {
 
-/// What an entry of a file is, and what its numbers may be.
+/// Kind of an entry of a file, and range of its numbers.
 enum class Holds {
   kFinite,  // numbers that are finite
   kAny,     // numbers, which may be NaN or infinite where something is not known

@@ -119,7 +119,7 @@ struct NetDescription {
 /// @throws DataError  `path:line: what was wanted, what came`.
 [[nodiscard]] NetDescription read_net(const std::string& path);
 
-/// The same from text already in memory; `path` only names it in messages.
+/// Parses a net from text already in memory; `path` only names it in messages.
 [[nodiscard]] NetDescription parse_net(const std::string& text, const std::string& path);
 
 }  // namespace thenar

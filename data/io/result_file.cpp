@@ -67,7 +67,7 @@ class TextReader {
   std::size_t left_;  // [bytes]
 };
 
-/// Whether a type is a text of variable length, which is one pointer for each entry.
+/// Returns whether a type is a text of variable length, which is one pointer for each entry.
 bool is_text(hid_t type) {
   return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0;
 }
@@ -201,7 +201,7 @@ void read_dataset(hid_t file, const std::string& key, TextReader& texts, ResultF
 
 /// A file in memory. HDF5 cannot recover from a full disk: it crashes at exit.
 Hdf5Object memory_file(const std::string& path) {
-  constexpr std::size_t kIncrement = 1 << 16;  // memory is taken in such pieces [bytes]
+  constexpr std::size_t kIncrement = 1 << 16;  // Memory is allocated in pieces of this size [bytes]
   const Hdf5Object options(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file options");
   require(H5Pset_fapl_core(options, kIncrement, false) >= 0,
           "HDF5 could not keep a file in memory");

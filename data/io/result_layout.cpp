@@ -13,7 +13,7 @@ using internal::Holds;
 using internal::Layout;
 using internal::LayoutRow;
 
-/// As kinematics_fit/fit.cpp writes it.
+/// Layout of a fit's file, as kinematics_fit/fit.cpp writes it.
 const Layout& fit_layout() {
   static const Layout layout{
       {"fit/name", {"coordinate"}, Holds::kTexts},
@@ -46,7 +46,7 @@ const Layout& fit_layout() {
   return layout;
 }
 
-/// As api/simulate.cpp writes it.
+/// Layout of a motion's file, as api/simulate.cpp writes it.
 const Layout& motion_layout() {
   static const Layout layout{
       {"status", {"1"}, Holds::kTexts},
@@ -78,7 +78,7 @@ const Layout& motion_layout() {
   return layout;
 }
 
-/// As api/scenes/simulate_scene.cpp writes it.
+/// Layout of a scene's file, as api/scenes/simulate_scene.cpp writes it.
 /// @param group  of a run: "" of a single one, "runs/*/" of a sweep
 Layout scene_layout(const std::string& group) {
   Layout layout{
@@ -142,8 +142,8 @@ Layout scene_layout(const std::string& group) {
   return layout;
 }
 
-/// As posterior/run/posterior_file.cpp writes it. Groups of replicated and prior draws have lengths
-/// of their own.
+/// Layout of a posterior's file, as posterior/run/posterior_file.cpp writes it. Groups of
+/// replicated and prior draws have lengths of their own.
 const Layout& posterior_layout() {
   static const Layout layout{
       {"unconstrained_posterior/x", {"chain+", "draw+", "coordinate"}, Holds::kFinite},

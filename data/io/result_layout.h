@@ -1,7 +1,7 @@
 #pragma once
 
-/// Which arrays the result files of each format hold, and of which shape. Files are held against
-/// this where they are read, so that no reader meets an array of another shape.
+/// Layouts of result files: the arrays of each format, with their shapes. Files are checked against
+/// these layouts when they are read, so that no reader meets an array of another shape.
 
 #include <cstddef>
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace thenar {
 
-/// Holds a file against the layout of its format; a file of another format has none. read_result()
+/// Checks a file against the layout of its format; a file of another format has none. read_result()
 /// and read_inference() do so with every file.
 /// @param path  of the file, for messages
 /// @throws DataError "path:1: 'fit/z': wanted 6 numbers (coordinate), got 1 x 6 numbers": for an
@@ -22,7 +22,7 @@ namespace thenar {
 void check_layout(const ResultFile& file, const std::string& path);
 void check_layout(const InferenceFile& file, const std::string& path);
 
-/// Whether a file says that it is of a format that has a layout.
+/// Returns whether a file says that it is of a format that has a layout.
 [[nodiscard]] bool has_layout(const ResultFile& file);
 
 /// Numbers of an array of one dimension. @throws InputError if it is absent or has others.

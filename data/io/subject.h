@@ -42,7 +42,7 @@ struct PassiveEnd {
   double width = 1;   // turn by which the moment grows e-fold [rad], above 0
 };
 
-/// Whether the joints' passive moments are counted.
+/// Switch of the joints' passive moments.
 enum class PassiveMoments { kOn, kOff };
 
 /// A hinge about a general (skewed) axis. A universal joint is two hinges in a row.
@@ -194,14 +194,14 @@ struct Subject {
 /// The joints between the base and a segment, the last first; they point into the subject.
 [[nodiscard]] std::vector<const JointAxis*> joints_to(const Subject& subject, std::string segment);
 
-/// Whether a joint has a passive moment.
+/// Returns whether a joint has a passive moment.
 [[nodiscard]] bool has_passive(const JointAxis& joint);
 
 /// Reads a subject from TOML; the format is in docs/data_format.md.
 /// @throws DataError  `path:line: what was wanted, what came`.
 [[nodiscard]] Subject read_subject(const std::string& path);
 
-/// The same from text already in memory; `path` only names it in messages.
+/// Parses a subject from text already in memory; `path` only names it in messages.
 [[nodiscard]] Subject parse_subject(const std::string& text, const std::string& path);
 
 }  // namespace thenar

@@ -10,30 +10,37 @@
 namespace thenar {
 namespace {
 
-constexpr double kShortestDigit = 0.015, kLongestDigit = 0.5;  // to its furthest axis [m]
-constexpr double kShortestLink = 0.005;                        // of its joints, in the mean [m]
-constexpr double kShortestTip = 0.004;                         // from its last axis [m]
-constexpr double kNarrowestRange = 4 * kPi / 180;              // [rad]
-constexpr double kFurthestLimit = 1.5 * kPi;                   // from the reference posture [rad]
-constexpr double kLargestStiffness = 50;                       // [N m/rad]
-constexpr double kShortestArm = 1e-4, kLongestArm = 0.1;       // [m]
-constexpr double kNearestChord = 8e-4, kFurthestChord = 0.05;  // from an axis [m]
-constexpr double kShortestOfAll = 0.003;                       // the longest arm of a hand [m]
-constexpr double kFurthestPoint = 1;                           // from its neighbour [m]
-constexpr double kSmallestForce = 0.5, kLargestForce = 5e3;    // [N]
-constexpr double kLightest = 5e-4, kHeaviest = 1.5;            // of moved segments [kg]
-constexpr double kThinnest = 1e-3, kThickest = 0.15;           // radii of skin and surfaces [m]
-constexpr double kFurthestBone = 0.08;                         // from its axis and its mass [m]
-constexpr double kShortestFibre = 2e-3, kLongestFibre = 0.5;   // of muscles [m]
-constexpr double kLongestSlack = 1;                            // of tendons [m]
-constexpr double kLeastPennation = 0.6 * kDegree, kMostPennation = 70 * kDegree;  // [rad]
+// Distance from a digit's tip to its furthest axis [m]
+constexpr double kShortestDigit = 0.015, kLongestDigit = 0.5;
+constexpr double kShortestLink = 0.005;            // Least length of a digit per joint [m]
+constexpr double kShortestTip = 0.004;             // Least distance of a tip from its last axis [m]
+constexpr double kNarrowestRange = 4 * kPi / 180;  // Least range of a joint [rad]
+constexpr double kFurthestLimit = 1.5 * kPi;  // Largest limit, from the reference posture [rad]
+constexpr double kLargestStiffness = 50;      // Largest stiffness of a joint [N m/rad]
+// Least and largest constant moment arm [m]
+constexpr double kShortestArm = 1e-4, kLongestArm = 0.1;
+// Distance of a path's chord from an axis [m]
+constexpr double kNearestChord = 8e-4, kFurthestChord = 0.05;
+constexpr double kShortestOfAll = 0.003;  // Least longest arm of a hand [m]
+constexpr double kFurthestPoint = 1;  // Largest distance of a path's point from its neighbour [m]
+// Largest force of a muscle: its range [N]
+constexpr double kSmallestForce = 0.5, kLargestForce = 5e3;
+// Mass of moved segments: the heaviest's least, and the largest [kg]
+constexpr double kLightest = 5e-4, kHeaviest = 1.5;
+constexpr double kThinnest = 1e-3, kThickest = 0.15;  // Radii of skin and surfaces [m]
+// Largest distance of a bone from its axis and its centre of mass [m]
+constexpr double kFurthestBone = 0.08;
+constexpr double kShortestFibre = 2e-3, kLongestFibre = 0.5;  // Length of a muscle's fibres [m]
+constexpr double kLongestSlack = 1;  // Largest slack length of a tendon [m]
+// Pennation of fibres [rad]
+constexpr double kLeastPennation = 0.6 * kDegree, kMostPennation = 70 * kDegree;
 
 const char* const kMillimetres = "are its numbers millimetres, as they are read?";
 
-/// Tells doubts of one kind, of many only the first and their number.
+/// Appends doubts of one kind; of many only the first and their number.
 void tell(const std::vector<std::string>& found, const std::string& kind,
           std::vector<std::string>& doubts) {
-  constexpr std::size_t kMany = 4;
+  constexpr std::size_t kMany = 4;  // Fewest doubts of one kind that are only counted
   if (found.size() < kMany) {
     doubts.insert(doubts.end(), found.begin(), found.end());
     return;
@@ -45,8 +52,8 @@ double distance_to_axis(const Eigen::Vector3d& point, const JointAxis& joint) {
   return (point - joint.point).cross(joint.direction).norm();
 }
 
-/// How far the tip of a digit is from its axes, the last first, without those that point along its
-/// last bone. [m]
+/// Returns the distances of a digit's tip from its axes, the last first, without axes that point
+/// along its last bone [m].
 std::vector<double> levers_of(const Subject& subject, const Digit& digit) {
   constexpr double kAlong = 0.7;  // cosine of the least angle between an axis and the bone
   std::vector<double> levers;
@@ -92,7 +99,8 @@ bool is_narrow(const JointAxis& joint) {
   return !joint.coupling && range > 0 && range < kNarrowestRange;
 }
 
-/// Whether most joints with a stated range have a narrow one, as where radians stand for degrees.
+/// Returns whether most joints with a stated range have a narrow one, as where radians stand for
+/// degrees.
 bool most_are_narrow(const Subject& subject) {
   int stated = 0, narrow = 0;
   for (const JointAxis& joint : subject.joints) {
@@ -128,7 +136,7 @@ void doubt_joints(const Subject& subject, std::vector<std::string>& doubts) {
   for (const auto& found : {narrow, far, stiff}) tell(found, "joints", doubts);
 }
 
-/// How far the straight line between two points passes from an axis. [m]
+/// Returns the distance from an axis at which the straight line between two points passes it [m].
 double distance_to_axis(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                         const JointAxis& joint) {
   const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {

@@ -9,8 +9,8 @@
 
 namespace thenar {
 
-/// What to look at before a subject is trusted, a sentence each. Choices of ours, wide of hands of
-/// children and large robots:
+/// Lists doubts to check before a subject is trusted, a sentence each. The limits are our choices,
+/// wide enough for hands of children and large robots:
 ///   digits     from tip to furthest axis 15 mm (5 mm a joint) to 0.5 m; the tip is nearer to its
 ///              last axis than to an earlier one, and not within 4 mm of it
 ///   joints     ranges above 4 degrees, unless a single joint is held evenly about 0; limits within

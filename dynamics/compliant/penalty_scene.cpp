@@ -78,6 +78,7 @@ class PenaltyMotion : public CompliantMotion {
       return {};
     }
     const SceneState before = state_;
+    // Repeat the step with shorter lengths until surfaces move little enough.
     double most = std::min({reach_.length(), options_.longest, stop - before.t});
     while (true) {
       const bool is_to_stop = most >= stop - before.t;
@@ -113,6 +114,7 @@ class PenaltyMotion : public CompliantMotion {
 
   /// Starts the integrator at the present state.
   void restart() {
+    // Keep the counts of the integrator that is replaced.
     if (ode_) {
       evaluations_ += ode_->counts().slopes;
       rejected_ += ode_->counts().rejected;
@@ -148,6 +150,7 @@ class PenaltyMotion : public CompliantMotion {
     trial_.q = y.head(state_.q.size());
     trial_.v = y.tail(state_.v.size());
     step_.normalise(trial_.q);
+    // Add the accelerations by contacts to those without.
     (void)step_.free_rates(trial_, q_dot_, v_dot_, z_dot_);  // no elements here
     load(trial_, nullptr);
     mass_.set(motion_);
@@ -182,6 +185,7 @@ class PenaltyMotion : public CompliantMotion {
     const ContactCompliance& c = options_.compliance;
     const int row = step_.model().layout.first_v[joint];
     const double slope = joint_value(of, state.q[step_.model().layout.first_q[joint]]).slope;
+    // Dry friction follows the ramp over the speed; a limit is a spring with damping.
     if (contact.kind == Kind::kJointFriction) {
       const double share = friction_share(c.ramp, std::abs(contact.approach) / c.transition);
       efforts_[row] -= slope * std::copysign(of.friction * share, contact.approach);
@@ -196,6 +200,7 @@ class PenaltyMotion : public CompliantMotion {
   double push(const ActiveContact& contact, std::vector<ContactSample>* out) {
     const int a = motion_.link_of(contact.a), b = motion_.link_of(contact.b);
     const NormalLoad normal = normal_load(contact);
+    // Friction acts against the slip and the spin about the normal.
     const Eigen::Vector3d u =
         motion_.velocity(a, contact.point) - motion_.velocity(b, contact.point);
     const Eigen::Vector3d slip = u - u.dot(contact.normal) * contact.normal;

@@ -58,7 +58,8 @@ struct SchedulePiece {
   double value = 0, last = 0;                                       // at begin and end
 
   [[nodiscard]] double slope() const { return (last - value) / (end - begin); }  // [1/s]
-  /// Between both values to the last bit: tensions that end at 0 are never below it.
+  /// Returns the value at t, between those of both ends to the last bit: tensions that end at 0 are
+  /// never below it.
   [[nodiscard]] double at(double t) const;
 };
 
@@ -102,7 +103,7 @@ class DigitPull final : public ForceElement {
   [[nodiscard]] std::string name() const override { return model_->name; }
   [[nodiscard]] std::vector<std::string> state_names() const override;
   [[nodiscard]] Eigen::VectorXd start(const Eigen::VectorXd& q) const override;
-  /// Why not to trust the excursions that start() finds; may be empty.
+  /// Returns the reason not to trust the excursions that start() finds; may be empty.
   [[nodiscard]] std::string start_warning(const Eigen::VectorXd& q) const;
   bool act(const ElementInput& at, ElementAction& out) override;
   void accept(const ElementInput& at) override;

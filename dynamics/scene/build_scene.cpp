@@ -101,7 +101,7 @@ std::vector<int> drop_unused(Mechanism& part) {
   return kept;
 }
 
-/// Something of the file as it enters the mechanism.
+/// Body or hand of the file as it enters the mechanism.
 struct ScenePart {
   Mechanism mechanism;             // its world is the scene's
   std::string name, prefix;        // of the file; before names of bodies and coordinates
@@ -120,12 +120,14 @@ class SceneBuilder {
   BuiltScene build() {
     require(hands_.size() == spec_.hands.size(), "{} hands have {} models", spec_.hands.size(),
             hands_.size());
+    // Build every hand and body by itself, then join them into one mechanism.
     std::vector<ScenePart> parts;
     for (std::size_t h = 0; h < spec_.hands.size(); ++h)
       parts.push_back(hand_part(spec_.hands[h], hands_[h]));
     for (const SceneBodySpec& body : spec_.bodies) parts.push_back(body_part(body));
     add_parents_first(parts);
     set_start(parts);
+    // Add the force elements: capsules, ligaments, muscles.
     for (const CompliantJoint& joint : compliant_)
       built_.scene.elements.push_back(
           std::make_shared<CapsuleElement>(built_.scene.mechanism, joint));
@@ -134,6 +136,7 @@ class SceneBuilder {
       built_.scene.elements.push_back(ligament);
     add_human_elements(spec_, humans_, built_);
     part_webs(humans_, built_);
+    // Add what acts from outside, and check the scene before pads and pairs are added.
     built_.scene.gravity = spec_.gravity;
     add_forces();
     add_drives();
@@ -153,6 +156,7 @@ class SceneBuilder {
       part.joint = body.joint;
       part.velocity = body.velocity;
       PlacedBody placed = body.placed;
+      // A body that is welded to a parent moves with the parent.
       placed.dynamic = body.joint.kind != SceneJointKind::kWeld || !body.joint.parent.empty();
       part.mechanism = body_mechanism(placed, spec_.materials);
       put_on_joint(body.joint, part.name, placed.X_WB, part.mechanism);
@@ -254,11 +258,13 @@ class SceneBuilder {
         built_.warnings.push_back(fmt::format(
             "motor '{}' is not backdrivable, but in this scene only its drive resists a load",
             name));
+      // Clutches and springs of driven motors are not modelled.
       for (const RobotDof& dof : robot.dofs)
         if (dof.name == coordinate.name && dof.kind != RobotDofKind::kRigid && is_driven(name))
           built_.warnings.push_back(fmt::format(
               "motor '{}' moves its joints rigidly: its clutch or springs are left out", name));
     }
+    // Keep the values of the coordinates that still move something.
     std::vector<double> u;
     for (const int c : drop_unused(part.mechanism))
       u.push_back(part.u[static_cast<std::size_t>(c)]);
@@ -313,11 +319,13 @@ class SceneBuilder {
     Mechanism& whole = built_.scene.mechanism;
     int carrier = -1;
     Pose<double> X_CW;
+    // Find the body that carries the part.
     if (!part.joint.parent.empty()) {
       carrier = at_line(spec_.path, part.joint.line,
                         [&] { return body_named(whole, part.joint.parent); });
       X_CW = X_WB_[static_cast<std::size_t>(carrier)].inverse();
     }
+    // Shift coordinates of compliant joints behind those of earlier parts.
     for (CompliantJoint joint : part.compliant) {
       joint.name = part.prefix + joint.name;
       for (int& c : joint.coordinate)
@@ -391,6 +399,7 @@ class SceneBuilder {
       out.coordinate = at_line(spec_.path, drive.line, [&] {
         return static_cast<int>(index_of_name(drive.coordinate, names, "coordinate"));
       });
+      // The units of the drive must suit the kind of its joint.
       const auto joint = std::find_if(
           mechanism.joints.begin(), mechanism.joints.end(), [&](const MechanismJoint& each) {
             return is_scalar(each.kind) && each.coordinate == out.coordinate;
@@ -400,6 +409,7 @@ class SceneBuilder {
         throw DataError(spec_.path, drive.line,
                         fmt::format("'{}' {}, but the drive has units of what {}", drive.coordinate,
                                     turns ? "turns" : "slides", turns ? "slides" : "turns"));
+      // Without a largest effort of its own, the drive has that of the motor.
       const double known =
           mechanism.coordinates[static_cast<std::size_t>(out.coordinate)].max_effort;
       out.bias = drive.effort;

@@ -37,7 +37,7 @@ std::vector<CompliantJoint> make_part_compliant(const SceneSpec& spec, const std
 
 namespace {
 
-/// Both frames of a bushing stand at its point, z along its axis.
+/// Builds a bushing; both of its frames stand at its point, z along its axis.
 std::shared_ptr<const ForceElement> bushing_element(const SceneBushingSpec& spec,
                                                     const Mechanism& mechanism,
                                                     const std::vector<Pose<double>>& X_WB) {

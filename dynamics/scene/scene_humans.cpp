@@ -48,6 +48,7 @@ std::vector<GivenMuscle> given_by(const SceneMuscleSpec& spec, const SceneSpec& 
                    {0, when, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, value)},
                    spec.line});
   }
+  // Muscles that are 0 throughout a table are not driven.
   if (spec.file.empty()) return out;
   const std::string path = linked_path(scene.folder, spec.file);
   const double most = spec.tensions ? std::numeric_limits<double>::infinity() : 1;
@@ -192,6 +193,7 @@ class HandPuller {
     try {
       return std::make_shared<const DigitPull>(model);
     } catch (const InputError& error) {
+      // Add the lines one by one, to name the first that cannot be built.
       const std::vector<std::string>& muscles = model.tendons->muscles();
       const std::set<int> lines = lines_of(muscles);
       for (const int line : lines) {
@@ -247,6 +249,7 @@ class HandPuller {
     model.excitations = schedules_of(excitations_, muscles);
     if (model.tensions.empty() && model.excitations.empty()) return false;
     model.places = places_of(human_.name, model.tendons->coordinates(), built_.scene.mechanism);
+    // Excited muscles contract; errors name the first line that excites one of them.
     if (!model.excitations.empty()) {
       const auto excited =
           std::find_if(excitations_.begin(), excitations_.end(), [&](const GivenMuscle& each) {
@@ -328,6 +331,7 @@ void add_human_elements(const SceneSpec& spec, const std::vector<SceneHuman>& hu
           "soft pads of hand '{}' twist freely on what they touch: no [[friction]] has a "
           "'torsion_radius'",
           human.name));
+    // Muscles and drives may both be absent.
     if (!HandPuller(spec, human, built).pull() && !has_drive(spec, human.name))
       built.warnings.push_back(
           fmt::format("nothing drives hand '{}': it moves freely", human.name));
@@ -342,6 +346,7 @@ void part_webs(const std::vector<SceneHuman>& humans, BuiltScene& built) {
       if (built.owner[i] != human.name || !mechanism.bodies[i].solid) continue;
       const int carrier = carrier_of(mechanism, static_cast<int>(i));
       if (carrier < 0 || built.owner[static_cast<std::size_t>(carrier)] != human.name) continue;
+      // Links on the same carrier are neighbours, whose webs overlap.
       for (const auto& [other, link] : roots)
         if (other == carrier) built.scene.apart.emplace_back(link, static_cast<int>(i));
       roots.emplace_back(carrier, static_cast<int>(i));

@@ -37,7 +37,7 @@ class ContactStep {
   /// keeps the selection of its beginning, also at its very end.
   void act_as_at(double t);
 
-  /// These drives act from now on, in place of the scene's: they are as check_scene() wants them.
+  /// Replaces the scene's drives from now on; the drives must satisfy check_scene().
   void set_drives(std::vector<SceneDrive> drives);
 
   /// Sets the options of the contact solver from now on.

@@ -74,7 +74,7 @@ class ForceElement {
 
   /// Names of its states, with their units: "activation FDP [1]".
   [[nodiscard]] virtual std::vector<std::string> state_names() const { return {}; }
-  /// Its states at the start of a scene (its states).
+  /// Returns the element's states at the start of a scene (its states).
   [[nodiscard]] virtual Eigen::VectorXd start(const Eigen::VectorXd& /*q*/) const { return {}; }
 
   /// Adds what it does.

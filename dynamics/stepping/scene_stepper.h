@@ -57,11 +57,11 @@ class SceneStepper {
   /// The first drive of the scene at a coordinate that has stiffness; null: there is none.
   [[nodiscard]] const SceneDrive* stiff_drive(int coordinate) const;
 
-  /// From now on this effort alone drives a coordinate, in place of its drives. It is cut to the
+  /// Drives a coordinate by this effort alone from now on, in place of its drives. It is cut to the
   /// largest effort of these, or of the motor where that is known.
   /// @throws InputError if there is no such coordinate, or the effort is not finite.
   void set_effort(int coordinate, double effort);
-  /// From now on the drive of a coordinate holds this target: the first one of the scene that has
+  /// Sets the target of a coordinate's drive from now on: the first drive of the scene that has
   /// stiffness, at all times. @param target  [rad] or [m]
   /// @throws InputError if no drive of the coordinate has stiffness, or the target is not finite.
   void set_target(int coordinate, double target);
@@ -74,10 +74,10 @@ class SceneStepper {
 
   /// Back to the start; no input is set any more.
   void reset();
-  /// On from an instant of this scene, with all inputs as they are now. Contacts begin with its
-  /// impulses; what pairs of bodies and elements remember beyond the state begins anew, so that
-  /// what follows depends on the instant and the inputs alone, and differs from what followed once
-  /// by the error of a step.
+  /// Continues from an instant of this scene, with all inputs as they are now. Contacts begin with
+  /// its impulses; the memory of pairs of bodies and of elements beyond the state begins anew, so
+  /// that the continuation depends on the instant and the inputs alone, and differs from the
+  /// earlier one by the error of a step.
   /// @throws InputError if the instant is of another scene.
   void go_to(const SceneInstant& instant);
 

@@ -105,9 +105,9 @@ Ball internal::smallest_ball(const Eigen::Matrix3d& corners) {
 
 namespace {
 
-/// Whether no point of a triangle of a mesh is on the boundary of its part, as where a surface that
-/// goes through itself has the same on both sides: its middle is deeper, or farther out, than its
-/// corners are from there.
+/// Returns whether no point of a triangle of a mesh is on the boundary of its part, as where a
+/// surface that goes through itself has the same on both sides: its middle is deeper, or farther
+/// out, than its corners are from there.
 bool is_off_boundary(const SolidPart& part, const Eigen::Matrix3d& corners) {
   const Eigen::Vector3d middle = corners.rowwise().mean();
   const double reach = (corners.colwise() - middle).colwise().norm().maxCoeff();

@@ -35,7 +35,7 @@ double EmptySpace::bound(const Eigen::Matrix3d& corners, double radius) const {
 
 namespace {
 
-constexpr double kMostLift = 10;  // lift: farther off, rounding counts [m]
+constexpr double kMostLift = 10;  // Largest lift; beyond it rounding matters [m]
 
 }  // namespace
 

@@ -26,10 +26,11 @@ class EmptySpace {
 
   [[nodiscard]] bool has_planes() const { return planes_seen_ > 0; }
 
-  /// B is no nearer than this to any point of a ball [m].
+  /// Returns a lower bound of the distance of B to any point of a ball [m].
   [[nodiscard]] double bound(const Ball& ball) const;
 
-  /// The same for a triangle grown by a radius [m]. @param corners  columns (3, 3)
+  /// Returns a lower bound of the distance of B to a triangle grown by a radius [m].
+  /// @param corners  columns (3, 3)
   [[nodiscard]] double bound(const Eigen::Matrix3d& corners, double radius) const;
 
  private:

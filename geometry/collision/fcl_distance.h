@@ -33,7 +33,7 @@ class FclMesh {
 [[nodiscard]] double fcl_distance(const FclMesh& a, const Pose<double>& X_WA, const FclMesh& b,
                                   const Pose<double>& X_WB, double tolerance = 0);
 
-/// Whether the surfaces cross.
+/// Returns whether the surfaces cross.
 [[nodiscard]] bool fcl_collide(const FclMesh& a, const Pose<double>& X_WA, const FclMesh& b,
                                const Pose<double>& X_WB);
 

@@ -121,7 +121,7 @@ class Polygon {
   [[nodiscard]] std::size_t after(std::size_t k) const { return (k + 1) % size(); }
   [[nodiscard]] Eigen::Vector2d corner(std::size_t k) const { return points_.col(hull_[k]); }
 
-  /// Of a kept corner from the line that would pass it by.
+  /// Returns the distance of a kept corner from the segment between its kept neighbours.
   [[nodiscard]] double cost(std::size_t k) const {
     return distance_from_segment(corner(kept_[k]), corner(kept_[before(k)]),
                                  corner(kept_[after(k)]));

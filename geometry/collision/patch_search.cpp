@@ -20,7 +20,7 @@ struct Part {
   std::array<std::optional<PatchPoint>, 3> seen;  // corners that have been asked for
 };
 
-/// From a point inside to one outside, and the rounding [m] (3 + 3 + 1).
+/// Segment from a point inside to a point outside, and the rounding [m] (3 + 3 + 1).
 using Side = std::array<double, 7>;
 
 /// The halves of a part. They share what has been seen at their corners: those of the part, and the
@@ -62,12 +62,12 @@ class PatchSearch {
   }
 
  private:
-  /// Nothing in the ball counts.
+  /// Returns whether nothing in the ball counts.
   bool far(const Ball& ball) {
     return far_by_place(ball) || b_.distance(ball.c) - ball.r > query_.level;
   }
 
-  /// It is not asked for, or too much has been asked already.
+  /// Returns whether the ball is outside of the query, or the search has used up its evaluations.
   bool far_by_place(const Ball& ball) {
     if ((ball.c - query_.within.c).norm() > ball.r + query_.within.r) return true;
     if (++evaluations_ > query_.max_evaluations) {
@@ -77,7 +77,7 @@ class PatchSearch {
     return false;
   }
 
-  /// No point of the part is nearer, by what is seen from its middle.
+  /// Returns a lower bound of the distance of a part, from the distance at its middle [m].
   static double bound_of(const Part& part, const Ball& ball, const NearestSurface& near) {
     const double by_ball = near.distance - ball.r - part.radius;
     if (!near.supports) return by_ball;
@@ -85,7 +85,7 @@ class PatchSearch {
     return std::max(by_ball, near.distance + lowest - part.radius);
   }
 
-  /// No point of the part counts, by what has been seen from one of its corners.
+  /// Returns whether no point of the part counts, by the distances at its corners.
   [[nodiscard]] bool far_by_corners(const Part& part) const {
     return std::any_of(part.seen.begin(), part.seen.end(), [&](const auto& seen) {
       if (!seen || seen->distance <= query_.level) return false;
@@ -138,7 +138,7 @@ class PatchSearch {
     return bound_by(lifted_ball(b_, part.corners, ball, seen, level), part.corners) > level;
   }
 
-  /// Whether the part need not be halved; its points are then among those found.
+  /// Returns whether the part need not be halved; its points are then among those found.
   bool keep(Part& part, const Ball& ball, const PatchPoint& middle) {
     // Corners inside and outside the level.
     std::vector<PatchPoint> inside, outside;
@@ -174,8 +174,8 @@ class PatchSearch {
     for (const PatchPoint& in : inside) piece.points.push_back(crossing(in, point));
   }
 
-  /// Where the way from a point inside to one outside crosses the rim: the last point inside.
-  /// Neighbours share most sides.
+  /// Returns the last point inside on the way from a point inside to a point outside, where it
+  /// crosses the rim. Neighbours share most sides.
   const PatchPoint& crossing(const PatchPoint& inside, const PatchPoint& outside) {
     Side side;
     Eigen::Map<Eigen::Matrix<double, 7, 1>>(side.data()) << inside.core, outside.core,

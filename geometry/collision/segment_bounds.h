@@ -14,11 +14,12 @@ struct BallPair {
   double from, to;      // where on the line, from < to [m]
   double d_from, d_to;  // distances of the solid from there, exact; > 0 [m]
 
-  /// Where between them the bound is least [m].
+  /// Returns the place between `from` and `to` at which the bound is least [m].
   [[nodiscard]] double narrowest() const;
 
-  /// The bound there: nothing of the solid is nearer to the segment; negative where the balls do
-  /// not meet, and then the least that distances can be that change by no more than the way [m].
+  /// Returns the bound at narrowest(): nothing of the solid is nearer to the segment [m]. It is
+  /// negative where the balls do not meet, and then the least value of distances that change by no
+  /// more than the way.
   [[nodiscard]] double least() const;
 };
 
@@ -31,20 +32,22 @@ struct Tangent {
   double slope;  // [1]
 };
 
-/// Knows a convex function by its tangents on either side of its least: nowhere is it below both.
+/// Bracket of the minimum of a convex function by tangents on either side. The function is nowhere
+/// below both tangents.
 class ConvexBracket {
  public:
-  /// On [low, high]. @param first  a tangent within
+  /// Brackets the minimum on [low, high]. @param first  a tangent within
   ConvexBracket(double low, double high, const Tangent& first);
 
-  /// Takes notice of another tangent, at next().
+  /// Adds another tangent, at next().
   void add(const Tangent& tangent);
 
-  /// The function is nowhere less.
+  /// Returns a lower bound of the function [m].
   [[nodiscard]] double lower() const;
 
-  /// Where to look next: where the slope vanishes if it changes evenly; where the tangents meet if
-  /// that keeps falling to the same side; the end, beyond steps that grow, while there is but one.
+  /// Returns the next place to evaluate: where the slope vanishes if it changes evenly; where the
+  /// tangents meet if evaluations keep falling on the same side; while only one side is known, a
+  /// step that grows, up to the end of the interval.
   /// @param step  way to go while there is but one side, a guess > 0 [m]
   [[nodiscard]] double next(double step) const;
 
@@ -58,8 +61,8 @@ class ConvexBracket {
   bool last_low_ = false;
 };
 
-/// Where a convex function is least on [0, 1], to `tolerance` of its value, by tangents from both
-/// sides.
+/// Finds the place in [0, 1] at which a convex function is least, to `tolerance` of its value, by
+/// tangents from both sides.
 /// @param tangent  its value and slope at a place, as a Tangent
 template <typename Function>
 [[nodiscard]] double least_place(const Function& tangent, double tolerance) {

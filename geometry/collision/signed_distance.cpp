@@ -108,8 +108,8 @@ class DistanceSearch {
     return top;
   }
 
-  /// Goes to the triangle farthest down, as B is seen from the best point, until none is better;
-  /// large empty balls that stand there then tell of most others at once that they are no nearer.
+  /// Moves to the triangle farthest down, as B is seen from the best point, until none is better.
+  /// Large empty balls there then exclude most other triangles at once.
   void guess(Eigen::Vector3d n) {
     for (int i = 0, last = -1; i < kGuesses; ++i) {
       const double before = best_;
@@ -151,7 +151,7 @@ class DistanceSearch {
     return best;
   }
 
-  /// Remembers a point of A's core if it is the best.
+  /// Keeps a point of A's core if it is the best.
   void offer(const Eigen::Vector3d& core, const NearestSurface& seen, const Piece& piece) {
     if (seen.distance - piece.radius >= best_) return;
     best_ = seen.distance - piece.radius;
@@ -202,7 +202,7 @@ class DistanceSearch {
     push({seen, -1, static_cast<int>(pieces_.size()) - 1});
   }
 
-  /// What a piece's own middle tells of it.
+  /// Returns a lower bound of the distance of a piece, from the distance at its middle [m].
   static double bound_of(const Piece& piece) {
     const NearestSurface& seen = piece.seen;
     const double by_ball = seen.distance - piece.ball.r - piece.radius;
@@ -216,8 +216,8 @@ class DistanceSearch {
     return a_.triangles[static_cast<std::size_t>(triangle)].n.isZero(0);
   }
 
-  /// Along a segment planes of B close in from both sides. Returns a bound of the segment,
-  /// kNothing if a plane does not support B.
+  /// Bounds a segment by planes of B from both sides. Returns the bound, kNothing if a plane does
+  /// not support B.
   double close_in(const Piece& piece) {
     // Distance and slope at a point of the segment.
     const Eigen::Matrix3d& c = piece.corners;
@@ -246,9 +246,9 @@ class DistanceSearch {
     return is_segment(triangle) && options_.within.r >= kEverywhere && b_.accuracy() == 0;
   }
 
-  /// Along a segment outside B empty balls leave nothing nearer between them: balls about points of
-  /// it, where the bound is least, down to what is enough. Returns a bound of the segment, kNothing
-  /// if it goes into B, not all of it counts, or distances are not exact.
+  /// Bounds a segment outside B by empty balls about its points, placed where the bound is least
+  /// until it is enough: nothing between the balls is nearer. Returns the bound of the segment,
+  /// kNothing if it goes into B, not all of it counts, or distances are not exact.
   double fill_in(const Piece& piece) {
     const double r = piece.ball.r;
     // Only where all of the segment counts and distances are exact.
@@ -362,7 +362,7 @@ class DistanceSearch {
       if (near(internal::smallest_ball(half))) add_piece(half, piece.radius, piece.triangle, bound);
   }
 
-  /// In B's frame.
+  /// Returns the result in B's frame.
   SignedDistance result() {
     // The lowest bound that is left tells the error.
     if (triangle_ < 0) whole(0);  // beyond the cutoff before any triangle was seen
@@ -379,12 +379,12 @@ class DistanceSearch {
     return s;
   }
 
-  static constexpr double kNothing = -kInfinity;  // a bound that says nothing [m]
-  static constexpr double kEverywhere = 1e29;     // radius of a ball that restricts nothing [m]
-  static constexpr int kMaxAlong = 40;
-  static constexpr std::size_t kMaxPairs = 200;
-  static constexpr int kGuesses = 4;
-  static constexpr double kRounding = 1e-14;  // of a distance, per coordinate [1]
+  static constexpr double kNothing = -kInfinity;  // Bound that excludes nothing [m]
+  static constexpr double kEverywhere = 1e29;     // Radius of a ball that restricts nothing [m]
+  static constexpr int kMaxAlong = 40;            // Most planes along one segment
+  static constexpr std::size_t kMaxPairs = 200;   // Most pairs of balls along one segment
+  static constexpr int kGuesses = 4;              // Most triangles tried as a first guess
+  static constexpr double kRounding = 1e-14;  // Rounding of a distance, over the coordinates [1]
 
   const CollisionTree& a_;
   const Pose<double> X_BA_;

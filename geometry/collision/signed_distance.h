@@ -52,12 +52,13 @@ struct SignedDistanceOptions {
                                              const Solid& b, const Pose<double>& X_WB,
                                              const SignedDistanceOptions& options = {});
 
-/// The same against a shape; points and normal are in the frame of the shape.
+/// Finds the signed distance of A from a shape B; points and normal are in the frame of B.
 [[nodiscard]] SignedDistance signed_distance(const CollisionTree& a, const Pose<double>& X_BA,
                                              const Shape& b,
                                              const SignedDistanceOptions& options = {});
 
-/// The same without a tree: builds that of A at each call, which takes longer than the search.
+/// Finds the signed distance without a given tree: it builds the tree of A at each call, which
+/// takes longer than the search.
 /// @param tolerance  as of SignedDistanceOptions [m];  @param cutoff  the same [m]
 [[nodiscard]] SignedDistance signed_distance(const Solid& a, const Pose<double>& X_WA,
                                              const Solid& b, const Pose<double>& X_WB,

@@ -24,7 +24,7 @@ struct BallHull {
   [[nodiscard]] Eigen::Vector3d at(double t) const { return p0 + t * way; }
   [[nodiscard]] double radius(double t) const { return r0 + t * grow; }
 
-  /// Which ball is nearest to a point, were the axis endless.
+  /// Returns the place on the axis of the ball nearest to a point, as if the axis were endless.
   [[nodiscard]] double foot(const Eigen::Vector3d& q) const;
 };
 
@@ -32,7 +32,7 @@ struct BallHull {
 /// from there.
 [[nodiscard]] SegmentPlaces nearest_balls(const BallHull& a, const BallHull& b);
 
-/// What a ball is, for FeatureKind: the lower end, the upper one, or between.
+/// Features of a ball on the axis, for FeatureKind: the lower end, the upper end, or between.
 inline constexpr int kEndLower = 0, kEndUpper = 1, kBetween = 2;
 [[nodiscard]] inline int feature_at(double t) {
   return t <= 0 ? kEndLower : t >= 1 ? kEndUpper : kBetween;

@@ -189,7 +189,8 @@ class FaceCut {
   /// Height above the cutting face [m].
   [[nodiscard]] double height(int i) const { return normal_.dot(at(i)) - offset_; }
 
-  /// What meets in a corner of the polygon. @param flipped  the cutting box is A
+  /// Returns the key of the features that meet in a corner of the polygon.
+  /// @param flipped  the cutting box is A
   [[nodiscard]] std::uint64_t feature(int i, bool flipped) const {
     const int before =
         polygon_.corners[static_cast<std::size_t>((i + polygon_.count - 1) % polygon_.count)].line;
@@ -219,8 +220,10 @@ class FaceCut {
   CutPolygon polygon_;
 };
 
-constexpr double kCuttingCosine = 0.98;  // cosine up to which a face cuts [1]
-constexpr double kReferenceStep = 5e-5;  // by which the other's cosine must be better: of 0.01 rad
+constexpr double kCuttingCosine = 0.98;  // Least cosine to the normal of a face that cuts [1]
+// The reference face changes if the other's cosine is larger by this: at 0.01 rad [1]
+// Least difference of cosines that changes the reference face, 1 - cos 0.01 [1]
+constexpr double kReferenceStep = 5e-5;
 
 /// The points by cutting faces; the least gap among them, infinite if there is none.
 double add_face_points(const PosedBox& a, const PosedBox& b, const BoxAxis& axis, double margin,
@@ -256,7 +259,8 @@ int farthest_corner(const PosedBox& box, const Vector3d& n) {
   return corner_number(box.R.transpose() * n);
 }
 
-/// Where two edges cross, seen along n; their corners farthest along n are on them.
+/// Finds the contact point where two edges cross, seen along n. The edges run through the corners
+/// farthest along n.
 ManifoldPoint edge_point(const PosedBox& a, const PosedBox& b, const BoxAxis& axis) {
   const int k = (axis.index - 6) / 3, j = (axis.index - 6) % 3;
   const int corner_a = farthest_corner(a, -axis.n), corner_b = farthest_corner(b, axis.n);
@@ -279,7 +283,7 @@ ManifoldPoint edge_point(const PosedBox& a, const PosedBox& b, const BoxAxis& ax
   return point;
 }
 
-constexpr double kDistanceMiss = 1e-7;  // by which a nearest point may miss the distance [m]
+constexpr double kDistanceMiss = 1e-7;  // Largest error of a nearest point in the distance [m]
 
 /// The nearest points where no face or pair of edges has them.
 ConvexDistance nearest_points(const PosedBox& a, const PosedBox& b, const Vector3d& guess,

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which bodies of a world may touch.
+/// Broad phase: pairs of bodies of a world that may touch.
 
 #include <vector>
 

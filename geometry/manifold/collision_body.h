@@ -16,7 +16,7 @@
 
 namespace thenar {
 
-/// How contacts of a part are found.
+/// Form of a part, which selects the contact algorithm.
 enum class PartForm {
   kRound,       // the hull of two balls: spheres, capsules, tapered capsules
   kBox,         //

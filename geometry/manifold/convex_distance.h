@@ -26,8 +26,8 @@ struct ConvexDistance {
   Eigen::Vector3d n{0, 0, 0};  // unit, from B to A; 0 if they overlap (3)
 };
 
-/// Up to four points of the difference of two bodies, reduced to those around what is nearest to
-/// the origin.
+/// Simplex of up to four points of the difference of two bodies, reduced to the points around its
+/// place nearest to the origin.
 class Simplex {
  public:
   /// Adds a point, the fifth never. Keeps what spans the point nearest to the origin.

@@ -12,13 +12,14 @@ namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 
-constexpr double kSectorAngle = kPi / 3;  // between points of a rim [rad]
-constexpr double kUprightLean = 1e-4;     // lean up to which points are fixed [rad]
-constexpr double kLowestLean = 1e-3;      // lean from which one is the lowest [rad]
-constexpr double kDepthError = 1e-12;     // of a depth along an edge [m]
-constexpr double kKeepFace = 1e-5;        // by which another face must be better [m]
+constexpr double kSectorAngle = kPi / 3;  // Angle between points of a rim [rad]
+constexpr double kUprightLean = 1e-4;     // Points of a rim are fixed up to this lean [rad]
+constexpr double kLowestLean = 1e-3;   // One point is the lowest of a rim from this lean on [rad]
+constexpr double kDepthError = 1e-12;  // Tolerance of a depth along an edge [m]
+// Another face replaces the present one if it is better by this [m]
+constexpr double kKeepFace = 1e-5;
 
-/// Which face of the box separates best: that along which the cylinder is highest.
+/// Face of the box that separates best: the face above which the cylinder is highest.
 struct FaceAbove {
   int axis = 0;
   double gap = -std::numeric_limits<double>::infinity();  // [m]
@@ -41,7 +42,8 @@ FaceAbove face_above(const Vector3d& c, const Vector3d& u, const Vector3d& half_
   return best;
 }
 
-/// How far the point next to a rim's lowest one may lag behind it [rad].
+/// Returns the largest angle by which the second point of a rim may lag behind its lowest point
+/// [rad].
 double lag_of(double lean) {
   const double share = (kLowestLean - lean) / (kLowestLean - kUprightLean);
   return kSectorAngle / 2 * std::clamp(share, 0.0, 1.0);
@@ -110,7 +112,8 @@ class EllipsoidSearch {
     return {p, b_.nearest(p)};
   }
 
-  /// Where the lowest point along n sees B along n, from a guess.
+  /// Finds from a guess n the ellipsoid's point at which B's normal equals the direction n along
+  /// which the point is lowest.
   [[nodiscard]] std::optional<LowestPoint> find(Vector3d n) const {
     LowestPoint here = at(n);
     double residual = (here.seen.normal - n).norm();
@@ -139,11 +142,11 @@ class EllipsoidSearch {
   }
 
  private:
-  static constexpr double kDirectionError = 1e-9;  // of a direction [1]
+  static constexpr double kDirectionError = 1e-9;  // Tolerance of a direction [1]
 
   /// A step of Newton's method in the plane across n, by differences.
   [[nodiscard]] Vector3d newton(const Vector3d& n, const LowestPoint& here) const {
-    constexpr double kTurnStep = 1e-6;
+    constexpr double kTurnStep = 1e-6;  // Step of the differences of a direction [1]
     const Tangents across = tangents(n);
     Eigen::Matrix<double, 3, 2> T;
     T << across.e1, across.e2;

@@ -11,14 +11,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How far a body reaches from its origin [m].
+/// Returns a distance from its origin that no point of a body exceeds [m].
 double reach_of(const CollisionBody& body) { return body.ball.c.norm() + body.ball.r; }
 
 bool is_convex(const CollisionBody& body) {
   return body.parts.size() == 1 && body.parts.front().form != PartForm::kPolyhedron;
 }
 
-/// How far apart the bodies are at least, and in which direction.
+/// Lower bound of the distance of two bodies, and its direction.
 struct Apart {
   double distance = std::numeric_limits<double>::infinity();  // [m]
   Vector3d n{0, 0, 0};  // of the nearest points, if they are known (3)

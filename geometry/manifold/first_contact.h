@@ -1,6 +1,6 @@
 #pragma once
 
-/// When two moving bodies touch first.
+/// Time at which two moving bodies first touch.
 
 #include "base/spatial.h"
 #include "geometry/manifold/collision_pair.h"

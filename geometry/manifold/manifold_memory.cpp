@@ -9,15 +9,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kOfOneRegion = 6;          // points of one direction
-constexpr double kOtherRegion = 0.87;    // cosine of normals of one direction, 30 degrees [1]
-constexpr double kOnePoint = 1e-6;       // points nearer than this are one [m]
-constexpr double kSamePlace = 1e-4;      // a point that takes over is not farther than this [m]
-constexpr double kSameNormal = 0.94;     // nor has turned by more than 20 degrees [1]
-constexpr double kPreferKept = 1.3;      // how much farther kept points count [1]
-constexpr double kPreferDeepest = 1e-6;  // by which another must be nearer to be the first [m]
+constexpr int kOfOneRegion = 6;  // Points of a manifold beyond which only other directions count
+// Least cosine between normals of one direction, 30 degrees [1]
+constexpr double kOtherRegion = 0.87;
+constexpr double kOnePoint = 1e-6;  // Points closer than this are one [m]
+// Largest distance of a point from the point that it continues [m]
+constexpr double kSamePlace = 1e-4;
+constexpr double kSameNormal = 0.94;  // Least cosine between their normals, 20 degrees [1]
+constexpr double kPreferKept = 1.3;   // Weight of the distance of kept points [1]
+// Another point becomes the first if it is nearer by this [m]
+constexpr double kPreferDeepest = 1e-6;
 
-/// Whether a point's direction is none of those kept.
+/// Returns whether a point's direction is none of those kept.
 bool is_other_region(const ManifoldPoint& point, const ContactManifold& kept) {
   for (const ManifoldPoint& other : kept)
     if (point.normal.dot(other.normal) > kOtherRegion) return false;

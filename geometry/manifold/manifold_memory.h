@@ -1,6 +1,6 @@
 #pragma once
 
-/// From many points of contact to the few that are kept, with ids that last.
+/// Reduction of many points of contact to the few that are kept, with ids that last.
 
 #include <array>
 #include <vector>

@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Whether a ball is within a reach of a triangle.
+/// Returns whether a ball is within a reach of a triangle.
 bool ball_near_face(const Vector3d& c, double reach, const PolyhedronFace& face) {
   // The plane first.
   if (std::abs(face.n.dot(c - face.corners.col(0))) > reach) return false;

@@ -11,9 +11,9 @@
 
 namespace thenar {
 
-/// What two polyhedra A and B may touch with, for a while: found at one pose, it is all that lies
-/// within `reach` there, with all corners deeper in the other body, so it holds all that is nearer
-/// than a margin while the bodies have moved by no more than reach - margin.
+/// Features with which two polyhedra A and B may touch. They are found at one pose: all features
+/// within `reach` there, and all corners deeper in the other body. So they include all features
+/// nearer than a margin while the bodies have moved by no more than reach - margin.
 struct NearFeatures {
   bool found = false;
   Pose<double> X_BA{};                    // where it was found

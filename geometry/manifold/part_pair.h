@@ -16,7 +16,7 @@
 
 namespace thenar {
 
-/// What two parts remember of the last time that they were looked at.
+/// State of a pair of parts, kept from the last query.
 struct PartMemory {
   Pose<double> X_BA{};            // for which `bound` holds
   double bound = 0;               // of the distance [m]

@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d, Eigen::Vector3i;
 
-constexpr double kFlatSine =
-    0.002;  // sine of the angle up to which neighbours are one face, 0.1 deg
+// Neighbours up to this sine of their angle are one face, 0.1 deg [1]
+constexpr double kFlatSine = 0.002;
 
 class PolyhedronBuilder {
  public:

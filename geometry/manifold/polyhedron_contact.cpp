@@ -11,22 +11,23 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFeatureReach = 1e-3;  // beyond the margin, in which features are looked for [m]
-constexpr double kMaxReach = 3e-3;      // the same for edges that lie deep [m]
-constexpr std::size_t kManyFeatures = 300;  // features from which the reach is a quarter
-constexpr double kDownSine = -0.5;          // sine at which an edge leads down from a corner [1]
-constexpr double kBesideArc = 0.1;          // by which a normal may miss the arc of an edge [1]
-constexpr double kEdgeDepth = 2e-4;         // depth to which edges are believed [m]
-constexpr double kParallelSine = 1e-4;      // sine of the angle between edges that do not cross [1]
+// Distance beyond the margin within which features are searched [m]
+constexpr double kFeatureReach = 1e-3;
+constexpr double kMaxReach = 3e-3;          // Largest such distance, for edges that lie deep [m]
+constexpr std::size_t kManyFeatures = 300;  // With more features the reach is a quarter
+constexpr double kDownSine = -0.5;          // Sine up to which an edge leads down from a corner [1]
+constexpr double kBesideArc = 0.1;      // Largest distance of a normal from the arc of an edge [1]
+constexpr double kEdgeDepth = 2e-4;     // Depth up to which edges are trusted [m]
+constexpr double kParallelSine = 1e-4;  // Edges with a smaller sine of their angle do not cross [1]
 
-/// Whether a corner is lowest among its neighbours, seen along n.
+/// Returns whether a corner is lowest among its neighbours, seen along n.
 bool is_lowest(const Polyhedron& body, const PolyhedronCorner& corner, const Vector3d& n) {
   for (int k = 0; k < corner.count; ++k)
     if (body.ways[static_cast<std::size_t>(corner.first + k)].dot(n) < kDownSine) return false;
   return true;
 }
 
-/// Whether n, across an edge, lies between the normals of its faces.
+/// Returns whether n, across an edge, lies between the normals of its faces.
 bool is_between(const PolyhedronEdge& edge, const Vector3d& along, const Vector3d& n) {
   const double turn = edge.normals[0].cross(edge.normals[1]).dot(along);
   const double sign = turn < 0 ? -1 : 1;

@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMiddleGain =
-    1e-7;  // by which a point between two ends must be nearer to count [m]
-constexpr double kSameCentre = 1e-13;  // centres nearer than this have no direction [m]
-constexpr double kOnRim = 1e-7;        // what is over a face's rim is over the face [m]
+constexpr double kMiddleGain = 1e-7;  // A point between two ends counts if it is nearer by this [m]
+constexpr double kSameCentre = 1e-13;  // Centres closer than this have no direction [m]
+// Points within this distance beyond a face's rim are over the face [m]
+constexpr double kOnRim = 1e-7;
 
 /// A direction from B to A where the centres coincide.
 Vector3d any_direction(const BallHull& a, const BallHull& b, const Vector3d& last) {
@@ -123,7 +123,8 @@ ManifoldPoint ball_contact(const BallHull& a, const Shape& b, double t, int feat
   return point;
 }
 
-/// Which ball of A is nearest to B: its distance is convex along the axis.
+/// Finds the place on the axis of the ball of A nearest to B; the distance is convex along the
+/// axis.
 double nearest_ball(const BallHull& a, const Shape& b) {
   if (a.length == 0) return 0;
   const auto tangent = [&](double t) {

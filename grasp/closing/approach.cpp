@@ -53,7 +53,7 @@ ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
 
 namespace {
 
-constexpr double kSideStep = 0.05;  // in units of the object's radius [1]
+constexpr double kSideStep = 0.05;  // Length of a side step, over the object's radius [1]
 constexpr double kHeadOn = 0.2;     // smallest sine of the angle between normal and approach [1]
 
 /// Direction in which the object pushes the digit that met it, across the approach; zero: none. (3)

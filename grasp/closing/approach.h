@@ -26,7 +26,7 @@ ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
                         const Eigen::VectorXd& q, const GraspSetup& setup, double distance,
                         const CloseOptions& options = {});
 
-/// How far a hand goes in yielding_approach().
+/// Largest distances of yielding_approach(), and distances that it went.
 struct ApproachReach {
   double distance = 0;  // along the approach direction [m]
   double aside = 0;     // across it, giving way to the object [m]; 0: as approach()

@@ -13,9 +13,11 @@ namespace thenar {
 namespace {
 
 constexpr double kStartClearance = 1e-3;  // clearance between hand and object at the start [m]
-constexpr double kMostOffset = 0.1;  // largest offset of the aim from the centre, by the radius [1]
-constexpr double kOffAny = 0.5;      // the same for approaches from anywhere [1]
-constexpr int kPreshapeInterval = 4;  // one in so many approaches begins with the open hand
+// Largest offset of the aim from the centre, over the object's radius [1]
+constexpr double kMostOffset = 0.1;
+// Largest offset for approaches from anywhere, over the object's radius [1]
+constexpr double kOffAny = 0.5;
+constexpr int kPreshapeInterval = 4;  // One of this many approaches begins with the open hand
 
 /// Random numbers of one approach, in [0, 1).
 struct StartDraws {

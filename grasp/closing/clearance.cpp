@@ -5,8 +5,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kRelativeError =
-    0.2;  // error of a clearance: far ones are measured again anyway [1]
+// Relative error of a clearance; far ones are measured again anyway [1]
+constexpr double kRelativeError = 0.2;
 
 const LinkSurface& surface_of(const PosedCollisionHand& posed, int surface) {
   return posed.collision_hand.hand->surfaces()[surface];

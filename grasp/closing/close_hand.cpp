@@ -205,7 +205,8 @@ class Closing {
     return stopped;
   }
 
-  /// Whether a link goes into another within the friction cone, and faster than that gives way.
+  /// Returns whether a link goes into another within the friction cone, and faster than that gives
+  /// way.
   /// @param closing  speed at which the two come together [m/s]
   static bool sticks_to(const Eigen::Matrix3Xd& velocities, const Eigen::Vector3d& inwards,
                         double closing, double cosine) {

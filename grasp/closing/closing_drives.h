@@ -28,7 +28,7 @@ class ClosingDrives {
   [[nodiscard]] const std::vector<StoppedBy>& stopped() const { return stopped_; }
   [[nodiscard]] bool moving() const { return !rates_.isZero(0); }
 
-  /// Whether a drive may still move each coordinate. (coordinates)
+  /// Returns for each coordinate whether a drive may still move it. (coordinates)
   [[nodiscard]] Eigen::Array<bool, Eigen::Dynamic, 1> free() const;
 
   /// Replaces the rates of free coordinates [rad/s] or [m/s] (coordinates)

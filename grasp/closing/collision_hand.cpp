@@ -10,8 +10,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kAlongsideCosine =
-    0.7;  // cosine of the angle between axes of links side by side [1]
+constexpr double kAlongsideCosine = 0.7;  // Least cosine between the axes of links side by side [1]
 
 MovedBy moved_by(const Hand& hand) {
   const HandLayout& layout = hand.layout();
@@ -37,7 +36,7 @@ int carrier(const Hand& hand, int link) {
   return link;
 }
 
-/// Whether b is a, or carries a at most `steps` surfaces farther out.
+/// Returns whether b is a, or carries a at most `steps` surfaces farther out.
 bool carries(const Hand& hand, int a, int b, int steps) {
   for (; a != b && a >= 0 && steps > 0; --steps) a = carrier(hand, hand.layout().parents[a]);
   return a == b;
@@ -56,7 +55,7 @@ Eigen::Vector3d own_turn(const Hand& hand, const MovedBy& moves, int surface, in
   return hand.jacobian(q, link, Eigen::Vector3d::Zero()).topRows<3>() * rates;
 }
 
-/// Whether two links curl in the same direction.
+/// Returns whether two links curl in the same direction.
 bool curl_alongside(const Hand& hand, const MovedBy& moves, int a, int b) {
   const Eigen::Vector3d one = own_turn(hand, moves, a, b), other = own_turn(hand, moves, b, a);
   return one.dot(other) > kAlongsideCosine * one.norm() * other.norm();

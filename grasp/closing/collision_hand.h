@@ -12,7 +12,7 @@
 
 namespace thenar {
 
-/// Whether each coordinate moves each surface (surfaces, coordinates).
+/// Table of surfaces and the coordinates that move them (surfaces, coordinates).
 using MovedBy = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Two surfaces of a hand that may meet.

@@ -6,8 +6,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kNamedShare = 1.0 / 3;  // of the largest part that is still named [1]
-constexpr double kNoTurn = 1e-12;        // [1]
+// Least part of a wrench that is named, over the largest [1]
+constexpr double kNamedShare = 1.0 / 3;
+constexpr double kNoTurn = 1e-12;  // Smaller torques and turns are rounding [1]
 
 /// The large parts, those of the first three named `along`, the others `about`.
 std::string large_parts(const ScaledWrench& vector, const char* along, const char* about) {

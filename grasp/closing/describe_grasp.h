@@ -13,11 +13,11 @@ namespace thenar {
 /// largest are left out; "none" of a zero wrench.
 [[nodiscard]] std::string direction_words(const ScaledWrench& wrench);
 
-/// The same of a motion: "along -z, turning about +x".
+/// Returns the large parts of a motion: "along -z, turning about +x".
 [[nodiscard]] std::string motion_words(const ScaledWrench& motion);
 
-/// Whether two hard points press on each other within friction: they resist every load but a torque
-/// about the line through them (both friction cones have this line: Nguyen's condition).
+/// Returns whether two hard points press on each other within friction: they resist every load but
+/// a torque about the line through them (both friction cones have this line: Nguyen's condition).
 [[nodiscard]] bool is_held_between_two(const std::vector<HandContact>& contacts);
 
 /// "grasped: 12 contacts, force closure", "the hand begins in something: DP2 is 3.2 mm in table"..
@@ -30,7 +30,8 @@ namespace thenar {
 /// empty where none do.
 [[nodiscard]] std::string own_overlap_words(const ClosedHand& closed);
 
-/// Whether a coordinate slides rather than turns. @param q  where it is looked at (coordinates)
+/// Returns whether a coordinate slides rather than turns.
+/// @param q  where it is looked at (coordinates)
 [[nodiscard]] bool slides(const Hand& hand, const Eigen::VectorXd& q, int coordinate);
 
 }  // namespace thenar

@@ -10,7 +10,7 @@
 namespace thenar {
 namespace {
 
-constexpr int kClosingIntervals = 20;  // intervals of closing
+constexpr int kClosingIntervals = 20;  // Intervals into which closing is divided
 }  // namespace
 
 Eigen::Matrix3Xd fingertip_positions(const Hand& hand, const Eigen::VectorXd& q) {

@@ -26,7 +26,7 @@ struct GraspOptions {
   PadOptions pads;  // hard points unless they say soft fingers
 };
 
-/// How far a grasp got.
+/// Outcome of a grasp.
 enum class GraspOutcome {
   kGrasped,   // there are contacts, and `quality` holds
   kOverlaps,  // the hand began in something: see approached.overlaps or closed.overlaps

@@ -90,8 +90,8 @@ GraspSetup build_setup(const WorldSpec& world, const std::string& object) {
 
 namespace {
 
-constexpr double kSmallerVolume =
-    0.99;  // largest ratio of volumes at which the turned box is taken [1]
+// Largest ratio of volumes at which the turned box is taken [1]
+constexpr double kSmallerVolume = 0.99;
 
 /// Box along given axes that holds all points.
 BodyBox box_along(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points) {

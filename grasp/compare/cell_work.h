@@ -65,7 +65,7 @@ class CellWork {
   void add_to(TaskQueue& queue);
   /// Number of approaches that are done.
   [[nodiscard]] int tried() const { return tried_count_; }
-  /// Whether all pieces are done; never, where it was stopped.
+  /// Returns whether all pieces are done; never, where it was stopped.
   [[nodiscard]] bool done() const { return done_; }
   /// The result, when all pieces are done.
   [[nodiscard]] HandOnObject take() { return std::move(cell_); }

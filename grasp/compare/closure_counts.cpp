@@ -5,7 +5,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kMarkChance = 0.05;  // of a mark though two hands are equal [1]
+constexpr double kMarkChance = 0.05;  // Chance of a mark although two hands are equal [1]
 
 }  // namespace
 

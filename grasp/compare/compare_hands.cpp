@@ -220,7 +220,7 @@ class WholeComparison {
     found.done = !progress_.stop();
   }
 
-  /// Takes over what is finished, in the order of hands and objects, as far as nothing is missing.
+  /// Keeps the finished results, in the order of hands and objects, as far as nothing is missing.
   void keep_finished() {
     while (next_ < cells_.size() + abilities_.size()) {
       const std::size_t hand = next_ / (objects_ + 1), object = next_ % (objects_ + 1);
@@ -239,7 +239,7 @@ class WholeComparison {
     out_.complete = true;
   }
 
-  /// Tells the share of approaches that are done, and the first pair that is not.
+  /// Reports the share of approaches that are done, and the first pair that is not.
   void report() const {
     if (out_.complete) {
       progress_(1, "compared");

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::array<const char*, 4> kTasks{"force-closure", "hold-weight", "pull", "turn"};
 
-/// Of a task over some grasps. @param loads  those that are meant
+/// Finds the largest load of a task over some grasps.
+/// @param loads  member of BestGrasp that holds the loads
 LoadFound largest(const std::vector<BestGrasp>& grasps,
                   std::map<std::string, double> BestGrasp::*loads, GraspTask task) {
   LoadFound load;

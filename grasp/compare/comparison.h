@@ -57,7 +57,7 @@ enum class GraspTask {
 /// "turn_Nm"; "force_closure" has none.
 [[nodiscard]] std::string load_key(GraspTask task);
 
-/// The same of a load with rigid structure: "hold_with_structure_weights".
+/// Returns the key of a task's load with rigid structure: "hold_with_structure_weights".
 [[nodiscard]] std::string structure_key(GraspTask task);
 
 struct Comparison;
@@ -163,12 +163,12 @@ struct HandAbilities {
   std::vector<std::string> types;  // distinct grasp_type() of all closures, in alphabetic order
 };
 
-/// Whether opposition is Kapandji's score of a human thumb; otherwise it is the share of tips that
-/// a thumb meets, times 10.
+/// Returns whether opposition is Kapandji's score of a human thumb; otherwise it is the share of
+/// tips that a thumb meets, times 10.
 [[nodiscard]] bool is_kapandji(const HandAbilities& abilities);
 
-/// How many types of grasp a hand has taken; none of a hand that pinched nowhere: its starts
-/// offered it no pinch, so that a count would tell of the starts and not of the hand.
+/// Counts the types of grasp that a hand has taken. There is no count for a hand that pinched
+/// nowhere: its starts offered it no pinch, so a count would describe the starts, not the hand.
 [[nodiscard]] std::optional<std::size_t> count_grasp_types(const HandAbilities& abilities);
 
 /// Result of compare().

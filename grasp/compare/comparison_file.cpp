@@ -27,20 +27,21 @@ JsonNode number_node(double value) {
 
 // ---- what a cell may hold: whoever seals a file anew may write anything
 
-constexpr double kLargestScale = 1000;      // of an object, and the inverse of the smallest [1]
-constexpr double kMostDistance = 1000;      // of a place [m]
-constexpr double kMostLoad = 1e12;          // of loads and qualities [N], [1], [N m]
-constexpr double kUnitError = 1e-6;         // by which directions may be off [1]
-constexpr int kMaxApproaches = 10'000'000;  // of approaches
+// Largest scale of an object, and inverse of the smallest [1]
+constexpr double kLargestScale = 1000;
+constexpr double kMostDistance = 1000;      // Largest coordinate of a point [m]
+constexpr double kMostLoad = 1e12;          // Largest load or quality [N], [1], [N m]
+constexpr double kUnitError = 1e-6;         // Largest error of unit directions [1]
+constexpr int kMaxApproaches = 10'000'000;  // Largest number of approaches
 
-/// What is wrong with a cell, and where.
+/// Fault of a cell, with its line.
 struct BrokenCell {
   int line;
   std::string complaint;
 };
 
 [[noreturn]] void refuse(const std::string& name, const std::string& wanted, const JsonNode& got) {
-  constexpr std::size_t kQuotedCharacters = 100;
+  constexpr std::size_t kQuotedCharacters = 100;  // Most characters of a value in a message
   throw BrokenCell{got.line, fmt::format("'{}': wanted {}, got {}", name, wanted,
                                          canonical_text(got).substr(0, kQuotedCharacters))};
 }
@@ -166,7 +167,8 @@ JsonNode contact_node(const HandContact& contact) {
 
 HandContact contact_of(const JsonNode& json) {
   HandContact contact;
-  constexpr double kMostFriction = 100;  // nothing real has more friction [1]
+  // Largest coefficient of friction; nothing real exceeds it [1]
+  constexpr double kMostFriction = 100;
   contact.contact.p = vector3(member(json, "position_m"), "position_m", kMostDistance);
   contact.contact.n = vector3(member(json, "normal"), "normal", 1 + kUnitError);
   if (std::abs(contact.contact.n.norm() - 1) > kUnitError)
@@ -199,7 +201,7 @@ JsonNode best_node(const BestGrasp& best) {
 }
 
 BestGrasp best_of(const JsonNode& json, int approaches) {
-  constexpr double kMostPosture = 1000;  // of a posture's entries [rad] or [m]
+  constexpr double kMostPosture = 1000;  // Largest entry of a posture [rad] or [m]
   BestGrasp best;
   best.approach = whole(member(json, "approach"), "approach", 0, approaches - 1);
   best.epsilon = within(member(json, "epsilon"), "epsilon", 0, kMostLoad);
@@ -346,7 +348,7 @@ void rename_hands(JsonNode& file, const HandName& name) {
 /// Files that a provenance records with another hash: "'cone.stl' (SHA-256 0123abcd then, 4567ef01
 /// now)".
 std::vector<std::string> changed_files(const JsonNode* provenance, const FileDigests& files) {
-  constexpr std::size_t kShownDigits = 8;  // digits of a hash
+  constexpr std::size_t kShownDigits = 8;  // Digits of a hash that messages show
   std::vector<std::string> changed;
   for (const auto& [path, digest] : files) {
     const JsonNode* then = provenance == nullptr ? nullptr : provenance->find(path);
@@ -359,7 +361,7 @@ std::vector<std::string> changed_files(const JsonNode* provenance, const FileDig
   return changed;
 }
 
-/// In what two comparisons differ, as people call it: "'seed'", "hand 'barrett'", a changed file.
+/// Names the difference of two comparisons for people: "'seed'", "hand 'barrett'", a changed file.
 /// @param then  value of the file; null: it has none
 std::string difference(const std::string& name, const JsonNode& now, const JsonNode* then,
                        const std::vector<std::string>& changed) {

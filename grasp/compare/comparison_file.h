@@ -13,7 +13,7 @@
 
 namespace thenar {
 
-/// What an earlier run left in a file.
+/// Comparison that an earlier run left in a file.
 struct KeptComparison {
   std::vector<HandOnObject> cells;
   JsonNode provenance;  // the run that wrote it, and "earlier_runs"; null: no file, or an older one

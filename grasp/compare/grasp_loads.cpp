@@ -16,8 +16,9 @@ namespace {
 
 constexpr double kEarthGravity = 9.81;  // [m/s^2]
 constexpr double kEpsilonGap = 0.05;    // relative accuracy of hand_epsilon() [1]
-constexpr double kSlackGrowth = 1.5;    // of a load at twice the slack: it is the slack's alone [1]
-constexpr double kPreloadSlack = 1e-6;  // of hand_forces() where its programmes stall [1]
+// A load that grows by more at twice the slack is due to the slack alone [1]
+constexpr double kSlackGrowth = 1.5;
+constexpr double kPreloadSlack = 1e-6;  // Slack of hand_forces() where its programmes stall [1]
 
 /// Unit wrenches of both signs along axes `first` .. `last`: forces 0..2, torques 3..5.
 std::vector<ScaledWrench> both_ways(int first, int last, double size) {
@@ -41,7 +42,8 @@ ExplainedLoad limited(const HandForceInputs& forces, Status status, double value
   return {value, std::isinf(value) ? kSupportedByStructure : ""};
 }
 
-/// What of a load efforts and friction bear by themselves [the load's unit]; NaN: not known.
+/// Computes the part of a load that efforts and friction bear by themselves [the load's unit]; NaN:
+/// not known.
 /// @param whole  with structure
 double active_part(const HandForceInputs& held_by, const ForceSet& forces,
                    const std::vector<ScaledWrench>& loads, double whole) {

@@ -35,7 +35,8 @@ TouchedSegments find_touched_parts(const Hand& hand, const std::vector<HandConta
   return touching;
 }
 
-/// Whether a digit pushes against the others: the thumb, or any digit in a hand without thumb.
+/// Returns whether a digit pushes against the others: the thumb, or any digit in a hand without
+/// thumb.
 bool opposed(bool has_thumb, const TouchedSegments& touching) {
   if (has_thumb) return touching.push.count("thumb") > 0;
   // A digit opposes if its normals point against those of the others.

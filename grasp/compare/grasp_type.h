@@ -24,7 +24,7 @@ namespace thenar {
 /// differ. "palm alone" or "one digit" where nothing opposes. Source: [Feix2016].
 [[nodiscard]] std::string grasp_type(const Hand& hand, const std::vector<HandContact>& contacts);
 
-/// Whether a type is a pinch: "precision, pad".
+/// Returns whether a type is a pinch: "precision, pad".
 [[nodiscard]] bool is_pinch(const std::string& type);
 
 /// The digit that opposes the others: "thumb" if the hand has one; empty if it has not.

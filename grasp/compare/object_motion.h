@@ -1,6 +1,6 @@
 #pragma once
 
-/// How the drives of a hand move the object that it holds, while no contact slips.
+/// Motion of a held object by the drives of the hand, while no contact slips.
 
 #include <string>
 

@@ -13,8 +13,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kSkinMeets = 10e-3;  // two points of skin nearer than this meet [m]
-constexpr double kTipsMeet = 20e-3;   // centres of two tips, about a finger's thickness [m]
+constexpr double kSkinMeets = 10e-3;  // Points of skin closer than this meet [m]
+// Centres of tips closer than this meet, about a finger's thickness [m]
+constexpr double kTipsMeet = 20e-3;
 constexpr int kSearchStarts = 12, kSearchSteps = 60;
 constexpr double kAngleDamping = 1e-6;  // [m^2/rad^2]
 

@@ -73,10 +73,12 @@ Grasp attempt_grasp(const CollisionHand& hand, const Pregrasp& pregrasp, const G
 namespace {
 
 constexpr double kAcrossSine = 0.2;  // smallest sine of the angle between push and approach [1]
-constexpr int kMaxGapSteps = 200;    // of conservative advancement across the clearance
-constexpr double kLongestSlide = 4;  // way of the object to another jaw, over its radius [1]
-constexpr double kLongestPush = 12;  // to what stands still, over its radius [1]
-constexpr double kWallStep = 0.02;   // on that way, over its radius [1]
+constexpr int kMaxGapSteps = 200;    // Most steps of conservative advancement across the clearance
+// Longest way of the object to another jaw, over its radius [1]
+constexpr double kLongestSlide = 4;
+// Longest way of a push to a fixed part, over the object's radius [1]
+constexpr double kLongestPush = 12;
+constexpr double kWallStep = 0.02;  // Step on that way, over the object's radius [1]
 
 /// Surfaces of other digits that the coordinate moves, too.
 std::vector<int> mirrored(const CollisionHand& hand, int coordinate, const std::string& digit) {
@@ -187,7 +189,7 @@ std::optional<double> way_to_wall(const CollisionHand& hand, const Grasp& grasp,
   return least;
 }
 
-/// Whether a surface that stands still pushes against the push.
+/// Returns whether a surface that stands still pushes against the push.
 bool holds_against(const Push& push, const Grasp& grasp, const GraspBody& object) {
   return std::any_of(grasp.contacts.begin(), grasp.contacts.end(), [&](const HandContact& each) {
     const bool still =

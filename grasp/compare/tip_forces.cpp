@@ -14,10 +14,10 @@
 namespace thenar {
 namespace {
 
-constexpr int kForceDirections = 64;
-constexpr double kStillMotion = 1e-12;  // motion of a tip that counts as none [m/rad]
+constexpr int kForceDirections = 64;    // Directions of force, evenly over the sphere
+constexpr double kStillMotion = 1e-12;  // Smaller motions of a tip count as none [m/rad]
 constexpr double kAscentGain = 1e-9;    // relative gain that a step of the ascent must have [1]
-constexpr int kMaxForceSteps = 20;      // of the ascent
+constexpr int kMaxForceSteps = 20;      // Most steps of the ascent
 
 /// Direction i of a Fibonacci spiral, evenly spread on the sphere. (3)
 Eigen::Vector3d direction(int i) {
@@ -45,7 +45,7 @@ std::vector<int> pressing_joints(const Eigen::MatrixXd& J, const Reactions& reac
   return joints;
 }
 
-/// Whether an effort that moves one of the joints has no limit.
+/// Returns whether an effort that moves one of the joints has no limit.
 bool is_unknown(const Actuation& a, const std::vector<int>& joints) {
   for (Eigen::Index k = 0; k < a.B.cols(); ++k)
     for (const int j : joints)

@@ -18,8 +18,9 @@ namespace thenar {
 namespace {
 
 constexpr double kCells[] = {0.25, 0.5, 1, 2, 4};  // sizes tried, in voxels asked for [1]
-constexpr double kVoxelGrowth = 2;                 // size of voxels for the overlap of two tips [1]
-constexpr int kStopInterval = 1000;                // draws between two checks for a stop
+// Size of voxels for the overlap of two tips, over that for one tip [1]
+constexpr double kVoxelGrowth = 2;
+constexpr int kStopInterval = 1000;  // draws between two checks for a stop
 
 using Voxel = std::array<int, 3>;
 using Voxels = std::vector<Voxel>;  // ascending
@@ -79,11 +80,11 @@ Eigen::MatrixXd spread_postures(const HandLayout& layout) {
   return postures;
 }
 
-/// How many coordinates move each tip, in some posture at least: it cannot fill a space of more
-/// dimensions.
+/// Counts the coordinates that move each tip in at least one posture (tips). A tip cannot fill a
+/// space of more dimensions.
 std::vector<int> movers_of_tips(const Hand& hand) {
-  constexpr double kRangeStep = 1e-3;  // of a coordinate's range
-  constexpr double kNoMotion = 1e-9;   // [m]
+  constexpr double kRangeStep = 1e-3;  // Step of a coordinate, over its range [1]
+  constexpr double kNoMotion = 1e-9;   // Smaller motions of a tip count as none [m]
   const HandLayout& layout = hand.layout();
   const Eigen::MatrixXd postures = spread_postures(layout);
   std::vector<int> movers(layout.tip_points.size(), 0);

@@ -23,7 +23,8 @@ Contact seen_from(const Pose<double>& X_AB, const Contact& contact_B) {
 
 namespace {
 
-constexpr double kSamePlace = 1e-9;  // places, in parts of the grasp's extent, and normals [1]
+// Contacts are equal within this: places over the grasp's extent, and normals [1]
+constexpr double kSamePlace = 1e-9;
 
 /// Contacts are sorted along this direction; its components are irrational, so that points rarely
 /// tie.
@@ -35,7 +36,8 @@ double extent(const std::vector<Contact>& contacts) {
   return most;
 }
 
-/// For every contact without a patch the first one at its place with its normal, maybe itself.
+/// Returns for every contact without a patch the first contact at its place with its normal, maybe
+/// itself.
 std::vector<std::size_t> first_at_place(const std::vector<Contact>& contacts) {
   const double near = kSamePlace * extent(contacts);
   std::vector<std::size_t> first(contacts.size()), order;

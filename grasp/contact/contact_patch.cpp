@@ -16,14 +16,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCosTurn = 0.86602540378443865;  // of 30 degrees, within a region [1]
-constexpr double kPointReach = 1e-4;              // of a point, where faces count as its own [m]
-constexpr double kFitStep = 2e-4;     // by which a nearest point's surroundings are measured [m]
-constexpr double kLongestFit = 1e-3;  // [m]
-constexpr double kLeastCurve = 1;     // of distances that have a least place [1/m]
-constexpr double kStillStep = 1e-8;   // step that moves no contact [m]
-constexpr int kPointRefinements = 3;  // of a nearest point
-constexpr double kCoarseRatio = 4;    // resolution of the first search, in that of the rim [1]
+// Normals of one region turn by at most 30 degrees: its cosine [1]
+constexpr double kCosTurn = 0.86602540378443865;
+constexpr double kPointReach = 1e-4;  // Faces within this distance of a point count as its own [m]
+constexpr double kFitStep = 2e-4;     // Step that measures the surroundings of a nearest point [m]
+constexpr double kLongestFit = 1e-3;  // Longest step to a nearest point [m]
+constexpr double kLeastCurve = 1;     // Least curvature of distances that have a minimum [1/m]
+constexpr double kStillStep = 1e-8;   // Shorter steps move no contact [m]
+constexpr int kPointRefinements = 3;  // Refinements of a nearest point
+constexpr double kCoarseRatio = 4;    // Resolution of the first search, over that of the rim [1]
 
 /// A connected group of pieces of A that are near B.
 struct Region {
@@ -181,7 +182,8 @@ class PatchFinder {
   }
 
  private:
-  /// Whether the bodies are surely too far apart to touch: cheaper than to search for pieces.
+  /// Returns whether the bodies are surely too far apart to touch: cheaper than to search for
+  /// pieces.
   bool is_far() {
     SignedDistanceOptions roughly;
     roughly.tolerance = options_.tolerance;
@@ -251,7 +253,7 @@ class PatchFinder {
     return {s.on_a + radius * s.normal, s.distance, s.on_b, s.normal, radius};
   }
 
-  /// Whether the region is only the slope towards a nearer point of another region.
+  /// Returns whether the region is only the slope towards a nearer point of another region.
   bool is_slope(const Region& region) {
     const double nearer = region.nearest.distance - options_.band;
     const PatchPoint around =
@@ -311,7 +313,7 @@ class PatchFinder {
     return {{point.on_b, into(point), friction_, 0}, -1, std::max(0.0, -point.distance)};
   }
 
-  static constexpr int kRimHalvings = 5;
+  static constexpr int kRimHalvings = 5;  // Most halvings of a triangle at the rim
 
   const CollisionTree& a_;
   const Pose<double> X_BA_;
@@ -381,9 +383,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCosFlat = 0.984807753012208;     // of 10 degrees [1]
-constexpr double kSinFlat = 0.17364817766693;      // of 10 degrees [1]
-constexpr double kCosSharp = 0.86602540378443865;  // of 30 degrees [1]
+constexpr double kCosFlat = 0.984807753012208;     // Cosine of 10 degrees [1]
+constexpr double kSinFlat = 0.17364817766693;      // Sine of 10 degrees [1]
+constexpr double kCosSharp = 0.86602540378443865;  // Cosine of 30 degrees [1]
 
 /// Normals of B at a point and around it.
 struct Around {
@@ -438,7 +440,7 @@ struct Edge {
   Vector3d first, second;  // normals that differ most, unit (3)
   Vector3d along;          // unit, or zero: no edge, but a corner or a face (3)
 
-  /// Whether a direction across the edge points out between its faces.
+  /// Returns whether a direction across the edge points out between its faces.
   [[nodiscard]] bool lets_out(const Vector3d& way) const {
     const Vector3d turn = first.cross(second);
     return first.cross(way).dot(turn) > 0 && way.cross(second).dot(turn) > 0;

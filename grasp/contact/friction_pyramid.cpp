@@ -48,7 +48,8 @@ Eigen::MatrixXd vertices_even(Eigen::Index axes, int edges) {
   return z;
 }
 
-/// The same, enlarged until the polytope contains the disc or ellipsoid: divided by its inradius.
+/// Computes the vertices of vertices_even(), enlarged until the polytope contains the disc or
+/// ellipsoid: divided by its inradius.
 Eigen::MatrixXd vertices_about(Eigen::Index axes, int edges) {
   Eigen::MatrixXd z = vertices_even(axes, edges);
   if (axes >= 2) z /= std::cos(M_PI / edges);

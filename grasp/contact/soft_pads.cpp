@@ -12,9 +12,11 @@
 namespace thenar {
 namespace {
 
-constexpr double kFlatCurvature = 10;    // less curved than a ball of 0.1 m [1/m]
-constexpr double kShearRatio = 1.0 / 3;  // shear by Young's modulus of an incompressible layer [1]
-const double kSamePad = std::cos(30 * kDegree);  // of directions in a region, as contact_patches()
+constexpr double kFlatCurvature = 10;  // Least curvature of a gap, that of a ball of 0.1 m [1/m]
+// Shear modulus over Young's modulus of an incompressible layer [1]
+constexpr double kShearRatio = 1.0 / 3;
+// Least cosine between directions of one region, as contact_patches() [1]
+const double kSamePad = std::cos(30 * kDegree);
 
 bool is_soft(const Material& material) {
   return material.young > 0 && material.layer_thickness > 0;

@@ -28,8 +28,8 @@ constexpr double kForceRounding = 1e-8;
 /// lever, and at least the second share of the best such ratio among all coordinates [1].
 constexpr double kAlongShare = 1e-3, kAsWellRatio = 0.5;
 
-/// Whether each coordinate does work on internal forces, which cancel out on the object. Others,
-/// like those of an arm, move all contacts as one body would.
+/// Returns for each coordinate whether it does work on internal forces, which cancel out on the
+/// object. Others, like those of an arm, move all contacts as one body would.
 std::vector<bool> squeezing(const WrenchSet& set, const MatrixXd& T) {
   std::vector<bool> squeezing(static_cast<std::size_t>(T.rows()), false);
   if (T.size() == 0) return squeezing;
@@ -97,8 +97,8 @@ class OneContact {
     return along(j) > kAlongShare && bears_torque(reactions_, j, torques_(j, 0));
   }
 
-  /// Whether effort at a coordinate presses the contact. @param worm  the non-backdrivable one, or
-  /// -1
+  /// Returns whether effort at a coordinate presses the contact.
+  /// @param worm  the non-backdrivable one, or -1
   [[nodiscard]] bool presses(Index j, int worm) const {
     if (along(j) < least_along_ || is_locked(reactions_, j)) return false;
     const auto& non_backdrivable = reactions_.non_backdrivable;
@@ -253,7 +253,7 @@ class Limits {
     return ways;
   }
 
-  /// Whether zero effort is allowed and keeps the hand in balance.
+  /// Returns whether zero effort is allowed and keeps the hand in balance.
   [[nodiscard]] bool is_slack() const {
     return actuation_.tau_0.isZero(0) && (actuation_.lower.array() <= 0).all() &&
            (actuation_.upper.array() >= 0).all();

@@ -22,7 +22,7 @@ enum class SupportKind {
   kStructure         // rigid structure: nothing presses, it pushes back
 };
 
-/// How one contact is supported.
+/// Support of one contact.
 struct ContactSupport {
   SupportKind by = SupportKind::kStructure;
   int pressing_coordinate = -1;  // presses a non-backdrivable or joint-limit contact; or -1

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// A joint that lags behind the drive by less still counts as coupled, in units of the drive.
+/// Largest lag of a coupled joint behind its drive, in units of the drive.
 constexpr double kCoupledTorque = 1e-6;
 
 /// One drive: its column of B, and the reactions that it adds.

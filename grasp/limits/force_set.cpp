@@ -14,8 +14,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kNoWrench = 1e-14;  // square of what counts as none, over the largest [1]
-constexpr double kSurePlace = 1e-4;  // of contacts, over the torque scale [1]
+// Squared wrenches below this share of the largest count as none [1]
+constexpr double kNoWrench = 1e-14;
+constexpr double kSurePlace = 1e-4;  // Uncertainty of contact places, over the torque scale [1]
 
 using Eigen::Index;
 using Eigen::MatrixXd;

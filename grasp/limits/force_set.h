@@ -78,7 +78,7 @@ struct ForceSet {
 /// @param load  torque over the scale  (6)
 [[nodiscard]] ScaledWrench bearable_part(const ForceSet& forces, const ScaledWrench& load);
 
-/// The same set without passive forces p: active forces, and what pushes back against them.
+/// Returns the set without passive forces p: active forces, and what pushes back against them.
 [[nodiscard]] ForceSet active_only(ForceSet forces);
 
 /// Joint torques that balance unit contact forces:  T x = sum_i J_i' (f_i, m_i).

@@ -15,7 +15,7 @@ bool is_non_backdrivable(const Reactions& reactions, int coordinate) {
                    coordinate) != reactions.non_backdrivable.end();
 }
 
-/// Whether the reaction acts on this coordinate alone.
+/// Returns whether the reaction acts on this coordinate alone.
 bool is_own(const Reactions& reactions, Index i, Index coordinate) {
   const double own = std::abs(reactions.R(coordinate, i));
   return own > 0 && own == reactions.R.col(i).cwiseAbs().sum();

@@ -27,11 +27,13 @@ void add_reaction(Reactions& reactions, const Eigen::VectorXd& torque, double lo
 [[nodiscard]] Eigen::MatrixXd reactions_on(const Reactions& reactions,
                                            const std::vector<int>& coordinates);
 
-/// Whether reactions of this coordinate alone balance any torque of the sign of `direction`.
+/// Returns whether reactions of this coordinate alone balance any torque of the sign of
+/// `direction`.
 [[nodiscard]] bool bears_torque(const Reactions& reactions, Eigen::Index coordinate,
                                 double direction);
 
-/// Whether reactions balance any torque of both signs: a lock, or limits that leave no range.
+/// Returns whether reactions balance any torque of both signs: a lock, or limits that leave no
+/// range.
 [[nodiscard]] bool is_locked(const Reactions& reactions, Eigen::Index coordinate);
 
 }  // namespace thenar

@@ -45,7 +45,8 @@ double largest_limit(const ConeProgram& program) {
   return std::max(program.b.lpNorm<Eigen::Infinity>(), program.h.lpNorm<Eigen::Infinity>());
 }
 
-/// Whether the last variable reaches a value far above all limits. The program is scaled by it.
+/// Returns whether the last variable reaches a value far above all limits. The program is scaled by
+/// it.
 bool reaches(ConeProgram program, double value) {
   const Index rows = program.G.rows(), last = program.c.size() - 1;
   program.b /= value;

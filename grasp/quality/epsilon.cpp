@@ -22,15 +22,18 @@ using internal::span_of;
 using internal::SupportFunction;
 using internal::SupportPoint;
 
-constexpr double kUndecidedShare = 1e-9;  // an epsilon below this part of the size has no sign [1]
-constexpr int kPolishAt = 400;   // facets, and twice as many, ..: a lower bar leaves out more
-constexpr int kProveAgain = 64;  // times as many facets, after a proof that was not found
-constexpr int kFewParts = 8, kMaxParts = 64;  // of the sphere in a proof, on the way, at the end
-constexpr int kLinfParts = 4;                 // of Linf at any time: a part takes 20 to 100 ms
-constexpr int kMaxTries = 20;                 // of a proof, each from a lower bound from above
-constexpr double kProvableGap =
-    1e-9;  // a gap that proofs of two caps reach, in parts of the size [1]
-constexpr double kOutsideGap = 1e-10;  // asked of distances from outside, as it costs little [1]
+constexpr double kUndecidedShare = 1e-9;  // An epsilon below this share of the size has no sign [1]
+// Facets at the first polish, doubled each time; a lower bar leaves out more
+constexpr int kPolishAt = 400;
+// Factor on the facets until the next proof, after a proof was not found
+constexpr int kProveAgain = 64;
+// Parts of the sphere in a proof, on the way and at the end
+constexpr int kFewParts = 8, kMaxParts = 64;
+constexpr int kLinfParts = 4;  // Parts of Linf in a proof, at any time: a part takes 20 to 100 ms
+constexpr int kMaxTries = 20;  // Most tries of a proof, each from a lower bound from above
+constexpr double kProvableGap = 1e-9;  // Gap that proofs of two caps reach, over the size [1]
+// Gap that is asked of distances from outside, where it costs little [1]
+constexpr double kOutsideGap = 1e-10;
 
 void require_options(const WrenchSet& set, const EpsilonOptions& options) {
   require(options.gap > 0 && options.gap < std::numeric_limits<double>::infinity(),
@@ -145,7 +148,7 @@ class EpsilonSearch {
     }
   }
 
-  /// Takes the upper bound down to the local minimum.
+  /// Lowers the upper bound to the local minimum.
   void descend_support() {
     if (upper_ > kUndecidedShare * support_.size())
       (void)look(internal::descend_support(support_, worst_));
@@ -244,8 +247,8 @@ Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
 namespace thenar::internal {
 namespace {
 
-constexpr int kMaxSupports = 2000;
-constexpr double kZeroShare = 1e-14;  // of |x|, in parts of the size [1]
+constexpr int kMaxSupports = 2000;    // Most evaluations of the support function
+constexpr double kZeroShare = 1e-14;  // Shorter vectors |x| count as zero, over the size [1]
 
 /// Weights of the least-norm point in the affine hull of the columns: y = w0 + D a, w0 the last.
 Eigen::VectorXd affine_weights(const Eigen::Matrix<double, 6, Eigen::Dynamic>& points) {

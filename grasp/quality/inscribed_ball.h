@@ -33,8 +33,8 @@ struct [[nodiscard]] InscribedBall {
 /// Source: [Krug2017] for wrench sets bounded by actuators.
 InscribedBall inscribed_ball(const ForceSet& forces, const BallOptions& options = {});
 
-/// Whether forces balance every load along the first axes of a wrench, however large: the recession
-/// cone of the set (all limits at zero) contains both directions of each axis.
+/// Returns whether forces balance every load along the first axes of a wrench, however large: the
+/// recession cone of the set (all limits at zero) contains both directions of each axis.
 [[nodiscard]] bool is_unlimited(ForceSet forces, int axes);
 
 }  // namespace thenar

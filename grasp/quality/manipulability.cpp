@@ -30,13 +30,12 @@ Eigen::MatrixXd hand_object_jacobian(const Eigen::Matrix<double, 6, Eigen::Dynam
 
 namespace {
 
-constexpr double kRankShare =
-    1e-9;  // singular values of G below this share of the largest are zero [1]
+// Singular values of G below this share of the largest are zero [1]
+constexpr double kRankShare = 1e-9;
 
 using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
 
-constexpr double kMotionRounding =
-    1e-12;  // rounding of (G')^+ J, in units of |J| / (least of G) [1]
+constexpr double kMotionRounding = 1e-12;  // Rounding of (G')^+ J, over |J| / (least of G) [1]
 
 /// Sets singular values that are no larger than rounding to 0.
 void drop_rounding(Eigen::MatrixXd& M, double rounding) {

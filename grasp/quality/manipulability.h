@@ -1,6 +1,6 @@
 #pragma once
 
-/// How well a hand moves the object that it holds.
+/// Manipulability of a held object: the ability of the hand to move it.
 
 #include <Eigen/Core>
 

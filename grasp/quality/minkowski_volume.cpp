@@ -19,13 +19,13 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Form = std::array<double, 64>;  // exterior product of vectors, indexed by the set of axes
 
 constexpr int kAllAxes = 63;  // the set of all six axes
-constexpr double kTieShare =
-    1e-14;  // a determinant below this share of its columns' lengths is 0 [1]
+// A determinant below this share of its columns' lengths is 0 [1]
+constexpr double kTieShare = 1e-14;
 constexpr double kTurns[] = {0, 1e-9, 1e-7};  // of contacts, until in general position [1]
 constexpr double kTurnedArea = 100;  // facets below this times the turn times their vectors'
                                      // lengths are neglected [1]
-constexpr double kOpenShare =
-    1e-7;  // sum of normals over area at which a surface is still closed [1]
+// A surface is closed up to this sum of normals, over its area [1]
+constexpr double kOpenShare = 1e-7;
 
 int members(int axes) { return __builtin_popcount(static_cast<unsigned>(axes)); }
 
@@ -163,7 +163,7 @@ class Sum {
     if (way <= 0) add(-u, size, lengths);
   }
 
-  /// It is uncertain whether this is a facet, which matters if it is large.
+  /// Notes that it is uncertain whether this is a facet, which matters if it is large.
   void tie(const ScaledWrench& u, double lengths) { tie_ = tie_ || u.norm() > no_area_ * lengths; }
 
   void add(const ScaledWrench& u, double size, double lengths) {

@@ -15,8 +15,8 @@ namespace {
 using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
-constexpr double kPlanarRounding = 1e-12;  // of the value, in parts of the largest wrench [1]
-constexpr double kParallelSine = 1e-12;    // largest sine of the angle of parallel edges [1]
+constexpr double kPlanarRounding = 1e-12;  // Rounding of the value, over the largest wrench [1]
+constexpr double kParallelSine = 1e-12;    // Largest sine of the angle between parallel edges [1]
 
 Vector3d in_plane(const ScaledWrench& w) { return {w(0), w(1), w(5)}; }
 

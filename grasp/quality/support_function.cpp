@@ -132,16 +132,16 @@ FirstSimplex first_simplex(const SupportFunction& support, double flat) {
 
 namespace {
 
-constexpr int kMaxPolishSteps = 30;
-constexpr int kMaxColumns = 20;
-constexpr double kLastStep = 1e-9;   // length of a last step: the next would be its square [rad]
-constexpr double kMostStep = 0.2;    // of a step [rad]
+constexpr int kMaxPolishSteps = 30;  // Most steps of a polish
+constexpr int kMaxColumns = 20;      // Most columns of the matrices of a polish
+constexpr double kLastStep = 1e-9;   // Length of a last step: the next would be its square [rad]
+constexpr double kMostStep = 0.2;    // Longest step [rad]
 constexpr double kNearCap = 0.3;     // caps this close to the best, relative to it, take part [1]
 constexpr double kKinkShare = 0.05;  // |A'u| below this share of |A| is held at 0 [1]
-constexpr double kSharpShare =
-    1e-6;  // the same in the first attempt: facets may hold a whole cap [1]
-constexpr double kDependentDistance =
-    1e-9;                             // constraints closer to each other's span are dependent [1]
+// Least |A'u| over |A| in the first attempt, in which facets may hold a whole cap [1]
+constexpr double kSharpShare = 1e-6;
+// Constraints closer to each other's span are dependent [1]
+constexpr double kDependentDistance = 1e-9;
 constexpr double kFlatCurve = 1e-12;  // curvatures below this share of the size are zero [1]
 
 // Unknowns of the polish: direction u and value t.
@@ -384,7 +384,7 @@ class Polish {
     return std::min(length, kMostStep);
   }
 
-  /// Takes in pieces that went beyond their bounds. @returns whether there are any
+  /// Includes pieces that went beyond their bounds. @returns whether there are any
   bool overtaken() {
     const double beyond = support_.rounding();
     // L1: the level is the highest tight piece; Linf: zero.

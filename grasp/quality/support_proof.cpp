@@ -19,8 +19,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kLeastEigenvalue =
-    1e-12;  // least eigenvalue wanted of F, the set's size being 1 [1]
+// Least eigenvalue wanted of F, the set's size being 1 [1]
+constexpr double kLeastEigenvalue = 1e-12;
+// Rounding of an eigenvalue, over the size of the matrix [1]
 constexpr double kProofRounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr double kSomeWeight = 0.25;  // least sum of the weights in F, the largest being 1 [1]
 constexpr Index kTimeIndex = 6;       // index of t in x = (u, t, levels)
@@ -244,7 +245,8 @@ MatrixXd doubts_of(const MatrixXd& F, double least) {
   return moment / moment(kTimeIndex, kTimeIndex);
 }
 
-/// Half space across the unproven points, where they lie farthest apart, through their mean.
+/// Returns a half space across the unproven points, through their mean, in the direction in which
+/// they lie farthest apart.
 Cone cut_of(const MatrixXd& doubts) {
   const Index d = doubts.rows();
   const VectorXd mean = doubts.col(kTimeIndex);

@@ -19,19 +19,21 @@
 namespace thenar {
 namespace {
 
-constexpr double kBeyondFacet = 1e-12;  // a point beyond a facet by less of the size lies on it [1]
-constexpr int kMinEdges = 6;  // below, an estimate with fewer edges than asked for is too rough
-constexpr double kUpperWeight = 0.56;  // of the upper bound's logarithm in the estimate [1]
+// Points beyond a facet by less than this share of the size lie on it [1]
+constexpr double kBeyondFacet = 1e-12;
+constexpr int kMinEdges = 6;           // Fewest edges of an estimate that is not too rough
+constexpr double kUpperWeight = 0.56;  // Weight of the upper bound's logarithm in the estimate [1]
 
-constexpr int kFacetsBeforeSum = 100000;  // of a hull, before a way without hull is tried
-constexpr double kSharpVolume = 1e-9;     // error of a volume that needs no other way [1]
-constexpr double kFoldError = 1e-4;  // error of a larger hull of a sum: faces that are parallel up
-                                     // to rounding fold it; 1.3e-5 was met [1]
-constexpr int kMostTimes = 20;          // that a point is put into a hull [1]
-constexpr double kLostVolume = 0.1;     // error beyond which a volume is not known [1]
-constexpr double kExactVolume = 1e-12;  // error of a volume that counts as exact [1]
-constexpr double kMaxChoices = 2e7;     // of faces of a sum: takes some seconds
-constexpr double kSumError = 1e-6;  // of the volume of a sum that is not in general position [1]
+constexpr int kFacetsBeforeSum = 100000;  // Facets of a hull before a method without hull is tried
+constexpr double kSharpVolume = 1e-9;     // A volume with a smaller error needs no other method [1]
+// Least error of a larger hull of a sum, which nearly parallel faces fold; 1.3e-5 was met [1]
+constexpr double kFoldError = 1e-4;
+constexpr int kMostTimes = 20;          // Most times that a point is put into a hull
+constexpr double kLostVolume = 0.1;     // A volume with a larger error is not known [1]
+constexpr double kExactVolume = 1e-12;  // A volume with a smaller error counts as exact [1]
+constexpr double kMaxChoices = 2e7;     // Most choices of faces of a sum, which take some seconds
+// Relative error of the volume of a sum that is not in general position [1]
+constexpr double kSumError = 1e-6;
 
 /// Volume of a polytope [unit forces^6].
 struct PolytopeVolume {

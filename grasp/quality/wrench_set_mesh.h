@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// How six dimensions become three.
+/// Projection of six dimensions to three.
 enum class PictureKind {
   kProjection,  // three coordinates of all wrenches
   kSlice        // three coordinates of wrenches whose others are zero: forces without torque

@@ -16,12 +16,13 @@ using Eigen::Vector3d;
 // Shares of squared components of axes: least along the second direction of a plane, and most
 // across the plane or the line that they span [1].
 constexpr double kInPlane = 0.1, kOffPlane = 0.02;
-constexpr double kAcrossCosine = 0.02;       // cosine to a line that counts as across it [1]
-constexpr double kSameFace = 3e-3;           // angle of directions that are one [rad]
-constexpr double kLeastFace = 0.05;          // share of the area of all faces [1]
-constexpr double kAreaRatio = 0.5;           // ratio of areas that disagree [1]
-constexpr double kDirectionRounding = 1e-5;  // of directions in files [rad]
-constexpr double kNoDirection = 1e-9;        // length of a vector without direction [1]
+constexpr double kAcrossCosine = 0.02;  // Largest cosine to a line of a direction across it [1]
+constexpr double kSameFace = 3e-3;      // Directions within this angle are one [rad]
+constexpr double kLeastFace = 0.05;     // Least share of a face in the area of all faces [1]
+// The second direction disagrees if its area over the first's exceeds this [1]
+constexpr double kAreaRatio = 0.5;
+constexpr double kDirectionRounding = 1e-5;  // Rounding of directions in files [rad]
+constexpr double kNoDirection = 1e-9;        // Shorter vectors have no direction [1]
 
 /// A direction with the area of the faces that look there.
 struct FacedDirection {

@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// What the axes or slides of closing digits tell of the direction across all of them.
+/// Directions that follow from the axes or slides of closing digits.
 struct ClosingAxes {
   std::optional<Eigen::Vector3d> normal;  // across all of them, where they span a plane, unit (3)
   std::optional<Eigen::Vector3d> line;    // along all of them, where they are parallel, unit (3)

@@ -16,10 +16,11 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr int kLinkPoints = 150;         // for each link
-constexpr double kTouchDistance = 5e-4;  // distance that counts as touching [m]
-constexpr double kStillApproach = 1e-7;  // approach that counts as none [m]
-constexpr double kSelfTouch = 3e-3;      // for links of the hand: the spacing of their points [m]
+constexpr int kLinkPoints = 150;         // Points of each link
+constexpr double kTouchDistance = 5e-4;  // Links within this distance touch [m]
+constexpr double kStillApproach = 1e-7;  // Shorter approaches count as none [m]
+// Links of the hand within this distance touch: the spacing of their points [m]
+constexpr double kSelfTouch = 3e-3;
 
 RobotSpec without_shapes(RobotSpec robot) {
   for (RobotLink& link : robot.links) link.shapes.clear();
@@ -34,7 +35,7 @@ double spread(int i, double irrational) {
 
 /// Corners of a mesh: all if there are few, otherwise the outermost along each axis (its box).
 Matrix3Xd outermost(const Matrix3Xd& corners) {
-  constexpr Eigen::Index kFewTriangles = 12;
+  constexpr Eigen::Index kFewTriangles = 12;  // Most corners of a mesh of which all are kept
   if (corners.cols() <= kFewTriangles) return corners;
   Matrix3Xd points(3, 6);
   for (int k = 0; k < 3; ++k) {
@@ -78,7 +79,7 @@ Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
 
 /// Normals of triangles times areas, those of one direction summed. (3, directions) [m^2]
 Matrix3Xd faces_of(const TriangleMesh& mesh) {
-  constexpr double kNormalCell = 1e-3;  // of normals that are one [1]
+  constexpr double kNormalCell = 1e-3;  // Normals in one cell of this size are one [1]
   std::map<std::array<long, 3>, Vector3d> sums;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const Vector3d a = mesh.vertices.col(mesh.triangles(0, t));
@@ -221,7 +222,7 @@ bool BallGrasp::side_by_side(const SampledSurface& a, const SampledSurface& b) c
   return next_to(a.link, b.link) || next_to(b.link, a.link);
 }
 
-/// Whether points of two links come within a spacing of their points.
+/// Returns whether points of two links come within a spacing of their points.
 bool BallGrasp::collide(const SampledSurface& a, const SampledSurface& b,
                         const std::vector<Pose<double>>& links) {
   const Vector3d ca = at(links, a.link, a.centre), cb = at(links, b.link, b.centre);

@@ -6,12 +6,13 @@
 namespace thenar {
 namespace {
 
-constexpr double kUndecidedRange = 0.1;  // difference of ranges that is no evidence [1]
-constexpr double kHardlyNear = 1e-3;     // difference of nearness that is no evidence [1]
+constexpr double kUndecidedRange = 0.1;  // Smaller differences of ranges are no evidence [1]
+constexpr double kHardlyNear = 1e-3;     // Smaller differences of nearness are no evidence [1]
 constexpr double kAgainstWeight = 0.4;   // weight of evidence against a way of closing [1]
-constexpr double kNearDifference =
-    0.1;  // difference of nearness that counts with its whole weight [1]
-constexpr double kMostAgainst = 0.6;     // of all evidence: less than a trial can tell for it [1]
+// Larger differences of nearness count with their whole weight [1]
+constexpr double kNearDifference = 0.1;
+// Largest sum of evidence against a way, less than a trial can give for it [1]
+constexpr double kMostAgainst = 0.6;
 constexpr double kDoubtfulRange = 0.35;  // difference of ranges up to which both ways are tried [1]
 constexpr double kClearlyNear = 0.05;    // difference of nearness that leaves no doubt [1]
 

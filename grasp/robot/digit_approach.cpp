@@ -97,7 +97,7 @@ Matrix3Xd DigitMotion::closing_axes(const Digit& digit, std::size_t option,
   return side_by_side(axes);
 }
 
-/// Whether a digit closes along slides alone.
+/// Returns whether a digit closes along slides alone.
 bool DigitMotion::slides_only(const Digit& digit, std::size_t option) const {
   const auto is_slide = [&](int link) { return grip_.hand().is_prismatic(link); };
   bool any_hinge = false;
@@ -187,7 +187,8 @@ struct DigitMotion::JawWay {
   bool faced;          // whether a face of the palm is near it
 };
 
-/// From the palm to the end, as approach_near(); none: one lies in the way of the other.
+/// Returns the way from the palm to the end, as approach_near(); none: one lies in the way of the
+/// other.
 std::optional<DigitMotion::JawWay> DigitMotion::jaw_way(std::size_t option,
                                                         const VectorXd& q) const {
   const std::vector<Pose<double>> links = grip_.hand().pose(q);

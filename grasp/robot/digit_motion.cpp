@@ -12,8 +12,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kAlongCosine =
-    0.7;                          // smallest cosine of a curling joint to the last one's axis [1]
+constexpr double kAlongCosine = 0.7;  // Least cosine of a curling joint to the last one's axis [1]
 constexpr double kSameWay = 0.7;  // smallest cosine between tip directions of similar fingers [1]
 constexpr double kSameDistance = 1e-9;   // relative change of tip distances that counts as none [1]
 constexpr double kNoMotion = 1e-9;       // rotation or motion that counts as none [1], [m]
@@ -108,7 +107,7 @@ Vector3d DigitMotion::way(std::size_t drive, const Digit& digit) const {
   return twist(drive, digit).tail<3>();
 }
 
-/// Whether a drive moves every tip, and none relative to another: a wrist.
+/// Returns whether a drive moves every tip, and none relative to another: a wrist.
 bool DigitMotion::moves_alike(std::size_t drive) const {
   for (const Digit& digit : digits_)
     if (way(drive, digit).norm() < kNoMotion && spin(drive, digit).norm() < kNoMotion) return false;
@@ -288,13 +287,13 @@ double DigitMotion::turn_range(const Digit& digit) const {
   return largest;
 }
 
-/// Whether a drive rotates any digit, rather than only sliding it.
+/// Returns whether a drive rotates any digit, rather than only sliding it.
 bool DigitMotion::turns(std::size_t drive) const {
   return std::any_of(digits_.begin(), digits_.end(),
                      [&](const Digit& digit) { return spin(drive, digit).norm() > kNoMotion; });
 }
 
-/// Whether a drive turns other digits about as far as this one.
+/// Returns whether a drive turns other digits about as far as this one.
 bool DigitMotion::spreads(std::size_t drive, const Digit& digit) const {
   const double own = way(drive, digit).norm();
   return std::any_of(digits_.begin(), digits_.end(), [&](const Digit& other) {
@@ -387,13 +386,13 @@ VectorXd DigitMotion::open_at(std::size_t option, const VectorXd& others, double
   return open;
 }
 
-/// Whether every digit has one drive that curls it, as jaws have.
+/// Returns whether every digit has one drive that curls it, as jaws have.
 bool DigitMotion::are_jaws() const {
   return std::all_of(digits_.begin(), digits_.end(),
                      [](const Digit& digit) { return digit.curls.size() <= 1; });
 }
 
-/// Up to three motors with the largest ranges that turn opposed digits.
+/// Returns up to three motors with the largest ranges that turn opposed digits.
 std::vector<std::size_t> DigitMotion::opposing_motors(const DigitRoles& roles) const {
   std::vector<std::size_t> motors;
   for (std::size_t i = 0; i < digits_.size(); ++i)

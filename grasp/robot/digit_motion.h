@@ -34,7 +34,7 @@ struct FixedJaw {
   double opening = 0;                  // from the face to the outer half of the open jaw [m]
 };
 
-/// How the drives of a hand move its digits. Constant once built; the grasp must outlive it.
+/// Motion of a hand's digits by its drives. Constant once built; the grasp must outlive it.
 class DigitMotion {
  public:
   /// @param closing  whether the speeds of the hand's drives state how it closes

@@ -12,8 +12,8 @@ using Eigen::Vector3d;
 constexpr double kParallelCosine = 0.9;  // least cosine of axes about which links bend together [1]
 constexpr double kShortShare = 0.3;      // share of a link across its axis that tells no bend [1]
 constexpr double kNoLink = 1e-3;         // distance of hinges that tells no bend [m]
-constexpr double kFoldedBend = 2;        // a larger bend is none of a digit that lies open [rad]
-constexpr double kStraightBend = 0.15;   // bend that is left as it is [rad]
+constexpr double kFoldedBend = 2;        // Larger bends are not of a digit that lies open [rad]
+constexpr double kStraightBend = 0.15;   // Smaller bends stay as they are [rad]
 constexpr double kSameRow = 0.8;  // least cosine between ways of fingers of a row, either way [1]
 constexpr double kBesideWays = 0.5;  // largest cosine of the ways to the line between roots [1]
 

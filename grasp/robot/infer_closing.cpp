@@ -19,11 +19,13 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kBesideGap = 3e-4;    // of a ball from the fixed jaw that it comes down beside [m]
+// Gap between a ball and the fixed jaw beside which it comes down [m]
+constexpr double kBesideGap = 3e-4;
 constexpr double kBallRadius = 0.035;  // radius of the ball for hands of human size [m]
-constexpr double kOfReach = 0.35;      // its radius by the length of a finger, for other hands [1]
+// Radius of the ball for other hands, over the length of a finger [1]
+constexpr double kOfReach = 0.35;
 constexpr double kHumanSize[] = {0.5, 2};          // range of human size, by kBallRadius [1]
-constexpr double kNoLength = 1e-6;                 // size of a hand without length [m]
+constexpr double kNoLength = 1e-6;                 // Smaller hands have no length [m]
 constexpr int kCoarseSteps = 24, kFineSteps = 60;  // steps of closing
 constexpr double kAsideWeight = 0.5;               // weight of a push across the approach [1]
 constexpr std::size_t kTriedCandidates = 12;       // candidates that are tried on three balls
@@ -72,7 +74,7 @@ class ClosingSearch {
   }
 
  private:
-  /// Whether any digits face each other across the ball.
+  /// Returns whether any digits face each other across the ball.
   static bool faces(const Candidate& best) { return best.score + best.against > 0; }
 
   /// All candidates coarsely, then the best ones on three balls.

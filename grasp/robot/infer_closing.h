@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// What the robot states itself.
+/// Facts about closing that the robot's own file states.
 struct StatedClosing {
   bool closing = false;   // the speeds of motors say which way closes
   bool approach = false;  // the approach is stated

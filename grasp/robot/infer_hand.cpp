@@ -43,7 +43,8 @@ void tell_digits(RobotSpec& robot) {
                                        digits_in(robot).size(), fmt::join(names, ", ")));
 }
 
-/// Takes efforts in the direction of closing, where a file's differ by direction, and says so.
+/// Chooses the efforts in the direction of closing, where a file's efforts differ by direction, and
+/// reports it.
 void take_closing_efforts(RobotSpec& robot) {
   std::vector<std::string> taken, none;
   for (RobotDof& dof : robot.dofs) {
@@ -112,7 +113,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-/// Whether the name of a link says that it is a soft pad.
+/// Returns whether the name of a link says that it is a soft pad.
 bool is_named_soft(const std::string& link) {
   const std::string name = lower_case(link);
   return std::any_of(std::begin(kSoftWords), std::end(kSoftWords),

@@ -18,8 +18,10 @@ using Eigen::Vector3d;
 
 constexpr double kMostPinMotion = 1e-4;  // largest motion of a pin against what it joins [m]
 constexpr double kTurnOfBar = 0.02;      // smallest turn of a bar against its finger [rad]
-constexpr double kNearPin = 0.25;  // distance of a pin from what it joins, over its diagonal [1]
-constexpr double kAnyRange = 1;    // taken of a motor without limits, either way [rad] or [m]
+// Largest distance of a pin from the part that it joins, over the part's diagonal [1]
+constexpr double kNearPin = 0.25;
+// Range assumed for a motor without limits, either way [rad] or [m]
+constexpr double kAnyRange = 1;
 
 /// Box of a body's shapes in its frame.
 AlignedBox3d box_of(const RobotSpec& robot, const RigidBody& body,
@@ -49,7 +51,7 @@ Instants instants_of(const RobotSpec& robot, const RobotDof& dof) {
   return all;
 }
 
-/// Whether an axis near both lies still in both.
+/// Returns whether an axis near both lies still in both.
 bool are_pinned(const RobotSpec& robot, const RigidBody& bar, const RigidBody& finger,
                 const Instants& instants) {
   std::array<Pose<double>, 3> X_FB;
@@ -78,7 +80,8 @@ bool are_pinned(const RobotSpec& robot, const RigidBody& bar, const RigidBody& f
          finger_box.exteriorDistance(X_FB[0] * pin) < kNearPin * finger_box.diagonal().norm();
 }
 
-/// Whether a motor alone moves a body against another on which it hangs by two joints or more.
+/// Returns whether a motor alone moves a body against another on which it hangs by two joints or
+/// more.
 bool hangs_by_two(const std::vector<RigidBody>& list, std::size_t body, std::size_t on,
                   const std::string& dof) {
   int joints = 0;

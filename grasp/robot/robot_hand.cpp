@@ -36,7 +36,7 @@ struct AngleInterval {
     upper = std::min(upper, std::max(a, b));
   }
 
-  /// By the limits of a joint and of its motor, in units of the coordinate.
+  /// Narrows the range by the limits of a joint and of its motor, in units of the coordinate.
   /// @param ratio  motion of the joint per unit of the coordinate
   void narrow(const RobotJoint& joint, double ratio, const RobotDof* dof) {
     if (joint.curve.empty())  // otherwise check_robot() has compared it with its motor's range

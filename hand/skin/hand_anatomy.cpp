@@ -15,9 +15,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kFleshBones = 3;  // of a digit with flesh of its own
+constexpr int kFleshBones = 3;  // Bones of a digit with flesh of its own
 
-/// What is known of digits by their names.
+/// Proportions of a digit, which depend on its name only.
 struct Proportion {
   std::array<double, kFleshBones> radius;  // over hand length, cylinders of [Mirakhorlo2016] [1]
   double length;                           // of the three bones over hand length [Buchholz1992] [1]
@@ -128,8 +128,8 @@ Vector3d joint_center(const Subject& subject, const Segment& bone, double radius
   return bone.proximal + std::min(1.0, 1.5 * radius / std::max(way.norm(), 1e-9)) * way;
 }
 
-/// Where a digit ends: at its tip, or at the end of the tip's bone where that reaches further, as
-/// the middle of a pad may stand for the tip.
+/// Returns the end of a digit: its tip, or the end of the tip's bone if the bone reaches further,
+/// because the middle of a pad may stand for the tip.
 Vector3d end_of(const Digit& digit, const Segment& bone) {
   const double to_tip = digit.proximal.dot(bone.proximal - digit.tip);
   const double to_end = digit.proximal.dot(bone.proximal - bone.distal);
@@ -175,7 +175,7 @@ DigitAnatomy anatomy_of(const Subject& subject, const Digit& digit, double lengt
   return anatomy;
 }
 
-/// From the bones of all digits together.
+/// Returns the hand length, as stated or from the bones of all digits together [m].
 double length_of(const Subject& subject) {
   // Stated, or from the lengths of all bones.
   const auto stated = subject.lengths.find("hand_length");

@@ -24,7 +24,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Where a body is cut flat; what lies along the direction from there is left out.
+/// Plane at which a body is cut flat; the part on the side of `outward` is left out.
 struct FlatCut {
   Vector3d point, outward;  // [m], unit (3)
 };
@@ -195,7 +195,7 @@ struct Skin {
   TriangleMesh mesh, picture;
 };
 
-/// Those of all segments that have links, but for the user's own.
+/// Returns the skins of all segments that have links, except the user's own.
 std::vector<Skin> skins_of(const HandAnatomy& hand, const Skeleton& skeleton,
                            const SkinOptions& options) {
   // Segments without a mesh of their own.

@@ -35,7 +35,7 @@ struct SkinOptions {
                                                       const Skeleton& skeleton,
                                                       const SkinOptions& options = {});
 
-/// How far capsules in place of skin are from it, over all links [m].
+/// Distance between the skin and the capsules in its place, over all links [m].
 struct SkinError {
   double largest = 0, rms = 0;  // of the corners of the skin's triangles
   std::string worst;            // the link of the largest; empty: no skin is a capsule

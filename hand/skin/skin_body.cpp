@@ -81,7 +81,7 @@ ImplicitBody fingertip(const DigitAnatomy& digit) {
   return body;
 }
 
-/// Where the free edge of the web between thumb and index hangs, and what it spans.
+/// Corners of the web between thumb and index: the root, and the ends of the free edge.
 struct ThumbWeb {
   Vector3d root, thumb, index;
 };
@@ -136,7 +136,7 @@ class PalmMaker {
   }
 
  private:
-  /// In parts of breadth, length and half thickness, from the wrist.
+  /// Returns a point of the palm in parts of breadth, length and half thickness, from the wrist.
   [[nodiscard]] Vector3d at(double radial, double distal, double dorsal) const {
     return palm_.wrist + radial * palm_.breadth * palm_.radial + distal * length_ * palm_.distal +
            dorsal * half_ * palm_.dorsal;
@@ -158,12 +158,12 @@ class PalmMaker {
     }
   }
 
-  /// Where a metacarpal stands on the carpus.
+  /// Returns the point where a metacarpal stands on the carpus.
   [[nodiscard]] Vector3d foot(int i) const {
     return at(0.20 - 0.40 * i / (static_cast<double>(fingers_.size()) - 1), 0.12, 0);
   }
 
-  /// Between the metacarpals and the forearm.
+  /// Adds the carpus between the metacarpals and the forearm.
   void carpus() {
     Lump lump = capsule(at(0.18, 0.02, 0), at(-0.18, 0.02, 0), 0.8 * half_, 0.78 * half_, half_);
     body_.push_back(lump);

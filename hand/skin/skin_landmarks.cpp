@@ -17,7 +17,7 @@ class Marker {
   Marker(const HandAnatomy& hand, const Skeleton& skeleton)
       : bodies_(skin_bodies(hand)), skeleton_(skeleton) {}
 
-  /// Where the ray from a point within a segment leaves its skin.
+  /// Returns the landmark where the ray from a point within a segment leaves its skin.
   [[nodiscard]] SkinLandmark mark(const std::string& digit, const std::string& segment,
                                   const Vector3d& from, const Vector3d& direction) const {
     // Bisection along the ray.

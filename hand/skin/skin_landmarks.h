@@ -39,15 +39,17 @@ struct SkinPatch {
 [[nodiscard]] std::vector<SkinPatch> skin_patches(const HandAnatomy& hand,
                                                   const Skeleton& skeleton);
 
-/// Whether a point of the link's skin lies on a patch. @param p  reference posture [m] (3)
+/// Returns whether a point of the link's skin lies on a patch. @param p  reference posture [m] (3)
 [[nodiscard]] bool on_patch(const SkinPatch& patch, const Eigen::Vector3d& p);
 
-/// Where the pad of a digit meets things, from patches. @throws InputError if there is none.
+/// Returns the point of a digit's pad that meets objects, from patches.
+/// @throws InputError if there is none.
 [[nodiscard]] const SkinLandmark& pad_of(const std::vector<SkinPatch>& patches,
                                          const std::string& digit);
 
-/// Where the pad of a digit looks, across the bone of its segment: unit, at the reference posture
-/// in the hand's frame (3). @throws InputError if the skeleton keeps no pad of it.
+/// Returns the direction in which the pad of a digit faces, across the bone of its segment: unit,
+/// at the reference posture in the hand's frame (3).
+/// @throws InputError if the skeleton keeps no pad of it.
 [[nodiscard]] Eigen::Vector3d pad_normal(const Subject& subject, const Skeleton& skeleton,
                                          const std::string& digit);
 

@@ -39,7 +39,7 @@ double step_left(const FitProblem& problem, const VectorXd& z, const Residuals& 
 /// Searches for the mode until it is near enough, with at most so many Jacobians: they take most of
 /// the time.
 VectorXd find_mode(const FitProblem& problem, const VectorXd& start, int slopes) {
-  constexpr double kNear = 0.1;  // Newton step at which to stop, in posterior sds [1]
+  constexpr double kNear = 0.1;  // Newton steps shorter than this end the search [posterior sds]
   LeastSquares counted = least_squares(problem);
   int left = slopes;
   counted.residuals = [&](const VectorXd& z, WithJacobian want) {

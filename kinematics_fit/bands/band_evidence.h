@@ -53,7 +53,7 @@ struct EvidenceOptions {
 BandEvidence band_evidence(const FitProblem& problem, const std::vector<Eigen::VectorXd>& starts,
                            const EvidenceOptions& options = {});
 
-/// Whether the net carries the loads of every trial that pulls it.
+/// Returns whether the net carries the loads of every trial that pulls it.
 [[nodiscard]] bool carries_loads(const FitProblem& problem, const Eigen::VectorXd& z);
 
 /// Largest tension of each passive band over all trials, by name, in the net's order [N].

@@ -13,7 +13,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kSlackTension = 1e-6;  // below it a band is slack [N]
+constexpr double kSlackTension = 1e-6;  // Bands with less tension are slack [N]
 
 /// Sets that were fitted, so that none is fitted twice.
 class KnownSets {
@@ -42,7 +42,8 @@ class KnownSets {
     BandEvidence again =
         band_evidence(problem, {carried_over(names_.at(near), other->second.z, problem)}, options_);
     if (!again.holds) return;
-    constexpr double kBetter = 0.05;  // of the log of the density at the mode [nat]
+    // Least gain of the log density at the mode that replaces an answer [nat]
+    constexpr double kBetter = 0.05;
     const auto cost = [](const BandEvidence& at) { return 0.5 * (at.misfit + at.z.squaredNorm()); };
     if (!here.holds || cost(again) < cost(here) - kBetter) here = std::move(again);
   }
@@ -134,9 +135,11 @@ Sampled sample_sets(KnownSets& known, std::size_t bands, std::mt19937& random,
   return out;
 }
 
-/// Whether draws integrated every set that may matter: within e^-kMinor of the best by Laplace.
+/// Returns whether draws integrated every set that may matter: within e^-kMinor of the best by
+/// Laplace.
 bool all_by_draws(const std::map<Topology, BandEvidence>& sets) {
-  constexpr double kMinor = 5;  // [nat]
+  // Sets whose log evidence is lower than the best by more do not matter [nat]
+  constexpr double kMinor = 5;
   double most = -kInfinity;
   for (const auto& [bands, evidence] : sets)
     if (evidence.holds) most = std::max(most, evidence.laplace);
@@ -189,7 +192,8 @@ void believe_by_chances(const std::vector<double>& chances, BandBelief& belief) 
   belief.error = 0.5 * std::abs(a - b);
 }
 
-/// How the best sets with and without a band compare, and its slack length in the first.
+/// Compares the best sets with and without a band, and reads the band's slack length from the
+/// first.
 void compare_best(const BandProblems& problems, const KnownSets& known, std::size_t band,
                   BandBelief& belief) {
   const auto* with = known.best_where(band, true);

@@ -23,18 +23,19 @@ struct BandSet {
   double probability = 0;  // posterior, over all sets that were kept [1]
 };
 
-/// By how much the data prefer one set to another [nat]: by draws where both can, else by Laplace's
-/// approximation of both. Infinite where one does not carry the loads; 0 where neither does.
+/// Returns the log Bayes factor of one set over another [nat]: by draws where both can, else by
+/// Laplace's approximation of both. Infinite where one does not carry the loads; 0 where neither
+/// does.
 [[nodiscard]] double log_bayes_factor(const BandEvidence& a, const BandEvidence& b);
 
-/// Why a band that is not decided cannot be told.
+/// Reason why a band is not decided.
 enum class WhyUntold {
   kTold,   // it is decided
   kSlack,  // it pulls in no trial of the best set that has it
   kOthers  // it pulls, and what it does others can do
 };
 
-/// What the data say of one band.
+/// Evidence of the data for one band.
 struct BandBelief {
   std::string name;
   double probability = 0;  // that it exists, posterior [1]

@@ -14,7 +14,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostRows = 3;  // of a reading: points grow as their power [1]
+constexpr int kMostRows = 3;  // Most rows of a reading; quadrature points grow as their power
 
 /// Points v of a standard normal vector with weights, the product rule of Gauss and Hermite.
 struct NormalRule {

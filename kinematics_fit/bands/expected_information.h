@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a reading to come is expected to tell of which of several hypotheses holds.
+/// Information that a future reading is expected to give on which of several hypotheses holds.
 
 #include <vector>
 

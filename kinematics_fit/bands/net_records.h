@@ -31,7 +31,7 @@ namespace thenar {
 [[nodiscard]] std::vector<TendonTest> possible_tests(const NetTendons& tendons,
                                                      const Experiment& experiment);
 
-/// The same as trials without a reading, for any model of the net.
+/// Returns the possible tests as trials without a reading, for any model of the net.
 /// @param digit  with a net
 [[nodiscard]] std::vector<Trial> possible_trials(const TendonDigit& digit,
                                                  const Experiment& experiment);

@@ -19,7 +19,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What one set of bands expects of all trials. Entries are those of z that move the specimen.
+/// Prediction of all trials by one set of bands. Entries are those of z that move the specimen.
 struct Forecast {
   Eigen::Matrix3Xd force;  // [N] (3, trials)
   MatrixXd J;              // its slope by the entries [N] (3 trials, entries)
@@ -27,7 +27,7 @@ struct Forecast {
   std::vector<int> slack;  // those that move slack lengths
 };
 
-/// Which of the entries are behind free slack lengths.
+/// Returns the entries that move free slack lengths.
 std::vector<int> slack_entries(const FitProblem& problem, const std::vector<int>& entries) {
   const FitParameters& parameters = problem.parameters();
   std::vector<int> found;
@@ -55,8 +55,8 @@ Forecast forecast_of(const FitProblem& problem, const VectorXd& z, const Experim
           slack_entries(problem, problem.coordinates().entries_of_specimen(specimen))};
 }
 
-/// Half of log2 det V / det V|y of slack lengths: before and after a reading of slope J and noise
-/// S.
+/// Returns half of log2 det V / det V|y of slack lengths: before and after a reading of slope J and
+/// noise S.
 double slack_information(const Forecast& at, const MatrixXd& J, const MatrixXd& S) {
   if (at.slack.empty()) return 0;
   // By the readings' side: det V / det V|y = det(J C J' + S) / det(the same with slack known).

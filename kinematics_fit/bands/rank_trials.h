@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// What a trial is expected to tell.
+/// Trial with the information that it is expected to give.
 struct RankedTrial {
   Trial trial;              // without a reading
   std::string name;         // posture and tensions, trial_name()

@@ -10,7 +10,7 @@ namespace {
 constexpr std::align_val_t kAlignment{64};
 constexpr int kMaxLanes = 8;
 
-/// Up to whole cache lines.
+/// Rounds a number of doubles up to whole cache lines.
 long padded(long doubles) { return (doubles + kMaxLanes - 1) / kMaxLanes * kMaxLanes; }
 
 /// Columns of a matrix, the last one again in lanes that are left over.

@@ -167,13 +167,13 @@ class Compiler {
   }
 
  private:
-  /// Does anything move one of `count` numbers from `place` on?
+  /// Returns whether anything moves one of `count` numbers from `place` on.
   [[nodiscard]] bool moves(int place, int count) const {
     const auto first = std::lower_bound(moving_.begin(), moving_.end(), place);
     return first != moving_.end() && *first < place + count;
   }
 
-  /// Does any hinge move, or anything that it carries but tendons?
+  /// Returns whether any hinge moves, or anything that it carries except tendons.
   [[nodiscard]] bool angle_moves(std::size_t posture, int coordinate) const {
     const int own = plan_.posture_key[posture];
     return moves(layout_.angle_errors + coordinate, 1) ||

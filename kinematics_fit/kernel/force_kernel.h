@@ -17,7 +17,8 @@ namespace thenar {
 /// Derivation: docs/theory/fitting.md, "The adjoint of the force model".
 class ForceKernel {
  public:
-  /// Not of an extensor net, nor of forces measured at other segments than the tip.
+  /// Returns whether the kernel covers a digit and a plan: no extensor net, and no forces measured
+  /// at other segments than the tip.
   [[nodiscard]] static bool knows(const TendonDigit& digit, const ExperimentPlan& plan);
 
   /// @param parameters  which entries of the parameter values move; the others stay at their mean

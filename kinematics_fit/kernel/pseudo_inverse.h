@@ -169,7 +169,7 @@ inline void adjoint_inverse_of(const V* L, const V* P, const V* P_bar, int n, in
   }
 }
 
-/// The same for two or three rows of forces.
+/// Computes the adjoint for two or three rows of forces.
 inline void adjoint_pseudo_inverse(const V* L, const V* P, const V* P_bar, int n, int c, int forces,
                                    V* L_bar, V* work) {
   if (forces == 3)

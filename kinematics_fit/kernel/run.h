@@ -58,7 +58,7 @@ inline void adjoint_posture(const Program& program, int k, const DigitParameters
   adjoint_angles(program, k, adjoint, adjoint_digit);
 }
 
-/// Whether any lane asks for a force of posture k.
+/// Returns whether any lane asks for a force of posture k.
 inline bool asks_for(const Program& program, int k, const V* force_bar) {
   const PostureStep& posture = program.postures[k];
   for (int i = posture.first_trial; i < posture.last_trial; ++i)
@@ -76,7 +76,8 @@ inline long tape_length(const Program& program) {
   return bump.used();
 }
 
-/// Room for u and forces, work space, and the adjoints of numbers and one posture.
+/// Returns the length of the scratch memory for u and forces, work space, and the adjoints of
+/// numbers and one posture.
 inline long scratch_length(const Program& program) {
   BumpAllocator bump(nullptr);
   DigitParameters numbers(program, bump);

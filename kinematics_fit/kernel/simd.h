@@ -101,7 +101,7 @@ inline Mat operator*(const Mat& A, const Mat& B) { return {A * B.x, A * B.y, A *
 inline Mat transposed(const Mat& A) {
   return {{A.x.x, A.y.x, A.z.x}, {A.x.y, A.y.y, A.z.y}, {A.x.z, A.y.z, A.z.z}};
 }
-/// From nine numbers, column by column.
+/// Builds a matrix from nine numbers, column by column.
 inline Mat constant_matrix(const double* c) {
   return {{splat(c[0]), splat(c[1]), splat(c[2])},
           {splat(c[3]), splat(c[4]), splat(c[5])},

@@ -8,8 +8,8 @@
 
 namespace thenar::kernel {
 
-/// Whether run_adjoint() will follow. With kNo all postures use the same part of the tape, which
-/// then stays in the cache.
+/// Announces whether run_adjoint() will follow. With kNo all postures use the same part of the
+/// tape, which then stays in the cache.
 enum class KeepTape { kNo, kYes };
 
 /// One backend. Sizes are in registers of `lanes` doubles; memory is aligned to 64 bytes.

@@ -14,8 +14,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kBeyond = 5 * kDegree;  // limits are of other hands: some slack [rad]
-constexpr double kTooStrong = 2;         // tension per largest force beyond any living muscle [1]
+constexpr double kBeyond = 5 * kDegree;  // Slack of joint limits, which are of other hands [rad]
+// Largest tension over a muscle's largest force; no living muscle exceeds it [1]
+constexpr double kTooStrong = 2;
 
 using Warnings = std::vector<std::string>;
 
@@ -139,11 +140,13 @@ std::vector<std::string> experiment_warnings(const TendonDigit& digit, const Exp
 
 namespace {
 
-constexpr double kSingular = 1e12;  // condition beyond which no digit of a force is right [1]
-constexpr double kParallel = 15 * kDegree;  // of axes with the normal of their plane [rad]
-constexpr double kNoAngle = 1e-6;           // the same, of parallel axes up to rounding [rad]
+constexpr double kSingular = 1e12;  // Condition beyond which no digit of a force is right [1]
+// Largest angle of axes with the normal of their plane [rad]
+constexpr double kParallel = 15 * kDegree;
+constexpr double kNoAngle = 1e-6;  // Largest angle of axes that are parallel up to rounding [rad]
 
-/// Do all axes between the tip and the base stand on the plane of flexion, to within `angle` [rad]?
+/// Returns whether all axes between the tip and the base are normal to the plane of flexion, to
+/// within `angle` [rad].
 bool all_flex(const TendonModel<double>& digit, double angle) {
   bool all = true;
   for_each_hinge_to_base(digit.tree, digit.tip_link, [&](int i) {
@@ -153,7 +156,7 @@ bool all_flex(const TendonModel<double>& digit, double angle) {
   return all;
 }
 
-/// Why no force follows in a singular posture, and what to do.
+/// Describes why no force follows in a singular posture, and a remedy.
 std::string singular_in_words(const TendonDigit& digit, const ExperimentPlan& plan) {
   if (plan.known == DecidedForces::kInPlane)
     return "the held tip carries forces in the plane of flexion that no joint feels; leave it out";
@@ -256,7 +259,7 @@ int site_index(const TendonDigit& digit, const Experiment& experiment, std::size
   return static_cast<int>(plan.sites.size()) - 1;
 }
 
-/// Is the tip held in a posture? It is where nothing else is said, and while a mount is measured.
+/// Returns whether the tip is held in a posture, as it is by default and while a mount is measured.
 bool holds_tip(const ExperimentPlan& plan, int posture) {
   bool any = false;
   for (std::size_t i = 0; i < plan.posture_of_trial.size(); ++i) {

@@ -55,7 +55,7 @@ struct ExperimentPlan {
                                              const FitParameters& parameters,
                                              const Experiment& experiment);
 
-/// Where trial i was measured: an index in plan.sites, or -1 at the tip.
+/// Returns the site at which trial i was measured: an index in plan.sites, or -1 at the tip.
 [[nodiscard]] inline int site_of(const ExperimentPlan& plan, std::size_t trial) {
   return trial < plan.site_of_trial.size() ? plan.site_of_trial[trial] : -1;
 }

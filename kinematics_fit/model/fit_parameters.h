@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// What parameters of one prior scale share: see PriorScale.
+/// Prior scale that several parameters share: see PriorScale.
 struct ScaledPriors {
   std::string name;
   double likeliest;   // factor beforehand [1]
@@ -56,11 +56,12 @@ struct FitParameters {
                                               const FitSettings& settings,
                                               const std::vector<std::string>& also_free = {});
 
-/// The same with other factors on the prior sds of each scale [1] (scales).
+/// Returns the parameters with other factors on the prior sds of each scale [1] (scales).
 [[nodiscard]] FitParameters with_scale_factors(FitParameters parameters,
                                                const std::vector<double>& factors);
 
-/// The same with the tensions that each muscle has in trials of these experiments, where it pulls.
+/// Returns the parameters with the tensions that each muscle has in trials of these experiments in
+/// which it pulls.
 [[nodiscard]] FitParameters with_fitted_tensions(FitParameters parameters,
                                                  const std::vector<Experiment>& experiments);
 

@@ -117,7 +117,8 @@ std::vector<std::string> net_trial_warnings(const TendonDigit& digit,
                                             const FitParameters& parameters,
                                             const ExperimentPlan& plan, const VectorXd& u) {
   if (!digit.net) return {};
-  constexpr double kOtherTorque = 0.01;  // of the torque: knots may lie loose where nothing is felt
+  // Largest relative difference of torques; knots may lie loose where nothing is felt [1]
+  constexpr double kOtherTorque = 0.01;
   const SpecimenModel<double> model =
       specimen_model(digit, parameters, parameter_values<double>(parameters, u));
   const NetTrials found = net_trials(model, plan);

@@ -120,7 +120,7 @@ class Lister {
     }
   }
 
-  /// Is it a point of a tendon's path?
+  /// Returns whether a node is a point of a tendon's path.
   [[nodiscard]] bool on_path(const NetNode& node) const {
     for (const TendonPath<double>& path : digit_.model.paths)
       for (const PathNode<double>& point : path)

@@ -79,14 +79,15 @@ template <typename T>
   return map;
 }
 
-/// The same to the force components that the tip's load cell reads [1] (3, muscles).
+/// Map from tensions to the force components that the tip's load cell reads [1] (3, muscles).
 template <typename T>
 [[nodiscard]] MatrixX<T> cell_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
                                         const PosedSpecimen<T>& at) {
   return at.cell * stated_force_map(model, plan, at);
 }
 
-/// The same of a load cell that does not hold the tip, for a model without a net [1] (3, muscles).
+/// Map from tensions to the components of a load cell that does not hold the tip, for a model
+/// without a net [1] (3, muscles).
 template <typename T>
 [[nodiscard]] MatrixX<T> site_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
                                         const PosedSpecimen<T>& at, const PlannedSite& site) {

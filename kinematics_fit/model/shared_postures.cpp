@@ -33,10 +33,10 @@ std::pair<const Experiment*, const Experiment*> differing(
   return {nullptr, nullptr};
 }
 
-/// What with_own_postures() adds to the names of an experiment's postures.
+/// Returns the suffix that with_own_postures() adds to the names of an experiment's postures.
 std::string own_suffix(const Experiment& experiment) { return " (" + experiment.name + ")"; }
 
-/// Whether a posture stands elsewhere in the known experiments: see with_own_postures().
+/// Returns whether a posture stands elsewhere in the known experiments: see with_own_postures().
 bool stands_elsewhere(const PostureRecord& posture, const std::string& specimen,
                       const std::vector<Experiment>& known) {
   int own = 0, own_alike = 0, others_unlike = 0;
@@ -64,7 +64,7 @@ const PostureRecord* find_posture(const Experiment& experiment, const std::strin
 }
 
 bool same_posture(const PostureRecord* a, const PostureRecord* b) {
-  const double kSame = radians(2);
+  const double kSame = radians(2);  // Largest difference of angles in equal postures [rad]
   if (a == nullptr || b == nullptr) return false;
   const auto alike = [&](const auto& joint) {
     return std::abs(angle_of(*a, joint.first) - angle_of(*b, joint.first)) <= kSame;

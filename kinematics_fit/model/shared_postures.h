@@ -1,7 +1,7 @@
 #pragma once
 
-/// Which postures of several experiments are one: what the geometry does not explain of a force in
-/// one posture is shared between people only where they stand alike.
+/// Postures that several experiments share. The part of a force that the geometry does not explain
+/// is shared between people only in postures in which they stand alike.
 
 #include <string>
 #include <vector>
@@ -15,8 +15,8 @@ namespace thenar {
 [[nodiscard]] const PostureRecord* find_posture(const Experiment& experiment,
                                                 const std::string& name);
 
-/// Whether all joints stand alike within 2 degrees; a joint that one of the two does not name is at
-/// 0 there. Null is like nothing.
+/// Returns whether all joints stand alike within 2 degrees; a joint that one of the two does not
+/// name is at 0 there. Null is like nothing.
 [[nodiscard]] bool same_posture(const PostureRecord* a, const PostureRecord* b);
 
 /// The parameters, what postures have of their own kept to each specimen, sd 0 and the whole

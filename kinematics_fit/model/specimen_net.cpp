@@ -6,7 +6,8 @@
 namespace thenar {
 
 bool lies_at(const PathNode<double>& point, int link, const Eigen::Vector3d& p) {
-  constexpr double kSame = 1e-9;  // both are computed from the same numbers [m]
+  // Points closer than this are one; both come from the same numbers [m]
+  constexpr double kSame = 1e-9;
   return point.link == link && (point.p - p).norm() < kSame;
 }
 

@@ -14,7 +14,7 @@
 
 namespace thenar {
 
-/// What parameters may move of a net. All else, and the topology, is in `built`.
+/// Quantities of a net that parameters may move. All others, and the topology, are in `built`.
 template <typename T>
 struct SpecimenNet {
   std::shared_ptr<const BuiltNet> built;  // before the fit
@@ -30,8 +30,8 @@ struct SpecimenNet {
   std::vector<TendonPath<T>> own;         // path of each of built->muscles from the net on
 };
 
-/// What goes to the first pull, of all that built.muscles[m] gives the net, where it has two pulls
-/// [1]; nothing where it has more or fewer.
+/// Returns the share of the first pull in the tension that built.muscles[m] gives the net, if the
+/// muscle has two pulls [1]; nothing if it has more or fewer.
 [[nodiscard]] std::optional<double> first_share(const BuiltNet& built, int m);
 
 /// The net as built, on another scalar; all its numbers are constants.
@@ -167,8 +167,8 @@ void take_outside_arms(const SpecimenNet<T>& net, const Tree<T>& tree, const Tre
   }
 }
 
-/// Whether any muscle pulls the net. One that nothing pulls is taken to leave the joints alone, as
-/// forces are measured from those of the unloaded finger.
+/// Returns whether any muscle pulls the net. One that nothing pulls is taken to leave the joints
+/// alone, as forces are measured from those of the unloaded finger.
 [[nodiscard]] bool pulls_net(const BuiltNet& built, const Eigen::VectorXd& t);
 
 /// The net with these numbers.

@@ -45,6 +45,7 @@ std::vector<Eigen::Matrix3d> pieces_near(const TriangleMesh& mesh, const Eigen::
     for (int i = 0; i < 3; ++i) corners.col(i) = mesh.vertices.col(mesh.triangles(i, t));
     todo.push_back(corners);
   }
+  // Halve triangles until they are small; drop those out of reach.
   while (!todo.empty()) {
     const Eigen::Matrix3d corners = todo.back();
     todo.pop_back();
@@ -71,6 +72,7 @@ FoundationColumns columns_near(const TriangleMesh& skin, const Eigen::Vector3d& 
   columns.normal.resize(3, count);
   columns.thickness = Eigen::VectorXd::Constant(count, thickness);
   columns.area.resize(count);
+  // One spring for each piece, along its normal.
   Eigen::Index kept = 0;
   for (const Eigen::Matrix3d& corners : pieces) {
     const Eigen::Vector3d n =
@@ -134,6 +136,7 @@ void add_press(const BedPress& press, double load, const Pose<double>& X_WP, Pad
   pad.force = contact.force;
   pad.area = contact.area;
   pad.tangential = shares.borne;
+  // Keep the springs that press, and the share of the force on those that stick.
   double sticking = 0;
   for (Eigen::Index i = 0; i < columns.area.size(); ++i) {
     const double normal = state.normal_force[i];
@@ -151,6 +154,7 @@ std::vector<Eigen::Vector3d> weight_shares(const LiveWorld& live, const GraspRes
                                            std::vector<std::string>& reasons) {
   const GraspBody& object = grasp.setting.setup.object;
   const StateBody& body = live.state().bodies[object_index(live.state(), object.name)];
+  // The mass may be unknown: then there is no load.
   double mass = 0;
   try {
     mass = body_mass(body.built->placed.body, grasp.setting.world.materials).mass;
@@ -158,6 +162,7 @@ std::vector<Eigen::Vector3d> weight_shares(const LiveWorld& live, const GraspRes
     reasons.push_back(fmt::format("no load across the pads: {}", unknown.what()));
     return {};
   }
+  // Find the least contact forces that hold the weight.
   ScaledWrench load = ScaledWrench::Zero();
   load.head<3>() = -kWeightOfMass * mass * object.X_WB.R.transpose().col(2);
   const GraspForce hold =
@@ -190,6 +195,7 @@ std::optional<PadOnObject> pressed_pad(const GraspResult& grasp, const ContactPa
       columns_near(surface.solid->visual, X_PO * mean_place(patch), springs->thickness), *springs);
   const double friction = patch.contacts[0].contact.friction;
   const BedPress press{bed, *object.solid.shape, X_PO, -n, friction};
+  // Press to the force, then share the load across the normal.
   PadOnObject pad;
   pad.link = surface.name;
   pad.material = surface.material;
@@ -219,6 +225,7 @@ ShearShares share_shear(const Eigen::VectorXd& normal, const Eigen::VectorXd& st
   double from = 0, to = 0;
   for (Eigen::Index i = 0; i < most.size(); ++i)
     if (most[i] > 0) to = std::max(to, most[i] / stiffness[i]);
+  // Below the largest load, find the way across at which the springs bear it.
   if (load < borne(to))
     for (int i = 0; i < kShearBisections; ++i) {
       const double middle = (from + to) / 2;
@@ -249,6 +256,7 @@ LivePads press_pads(const LiveWorld& live, const LivePair& pair, double force) {
     for (std::size_t i = first; i < first + patch.contacts.size() && i < shares.size(); ++i)
       load += shares[i];
     first += patch.contacts.size();
+    // A patch without a soft layer has no pad, and says so.
     std::optional<PadOnObject> pad = pressed_pad(grasp, patch, force, load);
     if (pad) {
       tell_pad(*pad, force, grasp.setting.setup.object.name, out.reasons);

@@ -68,7 +68,7 @@ class LiveWorld final : public LiveModel, public LiveEdits {
   [[nodiscard]] LiveEditState edit_state() const override;
   std::string undo() override;
   std::string redo() override;
-  /// Says that the world stands in a file as it is, now and where edits are taken back.
+  /// Marks the present world as saved in a file; states to undo and redo take over its name.
   void mark_saved(const std::string& file);
 
   /// Builds a hand unless it was built before, of the same files. @throws as build_live_hand()

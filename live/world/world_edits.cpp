@@ -92,7 +92,7 @@ WorldState without_placed(WorldState state, std::size_t removed) {
   return state;
 }
 
-/// By which the moves of a gesture are undone as one. @param what  is moved, and how
+/// Returns a key by which the moves of a gesture are undone as one. @param what  is moved, and how
 std::string gesture_key(const std::string& what, const std::string& gesture) {
   return gesture.empty() ? "" : what + "\n" + gesture;
 }

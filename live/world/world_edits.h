@@ -13,7 +13,7 @@
 
 namespace thenar {
 
-/// Something that was added.
+/// Thing that was added.
 struct AddedThing {
   std::string name;                   // as other requests name it
   std::vector<std::string> warnings;  // what was assumed, mended or left out

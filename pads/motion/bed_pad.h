@@ -19,8 +19,8 @@ class BedPad final : public MovingPad {
   [[nodiscard]] std::string rung() const override { return "foundation"; }
   [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
   void keep() override;
-  /// What springs along the normal give back when the object is drawn straight out, and what their
-  /// friction would.
+  /// Returns the energy that the springs along the normal give back when the object is drawn
+  /// straight out, plus the energy in the springs of friction [J].
   [[nodiscard]] double energy() const override;
   [[nodiscard]] double reach() const override;
   [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override {

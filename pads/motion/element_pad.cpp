@@ -9,10 +9,12 @@
 namespace thenar {
 namespace {
 
-constexpr double kForgettingTimes = 10;  // times the longest relaxation [1]
-constexpr double kClearGap = 1e-6;       // gap from which a pad at rest is pressed [m]
-constexpr int kMostIterations = 25;      // of a step, most take fewer than 12
-constexpr int kStepPieces = 4;           // of a step: who moves a pad may ask for a shorter one
+// A free pad is as new after this many of its longest relaxation times [1]
+constexpr double kForgettingTimes = 10;
+constexpr double kClearGap = 1e-6;   // Gap from which the object starts towards a pad at rest [m]
+constexpr int kMostIterations = 25;  // Most iterations of a step; most steps take fewer than 12
+// Most pieces of a step; a caller may ask for a shorter step instead
+constexpr int kStepPieces = 4;
 
 }  // namespace
 

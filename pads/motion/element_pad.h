@@ -26,7 +26,8 @@ class ElementPad final : public MovingPad {
   [[nodiscard]] std::string rung() const override { return "elements"; }
   [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
   void keep() override;
-  /// By the tangent of the elements, with nodes that stick and slip as they do.
+  /// Computes the stiffness from the tangent of the elements, with nodes that stick and slip as
+  /// they do.
   [[nodiscard]] Matrix6 stiffness(const Eigen::Matrix<double, 6, 1>& onward) override;
   [[nodiscard]] double energy() const override;
   [[nodiscard]] double reach() const override { return reach_; }
@@ -36,14 +37,14 @@ class ElementPad final : public MovingPad {
   [[nodiscard]] const Pose<double>& object_pose() const override { return kept_.X_PO; }
 
  private:
-  /// Where the pad is, but for its elements.
+  /// State of the pad without that of its elements.
   struct State {
     Pose<double> X_PO;
     bool rests = true;  // it is as new
     double free = 0;    // time since anything touched [s]
   };
   void renew(const Pose<double>& X_PO);
-  /// Takes back what the last move has made of the elements.
+  /// Undoes the changes of the elements by the last move.
   void undo();
   /// The object, moved out of a pad at rest along its normal, so that it came in straight.
   [[nodiscard]] Pose<double> pulled_out(const Pose<double>& X_PO, double overlap) const;

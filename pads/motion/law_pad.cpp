@@ -12,9 +12,10 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-constexpr double kRoomShare = 0.1;  // that an object has beyond the skin, over its depth there [1]
+// Depth that the object must have beyond the deepest skin, over the overlap [1]
+constexpr double kRoomShare = 0.1;
 
-/// Friction in the plane of the patch as it is now: all that is remembered of it.
+/// Projects the remembered friction on the present plane of the patch.
 void lay_flat(const Vector3d& normal, std::array<ExponentialMemory, 4>& drag) {
   const auto project = [&](double& x, double& y, double& z) {
     const Vector3d f(x, y, z), flat = f - normal * normal.dot(f);
@@ -27,8 +28,8 @@ void lay_flat(const Vector3d& normal, std::array<ExponentialMemory, 4>& drag) {
     project(drag[0].terms[j], drag[1].terms[j], drag[2].terms[j]);
 }
 
-/// What a patch that shrinks cannot carry is lost with it: without that, friction which was
-/// gathered by a stiff patch would be given back by a soft one, and do work out of nothing.
+/// Reduces the remembered friction in proportion as a patch shrinks and softens. Otherwise a soft
+/// patch would return friction that a stiff patch gathered, and create energy.
 /// @param spring  stiffness of what carries the friction; goes down to that of the patch
 /// Source: [Elata1996].
 void slacken(double patch, std::size_t first, std::size_t end, double& spring,

@@ -31,7 +31,7 @@ class LawPad final : public MovingPad {
   [[nodiscard]] std::string rung() const override { return name_; }
   [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
   void keep() override;
-  /// Of a force that is a power of depth where the object is, and of the springs of friction.
+  /// Returns the energy of the normal force, a power of depth, and of the springs of friction [J].
   [[nodiscard]] double energy() const override { return kept_.energy; }
   [[nodiscard]] double reach() const override { return reach_; }
   [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override {

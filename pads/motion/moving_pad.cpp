@@ -7,8 +7,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kDifferenceWay = 1e-6;  // way of a difference [m]
-constexpr double kTurnArm = 10e-3;       // at which a turn moves as far [m]
+constexpr double kDifferenceWay = 1e-6;  // Displacement for the differences of the stiffness [m]
+// Lever arm at which a rotation moves as far as that displacement [m]
+constexpr double kTurnArm = 10e-3;
 
 }  // namespace
 

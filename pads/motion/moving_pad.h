@@ -14,7 +14,7 @@
 
 namespace thenar {
 
-/// What a pad and an object do to each other at an instant, in the pad's frame. All zero where
+/// Contact between a pad and an object at an instant, in the pad's frame. All fields are zero if
 /// nothing touches.
 struct PadContact {
   Status status = Status::kSolved;
@@ -35,7 +35,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 class MovingPad {
  public:
   virtual ~MovingPad() = default;
-  /// Another one that nothing has touched yet.
+  /// Returns another such pad that nothing has touched yet.
   [[nodiscard]] virtual std::unique_ptr<MovingPad> clone() const = 0;
   /// "elements", "foundation", "soft-finger".
   [[nodiscard]] virtual std::string rung() const = 0;
@@ -57,28 +57,29 @@ class MovingPad {
   /// Elastic energy of the pad under the object as it was kept, if nothing relaxed [J].
   [[nodiscard]] virtual double energy() const = 0;
 
-  /// A distance from its origin that no point of the pad passes [m].
+  /// Returns a distance from the pad's origin that none of its points exceeds [m].
   [[nodiscard]] virtual double reach() const = 0;
 
-  /// How a push relaxes, for predictions.
+  /// Returns the relaxation of a push, for predictions.
   [[nodiscard]] virtual const std::vector<ExponentialTerm>& relaxation() const = 0;
 
-  /// Where the object is kept.
+  /// Returns the pose of the object at the last keep().
   [[nodiscard]] virtual const Pose<double>& object_pose() const = 0;
 };
 
-/// The pose after a small motion about the origin. @param motion  turn, then way [rad], [m] (6)
+/// Returns the pose after a small motion about the origin.
+/// @param motion  turn, then way [rad], [m] (6)
 [[nodiscard]] Pose<double> moved_by(const Pose<double>& X,
                                     const Eigen::Matrix<double, 6, 1>& motion);
-/// The other way round: the motion from one pose to another (6).
+/// Returns the motion from one pose to another, turn first [rad], [m] (6).
 [[nodiscard]] Eigen::Matrix<double, 6, 1> motion_from(const Pose<double>& from,
                                                       const Pose<double>& to);
 
-/// What laws of the undeformed skin answer where it lies beyond the middle of a thin object, whose
-/// far side is nearer: kStalled.
+/// Returns the answer of laws for the undeformed skin, kStalled, if the skin lies beyond the middle
+/// of a thin object, so that the object's far side is nearer.
 [[nodiscard]] PadContact behind_object();
 
-/// As six numbers, the moment first.
+/// Returns a wrench as six numbers, the moment first [N m], [N] (6).
 [[nodiscard]] inline Eigen::Matrix<double, 6, 1> six_of(const Wrench& w) {
   Eigen::Matrix<double, 6, 1> out;
   out << w.moment, w.force;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How neighbouring joint axes lie to each other, by the draws of a run: their angle, their
+/// Relative position of neighbouring joint axes, by the draws of a run: their angle, their
 /// distance, and which of two is the distal one. The questions of the thumb literature.
 /// Source: [Miller2005] figure 7, of axes that neither meet nor stand square.
 
@@ -23,8 +23,8 @@ struct PosteriorAxes {
   double second_distal_before;  // the same by draws from the prior [1]
 };
 
-/// Of all pairs of which the run moves an axis: of the population, where there are several
-/// specimens and it moves them, and of every specimen.
+/// Computes the offsets of all pairs of which the run moves an axis: of the population, where there
+/// are several specimens and it moves them, and of every specimen.
 /// @param prior_count  draws from the prior [1]
 [[nodiscard]] std::vector<PosteriorAxes> posterior_axes(const PosteriorRun& run,
                                                         int prior_count = 1000);

@@ -119,7 +119,7 @@ PosteriorSettings settings_of(const AttributeReader& given) {
 namespace thenar {
 namespace {
 
-constexpr int kPriorDraws = 1000;
+constexpr int kPriorDraws = 1000;  // Draws from the prior that the file keeps
 
 std::string now() {
   const std::time_t time = std::time(nullptr);
@@ -128,7 +128,7 @@ std::string now() {
   return text;
 }
 
-/// What the run, rather than a step, has to say: groups, swaps, time.
+/// Writes the statistics of the run, not of its steps: groups, swaps, time.
 void add_run(const Draws& draws, InferenceGroup& stats) {
   // Groups of chains, and the ladder of temperatures.
   stats.arrays["group"] = {{draws.group.begin(), draws.group.end()},

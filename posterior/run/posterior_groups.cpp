@@ -13,8 +13,9 @@
 namespace thenar::internal {
 namespace {
 
-constexpr long kPredictedDraws = 1000;  // replicated for each chain, at most
-constexpr long kAllPredicted = 20000;   // of all chains together, but one of each
+constexpr long kPredictedDraws = 1000;  // Most replicated draws of each chain
+// Most replicated draws of all chains together, but at least one of each
+constexpr long kAllPredicted = 20000;
 
 /// Components of a force that any experiment fits.
 int most_components(const FitProblem& problem) {

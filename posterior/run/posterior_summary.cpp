@@ -9,7 +9,7 @@
 namespace thenar {
 namespace {
 
-constexpr long kCheckedDraws = 2000;  // replicated for the predictive checks, at most
+constexpr long kCheckedDraws = 2000;  // Most replicated draws for the predictive checks
 
 /// Covariances of all draws and of two halves: whole chains, or ends of a chain that is alone.
 PosteriorCovariances covariances_of(const Draws& draws) {
@@ -60,7 +60,7 @@ std::optional<LeftOutObservations> leave_out_observations(const PosteriorRun& ru
 
 std::vector<std::string> noise_warnings(const std::vector<PosteriorQuantity>& quantities,
                                         const std::vector<Estimate>& estimates) {
-  constexpr double kMuch = 2;  // factor on the stated noise [1]
+  constexpr double kMuch = 2;  // A factor on the stated noise above this is reported [1]
   const std::string prefix = "noise/";
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < quantities.size(); ++i) {

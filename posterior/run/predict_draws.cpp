@@ -32,7 +32,8 @@ Eigen::VectorXd specimen_scale_of(const HandPosterior& posterior, const FitParam
 /// Deviation of a new specimen from the population [SI], drawn until their sum is within the bounds
 /// of the parameter.
 double new_specimen(const Parameter& leader, double population, double sd, RandomStream& random) {
-  constexpr int kMaxTries = 1000;  // bounds enclose the population, so that one soon falls inside
+  // Most tries; bounds enclose the population, so that one soon falls inside
+  constexpr int kMaxTries = 1000;
   const double mean = leader.mean + population;
   double u = sd * random.normal();
   for (int k = 0; k < kMaxTries && !(leader.lower <= mean + u && mean + u <= leader.upper); ++k)
@@ -81,9 +82,9 @@ double noise_factor(const PosteriorRun& run, const PosteriorValues& values,
   return options.learn_noise ? std::exp(options.noise_sd * random.normal()) : 1;
 }
 
-/// Whether the mean of draws tells of few that lie far out: their sd is kLongTail times that of
-/// their central 95 %, or the mean kSkew of that from the median, as Pearson's second skewness
-/// measures it.
+/// Returns whether the mean of draws tells of few that lie far out: their sd is kLongTail times
+/// that of their central 95 %, or the mean kSkew of that from the median, as Pearson's second
+/// skewness measures it.
 bool has_long_tails(const Eigen::VectorXd& draws, double mean, const RobustMoments& middle) {
   constexpr double kLongTail = 1.5;  // 1 of a normal, 1.07 of an exponential distribution [1]
   constexpr double kSkew = 0.25;     // 0 of a normal, 0.33 of an exponential distribution [1]

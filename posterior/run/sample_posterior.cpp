@@ -19,9 +19,11 @@
 namespace thenar {
 namespace {
 
-constexpr int kGlobalSearch = 60, kManyCoordinates = 1000;  // coordinates [1]
-constexpr int kStarts = 16, kStartsOfMany = 4;  // searches for modes, unless somebody says [1]
-constexpr double kInflation = 2;                // of the starts, in Laplace sds [1]
+// Most coordinates for a global search, and for the usual number of starts
+constexpr int kGlobalSearch = 60, kManyCoordinates = 1000;
+// Searches for modes, unless options say otherwise, and for many coordinates
+constexpr int kStarts = 16, kStartsOfMany = 4;
+constexpr double kInflation = 2;  // Spread of the starts [Laplace sds]
 
 std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settings) {
   // All texts, then the settings that change the density or the starts.
@@ -86,13 +88,13 @@ int min_walkers(SamplingMethod method, int n) {
   return method == SamplingMethod::kDreamZs ? 3 : 1;
 }
 
-/// What run_chains() would refuse, said before the search rather than after it.
+/// Checks before the search what run_chains() would refuse after it.
 void check_chains(const RunOptions& options, int n) {
   (void)build_sampler(options.method, Eigen::MatrixXd::Zero(n, options.walkers), options.sampler);
   (void)temperature_ladder(options.temperatures, options.min_beta);
 }
 
-/// Where chains begin, and the first guess of how far they reach.
+/// Starts of chains, and the first guess of their covariance.
 struct Beginning {
   Eigen::MatrixXd starts, covariance;
 };
@@ -110,7 +112,7 @@ std::optional<Beginning> begin(PosteriorRun& run, const RunOptions& options) {
       laplace_covariance(*run.posterior, run.posterior->from_fit(run.modes.front().z))};
 }
 
-/// What rank 0 has, on all ranks.
+/// Returns the matrix of rank 0 on all ranks.
 Eigen::MatrixXd broadcast(const Communicator& ranks, const Eigen::MatrixXd& mine,
                           Eigen::Index rows) {
   return ranks.all_gather(ranks.rank() == 0 ? Eigen::VectorXd(mine.reshaped()) : Eigen::VectorXd())

@@ -1,6 +1,7 @@
 #pragma once
 
-/// From input files to draws: posterior, modes, chains, and their convergence.
+/// Sampling of a posterior from input files to draws: posterior, modes, chains, and their
+/// convergence.
 
 #include <memory>
 #include <string>
@@ -68,8 +69,8 @@ struct PosteriorRun {
 /// All draws of all chains side by side, chain by chain (size, chains * draws).
 [[nodiscard]] Eigen::MatrixXd pooled(const Draws& draws);
 
-/// At most `most` columns, evenly spread over all: of pooled() chains as many draws of each, if
-/// `most` is a multiple of their number (size, columns).
+/// Returns at most `most` columns, evenly spread over all: of pooled() chains as many draws of
+/// each, if `most` is a multiple of their number (size, columns).
 [[nodiscard]] Eigen::MatrixXd thinned(const Eigen::Ref<const Eigen::MatrixXd>& x,
                                       Eigen::Index most);
 

@@ -27,7 +27,7 @@ namespace thenar {
 /// the one before.
 [[nodiscard]] std::vector<std::string> version_lines(const Comparison& comparison);
 
-/// By which rule the loads of several grasps become one number.
+/// Returns the rule by which the loads of several grasps become one number.
 [[nodiscard]] std::string load_rule();
 
 /// "epsilon 3 of 12, hold-weight 1 of 3: the programme did not converge": of how many grasps a load

@@ -21,7 +21,7 @@ namespace thenar {
 /// prior sds.
 [[nodiscard]] Table table_of(const FitResult& result);
 
-/// Why the best point is not to be used; "" if it has converged.
+/// Returns the reason why the best point is not to be used; "" if it has converged.
 /// @param allowed  the person asked for it all the same
 [[nodiscard]] std::string fit_complaint(const FitResult& result, bool allowed);
 

@@ -47,7 +47,7 @@ std::string quality_text(const Epsilon& e) {
                      direction_words(e.worst_wrench));
 }
 
-/// Up to what tells one warning of a kind from the next.
+/// Returns the part of a warning that is the same for all warnings of its kind.
 std::string kind_of(const std::string& warning) {
   return warning.substr(0, warning.find_first_of(",:"));
 }

@@ -77,7 +77,7 @@ void add_load_row(std::vector<MeasureRow>& rows, const std::string& name,
   rows.push_back(row);
 }
 
-/// Both numbers of a load.
+/// Puts both numbers of a load.
 void put_load(OrderedJson& json, OrderedJson& reasons, const std::string& key,
               const std::string& unit, const Measured<SupportedLoad>& load) {
   put(json, reasons, (key + unit).c_str(), load,

@@ -16,7 +16,8 @@ struct MeasureRow {
   std::string note;  // why there is none, or how it was found; may be empty
 };
 
-/// With units in the names of keys; null where there is no value, `reasons` says why.
+/// Returns measures as JSON with units in the names of keys; null where there is no value,
+/// `reasons` says why.
 [[nodiscard]] OrderedJson measures_json(const GraspMeasures& measures);
 
 /// Returns the measures in words. The first number of a load is the load that efforts and friction

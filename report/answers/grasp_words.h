@@ -17,8 +17,8 @@ struct Touching {
   int other_surface = -1;  // of the hand; -1: a body
 };
 
-/// Everything a posed hand touches, itself included; links of it that overlap by design are not
-/// meant. @param within  what still touches [m]
+/// Finds everything that a posed hand touches, itself included; links that overlap by design do not
+/// count. @param within  what still touches [m]
 [[nodiscard]] std::vector<Touching> find_touching(const PosedCollisionHand& posed,
                                                   const GraspSetup& setup, double within);
 

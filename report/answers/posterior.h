@@ -25,7 +25,8 @@ namespace thenar {
 [[nodiscard]] OrderedJson json_of(const PosteriorPrediction& result);
 [[nodiscard]] Table table_of(const PosteriorPrediction& result);
 
-/// Why the draws are not to be used, with ways out and the commands for them; "" if they are.
+/// Returns the reason why the draws are not to be used, with remedies and commands; "" if they may
+/// be used.
 /// @param allowed  the person asked for them all the same
 [[nodiscard]] std::string convergence_complaint(const PosteriorRun& run, bool allowed);
 

@@ -10,7 +10,8 @@
 
 namespace thenar {
 
-/// For each experiment who predicts, every trial, and the errors.
+/// Returns predictions as text: for each experiment the predicting parameters, every trial, and the
+/// errors.
 [[nodiscard]] std::string text_of(const PredictResult& result);
 
 /// An object for one experiment, a list of such for several.

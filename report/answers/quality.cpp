@@ -9,7 +9,7 @@
 namespace thenar {
 namespace {
 
-/// Without minus zeros.
+/// Returns a wrench without minus zeros.
 OrderedJson plain(const ScaledWrench& w) {
   return to_json(ScaledWrench((w.array() + 0.0).matrix()));
 }

@@ -21,8 +21,8 @@ namespace thenar {
 
 /// Returns warnings about a motion and its start, one sentence each.
 [[nodiscard]] std::vector<std::string> warnings_of(const SimulatedMotion& motion);
-/// Why the motion must not be used: it did not get to its end, or its energy does not balance;
-/// empty if it may. A motion that was stopped on request may be used.
+/// Returns the reason why the motion must not be used: it did not reach its end, or its energy does
+/// not balance; empty if it may. A motion that was stopped on request may be used.
 [[nodiscard]] std::string refusal_of(const SimulatedMotion& motion);
 
 }  // namespace thenar

@@ -25,8 +25,9 @@ namespace thenar {
 /// Returns warnings about a run, one sentence each.
 [[nodiscard]] std::vector<std::string> warnings_of(const SimulatedScene& scene);
 [[nodiscard]] std::vector<std::string> warnings_of(const SceneSweep& sweep);
-/// Why a run must not be used: contacts that were not solved, energy that does not balance, or
-/// positions that are not finite; empty if it may. A run that was stopped on request may be used.
+/// Returns the reason why a run must not be used: contacts that were not solved, energy that does
+/// not balance, or positions that are not finite; empty if it may. A run that was stopped on
+/// request may be used.
 [[nodiscard]] std::string refusal_of(const SimulatedScene& scene);
 [[nodiscard]] std::string refusal_of(const SceneSweep& sweep);
 

@@ -33,7 +33,7 @@ namespace thenar {
 /// Bands that the data want some of, but not which, a sentence each.
 [[nodiscard]] std::vector<std::string> groups_in_words(const InferredNet& inferred);
 
-/// Why there is no answer; empty if there is one.
+/// Returns the reason why there is no answer; empty if there is one.
 [[nodiscard]] std::string refusal_of(const NetInference& inference);
 
 // The same where slack lengths, paths and the like are free.

@@ -29,7 +29,8 @@ namespace thenar {
 [[nodiscard]] std::vector<std::string> warnings_of(const TendonSolution& solution);
 [[nodiscard]] std::vector<std::string> warnings_of(const TendonSweep& sweep);
 
-/// Why the answer must not be used: where tendons are not to be trusted; empty where they are.
+/// Returns the reason why the answer must not be used: tendons that are not to be trusted; empty if
+/// it may.
 [[nodiscard]] std::string refusal_of(const TendonSolution& solution);
 [[nodiscard]] std::string refusal_of(const TendonSweep& sweep);
 

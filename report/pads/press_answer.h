@@ -32,8 +32,8 @@ inline constexpr double kKilopascal = 1e3;  // [Pa]
 /// A row for each rung, the finest last.
 [[nodiscard]] Table rung_table(const PressedPad& pressed);
 
-/// Why what is there is not the whole answer: a step that failed; empty if none did. A press that
-/// was stopped on request is no failure.
+/// Returns the reason why the answer is incomplete: a step that failed; empty if none did. A press
+/// that was stopped on request is no failure.
 [[nodiscard]] std::string refusal_of(const PressedPad& pressed);
 
 }  // namespace thenar

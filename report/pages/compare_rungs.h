@@ -30,7 +30,8 @@ namespace thenar {
 
 /// Returns warnings of every run, and runs that are not to be used, one sentence each.
 [[nodiscard]] std::vector<std::string> warnings_of(const RungComparison& comparison);
-/// Why the comparison must not be used: the finest run was not solved; empty if it may.
+/// Returns the reason why the comparison must not be used: the finest run was not solved; empty if
+/// it may.
 [[nodiscard]] std::string refusal_of(const RungComparison& comparison);
 
 }  // namespace thenar

@@ -48,8 +48,8 @@ Pose<double> upright(const Hand& hand, const Eigen::VectorXd& q) {
   return X_WH;
 }
 
-/// From the side, a little from the back of the palm and from where fingers point, so that no
-/// forearm stands in the way.
+/// Computes a direction to look from: the side, a little from the back of the palm and from where
+/// fingers point, so that no forearm stands in the way.
 Eigen::Vector3d eye_for(const Hand& hand, const BestGrasp& best) {
   const Eigen::Vector3d back = -hand.layout().approach.direction;
   const Eigen::Vector3d ahead = tips_ahead(hand, best.q);

@@ -195,7 +195,7 @@ Json unknown_rows(const Comparison& comparison) {
   return rows;
 }
 
-/// Why loads of the best grasps are zero or unknown, and how often.
+/// Returns the reasons why loads of the best grasps are zero or unknown, with their numbers.
 Json reason_rows(const Comparison& comparison) {
   Json rows = Json::array();
   for (const std::string& hand : comparison.hands) {

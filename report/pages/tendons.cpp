@@ -54,6 +54,7 @@ void add_series(const TendonSweep& sweep, const std::string& name, const Value& 
   const int along = sweep.loaded.grid.varied.back();
   const std::vector<int> others(sweep.loaded.grid.varied.begin(),
                                 sweep.loaded.grid.varied.end() - 1);
+  // Each row of the sweep is a line over the coordinate that varies fastest.
   for (std::size_t begin = 0; begin < sweep.points.size(); begin += sweep.loaded.grid.row) {
     const std::size_t end = std::min(begin + sweep.loaded.grid.row, sweep.points.size());
     Json x = Json::array(), y = Json::array();
@@ -103,10 +104,12 @@ struct NetPicture {
 Json picture_of(const NetPicture& picture, const DigitPoint& point, MeshTable& meshes) {
   const auto& [sweep, net, subject, highest] = picture;
   const TreeState<double> state = pose_tree(net.digit().model.tree, point.q);
+  // Draw bones and surfaces, then bands, muscles and skin.
   Json layers = Json::array({finger_layer(net, state), surface_layer(net, state)});
   for (const Json& bands : band_layers(net, state, point.rest)) layers.push_back(bands);
   layers.push_back(muscle_layer(net, state, sweep.loaded.t));
   if (subject) add_skin({*subject, net.digit(), state}, meshes, layers);
+  // Look from the back and the radial side of the palm.
   const FingerBone& palm = net.net().frame.bone(BoneRole::kMetacarpal);
   Eigen::Matrix3d directions;
   directions << palm.along, palm.dorsal, palm.radial;
@@ -243,12 +246,14 @@ Json net_scenes(const TendonSweep& sweep, std::size_t most, MeshTable& meshes) {
   const NetTendons* net = sweep.loaded.net();
   if (net == nullptr) return Json::array();
   const std::vector<std::size_t> shown = shown_points(sweep.points.size(), most);
+  // All pictures have one scale of tensions.
   double highest = 0;
   for (const std::size_t i : shown)
     highest = std::max(highest, sweep.points[i].rest.tension.maxCoeff());
   NetPicture picture{sweep, *net, {}, round_up(highest)};
   if (const std::vector<SourceText>& sources = sweep.loaded.sources; !sources.empty())
     picture.subject = parse_subject(sources.front().text, sources.front().path);
+  // Two pictures stand in a row.
   Json rows = Json::array(), row = Json::array();
   for (const std::size_t i : shown) {
     row.push_back(picture_of(picture, sweep.points[i], meshes));

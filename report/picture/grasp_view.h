@@ -1,6 +1,6 @@
 #pragma once
 
-/// From where a grasp is seen best.
+/// Direction from which a grasp is seen best.
 
 #include <vector>
 

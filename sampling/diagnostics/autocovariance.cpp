@@ -7,7 +7,7 @@
 namespace thenar {
 namespace {
 
-constexpr Eigen::Index kLagsWithoutFft = 100;  // cheaper one by one than by FFT
+constexpr Eigen::Index kLagsWithoutFft = 100;  // Fewer lags are cheaper one by one than by FFT
 
 Eigen::VectorXd sum_by_fft(const Eigen::VectorXd& centred) {
   // Zeros behind the series keep its end from meeting its beginning.

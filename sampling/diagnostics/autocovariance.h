@@ -16,7 +16,7 @@ namespace thenar {
 [[nodiscard]] Eigen::VectorXd autocovariance(const Eigen::Ref<const Eigen::VectorXd>& x,
                                              Eigen::Index lags);
 
-/// The same at all lags (n).
+/// Returns the autocovariance at all lags (n).
 [[nodiscard]] Eigen::VectorXd autocovariance(const Eigen::Ref<const Eigen::VectorXd>& x);
 
 }  // namespace thenar

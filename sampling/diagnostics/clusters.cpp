@@ -21,8 +21,8 @@ struct Density {
   Eigen::ArrayXd share;  // of draws up to the end of each cell (cells)
 };
 
-constexpr int kCellsPerBandwidth = 4;
-constexpr int kMaxCells = 4000;
+constexpr int kCellsPerBandwidth = 4;  // Cells of the density's grid per bandwidth
+constexpr int kMaxCells = 4000;        // Most cells of the density's grid
 
 double bandwidth_of(const Eigen::VectorXd& rising) {
   const auto n = double(rising.size());
@@ -31,7 +31,8 @@ double bandwidth_of(const Eigen::VectorXd& rising) {
   return 0.9 * (quartiles > 0 ? std::min(sd, quartiles) : sd) * std::pow(n, -0.2);
 }
 
-/// Between the quantiles beyond which no cut is allowed, and one bandwidth further.
+/// Estimates the density between the quantiles beyond which no cut is allowed, and one bandwidth
+/// further.
 Density density_of(const Eigen::VectorXd& rising, double min_share) {
   // A grid of several cells to a bandwidth.
   const double h = bandwidth_of(rising);
@@ -90,9 +91,9 @@ Valley find_valley(const Eigen::Ref<const Eigen::VectorXd>& y, double min_share)
 
 namespace {
 
-constexpr int kMaxStarts = 20;         // of the climb of kurtosis
-constexpr int kClimbSteps = 15;        // it converges cubically
-constexpr Eigen::Index kDraws = 4000;  // that it looks at
+constexpr int kMaxStarts = 20;         // Most starts of the climb of kurtosis
+constexpr int kClimbSteps = 15;        // Most steps of the climb, which converges cubically
+constexpr Eigen::Index kDraws = 4000;  // Most draws that the climb uses
 
 /// y = A (x - mean) has unit covariance; directions without variance are left out.
 struct Whitened {
@@ -119,7 +120,7 @@ Whitened whiten(const Eigen::MatrixXd& x) {
   return of;
 }
 
-/// Where the means of chains lie apart, widest first (k, at most k).
+/// Returns the directions in which the means of chains lie apart, widest first (k, at most k).
 Eigen::MatrixXd between_chains(const Eigen::MatrixXd& y, const std::vector<int>& chain) {
   // Sums of each chain; the whole has mean zero.
   std::map<int, std::pair<Eigen::VectorXd, double>> sums;
@@ -179,7 +180,7 @@ Eigen::MatrixXd projection_directions(const Eigen::Ref<const Eigen::MatrixXd>& x
 
 namespace {
 
-constexpr Eigen::Index kMinDraws = 50;  // draws worth cutting
+constexpr Eigen::Index kMinDraws = 50;  // Fewest draws that are worth cutting
 
 /// Draws of one part, chain by chain.
 struct Part {

@@ -32,7 +32,7 @@ struct Valley {
 [[nodiscard]] Eigen::MatrixXd projection_directions(const Eigen::Ref<const Eigen::MatrixXd>& x,
                                                     const std::vector<int>& chain);
 
-/// When a valley separates two clusters.
+/// Options that decide when a valley separates two clusters.
 struct ClusterOptions {
   double min_mass = 0.01;  // of a cluster, as a share of all draws [1]
   double depth = 0.5;      // a valley is below this: its density over that of the lower peak [1]

@@ -134,7 +134,7 @@ struct Offence {
   [[nodiscard]] std::string who() const {
     return others > 0 ? fmt::format("{} and {} more", worst->name, others) : worst->name;
   }
-  /// What to add to the worst figure.
+  /// Returns the text that follows the worst figure.
   [[nodiscard]] std::string more() const {
     return others > 0 ? fmt::format(" (as is that of {} more)", others) : "";
   }
@@ -197,7 +197,8 @@ void judge_size(const std::vector<Estimate>& estimates, const char* what, double
                                    few.worst->name, -few.figure, least, few.more()));
 }
 
-/// To be called last: a few divergent draws are a caution where nothing else is wrong.
+/// Judges divergent steps. Call it last: a few divergent draws are a caution where nothing else is
+/// wrong.
 void judge_steps(long steps, double allowed, Convergence& result) {
   if (result.divergent == 0) return;
   const double share = double(result.divergent) / double(steps);
@@ -245,7 +246,8 @@ void find_worst(Convergence& result) {
   }
 }
 
-/// Whether an estimate keeps the limits of R-hat and of both effective sizes; NaN keeps none.
+/// Returns whether an estimate keeps the limits of R-hat and of both effective sizes; NaN keeps
+/// none.
 bool keeps_limits(const Estimate& of, double r_hat, double least_size) {
   return of.r_hat <= r_hat && of.bulk_ess >= least_size && of.tail_ess >= least_size;
 }

@@ -39,7 +39,8 @@ namespace thenar {
 [[nodiscard]] double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x);
 [[nodiscard]] double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x,
                                const std::vector<int>& group);  // as of mean_ess()
-/// For any distribution with four moments, not only the normal one [KenneyKeeping1951 p. 141]:
+/// Monte Carlo standard error of an sd, for any distribution with four moments, not only the normal
+/// one [KenneyKeeping1951 p. 141]:
 ///   sqrt((m4 - m2^2) / ESS of (x - mean)^2) / (2 sqrt(m2)).
 [[nodiscard]] double sd_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x);
 [[nodiscard]] double quantile_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x, double share);

@@ -15,7 +15,8 @@
 namespace thenar {
 namespace {
 
-constexpr Eigen::Index kFewLags = 100;  // usually enough, and soon computed
+// Lags of a first trial: usually enough, and quick to compute
+constexpr Eigen::Index kFewLags = 100;
 
 /// Autocorrelation of all chains together, at lags 0 .. lags - 1 [Vehtari2021 eq. 10].
 Eigen::VectorXd autocorrelation_of_all(const Eigen::MatrixXd& x, Eigen::Index lags) {

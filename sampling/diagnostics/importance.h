@@ -40,7 +40,8 @@ struct WeightedSpread {
   Eigen::VectorXd sd_ratio_error;  // Monte Carlo error of sd_ratio [1] (n)
 };
 
-/// With s and s_0 the weighted and the plain sd about their means m and m_0, to first order
+/// Computes the ratio of the weighted sd s to the plain sd s_0 about their means m and m_0, and its
+/// error. To first order
 ///   var(s / s_0) = (s / s_0)^2 / 4  sum (w_i a_i - b_i / N)^2,
 ///   a_i = (x_i - m)^2 / s^2 - 1,   b_i = (x_i - m_0)^2 / s_0^2 - 1,
 /// draws being independent: the delta method for a ratio of two averages over the same draws. For

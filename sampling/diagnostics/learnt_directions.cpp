@@ -13,8 +13,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kTold = 0.05;  // entries of a smaller share are left out of the text
-constexpr int kMaxTold = 5;
+constexpr double kTold = 0.05;  // Entries with a smaller share are left out of the text [1]
+constexpr int kMaxTold = 5;     // Most entries of a direction in the text
 
 std::string tell(const std::vector<std::string>& names, const LearntDirection& direction) {
   // Entries by falling share.

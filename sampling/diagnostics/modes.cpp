@@ -68,7 +68,8 @@ ModeMass describe(const Draws& draws, const Eigen::MatrixXi& labels, int label) 
   return mode;
 }
 
-/// Of `visited` modes that hold draws, which stand first, and others that hold none.
+/// Returns warnings about `visited` modes that hold draws, which stand first, and about modes that
+/// hold none.
 std::vector<std::string> mode_warnings(const ModeTable& table, std::size_t visited,
                                        const std::vector<KnownMode>& known, long min_crossings) {
   std::vector<std::string> warnings;

@@ -10,8 +10,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kOddP = 0.01;      // beyond it on either side a p is called odd
-constexpr double kOddCoverage = 3;  // standard errors
+constexpr double kOddP = 0.01;  // A p-value nearer to 0 or 1 than this is odd [1]
+// A coverage is odd if it is off by more than this [standard errors]
+constexpr double kOddCoverage = 3;
 
 void check_shapes(const Eigen::VectorXd& measured, const Replicates& of, int trial_size) {
   const Eigen::Index m = measured.size(), draws = of.expected.cols();

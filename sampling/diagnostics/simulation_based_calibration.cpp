@@ -29,7 +29,7 @@ ChiSquare chi_square_of(const Eigen::VectorXi& rank, int draws, int bins) {
   return {value, bins > 1 ? chi_square_tail(value, bins - 1) : 1};
 }
 
-/// What mean and spread of the ranks say, each beside its sd if they were uniform.
+/// Describes mean and spread of the ranks, each beside its sd if they were uniform.
 std::string shape_of(const Eigen::VectorXi& rank, int draws) {
   const Eigen::ArrayXd u = (rank.cast<double>().array() + 0.5) / (draws + 1);
   const auto n = double(u.size());

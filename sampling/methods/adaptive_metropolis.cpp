@@ -8,9 +8,10 @@ namespace thenar::internal {
 namespace {
 
 constexpr std::uint32_t kProposal = 0;
-constexpr double kBestAcceptance = 0.234;  // in many dimensions [Roberts1997]
+// Optimal acceptance rate in many dimensions [1] [Roberts1997]
+constexpr double kBestAcceptance = 0.234;
 
-/// What one chain has learnt of the target's shape.
+/// Shape of the target that one chain has learnt.
 struct ProposalShape {
   Eigen::VectorXd mean;  // (n)
   Eigen::MatrixXd L;     // L L' the covariance, L lower triangular (n, n)

@@ -9,14 +9,16 @@ namespace thenar::internal {
 namespace {
 
 constexpr std::uint32_t kCandidate = 0, kArchive = 1;
-constexpr int kThin = 10;           // steps between states that go to the archive [Vrugt2016]
-constexpr int kFirstStates = 10;    // of the archive before the first step, times n
-constexpr int kCrossovers = 3;      // probabilities 1/3, 2/3, 1 that an entry changes
-constexpr int kMaxPairs = 3;        // differences that a jump adds
-constexpr double kSnooker = 0.1;    // share of snooker updates
-constexpr double kLongJump = 0.2;   // share of jumps of a whole difference: from mode to mode
-constexpr double kStretched = 0.1;  // jumps are stretched by 1 -+ this
-constexpr double kJitter = 1e-6;    // sd of what is added, in roots of the guessed covariance
+constexpr int kThin = 10;         // Steps between states that go to the archive [Vrugt2016]
+constexpr int kFirstStates = 10;  // States of the archive before the first step, over n
+// Number of crossover probabilities: 1/3, 2/3 and 1 that an entry changes
+constexpr int kCrossovers = 3;
+constexpr int kMaxPairs = 3;        // Most differences that a jump adds
+constexpr double kSnooker = 0.1;    // Share of snooker updates [1]
+constexpr double kLongJump = 0.2;   // Share of jumps of a whole difference, from mode to mode [1]
+constexpr double kStretched = 0.1;  // Jumps are stretched by a factor within 1 -+ this [1]
+// sd of the noise added to a jump, in roots of the guessed covariance
+constexpr double kJitter = 1e-6;
 
 /// Differential evolution from an archive of past states  [TerBraak2008, Vrugt2009]:
 ///   x' = x + (1 + e) g sum_pairs (z_a - z_b) + jitter  in a random part of the entries,

@@ -32,7 +32,7 @@ namespace {
 class JitteredLength : public HamiltonianTrajectory {
  public:
   void start(const PhasePoint& from, double step, RandomStream& random) override {
-    constexpr double kMaxSteps = 1000;
+    constexpr double kMaxSteps = 1000;  // Most leapfrog steps of a trajectory
     // As many leapfrogs as the jittered length takes.
     point_ = from;
     const double length = kPi / 2 * (0.9 + 0.7 * random.uniform());

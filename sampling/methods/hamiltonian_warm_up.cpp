@@ -8,7 +8,7 @@
 namespace thenar::internal {
 namespace {
 
-constexpr long kMinAdaptiveSteps = 20;  // of a warm-up that learns a metric
+constexpr long kMinAdaptiveSteps = 20;  // Fewest steps of a warm-up that learns a metric
 // Along orbits two leapfrogs of this length are the longest trajectory of JitteredLength, and four
 // points of a tree of NUTS see that they turn [rad].
 constexpr double kLongestTurn = 0.8 * kPi / 2;

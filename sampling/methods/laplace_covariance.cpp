@@ -5,8 +5,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kStep = 1e-4;     // of the differences of gradients, in prior sds [1]
-constexpr double kMinBend = 0.05;  // curvature that counts: the prior's is 1 [1]
+constexpr double kStep = 1e-4;     // Step of the differences of gradients [prior sds]
+constexpr double kMinBend = 0.05;  // Least curvature; that of the prior is 1 [1]
 
 }  // namespace
 

@@ -334,7 +334,7 @@ TurnedBend fit_bend(const Whitened& in) {
   return out;
 }
 
-/// What is left of gradients, and gradients, both by y: means of |g + y|^2 and |g|^2.
+/// Mean squares of the gradients g by y that whitening leaves, |g + y|^2, and of all, |g|^2.
 struct Remainder {
   double left = 0, all = 0;
 };

@@ -13,7 +13,7 @@ namespace thenar::internal {
 namespace {
 
 constexpr double kZero = -std::numeric_limits<double>::infinity();
-constexpr std::uint32_t kAccept = 0xacce;  // purpose of the stream that decides
+constexpr std::uint32_t kAccept = 0xacce;  // Purpose of the random stream that decides acceptance
 
 /// P(accept) of a proposal.
 double acceptance(double now, double there, double log_proposal_ratio) {

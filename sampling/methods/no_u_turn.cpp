@@ -19,7 +19,7 @@ struct TreeSpan {
     begin = end = sum = r;
     points = 1;
   }
-  /// Takes over what follows; what is left of it is of no use.
+  /// Appends the span that follows; `next` is of no use afterwards.
   void append(TreeSpan& next) {
     end.swap(next.end);
     sum += next.sum;

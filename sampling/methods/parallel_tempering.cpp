@@ -10,8 +10,9 @@
 namespace thenar {
 namespace {
 
-constexpr std::uint32_t kSwapStream = 0x73776170;  // purpose of the stream: no sampler uses it
-constexpr double kLadderPower = 5;
+// Purpose of the random stream of swaps; no sampler uses it
+constexpr std::uint32_t kSwapStream = 0x73776170;
+constexpr double kLadderPower = 5;  // Power of the first ladder, from 1 down to 0
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
 double sound(double log_likelihood) {
@@ -27,9 +28,10 @@ double swap_probability(double temper_drop, double cold, double hot) {
   return std::exp(std::min(0.0, temper_drop * (hot - cold)));
 }
 
-/// What is rejection_rate between neighbours; never quite nothing, so that the barrier rises.
+/// Returns the rejection rates between neighbours, unknown ones replaced by the mean of the others;
+/// never quite 0, so that the barrier rises [1].
 Eigen::VectorXd known_rejection_rates(const Eigen::VectorXd& rejection_rate) {
-  constexpr double kMinRejection = 1e-3;
+  constexpr double kMinRejection = 1e-3;  // Least rejection rate of a pair [1]
   // Pairs that never tried are taken for the mean of the others.
   double sum = 0;
   int known = 0;

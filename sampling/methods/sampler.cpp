@@ -8,7 +8,7 @@
 namespace thenar {
 namespace {
 
-constexpr long kMaxStreamSteps = 1L << 32;  // that 32 bits tell apart
+constexpr long kMaxStreamSteps = 1L << 32;  // Most steps that 32 bits can distinguish
 
 constexpr std::array<std::pair<SamplingMethod, const char*>, 5> kNames{
     {{SamplingMethod::kAdaptiveMetropolis, "adaptive-metropolis"},

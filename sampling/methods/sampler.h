@@ -90,7 +90,8 @@ struct SamplerOptions {
   Eigen::MatrixXd covariance;      // guess of the target's, to start from; empty: identity (n, n)
 };
 
-/// Whether a method moves along trajectories, which have a target acceptance and may diverge.
+/// Returns whether a method moves along trajectories, which have a target acceptance and may
+/// diverge.
 [[nodiscard]] bool is_hamiltonian(SamplingMethod method);
 /// The target acceptance that HMC and NUTS take [1].
 [[nodiscard]] double target_acceptance_of(const SamplerOptions& options);

@@ -20,7 +20,7 @@ namespace thenar::internal {
   return found;
 }
 
-/// The same with one column.
+/// Returns the next vector of a saved state.
 [[nodiscard]] inline Eigen::VectorXd saved_vector(StateReader& from, const char* what,
                                                   Eigen::Index size) {
   return saved_matrix(from, what, size, 1);

@@ -5,8 +5,8 @@
 namespace thenar::internal {
 namespace {
 
-constexpr long kColumns = 4;  // at a time
-constexpr long kLanes = 8;    // numbers of a register of the widest unit
+constexpr long kColumns = 4;  // Columns computed at a time
+constexpr long kLanes = 8;    // Numbers in a register of the widest unit
 
 /// x += sum of four columns, from row `first` on.
 THENAR_FOR_ALL_PROCESSORS

@@ -6,7 +6,7 @@
 
 namespace thenar::internal {
 
-/// Which entries of a square matrix may differ from zero.
+/// Shape of a square matrix, by the entries that may differ from zero.
 enum class Shape { kFull, kLower };
 
 // The processor is asked at run time. All versions give the same bits: the order of no sum depends

@@ -43,8 +43,8 @@ class Whitening {
   [[nodiscard]] int size() const { return static_cast<int>(centre_.size()); }
   [[nodiscard]] bool dense() const { return metric_ == Metric::kDense; }
   [[nodiscard]] bool bends() const { return bend_.drivers > 0; }
-  /// Whether, between gradients, y runs along an orbit of the standard normal density instead of a
-  /// straight line.
+  /// Returns whether, between gradients, y runs along an orbit of the standard normal density
+  /// instead of a straight line.
   [[nodiscard]] bool orbits() const { return orbits_; }
 
   /// F and its inverse; of dense coordinates (n, n).
@@ -62,11 +62,11 @@ class Whitening {
   /// Sigma: all of it (n, n), or its diagonal (n, 1).
   [[nodiscard]] Eigen::MatrixXd covariance() const;
 
-  /// Takes another Sigma of that shape, straight, without orbits. Returns false and changes nothing
-  /// unless it is finite and positive definite.
+  /// Sets another Sigma of the same shape, straight, without orbits. Returns false and changes
+  /// nothing unless it is finite and positive definite.
   bool set(const Eigen::MatrixXd& covariance);
-  /// Takes another centre, factor (n, n) and bend. Returns false and changes nothing unless all
-  /// are finite and the factor has an inverse. Dense only.
+  /// Sets another centre, factor (n, n) and bend. Returns false and changes nothing unless all are
+  /// finite and the factor has an inverse. Dense only.
   bool set(const Eigen::VectorXd& centre, const Eigen::MatrixXd& factor, const Bend& bend,
            bool orbits);
 

@@ -104,14 +104,15 @@ void ChainSlot::restore(StateReader& from) {
 
 namespace {
 
-constexpr double kSwapsToLearn = 20;  // of each pair, before the ladder follows them
+constexpr double kSwapsToLearn = 20;  // Swaps of each pair before the ladder follows them
 
 /// Items are dealt in consecutive shares: `part` has those from first_of(part) to first_of(part+1).
 int first_of(int part, int parts, int items) {
   return static_cast<int>(static_cast<long>(part) * items / parts);
 }
 
-/// Does a share end within one of the groups of `length` items? The first starts at item `offset`.
+/// Returns whether a share ends within one of the groups of `length` items. The first starts at
+/// item `offset`.
 bool splits(int parts, int items, int length, int offset = 0) {
   for (int part = 1; part < parts; ++part) {
     const int at = offset + first_of(part, parts, items);
@@ -120,7 +121,8 @@ bool splits(int parts, int items, int length, int offset = 0) {
   return false;
 }
 
-/// As many threads as fill batches of the target; one for each of several ranks, unless told.
+/// Returns the number of threads: as many as fill batches of the target; one for each of several
+/// ranks, unless options say otherwise.
 int threads_for(const RunOptions& options, const Target& target, int samplers, int ranks) {
   // Unless told: all processors, or one of several ranks.
   int threads = options.threads;

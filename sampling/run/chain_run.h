@@ -40,7 +40,7 @@ class ChainRun {
     std::vector<Eigen::MatrixXd> draws;
     std::vector<std::string> states;
   };
-  /// Those of all ranks on rank 0, none on the others.
+  /// Returns the results of all ranks on rank 0, none on the others.
   [[nodiscard]] Gathered gather(const Gathered& mine) const;
 
   [[nodiscard]] std::string state(const std::vector<std::string>& samplers) const;

@@ -30,7 +30,7 @@ class Communicator {
   [[noreturn]] virtual void abort(const std::string& why) const = 0;
 };
 
-/// This process alone.
+/// Returns the communicator of this process alone.
 [[nodiscard]] std::unique_ptr<Communicator> single_process();
 
 /// All processes that mpirun started; single_process() without mpirun. Call it once and keep the

@@ -22,7 +22,7 @@ Eigen::MatrixXd Draws::coordinate(int i) const {
 namespace thenar::internal {
 namespace {
 
-constexpr Eigen::Index kStats = 9;  // numbers of StepStats
+constexpr Eigen::Index kStats = 9;  // Numbers in StepStats
 
 }  // namespace
 

@@ -67,7 +67,7 @@ struct RunOptions {
 [[nodiscard]] Draws run_chains(const Target& target, const Eigen::MatrixXd& starts,
                                const RunOptions& options, const Communicator& ranks);
 
-/// The same in this process.
+/// Runs the chains in this process alone.
 [[nodiscard]] Draws run_chains(const Target& target, const Eigen::MatrixXd& starts,
                                const RunOptions& options);
 

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kDigestDigits = 64;  // hexadecimal digits of a SHA-256
+constexpr std::size_t kDigestDigits = 64;  // Hexadecimal digits of a SHA-256
 
 std::string text_of(const RunIdentity& identity) {
   std::string text;

@@ -32,14 +32,14 @@ inline constexpr double kFarthest = 1000;  // of a position [m]
 /// "gesture": moves of one thing that name the same one are undone together.
 [[nodiscard]] SchemaMember gesture_member();
 
-/// Both of them.
+/// Returns "hand" and "object" of a request.
 [[nodiscard]] LivePair pair_param(const Json& params);
 /// A text; "" where it is left out.
 [[nodiscard]] std::string text_param(const Json& params, const std::string& name);
 /// A position [m] (3), or a rotation, made exact (3, 3); nothing where it is left out.
 [[nodiscard]] std::optional<Eigen::Vector3d> position_param(const Json& params);
 [[nodiscard]] std::optional<Eigen::Matrix3d> rotation_param(const Json& params);
-/// Both, of a thing that is added.
+/// Returns the position and rotation of a thing that is added.
 [[nodiscard]] WantedPlace place_param(const Json& params);
 
 /// Bytes of a text in base64 (RFC 4648, padded). @throws InputError where it is none

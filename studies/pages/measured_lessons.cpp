@@ -271,7 +271,7 @@ std::string measurements_words(const MeasuredLessons& of) {
              measured_numbers(of));
 }
 
-/// By how many assumed sds the thumb of the made-up data misses what was measured.
+/// Misses of the measurements by the thumb of the made-up data, in assumed sds.
 struct Misses {
   double rms = 0, worst = 0;  // [sd]
   std::string worst_name;

@@ -151,10 +151,11 @@ struct Learnt {
   double ratios = 0;
   int count = 0;
 };
-/// By noise [%] or by number of postures.
+/// Sums of ratios by noise [%] or by number of postures.
 using LearntOver = std::map<double, Learnt>;
 
-/// Is a fit a point of the chart: one of the skewed thumb in which nothing else was changed?
+/// Returns true if a fit is a point of the chart: one of the skewed thumb in which nothing else was
+/// changed.
 bool is_point(const ThumbFitSettings& s, Over over, Arms arms) {
   return s.skewed && s.arms == arms && s.skewness == 1 && !s.with_tasks && s.prior_width == 1 &&
          (over == Over::kNoise ? s.postures == 2 : s.noise == 0.1);

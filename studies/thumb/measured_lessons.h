@@ -18,7 +18,8 @@ struct MeasuredThumbInputs {
   SourceText losses;  // losses of pinch under nerve blocks
 };
 
-/// From a folder with experiments/ and studies/. @throws DataError if a file cannot be read.
+/// Reads files of a folder with experiments/ and studies/. @throws DataError if a file cannot be
+/// read.
 [[nodiscard]] MeasuredThumbInputs measured_thumb_inputs(const std::string& data);
 
 /// Predictions of the measurements by models, a column a draw.

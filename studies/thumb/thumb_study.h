@@ -25,7 +25,8 @@ struct ThumbStudyInputs {
   SourceText criteria;    // variability of axes: by which types of thumbs are told
 };
 
-/// From a folder with subjects/, fits/ and studies/. @throws InputError if a file cannot be read.
+/// Reads files of a folder with subjects/, fits/ and studies/. @throws InputError if a file cannot
+/// be read.
 [[nodiscard]] ThumbStudyInputs thumb_study_inputs(const std::string& data);
 
 /// Fixed: both models have the true moment arms. Free: the arms are fitted too, with priors about

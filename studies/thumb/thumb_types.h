@@ -87,7 +87,8 @@ struct ThumbTypesInputs {
   SourceText variability, subject;
 };
 
-/// From a folder with studies/ and subjects/. @throws InputError if a file cannot be read.
+/// Reads files of a folder with studies/ and subjects/. @throws InputError if a file cannot be
+/// read.
 [[nodiscard]] ThumbTypesInputs thumb_types_inputs(const std::string& data);
 
 struct ThumbTypesSettings {

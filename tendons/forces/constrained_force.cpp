@@ -13,8 +13,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kTouchingShare =
-    1e-7;  // of a limit that leaves no interior, over the unit of force [1]
+// Size of a limit that leaves no interior, over the unit of force [1]
+constexpr double kTouchingShare = 1e-7;
 
 using Eigen::Index;
 using Eigen::MatrixXd;

@@ -14,7 +14,7 @@
 
 namespace thenar {
 
-/// What the direction given to constrained_force() means.
+/// Meaning of the direction given to constrained_force().
 enum class ForceDirection {
   kAlong,     // the force has this direction exactly
   kComponent  // the force is free; its component along the direction is what grows

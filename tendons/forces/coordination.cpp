@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// What both ways of solving start from and end with.
+/// Problem that both methods solve: statics, balance, wanted force and exponent p.
 struct Task {
   const TipStatics& statics;
   const internal::TipBalance& balance;
@@ -56,8 +56,8 @@ Coordination unsolved(const Task& task, Status status) {
                 "a linear program stalled");
 }
 
-/// How far above its least value a convex objective is at most:  sum of price x distance to bounds,
-/// and the slope that is left times how far away the optimum can be.
+/// Returns an upper bound of a convex objective's excess over its minimum:  sum of price x distance
+/// to bounds, and the slope that is left times how far away the optimum can be.
 double convex_gap(const NonlinearResult& result, double radius) {
   const double slope =
       result.kkt_residual.stationarity * std::sqrt(static_cast<double>(result.x.size()));

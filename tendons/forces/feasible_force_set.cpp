@@ -24,14 +24,18 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kCertifiedExcess = 1e-9;   // support may exceed a facet by this part of the extent
-constexpr double kAcceptedExcess = 1e-6;    // the same of a thin set, where rounding allows no less
-constexpr double kFlatWidth = 1e-9;         // width, as part of the size, below which a set is flat
-constexpr double kNoForce = 1e-9;           // size, in force units, below which nothing is made
-constexpr double kSamePoint = 1e-10;        // of the extent: two support points are one
-constexpr double kStraightEdge = 1e-6;      // sine of an angle below which a corner is none
-constexpr double kVolumeDifference = 1e-9;  // by which volumes by x, y and z may differ
-constexpr int kMaxRounds = 200;             // of hull growth; about 6 are needed
+// Largest excess of the support over a facet, over the extent [1]
+constexpr double kCertifiedExcess = 1e-9;
+// Largest excess for a thin set, whose rounding is larger [1]
+constexpr double kAcceptedExcess = 1e-6;
+constexpr double kFlatWidth = 1e-9;  // Sets with a smaller width, over their size, are flat [1]
+constexpr double kNoForce = 1e-9;    // Smaller sets are a point, in force units [1]
+// Support points closer than this share of the extent are one [1]
+constexpr double kSamePoint = 1e-10;
+constexpr double kStraightEdge = 1e-6;  // Corners with a smaller sine of their angle are none [1]
+// Largest relative difference of the volumes by x, y and z [1]
+constexpr double kVolumeDifference = 1e-9;
+constexpr int kMaxRounds = 200;  // Most rounds of hull growth; about 6 are needed
 
 /// A point of the set, and activations that make it.
 struct Point {
@@ -306,7 +310,7 @@ void write_facets(const internal::TipBalance& balance, const Frame& frame, const
   set.offsets = (set.normals * set.vertices.transpose()).rowwise().maxCoeff();
 }
 
-/// Is every edge run through once each way, so that the triangles close a surface?
+/// Returns whether every edge is run through once each way, so that the triangles close a surface.
 bool closed(const Eigen::MatrixX3i& triangles) {
   std::set<std::pair<int, int>> open;
   for (Index i = 0; i < triangles.rows(); ++i)

@@ -56,7 +56,7 @@ double strength(const TipStatics& statics, const Eigen::Vector3d& d, double tole
   return largest.status == Status::kSolved ? std::max(0.0, largest.component) : kNaN;
 }
 
-/// Says what does not fit the digit, and where it stands.
+/// Throws an error that names the entry that does not fit the digit, and its line.
 [[noreturn]] void refuse(const PinchLosses& losses, int line, const std::string& what) {
   if (losses.path.empty()) throw InputError(what);
   throw DataError(losses.path, line, what);

@@ -52,7 +52,7 @@ struct PinchStrength {
                          // was not found [1]
 };
 
-/// An intact pinch below this is none: nothing can be lost of it [N].
+/// Least force of an intact pinch whose loss is measured [N].
 inline constexpr double kNoPinch = 1e-6;
 
 /// The largest component of the pinned tip's force along the pinch, within its cone and with every

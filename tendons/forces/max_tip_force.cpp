@@ -20,11 +20,15 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kConeViolation = 1e-10;   // of the force's component along the direction
-constexpr double kVertexRounding = 1e-11;  // of the forces that tendons make: a vertex's own error
-constexpr int kMaxCuts = 200;              // about 20 are needed
-constexpr double kPricesHold = 1e-7;       // of max(1 N, force): checks of prices
-constexpr double kSamePrice = 1e-4;        // of the largest price
+// Largest violation of the cone, over the force along the direction [1]
+constexpr double kConeViolation = 1e-10;
+// Rounding error of a vertex, over the force that tendons make [1]
+constexpr double kVertexRounding = 1e-11;
+constexpr int kMaxCuts = 200;  // Most cuts; about 20 are needed
+// Largest error of prices that pass the checks, over max(1 N, force) [1]
+constexpr double kPricesHold = 1e-7;
+// Prices that differ by less than this share of the largest are equal [1]
+constexpr double kSamePrice = 1e-4;
 
 /// Loads c_1..c_k (columns, scaled like `balance`) whose amounts s join the tensions:
 ///   maximise s_1  subject to  loads s + tension_part a = constant,  s_1 >= 0.
@@ -108,9 +112,8 @@ struct ForceCone {
   double slope;
 };
 
-/// How far prices p of joint torque are from optimal duals of
-///   maximise d' f  subject to  J' f - R' t = tau_0,  0 <= t <= F0,  f in the cone,
-/// by J and R themselves.
+/// Measures, by J and R alone, the distance of the prices p of joint torque from optimal duals of
+///   maximise d' f  subject to  J' f - R' t = tau_0,  0 <= t <= F0,  f in the cone.
 ForceLimitPrices check_prices(const TipStatics& statics, const ForceCone& cone,
                               const MaxTipForce& largest) {
   const VectorXd& p = largest.torque_shadow_price;
@@ -151,8 +154,8 @@ ForceLimitPrices prices_of(const TipStatics& statics, const internal::TipBalance
   return prices;
 }
 
-/// Of the forces with the same component along d and the same joint torques, the one of which bones
-/// carry least alone: without what lies in the null space of J', across d.
+/// Returns the force with the same component along d and the same joint torques of which bones
+/// alone carry least: it removes the part in the null space of J' across d.
 Vector3d without_bone_force(const internal::TipBalance& balance, const Vector3d& d,
                             const Vector3d& force) {
   // Directions that meet no torque, and among them those across d.
@@ -164,7 +167,7 @@ Vector3d without_bone_force(const internal::TipBalance& balance, const Vector3d&
   return force - carried * amount;
 }
 
-/// What a result says before, or instead of, an answer.
+/// Returns the amount that a result holds before, or instead of, an answer.
 double amount_without_answer(Status status) { return status == Status::kUnbounded ? kInfinity : 0; }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// What is left between an answer and the truth; not a number unless solved.
+/// Residuals of an answer; not a number unless solved.
 struct MaxTipForceCheck {
   double gap = kUnknown;        // no force in the cone has a component larger by more    [N]
   double outside = kUnknown;    // of the force beyond the cone, across the direction     [N]
@@ -31,7 +31,7 @@ struct ForceLimitPrices {
   double slackness = kNaN;  // sum of each price times the room to its limit         [N]
   double dual_violation = kNaN;  // of p: force that no limit pays for                [1]
 
-  /// Whether prices of an increase and of a decrease differ.
+  /// Returns whether prices of an increase and of a decrease differ.
   [[nodiscard]] bool degenerate() const;
 };
 

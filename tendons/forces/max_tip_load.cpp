@@ -16,8 +16,8 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kMomentArm = 0.01;  // of the newtons in which moments are counted [m]
-constexpr double kStopArm = 0.01;    // of the tendon that a stop is [m]
+constexpr double kMomentArm = 0.01;  // Lever arm that converts moments to newtons [m]
+constexpr double kStopArm = 0.01;    // Moment arm of the tendon that stands for a stop [m]
 
 /// The balance as one of forces alone, for max_tip_force().
 struct LoadBalance {

@@ -14,7 +14,7 @@
 
 namespace thenar {
 
-/// What a tip does to the world.
+/// Load of a tip on the world.
 enum class TipLoad { kForce, kMoment };
 
 /// A joint at the end of its range: capsule and ligaments hold it from going further, and give no
@@ -25,8 +25,8 @@ struct JointStop {
                    // extension; may be infinite                                            [N m]
 };
 
-/// What is maximised, and what the other load may be meanwhile: moments beside a force, forces
-/// beside a moment.
+/// Options of max_tip_load(): the load to maximise and the bounds of the other load, moments beside
+/// a force, forces beside a moment.
 struct TipLoadOptions {
   TipLoad load = TipLoad::kForce;
   double tolerance = 0;   // half angle of the cone about the direction, in [0, pi/2)       [rad]

@@ -5,7 +5,7 @@
 namespace thenar {
 namespace {
 
-/// Nothing of a load at these joints.
+/// Removes the effect of a load on these joints from J and W.
 void take_load_off(const std::vector<int>& joints, Eigen::Matrix3Xd& J, Eigen::Matrix3Xd& W) {
   for (const int joint : joints) {
     require(joint >= 0 && joint < J.cols(), "no joint {}, there are {}", joint, J.cols());

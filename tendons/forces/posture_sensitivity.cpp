@@ -17,7 +17,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kAngleStep = 1e-3;  // of the differences [rad]
+constexpr double kAngleStep = 1e-3;  // Step of the differences [rad]
 
 /// Least squares, of least norm:  x = B+ tau.
 struct TipLeastSquares {

@@ -53,7 +53,7 @@ struct StaticsDerivative {
                                                   const Eigen::VectorXd& t,
                                                   const TipWrenchOptions& options = {});
 
-/// What a direction is fixed to while the posture changes.
+/// Frame in which a direction is fixed while the posture changes.
 enum class DirectionFrame { kWorld, kTip };
 
 }  // namespace thenar

@@ -7,7 +7,7 @@
 
 namespace thenar {
 
-/// What tendon tensions do at a pinned fingertip.
+/// Force and torque of tendon tensions at a pinned fingertip.
 struct TipForce {
   Eigen::Vector3d f_W;           // force of the tip on the world, world frame   [N]    (3)
   Eigen::VectorXd tau_residual;  // joint torque that no tip force can balance   [N m]  (n)
@@ -20,7 +20,7 @@ struct TipForce {
   [[nodiscard]] bool singular() const { return rank < possible; }
 };
 
-/// What a model must carry before tip_force() may be asked of it.
+/// Fidelity that a model needs for tip_force().
 inline constexpr Fidelity kTipForceNeeds{Motion::kStatic, Path::kConstant};
 
 /// Static fingertip force:  J' f = R' t,  solved for f in least squares.
@@ -39,8 +39,8 @@ inline constexpr Fidelity kTipForceNeeds{Motion::kStatic, Path::kConstant};
                                  const Eigen::Ref<const Eigen::MatrixXd>& R,
                                  const Eigen::Ref<const Eigen::VectorXd>& t);
 
-/// The same with the passive torques of `statics`:  J' f = R' t + tau_0.  Its W, if known, tells
-/// parallel axes, see plane_normal().
+/// Static fingertip force with the passive torques of `statics`:  J' f = R' t + tau_0.  Its W, if
+/// known, tells parallel axes, see plane_normal().
 [[nodiscard]] TipForce tip_force(const TipStatics& statics,
                                  const Eigen::Ref<const Eigen::VectorXd>& t);
 

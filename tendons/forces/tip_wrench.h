@@ -15,7 +15,7 @@ struct TipWrenchOptions {
   double length = 0.01;
 };
 
-/// What tendon tensions do at a fingertip that is rigidly held.
+/// Wrench and torque of tendon tensions at a fingertip that is rigidly held.
 struct TipWrench {
   Eigen::Vector3d m_W;           // moment of the tip on the world, about the tip  [N m] (3)
   Eigen::Vector3d f_W;           // force of the tip on the world                  [N]   (3)

@@ -59,10 +59,10 @@ class Contraction {
 
   [[nodiscard]] virtual Muscle rung() const = 0;
 
-  /// Whether tension depends on velocity.
+  /// Returns whether tension depends on velocity.
   [[nodiscard]] virtual bool depends_on_velocity() const = 0;
 
-  /// Whether the projected length of the fibres is a state.
+  /// Returns whether the projected length of the fibres is a state.
   [[nodiscard]] virtual bool has_fibre_state() const = 0;
 
   /// Tension of muscle m, >= 0 [N].
@@ -90,8 +90,9 @@ class Contraction {
   [[nodiscard]] virtual double isometric_projected_fibre(int m, double activation,
                                                          double length) const = 0;
 
-  /// The same fibres on a short tendon, as long as a fibre, that stretches by `strain` at F0, so
-  /// that tension is a function of states alone; null where it does not depend on velocity.
+  /// Returns the same fibres on a short tendon, as long as a fibre, that stretches by `strain` at
+  /// F0, so that tension is a function of states alone; null where tension does not depend on
+  /// velocity.
   [[nodiscard]] virtual std::unique_ptr<Contraction> with_compliant_tendon(
       double /*strain*/) const {
     return nullptr;

@@ -13,7 +13,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kPullingTension = 1e-3;  // beyond its base tension; less is slack [N]
+// A muscle with less tension beyond its base tension is slack [N]
+constexpr double kPullingTension = 1e-3;
 
 Index muscles_of(const MotionModel& model) {
   return static_cast<Index>(model.tendons.digit().names.muscles.size());
@@ -288,7 +289,7 @@ using Eigen::VectorXd;
 /// (muscles, coordinates).
 MatrixXd arm_derivatives(const DigitTendons& tendons, const MotionState& state, const VectorXd& t,
                          const TendonTorque& here) {
-  constexpr double kDifferenceStep = 1e-5;  // of an angle [rad]
+  constexpr double kDifferenceStep = 1e-5;  // Step of an angle [rad]
   const VectorXd v = here.R * state.q_dot;
   MatrixXd by_q(t.size(), state.q.size());
   for (Index j = 0; j < state.q.size(); ++j) {
@@ -368,7 +369,7 @@ MatrixXd FingerMotion::slopes_of_states(const MotionState& state, const MotionIn
   return tau_y;
 }
 
-/// The same where tensions and lengths follow from the ends of tendons.
+/// Computes the slopes where tensions and lengths follow from the ends of tendons.
 MatrixXd FingerMotion::slopes_on_tendons(const MotionState& state, const MotionInstant& now,
                                          MatrixXd& J) const {
   const Index n = state.q.size(), m = muscles_, a = 2 * n, r = a + m;

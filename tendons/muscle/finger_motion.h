@@ -90,7 +90,8 @@ class FingerMotion {
   /// @throws InputError if the contraction has other muscles than the digit.
   explicit FingerMotion(const MotionModel& model);
 
-  /// At rest at a posture, with the excursion from the reference posture, and fibres in balance.
+  /// Starts a motion at a posture, with the excursion from the reference posture, and fibres in
+  /// balance.
   /// @param activation  (muscles)
   /// @throws InputError if a length is wrong or an entry not finite.
   MotionOnset start(const Eigen::VectorXd& q, const Eigen::VectorXd& q_dot,
@@ -118,7 +119,7 @@ class FingerMotion {
     NetStep net;            // since the state accepted before
   };
 
-  /// Whether a net snaps between the state accepted last and this one.
+  /// Returns whether a net snaps between the state accepted last and this one.
   [[nodiscard]] bool snaps_before(const MotionState& state) const;
 
   /// Accepts a state: from here the net is followed on.
@@ -127,7 +128,7 @@ class FingerMotion {
   /// Evaluations of a net's energy so far: the work that a motion takes, counted.
   [[nodiscard]] long effort() const { return effort_; }
 
-  /// Why the rates last asked for are not finite; may be empty.
+  /// Returns the reason why the last rates are not finite; may be empty.
   [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
 
   /// Energy of motion, weights, springs and stops [J].
@@ -174,7 +175,8 @@ class FingerMotion {
   [[nodiscard]] Eigen::VectorXd fibres(const MotionState& state,
                                        const Eigen::VectorXd& excursion) const;
 
-  /// Of a trial of the integrator far off: torques that make it take a shorter step.
+  /// Returns the rates of a trial far from any solution: torques that make the integrator take a
+  /// shorter step.
   [[nodiscard]] MotionInstant far_off(MotionInstant now) const;
 
   [[nodiscard]] Eigen::MatrixXd slopes_of_states(const MotionState& state, const MotionInstant& now,

@@ -17,10 +17,11 @@ struct Bell {
 constexpr Bell kBell1{1, 1.055, 0.162, 0.063};
 constexpr Bell kBell2{0.433, 0.717, -0.030, 0.200};
 constexpr Bell kBell3{0.100, 1.000, 0.354, 0.000};
-constexpr double kNoSecond = 0.15;  // where the second bell has no width: it is 0 up to there
+// The second bell is 0 up to this length, at which it has no width [1]
+constexpr double kNoSecond = 0.15;
 
-constexpr double kSaturationExponent = 100;  // near the length where the passive force is beyond
-                                             // doubles: exponentials() are finite there
+// Length near which the passive force overflows doubles; exponentials() are finite there [1]
+constexpr double kSaturationExponent = 100;
 
 /// Exponent of a bell, and its derivative by length.
 void set_exponent(double l, const Bell& bell, double& exponent, double& slope) {
@@ -39,7 +40,7 @@ double slope_of(double l, const Bell& bell) {
   return bell.height * (-x * (1 - bell.widening * x) / spread * std::exp(-x * x / 2));
 }
 const double kB11 = (1 - value_of(1, kBell2) - value_of(1, kBell3)) / value_of(1, kBell1);
-constexpr double kPassiveSteepness = 4 / 0.6;  // of the passive force
+constexpr double kPassiveSteepness = 4 / 0.6;  // Steepness of the passive force [1]
 const double kPassive = std::expm1(4.0), kPerPassive = 1 / kPassive;
 
 // d1 and d4 from force_velocity(-1) = 0 and force_velocity(0) = 1.

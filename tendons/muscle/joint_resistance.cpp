@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// How far an angle is beyond its limits, negative below.
+/// Returns the excess of an angle over its limits, negative below the lower one, 0 within [rad].
 double beyond(const CoordinateLimits& limits, double angle) {
   return angle - std::clamp(angle, limits.lower, limits.upper);
 }

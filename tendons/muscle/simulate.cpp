@@ -13,18 +13,21 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kStrayExcursion = 1e-4;  // of an excursion, beyond what integration leaves [m]
-constexpr double kFinerTolerance =
-    0.01;                           // tolerance of the second integration over that of the first
-constexpr int kSnapPieces = 16;     // of a step in which a net snaps
-constexpr int kMostObstacles = 30;  // trials without rest of a net that end a motion
-constexpr double kMoreSteps = 5;    // of the second over the first, which a smooth motion needs
-constexpr double kLooserError =
-    100;  // error of a step over the tolerance, where it does not get on ...
-constexpr double kLooseTime = 10 * kStallTime;  // ... and for how long [s]
-constexpr int kMostLoose = 20;                  // places where it may [1]
+// Drift of an excursion that integration errors do not explain [m]
+constexpr double kStrayExcursion = 1e-4;
+// Tolerance of the second integration, over that of the first [1]
+constexpr double kFinerTolerance = 0.01;
+constexpr int kSnapPieces = 16;  // Pieces into which a step with a snap is divided
+// A motion ends after so many trials in which the net finds no equilibrium
+constexpr int kMostObstacles = 30;
+// Most steps of the second integration, over those of the first [1]
+constexpr double kMoreSteps = 5;
+// Error of a step over the tolerance, where steps make no progress [1]
+constexpr double kLooserError = 100;
+constexpr double kLooseTime = 10 * kStallTime;  // Time for which the larger error is allowed [s]
+constexpr int kMostLoose = 20;                  // Most places in a motion with larger errors
 
-/// Whether excursions came off their lines, though no snap tells why.
+/// Returns whether excursions came off their lines, though no snap tells why.
 bool has_strayed(const Trajectory& path) {
   return path.snaps.empty() && !(path.drift.value_or(0) <= kStrayExcursion);
 }
@@ -122,7 +125,7 @@ class Recorder {
     strays_ = kept_.muscles[static_cast<std::size_t>(most)];
   }
 
-  /// Why it ended comes before whatever was noted on the way.
+  /// Puts the reason of the end before all other warnings.
   void note_end(const std::string& why, double time) {
     if (why.empty()) return;
     const std::string before = std::exchange(kept_.warning, "");
@@ -167,7 +170,7 @@ class Recorder {
   Trajectory kept_;
 };
 
-/// Why a motion ends, thrown where that is found.
+/// End of a motion with its reason, thrown where it is found.
 struct Ending {
   MotionStatus status;
   std::string why;
@@ -193,13 +196,13 @@ const char* reason(OdeStatus status) {
   return "the integrator failed";
 }
 
-/// The same, with what stood in the way of the last trial.
+/// Says why the integrator ended, with the obstacle of the last trial.
 std::string reason(OdeStatus status, const FingerMotion& motion) {
   const std::string& obstacle = motion.obstacle();
   return reason(status) + (obstacle.empty() ? "" : ": " + obstacle);
 }
 
-/// Adds up what became of energy from step to step.
+/// Balance of energy, summed from step to step.
 class Account {
  public:
   Account(FingerMotion& motion, const MotionState& first)
@@ -226,7 +229,7 @@ class Account {
   double begin_, work_, of_net_ = 0, lost_ = 0, error_ = 0, kinetic_ = 0, turned_ = 0;
 };
 
-/// Whether the last steps have got anywhere.
+/// Watches whether the last steps have advanced the motion.
 class Patience {
  public:
   explicit Patience(int steps) : steps_(steps) {}
@@ -258,7 +261,7 @@ void check(const SimulateOptions& options) {
           options.stall_steps);
 }
 
-/// How a motion ends whose integrator did not step.
+/// Returns the status of a motion whose integrator did not step.
 MotionStatus end_of(OdeStatus status) {
   return status == OdeStatus::kLimit ? MotionStatus::kLimit : MotionStatus::kIntegratorFailed;
 }
@@ -370,8 +373,9 @@ class Integration {
   /// Starts the integrator anew, with the errors that are allowed here.
   void restart() { ode_.restart(loose_ ? kLooserError : 1); }
 
-  /// Where rates jump so that no step of the tolerance gets on, as where bands of a net lift off by
-  /// the dozen, larger errors carry it past; the balance of energy counts them.
+  /// Allows larger errors for a while where rates jump so that steps within the tolerance make no
+  /// progress, as where bands of a net lift off by the dozen. The balance of energy counts these
+  /// errors.
   void get_on() {
     // The end of such a place.
     if (loose_ && ode_.time() - loose_since_ >= kLooseTime) {
@@ -390,7 +394,7 @@ class Integration {
     restart();
   }
 
-  /// Tells where steps had larger errors.
+  /// Adds a warning about the times at which steps had larger errors.
   void tell_loose() {
     if (loose_places_ == 0) return;
     recorder_.note_end(
@@ -400,7 +404,7 @@ class Integration {
         loose_since_);
   }
 
-  /// Goes on from a state, and accounts for its energy.
+  /// Accepts a state, and accounts for its energy.
   void accept(const MotionState& state, double time) {
     const FingerMotion::Accepted accepted = motion_.accept(state);
     recorder_.note_accepted(accepted, time);

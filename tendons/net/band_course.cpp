@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kCourseSteps = 12;  // along the run on the bone
+constexpr int kCourseSteps = 12;  // Pieces of a band's run on the bone
 
 /// Angle about z from `side` to p, in (-pi, pi].
 double angle_from(const Vector3d& side, const Vector3d& p) {

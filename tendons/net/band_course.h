@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-inline constexpr double kTaut = 1e-6;  // a band that pulls with less is called slack [N]
+inline constexpr double kTaut = 1e-6;  // Bands with less tension are called slack [N]
 
 /// A band at equilibrium.
 struct BandCourse {

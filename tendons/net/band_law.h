@@ -25,7 +25,7 @@ namespace thenar {
   return {EA * slack * (0.5 * past * past + toe * toe / 24), EA * past, EA / slack};
 }
 
-/// The same law T of a smoothed strain p that is never negative:
+/// Law T of band_response() at a smoothed strain p that is never negative:
 ///   p = (e + sqrt(e^2 + blend^2)) / 2,    tension = T(p(e)) - T(p(-1)).
 /// The tension is smooth, above 0 at any length above 0, and 0 at length 0. The energy is its
 /// integral over the length, by e = p - blend^2 / (4 p).

@@ -13,7 +13,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int kSideSteps = 12;  // through a joint's range, in which no end turns by half a turn
+// Steps through a joint's range, in which no end turns by half a turn
+constexpr int kSideSteps = 12;
 
 /// Angles about a cylinder's axis, seen from a side [rad].
 struct AngleSpan {

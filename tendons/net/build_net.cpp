@@ -129,7 +129,7 @@ class NetBuilder {
     for (const std::string& muscle : muscles) add_muscle(role, muscle);
   }
 
-  /// Is the link this bone's, or nearer to the base?
+  /// Returns whether the link is this bone's, or nearer to the base.
   [[nodiscard]] bool within(int link, const FingerBone& bone) const {
     for (int i = bone.link; i >= 0; i = digit_.skeleton.tree[static_cast<std::size_t>(i)].parent)
       if (i == link) return true;
@@ -188,7 +188,7 @@ class NetBuilder {
                role.pulls.size() == 1 ? muscle : fmt::format("{}/{}", muscle, k + 1));
   }
 
-  /// Where a pull leaves the net that no strand shows: its own place, or the end of its own path.
+  /// Returns the exit of a pull that no strand shows: its own place, or the end of its own path.
   [[nodiscard]] CarriedPoint exit_of(const NetPullPlan& plan) const {
     if (plan.exit_place)
       return {built_.frame.bone(plan.exit_place->bone).link,
@@ -246,9 +246,11 @@ NetDescription straightened(NetDescription plan) {
   return plan;
 }
 
-constexpr double kMostLoad = 3;  // tension of a band per sum of pulls: one that bears more holds
-                                 // by its strain what no muscle pulls; a choice of ours [1]
-constexpr double kSlackLeft = 1e-5;  // strain by which fitted bands may miss: 0.1 um of a band [1]
+// Largest tension of a band over the sum of pulls, our choice; beyond it the band's strain holds a
+// load that no muscle pulls [1]
+constexpr double kMostLoad = 3;
+// Largest error of strain of fitted bands: 0.1 um for a band of 10 mm [1]
+constexpr double kSlackLeft = 1e-5;
 
 template <typename Part>
 int needed(const std::vector<Part>& parts, const std::string& name, const std::string& kind,

@@ -10,8 +10,8 @@
 namespace thenar {
 namespace {
 
-/// Where the coordinates of a digit with all joints free stand in the same digit with some frozen;
-/// empty if a joint there is frozen apart from the one that it follows.
+/// Maps the coordinates of a digit with all joints free to the same digit with some joints frozen;
+/// empty if a joint there is frozen without the joint that it follows.
 std::vector<PostureAngle> angles_of(const TendonDigit& whole, const TendonDigit& digit) {
   const auto& names = digit.names.coordinates;
   for (std::size_t i = 0; i < whole.names.hinges.size(); ++i) {

@@ -16,7 +16,8 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMcp = 0, kPip = 1, kDip = 2;
 constexpr std::array<const char*, 3> kJointNames{"MCP", "PIP", "DIP"};
-constexpr double kFlexionCosine = 0.7071;  // cosine to the flexion direction: see tendon_model.cpp
+// Least cosine to the flexion direction of a flexing joint, see tendon_model.cpp [1]
+constexpr double kFlexionCosine = 0.7071;
 
 /// One straight run of tendon across a joint.
 struct Run {
@@ -183,7 +184,8 @@ class FrameBuilder {
     std::vector<Vector3d> points;
     for (const PathPoint& point : extensor_->path)
       if (point.segment == segment && point.surface.empty()) points.push_back(carried(point).p);
-    constexpr double kLongEnough = 0.01;  // [m] a direction is wanted, not the tendon's bow
+    // Least length of a run that gives a direction, not the bow of a tendon [m]
+    constexpr double kLongEnough = 0.01;
     if (points.size() > 1 && (points.back() - points.front()).norm() > kLongEnough)
       return (points.back() - points.front()).normalized();
     // Its segment, then the axes of the digit.

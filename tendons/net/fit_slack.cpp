@@ -38,9 +38,9 @@ std::vector<double> start_lengths(const Net& net, const TreeState<double>& state
 
 double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd& load,
                  const std::vector<FittedBand>& bands, int rounds) {
-  constexpr double kAlikeStrain = 1e-6;  // strain to spare below which bands are taut and alike [1]
-  constexpr double kCorrectionShare =
-      0.5;  // of each correction, since bands share what one of them loses
+  constexpr double kAlikeStrain = 1e-6;  // Spare strain below which bands are taut and alike [1]
+  // Share of each correction that is applied, since bands share a loss [1]
+  constexpr double kCorrectionShare = 0.5;
   NetSolver solver(net);
   Eigen::Matrix3Xd start;
   double off = 0;

@@ -42,7 +42,7 @@ Matrix3Xd node_velocity(const NetPull& pull, const NetEquilibrium& rest, const P
   return internal::node_rates(tangent, input);
 }
 
-/// Whether a knot may be asked where it is.
+/// Returns whether the net is differentiable, so that the places of its knots are determined.
 bool settled(const Net& net, const NetEquilibrium& rest) {
   return why_not_differentiable(net, rest).empty();
 }
@@ -127,6 +127,7 @@ class NetWalk {
   /// which grows with the square of the step.
   /// @param off  [m]; 0: not judged
   [[nodiscard]] double next_step(double off) const {
+    // Safety factor of the next step, and bounds of its ratio to the last step [1]
     constexpr double kStepSafety = 0.8, kLeastStepRatio = 0.1, kMostStepRatio = 4;
     if (off == 0) return kMostStepRatio;
     return std::clamp(kStepSafety * std::sqrt(options_.stray / off), kLeastStepRatio,
@@ -140,7 +141,7 @@ class NetWalk {
     return rest;
   }
 
-  /// What is asked at a share of the way.
+  /// Returns posture and load at a share of the way.
   [[nodiscard]] PostureAndLoad at(double place) const {
     return {from_.q + place * way_.q, from_.load + place * way_.load};
   }
@@ -165,7 +166,7 @@ class NetWalk {
     walk_.snaps.push_back(std::move(snap));
   }
 
-  /// Takes the equilibrium at the end of a step, `off` from its prediction [m].
+  /// Accepts the equilibrium at the end of a step, `off` from its prediction [m].
   void accept(NetEquilibrium next, double end, double off) {
     // No balance found from the prediction: search from scratch.
     if (unbalanced(next)) {

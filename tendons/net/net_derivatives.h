@@ -25,7 +25,7 @@ namespace thenar {
 [[nodiscard]] std::string why_not_differentiable(const Net& net, const NetEquilibrium& rest,
                                                  double settled = 0);
 
-/// How length_by_posture() differentiates.
+/// Options of length_by_posture().
 struct LengthSlopes {
   int coordinates;     // of the posture
   double settled = 0;  // residual of a stalled net below which it counts as balanced [N]

@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCarriedGap = 1e-9;  // gap of a start that counts as lying on the bone [m]
-constexpr double kLyingGap = 2e-5;    // gap of a start that is tried as lying on the bone [m]
-constexpr double kHardPull = 10;      // pull at which taut nets swing freely [N]
+constexpr double kCarriedGap = 1e-9;  // Starts deeper than this are pushed out of the bone [m]
+constexpr double kLyingGap = 2e-5;    // Starts within this gap are tried as lying on the bone [m]
+constexpr double kHardPull = 10;      // Pull at which taut nets swing freely [N]
 
 }  // namespace
 
@@ -162,14 +162,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNoLift = 1e-11;  // lift from a bone that no number here can tell from none [m]
-constexpr double kLiftRounding = 1e-17;  // rounding of a lift [m]
+// Least lift from a bone that doubles can distinguish from none [m]
+constexpr double kNoLift = 1e-11;
+constexpr double kLiftRounding = 1e-17;  // Rounding of a lift [m]
 
 }  // namespace
 
-/// What bands that bend over a surface hold a node on it with, at the least lift that its place can
-/// tell: their slope along the normal grows as  sqrt(2 lift / radius)  times their tension S, and
-/// rounding of the lift by kLiftRounding changes it by S kLiftRounding / sqrt(2 lift radius).
+/// Returns the force with which bands that bend over a surface hold a node on it, at the least lift
+/// that its place can resolve [N]: their slope along the normal grows as  sqrt(2 lift / radius)
+/// times their tension S, and rounding of the lift by kLiftRounding changes it by S kLiftRounding /
+/// sqrt(2 lift radius).
 double NetDescent::wrap_slop(int k, int surface) const {
   // Tensions of the bands that bend over this surface.
   double sum = 0;
@@ -295,8 +297,9 @@ bool NetDescent::direction() {
   return true;
 }
 
-/// After a step too long: bands that it stretches get the stiffness that they show over it, slack
-/// ones too, so that the next direction knows them. @return whether there were any
+/// Gives the bands that a too long step stretches the secant stiffness over it, slack bands too, so
+/// that the next direction accounts for them.
+/// @return whether there were any
 bool NetDescent::add_secant_stiffness() {
   bool any = false;
   for (int b = 0; b < static_cast<int>(plan_.bands.size()); ++b) {
@@ -329,14 +332,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNearLift =
-    1e-3;  // lift over radius below which clasping bands go as its root [1]
-constexpr double kKinkStep = 1e-4;  // steps below which slack bands that become taut decide [m]
+// Lift over radius below which clasping bands follow the root law [1]
+constexpr double kNearLift = 1e-3;
+// Steps shorter than this may add the secant stiffness of slack bands [m]
+constexpr double kKinkStep = 1e-4;
 
 }  // namespace
 
-/// Where bands clasp a node, its lift h is pulled at as sqrt(h): Newton's step dh is taken in
-/// sqrt(h), which makes it  h (1 + dh / 2h)^2  and exact.
+/// Corrects Newton's step where bands clasp a node. They pull at its lift h as sqrt(h), so the step
+/// dh is taken in sqrt(h), which makes it  h (1 + dh / 2h)^2  and exact.
 void NetDescent::lift(int k, Vector3d& there) const {
   const NodeContact& c = contact_[k];
   const Vector3d& x = x_[plan_.node[k]];
@@ -407,7 +411,8 @@ double NetDescent::step_to_exit() const {
   return part;
 }
 
-/// What rounding of places may change E by: tension times the last digits of places [J].
+/// Returns the largest change of E by rounding of places: tension times the last digits of places
+/// [J].
 double NetDescent::rounding() const {
   double reach = 0, sum = 0;
   for (const Vector3d& x : x_) reach = std::max(reach, x.norm());

@@ -26,8 +26,9 @@ class NetDescent {
                                    const Eigen::Matrix3Xd* start);
 
  private:
-  static constexpr double kLongest = 0.02;  // longest move of a node in one step [m]
-  static constexpr double kSoft = 1e-4;  // a push beyond the tolerance within this is stiffness [m]
+  static constexpr double kLongest = 0.02;  // Longest move of a node in one step [m]
+  // A push that exceeds the tolerance only within this is due to stiffness [m]
+  static constexpr double kSoft = 1e-4;
 
   [[nodiscard]] int rows() const { return plan_.pattern.size(); }
 

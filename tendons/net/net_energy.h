@@ -58,7 +58,8 @@ struct NetScene {
 [[nodiscard]] BandResponse elastic_response(const Net& net, const NetBand& band, double slack,
                                             double length);
 
-/// Whether band i, straight and of constant pull, is so short that the penalty replaces its energy.
+/// Returns whether band i, straight and of constant pull, is so short that the penalty replaces its
+/// energy.
 [[nodiscard]] bool is_regularised(const NetScene& scene, int i, double length);
 
 /// Poses the surfaces alone.

@@ -15,7 +15,7 @@ using Eigen::Map;
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-/// A net out of balance by more than this share of its largest pull has no torque [1].
+/// Largest residual of a net that has a torque, over its largest pull [1].
 constexpr double kOutOfBalance = 1e-6;
 
 bool is_balanced(const Net& net, const NetEquilibrium& rest) {
@@ -130,7 +130,7 @@ EndSlopes NetFollower::slopes(const VectorXd& q, const VectorXd& load) {
 /// them; where that leaves more than `kRoundedEnergy`, by Simpson's rule.
 double NetFollower::unexplained(const PostureAndLoad& from, const NetEquilibrium& rest,
                                 const PostureAndLoad& to, const NetEquilibrium& there) const {
-  constexpr double kRoundedEnergy = 1e-11;  // [J]
+  constexpr double kRoundedEnergy = 1e-11;  // Difference of energies that rounding explains [J]
   const VectorXd turn = to.q - from.q, load = to.load - from.load;
   const auto rate = [&](const NetPotential& at) { return at.by_load.dot(load) - at.tau.dot(turn); };
   const NetPotential first = pull_->potential(from, rest), last = pull_->potential(to, there);

@@ -8,20 +8,20 @@
 
 namespace thenar {
 
-/// How far a net is followed in one step of a motion.
+/// Returns the options with which a net is followed in one step of a motion.
 [[nodiscard]] NetContinuationOptions follower_options();
 
-/// Where the net was accepted, knots move with  x + dx/dq dq + dx/dp dp,  p the load.  Where one is
-/// found further than NetContinuationOptions::stray from there, the net is followed in shorter
-/// steps: what still strays has snapped. So the net has a memory, and where it rests does not
-/// depend on trials.
+/// Follows a net from its last accepted state, from which knots move with  x + dx/dq dq + dx/dp dp,
+/// p the load. If a knot is found further than NetContinuationOptions::stray from this prediction,
+/// the net is followed in shorter steps; a knot that still strays has snapped. So the net has a
+/// memory, and its equilibrium does not depend on trials.
 class NetFollower : public TendonFollower {
  public:
   /// @param tendons  must outlive it
   explicit NetFollower(const NetTendons& tendons,
                        const NetContinuationOptions& options = follower_options());
 
-  /// From a rest under muscles on tendons, whose ends are the loads.
+  /// Follows from a rest under muscles on tendons, whose ends are the loads.
   NetFollower(std::unique_ptr<PullByTendon> pull, PostureAndLoad here, const NetEquilibrium& rest);
 
   TendonTorque at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;

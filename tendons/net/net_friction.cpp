@@ -14,10 +14,11 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kOnBoneGap = 1e-9;       // a start this near to a bone lies on it [m]
-constexpr double kNudgeWay = 1e-7;        // by which a node that gives way starts off [m]
-constexpr double kReturnDistance = 2e-9;  // a node this near to its start is back [m]
-constexpr int kMaxReturns = 10;           // of a node to its start, before rounds are given up
+constexpr double kOnBoneGap = 1e-9;  // Starts within this gap lie on the bone [m]
+constexpr double kNudgeWay = 1e-7;   // First displacement of a node that starts to slip [m]
+// A node within this distance of its start has returned [m]
+constexpr double kReturnDistance = 2e-9;
+constexpr int kMaxReturns = 10;  // Most returns of a node to its start before rounds are given up
 
 /// A node that may rest on a bone.
 struct Rub {
@@ -149,7 +150,8 @@ class Rounds {
     return f;
   }
 
-  /// Tells sticking from slipping by the forces found. @return whether a node changed sides
+  /// Decides by the forces found which nodes stick and which slip.
+  /// @return whether a node changed sides
   bool judge() {
     out_.change = 0;
     bool switched = false;
@@ -157,7 +159,8 @@ class Rounds {
     return switched;
   }
 
-  /// What the bone does to a node that sticks, and whether that is more than friction can.
+  /// Computes the bone's force on a node that sticks, and returns whether it exceeds friction, so
+  /// that the node starts to slip.
   bool gives_way(Rub& rub) {
     // Force that the bone must balance.
     const Vector3d f = pull_on(rub.node);
@@ -181,8 +184,9 @@ class Rounds {
     return true;
   }
 
-  /// What the bone does to a node that slips. Its band runs aslant into the bone: of its pull t,
-  /// t cos(angle) = mu N is friction, and t sin(angle) is part of the bone's normal force.
+  /// Computes the bone's force on a node that slips, and returns whether the node is back at its
+  /// start. Its band runs aslant into the bone: of its pull t, t cos(angle) = mu N is friction, and
+  /// t sin(angle) is part of the bone's normal force.
   bool comes_back(Rub& rub) {
     const Vector3d way = rub.seat - x_.col(rub.node);
     // Normal force and normal of the contacts.

@@ -41,7 +41,7 @@ class ShareOfTendon : public TensionLaw {
   double share_, beyond_;
 };
 
-/// What exits add to the lines of their muscles [m] (muscles).
+/// Returns the length that exits add to the lines of their muscles [m] (muscles).
 VectorXd excess_of_exits(const NetTendons& tendons, const NetEquilibrium& rest) {
   const VectorXd band = muscle_band_length(tendons.net().net, rest);
   const VectorXd more = band.unaryExpr([](double L) { return OverExit(L).length - L; });
@@ -82,13 +82,13 @@ TendonTorque PullByTension::torque(const PostureAndLoad& at, NetEquilibrium rest
 }
 
 bool PullByTension::pulls(const VectorXd& load) const {
-  constexpr double kSlackTension = 1e-6;  // [N]
+  constexpr double kSlackTension = 1e-6;  // Muscles with less tension do not pull the net [N]
   const VectorXd drive = tendons().drive(load);
   return drive.size() > 0 && drive.maxCoeff() > kSlackTension;
 }
 
 double PullByTension::least_change(const VectorXd& from, const VectorXd& to, double share) const {
-  constexpr double kLittleTension = 1e-3;  // [N]
+  constexpr double kLittleTension = 1e-3;  // Least tension of which a change counts as a share [N]
   double most = kLittleTension;
   if (from.size() > 0) most = std::max({most, from.maxCoeff(), to.maxCoeff()});
   return share * most;
@@ -184,8 +184,8 @@ PullRates PullByTendon::rates(const PostureAndLoad& at, const NetEquilibrium& re
 }
 
 std::vector<int> PullByTendon::drawn_bands(const Stretched& now) const {
-  constexpr double kPullShare = 0.01;  // of a pull that a net may miss [1]
-  constexpr double kPullError = 0.05;  // force that it may miss [N]
+  constexpr double kPullShare = 0.01;  // Largest share of a pull that a net may miss [1]
+  constexpr double kPullError = 0.05;  // Largest force that a net may miss [N]
   const NetTendons& all = tendons();
   std::vector<int> bands;
   for (std::size_t b = 0; b < all.net().net.bands.size(); ++b) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How muscles pull a net: by given tensions, or by tendons that stretch from given ends.
+/// Pull of muscles on a net: by given tensions, or by tendons that stretch from given ends.
 
 #include <cmath>
 #include <memory>
@@ -60,14 +60,14 @@ class NetPull {
   [[nodiscard]] virtual TendonTorque torque(const PostureAndLoad& at,
                                             NetEquilibrium rest) const = 0;
 
-  /// How torque, tensions and lengths change with posture and ends of tendons; without the net
-  /// where it is not differentiable; none where loads are tensions.
+  /// Returns the slopes of torque, tensions and lengths by posture and ends of tendons; without the
+  /// net where it is not differentiable; none where loads are tensions.
   [[nodiscard]] virtual EndSlopes slopes(const PostureAndLoad& /*at*/,
                                          const NetEquilibrium& /*rest*/) const {
     return {};
   }
 
-  /// Whether a muscle pulls the net, so that its knots have a place.
+  /// Returns whether a muscle pulls the net, so that its knots have a place.
   [[nodiscard]] virtual bool pulls(const Eigen::VectorXd& load) const = 0;
 
   /// The least change of loads that counts as a step.
@@ -141,7 +141,7 @@ class PullByTendon : public NetPull {
     Eigen::VectorXd stiffness;   // [N/m] (muscles)
     double energy = 0;           // [J]
 
-    /// Whether the laws of all tendons say numbers.
+    /// Returns whether the laws of all tendons say numbers.
     [[nodiscard]] bool finite() const {
       return tension.allFinite() && stiffness.allFinite() && std::isfinite(energy);
     }
@@ -162,7 +162,8 @@ class PullByTendon : public NetPull {
   Eigen::VectorXd first_excess_;  // what exits add to lines at the first rest [m] (muscles)
 };
 
-/// Whether every muscle of a net pulls it by one band, and every muscle of the digit once at most.
+/// Returns whether every muscle of a net pulls it by one band, and every muscle of the digit once
+/// at most.
 [[nodiscard]] bool pulls_one_band_each(const NetTendons& tendons);
 
 }  // namespace thenar

@@ -35,7 +35,7 @@ NetContinuation follow_ways(const NetTendons& tendons, const std::vector<Posture
   return walk;
 }
 
-/// From the straight finger with its joints bent one after the other.
+/// Order in which joints of the straight finger are bent one after the other.
 enum class BendOrder { kFromTip, kFromBase };
 std::vector<PostureAndLoad> joint_by_joint(const VectorXd& straight, const VectorXd& q,
                                            const VectorXd& t, BendOrder order) {
@@ -61,7 +61,8 @@ std::vector<PostureAndLoad> under_even_load(const NetTendons& tendons, const Vec
 
 NetContinuation search_rest(const NetTendons& tendons, const VectorXd& q, const VectorXd& t,
                             NetContinuation found, const NetContinuationOptions& options) {
-  constexpr int kMostSolves = 100;  // on one leg of a way: a course that takes more is none
+  // Most solves on one leg of a path; a course that needs more is rejected
+  constexpr int kMostSolves = 100;
   const VectorXd& straight = tendons.net().frame.straight;
   NetContinuationOptions quick = options;
   quick.max_solves = std::min(options.max_solves, kMostSolves);

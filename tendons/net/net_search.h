@@ -1,13 +1,13 @@
 #pragma once
 
-/// Other ways to an equilibrium of a net, where the usual one leads to none.
+/// Search for an equilibrium of a net by other paths, where the usual path finds none.
 
 #include "tendons/net/net_continuation.h"
 
 namespace thenar {
 
-/// Whether a net is in balance as tissue can be; also where it does not hold a muscle, which no
-/// other way would change.
+/// Returns whether a net is in balance as tissue can be; also where it does not hold a muscle,
+/// which no other way would change.
 [[nodiscard]] inline bool is_sound(const NetEquilibrium& rest) {
   return rest.status == NetStatus::kBalanced || rest.status == NetStatus::kNodeCollapsed;
 }

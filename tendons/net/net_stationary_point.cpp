@@ -85,7 +85,8 @@ bool NetDescent::update_multipliers() {
 
 namespace thenar::internal {
 
-/// Whether no small move lowers E: positive curvature, but for rounding, in all free directions.
+/// Returns whether no small move lowers E: positive curvature, but for rounding, in all free
+/// directions.
 bool NetDescent::is_minimum() {
   if (definite_ && longest_ < 1e-6) return true;
   reduce();
@@ -133,8 +134,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCutAngle = 1e-6;     // angle from the half-plane opposite to a band's side [rad]
-constexpr double kDrawnLength = 1e-9;  // length at which a pull has collapsed its node in [m]
+// Half angle about the half-plane opposite to a band's side [rad]
+constexpr double kCutAngle = 1e-6;
+constexpr double kDrawnLength = 1e-9;  // Length below which a pull has drawn its node in [m]
 
 }  // namespace
 
@@ -186,8 +188,8 @@ void NetDescent::report_band(int b, NetEquilibrium& out) const {
 /// Floating nodes that no band holds. What is left out of balance leaves bands among them with as
 /// much tension.
 std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
-  constexpr double kKnotTolerances =
-      10;  // tolerances: a chain of knots adds up what each is out of balance
+  // Residual of a chain of knots, which add up their own, over the tolerance [1]
+  constexpr double kKnotTolerances = 10;
   // Nodes held by a taut band, or in an exit.
   std::vector<bool> held(x_.size(), false);
   const auto hold = [&](int band) {

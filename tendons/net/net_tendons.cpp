@@ -51,7 +51,7 @@ std::string overstrained(const Net& net, const NetEquilibrium& rest) {
 std::string buried_band(const Net& net, const TreeState<double>& state,
                         const NetEquilibrium& rest) {
   // Tension at the slack length of a smoothed band.
-  constexpr double kInsideDepth = 1e-8;  // deeper than the solver's rounding [m]
+  constexpr double kInsideDepth = 1e-8;  // Depth inside a bone beyond the solver's rounding [m]
   for (std::size_t b = 0; b < net.bands.size(); ++b) {
     const NetBand& band = net.bands[b];
     const double slack = band.EA * net.blend / 2;  // tension at the slack length [N]

@@ -66,8 +66,8 @@ class NetTendons : public DigitTendons {
   TendonTorque evaluate(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                         const Eigen::Matrix3Xd& start) const override;
 
-  /// By implicit differentiation of the net and derivatives() of what runs outside of it; by
-  /// differences where one of them is not differentiable.
+  /// Computes the slopes of torque by implicit differentiation of the net and derivatives() of what
+  /// runs outside of it; by differences where one of them is not differentiable.
   [[nodiscard]] Eigen::MatrixXd torque_by_posture(const Eigen::VectorXd& q,
                                                   const Eigen::VectorXd& t,
                                                   const TendonTorque& at) const override;
@@ -87,11 +87,11 @@ class NetTendons : public DigitTendons {
   /// A copy with Net::blend.
   [[nodiscard]] std::unique_ptr<DigitTendons> smoothed(double strain) const override;
 
-  /// The torque where the equilibrium of the net is known.
+  /// Returns the torque at a known equilibrium of the net.
   [[nodiscard]] TendonTorque torque_at_rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                             NetEquilibrium rest) const;
 
-  /// The same without the net's share of moment arms.
+  /// Returns the torque at a known equilibrium without the net's share of moment arms.
   [[nodiscard]] TendonTorque torque_of_rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                             NetEquilibrium rest) const;
 
@@ -159,17 +159,17 @@ class NetTendons : public DigitTendons {
 /// Sum of the tensions in the bands of each slip [N].
 [[nodiscard]] SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest);
 
-/// Which bands have drawn their knots into their exits, in words; empty: none.
+/// Names the bands that have drawn their knots into their exits; empty: none.
 [[nodiscard]] std::string drawn_in(const Net& net, const std::vector<int>& bands);
 
 /// Adds to the warning of a torque; nothing if there is no more.
 void add_warning(const std::string& more, TendonTorque& pull);
 
-/// How far an equilibrium can be trusted.
+/// Returns the reliability of an equilibrium.
 [[nodiscard]] TendonStatus net_status(const Net& net, const TreeState<double>& state,
                                       const NetEquilibrium& rest);
 
-/// The same in words; may be empty.
+/// Says in words why an equilibrium is less reliable; may be empty.
 [[nodiscard]] std::string net_warning(const Net& net, const TreeState<double>& state,
                                       const NetEquilibrium& rest);
 

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kOnSurface = 1e-12;  // gap that counts as none [m]
+constexpr double kOnSurface = 1e-12;  // Gaps below this count as none [m]
 
 using Normals = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
 using Forces = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
@@ -183,7 +183,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// From the centre of a sphere, or from the axis of a cylinder.
+/// Radial direction from the centre of a sphere, or from the axis of a cylinder.
 struct Radial {
   Vector3d normal;
   double distance, inverse;  // [m], [1/m]

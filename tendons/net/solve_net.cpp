@@ -12,7 +12,7 @@ namespace {
 
 /// Looks for passive bands that bear more than they can, where a net is balanced.
 void find_overstrained(const Net& net, NetEquilibrium& rest) {
-  constexpr double kNoLoad = 0.1;  // tension below which a ratio to the pull says nothing [N]
+  constexpr double kNoLoad = 0.1;  // Tension below which its ratio to the pull is meaningless [N]
   if (rest.status != NetStatus::kBalanced) return;
   double pull = 0;
   for (std::size_t b = 0; b < net.bands.size(); ++b)

@@ -16,7 +16,7 @@
 
 namespace thenar::internal {
 
-/// At most three columns, without the heap.
+/// Matrices of at most three columns, or rows, without the heap.
 using Columns3 = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
 using Rows3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, 3, 3>;
 
@@ -70,8 +70,8 @@ struct NetPerturbation : TreeVelocity {
   Eigen::VectorXd radius;   // of each sphere, cylinder or capsule; others: 0 (surfaces)
 };
 
-/// Whether the gap to a surface falls one to one with its radius, as of spheres, cylinders and
-/// capsules.
+/// Returns whether the gap to a surface falls one to one with its radius, as of spheres, cylinders
+/// and capsules.
 [[nodiscard]] bool has_radius(const BoneSurface& surface);
 
 /// The perturbation that moves nothing and changes no tension.

@@ -11,14 +11,15 @@
 namespace thenar {
 namespace {
 
-constexpr double kBlindSlope = 1e-3;  // chi^2 per unit of log EA that counts as not felt [1]
+// The data do not feel a band with less chi^2 per unit of log EA [1]
+constexpr double kBlindSlope = 1e-3;
 
 double evidence(const FittedNets& tried, int band) {
   const double without = tried.min_misfit(band, false), with = tried.min_misfit(band, true);
   return std::isinf(without) && std::isinf(with) ? 0 : without - with;
 }
 
-/// What the fits behind the evidence on one band have to say of themselves.
+/// Reads convergence and residuals of the fits behind the evidence on one band.
 void state_fits(const FittedNets& tried, int band, BandVerdict& verdict, InferredNet& out) {
   for (bool present : {false, true})
     if (const FittedNet* net = tried.best_where(band, present)) {
@@ -88,7 +89,7 @@ void settle_rivals(FittedNets& tried, const Progress& progress) {
 
 /// Changes of the best net, until none is better by more than a fit's tolerance.
 void search_around(FittedNets& tried, const AssessOptions& options, const Progress& progress) {
-  constexpr double kBetterMisfit = 0.1;  // of chi^2 [1]
+  constexpr double kBetterMisfit = 0.1;  // Least fall of chi^2 of a better net [1]
   for (int round = 0; round < options.max_rounds && !progress.stop(); ++round) {
     progress(0.7 + 0.3 * round / options.max_rounds, "changes of the best net");
     const double before = tried.best()->fit.misfit;
@@ -135,8 +136,8 @@ void state_stiffness(FittedNets& tried, InferredNet& out) {
   }
 }
 
-/// Whether, of the four ways to have or lack two bands in the best net, one was tried and fits
-/// worse.
+/// Returns whether, of the four ways to have or lack two bands in the best net, one was tried and
+/// fits worse.
 bool linked(FittedNets& tried, double limit, int a, int b) {
   const FittedNet& best = *tried.best();
   for (int way = 0; way < 4; ++way) {

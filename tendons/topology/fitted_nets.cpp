@@ -9,7 +9,8 @@
 namespace thenar {
 namespace {
 
-constexpr int kChangePairs = 40;  // of changes, tried where a misfit is not noise_explains
+// Most pairs of changes tried where noise does not explain the misfit
+constexpr int kChangePairs = 40;
 
 /// Tries all topologies that differ by one band. @return the bands, best change first
 std::vector<int> change_singly(FittedNets& tried, const FittedNet& here, double price) {

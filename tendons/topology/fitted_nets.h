@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// Which candidates exist (candidates).
+/// Presence of each candidate band (candidates).
 using Topology = std::vector<bool>;
 
 /// One fitted topology.
@@ -42,7 +42,7 @@ class FittedNets {
   /// Its misfit; infinite if there is none.
   [[nodiscard]] double min_misfit(int band, bool present) const;
 
-  /// Those that hold, within `doubt` of the least misfit, best first.
+  /// Returns the nets that carry the loads with misfits within `doubt` of the least, best first.
   [[nodiscard]] std::vector<FittedNet> alike(double doubt) const;
 
   [[nodiscard]] bool knows(const Topology& bands) const { return tried_.count(bands) > 0; }
@@ -55,7 +55,7 @@ class FittedNets {
   std::map<Topology, FittedNet> tried_;
 };
 
-/// Whether noise alone could leave such a misfit: within 6 sd of its chi^2.
+/// Returns whether noise alone could leave such a misfit: within 6 sd of its chi^2.
 [[nodiscard]] bool noise_explains(const BandFit& fit);
 
 /// misfit + price * number of bands; infinite if the net does not hold.

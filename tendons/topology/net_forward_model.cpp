@@ -10,7 +10,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kCollapsedLength = 1e-3;  // a muscle shorter than this has drawn its node in [m]
+// A muscle whose band is shorter has drawn its node in [m]
+constexpr double kCollapsedLength = 1e-3;
 
 /// Candidates that exist, each with its place among the bands of net_of().
 std::vector<std::pair<int, int>> places_of(const CandidateNet& candidate,

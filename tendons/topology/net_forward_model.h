@@ -17,7 +17,7 @@ namespace thenar {
 /// NetPrediction::residual states it [N].
 inline constexpr double kSettledNet = 1e-4;
 
-/// Whether a net at rest holds every muscle that pulls it: it is balanced, at least to
+/// Returns whether a net at rest holds every muscle that pulls it: it is balanced, at least to
 /// kSettledNet, and no muscle has drawn its knot into its exit.
 [[nodiscard]] bool carries_loads(const Net& net, const NetEquilibrium& rest);
 
@@ -55,7 +55,8 @@ class NetForwardModel {
     TreeState<double> state;
     Eigen::Matrix3Xd x;  // where the nodes start, world [m] (3, nodes)
   };
-  /// By Maxwell's reciprocity, with E the energy of the net at rest and phi that of one band:
+  /// Computes slopes of torque by EA from Maxwell's reciprocity, with E the energy of the net at
+  /// rest and phi that of one band:
   ///   d tau / d EA = -d2 E / dq dEA = -d (phi / EA) / dq = -(T / EA) dL / dq,
   /// so one linear solve a joint stands for one by every EA.
   [[nodiscard]] Eigen::MatrixXd slope_of(const Net& net, const Posed& posed,

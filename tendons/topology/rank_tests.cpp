@@ -6,8 +6,10 @@
 namespace thenar {
 namespace {
 
-constexpr double kMostEvidence = 25;  // a difference of 5 sd is as good as certain [1]
-constexpr double kMinWeight = 1e-3;   // of a model that fits badly, so that it is not forgotten [1]
+// Largest squared difference that counts; 5 sd are as good as certain [1]
+constexpr double kMostEvidence = 25;
+// Least weight of a model that fits badly, so that it is not forgotten [1]
+constexpr double kMinWeight = 1e-3;
 
 struct Voice {
   Eigen::VectorXd value;  // readings of the whole pool

@@ -9,8 +9,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kFirstChance = 0.7;      // that a band is in a topology of the first population
-constexpr double kCrossoverChance = 0.4;  // chance that a child has two parents
+// Chance that a band is in a topology of the first population [1]
+constexpr double kFirstChance = 0.7;
+constexpr double kCrossoverChance = 0.4;  // Chance that a child has two parents [1]
 
 /// Topologies with the stiffnesses that they start their next fit from.
 struct Member {
@@ -68,6 +69,7 @@ std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
   // Fit the population to the records at hand.
   for (const Member& member : population)
     if (!progress.stop() || !tried.best()) (void)tried.fit(member.bands, member.s);
+  // Limit that keeps all nets
   constexpr double kAllMisfits = std::numeric_limits<double>::infinity();
   std::vector<FittedNet> alive;
   // Generations: survivors breed, their children are fitted.
@@ -87,14 +89,15 @@ std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
   return alive;
 }
 
-/// The same nets with misfits by the noise that the best of them leaves.
+/// Returns the nets with their misfits divided by the square of `error`, the noise that the best
+/// net leaves.
 std::vector<FittedNet> eased(std::vector<FittedNet> nets, double error) {
   for (FittedNet& net : nets) net.fit.misfit /= error * error;
   return nets;
 }
 
-/// Whether survivors may agree by chance: fewer than four numbers a band, or a misfit that noise
-/// does not leave.
+/// Returns whether survivors may agree by chance: there are fewer than four numbers a band, or
+/// noise does not explain the misfit.
 bool few(FittedNets& tried) {
   const Eigen::Index bands = tried.fitter().typical().size();
   return tried.fitter().rows() < 4 * bands || !noise_explains(tried.best()->fit);
@@ -150,7 +153,7 @@ Search begin(const CandidateNet& candidate, std::vector<TendonRecord> records,
   return search;
 }
 
-/// What is left of the pool, best first.
+/// Returns the tests of the pool that are not used yet, best first.
 std::vector<RankedTest> open_tests(const std::vector<RankedTest>& ranked,
                                    const std::vector<bool>& used) {
   std::vector<RankedTest> open;
@@ -159,7 +162,7 @@ std::vector<RankedTest> open_tests(const std::vector<RankedTest>& ranked,
   return open;
 }
 
-/// Why no more is measured. @param left  tests that may still be
+/// Returns the reason why no more is measured. @param left  tests that may still be
 NetSearchStop reason(const Progress& progress, const std::vector<RankedTest>& next, int left,
                      double enough) {
   if (progress.stop()) return NetSearchStop::kAsked;

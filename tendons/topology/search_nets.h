@@ -26,7 +26,7 @@ struct NetSearchOptions {
   AssessOptions weigh;
 };
 
-/// What one round measured and found.
+/// Tests and best misfit of one round.
 struct NetSearchRound {
   std::vector<RankedTest> measured;  // tests that were asked for
   int tests;                         // measured before
@@ -42,7 +42,7 @@ enum class NetSearchStop {
   kNothingHolds  // no topology carries the loads
 };
 
-/// Why it ended, in words.
+/// Describes why a search ended.
 [[nodiscard]] std::string to_string(NetSearchStop stop);
 
 struct [[nodiscard]] NetSearchResult {
@@ -55,7 +55,7 @@ struct [[nodiscard]] NetSearchResult {
 /// Supplies the reading of a test: an experiment, or a planted net.
 using TestOracle = std::function<TendonRecord(const TendonTest& test)>;
 
-/// What may be measured during a search.
+/// Tests that may be measured during a search.
 struct MeasurableTests {
   std::vector<TendonTest> pool;
   TestOracle oracle;  // empty: nothing is measured, the next tests are only named

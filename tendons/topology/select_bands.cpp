@@ -7,7 +7,7 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kStopDescents = 2;  // from the best stops
+constexpr std::size_t kStopDescents = 2;  // Descents from the best stops
 constexpr double kStarts[] = {1, 0.1};    // s of all bands where paths start
 
 Topology kept(const BandFitter& fitter, const Eigen::VectorXd& s) {

@@ -37,7 +37,7 @@ SpanRate rated(const PathSpan& span, const Vector3d& a_dot, const Vector3d& b_do
   return {&span, a_dot, b_dot, {u, turn}, stretch};
 }
 
-/// What one coordinate does to everything that a column of slopes is made of.
+/// Motion of the tree by one coordinate, from which a column of slopes is computed.
 struct Turn {
   const Tree<double>& tree;
   const TreeState<double>& state;
@@ -111,7 +111,7 @@ std::vector<RunChain> chains_of(const TreeState<double>& state, const PathSet& s
   return chains;
 }
 
-/// Where an origin lies on the carrier's run, with its rates.
+/// Place of an origin on the carrier's run, with its rates.
 struct RideRate {
   const std::vector<SpanRate>* carrier;
   std::size_t span;         // of the carrier
@@ -152,7 +152,7 @@ void add_riding(const Turn& turn, const SpanRate& last, const RideRate& ride,
     add_span(turn, (*ride.carrier)[k], -along, -along_dot, column);
 }
 
-/// Room of span_rates().
+/// Scratch memory of span_rates().
 struct SpanRoom {
   std::vector<Vector3d> a_dot, b_dot;  // (spans)
   std::vector<BodyTwist> on;           // (arcs of a chain)
@@ -194,8 +194,8 @@ void span_rates(const TreeVelocity& rate, const PathShape& shape,
   }
 }
 
-/// Whether all touch points are determined, and all runs between links are long enough to tell how
-/// they turn.
+/// Returns whether all touch points are determined, and all runs between links are long enough to
+/// tell how they turn.
 bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
   if (shape.status != PathStatus::kTaut) return false;
   for (const RunChain& chain : chains)
@@ -205,7 +205,8 @@ bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
   });
 }
 
-/// Whether a coordinate turns a hinge between the ends of a run: only then it changes the path.
+/// Returns whether a coordinate turns a hinge between the ends of a run: only then it changes the
+/// path.
 bool has_hinge(const Tree<double>& tree, const PathShape& shape, int coordinate) {
   for (const PathSpan& span : shape.spans) {
     int a = span.link_a, b = span.link_b;
@@ -219,8 +220,9 @@ bool has_hinge(const Tree<double>& tree, const PathShape& shape, int coordinate)
   return false;
 }
 
-/// How far the carrier draws back before the run on which the origin lies: -d(length up to it).
-/// Touch points count as fixed: where a path is tangent, sliding them changes no length.
+/// Returns the rate at which the carrier draws back before the run on which the origin lies:
+/// -d(length up to it). Touch points count as fixed: where a path is tangent, sliding them changes
+/// no length.
 double shortened(const TreeVelocity& rate, const std::vector<SpanRate>& carrier,
                  std::size_t before) {
   double sum = 0;

@@ -28,7 +28,8 @@ SurfaceProbe capsule(const Vector3d& size, const Vector3d& p) {
   return round(p - Vector3d(0, 0, std::copysign(size[1], p.z())), size[0], Matrix3d::Identity());
 }
 
-/// In the half plane through p and the axis it is a circle; across that plane it turns about z.
+/// Probes a torus: a circle in the half plane through p and the axis, which turns about z across
+/// it.
 SurfaceProbe torus(const Vector3d& size, const Vector3d& p) {
   // Nearest point of the ring.
   const double m = std::hypot(p.x(), p.y());

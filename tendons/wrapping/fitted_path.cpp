@@ -283,7 +283,7 @@ FittedPath fit_path(const Tree<double>& tree, const PathSet& set, std::size_t pa
 
 namespace {
 
-/// Where a posture lies in a run's box, x in [-1, 1], and half the range of each coordinate.
+/// Place of a posture in a run's box, x in [-1, 1], and half the range of each coordinate.
 struct BoxPlace {
   VectorXd x, half;
 };

@@ -64,8 +64,9 @@ struct FittedLength {
 /// @param q  posture; outside the box the polynomials run wild (coordinates) [rad]
 [[nodiscard]] FittedLength fitted_length(const FittedPath& path, const Eigen::VectorXd& q);
 
-/// How those arms change with posture,  -d2L/dq2, exactly and symmetric [m/rad^2]
-/// (coordinates, coordinates). @param q  (coordinates) [rad]
+/// Computes the slopes of these arms by posture,  -d2L/dq2, exactly and symmetric [m/rad^2]
+/// (coordinates, coordinates).
+/// @param q  (coordinates) [rad]
 [[nodiscard]] Eigen::MatrixXd arm_derivatives(const FittedPath& path, const Eigen::VectorXd& q);
 
 }  // namespace thenar

@@ -44,8 +44,8 @@ void along_cylinder(GeodesicEnd& end, double radius, double s) {
   carry_fields(end, 0, s);
 }
 
-/// How far a great circle runs from p before its height z about `center` is zero, going on in the
-/// direction of s: the first root ahead of  n_z cos(u) + t_z sin(u) = 0.
+/// Returns the angle that a great circle runs from p until its height z about `center` is zero,
+/// going on in the direction of s: the first root ahead of  n_z cos(u) + t_z sin(u) = 0.
 double to_equator(const Vector3d& n, const Vector3d& t, double sign) {
   double u = std::atan2(-n.z(), t.z());  // a root; the others are pi apart
   while (sign * u <= 1e-12) u += sign * std::acos(-1.0);
@@ -53,7 +53,7 @@ double to_equator(const Vector3d& n, const Vector3d& t, double sign) {
   return u;
 }
 
-/// On the cylinder of a capsule: up to the seam, or to the end. @return what is left to go [m]
+/// Follows the cylinder of a capsule up to the seam, or to the end. @return what is left to go [m]
 double along_side(GeodesicEnd& end, const Vector3d& size, double s) {
   const double radius = size[0], half = size[1];
   const double sign = s > 0 ? 1 : -1, climb = sign * end.ray.t.z();
@@ -66,7 +66,7 @@ double along_side(GeodesicEnd& end, const Vector3d& size, double s) {
   return left;
 }
 
-/// On a cap of a capsule: up to its equator, or to the end. @return what is left to go [m]
+/// Follows a cap of a capsule up to its equator, or to the end. @return what is left to go [m]
 double along_cap(GeodesicEnd& end, const Vector3d& size, double s) {
   const double radius = size[0], half = size[1], sign = s > 0 ? 1 : -1;
   const Vector3d center(0, 0, std::copysign(half, end.ray.p.z()));
@@ -132,7 +132,7 @@ State midpoint(const BoneSurface& surface, const State& y0, double h, int n) {
 
 /// Extrapolates the midpoint rule in h^2 until two columns agree; order 2 * columns.
 State extrapolate(const BoneSurface& surface, const State& y0, double h) {
-  constexpr int kStateColumns = 9;
+  constexpr int kStateColumns = 9;       // Most columns of Aitken and Neville's scheme
   std::array<State, kStateColumns> row;  // last row of Aitken and Neville's scheme
   // Columns of Aitken and Neville's scheme.
   State best = y0;

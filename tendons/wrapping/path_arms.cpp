@@ -43,7 +43,7 @@ void add_span(const Tree<double>& tree, const TreeState<double>& state, const Pa
   }
 }
 
-/// Where an origin lies on its carrier.
+/// Place of an origin on its carrier.
 struct Ride {
   const PathShape* carrier;
   const PathSpan* span;  // of the carrier

@@ -20,14 +20,15 @@ namespace thenar {
 void path_arms(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
                const std::vector<PathShape>& shapes, Eigen::Ref<Eigen::MatrixXd> R);
 
-/// The same, each path written over a row of its own; the other rows stay.
+/// Writes the arms of each path over a row of R; the other rows stay.
 /// @param rows  of each path; -1: it is left out (paths)
 void path_arms(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
                const std::vector<PathShape>& shapes, const std::vector<int>& rows,
                Eigen::Ref<Eigen::MatrixXd> R);
 
-/// What a tendon under unit tension does to the bones: pulls at its ends, kinks at its points, and
-/// the normal pressure  T dt/ds  integrated along every arc. The links' wrenches sum to zero.
+/// Computes the wrenches of a tendon under unit tension on the bones: pulls at its ends, kinks at
+/// its points, and the normal pressure  T dt/ds  integrated along every arc. The links' wrenches
+/// sum to zero.
 [[nodiscard]] std::vector<LinkWrench> path_wrenches(const TreeState<double>& state,
                                                     const PathSet& set,
                                                     const std::vector<PathShape>& shapes,

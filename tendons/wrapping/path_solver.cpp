@@ -12,15 +12,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMostKink = 1e-11;    // largest kink of a taut path [rad]
-constexpr int kNewtonAttempts = 24;    // of Newton's method around where beads rest
-constexpr double kInsideDepth = 1e-9;  // how deep a point beside a surface may lie in it [m]
+constexpr double kMostKink = 1e-11;  // Largest kink of a taut path [rad]
+// Most attempts of Newton's method around the equilibrium of the beads
+constexpr int kNewtonAttempts = 24;
+constexpr double kInsideDepth = 1e-9;  // Largest depth of a point in a surface beside it [m]
 
 bool is_round(const BoneSurface& surface) {
   return surface.shape == SurfaceShape::kSphere || surface.shape == SurfaceShape::kCylinder;
 }
 
-/// How deep a point lies inside a surface, 0 outside [m].
+/// Returns the depth of a point inside a surface, 0 outside [m].
 double depth_of(const BoneSurface& surface, const Vector3d& p) {
   const double r = surface.size[0];
   switch (surface.shape) {
@@ -37,7 +38,7 @@ double depth_of(const BoneSurface& surface, const Vector3d& p) {
   }
 }
 
-/// Where a carrier is at the distance `ride` from its insertion.
+/// Point of a carrier at the distance `ride` from its insertion.
 struct Ridden {
   Vector3d p;
   int span;  // on which that is, or before the arc on which it is
@@ -227,8 +228,8 @@ void PathSolver::ride(std::size_t k, const TreeState<double>& state, PathEnds& l
       shape.status = PathStatus::kRidesOnBend;
 }
 
-/// Whether an end of a run went round the far side of a cylinder beside it. Joints turn by less
-/// than half a turn, so the reference posture tells which way it came.
+/// Returns whether an end of a run went round the far side of a cylinder beside it. Joints turn by
+/// less than half a turn, so the reference posture tells which way it came.
 bool PathSolver::has_crossed(const PathEnds& ends) const {
   return std::any_of(ends.far->begin(), ends.far->end(), [&](const FarSide& far) {
     const Pose<double>& X = X_[static_cast<std::size_t>(far.surface)];
@@ -381,8 +382,8 @@ double PathSolver::touch_together(const Vector3d& a, const Vector3d& b, PathShap
   return 1;
 }
 
-/// The same; 1 if a run passes through a surface that lifted off. A point that is inside has no way
-/// around.
+/// Settles the touch points with touch_together(), and returns 1 if a run then passes through a
+/// surface that lifted off. A point that is inside has no way around.
 /// @return largest kink [rad]
 double PathSolver::settle_on(const std::vector<PathWrap>& bends, const Vector3d& a,
                              const Vector3d& b, PathShape& shape) {
@@ -390,7 +391,7 @@ double PathSolver::settle_on(const std::vector<PathWrap>& bends, const Vector3d&
   return shape.depth > kInsideDepth || runs_clear(bends, a, b) ? error : 1;
 }
 
-/// Do the straight runs between surfaces that are touched clear those that are not?
+/// Returns whether the straight runs between touched surfaces clear all other surfaces.
 bool PathSolver::runs_clear(const std::vector<PathWrap>& bends, const Vector3d& a,
                             const Vector3d& b) const {
   Vector3d from = a;

@@ -67,8 +67,8 @@ class PathSolver {
   /// @return one shape a path, in the order of the set; overwritten by the next call
   const std::vector<PathShape>& solve(const TreeState<double>& state);
 
-  /// The same without the runs between points of one link, which make no arm; paths that carry or
-  /// ride have theirs. Lengths and all else are those of solve().
+  /// Solves the paths without the runs between points of one link, which make no arm; paths that
+  /// carry or ride keep these runs. Lengths and all else equal those of solve().
   const std::vector<PathShape>& solve_for_arms(const TreeState<double>& state);
 
   [[nodiscard]] const PathSet& set() const { return *set_; }

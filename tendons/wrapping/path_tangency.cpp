@@ -23,7 +23,7 @@ using Map34 = Eigen::Matrix<double, 3, 4>;
 using internal::ArcEnd;
 using internal::ArcEnds;
 
-/// How the frame of an end follows its own shift (sigma along, eta across) and turn omega:
+/// Computes the change of an end's frame with its shift (sigma along, eta across) and turn omega:
 ///   dp = sigma t + eta b,  dn = S dp,  db = -omega t - (b . dn) n.
 ArcEnd end_of(const ChainArc& link, const SurfaceRay& ray, const Row4& sigma, const Row4& eta,
               const Row4& omega) {
@@ -107,10 +107,10 @@ struct StringEnd {
   double height = 0;  // over it [m]
 };
 
-constexpr double kNearbyDistance = 1e-6;  // [m]
-constexpr double kHeightRounding =
-    4e-18;                          // height that rounding of places leaves to a point on it [m]
-constexpr double kClearRun = 1e-6;  // run whose length is known to more digits than wanted [m]
+constexpr double kNearbyDistance = 1e-6;  // Ends within this distance of the surface lie on it [m]
+// Height above a surface that rounding leaves to a point on it [m]
+constexpr double kHeightRounding = 4e-18;
+constexpr double kClearRun = 1e-6;  // Least run whose length is known to enough digits [m]
 
 double least_size(const BoneSurface& surface) {
   return surface.shape == SurfaceShape::kEllipsoid ? surface.size.minCoeff() : surface.size[0];
@@ -195,7 +195,7 @@ double largest_kink(const Unknowns& f) { return f.allFinite() ? f.lpNorm<Eigen::
 }  // namespace
 
 ChainFit solve_tangency(const Vector3d& from, const Vector3d& to, std::vector<ChainArc>& chain) {
-  constexpr int kTangencySteps = 60;
+  constexpr int kTangencySteps = 60;  // Most Newton steps
   const StringEnd a = string_end(chain.front(), from), b = string_end(chain.back(), to);
   // An arc that begins at a near end starts there.
   if (a.near) {
@@ -296,6 +296,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kSurfaceBeads = 24;  // a surface
+// Factor on the moves of beads in the first three quarters of the sweeps [1]
 constexpr double kOverRelaxation = 1.7;
 
 /// A bead, and the surface that it rests on.

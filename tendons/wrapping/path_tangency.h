@@ -21,7 +21,7 @@ struct ChainArc {
   WrapArc arc;     // frame S
 };
 
-/// How well a chain of arcs is tangent to its straight runs.
+/// Errors of tangency between a chain of arcs and its straight runs.
 struct ChainFit {
   double error;    // largest angle between a run and the plane or line it should lie in [rad]
   int iterations;  // Newton steps
@@ -66,8 +66,8 @@ class ChainTangent {
   /// @param chain  tangent already, as solve_tangency() leaves it; at most kMaxWraps
   ChainTangent(Eigen::Vector3d a, Eigen::Vector3d b, const std::vector<ChainArc>& chain);
 
-  /// Whether the touch points are determined: not where a free run has no length, nor for a string
-  /// half round a sphere.
+  /// Returns whether the touch points are determined. They are not if a free run has no length, nor
+  /// for a string half round a sphere.
   [[nodiscard]] bool regular() const { return regular_; }
 
   /// @param a_dot, b_dot  velocities of the ends [m/s] (3)

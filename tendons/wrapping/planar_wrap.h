@@ -22,8 +22,8 @@ struct PlanarWrap {
                                                     const Eigen::Vector2d& b,
                                                     const Eigen::Vector2d& side);
 
-/// Whether a point that moved by less than half a turn round the origin did so over the half line
-/// opposite to `side`, where wrap_circle() jumps.
+/// Returns whether a point that moved by less than half a turn round the origin did so over the
+/// half line opposite to `side`, where wrap_circle() jumps.
 [[nodiscard]] bool crossed_far_side(const Eigen::Vector2d& side, const Eigen::Vector2d& was,
                                     const Eigen::Vector2d& is);
 

@@ -78,13 +78,14 @@ Deepest deepest(const BoneSurface& surface, const Vector3d& a, const Vector3d& b
   return {level(surface, p), p};
 }
 
-/// What a surface is seen through to be a unit sphere about the origin, or a round one.
+/// Returns the scales of the axes that turn a surface into a unit sphere about the origin, or into
+/// a round one [1/m] or [1].
 Vector3d rounding(const BoneSurface& surface) {
   if (surface.shape == SurfaceShape::kEllipsoid) return surface.size.cwiseInverse();
   return {1, 1, surface.shape == SurfaceShape::kCylinder ? 0.0 : 1.0};
 }
 
-/// Where the ray from the middle of the section leaves the surface.
+/// Returns the point where the ray from the middle of the section leaves the surface.
 Vector2d edge(const BoneSurface& surface, const PlaneSection& section, const Vector2d& direction) {
   if (surface.shape == SurfaceShape::kEllipsoid) {  // |u + s d| = 1, all over the semi-axes
     const Vector3d u = section.o.cwiseQuotient(surface.size);

@@ -14,8 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRideReach = 1e-3;    // how far an origin may lie from what it rides on [m]
-constexpr double kPointInside = 1e-9;  // how deep a point beside a surface may lie in it [m]
+// Largest distance of an origin from the strand on which it rides [m]
+constexpr double kRideReach = 1e-3;
+constexpr double kPointInside = 1e-9;  // Largest depth of a point in a surface beside it [m]
 
 int index_of(const std::vector<BoneSurface>& surfaces, const std::string& name) {
   for (std::size_t i = 0; i < surfaces.size(); ++i)
@@ -48,8 +49,8 @@ std::vector<int> between(const Tree<double>& tree, int a, int b) {
   return {crossed.begin(), crossed.end()};
 }
 
-/// Within the limits of the joints between them, at their ends and middles, no point may get to a
-/// cylinder's half plane opposite to the path's side, where the length jumps. Joints without a
+/// Checks that no point gets to a cylinder's half plane opposite to the path's side, where the
+/// length jumps, at the ends and middles of the ranges of the joints between them. Joints without a
 /// range stand still.
 void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
                  const BoneSurface& surface, const Skeleton& skeleton) {

@@ -48,7 +48,7 @@ struct PathSet {
 /// rides on a strand that is absent or farther than 1 mm off.
 [[nodiscard]] PathSet build_paths(const Subject& subject, const Skeleton& skeleton);
 
-/// The same for the named strands and those that they ride on.
+/// Builds the paths of the named strands and of the strands on which they ride.
 [[nodiscard]] PathSet build_paths(const Subject& subject, const Skeleton& skeleton,
                                   const std::vector<std::string>& strands);
 

@@ -33,7 +33,7 @@ Eigen::Matrix3d bend(const End& e, double r) {
   return n * n.transpose() / std::max(e.f, 1e-7 * r);
 }
 
-/// Where the string leaves the circle.
+/// Returns the point where the string leaves the circle.
 Vector3d touch(const End& e, double r) {
   const double c = std::min(r / e.rho, 1.0);
   return r * (c * e.out - e.f / e.rho * e.on);

@@ -74,7 +74,7 @@ class Check {
   /// Number of nodes below a node, each <instance_node> with all nodes for which it stands.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as nodes may stand for others
   double placed(const pugi::xml_node& top, int depth) {
-    constexpr int kDeepest = 100;
+    constexpr int kDeepest = 100;  // Deepest nesting of nodes
     double count = 0;
     // NOLINTNEXTLINE(misc-no-recursion): as deep as nodes may stand for others
     each(top, [&](const pugi::xml_node& node) {
@@ -125,7 +125,7 @@ class Check {
   const std::string& text_;
   const std::string& path_;
   pugi::xml_document document_;
-  static constexpr double kMaxNodes = 1e5;
+  static constexpr double kMaxNodes = 1e5;       // Most nodes after all nodes in nodes are placed
   std::map<std::string, double> lengths_;        // of arrays, by "#id"
   std::map<std::string, pugi::xml_node> nodes_;  // by "#id"
   std::map<std::string, double> placed_;         // nodes below each; negative: being counted

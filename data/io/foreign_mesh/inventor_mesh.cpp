@@ -150,9 +150,11 @@ Eigen::Affine3d map_of_node(const SoNode& node) {
   return map;
 }
 
-/// Whether Coin's own pose is the same, to its precision: unknown nodes may move things, too.
+/// Returns whether Coin's own pose is the same, to its precision: unknown nodes may move things,
+/// too.
 bool agrees(const Eigen::Affine3d& ours, const SbMatrix& coin, double size) {
-  constexpr double kSingle = 1e-5;  // some hundred roundings of single precision
+  // Relative error of some hundred roundings in single precision [1]
+  constexpr double kSingle = 1e-5;
   Eigen::Matrix4d theirs;
   for (int i = 0; i < 4; ++i)
     // Coin's matrix acts on row vectors.

@@ -28,15 +28,16 @@ namespace thenar {
 /// @throws DataError at the first line that is wrong.
 void check_collada(const std::string& text, const std::string& path);
 
-/// From now on this process opens no file except by read_one(): parsers and the libraries below
-/// them find none of the textures, fonts and files that a mesh may name.
+/// Forbids this process to open files except by read_one(): parsers and the libraries below them
+/// find none of the textures, fonts and files that a mesh may name.
 void open_nothing();
 
 /// Reads a file within the size limit of meshes [bytes], also after open_nothing().
 /// @throws DataError
 [[nodiscard]] std::string read_one(const std::string& path);
 
-/// Whether `file` is a regular file in the folder of `path` or below it, with links resolved.
+/// Returns whether `file` is a regular file in the folder of `path` or below it, with links
+/// resolved.
 [[nodiscard]] bool is_file_beside(const std::string& path, const std::string& file);
 
 }  // namespace thenar

@@ -12,7 +12,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kRotationError = 1e-3;  // explained by rounding in a file [1]
+constexpr double kRotationError = 1e-3;  // Error of a rotation that rounding in a file explains [1]
 
 Eigen::Vector3d metres(double x, double y, double z) {
   return kGraspitLength * Eigen::Vector3d(x, y, z);

@@ -10,10 +10,10 @@
 
 namespace thenar {
 
-inline constexpr double kGraspitLength = 1e-3;  // [m] in its unit of length
-inline constexpr double kGraspitMass = 1e-3;    // [kg] in its unit of mass
-inline constexpr double kGraspitForce = 1e-6;   // [N] in its unit of force
-inline constexpr double kGraspitMoment = 1e-9;  // [N m] in its unit of torque
+inline constexpr double kGraspitLength = 1e-3;  // GraspIt!'s unit of length [m]
+inline constexpr double kGraspitMass = 1e-3;    // GraspIt!'s unit of mass [kg]
+inline constexpr double kGraspitForce = 1e-6;   // GraspIt!'s unit of force [N]
+inline constexpr double kGraspitMoment = 1e-9;  // GraspIt!'s unit of torque [N m]
 
 /// Reads the pose in a <transform>, or in an element that contains one: the product, left to right,
 /// of

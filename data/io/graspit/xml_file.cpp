@@ -89,7 +89,8 @@ int XmlFile::line(const pugi::xml_node& node) const {
 }
 
 void XmlFile::fail(const pugi::xml_node& node, const std::string& what) const {
-  constexpr std::size_t kLongest = 1000;  // what a message quotes may be a whole file
+  // Most bytes of a quotation in a message, which may be a whole file [bytes]
+  constexpr std::size_t kLongest = 1000;
   throw DataError(path_, line(node),
                   what.size() > kLongest ? what.substr(0, kLongest) + " .." : what);
 }

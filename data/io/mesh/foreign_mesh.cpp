@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* kReaderProgram = "thenar-mesh-reader";
-constexpr double kNoTime = 0.05;   // less is not worth starting [s]
-constexpr double kMegabyte = 0.2;  // processor time added by each megabyte [s]
-constexpr double kQuick = 0.5;  // a reader that takes less processor time only waits for others [s]
+constexpr double kNoTime = 0.05;   // A reader is not started with less time left [s]
+constexpr double kMegabyte = 0.2;  // Processor time added for each megabyte [s]
+constexpr double kQuick = 0.5;  // A reader that takes less processor time only waits for others [s]
 
 /// Places where the program may be, best first.
 std::vector<fs::path> reader_places() {
@@ -92,7 +92,7 @@ class SceneWords {
   int line_ = 1;
 };
 
-/// Whether a node stands for another file.
+/// Returns whether a node stands for another file.
 bool includes_file(std::string_view node) {
   constexpr std::array<std::string_view, 5> kIncluding{"File", "SoFile", "Inline", "WWWInline",
                                                        "VRMLInline"};
@@ -115,6 +115,7 @@ void refuse_inclusion(std::string_view text, const std::string& path) {
 
 /// The JSON chunk of a GLB, behind its header; empty if it is malformed.
 std::string_view json_of_glb(std::string_view bytes) {
+  // Bytes of the header of a GLB file and of its first chunk [bytes]
   constexpr std::size_t kHead = 20;
   if (bytes.size() < kHead || bytes.substr(0, 4) != "glTF") return {};
   std::uint32_t size = 0;

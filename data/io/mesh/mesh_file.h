@@ -24,7 +24,7 @@ enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInvento
 /// A name whose letters file systems and URLs all take; others become underscores.
 [[nodiscard]] std::string plain_file_name(std::string name);
 
-/// Whether mesh_format() knows the ending.
+/// Returns whether mesh_format() knows the ending.
 [[nodiscard]] bool is_mesh_file(const std::string& path);
 
 /// Reads OBJ, STL, PLY, OFF, glTF/GLB, Collada (in its unit; its up axis is ignored, as in ROS)

@@ -200,7 +200,7 @@ Polygons parse_obj(const std::string& text, const std::string& path) {
 
 namespace {
 
-constexpr int kMax = 100'000'000;  // largest count of corners or faces that is accepted
+constexpr int kMax = 100'000'000;  // Most corners or faces
 
 void go_on(TextLines& lines) {
   if (!lines.next()) lines.fail("the file ends before all corners and faces are told");

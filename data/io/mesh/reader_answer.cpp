@@ -20,7 +20,7 @@ constexpr std::string_view kTriangles = "thenar triangles\n", kRefusal = "thenar
                            kEnd = "end\n";
 constexpr std::size_t kCount = sizeof(std::uint64_t), kTriangle = 9 * sizeof(float),
                       kShape = 16 * sizeof(double);  // [bytes]
-constexpr std::size_t kLongest = 500;                // of a message [bytes]
+constexpr std::size_t kLongest = 500;                // Most bytes of a message [bytes]
 
 bool starts_with(std::string_view text, std::string_view beginning) {
   return text.substr(0, beginning.size()) == beginning;
@@ -54,7 +54,7 @@ bool take_body(std::string_view& text, std::string_view word) {
   throw DataError(path, line, message);
 }
 
-/// Takes the count of things of `bytes` each off the text.
+/// Removes from the text the count of items of `bytes` each.
 /// @returns false if fewer bytes follow, or the count exceeds `most`
 bool take_count(std::string_view& text, std::size_t bytes, std::size_t most, std::size_t& count) {
   std::uint64_t said = 0;

@@ -20,7 +20,7 @@ T number_at(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-/// Whether the number of bytes after the header is what it states, or at least that.
+/// Returns whether the number of bytes after the header is what it states, or at least that.
 bool holds_bytes(const std::string& text, bool exactly) {
   if (text.size() < kHead) return false;
   const std::size_t size = kHead + kFacet * std::size_t{number_at<std::uint32_t>(text, 80)};
@@ -95,7 +95,7 @@ class Words {
     return at;
   }
 
-  /// Whether `word` is there, in any case.
+  /// Returns whether `word` is there, in any case.
   [[nodiscard]] bool is_word(std::size_t at, const std::string& word) const {
     if (at + word.size() > text_.size()) return false;
     return std::equal(word.begin(), word.end(), text_.begin() + static_cast<std::ptrdiff_t>(at),
@@ -133,7 +133,7 @@ TriangleSoup from_text(const std::string& text, const std::string& path) {
   return soup;
 }
 
-/// Whether the file is a text. Headers of binary files may begin with "solid", too.
+/// Returns whether the file is a text. Headers of binary files may begin with "solid", too.
 bool is_text(const std::string& text) {
   if (text.find('\0') != std::string::npos) return false;
   std::string head = text.substr(0, 200);

@@ -68,7 +68,7 @@ void TextLines::fail(const std::string& what) const {
 }
 
 std::string in_quotes(std::string_view word) {
-  constexpr std::size_t kLongestWord = 40;
+  constexpr std::size_t kLongestWord = 40;  // Most bytes of a word in a message [bytes]
   const std::string cut(word.substr(0, kLongestWord));
   return fmt::format("'{}{}'", cut, word.size() > kLongestWord ? ".." : "");
 }

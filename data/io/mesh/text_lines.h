@@ -16,7 +16,7 @@ class TextLines {
   /// @param path  names the file in messages; must outlive this
   TextLines(std::string_view text, const std::string& path) : text_(text), path_(path) {}
 
-  /// Goes to the next line. @returns false at the end of the text
+  /// Moves to the next line. @returns false at the end of the text
   [[nodiscard]] bool next();
 
   /// The next word of the line; empty at its end.

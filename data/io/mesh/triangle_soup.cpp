@@ -18,10 +18,12 @@
 namespace thenar {
 namespace {
 
-constexpr int kFarthest = 1'000'000;  // of a corner; its squares and products stay finite [m]
+// Largest coordinate of a corner; its squares and products stay finite [m]
+constexpr int kFarthest = 1'000'000;
 using Eigen::Vector3d, Eigen::Vector3i;
 
-constexpr double kNear = 1e-6;  // of the box: corners this close are equal up to rounding [1]
+// Corners within this distance over the box are equal up to rounding [1]
+constexpr double kNear = 1e-6;
 
 struct HashNumbers {
   template <typename T, std::size_t n>

@@ -14,7 +14,7 @@ namespace thenar {
 [[nodiscard]] CalibratedLaws read_laws(const std::string& path);
 [[nodiscard]] CalibratedLaws parse_laws(const std::string& text, const std::string& path);
 
-/// The same as text, from which every bit comes back.
+/// Writes laws as text, from which every bit comes back.
 /// @param source  how they were found, for the file's [sources]
 /// @throws InputError as check_laws(), or if the name or the source is empty.
 [[nodiscard]] std::string laws_text(const CalibratedLaws& laws, const std::string& source);

@@ -15,14 +15,14 @@
 namespace thenar {
 namespace {
 
-constexpr int kMostCells = 64;            // along one way; finer meshes are made by refinement
-constexpr std::size_t kMostLayers = 8;    // of skin
-constexpr std::size_t kMostTerms = 8;     // of relaxation
-constexpr double kLongestPad = 0.2;       // [m]; longer ones have a wrong unit
-constexpr double kHardest = 1e9;          // shear modulus [Pa]
-constexpr double kSteepest = 1e3;         // exponent of a law, either way [1]
-constexpr double kLeastPoisson = -0.999;  // [1]
-constexpr double kMostPoisson = 0.4999999;
+constexpr int kMostCells = 64;  // Most cells along one way; finer meshes are made by refinement
+constexpr std::size_t kMostLayers = 8;      // Most layers of skin
+constexpr std::size_t kMostTerms = 8;       // Most terms of relaxation
+constexpr double kLongestPad = 0.2;         // Longest pad; longer ones have a wrong unit [m]
+constexpr double kHardest = 1e9;            // Largest shear modulus [Pa]
+constexpr double kSteepest = 1e3;           // Largest |exponent| of a law [1]
+constexpr double kLeastPoisson = -0.999;    // Least Poisson's ratio [1]
+constexpr double kMostPoisson = 0.4999999;  // Largest Poisson's ratio [1]
 
 /// Keys whose numbers are assumed. @throws DataError if the table has not one of them
 std::vector<std::string> read_assumed(TomlTable& table) {

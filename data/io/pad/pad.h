@@ -49,7 +49,7 @@ struct PadSpec {
 [[nodiscard]] const std::vector<std::string>& tissue_law_names();
 [[nodiscard]] const std::vector<std::string>& pad_element_names();
 
-/// Whether a law has an exponent.
+/// Returns whether a law has an exponent.
 [[nodiscard]] bool has_exponent(const std::string& law);
 
 /// Reads a pad (data/pads); docs/data_format.md describes the format. A mesh of the skin is beside

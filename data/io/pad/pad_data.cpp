@@ -11,9 +11,9 @@
 namespace thenar {
 namespace {
 
-constexpr int kMaxCells = 64;              // each way: a fit presses its mesh some hundred times
-constexpr std::size_t kMaxNumbers = 1000;  // of one list
-constexpr double kMaxAngle = 1.2;          // [rad]
+constexpr int kMaxCells = 64;  // Most cells each way: a fit presses its mesh some hundred times
+constexpr std::size_t kMaxNumbers = 1000;  // Most numbers of one list
+constexpr double kMaxAngle = 1.2;          // Largest angle [rad]
 
 int count_in(TomlTable& table, const std::string& key, int fallback, int most) {
   const double number = table.number_or(Dimension::kNumber, key, fallback);

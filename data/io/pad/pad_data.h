@@ -69,7 +69,7 @@ struct PadData {
 /// @throws DataError `path:line: ...`: what was wanted, and what came.
 [[nodiscard]] PadData read_pad_data(const std::string& path);
 
-/// The same of a text. @param path  names it in messages
+/// Parses pad data from a text. @param path  names it in messages
 [[nodiscard]] PadData parse_pad_data(const std::string& text, const std::string& path);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which version of a pad it is: a digest of the numbers that presses depend on.
+/// Digest of the numbers of a pad on which presses depend; it identifies the pad's version.
 
 #include <string>
 

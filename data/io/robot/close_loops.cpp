@@ -22,7 +22,7 @@ using Eigen::VectorXd;
 
 constexpr double kGape = 5e-5;     // largest gap of a solved loop [m]
 constexpr double kWell = 1e-7;     // gap at which no higher degree is tried [m]
-constexpr double kStill = 1e-7;    // motion of a joint that stands still [rad] or [m]
+constexpr double kStill = 1e-7;    // Joints that move less stand still [rad] or [m]
 constexpr double kMinRange = 0.2;  // smallest share of the motor's range that must remain [1]
 constexpr int kNodes = 40, kChecks = 500, kMaxPolynomialDegree = 12;
 

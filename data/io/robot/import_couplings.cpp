@@ -97,7 +97,7 @@ void follow(RobotSpec& robot, RobotJoint& joint, const FollowerCoupling& couplin
 /// Longest interval of a degree of freedom in its range that keeps a joint, which follows it along
 /// a curve, within its limits. Lower exceeds upper if there is none.
 JointRange range_along(const RobotJoint& joint, const RobotDof& dof) {
-  constexpr int kPlaces = 1000;
+  constexpr int kPlaces = 1000;  // Intervals of a motor's range at which a coupling is checked
   const double slack = 1e-3 * (joint.upper - joint.lower);
   const auto at = [&](int i) { return dof.lower + (dof.upper - dof.lower) * i / kPlaces; };
   // Longest run of admissible places.

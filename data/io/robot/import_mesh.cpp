@@ -25,7 +25,7 @@ std::string without_scheme(const std::string& name) {
   return name;
 }
 
-/// Whether a robot's file may name another: what was dropped names nothing elsewhere.
+/// Returns whether a robot's file may name another: what was dropped names nothing elsewhere.
 bool may_name(const std::string& robot_file, const fs::path& path) {
   return may_link(fs::absolute(robot_file).parent_path().string(),
                   path.lexically_normal().string());

@@ -15,8 +15,8 @@ namespace thenar::internal {
 /// of these folders or be in one of them. Empty if it is missing.
 [[nodiscard]] std::string find_mesh(const std::string& name, const std::string& robot_file);
 
-/// Where find_mesh() looked in vain, and the nearest name there: "looked for it in A and the
-/// folders above it, did you mean 'tip.stl'?".
+/// Describes the folders that find_mesh() searched in vain, and the nearest name there: "looked for
+/// it in A and the folders above it, did you mean 'tip.stl'?".
 [[nodiscard]] std::string lost_mesh_words(const std::string& name, const std::string& robot_file);
 
 /// Affine map of a mesh into the frame of its shape, p -> A p + b. If A only scales, equally along

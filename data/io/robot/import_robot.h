@@ -27,15 +27,15 @@ enum class RobotFileKind { kToml, kUrdf, kMjcf, kGraspit };
 /// @throws DataError  `path:line: ..`
 [[nodiscard]] RobotSpec import_robot(const std::string& path);
 
-/// Whether a warning says that the robot is not the one that was meant: parts of it are missing
-/// or unreadable, its lengths or angles are in another unit, or joints cannot move.
+/// Returns whether a warning says that the robot is not the one that was meant: parts of it are
+/// missing or unreadable, its lengths or angles are in another unit, or joints cannot move.
 [[nodiscard]] bool is_grave(const std::string& warning);
 
-/// Whether a warning says that a file which the robot names is missing.
+/// Returns whether a warning says that a file which the robot names is missing.
 [[nodiscard]] bool names_missing_part(const std::string& warning);
 
-/// Whether warnings of a robot, which may have been written after it was read, say so already,
-/// perhaps with a count.
+/// Returns whether warnings of a robot, which may have been written after it was read, say so
+/// already, perhaps with a count.
 [[nodiscard]] bool is_said(const std::vector<std::string>& warnings, const std::string& doubt);
 
 }  // namespace thenar

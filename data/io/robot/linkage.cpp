@@ -14,9 +14,9 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kClosed = 1e-11;     // residual of a closed loop [m]
-constexpr double kLength = 0.05;      // length that weighs rotations of welds [m]
-constexpr double kStep = 0.1;         // longest step of the search [rad] or [m]
+constexpr double kClosed = 1e-11;  // Largest residual of a closed loop [m]
+constexpr double kLength = 0.05;   // Length that converts rotations of welds to displacements [m]
+constexpr double kStep = 0.1;      // longest step of the search [rad] or [m]
 constexpr double kDifference = 1e-6;  // step of central differences [rad] or [m]
 constexpr double kRank = 1e-7;  // singular values below this share of the largest are zero [1]
 

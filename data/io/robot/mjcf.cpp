@@ -30,7 +30,7 @@ struct Part {
   std::string childclass;
 };
 
-constexpr double kUnknownTravel = 1;  // of a slide without limits, in both directions [m]
+constexpr double kUnknownTravel = 1;  // Travel of a slide without limits, in both directions [m]
 
 /// Translates the tree of bodies: links, joints, shapes and masses.
 class BodyTree {

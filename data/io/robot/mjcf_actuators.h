@@ -30,7 +30,8 @@ struct FixedTendon {
 struct EffortRange {
   double up = 0, down = 0;  // at least 0 [N m] or [N]
 
-  /// Of what moves by 1 / ratio: times its size, the directions exchanged where it is negative.
+  /// Returns the efforts on a coordinate that moves by 1 / ratio: multiplied by |ratio|, with the
+  /// directions exchanged if the ratio is negative.
   [[nodiscard]] EffortRange through(double ratio) const;
   EffortRange& operator+=(const EffortRange& other);
 };
@@ -42,8 +43,8 @@ struct MjcfActuator {
   EffortRange effort;         // on the joint or tendon
 };
 
-/// Whether an element names a hinge or slide of the robot. In an incomplete model it may name
-/// another, which is noted.
+/// Returns whether an element names a hinge or slide of the robot. In an incomplete model it may
+/// name another, which is noted.
 /// @throws DataError if there is no such joint in a complete model
 [[nodiscard]] bool has_joint(const MjcfSource& source, const RobotSpec& robot,
                              const pugi::xml_node& node, const std::string& name);

@@ -19,8 +19,8 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kSameEffort = 1e-6;  // relative difference of efforts that are one [1]
-constexpr double kTight = 0.1;  // largest share of a tendon's travel that its limits leave [1]
+constexpr double kSameEffort = 1e-6;  // Relative difference up to which efforts are equal [1]
+constexpr double kTight = 0.1;  // Largest share of a tendon's travel that its limits leave [1]
 
 /// Gives joints their couplings, degrees of freedom and efforts.
 class MjcfDrive {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What holds for a whole MJCF file: compiler settings, defaults, included files, replicates.
+/// Settings of a whole MJCF file: compiler settings, defaults, included files, replicates.
 
 #include <map>
 #include <string>
@@ -65,10 +65,11 @@ struct MjcfSource {
   MeshReader& meshes;
 };
 
-/// Whether an element stands for bodies that are not read: <attach>, <composite>, <flexcomp>.
+/// Returns whether an element stands for bodies that are not read: <attach>, <composite>,
+/// <flexcomp>.
 [[nodiscard]] bool makes_bodies(const pugi::xml_node& node);
 
-/// Whether there are such bodies under an element, or joints other than hinges and slides.
+/// Returns whether there are such bodies under an element, or joints other than hinges and slides.
 [[nodiscard]] bool lacks_joints(const pugi::xml_node& root);
 
 /// Replaces every <include file=".."> by the content of its file. @returns paths of

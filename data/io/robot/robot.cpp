@@ -201,7 +201,8 @@ void require_own_names(const std::vector<Part>& parts, const char* kind) {
   }
 }
 
-/// Whether following parents from a joint leads back to its child, in any order of the joints.
+/// Returns whether following parents from a joint leads back to its child, in any order of the
+/// joints.
 bool closes_loop(const std::map<std::string, std::string>& parent_of, const RobotJoint& joint) {
   std::string link = joint.parent;
   for (std::size_t step = 0; step <= parent_of.size(); ++step) {
@@ -243,8 +244,8 @@ void check_tree(const RobotSpec& robot) {
     require(reached.count(link.name) == 1, "link '{}' hangs on no joint", link.name);
 }
 
-constexpr int kAlong = 256;       // places of a motor's range at which a curve is checked
-constexpr double kBeyond = 1e-6;  // largest violation of a joint's limits there [rad] or [m]
+constexpr int kAlong = 256;       // Places of a motor's range at which a curve is checked
+constexpr double kBeyond = 1e-6;  // Largest violation of a joint's limits there [rad] or [m]
 
 /// Checks that a joint that follows its motor along a curve stays within its limits everywhere.
 void check_curve(const RobotJoint& joint, const RobotDof& dof) {

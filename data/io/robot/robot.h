@@ -111,16 +111,17 @@ struct RobotSpec {
 
 /// Names of the digits that links belong to.
 [[nodiscard]] std::set<std::string> digits_in(const RobotSpec& robot);
-/// Whether a degree of freedom says how it closes.
+/// Returns whether a degree of freedom says how it closes.
 [[nodiscard]] bool any_speed(const RobotSpec& robot);
 
-/// Whether a joint slides rather than turns.
+/// Returns whether a joint slides rather than turns.
 [[nodiscard]] bool slides(const RobotJoint& joint);
-/// Whether the joints of a degree of freedom slide: as its first joint does.
+/// Returns whether the joints of a degree of freedom slide: as its first joint does.
 [[nodiscard]] bool slides(const RobotSpec& robot, const RobotDof& dof);
 
-/// Takes the effort of a degree of freedom in the direction of its speed, where its efforts differ
-/// by direction; 0, unknown, where it has none that way. @returns whether they differed
+/// Sets the effort of a degree of freedom to that in the direction of its speed, where efforts
+/// differ by direction; 0, unknown, if there is none that way.
+/// @returns whether they differed
 bool take_effort_of_speed(RobotDof& dof);
 
 /// Reads a robot from TOML; docs/data_format.md describes the format. Mesh files are beside it.
@@ -135,8 +136,8 @@ bool take_effort_of_speed(RobotDof& dof);
 /// @throws InputError as check_robot().
 [[nodiscard]] std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated = nullptr);
 
-/// Whether a rigid body can have this inertia about its centre of mass: symmetric, no principal
-/// moment negative or larger than the sum of the others, to 1e-6 of the largest.
+/// Returns whether a rigid body can have this inertia about its centre of mass: symmetric, no
+/// principal moment negative or larger than the sum of the others, to 1e-6 of the largest.
 /// @param inertia  [kg m^2] (3, 3)
 [[nodiscard]] bool is_body_inertia(const Eigen::Matrix3d& inertia);
 

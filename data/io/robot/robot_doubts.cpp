@@ -13,12 +13,13 @@
 namespace thenar {
 namespace {
 
-constexpr double kLargest = 10;  // shape or offset: larger ones are in another unit [m]
+constexpr double kLargest = 10;  // Largest shape or offset; larger ones are in another unit [m]
 // Of a slide from 0; of one that carries the whole robot, as of a vehicle [m].
 constexpr double kMostTravel = 1, kMostWay = 100;
-constexpr double kMostTurn = 4 * kPi;  // of a hinge between its limits [rad]
-constexpr double kFarAbove = 20;       // ratio of a placeholder to the efforts of others [1]
-constexpr double kLeastTorque = 100, kLeastForce = 1000;  // of placeholders [N m], [N]
+constexpr double kMostTurn = 4 * kPi;  // Largest range of a hinge between its limits [rad]
+constexpr double kFarAbove = 20;       // Ratio of a placeholder to the efforts of others [1]
+// Least efforts of placeholders [N m], [N]
+constexpr double kLeastTorque = 100, kLeastForce = 1000;
 
 /// Longest side of a mesh, otherwise the largest size of a shape, such as a radius [m].
 double across(const ShapeSpec& shape) {
@@ -50,7 +51,7 @@ void doubt_sizes(const RobotSpec& robot, std::vector<std::string>& doubts) {
           joint.name, joint.X_PJ.p.norm()));
 }
 
-/// Whether a joint carries every link that has shapes.
+/// Returns whether a joint carries every link that has shapes.
 bool carries_all(const RobotSpec& robot, const RobotJoint& carrier) {
   std::set<std::string> carried{carrier.child};
   for (const RobotJoint& joint : robot.joints)
@@ -87,7 +88,7 @@ void doubt_joints(const RobotSpec& robot, std::vector<std::string>& doubts) {
         fmt::format("{} cannot move: the upper limit is the lower one", these("joint", stuck)));
 }
 
-/// Whether a text has a name as a word of its own.
+/// Returns whether a text has a name as a word of its own.
 bool names(const std::string& text, const std::string& name) {
   const auto part_of_word = [&](std::size_t i) {
     return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_');
@@ -132,8 +133,8 @@ std::vector<RobotDof*> far_above_others(RobotSpec& robot, bool sliding) {
   return above;
 }
 
-/// Takes efforts for placeholders that are too large for any hand, and all the same or round, or
-/// the same in several joints and far above those of the others.
+/// Marks efforts as placeholders that are too large for any hand, and all the same or round, or the
+/// same in several joints and far above those of the others.
 void doubt_placeholders(RobotSpec& robot) {
   const auto all = [&](const auto& is) {
     return std::all_of(robot.dofs.begin(), robot.dofs.end(), is);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What a person would doubt in a robot that was read: numbers of another unit, joints that cannot
-/// move, placeholders.
+/// Doubtful values in a robot that was read: numbers of another unit, joints that cannot move,
+/// placeholders.
 
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ namespace thenar {
 /// nothing for a grasp, but wrong in motion.
 [[nodiscard]] std::vector<std::string> mass_doubts(const RobotSpec& robot);
 
-/// Takes efforts that no hand's motors have for a model's placeholders, RobotDof::nominal_effort:
+/// Marks efforts that no hand's motors have as a model's placeholders, RobotDof::nominal_effort:
 /// where all degrees of freedom have one, and all are 100 N m, or 1000 N, and more, and equal or
 /// multiples of ten; and such a multiple at several hinges, or slides, 20 times those of all
 /// others. Warns of them, and of efforts of 0 that no warning names.

@@ -14,7 +14,7 @@ namespace thenar::internal {
 /// Tolerance of the length of unit vectors, and of R R' - I of rotations [1].
 inline constexpr double kUnitTolerance = 1e-9;
 
-/// Whether two matrices are equal to the bit, including the sign of zero.
+/// Returns whether two matrices are equal to the bit, including the sign of zero.
 template <typename Matrix>
 [[nodiscard]] bool same_bits(const Matrix& a, const Matrix& b) {
   return std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;

@@ -55,7 +55,7 @@ SceneHandSpec read_scene_hand(TomlTable& table, const SceneSpec& scene) {
   return hand;
 }
 
-/// What a scene consists of, by name, with the lines of the file.
+/// Names of a scene's bodies, hands and their parts, with the lines of the file.
 class SceneNames {
  public:
   explicit SceneNames(const SceneSpec& scene) : path_(scene.path) {

@@ -18,7 +18,7 @@
 
 namespace thenar {
 
-/// How a body, or the base of a hand, moves against its parent.
+/// Joint between a body, or the base of a hand, and its parent.
 enum class SceneJointKind { kWeld, kHinge, kSlide, kBall, kFree };
 
 /// "weld", "hinge", "slide", "ball", "free", in the order of SceneJointKind.
@@ -95,7 +95,7 @@ struct SceneDriveSpec {
   int line = 1;
 };
 
-/// What the muscles of a human hand are given for a time.
+/// Tensions or excitations of a human hand's muscles during a span of time.
 struct SceneMuscleSpec {
   std::string hand;
   bool tensions = false;                // [[tendon]]: tensions; [[muscle]]: excitations
@@ -108,7 +108,7 @@ struct SceneMuscleSpec {
   int line = 1;
 };
 
-/// How two things rub, or all that nothing else is said of.
+/// Friction of one pair, or the default for pairs without an entry.
 struct SceneFrictionSpec {
   std::vector<std::string> between;      // two of body, hand, "HAND/LINK"; empty: all others
   std::optional<double> coefficient;     // [1]; absent: that of the materials
@@ -123,7 +123,7 @@ struct SceneApartSpec {
   int line = 1;
 };
 
-/// How time goes on; what is absent is the method's own.
+/// Options of time stepping; absent values are the method's defaults.
 struct SteppingSpec {
   std::string method = "events";    // a name of the simulator
   double duration = 1;              // [s]

@@ -16,9 +16,10 @@ const std::vector<std::string>& compliance_way_names() {
 namespace internal {
 namespace {
 
+// Number of ways that are translations, the first of all ways
 constexpr std::size_t kTranslations = 3;
 
-/// Which ways give: those of 'ways', or all.
+/// Reads the ways that yield: those of 'ways', or all.
 std::array<bool, 5> read_ways(TomlTable& table) {
   std::array<bool, 5> gives{true, true, true, true, true};
   if (!table.has("ways")) return gives;

@@ -14,7 +14,7 @@
 
 namespace thenar {
 
-/// How a hinge gives: ways beside flexion, which is the hinge's own.
+/// Compliance of a hinge in the ways beside flexion, which is the hinge's own.
 struct SceneComplianceSpec {
   enum Way { kAcross, kAlong, kAxial, kAbduction, kTwist };
 
@@ -49,7 +49,7 @@ struct SceneLigamentSpec {
 
 namespace internal {
 
-/// What 'translation' or 'rotation' says of a capsule's ways, with its '.._damping' and '.._toe'.
+/// Springs of a capsule's ways by 'translation' or 'rotation', with '.._damping' and '.._toe'.
 struct SpringKeys {
   std::vector<double> stiffness;                         // at rest [N/m] or [N m/rad] (ways)
   double damping = 0;                                    // [N s/m] or [N m s/rad]

@@ -48,7 +48,7 @@ std::vector<std::string> read_between(TomlTable& table) {
   return between;
 }
 
-/// What a hinge or slide has beside its axis.
+/// Reads the keys of a hinge or slide beside its axis.
 void read_coordinate(TomlTable& table, SceneJointSpec& joint) {
   const CoordinateUnits units = units_of_coordinate(joint.kind == SceneJointKind::kHinge);
   joint.start = table.number_or(units.value, "start", 0);

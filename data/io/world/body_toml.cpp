@@ -11,8 +11,8 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kLargestMesh = 10;  // largest object without a stated scale [m]
-constexpr double kRounding = 1e-6;   // relative error allowed for moments of inertia [1]
+constexpr double kLargestMesh = 10;  // Largest object without a stated scale [m]
+constexpr double kRounding = 1e-6;   // Relative error allowed for moments of inertia [1]
 
 Eigen::Matrix3d read_inertia(TomlTable& table) {
   std::vector<double> v = table.numbers(Dimension::kInertia, "inertia");  // xx yy zz xy xz yz

@@ -24,7 +24,7 @@ struct GraspitBody {
 /// @throws DataError if it is no body, or its mesh cannot be read.
 /// Source: [GraspItWorld] for the format.
 [[nodiscard]] GraspitBody read_graspit_body(const std::string& path);
-/// The same with a reader that other bodies share.
+/// Reads a body with a mesh reader that other bodies share.
 [[nodiscard]] GraspitBody read_graspit_body(const std::string& path, MeshReader& meshes);
 
 }  // namespace thenar

@@ -11,7 +11,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kFileRounding = 1e-4;  // rounding of six digits in a file [rad] or [m]
+constexpr double kFileRounding = 1e-4;  // Rounding of six digits in a file [rad] or [m]
 
 std::vector<const RobotJoint*> joints_of(const RobotSpec& robot, const RobotDof& dof) {
   std::vector<const RobotJoint*> joints;

@@ -70,7 +70,8 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 /// Laws of a pad by the name that a materials file gives them.
 using FindLaws = std::function<CalibratedLaws(TomlTable& table, const std::string& file)>;
 
-/// What a material is like: of this file so far, or below. Absent: nothing.
+/// Returns the material that 'like' names, of this file so far or of `below`; an empty material if
+/// the key is absent.
 Material read_likeness(TomlTable& table, const Materials& read, const Materials& below) {
   Material likeness;
   const std::string name = table.text_or("like", "");
