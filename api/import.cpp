@@ -41,9 +41,10 @@ void settle_meshes(BodySpec& body, const std::string& file, bool mend,
     try {
       for (const ShapeSpec& shape : body.shapes) require_solid(shape, owner);
     } catch (const InputError& error) {
-      throw DataError(file, 1,
-                      fmt::format("{}{}", error.what(),
-                                  any_is_flat(body.shapes) ? "" : "; repairing mends it"));
+      throw DataError(
+          file, 1,
+          fmt::format("{}{}", error.what(), any_is_flat(body.shapes) ? "" : "; repairing mends it"),
+          any_is_flat(body.shapes) ? "" : "repair");
     }
     note_turned(body.shapes, owner, warnings);
     return;

@@ -62,8 +62,8 @@ std::string unknown_argument(const CLI::App& command, const std::string& argumen
                      nearest_option(command, argument), full_name(command));
 }
 
-/// An error as the command line says it: with the option of the field that is wrong, if it has one.
-std::string sentence_of(const CLI::App& app, const InputError& error) {
+/// Error as the command line says it: with the option of the field that it names.
+std::string sentence_of(const CLI::App& app, const Error& error) {
   std::string option = "--" + error.field();
   std::replace(option.begin(), option.end(), '_', '-');
   if (error.field().empty() || named_command(app).get_option_no_throw(option) == nullptr)
@@ -139,7 +139,7 @@ int run_command(int argc, char** argv) {
   } catch (const Stopped& e) {
     fmt::print(stderr, "thenar: {}\n", e.what());
     return exit_code_of_interruption();
-  } catch (const InputError& e) {
+  } catch (const Error& e) {
     fmt::print(stderr, "thenar: {}\n", sentence_of(app, e));
     return 1;
   } catch (const std::exception& e) {

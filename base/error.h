@@ -15,15 +15,9 @@ namespace thenar {
 
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
-};
-
-/// The caller asked for something impossible: wrong shape, sign, name or tier.
-class InputError : public Error {
- public:
-  /// @param field  of the request that is wrong or left out; empty: it is none, or not known
-  explicit InputError(const std::string& what, std::string field = "")
-      : Error(what), field_(std::move(field)) {}
+  /// @param field  of the request that is wrong, left out or of help; empty: none, or not known
+  explicit Error(const std::string& what, std::string field = "")
+      : std::runtime_error(what), field_(std::move(field)) {}
 
   /// Name of the field in words joined by "_", as in "centre_of_mass". A command has an option of
   /// that name, a server a parameter, Python a keyword.
@@ -33,11 +27,17 @@ class InputError : public Error {
   std::string field_;
 };
 
+/// The caller asked for something impossible: wrong shape, sign, name or tier.
+class InputError : public Error {
+ public:
+  using Error::Error;
+};
+
 /// A data file is wrong. The message always starts with "path:line: ".
 class DataError : public Error {
  public:
-  DataError(const std::string& path, int line, const std::string& what)
-      : Error(fmt::format("{}:{}: {}", path, line, what)) {}
+  DataError(const std::string& path, int line, const std::string& what, std::string field = "")
+      : Error(fmt::format("{}:{}: {}", path, line, what), std::move(field)) {}
 };
 
 /// Throws InputError unless ok. State what was wanted and the value that came:

@@ -123,10 +123,8 @@ RpcAnswer answer_request(const RpcRequest& request, const MethodTable& table, Se
     return {method.handler(session, params, progress), std::nullopt};
   } catch (const Stopped& stopped) {
     return {{}, RpcFailure{RpcCode::kStopped, stopped.what()}};
-  } catch (const InputError& error) {
-    return {{}, RpcFailure{code, error.what(), error.field()}};
   } catch (const Error& error) {
-    return {{}, RpcFailure{code, error.what()}};
+    return {{}, RpcFailure{code, error.what(), error.field()}};
   } catch (const std::bad_alloc&) {
     return {{}, RpcFailure{RpcCode::kTooLarge, "it needs more memory than there is"}};
   } catch (const std::exception& error) {

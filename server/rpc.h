@@ -39,7 +39,7 @@ struct RpcLimits {
 struct RpcFailure {
   RpcCode code = RpcCode::kRefused;
   std::string text;
-  std::string field = {};  // of the request that is wrong (InputError::field()); "": not known
+  std::string field = {};  // of the request that is wrong (Error::field()); "": not known
 };
 
 /// One request of a message; where it cannot be answered, why.

@@ -283,7 +283,11 @@ std::string text_of(const Imported& imported) {
   text += fmt::format("{}\n", warnings.empty() ? "no warnings" : "warnings:");
   for (const OrderedJson& warning : warnings) text += "  " + warning.get<std::string>() + "\n";
   // Options of the command for what the warnings advise.
-  const auto advised = [&](const char* word) { return text.find(word) != std::string::npos; };
+  const auto advised = [&](const char* word) {
+    return std::any_of(warnings.begin(), warnings.end(), [&](const OrderedJson& warning) {
+      return warning.get_ref<const std::string&>().find(word) != std::string::npos;
+    });
+  };
   if (advised("repairing")) text += "  --repair mends what these warnings say\n";
   if (advised("numbers millimetres?")) text += "  --units mm reads them so\n";
   return text;

@@ -258,7 +258,7 @@ class Import(Files):
         body = self.path("body.xml", "<root><material>wood</material><mass>0.001</mass>"
                                      "<geometryFile type='off'>open.off</geometryFile></root>")
         done = self.thenar(body, "--out", self.path("body.toml"), code=1)
-        for words in ["body.xml:1: mesh 'open.off' of body 'body'", "1 hole(s): 3 edges", "repairing mends it"]:
+        for words in ["body.xml:1: mesh 'open.off' of body 'body'", "1 hole(s): 3 edges", "repairing mends it (--repair)"]:
             self.assertIn(words, done.stderr)
         told = self.report(body, "--repair", "--out", self.path("body.toml"))
         self.assertIn("1 hole(s) closed", told["warnings"][0])
@@ -345,8 +345,9 @@ class Import(Files):
         self.assertEqual(told["shapes"][0]["triangles"], 4)
         self.assertIn("wanted units or a scale, got both (--scale)",
                       self.thenar(corner, "--units", "cm", "--scale", "2", code=1).stderr)
-        self.assertIn("repairing", self.thenar(self.path("open.off", CORNER.format(3, "")), "--out",
-                                               self.path("open.toml"), code=1).stderr)
+        self.assertIn("repairing mends it (--repair)",
+                      self.thenar(self.path("open.off", CORNER.format(3, "")), "--out", self.path("open.toml"),
+                                  code=1).stderr)
 
     def test_validate_names_a_leaky_link(self):
         self.path("open.off", CORNER.format(3, ""))
