@@ -42,6 +42,17 @@ Matrix3Xd normal_forces(const PressIterate& at) {
   return at.gaps.spread(push);
 }
 
+IterateTurn measure_contacts(PressIterate& at, const Matrix3Xd& u, PressOutcome& out) {
+  find_contacts(at);
+  at.measure(normal_forces(at), out);
+  if (at.is_solved(out)) {
+    at.end(u, out);
+    return IterateTurn::kEnded;
+  }
+  if (!at.goal.force || at.scale != 0) return IterateTurn::kStep;
+  return at.go_to_touch(out) ? IterateTurn::kMoved : IterateTurn::kEnded;
+}
+
 Matrix3d own_slope(const PressIterate& at, std::size_t k) {
   const TouchingNode& c = at.contacts[k];
   if (c.push <= 0) return Matrix3d::Zero();

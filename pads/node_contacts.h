@@ -17,6 +17,15 @@ void find_contacts(PressIterate& at);
 /// Forces along normals on nodes of the surface [N] (3, nodes).
 [[nodiscard]] Eigen::Matrix3Xd normal_forces(const PressIterate& at);
 
+/// Way on from an iterate: by a step, from where the object was moved to, or nowhere.
+enum class IterateTurn { kStep, kMoved, kEnded };
+
+/// Finds contacts and measures what is out of balance: ends what is solved, and moves an object
+/// that seeks a force to where it touches.
+/// @param u  displacements of all nodes [m] (3, nodes)
+[[nodiscard]] IterateTurn measure_contacts(PressIterate& at, const Eigen::Matrix3Xd& u,
+                                           PressOutcome& out);
+
 /// Part of the slope of contact forces that a factor takes: a node's own, less the friction that a
 /// normal force brings, which is not symmetric [N/m] (3, 3).
 [[nodiscard]] Eigen::Matrix3d own_slope(const PressIterate& at, std::size_t k);

@@ -107,13 +107,9 @@ PressOutcome press_by_cones(PressIterate& at) {
     if (!at.respond(has_factor ? ElementAsk::kForce : ElementAsk::kStiffness, dx, u, out))
       return out;
     if (at.stiffness.empty()) at.find_stiffness(has_factor ? tangent.values() : at.tissue.values);
-    find_contacts(at);
-    at.measure(normal_forces(at), out);
-    if (at.is_solved(out)) return at.ended(u, out);
-    if (at.goal.force && at.scale == 0) {
-      if (!at.go_to_touch(out)) return out;
-      continue;
-    }
+    const IterateTurn turn = measure_contacts(at, u, out);
+    if (turn == IterateTurn::kEnded) return out;
+    if (turn == IterateTurn::kMoved) continue;
     // A tangent of elsewhere serves while what is left falls well.
     const double left = std::max(out.residual, at.change);
     const bool well = out.iterations == 0 || left < kTangentFallRatio * std::min(before, at.scale);

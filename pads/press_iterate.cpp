@@ -57,12 +57,7 @@ void add_to_diagonal(const TissueBody& body, double more, std::vector<double>& v
 }  // namespace
 
 PressIterate::PressIterate(const PressProblem& problem, PressFactors& tangents)
-    : body(problem.body),
-      surface(problem.surface),
-      object(problem.object),
-      goal(problem.goal),
-      options(problem.options),
-      start(problem.start),
+    : PressProblem(problem),
       factors(tangents),
       now(problem.start),
       gaps(problem.surface),
@@ -139,10 +134,9 @@ bool PressIterate::is_solved(const PressOutcome& out) const {
          out.gap <= options.gap_tolerance && change <= small;
 }
 
-PressOutcome PressIterate::ended(const Matrix3Xd& u, PressOutcome& out) const {
+void PressIterate::end(const Matrix3Xd& u, PressOutcome& out) const {
   out.message = find_crossing(*this, u);
   if (out.message.empty()) out.status = Status::kSolved;
-  return out;
 }
 
 bool PressIterate::go_to_touch(PressOutcome& out) {

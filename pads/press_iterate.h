@@ -26,7 +26,7 @@ struct TouchingNode {
   double cut = 1;  // share that its cone leaves of the force of a node that sticks [1]
 };
 
-struct PressIterate {
+struct PressIterate : PressProblem {
   PressIterate(const PressProblem& problem, PressFactors& factors);
 
   /// Resets the state to the start of the step, with the object at its goal.
@@ -47,7 +47,7 @@ struct PressIterate {
   [[nodiscard]] bool is_solved(const PressOutcome& out) const;
 
   /// Ends a step that is solved, unless the object came through the surface.
-  PressOutcome ended(const Eigen::Matrix3Xd& u, PressOutcome& out) const;
+  void end(const Eigen::Matrix3Xd& u, PressOutcome& out) const;
 
   /// Moves the object, not far off or off what it touched, to where it touches.
   /// @return false if it is farther off
@@ -92,12 +92,6 @@ struct PressIterate {
   /// Forces on the body by those on nodes of its surface [N] (3 free nodes).
   [[nodiscard]] Eigen::VectorXd on_body(const Eigen::Matrix3Xd& forces) const;
 
-  const TissueBody& body;
-  const ContactSurface& surface;
-  const RigidObject& object;
-  const PressGoal& goal;
-  const PressOptions& options;
-  const PressState& start;
   PressFactors& factors;
   PressState now;
   MeanGaps gaps;

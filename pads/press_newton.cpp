@@ -79,13 +79,9 @@ PressOutcome press_by_newton(PressIterate& at) {
     if (!at.respond(keeps ? ElementAsk::kForce : ElementAsk::kStiffness, dx, u, out)) return out;
     if (out.iterations == 0) at.find_stiffness(at.tissue.values);
     const std::vector<int> touched = contact_states(at);
-    find_contacts(at);
-    at.measure(normal_forces(at), out);
-    if (at.is_solved(out)) return at.ended(u, out);
-    if (at.goal.force && at.scale == 0) {
-      if (!at.go_to_touch(out)) return out;
-      continue;
-    }
+    const IterateTurn turn = measure_contacts(at, u, out);
+    if (turn == IterateTurn::kEnded) return out;
+    if (turn == IterateTurn::kMoved) continue;
     // A tangent that was kept is taken anew where it serves no more.
     const double left = std::max({out.residual, at.change, std::abs(at.missing)});
     const bool same = contact_states(at) == touched;

@@ -43,7 +43,8 @@ class SpringPress {
       // Skin that hangs on an edge would be another answer.
       at_.now.x.setZero();
       at_.now.pressure.clear();
-      return at_.ended(at_.body.spread(at_.now.x, {}), out);
+      at_.end(at_.body.spread(at_.now.x, {}), out);
+      return out;
     }
     for (; at_.goes_on(out); ++out.iterations) {
       // Forces here.
@@ -53,7 +54,10 @@ class SpringPress {
       find_springs(at_.object.friction);
       if (out.iterations > kFreeIterations && !search_line(u, out)) return out;
       at_.measure(at_.springs->push(), out);
-      if (at_.is_solved(out)) return at_.ended(u, out);
+      if (at_.is_solved(out)) {
+        at_.end(u, out);
+        return out;
+      }
       if (goes_round(out)) {
         out.message = "steps go round";
         return out;

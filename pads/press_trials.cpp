@@ -129,10 +129,10 @@ LawTrials standard_trials(const PadShape& shape, const std::vector<double>& dept
   const auto cylinder = [&](const Vector3d& axis, const std::string& way,
                             const std::vector<double>& to) {
     // Radius of the cylinder and of its distance to the pad [m]
-    constexpr double kBallRadius = 8e-3;  // Radius of the cylinder [m]
+    constexpr double kRodRadius = 8e-3;  // Radius of the cylinder [m]
     return PressTrial{"cylinder of 8 mm " + way,
-                      {build_cylinder(kBallRadius, 0.2), 0},
-                      posed(axis, {0, 0, -1}, far + kBallRadius),
+                      {build_cylinder(kRodRadius, 0.2), 0},
+                      posed(axis, {0, 0, -1}, far + kRodRadius),
                       {0, 0, -1},
                       to};
   };
