@@ -7,13 +7,13 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "data/io/time_table.h"
 #include "dynamics/stepping/simulate_scene.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kEndlessTime = std::numeric_limits<double>::infinity();
 constexpr double kLastBits = 4 * std::numeric_limits<double>::epsilon();  // of numbers of a table
 
 }  // namespace
@@ -61,12 +61,12 @@ TargetTable without_straight_knots(const TargetTable& table) {
           table.target.size());
   std::vector<Eigen::Index> kept{0};
   // Slopes of the lines from the last kept knot that meet all knots since, to rounding.
-  double least = -kEndlessTime, most = kEndlessTime;
+  double least = -kInfinity, most = kInfinity;
   const auto keep = [&](Eigen::Index k) {
     const Eigen::Index last = kept.back();
     if (table.time[last] != table.time[k] || table.target[last] != table.target[k])
       kept.push_back(k);
-    least = -kEndlessTime, most = kEndlessTime;
+    least = -kInfinity, most = kInfinity;
   };
   for (Eigen::Index k = 1; k < knots; ++k) {
     const double step = table.time[k] - table.time[k - 1];

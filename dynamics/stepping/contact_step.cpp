@@ -175,8 +175,7 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
   p.contacts->find(p.motion, state, touch + kNearGap, p.found);
   // Contacts that were closed act on; the others only tell how deep they are.
   for (ActiveContact& contact : p.found) {
-    const auto old = std::find_if(closed.begin(), closed.end(),
-                                  [&](const ActiveContact& c) { return c.same(contact); });
+    const auto old = find_same(closed, contact);
     if (old == closed.end()) {
       note_deeper(contact, outcome);
       continue;
@@ -422,9 +421,7 @@ void ContactStep::note_new(const std::vector<ActiveContact>& found,
                            const std::vector<ActiveContact>& closed, StepOutcome& outcome) {
   outcome.deepest_new = outcome.closing_new = 0;
   for (const ActiveContact& contact : found)
-    if (std::none_of(closed.begin(), closed.end(),
-                     [&](const ActiveContact& c) { return c.same(contact); }))
-      note_deeper(contact, outcome);
+    if (find_same(closed, contact) == closed.end()) note_deeper(contact, outcome);
 }
 
 bool ContactStep::is_stiff(const SceneState& state, double h) {

@@ -2,6 +2,7 @@
 
 /// State of a scene in motion: positions, speeds, states of elements, and what touches.
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -59,5 +60,12 @@ struct ActiveContact {
            (feature == other.feature || id == other.id);
   }
 };
+
+/// The same contact in a list; its end if there is none.
+template <class List>
+[[nodiscard]] auto find_same(List& list, const ActiveContact& contact) {
+  return std::find_if(list.begin(), list.end(),
+                      [&](const ActiveContact& each) { return each.same(contact); });
+}
 
 }  // namespace thenar

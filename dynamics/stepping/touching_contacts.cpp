@@ -10,13 +10,6 @@ namespace {
 
 constexpr double kImpactSpeed = 1e-7;  // Slower approaches are no impacts [m/s], [rad/s]
 
-/// The same contact in a list; end() if there is none.
-template <class List>
-auto find_same(List& list, const ActiveContact& contact) {
-  return std::find_if(list.begin(), list.end(),
-                      [&](const ActiveContact& c) { return c.same(contact); });
-}
-
 }  // namespace
 
 /// Notes what has a force and was not found: it may come back, as manifolds choose among their
