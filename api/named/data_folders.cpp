@@ -18,21 +18,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Entry of kKnownFolders: the kind of a folder's files, and the command that asks about them.
+/// Entry of kKnownFolders: the kind of a folder's files, and the command that asks about them, with
+/// @ for the name.
 struct KnownFolder {
   const char* folder;
   const char* kind;
   const char* command;
 };
-constexpr KnownFolder kKnownFolders[] = {{"subjects", "subject", "thenar pose"},
-                                         {"robots", "hand", "thenar pose"},
-                                         {"worlds", "world", "thenar grasp"},
-                                         {"scenes", "scene", "thenar simulate"},
-                                         {"pads", "pad", "thenar pad press, its pad"},
-                                         {"presses", "file of measured presses", "thenar pad fit"},
-                                         {"objects", "object", "thenar explain"},
-                                         {"experiments", "experiment", "thenar fit"},
-                                         {"contacts", "file of contacts", "thenar quality"}};
+constexpr KnownFolder kKnownFolders[] = {
+    {"subjects", "subject", "thenar pose @"},
+    {"robots", "hand", "thenar pose @"},
+    {"worlds", "world", "thenar grasp @"},
+    {"scenes", "scene", "thenar simulate @"},
+    {"pads", "pad", "thenar pad press (pad: @)"},
+    {"presses", "file of measured presses", "thenar pad fit @"},
+    {"objects", "object", "thenar explain @"},
+    {"experiments", "experiment", "thenar fit @"},
+    {"contacts", "file of contacts", "thenar quality @"}};
 
 /// "it is a hand: thenar pose barrett", where another folder has that name; else "".
 std::string kind_elsewhere(const std::string& name, const std::string& folder,
@@ -40,10 +42,13 @@ std::string kind_elsewhere(const std::string& name, const std::string& folder,
   for (const KnownFolder& known : kKnownFolders) {
     if (known.folder == folder) continue;
     for (const char* ending : {".toml", ".json", ".jsonl"})
-      if (!find_in(places, (fs::path(known.folder) / (name + ending)).string()).empty())
-        return fmt::format("it is a{} {}: {} {}",
+      if (!find_in(places, (fs::path(known.folder) / (name + ending)).string()).empty()) {
+        std::string command = known.command;
+        command.replace(command.find('@'), 1, name);
+        return fmt::format("it is a{} {}: {}",
                            known.kind[0] == 'o' || known.kind[0] == 'e' ? "n" : "", known.kind,
-                           known.command, name);
+                           command);
+      }
   }
   return "";
 }
