@@ -35,8 +35,8 @@ double spread(int i, double irrational) {
 
 /// Corners of a mesh: all if there are few, otherwise the outermost along each axis (its box).
 Matrix3Xd outermost(const Matrix3Xd& corners) {
-  constexpr Eigen::Index kFewTriangles = 12;  // Most corners of a mesh of which all are kept
-  if (corners.cols() <= kFewTriangles) return corners;
+  constexpr Eigen::Index kFewCorners = 12;  // Most corners of a mesh of which all are kept
+  if (corners.cols() <= kFewCorners) return corners;
   Matrix3Xd points(3, 6);
   for (int k = 0; k < 3; ++k) {
     Eigen::Index least = 0, most = 0;
