@@ -2,13 +2,25 @@
 
 /// Rungs of the ladders of base/fidelity.h by the names that people type.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "base/fidelity.h"
 
 namespace thenar {
+
+inline constexpr std::array kPathNames{EnumName{Path::kViaPoint, "via"},
+                                       EnumName{Path::kFitted, "fitted"},
+                                       EnumName{Path::kWrapped, "wrapped"}};
+inline constexpr std::array kHoodNames{EnumName{Hood::kSeparate, "separate"},
+                                       EnumName{Hood::kFractions, "fractions"},
+                                       EnumName{Hood::kFloatingNet, "net"}};
+inline constexpr std::array kMuscleNames{EnumName{Muscle::kBounds, "bounds"},
+                                         EnumName{Muscle::kRigidTendon, "rigid-tendon"},
+                                         EnumName{Muscle::kElasticTendon, "elastic-tendon"}};
 
 /// "via", "fitted", "wrapped".
 [[nodiscard]] std::vector<std::string> path_names();

@@ -66,8 +66,7 @@ bool has_seen(const std::vector<CalibratedOn>& seen, const Experiment& experimen
 }
 
 PassiveMoments passive_named(const std::string& word) {
-  require(word == "on" || word == "off", "wanted passive moments on or off, got '{}'", word);
-  return word == "on" ? PassiveMoments::kOn : PassiveMoments::kOff;
+  return value_in(kPassiveNames, word, "switch of passive moments");
 }
 
 std::vector<const JointAxis*> joints_to(const Subject& subject, std::string segment) {

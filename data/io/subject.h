@@ -6,6 +6,7 @@
 /// A joint is an axis (point and direction) fixed in its parent segment; at the reference posture
 /// every joint angle is zero.
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "base/units.h"
 
 namespace thenar {
@@ -44,6 +46,8 @@ struct PassiveEnd {
 
 /// Switch of the joints' passive moments.
 enum class PassiveMoments { kOn, kOff };
+inline constexpr std::array kPassiveNames{EnumName{PassiveMoments::kOn, "on"},
+                                          EnumName{PassiveMoments::kOff, "off"}};
 
 /// A hinge about a general (skewed) axis. A universal joint is two hinges in a row.
 struct JointAxis {

@@ -1,0 +1,47 @@
+#pragma once
+
+/// Values of an enumeration with the names that people type: one table for both ways.
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/nearest_name.h"
+
+namespace thenar {
+
+/// Value with its name.
+template <typename Enum>
+struct EnumName {
+  Enum value;
+  const char* name;
+};
+template <typename Enum>
+EnumName(Enum, const char*) -> EnumName<Enum>;
+
+/// The names of a table, in its order.
+template <typename Enum, std::size_t size>
+[[nodiscard]] std::vector<std::string> names_in(const std::array<EnumName<Enum>, size>& table) {
+  std::vector<std::string> names;
+  for (const EnumName<Enum>& each : table) names.emplace_back(each.name);
+  return names;
+}
+
+/// The name of a value; "" if the table lacks it.
+template <typename Enum, std::size_t size>
+[[nodiscard]] std::string name_in(const std::array<EnumName<Enum>, size>& table, Enum value) {
+  for (const EnumName<Enum>& each : table)
+    if (each.value == value) return each.name;
+  return "";
+}
+
+/// The value of a name. @param kind  how the message calls a name: "fit method"
+/// @throws InputError as index_of_name() for a name that the table lacks
+template <typename Enum, std::size_t size>
+[[nodiscard]] Enum value_in(const std::array<EnumName<Enum>, size>& table, const std::string& name,
+                            const std::string& kind) {
+  return table[index_of_name(name, names_in(table), kind)].value;
+}
+
+}  // namespace thenar
