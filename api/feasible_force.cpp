@@ -103,7 +103,7 @@ std::vector<std::vector<int>> muscles_alike(const Eigen::MatrixXd& R) {
 
 /// Muscles of the digit that are paralysed or weak; warns of those that do not cross it.
 void keep_weak_muscles(const FeasibleForceRequest& request, const Subject& subject,
-                       FeasibleForceAnswer& answer) {
+                       FeasibleForceResult& answer) {
   // Every name is one of the subject's.
   std::vector<std::string> known, wanted = request.without, beside;
   for (const MuscleUnit& muscle : subject.muscles) known.push_back(muscle.name);
@@ -111,13 +111,13 @@ void keep_weak_muscles(const FeasibleForceRequest& request, const Subject& subje
     require(limit >= 0, "wanted a tension >= 0 of the weak '{}', got {} N", name, limit);
     wanted.push_back(name);
   }
-  const std::vector<std::string>& own = answer.about.muscles;
+  const std::vector<std::string>& own = answer.muscles;
   for (const std::string& name : wanted) {
     (void)index_of_name(name, known, "muscle");
     if (std::count(own.begin(), own.end(), name) == 0) beside.push_back(name);
   }
   if (!beside.empty())
-    answer.about.warnings.push_back(
+    answer.outcome.warnings.push_back(
         fmt::format("their paralysis changes nothing, as they cross no free joint of the digit: {}",
                     listed(beside)));
   // Those of the digit, in its order.
@@ -130,7 +130,7 @@ void keep_weak_muscles(const FeasibleForceRequest& request, const Subject& subje
 }
 
 /// The digit with some of its muscles paralysed or weak.
-DigitAtPosture with_weak_muscles(DigitAtPosture at, const FeasibleForceAnswer& answer) {
+DigitAtPosture with_weak_muscles(DigitAtPosture at, const FeasibleForceResult& answer) {
   for (std::size_t i = 0; i < at.statics.muscles.size(); ++i) {
     const std::string& muscle = at.statics.muscles[i];
     double& most = at.statics.max_tension[static_cast<Eigen::Index>(i)];
@@ -298,8 +298,8 @@ FeasibleForcePoint point_at(const FeasibleForceRequest& request, const HeldJoint
 
 double no_tip_load(TipLoad load) { return load == TipLoad::kForce ? kNoTipForce : kNoTipMoment; }
 
-FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
-                                       const Progress& progress) {
+FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
+                                           const Progress& progress) {
   require(request.tolerance >= 0 && request.tolerance < kPi / 2,
           "wanted a tolerance of 0 deg to below 90 deg, got {:.6g} deg",
           request.tolerance / kDegree);
@@ -309,15 +309,9 @@ FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
   DigitRequest asked = request.digit;
   asked.wrist = request.wrist == WristLoad::kHeld ? WristMode::kWelded : WristMode::kFree;
   const DigitCase digit = build_digit(asked, TendonOptions().hood);
-  FeasibleForceAnswer answer;
-  answer.about = sweep_of(digit);
-  answer.load = request.load;
-  answer.most_other = request.most_other;
-  answer.direction = request.direction;
-  answer.tolerance = request.tolerance;
-  answer.wrist = request.wrist;
-  const HeldJoints held = held_joints(request, digit, answer.about.warnings);
-  answer.about.muscles = kept_names(answer.about.muscles, held.others);
+  FeasibleForceResult answer{begin_digit_result(digit), request, {}, {}, {}, {}};
+  const HeldJoints held = held_joints(request, digit, answer.outcome.warnings);
+  answer.muscles = kept_names(answer.muscles, held.others);
   keep_weak_muscles(request, digit.subject, answer);
   const bool weak = !answer.without.empty() || !answer.weakened.empty();
 
@@ -339,7 +333,7 @@ FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
     answer.points.push_back(std::move(point));
     return at.warnings;
   };
-  ask_postures(answer.about, ask, kept_in(answer.points), progress);
+  ask_postures(answer, ask, kept_in(answer.points), progress);
   return answer;
 }
 

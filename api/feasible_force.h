@@ -11,7 +11,8 @@
 
 #include <Eigen/Core>
 
-#include "api/named/digit_sweep.h"
+#include "api/named/digit_result.h"
+#include "base/enum_names.h"
 #include "tendons/forces/feasible_force_set.h"
 #include "tendons/forces/max_tip_force.h"
 #include "tendons/forces/max_tip_load.h"
@@ -25,6 +26,14 @@ enum class WristLoad {
   kPinch  // it ends within the hand, as between thumb and index finger: the wrist balances tendons
           // alone, see without_load_on()
 };
+
+inline constexpr std::array kWristLoadNames{EnumName{WristLoad::kHeld, "held"},
+                                            EnumName{WristLoad::kFree, "free"},
+                                            EnumName{WristLoad::kPinch, "pinch"}};
+inline constexpr std::array kTipLoadNames{EnumName{TipLoad::kForce, "force"},
+                                          EnumName{TipLoad::kMoment, "moment"}};
+inline constexpr std::array kDirectionFrameNames{EnumName{DirectionFrame::kWorld, "world"},
+                                                 EnumName{DirectionFrame::kTip, "tip"}};
 
 /// Options of a question for feasible forces: a digit, and a direction, the whole set, or both.
 /// Forces and moments are those of the tip on the world, moments about the tip.
@@ -97,16 +106,11 @@ struct FeasibleForcePoint {
 };
 
 /// Answers posture by posture, in the order of the grid; as many as were done.
-struct FeasibleForceAnswer {
-  DigitSweep about;
-  Eigen::VectorXd max_tension;  // F0 [N] (muscles); 0 of those that are paralysed
-  TipLoad load = TipLoad::kForce;
-  double most_other = 0;  // [N m] or [N]
-  std::optional<Eigen::Vector3d> direction;
-  double tolerance = 0;                    // [rad]
+struct FeasibleForceResult : DigitResult {
+  FeasibleForceRequest request;
+  Eigen::VectorXd max_tension;             // F0 [N] (muscles); 0 of those that are paralysed
   std::vector<std::string> without;        // muscles of the digit that are paralysed
   std::map<std::string, double> weakened;  // those that are weak, and what they can pull [N]
-  WristLoad wrist = WristLoad::kHeld;
   std::vector<FeasibleForcePoint> points;
 };
 
@@ -125,7 +129,7 @@ inline constexpr double kNoTipMoment = 1e-8;  // [N m]
 /// [0, pi/2) rad, a negative `most_other`, muscles of unknown strength, axes of the tip of a map,
 /// moments that a map does not know, a wrist that is not held where no joint is shared, or a stop
 /// of no free joint or without torque; DataError for a wrong file.
-[[nodiscard]] FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
-                                                     const Progress& progress = {});
+[[nodiscard]] FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
+                                                         const Progress& progress = {});
 
 }  // namespace thenar

@@ -20,13 +20,14 @@ Eigen::VectorXd lengths_at(const DigitTendons& tendons, const Eigen::VectorXd& q
 }
 
 /// The straight digit, or the first posture if the paths are not to be trusted there.
-Eigen::VectorXd reference_posture(const DigitTendons& tendons, DigitSweep& sweep) {
+Eigen::VectorXd reference_posture(const DigitTendons& tendons, DigitResult& result) {
   Eigen::VectorXd straight = Eigen::VectorXd::Zero(tendons.digit().model.coordinates);
   const TendonTorque pull = arms_at(tendons, straight);
   if (trusted(pull.status)) return straight;
-  sweep.warnings.push_back("tendon paths are not to be trusted with all joints at 0 (" +
-                           pull.warning + "): length changes are those since the first posture");
-  return sweep.grid.postures.front();
+  result.outcome.warnings.push_back("tendon paths are not to be trusted with all joints at 0 (" +
+                                    pull.warning +
+                                    "): length changes are those since the first posture");
+  return result.grid.postures.front();
 }
 
 MomentArmPoint point_at(const DigitTendons& tendons, const Eigen::VectorXd& q,
@@ -42,18 +43,18 @@ MomentArmPoint point_at(const DigitTendons& tendons, const Eigen::VectorXd& q,
 
 }  // namespace
 
-MomentArmAnswer ask_moment_arms(const DigitRequest& request, const Progress& progress) {
-  return moment_arms_of(build_digit(request, TendonOptions().hood), progress);
+MomentArmResult compute_moment_arms(const DigitRequest& request, const Progress& progress) {
+  return compute_moment_arms(build_digit(request, TendonOptions().hood), progress);
 }
 
-MomentArmAnswer moment_arms_of(const DigitCase& digit, const Progress& progress) {
+MomentArmResult compute_moment_arms(const DigitCase& digit, const Progress& progress) {
   require(digit.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': no moment arms",
           digit.digit, digit.subject.name, digit.map);
   require(digit.net == nullptr,
           "moment arms of a net depend on tensions: ask tendon solve or tendon sweep");
-  MomentArmAnswer answer{sweep_of(digit), {}, {}, {}};
+  MomentArmResult answer{begin_digit_result(digit), {}, {}, {}};
   const DigitTendons& tendons = *digit.tendons;
-  answer.reference = reference_posture(tendons, answer.about);
+  answer.reference = reference_posture(tendons, answer);
   const Eigen::VectorXd start =
       lengths_at(tendons, answer.reference, arms_at(tendons, answer.reference));
 
@@ -66,7 +67,7 @@ MomentArmAnswer moment_arms_of(const DigitCase& digit, const Progress& progress)
     return tendons.digit().fidelity.path == Path::kFitted ? std::vector<std::string>{}
                                                           : collapse_warnings(tendons, q);
   };
-  ask_postures(answer.about, ask, kept_in(answer.points), progress);
+  ask_postures(answer, ask, kept_in(answer.points), progress);
 
   // An arm at any posture shows that the muscle crosses the joint.
   answer.crosses.setConstant(start.size(), answer.reference.size(), false);

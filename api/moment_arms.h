@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "api/named/digit_sweep.h"
+#include "api/named/digit_result.h"
 
 namespace thenar {
 
@@ -16,31 +16,31 @@ struct MomentArmPoint {
   Eigen::VectorXd q;              // [rad] (joints)
   std::string failure;            // why there is no answer; else empty
   Eigen::MatrixXd arms;           // -d length / dq; flexion, radial + [m/rad] (muscles, joints)
-  Eigen::VectorXd length_change;  // since MomentArmAnswer::reference; longer + [m] (muscles)
+  Eigen::VectorXd length_change;  // since MomentArmResult::reference; longer + [m] (muscles)
   Eigen::Vector3d tip{0, 0, 0};   // world frame [m] (3)
 };
 
 /// Answers posture by posture, in the order of the grid; as many as were done.
-struct MomentArmAnswer {
-  DigitSweep about;
+struct MomentArmResult : DigitResult {
   Eigen::VectorXd reference;  // posture of no length change [rad] (joints)
   Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> crosses;  // whether a muscle has an arm about
                                                                 // a joint (muscles, joints)
   std::vector<MomentArmPoint> points;
 };
 
-/// Moment arms  -d length / dq  of every muscle about every joint that it crosses, and how much
-/// longer it is than with all joints at 0 (or, if the paths are not to be trusted there, than at
-/// the first posture). A muscle that pulls several strands of a hood has the arm and the length of
-/// all, each weighted with its share of the tension; differences of lengths are the arms where
-/// shares are constant and sheaths smooth.
+/// Computes the moment arms  -d length / dq  of every muscle about every joint that it crosses, and
+/// how much longer it is than with all joints at 0 (or, if the paths are not to be trusted there,
+/// than at the first posture). A muscle that pulls several strands of a hood has the arm and the
+/// length of all, each weighted with its share of the tension; differences of lengths are the arms
+/// where shares are constant and sheaths smooth.
 /// @throws InputError for what is unknown, a tip map, or a net, whose arms depend on tensions;
 /// DataError for a wrong file.
-[[nodiscard]] MomentArmAnswer ask_moment_arms(const DigitRequest& request,
-                                              const Progress& progress = {});
+[[nodiscard]] MomentArmResult compute_moment_arms(const DigitRequest& request,
+                                                  const Progress& progress = {});
 
-/// Computes moment arms of a digit that is already built, at the postures of its grid.
+/// Computes those of a digit that is already built, at the postures of its grid.
 /// @throws InputError for a tip map or a net
-[[nodiscard]] MomentArmAnswer moment_arms_of(const DigitCase& digit, const Progress& progress = {});
+[[nodiscard]] MomentArmResult compute_moment_arms(const DigitCase& digit,
+                                                  const Progress& progress = {});
 
 }  // namespace thenar

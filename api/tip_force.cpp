@@ -36,19 +36,18 @@ void clamp_tip(const DigitAtPosture& at, const Eigen::VectorXd& t, double length
 
 }  // namespace
 
-TipForceAnswer ask_tip_force(const TipForceRequest& request, const Progress& progress) {
+TipForceResult compute_tip_force(const TipForceRequest& request, const Progress& progress) {
   require(request.hold_length > 0 && request.hold_length <= kMaxHoldLength,
           "wanted a hold length above 0, up to {:.4g} mm, got {:.6g} mm", 1e3 * kMaxHoldLength,
           1e3 * request.hold_length);
   const DigitCase digit = build_digit(request.digit, TendonOptions().hood);
   require_field("hold", digit.map.empty() || request.hold == TipHold::kPinned,
                 "tip map '{}' gives forces whatever the hold, got a rigid one", digit.map);
-  TipForceAnswer answer{
-      sweep_of(digit), request.hold, request.hold_length, tensions(digit, request.tension), {}};
+  TipForceResult answer{begin_digit_result(digit), request, tensions(digit, request.tension), {}};
   const Eigen::VectorXd limits =
       digit.map.empty() ? digit.bones().max_tension : digit_at(digit, {}).statics.max_tension;
-  for (std::string& warning : overload_warnings(answer.about.muscles, limits, answer.tension))
-    answer.about.warnings.push_back(std::move(warning));
+  for (std::string& warning : overload_warnings(answer.muscles, limits, answer.tension))
+    answer.outcome.warnings.push_back(std::move(warning));
 
   const auto ask = [&](const Eigen::VectorXd& q) {
     const DigitAtPosture at = digit_at(digit, q);
@@ -62,7 +61,7 @@ TipForceAnswer ask_tip_force(const TipForceRequest& request, const Progress& pro
     answer.points.push_back(std::move(point));
     return at.warnings;
   };
-  ask_postures(answer.about, ask, kept_in(answer.points), progress);
+  ask_postures(answer, ask, kept_in(answer.points), progress);
   return answer;
 }
 

@@ -2,6 +2,7 @@
 
 /// The force of a fingertip under given tendon tensions.
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,7 +10,8 @@
 
 #include <Eigen/Core>
 
-#include "api/named/digit_sweep.h"
+#include "api/named/digit_result.h"
+#include "base/enum_names.h"
 #include "tendons/forces/tip_wrench.h"
 
 namespace thenar {
@@ -19,6 +21,9 @@ enum class TipHold {
   kPinned,  // a point: it takes a force and no moment
   kRigid    // a clamp: it takes a force and a moment
 };
+
+inline constexpr std::array kTipHoldNames{EnumName{TipHold::kPinned, "pinned"},
+                                          EnumName{TipHold::kRigid, "rigid"}};
 
 /// Options of a tip force: a digit and the tensions of its tendons.
 struct TipForceRequest {
@@ -46,18 +51,16 @@ struct TipForcePoint {
 };
 
 /// Answers posture by posture, in the order of the grid; as many as were done.
-struct TipForceAnswer {
-  DigitSweep about;
-  TipHold hold = TipHold::kPinned;
-  double hold_length = 0;   // [m]
+struct TipForceResult : DigitResult {
+  TipForceRequest request;
   Eigen::VectorXd tension;  // of each muscle [N] (muscles)
   std::vector<TipForcePoint> points;
 };
 
-/// The static force of a fingertip: tip_force() or tip_wrench() at every posture.
+/// Computes the static force of a fingertip: tip_force() or tip_wrench() at every posture.
 /// @throws InputError for what is unknown, a tension that no tendon bears, a rigid hold of a map,
 /// or a hold length outside of 0 .. 1 m; DataError for a wrong file.
-[[nodiscard]] TipForceAnswer ask_tip_force(const TipForceRequest& request,
-                                           const Progress& progress = {});
+[[nodiscard]] TipForceResult compute_tip_force(const TipForceRequest& request,
+                                               const Progress& progress = {});
 
 }  // namespace thenar

@@ -19,14 +19,14 @@ int main() {
   request.subject = "an_chao_index";
   request.posture.named = {{"MCP2_FE", 30}, {"PIP2", 45}, {"DIP2", 20}};
   request.posture.unit = thenar::PostureUnit::kTyped;
-  const thenar::MomentArmAnswer answer = thenar::ask_moment_arms(request);
+  const thenar::MomentArmResult answer = thenar::compute_moment_arms(request);
   const thenar::MomentArmPoint& at = answer.points.front();
 
   // Rows are muscles, columns are joints; flexion and radial deviation are positive.
   std::printf("      ");
-  for (const std::string& joint : answer.about.rows) std::printf("%8s", joint.c_str());
+  for (const std::string& joint : answer.rows) std::printf("%8s", joint.c_str());
   for (Eigen::Index m = 0; m < at.arms.rows(); ++m) {
-    std::printf("\n%-6s", answer.about.muscles[static_cast<std::size_t>(m)].c_str());
+    std::printf("\n%-6s", answer.muscles[static_cast<std::size_t>(m)].c_str());
     for (const double arm : at.arms.row(m)) std::printf("%8.2f", 1e3 * arm);
   }
   std::printf("\n");

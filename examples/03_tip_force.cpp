@@ -17,7 +17,7 @@ int main() {
   request.digit.passive = thenar::PassiveMoments::kOff;
 
   // The force of the tip on the world, along its own directions.
-  const thenar::TipForcePoint at = thenar::ask_tip_force(request).points.front();
+  const thenar::TipForcePoint at = thenar::compute_tip_force(request).points.front();
   const Eigen::Vector3d force = at.tip_axes->transpose() * at.force;
   std::printf("proximal %.2f N, palmar %.2f N, radial %.2f N\n", force[0], -force[1], force[2]);
 }

@@ -19,7 +19,7 @@ int main() {
   request.digit.passive = thenar::PassiveMoments::kOff;  // of tendons alone
   request.frame = thenar::DirectionFrame::kTip;
   request.direction = Eigen::Vector3d(0, -1, 0);
-  const thenar::FeasibleForceAnswer answer = thenar::ask_feasible_force(request);
+  const thenar::FeasibleForceResult answer = thenar::compute_feasible_force(request);
 
   // The largest force, and what each muscle that pulls has to do with it.
   const thenar::MaxTipForce& largest = *answer.points.front().largest;
@@ -27,6 +27,6 @@ int main() {
   for (Eigen::Index m = 0; m < largest.tension.size(); ++m)
     if (largest.tension[m] > 0.01)
       std::printf("%-4s %6.2f of %6.2f N, %.2f N more for each N of strength\n",
-                  answer.about.muscles[static_cast<std::size_t>(m)].c_str(), largest.tension[m],
+                  answer.muscles[static_cast<std::size_t>(m)].c_str(), largest.tension[m],
                   answer.max_tension[m], std::abs(largest.prices.increase(m)));
 }

@@ -214,13 +214,13 @@ DigitCurves LiveDigit::sweep(const std::string& joint, int count, const Progress
   if (case_.net != nullptr) return net_curves(joint, grid, progress);
   DigitCase varied = case_;
   varied.grid = grid;
-  const MomentArmAnswer answer = moment_arms_of(varied, progress);
+  const MomentArmResult answer = compute_moment_arms(varied, progress);
   // One column a posture.
-  const auto muscles = static_cast<Eigen::Index>(answer.about.muscles.size());
+  const auto muscles = static_cast<Eigen::Index>(answer.muscles.size());
   const auto postures = static_cast<Eigen::Index>(answer.points.size());
   DigitCurves curves{joint, Eigen::VectorXd(postures),
                      Eigen::MatrixXd::Constant(muscles, postures, kNaN),
-                     Eigen::MatrixXd::Constant(muscles, postures, kNaN), answer.about.warnings};
+                     Eigen::MatrixXd::Constant(muscles, postures, kNaN), answer.outcome.warnings};
   for (Eigen::Index k = 0; k < postures; ++k) {
     const MomentArmPoint& point = answer.points[static_cast<std::size_t>(k)];
     curves.angle[k] = point.q[static_cast<Eigen::Index>(i)];

@@ -66,7 +66,7 @@ class LiveDigit final : public LiveModel {
   std::vector<std::string> set(const DigitInputs& inputs);
 
   /// Moment arms and lengths over the whole range of a joint, the others as they stand: those of
-  /// ask_moment_arms(); of a net those of sweep_tendons() under the present tensions.
+  /// compute_moment_arms(); of a net those of sweep_tendons() under the present tensions.
   /// @param count  postures, 2 .. 1000
   /// @throws InputError for an unknown joint.
   [[nodiscard]] DigitCurves sweep(const std::string& joint, int count,

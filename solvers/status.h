@@ -1,12 +1,13 @@
 #pragma once
 
-/// Status of a numerical method: one enumeration for optimisers, root finders and the questions
-/// that they answer. Enumerations with words of a domain stand beside what they describe, as
-/// NetStatus and OdeStatus.
+/// Status of a numerical method, and outcome of a question: one enumeration for optimisers, root
+/// finders and the questions that they answer. Enumerations with words of a domain stand beside
+/// what they describe, as NetStatus and OdeStatus.
 
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace thenar {
 
@@ -25,6 +26,14 @@ enum class Status {
   constexpr std::array kNames{"solved", "infeasible", "unbounded", "limit", "stopped", "stalled"};
   return kNames[static_cast<std::size_t>(status)];
 }
+
+/// How the work on a question ended.
+struct Outcome {
+  Status status = Status::kSolved;    // kStopped: the result holds what was found by then
+  std::size_t done = 0, asked = 0;    // of its parts
+  std::string part = "part";          // what these count: "posture"
+  std::vector<std::string> warnings;  // assumptions and doubts
+};
 
 /// Returns whether a method ended without an answer and without a proof that there is none.
 [[nodiscard]] inline bool is_undecided(Status status) {

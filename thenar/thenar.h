@@ -298,7 +298,7 @@
 #include "api/import.h"
 #include "api/moment_arms.h"
 #include "api/named/data_folders.h"
-#include "api/named/digit_sweep.h"
+#include "api/named/digit_result.h"
 #include "api/named/digits.h"
 #include "api/named/files.h"
 #include "api/named/hands.h"

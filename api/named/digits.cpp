@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "api/named/data_folders.h"
-#include "api/named/digit_sweep.h"
+#include "api/named/digit_result.h"
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/file_io.h"

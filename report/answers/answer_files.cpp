@@ -68,11 +68,9 @@ FileDigests files_of(const std::vector<ContactQuality>& results) {
 
 FileDigests files_of(const RobotPoses& poses) { return poses.files; }
 FileDigests files_of(const SubjectPoses& poses) { return source_digests(poses.sources); }
-FileDigests files_of(const FeasibleForceAnswer& answer) {
-  return source_digests(answer.about.sources);
-}
-FileDigests files_of(const TipForceAnswer& answer) { return source_digests(answer.about.sources); }
-FileDigests files_of(const MomentArmAnswer& answer) { return source_digests(answer.about.sources); }
+FileDigests files_of(const FeasibleForceResult& answer) { return source_digests(answer.sources); }
+FileDigests files_of(const TipForceResult& answer) { return source_digests(answer.sources); }
+FileDigests files_of(const MomentArmResult& answer) { return source_digests(answer.sources); }
 FileDigests files_of(const SimulatedMotion& motion) { return source_digests(motion.sources); }
 FileDigests files_of(const SimulatedScene& scene) { return scene.files; }
 FileDigests files_of(const SceneSweep& sweep) { return sweep.files; }

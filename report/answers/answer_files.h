@@ -14,8 +14,8 @@
 #include "api/pose.h"
 #include "api/posterior.h"
 #include "api/quality.h"
-#include "api/simulate.h"
 #include "api/scenes/simulate_scene.h"
+#include "api/simulate.h"
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"
 #include "api/tip_force.h"
@@ -35,9 +35,9 @@ namespace thenar {
 [[nodiscard]] FileDigests files_of(const std::vector<ContactQuality>& results);
 [[nodiscard]] FileDigests files_of(const RobotPoses& poses);
 [[nodiscard]] FileDigests files_of(const SubjectPoses& poses);
-[[nodiscard]] FileDigests files_of(const FeasibleForceAnswer& answer);
-[[nodiscard]] FileDigests files_of(const TipForceAnswer& answer);
-[[nodiscard]] FileDigests files_of(const MomentArmAnswer& answer);
+[[nodiscard]] FileDigests files_of(const FeasibleForceResult& answer);
+[[nodiscard]] FileDigests files_of(const TipForceResult& answer);
+[[nodiscard]] FileDigests files_of(const MomentArmResult& answer);
 [[nodiscard]] FileDigests files_of(const SimulatedMotion& motion);
 [[nodiscard]] FileDigests files_of(const SimulatedScene& scene);
 [[nodiscard]] FileDigests files_of(const SceneSweep& sweep);

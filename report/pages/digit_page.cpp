@@ -21,7 +21,7 @@ constexpr std::array<const char*, kDrawnPostures> kTints{"#b8a48a", "#7fa8c9", "
 
 }  // namespace
 
-Json digit_page(const DigitSweep& about, const std::string& what, Json sections,
+Json digit_page(const DigitResult& about, const std::string& what, Json sections,
                 const MeshTable& meshes, const std::string& learnt) {
   const Fidelity fidelity = about.tendons ? about.tendons->digit().fidelity : Fidelity{};
   Json provenance = provenance_json(about.sources, fidelity);
@@ -31,10 +31,10 @@ Json digit_page(const DigitSweep& about, const std::string& what, Json sections,
           {"opening",
            opening_json(
                fmt::format("What are the {} of the {} of {}?", what, about.digit, about.subject),
-               fmt::format(
-                   "{} computed with {}.",
-                   about.single() ? "One posture was" : fmt::format("{} postures were", about.done),
-                   about.built),
+               fmt::format("{} computed with {}.",
+                           about.single() ? "One posture was"
+                                          : fmt::format("{} postures were", about.outcome.done),
+                           about.built),
                learnt)},
           {"provenance", provenance},
           {"meshes", meshes.json()},
@@ -48,22 +48,22 @@ std::string range_words(const std::vector<double>& values, const std::string& un
   return (low == high ? low : low + " to " + high) + " " + unit;
 }
 
-std::string digit_introduction(const DigitSweep& about, const std::string& words) {
+std::string digit_introduction(const DigitResult& about, const std::string& words) {
   std::string text = text_header(about);
   text = text.substr(0, text.find('\n')) + ".\n\n" + words;
   if (!passive_line(about).empty()) text += "\n\nPassive moments of the joints are counted.";
-  for (const std::string& warning : about.warnings) text += "\n\nWarning: " + warning + ".";
+  for (const std::string& warning : about.outcome.warnings) text += "\n\nWarning: " + warning + ".";
   return text;
 }
 
-Json digit_scene(const DigitSweep& about, const std::string& caption, MeshTable& meshes,
+Json digit_scene(const DigitResult& about, const std::string& caption, MeshTable& meshes,
                  const AddLayers& add) {
   if (!about.tendons) return nullptr;
   const TendonDigit& digit = about.tendons->digit();
   const SweepAxes axes = axes_of(about);
   Json layers = Json::array();
   std::size_t tint = 0;
-  for (const std::size_t i : drawn_rows(about.done, kDrawnPostures)) {
+  for (const std::size_t i : drawn_rows(about.outcome.done, kDrawnPostures)) {
     const Eigen::VectorXd& q = about.grid.postures[i];
     const std::string color = kTints[tint++];
     Json bones = bone_layer(digit, q, color);

@@ -8,7 +8,7 @@
 
 #include "api/feasible_force.h"
 #include "api/moment_arms.h"
-#include "api/named/digit_sweep.h"
+#include "api/named/digit_result.h"
 #include "api/pose.h"
 #include "api/tip_force.h"
 #include "base/numbers.h"
@@ -21,22 +21,22 @@ namespace thenar {
 [[nodiscard]] Json page_of(const SubjectPoses& poses);
 [[nodiscard]] Json page_of(const RobotPoses& poses);
 /// The tendons in space, arms and lengths over the joints that vary.
-[[nodiscard]] Json page_of(const MomentArmAnswer& answer);
+[[nodiscard]] Json page_of(const MomentArmResult& answer);
 /// The force of the tip in space, in rows, over the joints that vary.
-[[nodiscard]] Json page_of(const TipForceAnswer& answer);
+[[nodiscard]] Json page_of(const TipForceResult& answer);
 /// The largest forces in space, what limits them, over the joints that vary.
-[[nodiscard]] Json page_of(const FeasibleForceAnswer& answer);
+[[nodiscard]] Json page_of(const FeasibleForceResult& answer);
 
 /// The frame of such a page. @param what  "tip forces";  @param meshes  that its scenes name
 /// @param learnt  for its first paragraph, in sentences
-[[nodiscard]] Json digit_page(const DigitSweep& about, const std::string& what, Json sections,
+[[nodiscard]] Json digit_page(const DigitResult& about, const std::string& what, Json sections,
                               const MeshTable& meshes, const std::string& learnt);
 
 /// "0.31 N", "0.21 to 0.42 N": the least and the largest of them; "not to be had": there is none.
 [[nodiscard]] std::string range_words(const std::vector<double>& values, const std::string& unit);
 
 /// The text of a first section: what was asked at which postures, and every warning.
-[[nodiscard]] std::string digit_introduction(const DigitSweep& about, const std::string& words);
+[[nodiscard]] std::string digit_introduction(const DigitResult& about, const std::string& words);
 
 /// Adds further layers to the picture of a posture. @param tint  colour of the posture
 using AddLayers = std::function<void(std::size_t point, const std::string& tint, Json& layers)>;
@@ -45,7 +45,7 @@ using AddLayers = std::function<void(std::size_t point, const std::string& tint,
 /// a map. The first posture is within the subject's skin.
 /// @param meshes  gets those of the skin
 /// @param add     adds to each posture's bones
-[[nodiscard]] Json digit_scene(const DigitSweep& about, const std::string& caption,
+[[nodiscard]] Json digit_scene(const DigitResult& about, const std::string& caption,
                                MeshTable& meshes, const AddLayers& add);
 
 /// Arrows from the tip: how long one newton is drawn [mm/N], so that the largest force is 40 mm.

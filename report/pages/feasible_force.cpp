@@ -18,18 +18,18 @@ namespace {
 using Eigen::Index;
 
 /// Largest force along the direction, what limits it, and who pulls.
-void add_direction_charts(const FeasibleForceAnswer& answer, const SweepAxes& axes, Json& charts) {
-  const LoadWords words = words_of(answer.load);
+void add_direction_charts(const FeasibleForceResult& answer, const SweepAxes& axes, Json& charts) {
+  const LoadWords words = words_of(answer.request.load);
   std::vector<Curve> prices, activations;
-  for (std::size_t m = 0; m < answer.about.muscles.size(); ++m) {
+  for (std::size_t m = 0; m < answer.muscles.size(); ++m) {
     const auto i = static_cast<Index>(m);
     prices.push_back(
-        curve_over(answer.points, answer.about.muscles[m], [i](const FeasibleForcePoint& point) {
+        curve_over(answer.points, answer.muscles[m], [i](const FeasibleForcePoint& point) {
           const Eigen::VectorXd& price = point.largest->prices.increase;
           return makes_force(point) && price.size() > 0 ? price(i) : kNaN;
         }));
     activations.push_back(
-        curve_over(answer.points, answer.about.muscles[m], [i](const FeasibleForcePoint& point) {
+        curve_over(answer.points, answer.muscles[m], [i](const FeasibleForcePoint& point) {
           return makes_force(point) ? point.largest->activation(i) : kNaN;
         }));
   }
@@ -53,14 +53,14 @@ void add_direction_charts(const FeasibleForceAnswer& answer, const SweepAxes& ax
 }
 
 /// Largest load along each axis, and the size of the set.
-void add_set_charts(const FeasibleForceAnswer& answer, const SweepAxes& axes, Json& charts) {
+void add_set_charts(const FeasibleForceResult& answer, const SweepAxes& axes, Json& charts) {
   const auto with_axes = std::find_if(answer.points.begin(), answer.points.end(),
                                       [](const auto& point) { return point.failure.empty(); });
   std::vector<Curve> along;
   for (std::size_t k = 0; k < 6; ++k)
     along.push_back(curve_over(answer.points, axis_direction(with_axes->axes, k),
                                [k](const auto& point) { return point.whole->along[k].component; }));
-  const LoadWords words = words_of(answer.load);
+  const LoadWords words = words_of(answer.request.load);
   charts.push_back(curve_chart(
       axes, fmt::format("Largest {} along each axis, its other components 0", words.one),
       fmt::format("{} [{}]", words.one, words.unit), along));
@@ -72,7 +72,7 @@ void add_set_charts(const FeasibleForceAnswer& answer, const SweepAxes& axes, Js
 }
 
 /// The largest length of anything to draw [N] or [N m].
-double drawn_force(const FeasibleForceAnswer& answer) {
+double drawn_force(const FeasibleForceResult& answer) {
   double largest = 0;
   for (const FeasibleForcePoint& point : answer.points) {
     if (makes_force(point)) largest = std::max(largest, point.largest->force.norm());
@@ -82,15 +82,15 @@ double drawn_force(const FeasibleForceAnswer& answer) {
   return largest;
 }
 
-Json force_scene(const FeasibleForceAnswer& answer, MeshTable& meshes) {
+Json force_scene(const FeasibleForceResult& answer, MeshTable& meshes) {
   const double scale = arrow_scale(drawn_force(answer));
-  const SweepAxes axes = axes_of(answer.about);
+  const SweepAxes axes = axes_of(answer);
   bool first = true;
-  const LoadWords words = words_of(answer.load);
-  const std::string what =
-      answer.direction ? "its largest " + words.one : fmt::format("all {} of its tip", words.many);
+  const LoadWords words = words_of(answer.request.load);
+  const std::string what = answer.request.direction ? "its largest " + words.one
+                                                    : fmt::format("all {} of its tip", words.many);
   return digit_scene(
-      answer.about,
+      answer,
       fmt::format("The digit, and {}: 10 mm stand for {:.3g} {}.", what, 10 / scale, words.unit),
       meshes, [&](std::size_t i, const std::string& tint, Json& layers) {
         const FeasibleForcePoint& point = answer.points[i];
@@ -100,7 +100,7 @@ Json force_scene(const FeasibleForceAnswer& answer, MeshTable& meshes) {
                                        scale * point.largest->force));
         if (!point.whole || point.whole->set.vertices.rows() == 0) return;
         Json hull =
-            force_set_layer(answer.about.tendons->digit(), point.q, point.whole->set, scale, tint);
+            force_set_layer(answer.tendons->digit(), point.q, point.whole->set, scale, tint);
         if (!axes.single()) hull["name"] = words.many + " at " + title_of(axes, i);
         hull["visible"] = first;
         first = false;
@@ -108,12 +108,12 @@ Json force_scene(const FeasibleForceAnswer& answer, MeshTable& meshes) {
       });
 }
 
-std::string question_words(const FeasibleForceAnswer& answer) {
-  const LoadWords load = words_of(answer.load);
+std::string question_words(const FeasibleForceResult& answer) {
+  const LoadWords load = words_of(answer.request.load);
   const std::string axes = answer.points.empty() ? "world" : answer.points.front().axes.name;
-  const std::string other = other_words(answer.load, answer.most_other);
+  const std::string other = other_words(answer.request.load, answer.request.most_other);
   const std::string beside = other.empty() ? "" : ", " + other;
-  if (!answer.direction)
+  if (!answer.request.direction)
     return fmt::format(
         "All static {} of the tip{} with every muscle between 0 and its largest force F0, in {} "
         "axes.",
@@ -122,12 +122,13 @@ std::string question_words(const FeasibleForceAnswer& answer) {
       "The largest static {} along ({:.4g}, {:.4g}, {:.4g}) in {} axes{}{}, {}every muscle between "
       "0 "
       "and its largest force F0.",
-      load.one, answer.direction->x(), answer.direction->y(), answer.direction->z(), axes,
-      answer.tolerance > 0
-          ? fmt::format(", or up to {:.4g} degrees off it", answer.tolerance / kDegree)
+      load.one, answer.request.direction->x(), answer.request.direction->y(),
+      answer.request.direction->z(), axes,
+      answer.request.tolerance > 0
+          ? fmt::format(", or up to {:.4g} degrees off it", answer.request.tolerance / kDegree)
           : "",
-      beside, answer.about.map.empty() ? "every joint in balance and " : "");
-  if (answer.about.single() && !answer.points.empty()) {
+      beside, answer.map.empty() ? "every joint in balance and " : "");
+  if (answer.single() && !answer.points.empty()) {
     const std::string limits = limit_words(answer, answer.points.front());
     if (!limits.empty()) words += "\n\nIt is " + limits + ".";
   }
@@ -137,25 +138,25 @@ std::string question_words(const FeasibleForceAnswer& answer) {
 
 }  // namespace
 
-Json page_of(const FeasibleForceAnswer& answer) {
-  const LoadWords words = words_of(answer.load);
+Json page_of(const FeasibleForceResult& answer) {
+  const LoadWords words = words_of(answer.request.load);
   Json blocks = Json::array();
   MeshTable meshes;
   if (const Json scene = force_scene(answer, meshes); !scene.is_null()) blocks.push_back(scene);
-  if (answer.about.single() && answer.points.front().largest)
+  if (answer.single() && answer.points.front().largest)
     blocks.push_back(
         table_block(fmt::format("Muscles at the largest {}, and what a newton more of their F0 "
                                 "gives.",
                                 words.one),
                     limit_table(answer, answer.points.front())));
   blocks.push_back(table_block("The answer at every posture.", table_of(answer)));
-  Json sections = Json::array(
-      {section("forces", answer.direction ? "The largest " + words.one : "All " + words.many,
-               digit_introduction(answer.about, question_words(answer)), blocks)});
-  if (!answer.about.single() && !answer.points.empty()) {
-    const SweepAxes axes = axes_of(answer.about);
+  Json sections = Json::array({section(
+      "forces", answer.request.direction ? "The largest " + words.one : "All " + words.many,
+      digit_introduction(answer, question_words(answer)), blocks)});
+  if (!answer.single() && !answer.points.empty()) {
+    const SweepAxes axes = axes_of(answer);
     Json charts = Json::array();
-    if (answer.direction) add_direction_charts(answer, axes, charts);
+    if (answer.request.direction) add_direction_charts(answer, axes, charts);
     if (answer.points.front().whole) add_set_charts(answer, axes, charts);
     sections.push_back(section("curves", "Over the posture", "", paired(charts)));
   }
@@ -164,10 +165,11 @@ Json page_of(const FeasibleForceAnswer& answer) {
     if (point.largest && point.largest->status == Status::kSolved)
       largest.push_back(point.largest->component);
   return digit_page(
-      answer.about, "feasible " + words.many, sections, meshes,
-      answer.direction ? fmt::format("The largest {} along the direction that was asked for is {}.",
-                                     words.one, range_words(largest, words.unit))
-                       : "All that muscles can make is drawn below.");
+      answer, "feasible " + words.many, sections, meshes,
+      answer.request.direction
+          ? fmt::format("The largest {} along the direction that was asked for is {}.", words.one,
+                        range_words(largest, words.unit))
+          : "All that muscles can make is drawn below.");
 }
 
 }  // namespace thenar

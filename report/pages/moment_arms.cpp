@@ -12,8 +12,8 @@ namespace {
 using Eigen::Index;
 
 /// A chart for each joint, and one of lengths.
-Json arm_charts_of(const MomentArmAnswer& answer) {
-  const DigitSweep& about = answer.about;
+Json arm_charts_of(const MomentArmResult& answer) {
+  const DigitResult& about = answer;
   const SweepAxes axes = axes_of(about);
   Json charts = Json::array();
   for (Index j = 0; j < answer.crosses.cols(); ++j) {
@@ -39,28 +39,27 @@ Json arm_charts_of(const MomentArmAnswer& answer) {
 
 }  // namespace
 
-Json page_of(const MomentArmAnswer& answer) {
+Json page_of(const MomentArmResult& answer) {
   Json blocks = Json::array();
   MeshTable meshes;
-  const Json scene = digit_scene(answer.about, "The digit and its tendons.", meshes,
+  const Json scene = digit_scene(answer, "The digit and its tendons.", meshes,
                                  [](std::size_t, const std::string&, Json&) {});
   if (!scene.is_null()) blocks.push_back(scene);
   blocks.push_back(table_block("Arms and length changes.", table_of(answer)));
   const std::string words = "An arm is what a tendon shortens by as its joint turns by a radian: " +
-                            sign_words(answer.about.rows) +
-                            ". Lengths are counted from the posture " + reference_words(answer) +
-                            ".";
+                            sign_words(answer.rows) + ". Lengths are counted from the posture " +
+                            reference_words(answer) + ".";
   Json sections = Json::array();
-  if (!answer.about.single() && !answer.points.empty())
+  if (!answer.single() && !answer.points.empty())
     sections.push_back(
         section("curves", "Moment arms over the posture", "", arm_charts_of(answer)));
   sections.insert(sections.begin(),
-                  section("arms", "Moment arms", digit_introduction(answer.about, words), blocks));
+                  section("arms", "Moment arms", digit_introduction(answer, words), blocks));
   std::vector<double> arms;
   for (const MomentArmPoint& point : answer.points)
     if (point.failure.empty())
       for (const double arm : point.arms.reshaped()) arms.push_back(arm / kMm);
-  return digit_page(answer.about, "moment arms", sections, meshes,
+  return digit_page(answer, "moment arms", sections, meshes,
                     fmt::format("They are {}.", range_words(arms, "mm")));
 }
 

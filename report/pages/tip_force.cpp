@@ -12,8 +12,8 @@
 namespace thenar {
 namespace {
 
-Json tip_charts(const TipForceAnswer& answer) {
-  const SweepAxes axes = axes_of(answer.about);
+Json tip_charts(const TipForceResult& answer) {
+  const SweepAxes axes = axes_of(answer);
   std::vector<Curve> force, torque, moment;
   const char* const names[] = {"proximal", "dorsal", "radial"};
   const char* const world[] = {"x", "y", "z"};
@@ -25,11 +25,10 @@ Json tip_charts(const TipForceAnswer& answer) {
       return point.moment(k) / kNmm;
     }));
   }
-  for (std::size_t j = 0; j < answer.about.rows.size(); ++j)
-    torque.push_back(
-        curve_over(answer.points, answer.about.rows[j], [j](const TipForcePoint& point) {
-          return point.residual(static_cast<Eigen::Index>(j)) / kNmm;
-        }));
+  for (std::size_t j = 0; j < answer.rows.size(); ++j)
+    torque.push_back(curve_over(answer.points, answer.rows[j], [j](const TipForcePoint& point) {
+      return point.residual(static_cast<Eigen::Index>(j)) / kNmm;
+    }));
   Json charts =
       Json::array({curve_chart(axes,
                                "Force of the tip on the world along its own axes; none at singular "
@@ -42,19 +41,19 @@ Json tip_charts(const TipForceAnswer& answer) {
                                            })}),
                    curve_chart(axes, "Joint torque left over, that no load of the tip balances",
                                "torque [N mm]", torque)});
-  if (answer.hold == TipHold::kRigid)
+  if (answer.request.hold == TipHold::kRigid)
     charts.push_back(
         curve_chart(axes, "Moment of the tip on the world, world axes", "moment [N mm]", moment));
   return paired(charts);
 }
 
-Json tip_scene(const TipForceAnswer& answer, MeshTable& meshes) {
+Json tip_scene(const TipForceResult& answer, MeshTable& meshes) {
   double largest = 0;
   for (const TipForcePoint& point : answer.points)
     if (!point.singular) largest = std::max(largest, point.force.norm());
   const double scale = arrow_scale(largest);
   return digit_scene(
-      answer.about,
+      answer,
       fmt::format("The digit, and the force of its tip on the world: 10 mm stand for {:.3g} N.",
                   10 / scale),
       meshes, [&](std::size_t i, const std::string&, Json& layers) {
@@ -64,35 +63,35 @@ Json tip_scene(const TipForceAnswer& answer, MeshTable& meshes) {
       });
 }
 
-std::string tension_words(const TipForceAnswer& answer) {
+std::string tension_words(const TipForceResult& answer) {
   std::string text;
-  for (std::size_t m = 0; m < answer.about.muscles.size(); ++m)
+  for (std::size_t m = 0; m < answer.muscles.size(); ++m)
     if (const double t = answer.tension(static_cast<Eigen::Index>(m)); t > 0)
-      text += fmt::format("{}{} {:.4g} N", text.empty() ? "" : ", ", answer.about.muscles[m], t);
+      text += fmt::format("{}{} {:.4g} N", text.empty() ? "" : ", ", answer.muscles[m], t);
   return text.empty() ? "no muscle pulls" : text;
 }
 
 }  // namespace
 
-Json page_of(const TipForceAnswer& answer) {
-  const std::string words =
-      fmt::format("Tensions: {}. The tip is {}; the force is what the tip does to the world.",
-                  tension_words(answer),
-                  answer.hold == TipHold::kRigid ? "clamped, so that it also bears a moment"
-                                                 : "pinned by a point, which bears no moment");
+Json page_of(const TipForceResult& answer) {
+  const std::string words = fmt::format(
+      "Tensions: {}. The tip is {}; the force is what the tip does to the world.",
+      tension_words(answer),
+      answer.request.hold == TipHold::kRigid ? "clamped, so that it also bears a moment"
+                                             : "pinned by a point, which bears no moment");
   Json blocks = Json::array();
   MeshTable meshes;
   if (const Json scene = tip_scene(answer, meshes); !scene.is_null()) blocks.push_back(scene);
   blocks.push_back(table_block("The force at every posture.", table_of(answer)));
-  Json sections = Json::array({section("force", "Force of the fingertip",
-                                       digit_introduction(answer.about, words), blocks)});
-  if (!answer.about.single() && !answer.points.empty())
+  Json sections = Json::array(
+      {section("force", "Force of the fingertip", digit_introduction(answer, words), blocks)});
+  if (!answer.single() && !answer.points.empty())
     sections.push_back(section("curves", "Over the posture", "", tip_charts(answer)));
   std::vector<double> sizes;
   for (const TipForcePoint& point : answer.points)
     if (point.failure.empty()) sizes.push_back(point.force.norm());
   return digit_page(
-      answer.about, "tip forces", sections, meshes,
+      answer, "tip forces", sections, meshes,
       fmt::format("The force of the tip on the world is {}.", range_words(sizes, "N")));
 }
 

@@ -42,7 +42,7 @@ TEST_P(PricesOfF0, AreSlopesOfTheForce) {
     request.tolerance = tolerance;
     const DigitCase digit = build_digit(request.digit, TendonOptions().hood);
     const DigitAtPosture at = digit_at(digit, digit.grid.postures.front());
-    const FeasibleForceAnswer answer = ask_feasible_force(request);
+    const FeasibleForceResult answer = compute_feasible_force(request);
     const FeasibleForcePoint& point = answer.points.front();
     ASSERT_EQ(point.largest->status, Status::kSolved);
     const ForceLimitPrices& prices = point.largest->prices;
@@ -58,9 +58,9 @@ TEST_P(PricesOfF0, AreSlopesOfTheForce) {
       // Within a cone slopes bend: as much as the step, and the cone's own 1e-10 over the step.
       const double close = tolerance > 0 ? 1e-3 : 1e-6;
       EXPECT_NEAR((force_at(i, F0 + step) - force_at(i, F0)) / step, prices.increase(i), close)
-          << answer.about.muscles[static_cast<std::size_t>(i)];
+          << answer.muscles[static_cast<std::size_t>(i)];
       EXPECT_NEAR((force_at(i, F0) - force_at(i, F0 - step)) / step, prices.decrease(i), close)
-          << answer.about.muscles[static_cast<std::size_t>(i)];
+          << answer.muscles[static_cast<std::size_t>(i)];
     }
     // Strong duality: there is no passive torque in these subjects' statics.
     if (!prices.degenerate() && at.statics.tau_0.isZero(0)) {
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Postures, PricesOfF0,
 TEST(FeasibleForce, RefusesAWideToleranceInDegrees) {
   FeasibleForceRequest request = request_of({"an_chao_index", "index", {45, 0, 45, 10}});
   request.tolerance = 100 * kDegree;
-  EXPECT_EQ(message_of([&] { (void)ask_feasible_force(request); }),
+  EXPECT_EQ(message_of([&] { (void)compute_feasible_force(request); }),
             "wanted a tolerance of 0 deg to below 90 deg, got 100 deg");
 }
 
@@ -90,7 +90,7 @@ TEST(FeasibleForce, RefusesAWideToleranceInDegrees) {
 TEST(FeasibleForceWithout, TakesThePalmarForceWithTheOnlyFlexorOfDip) {
   FeasibleForceRequest request = request_of({"synek2019_middle", "middle", {20, 0, 30, 15}});
   request.without = {"FDP"};
-  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  const FeasibleForceResult answer = compute_feasible_force(request);
   const FeasibleForcePoint& point = answer.points.front();
   ASSERT_TRUE(point.loss);
   EXPECT_NEAR(point.loss->share, 1, 1e-9);
@@ -102,13 +102,13 @@ TEST(FeasibleForceWithout, TakesThePalmarForceWithTheOnlyFlexorOfDip) {
 TEST(FeasibleForceWithout, LeavesTheOtherMusclesTheirForce) {
   FeasibleForceRequest request = request_of({"arms_thumb", "thumb", {10, 10, 20, 20}});
   request.tolerance = 20 * kDegree;
-  const double intact = ask_feasible_force(request).points.front().largest->component;
+  const double intact = compute_feasible_force(request).points.front().largest->component;
   request.without = {"OPP", "APB"};
-  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  const FeasibleForceResult answer = compute_feasible_force(request);
   const FeasibleForcePoint& point = answer.points.front();
   EXPECT_EQ(answer.without, (std::vector<std::string>{"APB", "OPP"}));  // in the digit's order
-  for (std::size_t i = 0; i < answer.about.muscles.size(); ++i) {
-    const bool paralysed = answer.about.muscles[i] == "APB" || answer.about.muscles[i] == "OPP";
+  for (std::size_t i = 0; i < answer.muscles.size(); ++i) {
+    const bool paralysed = answer.muscles[i] == "APB" || answer.muscles[i] == "OPP";
     EXPECT_EQ(answer.max_tension[static_cast<Eigen::Index>(i)] == 0, paralysed);
     if (paralysed) {
       EXPECT_EQ(point.largest->tension[static_cast<Eigen::Index>(i)], 0);
@@ -123,21 +123,21 @@ TEST(FeasibleForceWithout, LeavesTheOtherMusclesTheirForce) {
 // it, and as long as the same muscles limit it, its price says how much.
 TEST(FeasibleForceWithout, WeakenedMusclesPullWithWhatIsLeft) {
   FeasibleForceRequest request = request_of({"synek2019_middle", "middle", {20, 0, 30, 15}});
-  const FeasibleForceAnswer intact = ask_feasible_force(request);
-  const auto& muscles = intact.about.muscles;
+  const FeasibleForceResult intact = compute_feasible_force(request);
+  const auto& muscles = intact.muscles;
   const auto fdp = std::find(muscles.begin(), muscles.end(), "FDP") - muscles.begin();
   const double most = intact.points.front().largest->component;
   const double lost =
       intact.points.front().largest->prices.decrease[fdp] * intact.max_tension[fdp] / 2;
   request.weakened = {{"FDP", intact.max_tension[fdp] / 2}};
-  const FeasibleForceAnswer weak = ask_feasible_force(request);
+  const FeasibleForceResult weak = compute_feasible_force(request);
   EXPECT_GE(weak.points.front().largest->component, most / 2);
   EXPECT_NEAR(weak.points.front().largest->component, most - lost, 1e-6);
   EXPECT_NEAR(weak.points.front().loss->share, lost / most, 1e-7);
   request.weakened = {{"FDP", 1e3}};  // stronger than it is: F0 stays
-  EXPECT_NEAR(ask_feasible_force(request).points.front().loss->share, 0, 1e-12);
+  EXPECT_NEAR(compute_feasible_force(request).points.front().loss->share, 0, 1e-12);
   request.weakened = {{"FDP", -1}};
-  EXPECT_EQ(message_of([&] { (void)ask_feasible_force(request); }),
+  EXPECT_EQ(message_of([&] { (void)compute_feasible_force(request); }),
             "wanted a tension >= 0 of the weak 'FDP', got -1 N");
 }
 
@@ -155,27 +155,30 @@ FeasibleForceRequest key_pinch(WristLoad wrist, double wrist_deg = 0) {
 // The wrist's own extensors, 337 and 252 N at 15 and 17 mm, hold what the thumb's flexor pulls
 // across it, 201 N at 4 mm: an intact wrist takes nothing of a pinch.
 TEST(FeasibleForceWrist, IntactWristTakesNothingOfAPinch) {
-  const double held = ask_feasible_force(key_pinch(WristLoad::kHeld)).points[0].largest->component;
-  const FeasibleForceAnswer pinch = ask_feasible_force(key_pinch(WristLoad::kPinch));
+  const double held =
+      compute_feasible_force(key_pinch(WristLoad::kHeld)).points[0].largest->component;
+  const FeasibleForceResult pinch = compute_feasible_force(key_pinch(WristLoad::kPinch));
   EXPECT_NEAR(pinch.points[0].largest->component, held, 1e-7 * held);
   // Muscles of the fingers would have fingers to balance.
-  ASSERT_EQ(pinch.about.warnings.size(), 1u);
-  EXPECT_EQ(pinch.about.warnings[0].rfind("left out, as they would have to balance joints", 0), 0u);
-  for (const std::string& muscle : pinch.about.muscles)
+  ASSERT_EQ(pinch.outcome.warnings.size(), 1u);
+  EXPECT_EQ(pinch.outcome.warnings[0].rfind("left out, as they would have to balance joints", 0),
+            0u);
+  for (const std::string& muscle : pinch.muscles)
     EXPECT_FALSE(muscle.rfind("FD", 0) == 0 || muscle.rfind("ED", 0) == 0 || muscle == "EI")
         << muscle;
-  EXPECT_EQ(pinch.about.muscles.size(), 17u);  // 11 of the thumb and 6 of the wrist
+  EXPECT_EQ(pinch.muscles.size(), 17u);  // 11 of the thumb and 6 of the wrist
   EXPECT_EQ(pinch.max_tension.size(), 17);
 }
 
 // A wrist that bears the load of a thumb against the world has more to balance than one that is
 // held; without muscles of its own there is nothing left to do it with.
 TEST(FeasibleForceWrist, FreeWristBearsTheLoad) {
-  const double held = ask_feasible_force(key_pinch(WristLoad::kHeld)).points[0].largest->component;
+  const double held =
+      compute_feasible_force(key_pinch(WristLoad::kHeld)).points[0].largest->component;
   FeasibleForceRequest request = key_pinch(WristLoad::kFree);
-  EXPECT_LE(ask_feasible_force(request).points[0].largest->component, held * (1 + 1e-9));
+  EXPECT_LE(compute_feasible_force(request).points[0].largest->component, held * (1 + 1e-9));
   request.without = {"ECRL", "ECRB", "ECU", "FCR", "FCU", "PL"};
-  const FeasibleForcePoint weak = ask_feasible_force(request).points[0];
+  const FeasibleForcePoint weak = compute_feasible_force(request).points[0];
   ASSERT_TRUE(weak.loss);
   EXPECT_GT(weak.loss->share, 0.2);
 }
@@ -190,7 +193,7 @@ TEST(FeasibleForceWrist, LigamentsLimitThePinchOfADroppedWrist) {
     request.digit.frozen.named = {{"WRIST_AA", 0}};
     request.digit.frozen.unit = PostureUnit::kTyped;
     if (!joint.empty()) request.digit.posture.named[joint] += more_deg;
-    return ask_feasible_force(request).points.at(0);
+    return compute_feasible_force(request).points.at(0);
   };
   const FeasibleForcePoint point = ask("", 0, -0.5);
   ASSERT_EQ(point.stops.size(), 1u);
@@ -216,40 +219,41 @@ TEST(FeasibleForceWrist, NamesWhatItCannotDo) {
   FeasibleForceRequest request = key_pinch(WristLoad::kHeld);
   request.stops = {{"WRIST_FE", -0.5}};
   EXPECT_EQ(
-      message_of([&] { (void)ask_feasible_force(request); }).rfind("no free joint 'WRIST_FE'"), 0u);
+      message_of([&] { (void)compute_feasible_force(request); }).rfind("no free joint 'WRIST_FE'"),
+      0u);
   request.stops = {{"IP1", 0}};
-  EXPECT_EQ(message_of([&] { (void)ask_feasible_force(request); }),
+  EXPECT_EQ(message_of([&] { (void)compute_feasible_force(request); }),
             "wanted a torque of the stop of 'IP1', got 0 N m");
   // Elsewhere than at the end of its range, -38.8 deg, a stop is a warning.
   request.stops = {{"IP1", 1}};
-  const FeasibleForceAnswer answer = ask_feasible_force(request);
-  ASSERT_EQ(answer.about.warnings.size(), 1u);
-  EXPECT_EQ(answer.about.warnings[0],
+  const FeasibleForceResult answer = compute_feasible_force(request);
+  ASSERT_EQ(answer.outcome.warnings.size(), 1u);
+  EXPECT_EQ(answer.outcome.warnings[0],
             "the stop of IP1 is asked for at -3.8 deg, its range ends at -38.8 deg");
   FeasibleForceRequest finger = request_of({"an_chao_index", "index", {45, 0, 45, 10}});
   finger.wrist = WristLoad::kPinch;
-  EXPECT_EQ(message_of([&] { (void)ask_feasible_force(finger); }),
+  EXPECT_EQ(message_of([&] { (void)compute_feasible_force(finger); }),
             "no free joint of subject 'an_chao_index' is shared by its digits: no wrist");
 }
 
 TEST(FeasibleForceWithout, NamesWhatItDoesNotKnowOrNeed) {
   FeasibleForceRequest request = request_of({"mirakhorlo2016", "thumb", {0, 0, 0, 0}});
   request.without = {"ADPx"};
-  EXPECT_EQ(message_of([&] { (void)ask_feasible_force(request); }).rfind("no muscle 'ADPx'", 0),
+  EXPECT_EQ(message_of([&] { (void)compute_feasible_force(request); }).rfind("no muscle 'ADPx'", 0),
             0u);
   request.without = {"LU1", "ADPt"};
-  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  const FeasibleForceResult answer = compute_feasible_force(request);
   EXPECT_EQ(answer.without, std::vector<std::string>{"ADPt"});
-  EXPECT_EQ(answer.about.warnings.front(),
+  EXPECT_EQ(answer.outcome.warnings.front(),
             "their paralysis changes nothing, as they cross no free joint of the digit: LU1");
 }
 
 // A posture of the grid is answered as if it had been asked alone.
 TEST(FeasibleForce, AnswersAGridPostureByPosture) {
   FeasibleForceRequest request = request_of({"synek2019_middle", "middle", {20, 0, 30, 15}});
-  const double alone = ask_feasible_force(request).points.front().largest->component;
+  const double alone = compute_feasible_force(request).points.front().largest->component;
   request.digit.vary = {{"PIP3", 20, 40, 10}};
-  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  const FeasibleForceResult answer = compute_feasible_force(request);
   ASSERT_EQ(answer.points.size(), 3u);
   EXPECT_NEAR(answer.points[1].largest->component, alone, 1e-12 * alone);
 }

@@ -40,9 +40,9 @@ TEST_P(ArmsOf, AreSlopesOfLengths) {
   request.path = rung.path;
   constexpr double kStep = 0.01;  // [deg]
   request.vary = {{rung.joint, 30 - kStep, 30 + kStep, kStep}};
-  const MomentArmAnswer answer = ask_moment_arms(request);
+  const MomentArmResult answer = compute_moment_arms(request);
   ASSERT_EQ(answer.points.size(), 3u);
-  const int joint = answer.about.grid.varied.front();
+  const int joint = answer.grid.varied.front();
   const Eigen::VectorXd slope =
       (answer.points[2].length_change - answer.points[0].length_change) / (2 * kStep * kDegree);
   // The error of a central difference is the step's square times a third derivative of mm.
@@ -64,8 +64,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(MomentArms, AreThoseOfABowstring) {
   DigitRequest request = request_of("synek2019_middle", "middle");
   request.posture.named = {{"MCP3_FE", 20}, {"PIP3", 35}, {"DIP3", 25}};
-  const MomentArmAnswer answer = ask_moment_arms(request);
-  const TendonDigit& digit = answer.about.tendons->digit();
+  const MomentArmResult answer = compute_moment_arms(request);
+  const TendonDigit& digit = answer.tendons->digit();
   const MomentArmPoint& point = answer.points.front();
   const TreeState<double> state = pose_tree(digit.model.tree, point.q);
   const std::size_t last = state.size() - 1;  // DIP3
@@ -93,8 +93,8 @@ TEST(MomentArms, AreThoseOfABowstring) {
 
 // A joint has no arm for muscles that end before it.
 TEST(MomentArms, AreOfJointsThatAreCrossed) {
-  const MomentArmAnswer answer = ask_moment_arms(request_of("synek2019_middle", "middle"));
-  const std::vector<std::string>& muscles = answer.about.muscles;
+  const MomentArmResult answer = compute_moment_arms(request_of("synek2019_middle", "middle"));
+  const std::vector<std::string>& muscles = answer.muscles;
   const auto row = [&](const std::string& name) {
     return std::find(muscles.begin(), muscles.end(), name) - muscles.begin();
   };
@@ -111,13 +111,12 @@ TEST(MomentArms, TellWhereARunHasPassedItsJoint) {
     request.subject = kData + "/subjects/an_chao_middle.toml";
     request.digit = "middle";
     request.posture.named = {{"MCP3_FE", angle * kDegree}};
-    const MomentArmAnswer answer = ask_moment_arms(request);
+    const MomentArmResult answer = compute_moment_arms(request);
     const auto flexor = static_cast<Eigen::Index>(
-        std::find(answer.about.muscles.begin(), answer.about.muscles.end(), "FDS") -
-        answer.about.muscles.begin());
+        std::find(answer.muscles.begin(), answer.muscles.end(), "FDS") - answer.muscles.begin());
     const bool passed = angle > 80;
     EXPECT_EQ(answer.points.front().arms(flexor, 0) < 0, passed);
-    const std::string all = fmt::format("{}", fmt::join(answer.about.warnings, "\n"));
+    const std::string all = fmt::format("{}", fmt::join(answer.outcome.warnings, "\n"));
     EXPECT_EQ(all.find("arms of FDS at MCP3_FE") != std::string::npos, passed) << all;
   }
 }
@@ -125,10 +124,10 @@ TEST(MomentArms, TellWhereARunHasPassedItsJoint) {
 TEST(MomentArms, AreNotThoseOfANetOrAMap) {
   DigitRequest net = request_of("synek2019_middle", "middle");
   net.net = "winslow";
-  EXPECT_EQ(message_of([&] { (void)ask_moment_arms(net); }),
+  EXPECT_EQ(message_of([&] { (void)compute_moment_arms(net); }),
             "moment arms of a net depend on tensions: ask tendon solve or tendon sweep");
   EXPECT_NE(message_of([] {
-              (void)ask_moment_arms(request_of("valero_cuevas_index", "index"));
+              (void)compute_moment_arms(request_of("valero_cuevas_index", "index"));
             }).find("no moment arms"),
             std::string::npos);
 }

@@ -39,7 +39,7 @@ class PassiveAnswers : public TemporaryFolder {
     TipForceRequest request;
     request.digit = digit;
     request.tension = {{"FDP2", tension}};
-    return ask_tip_force(request).points.front().force;
+    return compute_tip_force(request).points.front().force;
   }
 };
 
@@ -50,11 +50,11 @@ TEST_F(PassiveAnswers, WithoutThemAreThoseOfASubjectThatStatesNone) {
   FeasibleForceRequest largest;
   largest.direction = Eigen::Vector3d(0, 0, -1);
   largest.digit = off;
-  const double component = ask_feasible_force(largest).points.front().largest->component;
+  const double component = compute_feasible_force(largest).points.front().largest->component;
   largest.digit = none;
-  EXPECT_EQ(component, ask_feasible_force(largest).points.front().largest->component);
+  EXPECT_EQ(component, compute_feasible_force(largest).points.front().largest->component);
   largest.digit = index_of(true, PassiveMoments::kOn);
-  EXPECT_NE(component, ask_feasible_force(largest).points.front().largest->component);
+  EXPECT_NE(component, compute_feasible_force(largest).points.front().largest->component);
 }
 
 // J' f = R' t + tau_0 is linear: what passive moments add to f hangs on no tension.

@@ -27,12 +27,12 @@ DigitRequest middle_finger(double mcp) {
 
 TEST(Overload, IsToldByEveryQuestionThatTakesTensions) {
   const std::map<std::string, double> pull{{"FDP3", 1000}};
-  EXPECT_TRUE(tells(ask_tip_force({middle_finger(20), pull}).about.warnings,
+  EXPECT_TRUE(tells(compute_tip_force({middle_finger(20), pull}).outcome.warnings,
                     "FDP3 is pulled with 1000 N, but can make"));
   EXPECT_TRUE(tells(solve_tendons({middle_finger(20), pull}).loaded.warnings,
                     "FDP3 is pulled with 1000 N, but can make"));
   EXPECT_FALSE(
-      tells(ask_tip_force({middle_finger(20), {{"FDP3", 10}}}).about.warnings, "can make"));
+      tells(compute_tip_force({middle_finger(20), {{"FDP3", 10}}}).outcome.warnings, "can make"));
 }
 
 // Straight runs of EDC3 pass the knuckle on its palmar side where it is bent far.

@@ -28,16 +28,16 @@ TipForceRequest flexed_middle_finger() {
 // The balance is linear: twice the tension, twice the force.
 TEST(AskTipForce, DoublesWithTheTension) {
   TipForceRequest request = flexed_middle_finger();
-  const Eigen::Vector3d once = ask_tip_force(request).points.front().force;
+  const Eigen::Vector3d once = compute_tip_force(request).points.front().force;
   request.tension["FDP"] = 20;
-  EXPECT_TRUE(matrix_near(ask_tip_force(request).points.front().force, 2 * once, 1e-12));
+  EXPECT_TRUE(matrix_near(compute_tip_force(request).points.front().force, 2 * once, 1e-12));
 }
 
 TEST(AskTipForce, AnswersAGridPostureByPosture) {
   TipForceRequest request = flexed_middle_finger();
-  const Eigen::Vector3d alone = ask_tip_force(request).points.front().force;
+  const Eigen::Vector3d alone = compute_tip_force(request).points.front().force;
   request.digit.vary = {{"DIP3", 30, 40, 5}};
-  const TipForceAnswer answer = ask_tip_force(request);
+  const TipForceResult answer = compute_tip_force(request);
   ASSERT_EQ(answer.points.size(), 3u);
   EXPECT_TRUE(matrix_near(answer.points[1].force, alone, 1e-12));
 }
@@ -48,10 +48,10 @@ TEST(AskTipForce, KeepsWhatIsDoneWhenStopped) {
   int left = 2;
   Progress progress;
   progress.stop_requested = [&] { return left-- == 0; };
-  const TipForceAnswer answer = ask_tip_force(request, progress);
+  const TipForceResult answer = compute_tip_force(request, progress);
   EXPECT_EQ(answer.points.size(), 2u);
-  EXPECT_EQ(answer.about.done, 2u);
-  EXPECT_EQ(answer.about.asked(), 7u);
+  EXPECT_EQ(answer.outcome.done, 2u);
+  EXPECT_EQ(answer.outcome.asked, 7u);
 }
 
 /// The index finger of the whole hand of [Mirakhorlo2016], pulled by its deep flexor and the
@@ -71,18 +71,18 @@ TipForceRequest pulled_index_finger() {
 // closed form, the lumbrical's origin at its place along the flexor, arms as differences of
 // lengths, along the axes of the tip as the file rounds them, to six digits.
 TEST(AskTipForce, WrapsWhereTheSubjectStatesSurfaces) {
-  const TipForceAnswer answer = ask_tip_force(pulled_index_finger());
+  const TipForceResult answer = compute_tip_force(pulled_index_finger());
   const TipForcePoint& point = answer.points.front();
   EXPECT_TRUE(matrix_near(Eigen::Vector3d(point.tip_axes->transpose() * point.force),
                           Eigen::Vector3d(-1.909196, -0.292375, 0.511426), 5e-6));
-  EXPECT_NE(answer.about.built.find("wrapped"), std::string::npos);
+  EXPECT_NE(answer.built.find("wrapped"), std::string::npos);
 }
 
 // Straight paths leave the lumbrical's origin on the metacarpal: it has no arm at PIP and DIP.
 TEST(AskTipForce, RunsStraightWhereThatIsAsked) {
   TipForceRequest request = pulled_index_finger();
   request.digit.path = Path::kViaPoint;
-  const TipForcePoint point = ask_tip_force(request).points.front();
+  const TipForcePoint point = compute_tip_force(request).points.front();
   EXPECT_TRUE(matrix_near(Eigen::Vector3d(point.tip_axes->transpose() * point.force),
                           Eigen::Vector3d(-2.22, -1.07, -0.26), 0.005));
 }
@@ -90,7 +90,7 @@ TEST(AskTipForce, RunsStraightWhereThatIsAsked) {
 TEST(AskTipForce, RefusesATensionThatNoTendonBears) {
   TipForceRequest request = flexed_middle_finger();
   request.tension["FDP"] = 1e6;
-  EXPECT_EQ(message_of([&] { (void)ask_tip_force(request); }),
+  EXPECT_EQ(message_of([&] { (void)compute_tip_force(request); }),
             "wanted a tension of 'FDP' up to 10000 N, got 1000000 N: no tendon bears it");
 }
 
@@ -100,7 +100,7 @@ TEST(AskTipForce, RefusesAHoldOfAMap) {
   request.digit.subject = "valero_cuevas_index";
   request.digit.data = kData;
   request.hold = TipHold::kRigid;
-  EXPECT_NE(message_of([&] { (void)ask_tip_force(request); }).find("got a rigid one"),
+  EXPECT_NE(message_of([&] { (void)compute_tip_force(request); }).find("got a rigid one"),
             std::string::npos);
 }
 
@@ -121,7 +121,7 @@ TipForceRequest planar_index_finger(TipHold hold) {
 TEST(AskTipForce, KnowsThePlaneOfParallelAxes) {
   for (const TipHold hold : {TipHold::kPinned, TipHold::kRigid}) {
     TipForceRequest request = planar_index_finger(hold);
-    const TipForcePoint at = ask_tip_force(request).points.front();
+    const TipForcePoint at = compute_tip_force(request).points.front();
     EXPECT_TRUE(at.planar);
     EXPECT_FALSE(at.singular);
     EXPECT_FALSE(at.minimum_norm);
@@ -129,11 +129,11 @@ TEST(AskTipForce, KnowsThePlaneOfParallelAxes) {
     EXPECT_NEAR((at.tip_axes->transpose() * at.force)[2], 0, 1e-12);
     constexpr double kStep = 0.0078125;  // [deg], exact in binary
     request.digit.vary = {{"PIP2", 45 - kStep, 45 + kStep, 2 * kStep}};
-    const TipForceAnswer near = ask_tip_force(request);
+    const TipForceResult near = compute_tip_force(request);
     ASSERT_EQ(near.points.size(), 2U);
     const double slope =
         (near.points[1].force - near.points[0].force).norm() / (2 * kStep * kDegree);
-    const auto& rows = near.about.rows;
+    const auto& rows = near.rows;
     const auto pip = std::find(rows.begin(), rows.end(), "PIP2") - rows.begin();
     EXPECT_NEAR(at.change[pip], slope, 1e-5 * slope);  // the third derivative of a step
   }

@@ -201,9 +201,9 @@ TEST(LiveDigit, SweepsAsMomentArmsDo) {
   request.posture.named = kBent;
   request.vary = {
       {"PIP3", curves.angle[0], curves.angle[30], (curves.angle[30] - curves.angle[0]) / 30}};
-  const MomentArmAnswer answer = ask_moment_arms(request);
+  const MomentArmResult answer = compute_moment_arms(request);
   ASSERT_EQ(answer.points.size(), 31U);
-  const int joint = answer.about.grid.varied.front();
+  const int joint = answer.grid.varied.front();
   for (Eigen::Index k = 0; k < 31; ++k) {
     const MomentArmPoint& point = answer.points[static_cast<std::size_t>(k)];
     EXPECT_TRUE(matrix_near(curves.arms.col(k), point.arms.col(joint), 1e-12));

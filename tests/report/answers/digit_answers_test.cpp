@@ -30,9 +30,9 @@ TEST(DigitWords, ShowNoRoundingAsAChange) {
 
 TEST(DigitWords, GiveAListOfPostures) {
   TipForceRequest request{middle_finger(), {{"FDP", 10}}};
-  EXPECT_TRUE(json_of(ask_tip_force(request)).contains("posture_deg"));
+  EXPECT_TRUE(json_of(compute_tip_force(request)).contains("posture_deg"));
   request.digit.vary = {{"PIP3", 10, 30, 10}};
-  const TipForceAnswer answer = ask_tip_force(request);
+  const TipForceResult answer = compute_tip_force(request);
   const OrderedJson json = json_of(answer);
   ASSERT_EQ(json["postures"].size(), 3u);
   EXPECT_DOUBLE_EQ(json["postures"][1]["posture_deg"]["PIP3"], 20);
@@ -42,7 +42,7 @@ TEST(DigitWords, GiveAListOfPostures) {
 TEST(MomentArmWords, SayWhichSenseIsPositive) {
   EXPECT_EQ(sign_words({"MCP3_FE", "MCP3_AA", "PIP3"}),
             "flexion positive at MCP3_FE, PIP3; abduction positive at MCP3_AA");
-  const OrderedJson json = json_of(ask_moment_arms(middle_finger()));
+  const OrderedJson json = json_of(compute_moment_arms(middle_finger()));
   EXPECT_FALSE(json["arms_mm"]["FDS"].contains("DIP3"));
   EXPECT_GT(json["arms_mm"]["FDP"]["DIP3"], 0);
 }
@@ -53,7 +53,7 @@ TEST(FeasibleForceWords, SayWhatLimits) {
   request.digit = middle_finger();
   request.direction = Eigen::Vector3d(0, -1, 0);
   request.frame = DirectionFrame::kTip;
-  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  const FeasibleForceResult answer = compute_feasible_force(request);
   const OrderedJson json = json_of(answer);
   ASSERT_FALSE(json["limited_by"].empty());
   const std::string dearest = json["limited_by"][0]["muscle"];
@@ -68,14 +68,14 @@ TEST(FeasibleForceWords, TellWhatAParalysisCosts) {
   request.direction = Eigen::Vector3d(0, -1, 0);
   request.frame = DirectionFrame::kTip;
   request.without = {"FDP"};  // the only flexor of DIP
-  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  const FeasibleForceResult answer = compute_feasible_force(request);
   EXPECT_NE(text_of(answer).find("Without FDP: 100.0 % of the 33.760 N"), std::string::npos);
   const OrderedJson json = json_of(answer);
   EXPECT_EQ(json["without"][0], "FDP");
   EXPECT_DOUBLE_EQ(json["paralysis"]["loss"], 1);
   EXPECT_EQ(table_of(answer).rows[0].size(), table_of(answer).header.size());
   request.weakened = {{"FDS", 12.5}};
-  EXPECT_EQ(weak_words(ask_feasible_force(request)), "Without FDP, with 12.5 N of FDS");
+  EXPECT_EQ(weak_words(compute_feasible_force(request)), "Without FDP, with 12.5 N of FDS");
 }
 
 // A published map has no joints whose balance could forbid a force.
@@ -86,12 +86,12 @@ TEST(FeasibleForceWords, AMapIsNotExplainedByJoints) {
   request.digit.map = "cadaver_hand4";
   request.direction = Eigen::Vector3d(0, 0, 1);
   request.without = {"FDP", "FDS"};
-  const std::string text = text_of(ask_feasible_force(request));
+  const std::string text = text_of(compute_feasible_force(request));
   EXPECT_NE(text.find("no tensions make any force this way, by this map"), std::string::npos);
   EXPECT_EQ(text.find("joint"), std::string::npos);
 }
 
-FeasibleForceAnswer palmar_forces_over_pip() {
+FeasibleForceResult palmar_forces_over_pip() {
   FeasibleForceRequest request;
   request.digit.subject = "an_chao_index";
   request.digit.data = kData;
@@ -100,7 +100,7 @@ FeasibleForceAnswer palmar_forces_over_pip() {
   request.digit.vary = {{"PIP2", 0, 60, 30}};
   request.direction = Eigen::Vector3d(0, -1, 0);
   request.frame = DirectionFrame::kTip;
-  return ask_feasible_force(request);
+  return compute_feasible_force(request);
 }
 
 // One number, one unit: a moment is in N m wherever it stands, and the force beside it in N.
@@ -111,7 +111,7 @@ TEST(FeasibleForceWords, MomentsAreInNewtonMetres) {
   request.direction = Eigen::Vector3d(0, 0, 1);
   request.frame = DirectionFrame::kTip;
   request.most_other = 5;
-  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  const FeasibleForceResult answer = compute_feasible_force(request);
   const OrderedJson json = json_of(answer);
   for (const char* key : {"moment_Nm", "component_Nm", "force_N", "most_forces_N"})
     EXPECT_TRUE(json.contains(key)) << key;
@@ -126,7 +126,7 @@ TEST(FeasibleForceWords, MomentsAreInNewtonMetres) {
 // Straight at PIP no tensions press to the palm alone, see the tutorial; bent they do. A zero would
 // be drawn as a force.
 TEST(FeasibleForceWords, NoForceIsNoZero) {
-  const FeasibleForceAnswer answer = palmar_forces_over_pip();
+  const FeasibleForceResult answer = palmar_forces_over_pip();
   ASSERT_EQ(answer.points.size(), 3U);
   EXPECT_FALSE(makes_force(answer.points[0]));
   EXPECT_TRUE(makes_force(answer.points[1]));
@@ -150,13 +150,13 @@ TEST(FeasibleForceWords, NoForceIsNoZero) {
 
 // EDC and EIP of this finger pull the same strand.
 TEST(FeasibleForceWords, NameMusclesOfWhichOnlyTheSumIsTold) {
-  const FeasibleForceAnswer answer = palmar_forces_over_pip();
+  const FeasibleForceResult answer = palmar_forces_over_pip();
   const FeasibleForcePoint& point = answer.points[1];
   ASSERT_EQ(point.alike.size(), 1U);
   std::vector<std::string> names;
   double pulled = 0;
   for (const int i : point.alike[0]) {
-    names.push_back(answer.about.muscles[static_cast<std::size_t>(i)]);
+    names.push_back(answer.muscles[static_cast<std::size_t>(i)]);
     pulled += point.largest->tension[i];
   }
   std::sort(names.begin(), names.end());

@@ -12,29 +12,29 @@
 
 #include "api/named/digits.h"
 #include "base/progress.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
-/// Description of a digit that was asked over postures: names, model and postures.
-struct DigitSweep {
+/// A digit that was asked posture by posture: what is the same in all results about one.
+struct DigitResult {
+  Outcome outcome;  // done: postures, or 1 for a map
   std::string subject, digit;
   std::string map;                              // empty: built from bones and tendons
   std::string built;                            // fidelity, or which map, in words
   std::vector<std::string> rows;                // of the balance: joints, or Fx Fy Fz tx ..
   std::vector<std::string> muscles;             //
   PostureGrid grid;                             // postures asked for; none for a map
-  std::size_t done = 0;                         // of them, or 1 for a map; fewer: it was stopped
   std::shared_ptr<const DigitTendons> tendons;  // for pictures; null for a map
   std::vector<SourceText> sources;              // of the subject
-  std::vector<std::string> warnings;            // of limits, tendons, and postures without answer
 
   /// One posture, or a map: an answer and no table of answers.
   [[nodiscard]] bool single() const { return grid.varied.empty(); }
-  [[nodiscard]] std::size_t asked() const { return map.empty() ? grid.postures.size() : 1; }
 };
 
-/// Returns the description of a digit that was built. @throws InputError if its hood is a net
-[[nodiscard]] DigitSweep sweep_of(const DigitCase& at);
+/// Begins the result of a digit that was built: no posture is done yet.
+/// @throws InputError if its hood is a net
+[[nodiscard]] DigitResult begin_digit_result(const DigitCase& at);
 
 /// Asks at one posture. @param q  [rad] (coordinates); empty for a map  @return warnings
 using AskPosture = std::function<std::vector<std::string>(const Eigen::VectorXd& q)>;
@@ -55,7 +55,7 @@ template <typename Point>
 /// Asks at every posture in order, until progress says stop, and counts those that are done. Where
 /// only some postures have no answer they are told to `fail`, and a warning says how many.
 /// @throws what `ask` throws, if there is one posture only or none has an answer
-void ask_postures(DigitSweep& sweep, const AskPosture& ask, const NoAnswer& fail,
+void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fail,
                   const Progress& progress);
 
 /// "PIP3=30 DIP3=10 deg": angles of the joints that vary.

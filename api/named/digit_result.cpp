@@ -1,4 +1,4 @@
-#include "api/named/digit_sweep.h"
+#include "api/named/digit_result.h"
 
 #include <exception>
 
@@ -32,38 +32,41 @@ struct Occurrence {
 
 }  // namespace
 
-DigitSweep sweep_of(const DigitCase& at) {
-  DigitSweep sweep;
-  sweep.subject = at.subject.name;
-  sweep.digit = at.digit;
-  sweep.map = at.map;
-  sweep.sources = at.sources;
-  sweep.warnings = at.warnings;
+DigitResult begin_digit_result(const DigitCase& at) {
+  DigitResult result;
+  result.subject = at.subject.name;
+  result.digit = at.digit;
+  result.map = at.map;
+  result.sources = at.sources;
+  result.outcome.warnings = at.warnings;
+  result.outcome.part = "posture";
+  result.outcome.asked = at.map.empty() ? at.grid.postures.size() : 1;
   if (!at.map.empty()) {
     const DigitAtPosture map = digit_at(at, {});
-    sweep.built = map.built;
-    sweep.rows = map.rows;
-    sweep.muscles = map.statics.muscles;
-    return sweep;
+    result.built = map.built;
+    result.rows = map.rows;
+    result.muscles = map.statics.muscles;
+    return result;
   }
   require(at.net == nullptr, "wanted tendons whose torque is linear in tensions, got a net");
-  sweep.built = describe(at.bones().fidelity);
-  sweep.rows = at.bones().names.coordinates;
-  sweep.muscles = at.bones().names.muscles;
-  sweep.grid = at.grid;
-  sweep.tendons = at.tendons;
-  return sweep;
+  result.built = describe(at.bones().fidelity);
+  result.rows = at.bones().names.coordinates;
+  result.muscles = at.bones().names.muscles;
+  result.grid = at.grid;
+  result.tendons = at.tendons;
+  return result;
 }
 
-void ask_postures(DigitSweep& sweep, const AskPosture& ask, const NoAnswer& fail,
+void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fail,
                   const Progress& progress) {
-  const std::size_t count = sweep.asked();
+  Outcome& outcome = result.outcome;
+  const std::size_t count = outcome.asked;
   Occurrence doubts, failures;
   std::exception_ptr first_failure;
-  for (; sweep.done < count && !progress.stop(); ++sweep.done) {
+  for (; outcome.done < count && !progress.stop(); ++outcome.done) {
     const Eigen::VectorXd q =
-        sweep.map.empty() ? sweep.grid.postures[sweep.done] : Eigen::VectorXd();
-    const std::string angles = varied_angles(sweep.rows, sweep.grid, q);
+        result.map.empty() ? result.grid.postures[outcome.done] : Eigen::VectorXd();
+    const std::string angles = varied_angles(result.rows, result.grid, q);
     try {
       const std::vector<std::string> warnings = ask(q);
       if (!warnings.empty()) doubts.add(warnings.front(), angles);
@@ -72,12 +75,13 @@ void ask_postures(DigitSweep& sweep, const AskPosture& ask, const NoAnswer& fail
       failures.add(error.what(), angles);
       fail(q, error.what());
     }
-    progress(static_cast<double>(sweep.done + 1) / static_cast<double>(count),
-             fmt::format("posture {} of {}", sweep.done + 1, count));
+    progress(static_cast<double>(outcome.done + 1) / static_cast<double>(count),
+             fmt::format("posture {} of {}", outcome.done + 1, count));
   }
-  if (first_failure && failures.count == sweep.done) std::rethrow_exception(first_failure);
-  doubts.tell("", sweep.done, sweep.warnings);
-  failures.tell("no answer ", sweep.done, sweep.warnings);
+  if (first_failure && failures.count == outcome.done) std::rethrow_exception(first_failure);
+  if (outcome.done < count) outcome.status = Status::kStopped;
+  doubts.tell("", outcome.done, outcome.warnings);
+  failures.tell("no answer ", outcome.done, outcome.warnings);
 }
 
 std::string varied_angles(const std::vector<std::string>& joints, const PostureGrid& grid,
