@@ -18,7 +18,7 @@ namespace {
 constexpr double kNoChange = 1e-9;  // of the largest change: rounding
 
 /// " MCP3_FE=10 PIP3=45" of the joints that stay as they are.
-std::string standing_angles(const DigitSweep& about) {
+std::string standing_angles(const DigitResult& about) {
   std::string text;
   if (about.grid.postures.empty()) return text;
   const Eigen::VectorXd& q = about.grid.postures.front();
@@ -27,10 +27,6 @@ std::string standing_angles(const DigitSweep& about) {
     if (std::count(varied.begin(), varied.end(), i) == 0)
       text += fmt::format(" {}={:.4g}", about.rows[static_cast<std::size_t>(i)], q[i] / kDegree);
   return text;
-}
-
-OrderedJson posture_json(const DigitSweep& about, const Eigen::VectorXd& q) {
-  return to_json(about.rows, q / kDegree);
 }
 
 }  // namespace
@@ -65,46 +61,51 @@ std::string change_line(const std::vector<std::string>& joints, const Eigen::Vec
   return line;
 }
 
-std::string text_header(const DigitSweep& about) {
+std::string text_header(const DigitResult& about) {
   const std::string standing = standing_angles(about);
   const std::string at = standing.empty() ? "" : standing + " deg";
   if (about.single())
     return fmt::format("{} of {}{}{}\nmodel: {}\n", about.digit, about.subject,
                        at.empty() ? "" : " at", at, about.built);
   return fmt::format("{} of {}, {}{}{}\nmodel: {}\n", about.digit, about.subject,
-                     counted(about.done, "posture"), at.empty() ? "" : "; others at", at,
+                     counted(about.outcome.done, "posture"), at.empty() ? "" : "; others at", at,
                      about.built);
 }
 
-OrderedJson digit_json(const DigitSweep& about,
-                       const std::function<void(std::size_t point, OrderedJson& json)>& add) {
-  OrderedJson json{{"subject", about.subject}, {"digit", about.digit}};
+Fields digit_fields(const DigitResult& about,
+                    const std::function<void(std::size_t point, Fields& fields)>& add) {
+  Fields fields{{"subject", about.subject}, {"digit", about.digit}};
+  const auto add_posture = [&](std::size_t i, Fields& to) {
+    to.add("posture", units::kDegree, about.rows, about.grid.postures[i]);
+  };
   if (about.single()) {
     if (about.map.empty())
-      json["posture_deg"] = posture_json(about, about.grid.postures.front());
+      add_posture(0, fields);
     else
-      json["map"] = about.map;
-    json["fidelity"] = about.built;
-    add(0, json);
-    json["warnings"] = about.warnings;
-    return json;
+      fields.add("map", about.map);
+    fields.add("fidelity", about.built);
+    add(0, fields);
+    fields.add("warnings", about.outcome.warnings);
+    return fields;
   }
-  json["fidelity"] = about.built;
-  json["varied"] = axes_of(about).names;
-  json["postures"] = OrderedJson::array();
-  for (std::size_t i = 0; i < about.done; ++i) {
-    OrderedJson point{{"posture_deg", posture_json(about, about.grid.postures[i])}};
-    add(i, point);
-    json["postures"].push_back(std::move(point));
+  fields.add("fidelity", about.built);
+  fields.add("varied", axes_of(about).names);
+  std::vector<Fields> postures(about.outcome.done);
+  for (std::size_t i = 0; i < about.outcome.done; ++i) {
+    add_posture(i, postures[i]);
+    add(i, postures[i]);
   }
-  if (about.done < about.asked()) json["stopped_before"] = about.asked();
-  json["warnings"] = about.warnings;
-  return json;
+  fields.add("postures", std::move(postures));
+  if (about.outcome.done < about.outcome.asked) fields.add("stopped_before", about.outcome.asked);
+  fields.add("warnings", about.outcome.warnings);
+  return fields;
 }
 
-SweepAxes axes_of(const DigitSweep& about) { return axes_of(about.grid, about.rows, about.done); }
+SweepAxes axes_of(const DigitResult& about) {
+  return axes_of(about.grid, about.rows, about.outcome.done);
+}
 
-std::vector<std::string> joint_header(const DigitSweep& about) {
+std::vector<std::string> joint_header(const DigitResult& about) {
   std::vector<std::string> header;
   if (!about.map.empty()) return header;
   for (const std::string& joint : about.rows) header.push_back(joint + "_deg");

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "api/named/digit_sweep.h"
-#include "report/json.h"
+#include "api/named/digit_result.h"
+#include "report/fields.h"
 #include "report/sweep_axes.h"
 
 namespace thenar {
@@ -24,18 +24,18 @@ namespace thenar {
                                       const Eigen::VectorXd& change, const std::string& unit = "N");
 
 /// Digit, posture or how many of them, and fidelity: the first lines of a text.
-[[nodiscard]] std::string text_header(const DigitSweep& about);
+[[nodiscard]] std::string text_header(const DigitResult& about);
 
 /// Subject, digit, posture and fidelity, and what `add` adds of the one posture; of several
 /// postures, what varies and a list "postures" with a member for each.
-[[nodiscard]] OrderedJson digit_json(
-    const DigitSweep& about, const std::function<void(std::size_t point, OrderedJson& json)>& add);
+[[nodiscard]] Fields digit_fields(
+    const DigitResult& about, const std::function<void(std::size_t point, Fields& fields)>& add);
 
 /// The joints that vary, over the postures that are done.
-[[nodiscard]] SweepAxes axes_of(const DigitSweep& about);
+[[nodiscard]] SweepAxes axes_of(const DigitResult& about);
 
 /// "PIP3_deg" of all joints, and their angles at a posture.
-[[nodiscard]] std::vector<std::string> joint_header(const DigitSweep& about);
+[[nodiscard]] std::vector<std::string> joint_header(const DigitResult& about);
 [[nodiscard]] std::vector<std::string> joint_cells(const Eigen::VectorXd& q);
 
 }  // namespace thenar

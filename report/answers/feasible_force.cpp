@@ -80,120 +80,120 @@ Table vertex_table(const ForceAxes& axes, const FeasibleForceSet& set, const Loa
 }
 
 /// The loss, null if unknown.
-OrderedJson loss_json(const ParalysisLoss& loss, TipLoad load) {
-  return {{"intact_component" + words_of(load).suffix,
-           number_or_null(loss.intact.status == Status::kSolved ? loss.intact.component
-                                                                : std::nan(""))},
-          {"loss", number_or_null(loss.share)}};
+Fields loss_fields(const ParalysisLoss& loss, TipLoad load) {
+  const bool solved = loss.intact.status == Status::kSolved;
+  return {{"intact_component", words_of(load).si, solved ? loss.intact.component : std::nan("")},
+          {"loss", loss.share}};
 }
 
 /// "N_per_N_of_F0"
 std::string price_header(TipLoad load) { return words_of(load).suffix.substr(1) + "_per_N_of_F0"; }
 
-OrderedJson limits_json(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> limit_fields(const FeasibleForceResult& answer,
+                                 const FeasibleForcePoint& point) {
+  std::vector<Fields> list;
   const ForceLimitPrices& prices = point.largest->prices;
   for (const Index i : limiting_muscles(point)) {
-    const std::string price = price_header(answer.load);
-    OrderedJson entry{{"muscle", answer.about.muscles[static_cast<std::size_t>(i)]},
-                      {price, number_or_null(prices.increase(i))}};
-    if (differs(prices, i)) entry[price + "_lost"] = number_or_null(prices.decrease(i));
-    list.push_back(std::move(entry));
+    const std::string price = price_header(answer.request.load);
+    Fields& limit = list.emplace_back();
+    limit.add("muscle", answer.muscles[static_cast<std::size_t>(i)]);
+    limit.add(price, prices.increase(i));
+    if (differs(prices, i)) limit.add(price + "_lost", prices.decrease(i));
   }
   return list;
 }
 
-OrderedJson stops_json(const FeasibleForcePoint& point) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> stop_fields(const FeasibleForcePoint& point) {
+  std::vector<Fields> list;
   for (const StopAnswer& stop : point.stops)
-    list.push_back(
-        {{"joint", stop.joint},
-         {"torque_Nm", stop.torque},
-         {"most_Nm", number_or_null(stop.most)},
-         {words_of(point.load).suffix.substr(1) + "_per_Nm", number_or_null(stop.price)}});
+    list.push_back({{"joint", stop.joint},
+                    {"torque", units::kNewtonMetre, stop.torque},
+                    {"most", units::kNewtonMetre, stop.most},
+                    {words_of(point.load).suffix.substr(1) + "_per_Nm", stop.price}});
   return list;
 }
 
-void add_largest(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point,
-                 OrderedJson& json) {
+void add_largest(const FeasibleForceResult& answer, const FeasibleForcePoint& point,
+                 Fields& fields) {
   const MaxTipForce& largest = *point.largest;
-  const LoadWords words = words_of(answer.load), other = words_of(other_load(answer.load));
-  const std::string load = words.one + words.suffix, component = "component" + words.suffix;
-  json["status"] = status_name(point);
-  json["axes"] = point.axes.name;
+  const LoadWords words = words_of(answer.request.load),
+                  other = words_of(other_load(answer.request.load));
+  fields.add("status", status_name(point));
+  fields.add("axes", point.axes.name);
   if (makes_none(point)) {
-    for (const std::string& name : {load, component, std::string("certificate"),
-                                    std::string("activation"), std::string("tension_N")})
-      json[name] = nullptr;
+    for (const char* const load : {words.one.c_str(), "component"})
+      fields.add(load, words.si, nullptr);
+    for (const char* const name : {"certificate", "activation"}) fields.add(name, nullptr);
+    fields.add("tension", units::kNewton, nullptr);
     return;
   }
-  json[load] = to_json(point.axes.to_world.transpose() * largest.force);
-  json[component] = largest.component;
-  if (answer.most_other > 0)
-    json[other.one + other.suffix] = to_json(point.axes.to_world.transpose() * point.other);
-  json["certificate"] = {{"gap" + words.suffix, largest.check.gap},
-                         {"outside_cone" + words.suffix, largest.check.outside},
-                         {"imbalance_N_mm", 1e3 * largest.check.imbalance}};
-  json["activation"] = to_json(answer.about.muscles, largest.activation);
-  json["tension_N"] = to_json(answer.about.muscles, largest.tension);
-  if (!point.stops.empty()) json["stops"] = stops_json(point);
+  const auto in_axes = [&](const Eigen::Vector3d& load) {
+    return Eigen::Vector3d(point.axes.to_world.transpose() * load);
+  };
+  fields.add(words.one, words.si, in_axes(largest.force));
+  fields.add("component", words.si, largest.component);
+  if (answer.request.most_other > 0) fields.add(other.one, other.si, in_axes(point.other));
+  Fields certificate{{"gap", words.si, largest.check.gap},
+                     {"outside_cone", words.si, largest.check.outside},
+                     {"imbalance", units::kNewtonMillimetre, largest.check.imbalance}};
+  if (priced(point)) certificate.add("price_gap", words.si, largest.prices.gap);
+  fields.add("certificate", std::move(certificate));
+  fields.add("activation", units::kOne, answer.muscles, largest.activation);
+  fields.add("tension", units::kNewton, answer.muscles, largest.tension);
+  if (!point.stops.empty()) fields.add("stops", stop_fields(point));
   if (priced(point)) {
-    json["limited_by"] = limits_json(answer, point);
-    json["degenerate"] = largest.prices.degenerate();
-    json["certificate"]["price_gap" + words.suffix] = largest.prices.gap;
+    fields.add("limited_by", limit_fields(answer, point));
+    fields.add("degenerate", largest.prices.degenerate());
   }
   if (point.change.size() > 0)
-    json["component_change" + words.suffix + "_per_deg"] =
-        to_json(answer.about.rows, point.change * kDegree);
+    fields.add("component_change", words.per_degree, answer.rows, point.change);
 }
 
-void add_whole(const FeasibleForcePoint& point, OrderedJson& json) {
+void add_whole(const FeasibleForcePoint& point, Fields& fields) {
   const FeasibleForceSet& set = point.whole->set;
   const ForceAxes& axes = point.axes;
-  const std::string suffix = words_of(point.load).suffix;
+  const FieldUnit unit = words_of(point.load).si;
   OrderedJson largest;
   for (std::size_t k = 0; k < point.whole->along.size(); ++k)
     largest[axis_direction(axes, k)] = point.whole->along[k].component;
-  json["set"] = {{"status", name_of(set.status)},
-                 {"axes", axes.name},
-                 {"dimension", set.dimension},
-                 {"volume", set.volume},
-                 {"vertices" + suffix, to_json(set.vertices * axes.to_world)},
-                 {"triangles", to_json(set.triangles)},
-                 {"excess", set.excess},
-                 {"imbalance_N_mm", 1e3 * set.imbalance},
-                 {"carried_by_bones", to_json(set.carried.transpose() * axes.to_world)},
-                 {"largest" + suffix, largest}};
+  fields.add("set",
+             Fields{{"status", name_of(set.status)},
+                    {"axes", axes.name},
+                    {"dimension", set.dimension},
+                    {"volume", set.volume},
+                    {"vertices", unit, set.vertices * axes.to_world},
+                    {"triangles", units::kOne, set.triangles},
+                    {"excess", set.excess},
+                    {"imbalance", units::kNewtonMillimetre, set.imbalance},
+                    {"carried_by_bones", units::kOne, set.carried.transpose() * axes.to_world},
+                    {"largest", unit, largest}});
 }
 
-void add_point(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point,
-               OrderedJson& json) {
+void add_point(const FeasibleForceResult& answer, const FeasibleForcePoint& point, Fields& fields) {
   if (!point.failure.empty()) {
-    json["failure"] = point.failure;
+    fields.add("failure", point.failure);
     return;
   }
-  if (answer.about.map.empty()) json["condition"] = point.condition;
-  if (answer.load == TipLoad::kMoment || answer.most_other > 0) {
-    const std::string other = words_of(other_load(answer.load)).many;
-    if (answer.most_other == 0)
-      json[other] = "zero";
-    else if (std::isinf(answer.most_other))
-      json[other] = "free";
+  if (answer.map.empty()) fields.add("condition", point.condition);
+  if (answer.request.load == TipLoad::kMoment || answer.request.most_other > 0) {
+    const LoadWords other = words_of(other_load(answer.request.load));
+    if (answer.request.most_other == 0 || std::isinf(answer.request.most_other))
+      fields.add(other.many, answer.request.most_other == 0 ? "zero" : "free");
     else
-      json["most_" + other + words_of(other_load(answer.load)).suffix] = answer.most_other;
+      fields.add("most_" + other.many, other.si, answer.request.most_other);
   }
-  if (point.largest) add_largest(answer, point, json);
-  if (point.loss) json["paralysis"] = loss_json(*point.loss, answer.load);
+  if (point.largest) add_largest(answer, point, fields);
+  if (point.loss) fields.add("paralysis", loss_fields(*point.loss, answer.request.load));
   const std::string note = note_of(answer, point);
-  if (!note.empty()) json["note"] = note;
-  if (point.whole) add_whole(point, json);
+  if (!note.empty()) fields.add("note", note);
+  if (point.whole) add_whole(point, fields);
 }
 
 /// Returns a note about the forces that bones carry alone if all axes are parallel and a cone of
 /// directions may hold such forces.
-std::string plane_note(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
-  if (!point.plane_normal || !makes_force(point) || answer.tolerance <= 0 ||
-      answer.load == TipLoad::kMoment)
+std::string plane_note(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
+  if (!point.plane_normal || !makes_force(point) || answer.request.tolerance <= 0 ||
+      answer.request.load == TipLoad::kMoment)
     return "";
   return "all axes are parallel: bones alone carry forces across the plane of flexion, and of "
          "equal answers the one with the least of them is given";
@@ -215,7 +215,7 @@ std::string stop_note(const FeasibleForcePoint& point) {
 }
 
 /// Muscles that pull and have the same arms: how they share is arbitrary.
-std::string shared_note(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+std::string shared_note(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   if (!makes_force(point)) return "";
   std::string note;
   for (const std::vector<int>& group : point.alike) {
@@ -223,7 +223,7 @@ std::string shared_note(const FeasibleForceAnswer& answer, const FeasibleForcePo
     std::vector<std::string> names;
     for (const int i : group) {
       pulled += point.largest->tension[i];
-      names.push_back(answer.about.muscles[static_cast<std::size_t>(i)]);
+      names.push_back(answer.muscles[static_cast<std::size_t>(i)]);
     }
     if (pulled > kNoTipForce)
       note += fmt::format("{}{} have the same moment arms: only the sum of their tensions is told",
@@ -233,16 +233,16 @@ std::string shared_note(const FeasibleForceAnswer& answer, const FeasibleForcePo
 }
 
 /// Load with all muscles, and the share of it that is lost.
-std::vector<std::string> loss_cells(const FeasibleForceAnswer& answer, const ParalysisLoss& loss,
+std::vector<std::string> loss_cells(const FeasibleForceResult& answer, const ParalysisLoss& loss,
                                     int decimals, const std::string& unknown) {
   const bool solved = loss.intact.status == Status::kSolved;
-  const int more = words_of(answer.load).more_decimals;
+  const int more = words_of(answer.request.load).more_decimals;
   return {solved ? shown(loss.intact.component, decimals + more) : unknown,
           std::isnan(loss.share) ? unknown : shown(loss.share, decimals)};
 }
 
 /// "Without EPL, with 44.6 N of FPL: 63.2 % of the 53.8 N of all muscles are lost".
-std::string loss_text(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+std::string loss_text(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   if (!point.loss) return "";
   const LoadWords words = words_of(point.load);
   const std::string without = weak_words(answer) + ": ";
@@ -253,7 +253,7 @@ std::string loss_text(const FeasibleForceAnswer& answer, const FeasibleForcePoin
 }
 
 /// The largest force at one posture.
-std::string largest_text(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+std::string largest_text(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   const MaxTipForce& largest = *point.largest;
   const LoadWords words = words_of(point.load), other = words_of(other_load(point.load));
   const auto in_axes = [&](const Eigen::Vector3d& load, const LoadWords& of) {
@@ -269,27 +269,27 @@ std::string largest_text(const FeasibleForceAnswer& answer, const FeasibleForceP
   std::string text = fmt::format("Largest {}: {} {} along the direction\nas {}\n", words.one,
                                  shown(largest.component, 3 + words.more_decimals), words.unit,
                                  in_axes(largest.force, words));
-  if (answer.most_other > 0)
-    text += fmt::format("with {}: {}\n", other_words(answer.load, answer.most_other),
-                        in_axes(point.other, other));
+  if (answer.request.most_other > 0)
+    text +=
+        fmt::format("with {}: {}\n", other_words(answer.request.load, answer.request.most_other),
+                    in_axes(point.other, other));
   const std::string limits = limit_words(answer, point);
   if (!limits.empty()) text += limits + "\n";
-  if (point.change.size() > 0)
-    text += change_line(answer.about.rows, point.change, words.unit) + "\n";
+  if (point.change.size() > 0) text += change_line(answer.rows, point.change, words.unit) + "\n";
   const std::string note = note_of(answer, point);
   if (!note.empty()) text += "note: " + note + "\n";
   return text + "\n" + aligned(limit_table(answer, point)) + "\n";
 }
 
 /// ", moments beside it free"; "" if there are none.
-std::string beside(const FeasibleForceAnswer& answer) {
-  const std::string words = other_words(answer.load, answer.most_other);
+std::string beside(const FeasibleForceResult& answer) {
+  const std::string words = other_words(answer.request.load, answer.request.most_other);
   return words.empty() ? "" : ", " + words;
 }
 
 /// "pure force", or "force" where moments go with it.
-std::string pure(const FeasibleForceAnswer& answer) {
-  return (answer.most_other > 0 ? "" : "pure ") + words_of(answer.load).one;
+std::string pure(const FeasibleForceResult& answer) {
+  return (answer.request.most_other > 0 ? "" : "pure ") + words_of(answer.request.load).one;
 }
 
 /// "N^3", "(N m)^3"
@@ -298,7 +298,7 @@ std::string power_of(const std::string& unit, int dimension) {
 }
 
 /// All forces at one posture.
-std::string whole_text(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+std::string whole_text(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   const FeasibleForceSet& set = point.whole->set;
   const ForceAxes& axes = point.axes;
   const LoadWords words = words_of(point.load);
@@ -321,8 +321,8 @@ std::string whole_text(const FeasibleForceAnswer& answer, const FeasibleForcePoi
                       aligned(along));
   if (set.vertices.rows() > 0)
     text += "Vertices\n" + aligned(vertex_table(axes, set, words)) + "\n";
-  if (answer.about.map.empty() && point.condition >= kNearlyStraight &&
-      answer.load == TipLoad::kForce)
+  if (answer.map.empty() && point.condition >= kNearlyStraight &&
+      answer.request.load == TipLoad::kForce)
     text += fmt::format(
         "note: nearly singular posture (condition {:.3g}): the set changes much within a degree\n",
         point.condition);
@@ -330,11 +330,11 @@ std::string whole_text(const FeasibleForceAnswer& answer, const FeasibleForcePoi
 }
 
 /// Cells of the largest force at a posture, for a row. @param none  where there is no force
-std::vector<std::string> largest_cells(const FeasibleForceAnswer& answer,
+std::vector<std::string> largest_cells(const FeasibleForceResult& answer,
                                        const FeasibleForcePoint& point, int decimals,
                                        const std::string& none) {
   const MaxTipForce& largest = *point.largest;
-  const bool other = answer.most_other > 0;
+  const bool other = answer.request.most_other > 0;
   if (makes_none(point))
     return row({{status_name(point)}, std::vector<std::string>(other ? 7 : 4, none)});
   const auto seen = [&](const Eigen::Vector3d& load, TipLoad of) {
@@ -343,9 +343,9 @@ std::vector<std::string> largest_cells(const FeasibleForceAnswer& answer,
   };
   std::vector<std::string> line{
       name_of(largest.status),
-      shown(largest.component, decimals + words_of(answer.load).more_decimals)};
-  line = row({line, seen(largest.force, answer.load)});
-  return other ? row({line, seen(point.other, other_load(answer.load))}) : line;
+      shown(largest.component, decimals + words_of(answer.request.load).more_decimals)};
+  line = row({line, seen(largest.force, answer.request.load)});
+  return other ? row({line, seen(point.other, other_load(answer.request.load))}) : line;
 }
 
 std::vector<std::string> whole_cells(const FeasibleForcePoint& point, int decimals) {
@@ -357,48 +357,49 @@ std::vector<std::string> whole_cells(const FeasibleForcePoint& point, int decima
 }
 
 /// Axes of the first posture that has an answer.
-ForceAxes axes_of_answer(const FeasibleForceAnswer& answer) {
+ForceAxes axes_of_answer(const FeasibleForceResult& answer) {
   for (const FeasibleForcePoint& point : answer.points)
     if (point.failure.empty()) return point.axes;
   return {};
 }
 
 /// Columns of largest_cells(): of the load, and of the other one where there may be some.
-std::vector<std::string> largest_header(const FeasibleForceAnswer& answer, const ForceAxes& axes) {
-  const LoadWords words = words_of(answer.load), other = words_of(other_load(answer.load));
+std::vector<std::string> largest_header(const FeasibleForceResult& answer, const ForceAxes& axes) {
+  const LoadWords words = words_of(answer.request.load),
+                  other = words_of(other_load(answer.request.load));
   std::vector<std::string> header{"status", "component" + words.suffix};
   for (const std::string& name : axes.names) header.push_back(name + words.suffix);
-  if (answer.most_other > 0)
+  if (answer.request.most_other > 0)
     for (const std::string& name : axes.names) header.push_back(name + other.suffix);
   return header;
 }
 
-std::vector<std::string> whole_header(const FeasibleForceAnswer& answer, const ForceAxes& axes) {
+std::vector<std::string> whole_header(const FeasibleForceResult& answer, const ForceAxes& axes) {
   std::vector<std::string> header{"dimension", "volume"};
   for (std::size_t k = 0; k < 6; ++k)
-    header.push_back("largest_" + axis_direction(axes, k) + words_of(answer.load).suffix);
+    header.push_back("largest_" + axis_direction(axes, k) + words_of(answer.request.load).suffix);
   return header;
 }
 
-bool with_whole(const FeasibleForceAnswer& answer) {
+bool with_whole(const FeasibleForceResult& answer) {
   return std::any_of(answer.points.begin(), answer.points.end(),
                      [](const FeasibleForcePoint& point) { return point.whole.has_value(); });
 }
 
 /// "FDP 0.12, LU 0.03": prices of a row, the dearest first.
-std::string short_limits(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+std::string short_limits(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   std::string text;
   for (const Index i : limiting_muscles(point))
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
-                        answer.about.muscles[static_cast<std::size_t>(i)], price_cell(point, i));
+                        answer.muscles[static_cast<std::size_t>(i)], price_cell(point, i));
   return or_dash(text);
 }
 
 /// "FDP LU": who limits the force, the dearest first.
-std::string limiting_names(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+std::string limiting_names(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   std::string text;
   for (const Index i : limiting_muscles(point))
-    text += (text.empty() ? "" : " ") + answer.about.muscles[static_cast<std::size_t>(i)];
+    text += (text.empty() ? "" : " ") + answer.muscles[static_cast<std::size_t>(i)];
   return text;
 }
 
@@ -409,13 +410,13 @@ std::vector<std::string> muscle_cells(const FeasibleForcePoint& point, Index i) 
 }
 
 /// Columns of what paralysis costs; none if no muscle of the digit is paralysed.
-std::vector<std::string> loss_header(const FeasibleForceAnswer& answer) {
+std::vector<std::string> loss_header(const FeasibleForceResult& answer) {
   if (answer.without.empty() && answer.weakened.empty()) return {};
-  return {"intact" + words_of(answer.load).suffix, "loss"};
+  return {"intact" + words_of(answer.request.load).suffix, "loss"};
 }
 
 /// Notes of the postures, each once with how many have it.
-std::string notes_text(const FeasibleForceAnswer& answer) {
+std::string notes_text(const FeasibleForceResult& answer) {
   std::vector<std::pair<std::string, std::size_t>> notes;
   for (const FeasibleForcePoint& point : answer.points) {
     const std::string note = point.failure.empty() ? note_of(answer, point) : "";
@@ -436,10 +437,10 @@ std::string notes_text(const FeasibleForceAnswer& answer) {
 }
 
 /// A row for each posture.
-std::string many_postures(const FeasibleForceAnswer& answer) {
-  const SweepAxes axes = axes_of(answer.about);
+std::string many_postures(const FeasibleForceResult& answer) {
+  const SweepAxes axes = axes_of(answer);
   const ForceAxes force = axes_of_answer(answer);
-  const LoadWords words = words_of(answer.load);
+  const LoadWords words = words_of(answer.request.load);
   std::string text;
   const auto table_with = [&](const std::vector<std::string>& header, const auto& line) {
     Table table{row({header_of(axes), header}), {}};
@@ -451,7 +452,7 @@ std::string many_postures(const FeasibleForceAnswer& answer) {
     }
     return table;
   };
-  if (answer.direction)
+  if (answer.request.direction)
     text += titled(
         fmt::format("Largest {} along the direction{}, {} axes; limits in {} per N of F0",
                     words.one, beside(answer), force.name, words.unit),
@@ -467,15 +468,16 @@ std::string many_postures(const FeasibleForceAnswer& answer) {
                                pure(answer), force.name),
                    table_with(whole_header(answer, force),
                               [](const auto& point) { return whole_cells(point, 3); }));
-  if (answer.direction) text += notes_text(answer);
+  if (answer.request.direction) text += notes_text(answer);
   return text;
 }
 
 }  // namespace
 
 LoadWords words_of(TipLoad load) {
-  if (load == TipLoad::kForce) return {"force", "forces", "N", "_N", 0};
-  return {"moment", "moments", "N m", "_Nm", 2};
+  if (load == TipLoad::kForce)
+    return {"force", "forces", "N", "_N", 0, units::kNewton, units::kNewtonPerDegree};
+  return {"moment", "moments", "N m", "_Nm", 2, units::kNewtonMetre, units::kNewtonMetrePerDegree};
 }
 
 TipLoad other_load(TipLoad load) {
@@ -490,7 +492,7 @@ std::string other_words(TipLoad load, double most_other) {
                      other.unit, load == TipLoad::kForce ? "about" : "along");
 }
 
-std::string weak_words(const FeasibleForceAnswer& answer) {
+std::string weak_words(const FeasibleForceResult& answer) {
   std::string words;
   if (!answer.without.empty()) words = fmt::format("without {}", fmt::join(answer.without, ", "));
   for (const auto& [muscle, limit] : answer.weakened)
@@ -504,11 +506,12 @@ bool makes_force(const FeasibleForcePoint& point) {
          point.largest->component >= no_tip_load(point.load);
 }
 
-Table limit_table(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+Table limit_table(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   const MaxTipForce& largest = *point.largest;
-  Table muscles{{"muscle", "activation", "tension_N", "F0_N", price_header(answer.load)}, {}};
+  Table muscles{{"muscle", "activation", "tension_N", "F0_N", price_header(answer.request.load)},
+                {}};
   for (Index i = 0; i < largest.tension.size(); ++i)
-    muscles.rows.push_back({answer.about.muscles[static_cast<std::size_t>(i)],
+    muscles.rows.push_back({answer.muscles[static_cast<std::size_t>(i)],
                             shown(largest.activation[i], 4), shown(largest.tension[i], 2),
                             shown(answer.max_tension[i], 2), price_cell(point, i)});
   return muscles;
@@ -556,13 +559,13 @@ std::vector<Index> limiting_muscles(const FeasibleForcePoint& point) {
   return muscles;
 }
 
-std::string limit_words(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+std::string limit_words(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   const std::vector<Index> muscles = limiting_muscles(point);
   if (muscles.empty()) return "";
   const ForceLimitPrices& prices = point.largest->prices;
-  const auto name = [&](Index i) { return answer.about.muscles[static_cast<std::size_t>(i)]; };
+  const auto name = [&](Index i) { return answer.muscles[static_cast<std::size_t>(i)]; };
   const Index first = muscles.front();
-  const std::string unit = words_of(answer.load).unit;
+  const std::string unit = words_of(answer.request.load).unit;
   std::string text = fmt::format("limited by {}: 1 N more of its F0 gives {:.3g} {} more",
                                  name(first), prices.increase(first), unit);
   if (differs(prices, first))
@@ -573,56 +576,57 @@ std::string limit_words(const FeasibleForceAnswer& answer, const FeasibleForcePo
   if (muscles.size() > kMaxNamed) text += fmt::format(" and {} more", muscles.size() - kMaxNamed);
   if (prices.degenerate())
     text += "\nseveral limits meet here: a muscle alone gives the first number of " +
-            price_header(answer.load) + " when its F0 grows, and takes the second when it shrinks";
+            price_header(answer.request.load) +
+            " when its F0 grows, and takes the second when it shrinks";
   return text;
 }
 
-std::string note_of(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+std::string note_of(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   if (point.largest) {
     std::string note = makes_none(point)
                            ? force_status_words(Status::kInfeasible, point.load, model_of(point))
                            : "";
     for (const std::string& more :
          {plane_note(answer, point), shared_note(answer, point), stop_note(point),
-          answer.load == TipLoad::kMoment
+          answer.request.load == TipLoad::kMoment
               ? ""
-              : posture_note(answer.about.rows, point.condition, point.change)})
+              : posture_note(answer.rows, point.condition, point.change)})
       if (!more.empty()) note += (note.empty() ? "" : "; ") + more;
     if (!note.empty()) return note;
   }
-  if (!point.whole || !answer.about.map.empty() || point.condition < kNearlyStraight ||
-      answer.load == TipLoad::kMoment)
+  if (!point.whole || !answer.map.empty() || point.condition < kNearlyStraight ||
+      answer.request.load == TipLoad::kMoment)
     return "";
   return fmt::format(
       "nearly singular posture (condition {:.3g}): the set changes much within a degree",
       point.condition);
 }
 
-std::string text_of(const FeasibleForceAnswer& answer) {
-  std::string text = text_header(answer.about) + passive_line(answer.about) + "\n";
-  if (!answer.about.single()) return text + many_postures(answer);
+std::string text_of(const FeasibleForceResult& answer) {
+  std::string text = text_header(answer) + passive_line(answer) + "\n";
+  if (!answer.single()) return text + many_postures(answer);
   const FeasibleForcePoint& point = answer.points.front();
   if (point.largest) text += largest_text(answer, point) + loss_text(answer, point);
   if (point.whole) text += whole_text(answer, point);
   return text + "\n";
 }
 
-OrderedJson json_of(const FeasibleForceAnswer& answer) {
-  OrderedJson json = digit_json(answer.about, [&](std::size_t i, OrderedJson& point) {
-    add_passive(answer.about, i, point);
+Fields fields_of(const FeasibleForceResult& answer) {
+  Fields fields = digit_fields(answer, [&](std::size_t i, Fields& point) {
+    add_passive(answer, i, point);
     add_point(answer, answer.points[i], point);
   });
-  if (!answer.without.empty()) json["without"] = answer.without;
-  if (!answer.weakened.empty()) json["weakened_N"] = answer.weakened;
-  if (answer.wrist != WristLoad::kHeld)
-    json["wrist"] = answer.wrist == WristLoad::kFree ? "free" : "pinch";
-  return json;
+  if (!answer.without.empty()) fields.add("without", answer.without);
+  if (!answer.weakened.empty()) fields.add("weakened", units::kNewton, answer.weakened);
+  if (answer.request.wrist != WristLoad::kHeld)
+    fields.add("wrist", name_in(kWristLoadNames, answer.request.wrist));
+  return fields;
 }
 
-Table table_of(const FeasibleForceAnswer& answer) {
+Table table_of(const FeasibleForceResult& answer) {
   const ForceAxes axes = axes_of_answer(answer);
-  const bool whole = with_whole(answer), direction = answer.direction.has_value();
-  Table table{joint_header(answer.about), {}};
+  const bool whole = with_whole(answer), direction = answer.request.direction.has_value();
+  Table table{joint_header(answer), {}};
   const auto add = [&](const std::vector<std::string>& names) {
     table.header.insert(table.header.end(), names.begin(), names.end());
   };
@@ -630,8 +634,8 @@ Table table_of(const FeasibleForceAnswer& answer) {
     add(largest_header(answer, axes));
     add({"limited_by"});
     add(loss_header(answer));
-    for (const std::string& muscle : answer.about.muscles)
-      add({muscle + "_activation", muscle + "_" + price_header(answer.load)});
+    for (const std::string& muscle : answer.muscles)
+      add({muscle + "_activation", muscle + "_" + price_header(answer.request.load)});
   }
   if (whole) add(whole_header(answer, axes));
   add({"note"});

@@ -6,15 +6,14 @@
 #include <string>
 
 #include "api/feasible_force.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
-[[nodiscard]] std::string text_of(const FeasibleForceAnswer& answer);
-[[nodiscard]] OrderedJson json_of(const FeasibleForceAnswer& answer);
+[[nodiscard]] std::string text_of(const FeasibleForceResult& answer);
+[[nodiscard]] Fields fields_of(const FeasibleForceResult& answer);
 /// A row for each posture.
-[[nodiscard]] Table table_of(const FeasibleForceAnswer& answer);
+[[nodiscard]] Table table_of(const FeasibleForceResult& answer);
 
 /// Words, unit and suffix of a load.
 struct LoadWords {
@@ -22,6 +21,8 @@ struct LoadWords {
   std::string unit;       // "N" or "N m"
   std::string suffix;     // of keys and columns: "_N" or "_Nm"
   int more_decimals;      // than newtons need
+  FieldUnit si;           // of numbers
+  FieldUnit per_degree;   // of changes
 };
 [[nodiscard]] LoadWords words_of(TipLoad load);
 /// The load that is not asked for: moments beside a force.
@@ -37,20 +38,20 @@ struct LoadWords {
 /// "limited by FDP: 1 N more of its F0 gives 0.12 N more; then LU 0.03": the dearest limit first,
 /// and what degenerate limits do. "" if no muscle limits the force, or prices did not pass their
 /// checks.
-[[nodiscard]] std::string limit_words(const FeasibleForceAnswer& answer,
+[[nodiscard]] std::string limit_words(const FeasibleForceResult& answer,
                                       const FeasibleForcePoint& point);
 
 /// "Without EPL, EPB, with 44.6 N of FPL": muscles that are paralysed and weak; "" if none is.
-[[nodiscard]] std::string weak_words(const FeasibleForceAnswer& answer);
+[[nodiscard]] std::string weak_words(const FeasibleForceResult& answer);
 
 /// A row for each muscle at the largest force of a posture: activation, tension, F0, price of F0.
-[[nodiscard]] Table limit_table(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point);
+[[nodiscard]] Table limit_table(const FeasibleForceResult& answer, const FeasibleForcePoint& point);
 
 /// Muscles that limit the force, the dearest first, as indices.
 [[nodiscard]] std::vector<Eigen::Index> limiting_muscles(const FeasibleForcePoint& point);
 
 /// Returns a warning about the answer at a posture; may be empty.
-[[nodiscard]] std::string note_of(const FeasibleForceAnswer& answer,
+[[nodiscard]] std::string note_of(const FeasibleForceResult& answer,
                                   const FeasibleForcePoint& point);
 
 /// Model of the tip: a digit with joints that must be in balance, or a published map alone.

@@ -13,14 +13,14 @@ namespace {
 
 using Eigen::Index;
 
-std::vector<std::string> arm_header(const DigitSweep& about) {
+std::vector<std::string> arm_header(const DigitResult& about) {
   std::vector<std::string> header;
   for (const std::string& joint : about.rows) header.push_back(joint + "_mm");
   return header;
 }
 
 /// Arms of a muscle [mm]; "-" at joints that it does not cross.
-std::vector<std::string> arm_cells(const MomentArmAnswer& answer, const MomentArmPoint& point,
+std::vector<std::string> arm_cells(const MomentArmResult& answer, const MomentArmPoint& point,
                                    Index muscle, int decimals) {
   std::vector<std::string> cells;
   for (Index j = 0; j < point.arms.cols(); ++j)
@@ -28,26 +28,26 @@ std::vector<std::string> arm_cells(const MomentArmAnswer& answer, const MomentAr
   return cells;
 }
 
-void add_point(const MomentArmAnswer& answer, const MomentArmPoint& point, OrderedJson& json) {
+void add_point(const MomentArmResult& answer, const MomentArmPoint& point, Fields& fields) {
   if (!point.failure.empty()) {
-    json["failure"] = point.failure;
+    fields.add("failure", point.failure);
     return;
   }
-  const DigitSweep& about = answer.about;
+  const DigitResult& about = answer;
   OrderedJson arms = OrderedJson::object();
   for (std::size_t m = 0; m < about.muscles.size(); ++m) {
     OrderedJson& of = arms[about.muscles[m]] = OrderedJson::object();
     for (std::size_t j = 0; j < about.rows.size(); ++j)
       if (answer.crosses(static_cast<Index>(m), static_cast<Index>(j)))
-        of[about.rows[j]] = point.arms(static_cast<Index>(m), static_cast<Index>(j)) / kMm;
+        of[about.rows[j]] = point.arms(static_cast<Index>(m), static_cast<Index>(j));
   }
-  json["arms_mm"] = arms;
-  json["length_change_mm"] = to_json(about.muscles, point.length_change / kMm);
+  fields.add("arms", units::kMillimetre, std::move(arms));
+  fields.add("length_change", units::kMillimetre, about.muscles, point.length_change);
 }
 
 /// Arms of all muscles at one posture.
-Table arm_table(const MomentArmAnswer& answer, const MomentArmPoint& point) {
-  const DigitSweep& about = answer.about;
+Table arm_table(const MomentArmResult& answer, const MomentArmPoint& point) {
+  const DigitResult& about = answer;
   Table table{row({{"muscle"}, arm_header(about), {"length_change_mm"}}), {}};
   for (std::size_t m = 0; m < about.muscles.size(); ++m)
     table.rows.push_back(row({{about.muscles[m]},
@@ -57,14 +57,14 @@ Table arm_table(const MomentArmAnswer& answer, const MomentArmPoint& point) {
 }
 
 /// A muscle over the postures.
-Table muscle_table(const MomentArmAnswer& answer, std::size_t m) {
-  const SweepAxes axes = axes_of(answer.about);
-  Table table{row({header_of(axes), arm_header(answer.about), {"length_change_mm"}}), {}};
+Table muscle_table(const MomentArmResult& answer, std::size_t m) {
+  const SweepAxes axes = axes_of(answer);
+  Table table{row({header_of(axes), arm_header(answer), {"length_change_mm"}}), {}};
   for (std::size_t i = 0; i < answer.points.size(); ++i) {
     const MomentArmPoint& point = answer.points[i];
     if (!point.failure.empty()) {
       table.rows.push_back(
-          row({cells_of(axes, i), std::vector<std::string>(answer.about.rows.size() + 1, "-")}));
+          row({cells_of(axes, i), std::vector<std::string>(answer.rows.size() + 1, "-")}));
       continue;
     }
     table.rows.push_back(row({cells_of(axes, i),
@@ -88,13 +88,13 @@ std::string sign_words(const std::vector<std::string>& joints) {
   return text;
 }
 
-std::string reference_words(const MomentArmAnswer& answer) {
+std::string reference_words(const MomentArmResult& answer) {
   if (answer.reference.isZero(0)) return "with all joints at 0";
-  return "at " + angles_in_words(answer.about.rows, answer.reference);
+  return "at " + angles_in_words(answer.rows, answer.reference);
 }
 
-std::string text_of(const MomentArmAnswer& answer) {
-  const DigitSweep& about = answer.about;
+std::string text_of(const MomentArmResult& answer) {
+  const DigitResult& about = answer;
   std::string text = text_header(about) + "\n" +
                      fmt::format(
                          "Moment arms [mm], {}; - where a muscle has no arm.\nLength change "
@@ -106,14 +106,13 @@ std::string text_of(const MomentArmAnswer& answer) {
   return text;
 }
 
-OrderedJson json_of(const MomentArmAnswer& answer) {
-  return digit_json(answer.about, [&](std::size_t i, OrderedJson& json) {
-    add_point(answer, answer.points[i], json);
-  });
+Fields fields_of(const MomentArmResult& answer) {
+  return digit_fields(
+      answer, [&](std::size_t i, Fields& fields) { add_point(answer, answer.points[i], fields); });
 }
 
-Table table_of(const MomentArmAnswer& answer) {
-  const DigitSweep& about = answer.about;
+Table table_of(const MomentArmResult& answer) {
+  const DigitResult& about = answer;
   std::vector<std::string> arms;
   for (const std::string& joint : about.rows) arms.push_back("arm_" + joint + "_mm");
   Table table{row({joint_header(about), {"muscle"}, arms, {"length_change_mm"}}), {}};

@@ -5,20 +5,19 @@
 #include <string>
 
 #include "api/moment_arms.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
-[[nodiscard]] std::string text_of(const MomentArmAnswer& answer);
-[[nodiscard]] OrderedJson json_of(const MomentArmAnswer& answer);
+[[nodiscard]] std::string text_of(const MomentArmResult& answer);
+[[nodiscard]] Fields fields_of(const MomentArmResult& answer);
 /// A row for each muscle at each posture.
-[[nodiscard]] Table table_of(const MomentArmAnswer& answer);
+[[nodiscard]] Table table_of(const MomentArmResult& answer);
 
 /// "flexion + at MCP3_FE, PIP3; abduction + at MCP3_AA": which sense is positive.
 [[nodiscard]] std::string sign_words(const std::vector<std::string>& joints);
 
 /// "with all joints at 0", or the angles of the posture of no length change.
-[[nodiscard]] std::string reference_words(const MomentArmAnswer& answer);
+[[nodiscard]] std::string reference_words(const MomentArmResult& answer);
 
 }  // namespace thenar

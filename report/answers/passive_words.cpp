@@ -17,20 +17,22 @@ std::string passive_line(const Skeleton& skeleton, const Eigen::VectorXd& q) {
   return line + "\n";
 }
 
-std::string passive_line(const DigitSweep& about) {
+std::string passive_line(const DigitResult& about) {
   if (!about.tendons || !has_passive(about.tendons->digit().skeleton)) return "";
   if (about.single())
     return passive_line(about.tendons->digit().skeleton, about.grid.postures.front());
   return "passive moments of joints are counted\n";
 }
 
-void add_passive(const Skeleton& skeleton, const Eigen::VectorXd& q, OrderedJson& json) {
+void add_passive(const Skeleton& skeleton, const Eigen::VectorXd& q, Fields& fields) {
   if (has_passive(skeleton))
-    json["passive_moment_Nm"] = to_json(skeleton.coordinate_names, passive_torque(skeleton, q));
+    fields.add("passive_moment", units::kNewtonMetre, skeleton.coordinate_names,
+               passive_torque(skeleton, q));
 }
 
-void add_passive(const DigitSweep& about, std::size_t point, OrderedJson& json) {
-  if (about.tendons) add_passive(about.tendons->digit().skeleton, about.grid.postures[point], json);
+void add_passive(const DigitResult& about, std::size_t point, Fields& fields) {
+  if (about.tendons)
+    add_passive(about.tendons->digit().skeleton, about.grid.postures[point], fields);
 }
 
 }  // namespace thenar

@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
-#include "api/named/digit_sweep.h"
+#include "api/named/digit_result.h"
 #include "hand/skeleton.h"
-#include "report/json.h"
+#include "report/fields.h"
 
 namespace thenar {
 
@@ -18,11 +18,11 @@ namespace thenar {
 [[nodiscard]] std::string passive_line(const Skeleton& skeleton, const Eigen::VectorXd& q);
 /// Returns the passive moments of a sweep's only posture; if there are several, a line without
 /// numbers.
-[[nodiscard]] std::string passive_line(const DigitSweep& about);
+[[nodiscard]] std::string passive_line(const DigitResult& about);
 
-/// Adds "passive_moment_Nm", by coordinate, where a joint has any.
-void add_passive(const Skeleton& skeleton, const Eigen::VectorXd& q, OrderedJson& json);
-/// Adds "passive_moment_Nm" at a posture of a sweep. @param point  its place in the sweep
-void add_passive(const DigitSweep& about, std::size_t point, OrderedJson& json);
+/// Adds "passive_moment", by coordinate, where a joint has any.
+void add_passive(const Skeleton& skeleton, const Eigen::VectorXd& q, Fields& fields);
+/// Adds "passive_moment" at a posture of a sweep. @param point  its place in the sweep
+void add_passive(const DigitResult& about, std::size_t point, Fields& fields);
 
 }  // namespace thenar

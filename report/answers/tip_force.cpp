@@ -9,37 +9,39 @@
 namespace thenar {
 namespace {
 
-std::string hold_name(TipHold hold) { return hold == TipHold::kRigid ? "rigid" : "pinned"; }
+std::string hold_name(TipHold hold) { return name_in(kTipHoldNames, hold); }
 
-void add_point(const TipForceAnswer& answer, const TipForcePoint& point, OrderedJson& json) {
-  const DigitSweep& about = answer.about;
+void add_point(const TipForceResult& answer, const TipForcePoint& point, Fields& fields) {
+  const DigitResult& about = answer;
   if (!point.failure.empty()) {
-    json["failure"] = point.failure;
+    fields.add("failure", point.failure);
     return;
   }
-  json["hold"] = hold_name(answer.hold);
-  json["tension_N"] = to_json(about.muscles, answer.tension);
-  json["force_N"] = to_json(point.force);
+  fields.add("hold", hold_name(answer.request.hold));
+  fields.add("tension", units::kNewton, about.muscles, answer.tension);
+  fields.add("force", units::kNewton, point.force);
   if (point.tip_axes)
-    json["force_tip_axes_N"] = to_json({"proximal", "dorsal", "radial"}, force_along_tip(point));
-  json["magnitude_N"] = point.force.norm();
-  if (answer.hold == TipHold::kRigid) json["moment_N_mm"] = to_json(point.moment / kNmm);
+    fields.add("force_tip_axes", units::kNewton,
+               std::vector<std::string>{"proximal", "dorsal", "radial"}, force_along_tip(point));
+  fields.add("magnitude", units::kNewton, point.force.norm());
+  if (answer.request.hold == TipHold::kRigid)
+    fields.add("moment", units::kNewtonMillimetre, point.moment);
   if (about.map.empty()) {
-    json["leftover_torque_N_mm"] = to_json(about.rows, point.residual / kNmm);
-    json["condition"] = point.condition;
-    json["force_change_N_per_deg"] = to_json(about.rows, point.change * kDegree);
+    fields.add("leftover_torque", units::kNewtonMillimetre, about.rows, point.residual);
+    fields.add("condition", point.condition);
+    fields.add("force_change", units::kNewtonPerDegree, about.rows, point.change);
   } else {
     const std::vector<std::string> moments(about.rows.begin() + 3, about.rows.end());
-    json["tip_moment_N_mm"] =
-        to_json(moments, point.residual.tail(point.residual.size() - 3) / kNmm);
+    fields.add("tip_moment", units::kNewtonMillimetre, moments,
+               point.residual.tail(point.residual.size() - 3));
   }
   const std::string note = note_of(answer, point);
-  if (!note.empty()) json["note"] = note;
+  if (!note.empty()) fields.add("note", note);
 }
 
 /// Force, moment and what is left over, of one posture or a map.
-std::string one_posture(const TipForceAnswer& answer, const TipForcePoint& point) {
-  const DigitSweep& about = answer.about;
+std::string one_posture(const TipForceResult& answer, const TipForcePoint& point) {
+  const DigitResult& about = answer;
   const bool bones = about.map.empty();
   Table force{{"axes", "1_N", "2_N", "3_N", "magnitude_N"}, {}};
   const auto add = [&](const std::string& axes, const Eigen::Vector3d& f) {
@@ -47,11 +49,11 @@ std::string one_posture(const TipForceAnswer& answer, const TipForcePoint& point
   };
   add(bones ? "world x y z" : "map x y z", point.force);
   if (point.tip_axes) add("proximal dorsal radial", force_along_tip(point));
-  std::string text =
-      titled(bones ? fmt::format("Force of the tip on the world, hold {}", hold_name(answer.hold))
-                   : "Force of the tip on the world",
-             force);
-  if (answer.hold == TipHold::kRigid)
+  std::string text = titled(
+      bones ? fmt::format("Force of the tip on the world, hold {}", hold_name(answer.request.hold))
+            : "Force of the tip on the world",
+      force);
+  if (answer.request.hold == TipHold::kRigid)
     text += titled("Moment of the tip on the world, about the tip, world axes",
                    {{"x_N_mm", "y_N_mm", "z_N_mm"}, {cells(point.moment / kNmm, 3)}});
   // A map's first rows are forces, balanced exactly; the rest are moments the tip must pass on.
@@ -70,8 +72,8 @@ std::string one_posture(const TipForceAnswer& answer, const TipForcePoint& point
 }
 
 /// A row for each posture: what varies, the force along the tip's axes, its size.
-std::string many_postures(const TipForceAnswer& answer) {
-  const SweepAxes axes = axes_of(answer.about);
+std::string many_postures(const TipForceResult& answer) {
+  const SweepAxes axes = axes_of(answer);
   Table table{
       row({header_of(axes),
            {"proximal_N", "dorsal_N", "radial_N", "magnitude_N", "left_over_N_mm", "condition"}}),
@@ -90,7 +92,7 @@ std::string many_postures(const TipForceAnswer& answer) {
   }
   return titled(fmt::format("Force of the tip on the world, hold {}, and the largest joint torque "
                             "that it leaves over",
-                            hold_name(answer.hold)),
+                            hold_name(answer.request.hold)),
                 table);
 }
 
@@ -100,7 +102,7 @@ Eigen::Vector3d force_along_tip(const TipForcePoint& point) {
   return point.tip_axes ? Eigen::Vector3d(point.tip_axes->transpose() * point.force) : point.force;
 }
 
-std::string note_of(const TipForceAnswer& answer, const TipForcePoint& point) {
+std::string note_of(const TipForceResult& answer, const TipForcePoint& point) {
   std::string note;
   if (point.singular)
     note = "singular posture: of the forces that leave the least torque, this is the least";
@@ -108,37 +110,36 @@ std::string note_of(const TipForceAnswer& answer, const TipForcePoint& point) {
     note = fmt::format(
         "minimum norm: {} joints leave the wrench of a held tip open, and of those that balance "
         "this one has the least |force|^2 + |moment / {:.4g} mm|^2 (--hold-length)",
-        point.q.size(), answer.hold_length / kMm);
+        point.q.size(), answer.request.hold_length / kMm);
   const auto add = [&](const std::string& more) {
     note += (note.empty() || more.empty() ? "" : "; ") + more;
   };
   if (point.planar)
-    add(answer.hold == TipHold::kRigid
+    add(answer.request.hold == TipHold::kRigid
             ? "all axes are parallel: forces across the plane of flexion, and moments but the one "
               "about its normal, meet no joint and are not told (0)"
             : "all axes are parallel: forces across the plane of flexion meet no joint and are not "
               "told (0)");
-  if (!answer.about.map.empty() || point.singular) return note;
-  add(posture_note(answer.about.rows, point.condition, point.change));
+  if (!answer.map.empty() || point.singular) return note;
+  add(posture_note(answer.rows, point.condition, point.change));
   return note;
 }
 
-std::string text_of(const TipForceAnswer& answer) {
-  return text_header(answer.about) + passive_line(answer.about) + "\n" +
-         (answer.about.single() ? one_posture(answer, answer.points.front())
-                                : many_postures(answer));
+std::string text_of(const TipForceResult& answer) {
+  return text_header(answer) + passive_line(answer) + "\n" +
+         (answer.single() ? one_posture(answer, answer.points.front()) : many_postures(answer));
 }
 
-OrderedJson json_of(const TipForceAnswer& answer) {
-  return digit_json(answer.about, [&](std::size_t i, OrderedJson& json) {
-    add_passive(answer.about, i, json);
-    add_point(answer, answer.points[i], json);
+Fields fields_of(const TipForceResult& answer) {
+  return digit_fields(answer, [&](std::size_t i, Fields& fields) {
+    add_passive(answer, i, fields);
+    add_point(answer, answer.points[i], fields);
   });
 }
 
-Table table_of(const TipForceAnswer& answer) {
-  const DigitSweep& about = answer.about;
-  const bool bones = about.map.empty(), rigid = answer.hold == TipHold::kRigid;
+Table table_of(const TipForceResult& answer) {
+  const DigitResult& about = answer;
+  const bool bones = about.map.empty(), rigid = answer.request.hold == TipHold::kRigid;
   Table table{joint_header(about), {}};
   const auto add = [&](const std::vector<std::string>& names) {
     table.header.insert(table.header.end(), names.begin(), names.end());

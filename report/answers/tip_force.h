@@ -1,22 +1,21 @@
 #pragma once
 
-/// The force of a fingertip as words, JSON and rows.
+/// The force of a fingertip as words, fields and rows.
 
 #include <string>
 
 #include "api/tip_force.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
-[[nodiscard]] std::string text_of(const TipForceAnswer& answer);
-[[nodiscard]] OrderedJson json_of(const TipForceAnswer& answer);
+[[nodiscard]] std::string text_of(const TipForceResult& answer);
+[[nodiscard]] Fields fields_of(const TipForceResult& answer);
 /// A row for each posture.
-[[nodiscard]] Table table_of(const TipForceAnswer& answer);
+[[nodiscard]] Table table_of(const TipForceResult& answer);
 
 /// Returns a warning about the answer at a posture; may be empty.
-[[nodiscard]] std::string note_of(const TipForceAnswer& answer, const TipForcePoint& point);
+[[nodiscard]] std::string note_of(const TipForceResult& answer, const TipForcePoint& point);
 
 /// The force along proximal, dorsal and radial of the tip, where it has bones [N] (3).
 [[nodiscard]] Eigen::Vector3d force_along_tip(const TipForcePoint& point);

@@ -1,0 +1,127 @@
+#pragma once
+
+/// Results as named numbers with units: JSON of commands, replies of servers and rows of tables are
+/// made of the same fields.
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "base/units.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// FieldUnit of a number in SI and as people read it: printed = si * numerator / denominator.
+struct FieldUnit {
+  const char* si = "";       // as keys end: "N_m"
+  const char* printed = "";  // "N_mm"
+  double numerator = 1, denominator = 1;
+};
+
+/// Units by the name in which they are printed.
+namespace units {
+inline constexpr FieldUnit kOne{};
+inline constexpr FieldUnit kNewton{"N", "N"};
+inline constexpr FieldUnit kMetre{"m", "m"};
+inline constexpr FieldUnit kMillimetre{"m", "mm", 1, kMm};
+inline constexpr FieldUnit kSquareMillimetre{"m2", "mm2", 1, 1e-6};
+inline constexpr FieldUnit kRadian{"rad", "rad"};
+inline constexpr FieldUnit kDegree{"rad", "deg", 1, thenar::kDegree};
+inline constexpr FieldUnit kNewtonMetre{"N_m", "Nm"};
+inline constexpr FieldUnit kNewtonMillimetre{"N_m", "N_mm", 1, kNmm};
+inline constexpr FieldUnit kNewtonPerDegree{"N_per_rad", "N_per_deg", thenar::kDegree};
+inline constexpr FieldUnit kNewtonMetrePerDegree{"N_m_per_rad", "Nm_per_deg", thenar::kDegree};
+inline constexpr FieldUnit kSecond{"s", "s"};
+inline constexpr FieldUnit kMetrePerSecond{"m_per_s", "m_per_s"};
+inline constexpr FieldUnit kMillimetrePerSecond{"m_per_s", "mm_per_s", 1, kMm};
+inline constexpr FieldUnit kKilopascal{"Pa", "kPa", 1, 1e3};
+inline constexpr FieldUnit kPascal{"Pa", "Pa"};
+inline constexpr FieldUnit kJoule{"J", "J"};
+inline constexpr FieldUnit kKilogram{"kg", "kg"};
+}  // namespace units
+
+/// Units in which fields are written.
+enum class UnitSystem {
+  kSi,      // servers and files of programs
+  kPrinted  // what people read
+};
+
+/// A key with its unit: "tip_force_N".
+[[nodiscard]] std::string key_with(const std::string& key, const FieldUnit& unit,
+                                   UnitSystem system);
+
+class Fields;
+
+/// One named value of a result.
+struct Field {
+  /// @param value  in SI: a number, a text, or lists and objects of them
+  Field(std::string name, const FieldUnit& its_unit, OrderedJson si);
+  Field(std::string name, OrderedJson si) : Field(std::move(name), units::kOne, std::move(si)) {}
+  Field(std::string name, const FieldUnit& its_unit, double si)
+      : Field(std::move(name), its_unit, OrderedJson(si)) {}
+  /// null where there is none
+  Field(std::string name, const FieldUnit& its_unit, const std::optional<double>& si);
+  /// A vector as a list, a matrix as a list of rows.
+  template <typename Derived>
+  Field(std::string name, const FieldUnit& its_unit, const Eigen::MatrixBase<Derived>& si)
+      : Field(std::move(name), its_unit, OrderedJson(to_json(si))) {}
+  /// Numbers by name.
+  template <typename Derived>
+  Field(std::string name, const FieldUnit& its_unit, const std::vector<std::string>& names,
+        const Eigen::MatrixBase<Derived>& si)
+      : Field(std::move(name), its_unit, to_json(names, si)) {}
+  /// A part with fields of its own.
+  Field(std::string name, Fields part);
+  /// A list of such parts.
+  Field(std::string name, std::vector<Fields> list);
+
+  std::string key;                   // without its unit: "tip_force"
+  FieldUnit unit;                    // of all numbers in `value`
+  OrderedJson value;                 // in SI
+  std::vector<Fields> parts;         // in place of a value
+  bool is_list = false;              // of parts, however many
+  int decimals = -1;                 // of cells; -1: nine significant digits
+  std::vector<std::string> columns;  // of a table, units included; empty: from the key
+  std::string alias;                 // key of earlier versions, written besides
+};
+
+/// Fields of a result in the order in which they are written.
+class Fields {
+ public:
+  Fields() = default;
+  Fields(std::initializer_list<Field> fields) : fields_(fields) {}
+  /// Adds Field(arguments ..).
+  template <typename... Arguments>
+  Field& add(Arguments&&... arguments) {
+    return fields_.emplace_back(std::forward<Arguments>(arguments)...);
+  }
+  /// Adds all fields of another result behind these.
+  void append(Fields more);
+
+  [[nodiscard]] const std::vector<Field>& all() const { return fields_; }
+
+ private:
+  std::vector<Field> fields_;
+};
+
+/// The fields as an object, the unit in each key; numbers that are not finite are null.
+[[nodiscard]] OrderedJson json_of(const Fields& fields, UnitSystem system);
+
+/// JSON of any result that has fields, in printed units.
+template <typename Result>
+[[nodiscard]] auto json_of(const Result& result)
+    -> decltype(json_of(fields_of(result), UnitSystem::kPrinted)) {
+  return json_of(fields_of(result), UnitSystem::kPrinted);
+}
+
+/// A row for each of several results, in printed units: a column for each number, "-" where one has
+/// none. Lists of parts have no columns.
+[[nodiscard]] Table table_of(const std::vector<Fields>& rows);
+
+}  // namespace thenar
