@@ -106,9 +106,7 @@ int run_command(int argc, char** argv) {
   add_validate(app);
   add_explain(app);
   add_pose(app);
-  add_moment_arms(app);
-  add_tip_force(app);
-  add_feasible_force(app);
+  add_digit_commands(app);
   add_tendon(app);
   add_simulate(app);
   add_pad(app);

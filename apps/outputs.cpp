@@ -121,4 +121,32 @@ void write_json_file(OrderedJson json, const std::string& path, const FileDigest
 
 void write_csv_file(const Table& table, const std::string& path) { write_file(path, csv(table)); }
 
+void deliver(const Outputs& outputs, const Answer& answer) {
+  const Outcome& outcome = answer.outcome;
+  const bool stopped = outcome.status == Status::kStopped;
+  if (stopped && outcome.done == 0) tell_if_stopped(0, outcome.asked, outcome.part);
+  print_warnings(outcome.warnings);
+  // Files first, so that what is printed is there when a reader closes the pipe.
+  const FileDigests files = answer.files && !outputs.files.empty() ? answer.files() : FileDigests();
+  for (const std::string& path : outputs.with_ending({".json"}))
+    write_json_file(answer.json(UnitSystem::kPrinted), path, files);
+  if (answer.table)
+    for (const std::string& path : outputs.with_ending({".csv"}))
+      write_csv_file(answer.table(), path);
+  if (answer.page)
+    for (const std::string& path : outputs.with_ending({".html"}))
+      write_page(answer.page(), path, files);
+  // Then what is printed.
+  if (outputs.json) {
+    print_answer(json_text(answer.json(UnitSystem::kPrinted)) + "\n");
+  } else if (outputs.csv && answer.table) {
+    print_answer(csv(answer.table()));
+  } else {
+    print_answer(answer.text());
+    print_written(outputs);
+  }
+  require(answer.refusal.empty(), "{}", answer.refusal);
+  if (stopped) tell_if_stopped(outcome.done, outcome.asked, outcome.part);
+}
+
 }  // namespace thenar

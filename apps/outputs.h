@@ -7,9 +7,8 @@
 ///                      kind of the command's own (.h5, .nc, .toml ..); may be given several times
 ///   --report FILE      the same as -o with a page (.html)
 
+#include <memory>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -17,9 +16,8 @@
 #include "apps/terminal.h"
 #include "base/provenance.h"
 #include "base/run_record.h"
+#include "questions/make_question.h"
 #include "report/answers/answer_files.h"
-#include "report/json.h"
-#include "report/table.h"
 
 namespace thenar {
 
@@ -65,44 +63,17 @@ void write_json_file(OrderedJson json, const std::string& path, const FileDigest
 /// Writes a table as CSV. @throws InputError if the file cannot be written.
 void write_csv_file(const Table& table, const std::string& path);
 
-namespace internal {
-template <typename Result, typename = void>
-struct HasTable : std::false_type {};
-template <typename Result>
-struct HasTable<Result, std::void_t<decltype(table_of(std::declval<const Result&>()))>>
-    : std::true_type {};
-template <typename Result, typename = void>
-struct HasPage : std::false_type {};
-template <typename Result>
-struct HasPage<Result, std::void_t<decltype(page_of(std::declval<const Result&>()))>>
-    : std::true_type {};
-template <typename Result, typename = void>
-struct HasFiles : std::false_type {};
-template <typename Result>
-struct HasFiles<Result, std::void_t<decltype(files_of(std::declval<const Result&>()))>>
-    : std::true_type {};
-}  // namespace internal
+/// Prints an answer, its warnings first, and writes it to the files that were asked for.
+/// @throws InputError behind an answer that must not be used, Stopped behind one that was stopped
+void deliver(const Outputs& outputs, const Answer& answer);
 
-/// Prints the answer, and writes it to the files that were asked for. Words come from the overloads
-/// of report/answers and report/pages: text_of, json_of, and table_of and page_of where they exist.
+/// deliver() of a result, of which report/answers and report/pages make the answer.
 template <typename Result>
 void deliver(const Outputs& outputs, const Result& result) {
-  FileDigests files;
-  if constexpr (internal::HasFiles<Result>::value)
-    if (!outputs.files.empty()) files = files_of(result);
-  for (const std::string& path : outputs.with_ending({".json"}))
-    write_json_file(OrderedJson(json_of(result)), path, files);
-  if constexpr (internal::HasTable<Result>::value)
-    for (const std::string& path : outputs.with_ending({".csv"}))
-      write_csv_file(table_of(result), path);
-  if constexpr (internal::HasPage<Result>::value)
-    for (const std::string& path : outputs.with_ending({".html"}))
-      write_page(page_of(result), path, files);
-  if (outputs.json) return print_answer(json_text(json_of(result)) + "\n");
-  if constexpr (internal::HasTable<Result>::value)
-    if (outputs.csv) return print_answer(csv(table_of(result)));
-  print_answer(text_of(result));
-  print_written(outputs);
+  const std::shared_ptr<const Result> kept(std::shared_ptr<const Result>(), &result);
+  Answer answer = answer_of(kept, {});
+  answer.refusal.clear();  // the command says why
+  deliver(outputs, answer);
 }
 
 /// deliver() of what was asked posture by posture, its warnings first.

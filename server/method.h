@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "questions/schema.h"
 #include "report/json.h"
-#include "server/schema.h"
 
 namespace thenar {
 

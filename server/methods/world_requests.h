@@ -9,7 +9,7 @@
 #include "live/world/live_grasp.h"
 #include "live/world/live_world.h"
 #include "live/world/world_edits.h"
-#include "server/schema.h"
+#include "questions/schema.h"
 #include "server/session.h"
 
 namespace thenar::internal {

@@ -1,4 +1,4 @@
-#include "server/schema.h"
+#include "questions/schema.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +22,7 @@ std::string wish(const Schema& schema) {
     case Schema::Kind::kNumber:
     case Schema::Kind::kInteger: {
       const char* const what = schema.kind == Schema::Kind::kNumber ? "a number" : "a whole number";
+      if (schema.endless) return fmt::format("{}{} or \"inf\"", what, unit);
       const bool low = std::isfinite(schema.lower), high = std::isfinite(schema.upper);
       if (low && high)
         return fmt::format("{} from {} to {}{}", what, schema.lower, schema.upper, unit);
@@ -38,7 +39,8 @@ std::string wish(const Schema& schema) {
       if (schema.least == schema.most) return fmt::format("a list of {}", schema.least);
       return fmt::format("a list of {} to {} entries", schema.least, schema.most);
     case Schema::Kind::kMap:
-      return fmt::format("an object of at most {} members", schema.most);
+      return fmt::format("an object of at most {} members{}", schema.most,
+                         schema.unnamed ? ", or a list" : "");
     case Schema::Kind::kObject:
       break;
   }
@@ -65,6 +67,7 @@ bool is_within(const Schema& schema, std::size_t size) {
 }
 
 bool fits_number(const Schema& schema, const Json& value) {
+  if (schema.endless && (value == "inf" || (value == "-inf" && schema.lower < 0))) return true;
   if (!value.is_number()) return false;
   const double number = value.get<double>();
   if (schema.kind == Schema::Kind::kInteger && number != std::floor(number)) return false;
@@ -157,6 +160,12 @@ Schema number_schema(const std::string& unit, double lower, double upper) {
   return schema;
 }
 
+Schema endless_schema(const std::string& unit, double lower) {
+  Schema schema = number_schema(unit, lower);
+  schema.endless = true;
+  return schema;
+}
+
 Schema integer_schema(double lower, double upper) {
   Schema schema = number_schema("", lower, upper);
   schema.kind = Schema::Kind::kInteger;
@@ -209,6 +218,12 @@ Schema map_schema(const Schema& each, std::size_t most) {
   return schema;
 }
 
+Schema map_or_list_schema(const Schema& each) {
+  Schema schema = map_schema(each);
+  schema.unnamed = true;
+  return schema;
+}
+
 Schema object_schema(std::vector<SchemaMember> members) {
   Schema schema;
   schema.members = std::move(members);
@@ -240,7 +255,8 @@ Json checked(const Schema& schema, const Json& value, const std::string& where) 
     case Schema::Kind::kList:
       return checked_list(schema, value, where);
     case Schema::Kind::kMap:
-      return checked_map(schema, value, where);
+      return schema.unnamed && value.is_array() ? checked_list(schema, value, where)
+                                                : checked_map(schema, value, where);
     case Schema::Kind::kObject:
       break;
   }

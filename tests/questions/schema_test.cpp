@@ -1,4 +1,4 @@
-#include "server/schema.h"
+#include "questions/schema.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Schema of a request: types, ranges and units of its parameters, and validation of JSON by it.
+/// Schemas of requests: types, ranges and units of its parameters, and validation of JSON by it.
 
 #include <limits>
 #include <memory>
@@ -22,10 +22,12 @@ struct Schema {
   std::string unit;                                         // of numbers, "rad or m"; empty: none
   double lower = -std::numeric_limits<double>::infinity();  // of numbers
   double upper = std::numeric_limits<double>::infinity();   // of numbers
-  std::vector<std::string> words;                           // of texts: one of these; empty: any
-  std::optional<OutsideUse> use = OutsideUse::kRead;        // of texts; nothing: any bytes
-  std::size_t least = 0;               // length of texts (bytes), lists and maps
-  std::size_t most = 1000;             // the same
+  bool unnamed = false;  // of maps: a list of the values in a known order will do as well
+  bool endless = false;  // of numbers: infinite ones may be given, in JSON as "inf" and "-inf"
+  std::vector<std::string> words;                     // of texts: one of these; empty: any
+  std::optional<OutsideUse> use = OutsideUse::kRead;  // of texts; nothing: any bytes
+  std::size_t least = 0;                              // length of texts (bytes), lists and maps
+  std::size_t most = 1000;                            // the same
   std::shared_ptr<const Schema> each;  // of the entries of a list, or the values of a map
   std::vector<SchemaMember> members;   // of an object; no others are allowed
 };
@@ -42,6 +44,8 @@ struct SchemaMember {
 [[nodiscard]] Schema number_schema(const std::string& unit,
                                    double lower = -std::numeric_limits<double>::infinity(),
                                    double upper = std::numeric_limits<double>::infinity());
+/// A number that may be infinite: "inf" or "-inf" in JSON.
+[[nodiscard]] Schema endless_schema(const std::string& unit, double lower);
 [[nodiscard]] Schema integer_schema(double lower, double upper);
 /// A name or a path: without control characters, whatever it is used for.
 /// @param most  bytes
@@ -54,6 +58,8 @@ struct SchemaMember {
 [[nodiscard]] Schema word_schema(std::vector<std::string> words);
 [[nodiscard]] Schema flag_schema();
 [[nodiscard]] Schema list_schema(const Schema& each, std::size_t least, std::size_t most);
+/// map_schema(), or a list of its values in a known order.
+[[nodiscard]] Schema map_or_list_schema(const Schema& each);
 /// An object whose members have any name and one type: joint -> angle.
 [[nodiscard]] Schema map_schema(const Schema& each, std::size_t most = 1000);
 [[nodiscard]] Schema object_schema(std::vector<SchemaMember> members);

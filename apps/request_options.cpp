@@ -1,0 +1,185 @@
+#include "apps/request_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "apps/options.h"
+#include "apps/terminal.h"
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Kind = Schema::Kind;
+
+/// A number that may be infinite, as "free" and "inf" are.
+Json typed_number(const Schema& schema, const std::string& text, const std::string& what) {
+  if (schema.endless) {
+    if (text == "free" || text == "inf" || text == "-inf") return text == "-inf" ? text : "inf";
+    if (text == "zero") return 0.0;
+  }
+  const double value = parse_number(text, what);
+  if (schema.kind == Kind::kInteger) return static_cast<long>(value);
+  return value;
+}
+
+/// "a length [mm]": how messages call a value of the schema.
+std::string what_is(const Schema& schema) {
+  const std::string unit = schema.unit.empty() ? "" : fmt::format(" [{}]", schema.unit);
+  return (schema.kind == Kind::kInteger ? "a whole number" : "a number") + unit;
+}
+
+/// NAME=value pairs, or values alone where those will do.
+Json typed_map(const Schema& schema, const std::vector<std::string>& texts) {
+  const bool named = !schema.unnamed || texts.empty() || texts[0].find('=') != std::string::npos;
+  Json json = named ? Json::object() : Json::array();
+  for (const std::string& text : texts) {
+    const std::size_t sign = text.find('=');
+    if (!named) {
+      json.push_back(typed_number(*schema.each, text, what_is(*schema.each)));
+      continue;
+    }
+    require(sign != std::string::npos && sign > 0, "wanted NAME=number, got '{}'", text);
+    const std::string name = text.substr(0, sign);
+    require(!json.contains(name), "'{}' is given twice", name);
+    json[name] = typed_number(*schema.each, text.substr(sign + 1),
+                              fmt::format("{} for '{}'", what_is(*schema.each), name));
+  }
+  return json;
+}
+
+/// NAME=from:to:step, a value for each member of an object behind the first.
+Json typed_ranges(const Schema& each, const std::vector<std::string>& texts) {
+  std::string form = "NAME=";
+  for (std::size_t i = 1; i < each.members.size(); ++i)
+    form += (i == 1 ? "" : ":") + each.members[i].name;
+  Json list = Json::array();
+  for (const std::string& text : texts) {
+    std::size_t from = text.find('=');
+    require(from != std::string::npos && from > 0, "wanted {}, got '{}'", form, text);
+    Json range{{each.members[0].name, text.substr(0, from)}};
+    for (std::size_t i = 1; i < each.members.size(); ++i) {
+      require(from != std::string::npos, "wanted {}, got '{}'", form, text);
+      const std::size_t to = text.find(':', from + 1);
+      range[each.members[i].name] = typed_number(
+          each.members[i].schema, text.substr(from + 1, to - from - 1), each.members[i].name);
+      from = to;
+    }
+    require(from == std::string::npos, "wanted {}, got '{}'", form, text);
+    list.push_back(std::move(range));
+  }
+  return list;
+}
+
+Json typed_list(const Schema& schema, const std::vector<std::string>& texts) {
+  if (schema.each->kind == Kind::kObject) return typed_ranges(*schema.each, texts);
+  Json list = Json::array();
+  for (const std::string& text : texts) {
+    if (schema.each->kind == Kind::kText)
+      list.push_back(text);
+    else
+      list.push_back(typed_number(*schema.each, text, what_is(*schema.each)));
+  }
+  return list;
+}
+
+/// The default as the help shows it.
+std::string shown_default(const Param& param) {
+  const Json& usual = param.member.usual;
+  if (usual.is_null() || param.member.required) return "";
+  if (usual.is_string()) return usual.get<std::string>();
+  if (usual.is_number_float())
+    return fmt::format("{:g}", usual.get<double>() * param.unit.numerator / param.unit.denominator);
+  return json_text(usual, -1);
+}
+
+/// One sentence, without its full stop, with the form of what is typed and its unit.
+std::string help_of(const Param& param, const Schema& schema) {
+  std::string text = param.member.about;
+  if (!text.empty() && text.back() == '.') text.pop_back();
+  const auto unit_of = [&](const Schema& of) {
+    return of.unit.empty() ? "" : fmt::format(" [{}]", of.unit);
+  };
+  if (schema.kind == Kind::kMap)
+    return fmt::format("NAME=number{} ...: {}", unit_of(*schema.each), text);
+  if (schema.kind == Kind::kText && !schema.words.empty())
+    return fmt::format("{}: {}", fmt::join(schema.words, "|"), text);
+  return text + unit_of(schema);
+}
+
+/// Adds the option of one parameter.
+void add_option(CLI::App& command, const Param& param, Json& request) {
+  const std::string key = param.key_in(UnitSystem::kPrinted);
+  const Schema schema = param.schema_in(UnitSystem::kPrinted);
+  const std::string help = help_of(param, schema);
+  if (schema.kind == Kind::kFlag) {
+    const bool inverse = param.option.front() == '!';
+    command.add_flag_callback(
+        param.option.substr(inverse ? 1 : 0), [&request, key, inverse] { request[key] = !inverse; },
+        help);
+    return;
+  }
+  CLI::Option* option = nullptr;
+  if (schema.kind == Kind::kList || schema.kind == Kind::kMap) {
+    option = command.add_option_function<std::vector<std::string>>(
+        param.option,
+        [&request, key, schema](const std::vector<std::string>& texts) {
+          request[key] =
+              schema.kind == Kind::kMap ? typed_map(schema, texts) : typed_list(schema, texts);
+        },
+        help);
+    if (schema.kind == Kind::kList && schema.least == schema.most)
+      option->expected(static_cast<int>(schema.most));
+  } else {
+    option = command.add_option_function<std::string>(
+        param.option,
+        [&request, key, schema](const std::string& text) {
+          request[key] =
+              schema.kind == Kind::kText ? Json(text) : typed_number(schema, text, what_is(schema));
+        },
+        help);
+  }
+  option->default_str(shown_default(param));
+  if (param.member.required) option->required();
+}
+
+/// The name of the option of a parameter, as errors name fields.
+std::string option_field(const std::vector<Param>& params, const std::string& field) {
+  for (const Param& param : params)
+    if (param.member.name == field && param.option.size() > 2) return param.option.substr(2);
+  return field;
+}
+
+/// Asks, and delivers. Errors name the option of the parameter that is wrong.
+void ask_and_deliver(const TypedQuestion& typed) {
+  const Question& question = *typed.question;
+  try {
+    deliver(typed.outputs,
+            question.ask(typed.request, "", terminal_progress("what is done is kept")));
+  } catch (const InputError& error) {
+    throw InputError(error.what(), option_field(question.params, error.field()));
+  }
+}
+
+}  // namespace
+
+void add_request_options(CLI::App& command, const std::vector<Param>& params, Json& request) {
+  for (const Param& param : params)
+    if (!param.option.empty()) add_option(command, param, request);
+}
+
+std::pair<CLI::App*, std::shared_ptr<TypedQuestion>> add_question_command(
+    CLI::App& app, const QuestionCommand& about) {
+  auto typed = std::make_shared<TypedQuestion>();  // lives as long as the callback
+  typed->question = &question_named(about.question);
+  std::string help = typed->question->about;
+  help.pop_back();
+  CLI::App* command = app.add_subcommand(about.name, help);
+  add_request_options(*command, typed->question->params, typed->request);
+  add_output_options(*command, typed->outputs, about.kinds);
+  add_examples(*command, about.examples);
+  command->callback([typed] { ask_and_deliver(*typed); });
+  return {command, typed};
+}
+
+}  // namespace thenar

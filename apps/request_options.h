@@ -1,0 +1,42 @@
+#pragma once
+
+/// Options of a command from the parameters of a request: `NAME=number`, words, flags and files as
+/// people type them.
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/outputs.h"
+#include "questions/question.h"
+
+namespace thenar {
+
+/// Adds an option for each parameter that has one, with its default and its unit in the help.
+/// @param request  gets what is typed, by keys with printed units; lives as long as the command
+void add_request_options(CLI::App& command, const std::vector<Param>& params, Json& request);
+
+/// A command that asks one question.
+struct QuestionCommand {
+  const char* name;      // "tip-force"
+  const char* question;  // "tip_force"
+  OutputKinds kinds;
+  std::vector<std::string> examples;  // command lines without the program
+};
+
+/// What was typed of a question.
+struct TypedQuestion {
+  const Question* question = nullptr;
+  Json request = Json::object();
+  Outputs outputs;
+};
+
+/// Adds a command with the options of its question.
+/// @return what is typed, and the command, for options that it has besides
+std::pair<CLI::App*, std::shared_ptr<TypedQuestion>> add_question_command(
+    CLI::App& app, const QuestionCommand& about);
+
+}  // namespace thenar

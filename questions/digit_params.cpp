@@ -1,0 +1,90 @@
+#include "questions/digit_params.h"
+
+#include "base/nearest_name.h"
+
+namespace thenar {
+namespace {
+
+RequestTable<DigitRequest> subject_params() {
+  RequestTable<DigitRequest> table;
+  Param& subject = table.add("subject", text_schema(), &DigitRequest::subject,
+                             "A subject: its name, or its file (TOML).");
+  subject.option = "subject";
+  subject.member.required = true;
+  table.add("digit", text_schema(), &DigitRequest::digit,
+            "thumb, index, middle, ring or little; the only one if left out.");
+  add_posture(table, "posture", &DigitRequest::posture,
+              "Angles by joint, or in the order of the joints; others stay at 0.");
+  add_posture(table, "frozen", &DigitRequest::frozen, "Joints welded there.");
+  add_vary(table, &DigitRequest::vary, &DigitRequest::posture);
+  add_path(table, &DigitRequest::path);
+  table.add_word("passive", kPassiveNames, &DigitRequest::passive,
+                 "Passive moments of human joints, where the subject states some.");
+  add_data(table, &DigitRequest::data);
+  return table;
+}
+
+}  // namespace
+
+RequestTable<DigitRequest> linear_digit_params() {
+  RequestTable<DigitRequest> table = subject_params();
+  table.add("map", text_schema(), &DigitRequest::map,
+            "A published tip map instead of bones and tendons.");
+  return table;
+}
+
+RequestTable<DigitRequest> tendon_params(const std::string& hood) {
+  RequestTable<DigitRequest> table = subject_params();
+  table.add_word("hood", kHoodNames, &DigitRequest::hood,
+                 "Extensor hood; " + hood + " if left out.");
+  table.add("net", text_schema(), &DigitRequest::net,
+            "Extensor net: " + listed(known_nets()) +
+                ", or a file (TOML); extensor_hood if the hood is a net.");
+  return table;
+}
+
+namespace internal {
+
+Schema posture_schema() { return map_or_list_schema(number_schema("")); }
+
+Schema vary_schema() {
+  return list_schema(object_schema({{"joint", text_schema(), "Which.", true},
+                                    {"from", number_schema(""), "First value.", true},
+                                    {"to", number_schema(""), "Last value.", true},
+                                    {"step", number_schema(""), "Between values.", true}}),
+                     0, 100);
+}
+
+PostureRequest posture_from(const Json& json, PostureUnit unit) {
+  PostureRequest posture;
+  posture.unit = unit;
+  if (json.is_array())
+    posture.in_order = json.get<std::vector<double>>();
+  else
+    posture.named = json.get<std::map<std::string, double>>();
+  return posture;
+}
+
+Json posture_to(const PostureRequest& posture, PostureUnit unit) {
+  if (posture.empty() || posture.unit != unit) return {};
+  return posture.named.empty() ? Json(posture.in_order) : Json(posture.named);
+}
+
+std::vector<Vary> vary_from(const Json& json) {
+  std::vector<Vary> all;
+  for (const Json& each : json)
+    all.push_back({each["joint"].get<std::string>(), each["from"].get<double>(),
+                   each["to"].get<double>(), each["step"].get<double>()});
+  return all;
+}
+
+Json vary_to(const std::vector<Vary>& vary) {
+  Json list;
+  for (const Vary& each : vary)
+    list.push_back(
+        {{"joint", each.joint}, {"from", each.from}, {"to", each.to}, {"step", each.step}});
+  return list;
+}
+
+}  // namespace internal
+}  // namespace thenar

@@ -1,0 +1,118 @@
+// What one digit's tendons do: moment arms, forces of its tip, bands of its hood.
+
+#include "api/feasible_force.h"
+#include "api/moment_arms.h"
+#include "api/tip_force.h"
+#include "questions/digit_params.h"
+#include "questions/make_question.h"
+#include "questions/question_rows.h"
+#include "report/answers/answer_files.h"
+#include "report/answers/feasible_force.h"
+#include "report/answers/moment_arms.h"
+#include "report/answers/tip_force.h"
+#include "report/pages/digit_page.h"
+
+namespace thenar::internal {
+namespace {
+
+RequestTable<DigitRequest> moment_arm_params() {
+  RequestTable<DigitRequest> table = linear_digit_params();
+  table.add_word("hood", kHoodNames, &DigitRequest::hood, "Extensor hood; fractions if left out.");
+  return table;
+}
+
+RequestTable<TipForceRequest> tip_force_params() {
+  RequestTable<TipForceRequest> table;
+  table.include(linear_digit_params(), &TipForceRequest::digit);
+  table
+      .add("tension", units::kNewton, map_schema(number_schema("", 0, kMaxTension)),
+           &TipForceRequest::tension, "Tensions of muscles; others are slack.")
+      .member.required = true;
+  table.add_word("hold", kTipHoldNames, &TipForceRequest::hold,
+                 "pinned: no moment; rigid: clamped.");
+  table.add("hold_length", units::kMillimetre, number_schema(""), &TipForceRequest::hold_length,
+            "How the norm of a rigid hold weighs moments.");
+  return table;
+}
+
+/// Loads beside the one that is asked for, which are of the other kind.
+void add_other_load(RequestTable<FeasibleForceRequest>& table, TipLoad load, const std::string& key,
+                    const FieldUnit& unit, const std::string& about) {
+  table.add(
+      {{key, endless_schema("", 0), about}, unit},
+      [=](FeasibleForceRequest& request, const Json& value) {
+        require_field(key.c_str(), request.load == load,
+                      "{} are asked for beside {} alone, and {} is wanted", key,
+                      load == TipLoad::kForce ? "a force" : "a moment",
+                      load == TipLoad::kForce ? "a moment" : "a force");
+        take(value, request.most_other);
+      },
+      [=](const FeasibleForceRequest& request) {
+        return request.load == load ? give(request.most_other) : Json();
+      });
+}
+
+RequestTable<FeasibleForceRequest> feasible_force_params() {
+  using Request = FeasibleForceRequest;
+  RequestTable<Request> table;
+  table.include(linear_digit_params(), &Request::digit);
+  table.add_word("load", kTipLoadNames, &Request::load, "What is asked for.").option.clear();
+  table.add("direction", vector_schema(""), &Request::direction,
+            "x y z of the wanted force, or of the axis of the wanted moment; the whole set if left "
+            "out.");
+  add_other_load(table, TipLoad::kForce, "moments", units::kNewtonMetre,
+                 "Moments beside the force, about each of the axes: 0 of a pinned tip, infinite of "
+                 "a rigid hold.");
+  add_other_load(table, TipLoad::kMoment, "forces", units::kNewton,
+                 "Forces beside the moment, along each of the axes.");
+  table
+      .add("tolerance", units::kDegree, number_schema(""), &Request::tolerance,
+           "Half angle of the cone the force or moment may lie in.")
+      .option = "--tolerance-deg";
+  table
+      .add_word("frame", kDirectionFrameNames, &Request::frame,
+                "world: the subject's frame; tip: proximal, dorsal, radial.")
+      .option = "--axes";
+  table
+      .add("whole_set", flag_schema(), &Request::whole_set,
+           "The whole set, also beside a direction.")
+      .option = "--set";
+  table.add("without", list_schema(text_schema(), 0, 100), &Request::without,
+            "Muscles that are paralysed, as under a nerve block; the loss is told.");
+  table.add("weakened", units::kNewton, map_schema(number_schema("", 0)), &Request::weakened,
+            "What weak muscles can pull at most; the loss is told.");
+  table.add_word("wrist", kWristLoadNames, &Request::wrist,
+                 "held: welded; free: it moves and bears the load, with the muscles across it; "
+                 "pinch: it moves, and the load ends within the hand.");
+  table
+      .add("stops", units::kNewtonMetre, map_schema(endless_schema("", -kInfinity)),
+           &Request::stops,
+           "Joints at the end of their range, whose ligaments give at most this torque; positive "
+           "flexes, inf: any.")
+      .option = "--stop";
+  return table;
+}
+
+MomentArmResult compute_arms(const DigitRequest& request, const Progress& progress) {
+  return compute_moment_arms(request, progress);
+}
+
+}  // namespace
+
+void add_digit_questions(std::vector<Question>& all) {
+  all.push_back(make_question(
+      "moment_arms", "Moment arms and length changes of a digit's tendons.", moment_arm_params(),
+      compute_arms, R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 20}})"));
+  all.push_back(make_question("tip_force", "Force of a fingertip from tendon tensions.",
+                              tip_force_params(), compute_tip_force,
+                              R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 40,
+                                  "PIP3": 55}, "tension_N": {"FDP": 10}})"));
+  all.push_back(make_question("feasible_force",
+                              "The largest force or moment of a fingertip, or all of them.",
+                              feasible_force_params(), compute_feasible_force,
+                              R"({"subject": "an_chao_index", "posture_deg": {"MCP2_FE": 45,
+                                  "PIP2": 45, "DIP2": 10}, "frame": "tip",
+                                  "direction": [0, -1, 0]})"));
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,70 @@
+#pragma once
+
+/// Questions made of a table of parameters and a function that answers: what report/ has of the
+/// result, its answer has.
+
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "questions/question.h"
+
+namespace thenar {
+
+namespace internal {
+// Whether report/ has something of a result.
+#define THENAR_HAS(name, function)                                                    \
+  template <typename Result, typename = void>                                         \
+  struct name : std::false_type {};                                                   \
+  template <typename Result>                                                          \
+  struct name<Result, std::void_t<decltype(function(std::declval<const Result&>()))>> \
+      : std::true_type {}
+THENAR_HAS(HasFields, fields_of);
+THENAR_HAS(HasTable, table_of);
+THENAR_HAS(HasPage, page_of);
+THENAR_HAS(HasFiles, files_of);
+THENAR_HAS(HasRefusal, refusal_of);
+#undef THENAR_HAS
+}  // namespace internal
+
+/// An answer with what the overloads of report/ make of a result: fields_of (or json_of) and
+/// text_of, and table_of, page_of, files_of and refusal_of where they exist.
+/// @param kept  lives as long as the answer
+template <typename Result>
+[[nodiscard]] Answer answer_of(const std::shared_ptr<const Result>& kept, Outcome outcome) {
+  Answer answer;
+  answer.outcome = std::move(outcome);
+  if constexpr (internal::HasFields<Result>::value)
+    answer.json = [kept](UnitSystem system) { return json_of(fields_of(*kept), system); };
+  else
+    answer.json = [kept](UnitSystem) { return OrderedJson(json_of(*kept)); };
+  answer.text = [kept] { return text_of(*kept); };
+  if constexpr (internal::HasTable<Result>::value)
+    answer.table = [kept] { return table_of(*kept); };
+  if constexpr (internal::HasPage<Result>::value) answer.page = [kept] { return page_of(*kept); };
+  if constexpr (internal::HasFiles<Result>::value)
+    answer.files = [kept] { return files_of(*kept); };
+  if constexpr (internal::HasRefusal<Result>::value) answer.refusal = refusal_of(*kept);
+  return answer;
+}
+
+/// A question of a request and a result; its `outcome` says how it ended.
+/// @param example  a request as JSON
+template <typename Request, typename Result>
+[[nodiscard]] Question make_question(std::string name, std::string about,
+                                     const RequestTable<Request>& table,
+                                     Result (*ask)(const Request&, const Progress&),
+                                     std::string example) {
+  return {std::move(name), std::move(about), table.params(), std::move(example),
+          [table, ask](Json json, const std::string& data, const Progress& progress) {
+            if (!data.empty() && !json.contains("data")) json["data"] = data;
+            const Request request = table.read(json);
+            const auto result = std::make_shared<const Result>(ask(request, progress));
+            Answer answer = answer_of(result, result->outcome);
+            answer.request = table.write(request);
+            return answer;
+          }};
+}
+
+}  // namespace thenar

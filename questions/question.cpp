@@ -1,0 +1,23 @@
+#include "questions/question.h"
+
+#include "base/nearest_name.h"
+#include "questions/question_rows.h"
+
+namespace thenar {
+
+const std::vector<Question>& questions() {
+  static const std::vector<Question> kAll = [] {
+    std::vector<Question> all;
+    internal::add_digit_questions(all);
+    return all;
+  }();
+  return kAll;
+}
+
+const Question& question_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Question& each : questions()) names.push_back(each.name);
+  return questions()[index_of_name(name, names, "question")];
+}
+
+}  // namespace thenar

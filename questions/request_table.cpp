@@ -1,0 +1,144 @@
+#include "questions/request_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/numbers.h"
+
+namespace thenar {
+namespace {
+
+/// A number of JSON: "inf" and "-inf" are infinite.
+double number_of(const Json& json) {
+  if (!json.is_string()) return json.get<double>();
+  return json == "-inf" ? -kInfinity : kInfinity;
+}
+
+/// Numbers in printed units as numbers in SI.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the value
+Json from_printed(const Json& value, const FieldUnit& unit) {
+  if (value.is_number()) return value.get<double>() * unit.denominator / unit.numerator;
+  Json out = value;
+  if (value.is_structured())
+    for (Json& each : out) each = from_printed(each, unit);
+  return out;
+}
+
+/// "N_m_per_rad" as "N m/rad".
+std::string unit_words(std::string key) {
+  if (const std::size_t per = key.find("_per_"); per != std::string::npos) key.replace(per, 5, "/");
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return key;
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
+Schema with_unit(Schema schema, const FieldUnit& unit, UnitSystem system) {
+  if (*unit.si == '\0') return schema;
+  if (schema.each) {
+    schema.each = std::make_shared<Schema>(with_unit(*schema.each, unit, system));
+  } else if (schema.kind == Schema::Kind::kNumber) {
+    schema.unit = unit_words(system == UnitSystem::kSi ? unit.si : unit.printed);
+    if (system == UnitSystem::kPrinted)
+      for (double* bound : {&schema.lower, &schema.upper})
+        *bound = *bound * unit.numerator / unit.denominator;
+  }
+  return schema;
+}
+
+std::vector<std::string> keys_of(const std::vector<Param>& params) {
+  std::vector<std::string> keys;
+  for (const Param& param : params) {
+    keys.push_back(param.key_in(UnitSystem::kSi));
+    const std::string printed = param.key_in(UnitSystem::kPrinted);
+    if (printed != keys.back()) keys.push_back(printed);
+  }
+  return keys;
+}
+
+/// Parameter of a key, and the units in which the key has it.
+std::pair<const Param*, UnitSystem> param_of(const std::vector<Param>& params,
+                                             const std::string& key) {
+  for (const UnitSystem system : {UnitSystem::kSi, UnitSystem::kPrinted})
+    for (const Param& param : params)
+      if (param.key_in(system) == key) return {&param, system};
+  const std::vector<std::string> keys = keys_of(params);
+  throw InputError(fmt::format("no parameter '{}'{}; there are {}", key.substr(0, 40),
+                               did_you_mean(key.substr(0, 40), keys), listed(keys)),
+                   key);
+}
+
+}  // namespace
+
+std::string Param::key_in(UnitSystem system) const { return key_with(member.name, unit, system); }
+
+Schema Param::schema_in(UnitSystem system) const { return with_unit(member.schema, unit, system); }
+
+Json request_in_si(const std::vector<Param>& params, const Json& request) {
+  require(request.is_object(), "wanted a request with names and values, got {}",
+          json_text(request, -1).substr(0, 40));
+  Json si = Json::object();
+  for (const auto& [key, value] : request.items()) {
+    const auto [param, system] = param_of(params, key);
+    const std::string& name = param->member.name;
+    try {
+      require(!si.contains(name), "'{}' is given twice, in two units", name);
+      const Json fits = checked(param->schema_in(system), value, key);
+      si[name] = system == UnitSystem::kSi ? fits : from_printed(fits, param->unit);
+    } catch (const InputError& error) {
+      throw InputError(error.what(), name);
+    }
+  }
+  for (const Param& param : params)
+    if (param.member.required && !si.contains(param.member.name))
+      throw InputError(
+          fmt::format("'{}' is missing: {}", param.key_in(UnitSystem::kSi), param.member.about),
+          param.member.name);
+  return si;
+}
+
+Schema schema_of(const std::vector<Param>& params, ParamScope scope) {
+  std::vector<SchemaMember> members;
+  for (const Param& param : params) {
+    if (scope == ParamScope::kAnywhere && param.scope == ParamScope::kLocal) continue;
+    SchemaMember member = param.member;
+    member.name = param.key_in(UnitSystem::kSi);
+    member.schema = param.schema_in(UnitSystem::kSi);
+    if (member.required) member.usual = nullptr;
+    members.push_back(std::move(member));
+  }
+  return object_schema(std::move(members));
+}
+
+void take(const Json& json, double& value) { value = number_of(json); }
+
+void take(const Json& json, Eigen::Vector3d& value) {
+  for (int i = 0; i < 3; ++i) value[i] = json[static_cast<std::size_t>(i)].get<double>();
+}
+
+void take(const Json& json, std::map<std::string, double>& value) {
+  value.clear();
+  for (const auto& [name, number] : json.items()) value[name] = number_of(number);
+}
+
+Json give(double value) {
+  if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
+  return number_or_null(value);
+}
+
+Json give(const std::string& value) { return value.empty() ? Json() : Json(value); }
+
+Json give(const std::vector<std::string>& value) { return value.empty() ? Json() : Json(value); }
+
+Json give(const Eigen::Vector3d& value) { return to_json(value); }
+
+Json give(const std::map<std::string, double>& value) {
+  Json json;
+  for (const auto& [name, number] : value) json[name] = give(number);
+  return json;
+}
+
+}  // namespace thenar
