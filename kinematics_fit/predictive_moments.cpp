@@ -110,7 +110,7 @@ RobustMoments robust_moments(const Eigen::VectorXd& draws) {
   const auto at = [&](double share) {
     return values[static_cast<std::size_t>(std::lround(share * last))];
   };
-  return {at(0.5), (at(0.975) - at(0.025)) / (2 * kNormal95)};
+  return {at(0.5), (at(0.975) - at(0.025)) / (2 * kNormal95HalfWidth)};
 }
 
 PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParameters& parameters,

@@ -23,15 +23,16 @@ void add_point(const TipForceAnswer& answer, const TipForcePoint& point, Ordered
   if (point.tip_axes)
     json["force_tip_axes_N"] = to_json({"proximal", "dorsal", "radial"}, force_along_tip(point));
   json["magnitude_N"] = point.force.norm();
-  if (answer.hold == TipHold::kRigid) json["moment_N_mm"] = to_json(point.moment / kNmm);
+  if (answer.hold == TipHold::kRigid)
+    json["moment_N_mm"] = to_json(point.moment / kNewtonMillimetre);
   if (about.map.empty()) {
-    json["leftover_torque_N_mm"] = to_json(about.rows, point.residual / kNmm);
+    json["leftover_torque_N_mm"] = to_json(about.rows, point.residual / kNewtonMillimetre);
     json["condition"] = point.condition;
     json["force_change_N_per_deg"] = to_json(about.rows, point.change * kDegree);
   } else {
     const std::vector<std::string> moments(about.rows.begin() + 3, about.rows.end());
     json["tip_moment_N_mm"] =
-        to_json(moments, point.residual.tail(point.residual.size() - 3) / kNmm);
+        to_json(moments, point.residual.tail(point.residual.size() - 3) / kNewtonMillimetre);
   }
   const std::string note = note_of(answer, point);
   if (!note.empty()) json["note"] = note;
@@ -53,12 +54,13 @@ std::string one_posture(const TipForceAnswer& answer, const TipForcePoint& point
              force);
   if (answer.hold == TipHold::kRigid)
     text += titled("Moment of the tip on the world, about the tip, world axes",
-                   {{"x_N_mm", "y_N_mm", "z_N_mm"}, {cells(point.moment / kNmm, 3)}});
+                   {{"x_N_mm", "y_N_mm", "z_N_mm"}, {cells(point.moment / kNewtonMillimetre, 3)}});
   // A map's first rows are forces, balanced exactly; the rest are moments the tip must pass on.
   Table left{{bones ? "joint" : "moment", "N_mm"}, {}};
   for (std::size_t i = bones ? 0 : 3; i < about.rows.size(); ++i)
     left.rows.push_back(
-        {about.rows[i], shown(point.residual[static_cast<Eigen::Index>(i)] / kNmm, 4)});
+        {about.rows[i],
+         shown(point.residual[static_cast<Eigen::Index>(i)] / kNewtonMillimetre, 4)});
   text += titled(bones ? "Joint torque left over, that no tip load balances"
                        : "Moment at the tip, that the hold must carry",
                  left);
@@ -82,11 +84,11 @@ std::string many_postures(const TipForceAnswer& answer) {
       table.rows.push_back(row({cells_of(axes, i), std::vector<std::string>(6, "-")}));
       continue;
     }
-    table.rows.push_back(
-        row({cells_of(axes, i),
-             cells(force_along_tip(point), 4),
-             {shown(point.force.norm(), 4), shown(point.residual.cwiseAbs().maxCoeff() / kNmm, 4),
-              shown(point.condition)}}));
+    table.rows.push_back(row({cells_of(axes, i),
+                              cells(force_along_tip(point), 4),
+                              {shown(point.force.norm(), 4),
+                               shown(point.residual.cwiseAbs().maxCoeff() / kNewtonMillimetre, 4),
+                               shown(point.condition)}}));
   }
   return titled(fmt::format("Force of the tip on the world, hold {}, and the largest joint torque "
                             "that it leaves over",
@@ -164,8 +166,9 @@ Table table_of(const TipForceAnswer& answer) {
              cells(point.force, 6),
              {shown(point.force.norm(), 6)},
              bones ? cells(force_along_tip(point), 6) : std::vector<std::string>{},
-             rigid ? cells(Eigen::Vector3d(point.moment / kNmm), 4) : std::vector<std::string>{},
-             cells(Eigen::VectorXd(point.residual.tail(left) / kNmm), 4),
+             rigid ? cells(Eigen::Vector3d(point.moment / kNewtonMillimetre), 4)
+                   : std::vector<std::string>{},
+             cells(Eigen::VectorXd(point.residual.tail(left) / kNewtonMillimetre), 4),
              bones ? std::vector<std::string>{shown(point.condition)} : std::vector<std::string>{},
              {note_of(answer, point)}}));
   }
