@@ -307,9 +307,9 @@ std::string tensions_in_words(const LoadedDigit& loaded) {
 }
 
 std::string tip_note(const TipForce& tip) {
-  constexpr double kNone = 1e-9;  // torque [N m]
+  constexpr double kTorqueRounding = 1e-9;  // Rounding of a joint torque [N m]
   if (tip.rank < std::min<Eigen::Index>(tip.possible, tip.tau_residual.size()))
-    return tip.tau_residual.cwiseAbs().maxCoeff() < kNone
+    return tip.tau_residual.cwiseAbs().maxCoeff() < kTorqueRounding
                ? "singular posture: along some direction a force of the tip needs no joint torque; "
                  "the smallest force in balance is given"
                : "singular posture: no force of the tip balances all joint torques; given is the "
