@@ -27,7 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFine = 2500;  // triangles of each link of a human hand: many hands share a page
+// Triangles of each drawn link of a human hand, as many hands share a page
+constexpr int kLinkTriangles = 2500;
 constexpr const char* kProgram = "/proc/self/exe";  // of this process, on Linux
 
 /// @throws InputError where there is no object, or a file of another kind
@@ -96,7 +97,7 @@ std::string program_hash() {
 std::vector<NamedHand> hands_of(const CompareRequest& request, const Progress& progress) {
   HumanHandOptions human;
   human.path = request.path;
-  human.skin.drawn = kFine;
+  human.skin.drawn = kLinkTriangles;
   std::vector<NamedHand> hands;
   for (const std::string& name : request.hands) {
     if (progress.stop()) break;

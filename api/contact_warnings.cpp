@@ -10,10 +10,11 @@
 namespace thenar {
 namespace {
 
-constexpr double kNormalRounding = 1e-3;  // of a unit normal's length: rounded, not odd [1]
-constexpr double kFarOverScale = 20;      // from the centre, in torque scales: in another unit [1]
-constexpr double kFar = 5;                // from the centre: no object that a hand holds [m]
-constexpr double kLargestFriction = 5;    // more is an angle [1]
+constexpr double kNormalRounding = 1e-3;  // Rounding of the length of a unit normal [1]
+// Largest distance of a contact from the centre of mass, in torque scales [1] and in metres [m]
+constexpr double kMaxScaledDistance = 20, kMaxContactDistance = 5;
+// Largest coefficient of friction; larger numbers are angles [1]
+constexpr double kLargestFriction = 5;
 
 /// Cones of the file, with their numbers.
 struct Numbered {
@@ -40,11 +41,12 @@ const FileContact& at(const ContactFile& file, const std::vector<int>& numbers) 
 
 /// "contacts 0, 3, 4 and 9 more".
 std::string listed_contacts(std::vector<int> numbers) {
-  constexpr std::size_t kNamed = 6;
+  constexpr std::size_t kMaxNamedContacts = 6;  // Most contacts that are named
   const std::size_t all = numbers.size();
-  numbers.resize(std::min(all, kNamed));
-  return fmt::format("contact{} {}{}", all == 1 ? "" : "s", fmt::join(numbers, ", "),
-                     all > kNamed ? fmt::format(" and {} more", all - kNamed) : "");
+  numbers.resize(std::min(all, kMaxNamedContacts));
+  return fmt::format(
+      "contact{} {}{}", all == 1 ? "" : "s", fmt::join(numbers, ", "),
+      all > kMaxNamedContacts ? fmt::format(" and {} more", all - kMaxNamedContacts) : "");
 }
 
 template <typename Odd>
@@ -72,7 +74,8 @@ void add_normals(const ContactFile& file, const std::vector<Numbered>& cones,
 void add_far(const ContactFile& file, const std::vector<Numbered>& cones,
              std::vector<std::string>& warnings) {
   const std::vector<int> far = those(cones, [&](const FileContact& c) {
-    return arm_of(c, file).norm() > std::min(kFar, kFarOverScale * file.torque_scale);
+    return arm_of(c, file).norm() >
+           std::min(kMaxContactDistance, kMaxScaledDistance * file.torque_scale);
   });
   if (far.empty()) return;
   const double r = arm_of(at(file, far), file).norm();

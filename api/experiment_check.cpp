@@ -111,13 +111,13 @@ std::string with_line(const CheckedExperiment& of, const std::string& sentence) 
 
 /// Forces beyond what tendons can make, by the tensions of the trial.
 void check_forces(const CheckedExperiment& of, std::vector<std::string>& doubts) {
-  constexpr double kNoise = 2;  // sds of a force that chance makes [1]
+  constexpr double kNoiseSds = 2;  // Largest excess of a force by chance [sds]
   for (std::size_t i = 0; i < of.experiment.trials.size(); ++i) {
     const Trial& trial = of.experiment.trials[i];
     double pulled = 0;
     for (const auto& [muscle, tension] : trial.tension) pulled += tension;
     if (trial.site) continue;  // a mount feels tendons and tip, a short lever more than the tip
-    if (trial.force.norm() > pulled + kNoise * force_sd(of.experiment, trial).norm())
+    if (trial.force.norm() > pulled + kNoiseSds * force_sd(of.experiment, trial).norm())
       doubts.push_back(of.lines.at(
           of.lines.trial(i),
           fmt::format("the tip's force, {:.3g} N, is larger than all tensions together, {:.3g} N: "

@@ -27,11 +27,11 @@ double median_seconds(Call call) {
     for (int i = 0; i < calls; ++i) call();
     return std::chrono::duration<double>(Clock::now() - begin).count() / calls;
   };
-  constexpr double kBatch = 1e-3;                   // [s]
-  constexpr double kLong = 20e-3;                   // [s]
+  constexpr double kBatchTime = 1e-3;      // Time of a batch of calls [s]
+  constexpr double kLongCallTime = 20e-3;  // Time beyond which a call is timed only thrice [s]
   const double first = std::min(time(1), time(1));  // the first call of all warms up
-  const int calls = std::max(1, static_cast<int>(kBatch / std::max(first, 1e-9)));
-  std::vector<double> seconds(first > kLong ? 3 : 21);
+  const int calls = std::max(1, static_cast<int>(kBatchTime / std::max(first, 1e-9)));
+  std::vector<double> seconds(first > kLongCallTime ? 3 : 21);
   for (double& s : seconds) s = time(calls);
   std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
   return seconds[seconds.size() / 2];

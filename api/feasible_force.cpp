@@ -84,8 +84,8 @@ WholeForceSet whole_set(const TipStatics& statics, const TipLoadOptions& options
 
 /// Groups of muscles, by index, whose rows of R are the same and not zero.
 std::vector<std::vector<int>> muscles_alike(const Eigen::MatrixXd& R) {
-  constexpr double kRounding = 1e-12;  // of the largest arm [1]
-  const double same = kRounding * R.cwiseAbs().maxCoeff();
+  constexpr double kArmRounding = 1e-12;  // Rounding of moment arms, over the largest [1]
+  const double same = kArmRounding * R.cwiseAbs().maxCoeff();
   std::vector<std::vector<int>> groups;
   std::vector<bool> grouped(static_cast<std::size_t>(R.rows()), false);
   for (int i = 0; i < R.rows(); ++i) {

@@ -22,12 +22,12 @@ namespace thenar {
 namespace {
 
 /// Approximate durations of the parts of a grasp by a human hand [s]; other hands take less.
-constexpr double kHand = 3, kStart = 0.3, kMeasures = 0.6, kDraw = 0.2;
+constexpr double kHandTime = 3, kStartTime = 0.3, kMeasuresTime = 0.6, kDrawTime = 0.2;
 constexpr int kMaxEdges = 100;  // finer ones change nothing and take seconds that no signal ends
 
 double seconds_of(const GraspRequest& request) {
-  return kHand + kStart * std::max(1, request.starts) + kMeasures +
-         kDraw * request.robustness.draws;
+  return kHandTime + kStartTime * std::max(1, request.starts) + kMeasuresTime +
+         kDrawTime * request.robustness.draws;
 }
 
 void check_request(const GraspRequest& request) {
@@ -273,9 +273,9 @@ std::string torque_warning(const Hand& hand, const Grasp& grasp) {
 
 void add_measures(GraspResult& result, ProgressParts& schedule) {
   if (result.grasp.outcome != GraspOutcome::kGrasped) return;
-  result.measures = measure_grasp(result, schedule.next(kMeasures));
+  result.measures = measure_grasp(result, schedule.next(kMeasuresTime));
   const int draws = result.request.robustness.draws;
-  if (draws > 0) result.robustness = robustness_of(result, schedule.next(kDraw * draws));
+  if (draws > 0) result.robustness = robustness_of(result, schedule.next(kDrawTime * draws));
 }
 
 }  // namespace
@@ -287,12 +287,12 @@ GraspResult grasp_in_world(const GraspRequest& request, const Progress& progress
   ProgressParts schedule(progress, seconds_of(request));
   GraspResult result{};
   result.request = request;
-  result.setting = open_setting(request, schedule.next(kHand));
+  result.setting = open_setting(request, schedule.next(kHandTime));
   result.collision_hand =
       collision_hand(*result.setting.hand.named.hand, result.setting.setup.materials);
   const std::clock_t start = std::clock();
   // The grasp itself: without one there is nothing to return.
-  add_grasps(result, schedule.next(kStart * std::max(1, request.starts)));
+  add_grasps(result, schedule.next(kStartTime * std::max(1, request.starts)));
   require(result.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", result.setting.path,
           outcome_words(result.grasp));
   // Its measures, as far as they get.

@@ -16,7 +16,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s^2]
+constexpr double kGravity = 9.81;  // Acceleration of free fall [m/s^2]
 
 template <typename Value>
 Measured<Value> none(const std::string& reason) {

@@ -126,8 +126,9 @@ void weigh_triangles(const TriangleMesh& mesh, MeshFacts& facts) {
     facts.warnings.emplace_back(found.enclosed < 0
                                     ? "inside out: the surface faces inwards, repairing turns it"
                                     : "no volume: the surface encloses nothing");
-  constexpr double kOverlap = 1e-6;  // of the volume, that parts may share by rounding [1]
-  if (facts.solid && found.enclosed > (1 + kOverlap) * facts.unit_mass.mass)
+  // Share of the volume in which parts may overlap by rounding [1]
+  constexpr double kOverlapShare = 1e-6;
+  if (facts.solid && found.enclosed > (1 + kOverlapShare) * facts.unit_mass.mass)
     facts.warnings.push_back(fmt::format(
         "parts overlap: volume, centre and inertia are of their union{}; their volumes add up to "
         "{:.3g} % more",
@@ -165,8 +166,9 @@ MeshFacts look_at_mesh(const MeshContent& content) {
 }
 
 std::vector<std::string> density_warnings(const BodySpec& body, const std::string& owner) {
-  constexpr double kLightest = 10, kHeaviest = 25'000;  // [kg/m^3]
-  constexpr double kLitre = 1000;                       // g/cm3 in kg/m3
+  // Range of densities of known materials [kg/m^3]
+  constexpr double kMinDensity = 10, kMaxDensity = 25'000;
+  constexpr double kGramPerCm3 = 1000;  // A gram per cubic centimetre [kg/m^3]
   const double mass = body.mass ? body.mass->mass : body.uniform_mass;
   double density = body.density;
   if (mass > 0) try {
@@ -174,10 +176,10 @@ std::vector<std::string> density_warnings(const BodySpec& body, const std::strin
     } catch (const InputError&) {
       return {};  // no volume
     }
-  if (!(density > 0) || (density >= kLightest && density <= kHeaviest)) return {};
+  if (!(density > 0) || (density >= kMinDensity && density <= kMaxDensity)) return {};
   return {fmt::format("{}: {:.4g} g/cm3: is its {} or its size in another unit{}?", owner,
-                      density / kLitre, mass > 0 ? "mass" : "density",
-                      density > kHeaviest && mass > 0 ? " (grams)" : "")};
+                      density / kGramPerCm3, mass > 0 ? "mass" : "density",
+                      density > kMaxDensity && mass > 0 ? " (grams)" : "")};
 }
 
 std::vector<std::string> size_warnings(const std::vector<ShapeSpec>& shapes,

@@ -20,9 +20,12 @@
 namespace thenar {
 namespace {
 
-constexpr int kMaxPyramidEdges = 1000;  // finer ones take minutes and change nothing
-constexpr double kPolytopeGap = 1e-10;  // of the largest wrench: exact at little cost [1]
-constexpr double kNothing = 1e-9;       // a load below this part of the largest wrench is none [1]
+// Most edges; finer pyramids take minutes and change nothing
+constexpr int kMaxPyramidEdges = 1000;
+// Gap of the bounds of a polytope's epsilon, over the largest wrench; it costs little [1]
+constexpr double kPolytopeGap = 1e-10;
+// Least load, over the largest wrench; smaller is rounding [1]
+constexpr double kMinLoadRatio = 1e-9;
 
 bool is_polytope(const WrenchSet& set) {
   return std::all_of(set.caps.begin(), set.caps.end(),
@@ -160,7 +163,7 @@ TaskMargin margin_of_each(const ForceSet& forces, const std::vector<ScaledWrench
       margin.status = reach.status;
       continue;
     }
-    const double k = reach.value * load.norm() < kNothing * largest ? 0 : reach.value;
+    const double k = reach.value * load.norm() < kMinLoadRatio * largest ? 0 : reach.value;
     grasp_forces.back() = 1 / k;
     if (k < margin.lower) margin.worst_load = load;
     margin.lower = std::min(margin.lower, k);
@@ -193,7 +196,7 @@ std::optional<TaskQuality> task_of(const WrenchSet& set, const ContactFile& file
              : file.task.kind == FileTask::Kind::kBox ? margin_of_box(forces, loads[0], loads[1])
                                                       : margin_of_axes(forces, loads);
   // Below this nothing is borne, but for the programmes' rounding.
-  const double none = kNothing * largest / std::max(margin.worst_load.norm(), 1e-300);
+  const double none = kMinLoadRatio * largest / std::max(margin.worst_load.norm(), 1e-300);
   if (margin.upper < none) margin.lower = margin.upper = 0;
   margin.worst_load.tail<3>() *= file.torque_scale;
   TaskQuality task = quality_of(margin);

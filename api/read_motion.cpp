@@ -17,12 +17,13 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kSameTip = 1e-6;  // of a tip, now and in the file [m]
-constexpr double kMostAngle = 10;  // of a joint that moves on [rad]
-constexpr double kNoPull = 1e-6;   // of a tension that rounding made negative [N]
+constexpr double kSameTip = 1e-6;  // Largest distance of a tip from its place in the file [m]
+constexpr double kMostAngle = 10;  // Largest angle of a joint [rad]
+constexpr double kNoPull = 1e-6;   // Largest tension that rounding made negative [N]
 
-constexpr std::array kPaths{Path::kConstant, Path::kViaPoint, Path::kFitted, Path::kWrapped};
-constexpr std::array kHoods{Hood::kSeparate, Hood::kFractions, Hood::kFloatingNet};
+// Rungs of the two ladders
+constexpr std::array kPathRungs{Path::kConstant, Path::kViaPoint, Path::kFitted, Path::kWrapped};
+constexpr std::array kHoodRungs{Hood::kSeparate, Hood::kFractions, Hood::kFloatingNet};
 
 std::vector<std::string> parts_of(const std::string& text) {
   std::vector<std::string> parts;
@@ -80,8 +81,8 @@ class MotionReader {
       path = built[kPathLadder];
       hood = built[kHoodLadder];
     }
-    const auto path_rung = rung_called(kPaths, kPathLadder, path);
-    const auto hood_rung = rung_called(kHoods, kHoodLadder, hood);
+    const auto path_rung = rung_called(kPathRungs, kPathLadder, path);
+    const auto hood_rung = rung_called(kHoodRungs, kHoodLadder, hood);
     require(path_rung && hood_rung, "there are no rungs '{}' and '{}'", path, hood);
     rungs.path = !named && *path_rung == Path::kConstant ? Path::kViaPoint : *path_rung;
     rungs.hood = *hood_rung;

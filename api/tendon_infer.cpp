@@ -156,11 +156,12 @@ BandProblems free_problems(const InferNetRequest& request, NetInference& answer)
 
 /// Returns doubts about the probabilities of bands, a sentence each.
 std::vector<std::string> doubts_of(const BandPosterior& posterior) {
-  constexpr double kMisfit = 1.3;  // errors per noise beyond which probabilities are too sure [1]
+  // Errors over the noise beyond which probabilities are too sure [1]
+  constexpr double kMaxMisfitRatio = 1.3;
   std::vector<std::string> doubts, open;
   for (const BandBelief& band : posterior.bands)
     if (band.doubtful) open.push_back(band.name);
-  if (posterior.noise > kMisfit)
+  if (posterior.noise > kMaxMisfitRatio)
     doubts.push_back(
         fmt::format("the best set's errors are {:.1f} times the stated noise: probabilities are "
                     "surer than they should be",

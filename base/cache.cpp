@@ -26,10 +26,10 @@ namespace fs = std::filesystem;
 const std::string kHeading = "thenar cache 1\n";
 const std::string kEnding = ".thenar";
 const std::string kUnfinished = ".unfinished";
-constexpr std::size_t kHash = 64;  // Hexadecimal digits of a hash
+constexpr std::size_t kHashDigits = 64;  // Hexadecimal digits of a hash
 // Age from which an unfinished file belongs to no running process [s]
-constexpr double kForgotten = 3600;
-constexpr double kRoom = 0.9;  // Share of the limit that remains after entries are removed [1]
+constexpr double kUnfinishedAge = 3600;
+constexpr double kKeptShare = 0.9;  // Share of the limit that remains after entries are removed [1]
 
 std::mutex& guard() {
   static std::mutex mutex;
@@ -71,8 +71,8 @@ bool has_ending(const std::string& text, const std::string& ending) {
 
 bool is_entry(const fs::path& path) {
   const std::string name = path.filename().string();
-  return name.size() == kHash + kEnding.size() && has_ending(name, kEnding) &&
-         name.find_first_not_of("0123456789abcdef") == kHash;
+  return name.size() == kHashDigits + kEnding.size() && has_ending(name, kEnding) &&
+         name.find_first_not_of("0123456789abcdef") == kHashDigits;
 }
 
 struct Entry {
@@ -95,9 +95,9 @@ std::vector<Entry> entries_in(const std::string& folder) {
     if (gone) continue;
     if (is_entry(at->path())) entries.push_back({at->path(), at->file_size(gone), used});
     const std::string name = at->path().filename().string();
-    const bool unfinished = has_ending(name, kUnfinished) && name.size() > kHash &&
-                            name.find_first_not_of("0123456789abcdef") == kHash;
-    if (unfinished && std::chrono::duration<double>(now - used).count() > kForgotten)
+    const bool unfinished = has_ending(name, kUnfinished) && name.size() > kHashDigits &&
+                            name.find_first_not_of("0123456789abcdef") == kHashDigits;
+    if (unfinished && std::chrono::duration<double>(now - used).count() > kUnfinishedAge)
       fs::remove(at->path(), gone);
   }
   return entries;
@@ -114,7 +114,7 @@ void make_room(const CacheOptions& options) {
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.used < b.used; });
   for (const Entry& entry : entries) {
-    if (static_cast<double>(total) <= kRoom * static_cast<double>(options.max_bytes)) return;
+    if (static_cast<double>(total) <= kKeptShare * static_cast<double>(options.max_bytes)) return;
     std::error_code ignored;
     fs::remove(entry.path, ignored);
     total -= entry.size;
@@ -186,12 +186,13 @@ std::optional<std::string> kept(const std::string& kind, const std::string& inpu
     // Heading, name and checksum must all match.
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const std::size_t start = kHeading.size() + 2 * kHash + 1;
+    const std::size_t start = kHeading.size() + 2 * kHashDigits + 1;
     if (text.size() < start || text.compare(0, kHeading.size(), kHeading) != 0 ||
-        text.compare(kHeading.size(), kHash, name) != 0)
+        text.compare(kHeading.size(), kHashDigits, name) != 0)
       return std::nullopt;
     std::string result = text.substr(start);
-    if (text.compare(kHeading.size() + kHash, kHash, sha256(result)) != 0) return std::nullopt;
+    if (text.compare(kHeading.size() + kHashDigits, kHashDigits, sha256(result)) != 0)
+      return std::nullopt;
     fs::last_write_time(path, fs::file_time_type::clock::now(), failed);  // it was used
     return result;
   } catch (const std::exception&) {

@@ -108,8 +108,9 @@ class Temporary {
  public:
   explicit Temporary(const std::string& path) {
     // The first name that is free.
-    constexpr int kNames = 1000;  // left behind by runs that were killed, or of others just now
-    for (int i = 0; i < kNames && !file_; ++i) {
+    // Most names tried; killed runs leave some behind, and other runs hold some now
+    constexpr int kMaxTemporaryNames = 1000;
+    for (int i = 0; i < kMaxTemporaryNames && !file_; ++i) {
       name_ = path + ".tmp" + (i == 0 ? "" : std::to_string(i));
       file_ = std::fopen(name_.c_str(), "wbx");  // x: fails where the file exists
       if (!file_ && errno != EEXIST) break;

@@ -91,9 +91,9 @@ void require_place(int folder, const std::string& name) {
 class NewFile {
  public:
   NewFile(int folder, const std::string& name) : folder_(folder), whole_(name) {
-    constexpr int kTries = 1000;  // left behind by runs that were killed
+    constexpr int kMaxNameTrials = 1000;  // Most names tried; killed runs leave some behind
     last_ = fs::path(name).filename().string();
-    for (int i = 0; i < kTries && file_.file() < 0; ++i) {
+    for (int i = 0; i < kMaxNameTrials && file_.file() < 0; ++i) {
       new_ = last_ + ".tmp" + (i == 0 ? "" : std::to_string(i));
       file_ = OpenEntry(openat(folder_, new_.c_str(),
                                O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kShownName = 300;  // Most bytes of a name in a message [bytes]
 // Most parts of a name; programs that tidy up give up on deeper names
-constexpr std::ptrdiff_t kDeepest = 32;
+constexpr std::ptrdiff_t kMaxNameParts = 32;
 
 /// The place of the first control character, of C1 (U+0080 to U+009F in UTF-8) too; npos: none.
 std::size_t find_control(const std::string& text) {
@@ -38,8 +38,8 @@ std::optional<std::string> fault_inside(const std::string& text) {
     if (part == "..") return "'..', which leads out of the folder";
     if (part != "." && part.string().front() == '.') return "a part that begins with a dot";
   }
-  if (std::distance(path.begin(), path.end()) > kDeepest)
-    return fmt::format("more than {} parts", kDeepest);
+  if (std::distance(path.begin(), path.end()) > kMaxNameParts)
+    return fmt::format("more than {} parts", kMaxNameParts);
   if (!path.has_filename() || path.filename() == ".") return "no name of a file";
   return std::nullopt;
 }

@@ -14,13 +14,13 @@
 namespace thenar {
 
 void make_private_folder(const std::string& path, ExistingFolder existing) {
-  constexpr mode_t kOwn = 0700;
+  constexpr mode_t kOwnerMode = 0700;  // Permissions: all for the owner, none for others
   // Parents first.
   std::filesystem::path made;
   bool is_new = false;
   for (const auto& part : std::filesystem::path(path).lexically_normal()) {
     made /= part;
-    is_new = mkdir(made.c_str(), kOwn) == 0;
+    is_new = mkdir(made.c_str(), kOwnerMode) == 0;
     const int why = errno;
     std::error_code none;
     require(is_new || std::filesystem::exists(made, none), "the folder '{}' cannot be made: {}",
@@ -32,7 +32,8 @@ void make_private_folder(const std::string& path, ExistingFolder existing) {
   require(folder >= 0, "the folder '{}' cannot be used: {}", path, std::strerror(errno));
   struct stat about {};
   const bool own = fstat(folder, &about) == 0 && about.st_uid == geteuid();
-  const bool closed = own && ((about.st_mode & 0777) == kOwn || fchmod(folder, kOwn) == 0);
+  const bool closed =
+      own && ((about.st_mode & 0777) == kOwnerMode || fchmod(folder, kOwnerMode) == 0);
   (void)close(folder);
   require(closed, "the folder '{}' belongs to somebody else", path);
 }

@@ -24,11 +24,12 @@ std::string sha256(const std::string& text) {
 }
 
 FileDigests digests_of(const std::vector<std::string>& paths) {
-  constexpr std::size_t kLongest = std::size_t{1} << 32;  // readers allow less [bytes]
+  // Largest file; the readers of our files allow less [bytes]
+  constexpr std::size_t kMaxDigestedBytes = std::size_t{1} << 32;
   FileDigests files;
   for (const std::string& path : paths)
     files[std::filesystem::path(path).lexically_normal().string()] =
-        sha256(read_file(path, kLongest));
+        sha256(read_file(path, kMaxDigestedBytes));
   return files;
 }
 

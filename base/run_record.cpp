@@ -16,10 +16,11 @@ namespace {
 std::time_t time_of_run() {
   const char* asked = std::getenv("SOURCE_DATE_EPOCH");
   if (asked == nullptr || *asked == '\0') return std::time(nullptr);
-  constexpr std::size_t kLongest = 11;  // digits: some three thousand years
+  constexpr std::size_t kMaxEpochDigits = 11;  // Most digits: some three thousand years
   const std::string text = asked;
-  require(text.size() <= kLongest && text.find_first_not_of("0123456789") == std::string::npos,
-          "SOURCE_DATE_EPOCH: wanted whole seconds since 1970, got '{}'", text);
+  require(
+      text.size() <= kMaxEpochDigits && text.find_first_not_of("0123456789") == std::string::npos,
+      "SOURCE_DATE_EPOCH: wanted whole seconds since 1970, got '{}'", text);
   return static_cast<std::time_t>(std::stoll(text));
 }
 

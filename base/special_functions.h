@@ -5,8 +5,8 @@
 
 namespace thenar {
 
-/// normal_quantile(0.975): half of a normal 95 % interval, in sds [1].
-inline constexpr double kNormal95 = 1.959963984540054;
+/// Half width of a normal 95 % interval, normal_quantile(0.975) [sds].
+inline constexpr double kNormal95HalfWidth = 1.959963984540054;
 
 /// z with P(Z <= z) = p, Z standard normal; -inf at 0, inf at 1, NaN beyond.
 [[nodiscard]] double normal_quantile(double p);

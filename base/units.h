@@ -4,10 +4,10 @@
 
 namespace thenar {
 
-inline constexpr double kPi = 3.14159265358979323846;  // half a turn [rad]
-inline constexpr double kDegree = kPi / 180;           // [rad]
-inline constexpr double kMm = 1e-3;                    // a millimetre [m]
-inline constexpr double kNmm = 1e-3;                   // a newton millimetre [N m]
+inline constexpr double kPi = 3.14159265358979323846;  // Half a turn [rad]
+inline constexpr double kDegree = kPi / 180;           // A degree [rad]
+inline constexpr double kMm = 1e-3;                    // A millimetre [m]
+inline constexpr double kNewtonMillimetre = 1e-3;      // A newton millimetre [N m]
 
 /// @param angle [deg]  @return [rad]
 [[nodiscard]] constexpr double radians(double angle) { return angle * kDegree; }

@@ -31,5 +31,5 @@ int main() {
   const std::vector<std::string>& joints = answer.loaded.bones().names.coordinates;
   for (std::size_t j = 0; j < joints.size(); ++j)
     std::printf("%-8s %6.2f N mm\n", joints[j].c_str(),
-                rest.tau[static_cast<Eigen::Index>(j)] / thenar::kNmm);
+                rest.tau[static_cast<Eigen::Index>(j)] / thenar::kNewtonMillimetre);
 }

@@ -12,7 +12,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kTraded = 0.8;  // Estimates with a larger correlation trade against each other [1]
+// Correlation from which two estimates trade against each other [1]
+constexpr double kTradeCorrelation = 0.8;
 
 /// Entries of a specimen, the population's and its own, that move parameters of one kind.
 std::vector<int> entries_of_kind(const FitCoordinates& coordinates, ParameterKind kind) {
@@ -68,7 +69,7 @@ AxisDoubts find_axis_doubts(const FitProblem& problem, const Eigen::VectorXd& z,
     const Eigen::MatrixXd correlation = correlations(problem, z, specimen, cell);
     for (const int a : axes)
       for (const int b : cell)
-        if (std::abs(correlation(a, b)) > kTraded)
+        if (std::abs(correlation(a, b)) > kTradeCorrelation)
           out.traded.push_back({names[entry(a)], names[entry(b)], correlation(a, b)});
   }
   std::sort(out.traded.begin(), out.traded.end(), [](const TradedTilt& a, const TradedTilt& b) {

@@ -14,10 +14,11 @@ namespace {
 using Eigen::Vector3d;
 
 // Largest distance of a point from the middle of the tendons, about a finger's radius [m]
-constexpr double kFar = 0.01;
-// Largest distance from the place nearest to the axes beside it, which tell less [m]
-constexpr double kFarFromAxes = 0.015;
-constexpr double kAcross = 0.5;  // Least sine of the angle between axes that are not parallel [1]
+constexpr double kMaxTendonDistance = 0.01;
+// Largest distance of a point from the place nearest to the axes beside it, which tell less [m]
+constexpr double kMaxAxisDistance = 0.015;
+// Least sine of the angle between axes that are not parallel [1]
+constexpr double kMinAxisSine = 0.5;
 
 /// Segments that a joint moves.
 std::set<std::string> moved_by(const Subject& subject, const JointAxis& joint) {
@@ -73,7 +74,7 @@ double nearest_to_chain(const std::vector<const JointAxis*>& chain, std::size_t 
     const Vector3d& other = chain[next]->direction;
     const auto across = [&](const Vector3d& v) -> Vector3d { return v - v.dot(other) * other; };
     const Vector3d way = across(joint.direction);
-    if (way.norm() < kAcross) continue;
+    if (way.norm() < kMinAxisSine) continue;
     square += way.squaredNorm();
     product += way.dot(across(chain[next]->point - joint.point));
   }
@@ -89,13 +90,13 @@ Subject with_points_at_tendons(Subject subject, const std::string& digit) {
     if (each.name != digit) continue;
     const std::vector<const JointAxis*> chain = joints_to(subject, each.tip_segment);
     for (std::size_t i = 0; i < chain.size(); ++i)
-      if (const double way = nearest_to_chain(chain, i, each.tip); std::abs(way) > kFarFromAxes)
+      if (const double way = nearest_to_chain(chain, i, each.tip); std::abs(way) > kMaxAxisDistance)
         ways[chain[i]->name] = way;
   }
   // Tendons tell more than axes.
   for (const JointAxis& joint : subject.joints)
     if (const std::optional<double> middle = middle_of_tendons(subject, joint))
-      ways[joint.name] = std::abs(*middle) > kFar ? *middle : 0;
+      ways[joint.name] = std::abs(*middle) > kMaxTendonDistance ? *middle : 0;
   for (JointAxis& joint : subject.joints)
     if (const auto way = ways.find(joint.name); way != ways.end() && way->second != 0)
       joint.point += way->second * joint.direction;

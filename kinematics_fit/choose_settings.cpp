@@ -9,7 +9,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kBetter = 1e-3;  // Least gain that changes a choice [nat]
+constexpr double kMinChoiceGain = 1e-3;  // Least gain that changes a choice [nat]
 
 /// Score of the predictions of left-out forces.
 struct LeftOutScore {
@@ -66,7 +66,7 @@ class Chooser {
       set_choice(other, at, value);
       const LeftOutScore score = score_of(other);
       if (found_.stopped) return false;
-      if (score.loss > found_.loss - kBetter) continue;
+      if (score.loss > found_.loss - kMinChoiceGain) continue;
       take(score);
       best = std::move(other);
     }

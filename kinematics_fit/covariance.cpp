@@ -28,12 +28,13 @@ Direction unit_along(const Eigen::VectorXd& values, Eigen::Index first, Eigen::I
 
 /// Names a direction by its largest components, at most three.
 std::string describe(const Direction& direction, const std::vector<std::string>& names) {
-  constexpr std::ptrdiff_t kShown = 3;
+  constexpr std::ptrdiff_t kMaxNamedComponents = 3;  // Most components that are named
   // Components by falling size.
   std::vector<std::pair<double, Eigen::Index>> shares;
   for (Direction::InnerIterator at(direction); at; ++at)
     shares.emplace_back(at.value(), at.index());
-  const auto end = shares.begin() + std::min<std::ptrdiff_t>(kShown, direction.nonZeros());
+  const auto end =
+      shares.begin() + std::min<std::ptrdiff_t>(kMaxNamedComponents, direction.nonZeros());
   std::partial_sort(shares.begin(), end, shares.end(), [](const auto& a, const auto& b) {
     return std::abs(a.first) > std::abs(b.first);
   });

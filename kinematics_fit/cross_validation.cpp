@@ -65,9 +65,9 @@ void predict_fold(const FitProblem& rest, const Eigen::VectorXd& z, LeaveOut wha
 }  // namespace
 
 std::string name_of(LeaveOut what) {
-  constexpr std::array kNames{"leave one posture out", "leave one tendon out",
-                              "leave one specimen out"};
-  return kNames[static_cast<std::size_t>(what)];
+  constexpr std::array kLeaveOutNames{"leave one posture out", "leave one tendon out",
+                                      "leave one specimen out"};
+  return kLeaveOutNames[static_cast<std::size_t>(what)];
 }
 
 CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,

@@ -16,13 +16,14 @@
 namespace thenar {
 namespace {
 
-constexpr int kLanes = 8;  // derivatives carried at once; fills two AVX or four SSE registers
-using Jet = ceres::Jet<double, kLanes>;
+// Derivatives carried at once; they fill two AVX or four SSE registers
+constexpr int kJetLanes = 8;
+using Jet = ceres::Jet<double, kJetLanes>;
 
-/// u with unit derivatives for coordinates first .. first + kLanes - 1.
+/// u with unit derivatives for coordinates first .. first + kJetLanes - 1.
 std::vector<Jet> seed(const Eigen::VectorXd& u, int first) {
   std::vector<Jet> jets(u.data(), u.data() + u.size());
-  for (int lane = 0; lane < kLanes && first + lane < u.size(); ++lane)
+  for (int lane = 0; lane < kJetLanes && first + lane < u.size(); ++lane)
     jets[first + lane].v[lane] = 1;
   return jets;
 }
@@ -115,7 +116,7 @@ class NetSlopes {
     const VectorX<Jet> pulls =
         net_pulls(*model.net, mcp_angle<Jet>(model.digit, at.angles),
                   VectorX<Jet>(model.gain.cwiseProduct(plan_.tension[i].cast<Jet>())));
-    for (int lane = 0; lane < kLanes; ++lane) {
+    for (int lane = 0; lane < kJetLanes; ++lane) {
       const internal::NetPerturbation input =
           perturbation_of(*model.net, at.state, *tangent_[i], pulls, lane);
       if (is_still(input)) continue;
@@ -171,7 +172,7 @@ ForceJacobian force_jacobian(const TendonDigit& digit, const FitParameters& para
   std::optional<NetSlopes> nets;  // at rest once for all lanes
   if (digit.net)
     nets.emplace(specimen_model(digit, parameters, parameter_values<double>(parameters, u)), plan);
-  for (int first = 0; first < n; first += kLanes) {
+  for (int first = 0; first < n; first += kJetLanes) {
     const SpecimenModel<Jet> model =
         specimen_model(digit, parameters, parameter_values<Jet>(parameters, seed(u, first)));
     const auto forces = predict_forces<Jet>(
@@ -182,7 +183,7 @@ ForceJacobian force_jacobian(const TendonDigit& digit, const FitParameters& para
     for (Eigen::Index i = 0; i < forces.size(); ++i) {
       const Jet& f = forces.data()[i];
       out.force.data()[i] = f.a;
-      for (int lane = 0; lane < kLanes && first + lane < n; ++lane)
+      for (int lane = 0; lane < kJetLanes && first + lane < n; ++lane)
         out.J(i, first + lane) = f.v[lane];
     }
   }
@@ -195,7 +196,7 @@ ConstraintValues axis_constraints(const TendonDigit& digit, const FitParameters&
   const int n = parameters.coordinates();
   const auto count = static_cast<Eigen::Index>(pairs.size());
   ConstraintValues out{Eigen::VectorXd(count), Eigen::MatrixXd(count, n)};
-  for (int first = 0; first < n; first += kLanes) {
+  for (int first = 0; first < n; first += kJetLanes) {
     const Tree<Jet> tree =
         specimen_model(digit, parameters, parameter_values<Jet>(parameters, seed(u, first)))
             .digit.tree;
@@ -205,7 +206,7 @@ ConstraintValues axis_constraints(const TendonDigit& digit, const FitParameters&
       const Jet c =
           squared_axis_distance(tree[pair.first], tree[pair.second]) / (pair.upper * pair.upper);
       out.c[k] = c.a;
-      for (int lane = 0; lane < kLanes && first + lane < n; ++lane)
+      for (int lane = 0; lane < kJetLanes && first + lane < n; ++lane)
         out.C(k, first + lane) = c.v[lane];
     }
   }

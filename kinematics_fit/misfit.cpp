@@ -11,8 +11,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kChance = 1e-4;        // Tail probabilities below this are not due to chance [1]
-constexpr double kNoiseStraySds = 0.5;  // prior sd of the logarithm of a factor on the noise [1]
+// Tail probability below which a misfit is not chance [1]
+constexpr double kChanceProbability = 1e-4;
+constexpr double kNoiseStraySds = 0.5;  // Prior sd of the logarithm of a factor on the noise [1]
 
 /// Sum of squares of residuals without the robust loss, force by force.
 double plain_squares(const Eigen::VectorXd& r, double robust_scale) {
@@ -42,11 +43,11 @@ Misfit misfit(double chi_square, int numbers, double effective) {
   out.numbers = numbers;
   out.degrees_of_freedom = std::max(0.0, numbers - effective);
   // Without a degree of freedom nothing can be missed.
-  constexpr double kNone = 1e-6;
-  if (out.degrees_of_freedom < kNone) return out;
+  constexpr double kMinFreedom = 1e-6;  // Fewer degrees of freedom are rounding [1]
+  if (out.degrees_of_freedom < kMinFreedom) return out;
   out.times_noise = std::sqrt(chi_square / out.degrees_of_freedom);
   out.tail = chi_square_tail(chi_square, out.degrees_of_freedom);
-  out.beyond_chance = out.tail < kChance && out.times_noise > std::exp(kNoiseStraySds);
+  out.beyond_chance = out.tail < kChanceProbability && out.times_noise > std::exp(kNoiseStraySds);
   return out;
 }
 

@@ -15,9 +15,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kOdd = 1e-3;  // Largest tail probability of an odd trial [1]
-// Another trial may be wrong instead from this share of the odd trial's distance on [1]
-constexpr double kRival = 0.5;
+constexpr double kOddProbability = 1e-3;  // Largest tail probability of an odd trial [1]
+// Share of the odd trial's distance from which another trial may be wrong instead [1]
+constexpr double kRivalDistanceShare = 0.5;
 
 /// "FDS in posture 'Hook'", or "activation row 2 in posture 'Hook'".
 std::string name_of(const Experiment& experiment, std::size_t row) {
@@ -74,17 +74,19 @@ std::vector<OddTrial> odd_of(const FitProblem& problem, int e, const Leverage& o
   std::vector<OddTrial> all;
   for (Eigen::Index i = 0; i < rows_of(problem, e); ++i) {
     const double squared = squared_distance(of, i, {}), tail = tail_of(i, squared);
-    if (!(tail >= kOdd)) all.push_back({e, static_cast<int>(i), std::sqrt(squared), tail, -1});
+    if (!(tail >= kOddProbability))
+      all.push_back({e, static_cast<int>(i), std::sqrt(squared), tail, -1});
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const OddTrial& a, const OddTrial& b) { return a.distance > b.distance; });
   std::vector<OddTrial> odd;
   std::vector<Eigen::Index> out;
   for (const OddTrial& each : all) {
-    if (!(tail_of(each.trial, squared_distance(of, each.trial, out)) >= kOdd)) {
+    if (!(tail_of(each.trial, squared_distance(of, each.trial, out)) >= kOddProbability)) {
       odd.push_back(each);
       out.push_back(each.trial);
-    } else if (odd.front().instead < 0 && each.distance > kRival * odd.front().distance) {
+    } else if (odd.front().instead < 0 &&
+               each.distance > kRivalDistanceShare * odd.front().distance) {
       odd.front().instead = each.trial;
     }
   }
@@ -115,7 +117,7 @@ std::vector<OddTrial> odd_trials(const FitProblem& problem, const Eigen::VectorX
 
 std::vector<std::string> describe(const FitProblem& problem, const std::vector<OddTrial>& odd) {
   // Most odd trials of an experiment that are named; the others are counted
-  constexpr std::size_t kNamed = 3;
+  constexpr std::size_t kMaxNamedTrials = 3;
   std::vector<std::string> warnings;
   for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
     const Experiment& experiment = problem.experiments()[static_cast<std::size_t>(e)];
@@ -134,7 +136,7 @@ std::vector<std::string> describe(const FitProblem& problem, const std::vector<O
         "experiment '{}': forces are far from what all other trials tell of them: {}. Is a row "
         "turned, of another load or posture, or in another unit? One such row can move all that is "
         "fitted",
-        experiment.name, some_of(names, kNamed)));
+        experiment.name, some_of(names, kMaxNamedTrials)));
   }
   return warnings;
 }

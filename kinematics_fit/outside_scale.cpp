@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Least and largest size over that of the subject's hand [1]
-constexpr double kLeast = 0.5, kMost = 2;
+constexpr double kMinSizeRatio = 0.5, kMaxSizeRatio = 2;
 constexpr double kNoBone = 1e-6;  // Joints closer than this meet, without a bone between them [m]
 
 /// Motion of the points of one link, see scale_to_outside().
@@ -80,9 +80,9 @@ class OutsideScale {
       measured[link] = segment;
       const double ratio = length / bones_[link].length;
       require(
-          ratio >= kLeast && ratio <= kMost,
+          ratio >= kMinSizeRatio && ratio <= kMaxSizeRatio,
           "{} of {:.4g} mm is {:.3g} times that of the subject, {:.4g} mm; wanted {} to {} times",
-          segment, length * 1e3, ratio, bones_[link].length * 1e3, kLeast, kMost);
+          segment, length * 1e3, ratio, bones_[link].length * 1e3, kMinSizeRatio, kMaxSizeRatio);
       bones_[link].stretch = ratio;
       sum += std::log(bones_[link].stretch);
     }

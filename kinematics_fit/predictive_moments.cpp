@@ -39,11 +39,12 @@ CoordinateOrder order_of(const FitParameters& parameters, const TendonDigit& dig
 /// The first `count` columns of the lower triangular L with V = L L'; a column of a coordinate that
 /// others determine is zero.
 Eigen::MatrixXd first_columns_of_root(const Eigen::MatrixXd& V, Eigen::Index count) {
-  constexpr double kNone = 1e-12;  // Variances that shrink below this share are rounding [1]
+  // Share of a variance below which its rest is rounding [1]
+  constexpr double kRoundedVarianceShare = 1e-12;
   Eigen::MatrixXd rest = V;
   Eigen::MatrixXd L = Eigen::MatrixXd::Zero(V.rows(), count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    if (rest(k, k) <= kNone * V(k, k) || !(rest(k, k) > 0)) continue;
+    if (rest(k, k) <= kRoundedVarianceShare * V(k, k) || !(rest(k, k) > 0)) continue;
     const Eigen::Index below = V.rows() - k;
     L.col(k).tail(below) = rest.col(k).tail(below) / std::sqrt(rest(k, k));
     rest.bottomRightCorner(below, below).noalias() -=
@@ -110,7 +111,7 @@ RobustMoments robust_moments(const Eigen::VectorXd& draws) {
   const auto at = [&](double share) {
     return values[static_cast<std::size_t>(std::lround(share * last))];
   };
-  return {at(0.5), (at(0.975) - at(0.025)) / (2 * kNormal95)};
+  return {at(0.5), (at(0.975) - at(0.025)) / (2 * kNormal95HalfWidth)};
 }
 
 PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParameters& parameters,
@@ -152,8 +153,9 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
   const auto trials = out.mean.cols();
   for (Eigen::Index i = 0; i < trials; ++i) {
     const double slopes = of_slopes.segment<3>(3 * i).sum();
-    out.by_draws.push_back(!(uneven.segment<3>(3 * i).sum() <= kUneven * kUneven * slopes &&
-                             bent.segment<3>(3 * i).sum() <= slopes));
+    out.by_draws.push_back(
+        !(uneven.segment<3>(3 * i).sum() <= kMaxUnevenness * kMaxUnevenness * slopes &&
+          bent.segment<3>(3 * i).sum() <= slopes));
   }
   if (std::find(out.by_draws.begin(), out.by_draws.end(), true) == out.by_draws.end()) return out;
   const Eigen::MatrixXd draws = drawn_forces(digit, parameters, plan, center, V, kernel.get());

@@ -9,7 +9,7 @@
 namespace thenar {
 
 /// Largest unevenness of steps, in sds of a force [1], and number of draws for a force beyond it.
-inline constexpr double kUneven = 0.1;
+inline constexpr double kMaxUnevenness = 0.1;
 inline constexpr int kMomentDraws = 1000;
 
 /// Median and width of the draws of a number, insensitive to their tails.
@@ -40,7 +40,7 @@ struct PredictiveMoments {
 ///
 /// Near a posture in which the tip is singular that expansion may point the opposite way. A trial
 /// in which odd parts of the steps differ from their slopes, or even parts exceed them,
-///   sum_l |(f(center + l) - f(center - l)) / 2 - J l|^2 > kUneven^2 tr(J V J')   or
+///   sum_l |(f(center + l) - f(center - l)) / 2 - J l|^2 > kMaxUnevenness^2 tr(J V J')   or
 ///   sum_l |d_l|^2 > tr(J V J'),
 /// or a step has no force, is told by kMomentDraws draws of u: the median of each component, and
 /// half the width of its central 95 % over that of a standard normal. Such forces need have no

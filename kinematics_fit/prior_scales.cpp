@@ -15,14 +15,16 @@ namespace thenar {
 namespace {
 
 /// Preferred numbers of a decade, R10 of ISO 3: steps of a tenth of it, in few digits [1].
-constexpr std::array kPreferred{1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0};
-constexpr int kTen = kPreferred.size();
-constexpr int kSmallest = -2 * kTen;  // step of the smallest factor, 0.01
+constexpr std::array kPreferredNumbers{1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0};
+constexpr int kStepsPerDecade = kPreferredNumbers.size();  // Steps of a factor of 10
+constexpr int kSmallestStep = -2 * kStepsPerDecade;        // Step of the smallest factor, 0.01
 
 /// Preferred number `step` steps from 1.
 double preferred(int step) {
-  const int decade = step >= 0 ? step / kTen : -((kTen - 1 - step) / kTen);
-  return kPreferred[static_cast<std::size_t>(step - decade * kTen)] * std::pow(10.0, decade);
+  const int decade =
+      step >= 0 ? step / kStepsPerDecade : -((kStepsPerDecade - 1 - step) / kStepsPerDecade);
+  return kPreferredNumbers[static_cast<std::size_t>(step - decade * kStepsPerDecade)] *
+         std::pow(10.0, decade);
 }
 
 std::vector<double> factors_at(const std::vector<int>& steps) {
@@ -33,15 +35,15 @@ std::vector<double> factors_at(const std::vector<int>& steps) {
 
 /// The largest step of a factor of no more than `most`.
 int last_step(double most) {
-  int step = kSmallest;
+  int step = kSmallestStep;
   while (preferred(step + 1) <= most * (1 + 1e-12)) ++step;
   return step;
 }
 
 /// The step whose preferred number is nearest to a factor.
 int nearest_step(double factor) {
-  const int step = static_cast<int>(std::lround(kTen * std::log10(factor)));
-  return std::max(step, kSmallest);
+  const int step = static_cast<int>(std::lround(kStepsPerDecade * std::log10(factor)));
+  return std::max(step, kSmallestStep);
 }
 
 /// Log evidence of specimens, by steps of the factors.
@@ -105,7 +107,7 @@ EvidencePeak climb(const Evidence& evidence, EvidencePeak from, NoiseRange noise
   for (std::size_t g = 0; since_change <= scales; g = (g + 1) % (scales + 1)) {
     // All values of one factor, or of the noise.
     EvidencePeak best = from;
-    const int first = g < scales ? kSmallest : noise.first;
+    const int first = g < scales ? kSmallestStep : noise.first;
     const int last = g < scales ? evidence.last(g) : noise.last;
     for (int step = first; step <= last; ++step) {
       EvidencePeak other = from;
@@ -123,8 +125,8 @@ EvidencePeak climb(const Evidence& evidence, EvidencePeak from, NoiseRange noise
 /// much.
 EvidencePeak highest(const Evidence& evidence, NoiseRange noise = {}) {
   EvidencePeak wide = climb(evidence, {evidence.start(0), 0}, noise);
-  EvidencePeak narrow =
-      climb(evidence, {evidence.start(kSmallest), std::min(kTen, noise.last)}, noise);
+  EvidencePeak narrow = climb(
+      evidence, {evidence.start(kSmallestStep), std::min(kStepsPerDecade, noise.last)}, noise);
   return wide.evidence >= narrow.evidence ? wide : narrow;
 }
 
@@ -164,7 +166,7 @@ Eigen::VectorXd carried(const FitProblem& from, Eigen::VectorXd z, const FitProb
 /// Narrow priors leave few ways around a local minimum, as between axes that tilt to one side or
 /// the other.
 Eigen::VectorXd best_start(const FitProblem& problem, const SolveOptions& options) {
-  constexpr int kDraws = 40;  // Most draws of the prior that are tried as starts
+  constexpr int kMaxStartDraws = 40;  // Most draws of the prior that are tried as starts
   SolveOptions rough = options;
   rough.max_evaluations = 40;
   rough.tolerance = 1e-4;
@@ -173,7 +175,8 @@ Eigen::VectorXd best_start(const FitProblem& problem, const SolveOptions& option
   std::mt19937 rng(1);
   std::normal_distribution<double> normal;
   Solution best = fitted(problem, rough);
-  for (int k = 0; k < kDraws && best.cost > by_chance && best.status != Status::kStopped; ++k) {
+  for (int k = 0; k < kMaxStartDraws && best.cost > by_chance && best.status != Status::kStopped;
+       ++k) {
     const Eigen::VectorXd draw =
         Eigen::VectorXd::NullaryExpr(problem.size(), [&] { return normal(rng); });
     Solution other = solve(least_squares(problem), draw, rough);
@@ -193,7 +196,7 @@ struct FittedScales {
 /// @param z  where the first fit starts, under these factors
 FittedScales settle(const FitProblem& start, std::vector<int> steps, const Eigen::VectorXd& z,
                     const SolveOptions& options) {
-  constexpr int kRounds = 12;  // Most rounds of choosing factors anew
+  constexpr int kMaxChoiceRounds = 12;  // Most rounds of choosing factors anew
   FittedScales out{{start, solve(least_squares(start), z, options)}, std::move(steps)};
   for (int round = 1;; ++round) {
     if (out.fit.solution.status == Status::kStopped) return out;
@@ -202,7 +205,7 @@ FittedScales settle(const FitProblem& start, std::vector<int> steps, const Eigen
     out.evidence = evidence.at(out.steps, 0);
     EvidencePeak peak = highest(evidence);
     out.fit.settled = peak.steps == out.steps;
-    if (out.fit.settled || round == kRounds) return out;
+    if (out.fit.settled || round == kMaxChoiceRounds) return out;
     // On from where this fit is.
     out.steps = std::move(peak.steps);
     FitProblem next = with_factors(start, factors_at(out.steps));
@@ -283,7 +286,7 @@ ScaledFit chosen_scales(const FitProblem& problem, const SolveOptions& options) 
   out.gain = best.evidence - stated.of(ones);
   if (best.fit.solution.status == Status::kStopped || out.gain <= kScaleGain)
     return by_method(std::move(out), options);
-  const std::vector<int> least = stated.start(kSmallest);
+  const std::vector<int> least = stated.start(kSmallestStep);
   const FitProblem narrow = with_factors(problem, factors_at(least));
   FittedScales other = settle(narrow, least, best_start(narrow, rounds), rounds);
   if (other.fit.solution.status == Status::kStopped) return out;
@@ -304,12 +307,13 @@ ScaledFit fit_with_scales(const FitProblem& problem, const SolveOptions& options
 }
 
 std::vector<NoiseEvidence> noise_evidence(const FitProblem& problem, const Eigen::VectorXd& z) {
-  constexpr NoiseRange kRange{-3, 2 * kTen};  // half to a hundred times the stated noise
+  // Steps of half to a hundred times the stated noise
+  constexpr NoiseRange kNoiseSteps{-3, 2 * kStepsPerDecade};
   std::vector<NoiseEvidence> all;
   for (const LinearForces& one : linear_forces(problem, z)) {
     const std::vector<LinearForces> alone{one};
     const Evidence evidence(alone, problem.parameters().scales);
-    const EvidencePeak stated = highest(evidence), free = highest(evidence, kRange);
+    const EvidencePeak stated = highest(evidence), free = highest(evidence, kNoiseSteps);
     all.push_back({preferred(free.noise), free.evidence - stated.evidence});
   }
   return all;

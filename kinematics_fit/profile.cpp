@@ -12,9 +12,9 @@ namespace {
 /// Refits from the estimate to one end of the grid, each point starting at the last.
 void walk(const LeastSquares& problem, const Eigen::VectorXd& z, int i, double end,
           const ProfileOptions& options, Profile& profile) {
-  // A side shorter than this is not walked: the estimate is on its bound [1]
-  constexpr double kNothing = 1e-6;
-  if (std::abs(end - z[i]) < kNothing) return;
+  // Length below which a side is not walked: the estimate is on its bound [prior sds]
+  constexpr double kMinSideLength = 1e-6;
+  if (std::abs(end - z[i]) < kMinSideLength) return;
   LeastSquares held = problem;
   Eigen::VectorXd start = z;
   for (int k = 1; k <= options.steps && !options.solver.progress.stop(); ++k) {

@@ -15,11 +15,12 @@ struct DeviationBounds {
 };
 
 DeviationBounds deviation_bounds(const CoordinateEntries& of, double population, double sd) {
-  constexpr double kFar = 9;  // Beyond this lies 1e-19 of a normal distribution [sds]
+  // Distance beyond which 1e-19 of a normal distribution lies [sds]
+  constexpr double kFarBoundDistance = 9;
   // Rounding may leave the population a last bit outside.
   const double lower = std::min(0.0, (of.lower - population) / sd);
   const double upper = std::max(0.0, (of.upper - population) / sd);
-  return {lower, upper, lower < -kFar && upper > kFar};
+  return {lower, upper, lower < -kFarBoundDistance && upper > kFarBoundDistance};
 }
 
 }  // namespace
@@ -43,12 +44,12 @@ SpecimenDeviation specimen_deviation(const CoordinateEntries& of, double populat
 }
 
 double deviation_entry(const CoordinateEntries& of, double population, double u, double factor) {
-  constexpr double kMargin = 1e-12;  // Margin to a bound, on which x is infinite [sds]
+  constexpr double kBoundMargin = 1e-12;  // Margin to a bound, on which x is infinite [sds]
   const double sd = factor * of.deviation_sd;
   const DeviationBounds bounds = deviation_bounds(of, population, sd);
   if (bounds.far) return u / sd;
   if (!(bounds.lower < bounds.upper)) return 0;
-  return BoundedNormal(bounds.lower, bounds.upper).inverse(u / sd, kMargin);
+  return BoundedNormal(bounds.lower, bounds.upper).inverse(u / sd, kBoundMargin);
 }
 
 CoordinateMotion coordinate_motion(const FitCoordinates& coordinates, const Eigen::VectorXd& z,

@@ -25,12 +25,13 @@ double total(const std::map<std::string, double>& pulls) {
 /// Returns whether the same muscles pull in the same proportion.
 bool same_loads(const std::map<std::string, double>& a, const std::map<std::string, double>& b) {
   // Largest relative difference of each muscle's share in equal loads [1]
-  constexpr double kSame = 0.1;
+  constexpr double kEqualShareTolerance = 0.1;
   if (a.size() != b.size() || a.empty()) return false;
   const double total_a = total(a), total_b = total(b);
   return std::equal(a.begin(), a.end(), b.begin(), [&](const auto& one, const auto& other) {
     const double share = one.second / total_a;
-    return one.first == other.first && std::abs(other.second / total_b - share) <= kSame * share;
+    return one.first == other.first &&
+           std::abs(other.second / total_b - share) <= kEqualShareTolerance * share;
   });
 }
 

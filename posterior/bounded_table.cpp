@@ -6,26 +6,26 @@
 namespace thenar {
 namespace {
 
-constexpr double kReach = 8.5;  // The table covers [-kReach, kReach] [1]
-constexpr int kPerUnit = 64;    // Cells per unit
-constexpr int kCells = static_cast<int>(2 * kReach * kPerUnit);
+constexpr double kTableReach = 8.5;  // Half width of the table's range, about 0 [1]
+constexpr int kCellsPerUnit = 64;    // Cells per unit
+constexpr int kCellCount = static_cast<int>(2 * kTableReach * kCellsPerUnit);
 
 internal::PiecewisePolynomial cells(const std::vector<double>& coefficients) {
-  return {coefficients.data(), -kReach, kPerUnit, kReach};
+  return {coefficients.data(), -kTableReach, kCellsPerUnit, kTableReach};
 }
 
 }  // namespace
 
 BoundedTable::BoundedTable(const BoundedNormal& exact) : exact_(exact) {
-  constexpr double kWidth = 1.0 / kPerUnit;
+  constexpr double kCellWidth = 1.0 / kCellsPerUnit;  // Width of a cell [1]
   // z, z' = Z phi(x) / phi(z) and z'' = z' (z z' - x) where cells meet, by cell widths.
   const auto node = [&](int i) -> std::array<double, 3> {
-    const double x = -kReach + i * kWidth;
+    const double x = -kTableReach + i * kCellWidth;
     const BoundedNormal::Image at = exact.at(x);
-    return {at.z, at.by_x * kWidth, at.by_x * (at.z * at.by_x - x) * kWidth * kWidth};
+    return {at.z, at.by_x * kCellWidth, at.by_x * (at.z * at.by_x - x) * kCellWidth * kCellWidth};
   };
   std::array<double, 3> a = node(0);
-  for (int i = 0; i < kCells; ++i) {
+  for (int i = 0; i < kCellCount; ++i) {
     // The next node ends this cell.
     const std::array<double, 3> b = node(i + 1);
     // What is left of the far end for the terms of degree 3 to 5.
@@ -41,8 +41,8 @@ BoundedTable::BoundedTable(const BoundedNormal& exact) : exact_(exact) {
 
 void BoundedTable::at_block(const double* x, double scale, double* y, double* by_x) const {
   internal::map_block(cells(coefficients_), x, scale, y, by_x);
-  for (int k = 0; k < internal::kBlock; ++k) {
-    if (std::abs(x[k]) <= kReach) continue;
+  for (int k = 0; k < internal::kBlockPoints; ++k) {
+    if (std::abs(x[k]) <= kTableReach) continue;
     const BoundedNormal::Image image = exact_.at(x[k]);
     y[k] = scale * image.z;
     by_x[k] = scale * image.by_x;
@@ -50,7 +50,7 @@ void BoundedTable::at_block(const double* x, double scale, double* y, double* by
 }
 
 BoundedTable::Image BoundedTable::at(double x) const {
-  std::array<double, internal::kBlock> same, z, by_x;
+  std::array<double, internal::kBlockPoints> same, z, by_x;
   same.fill(x);
   at_block(same.data(), 1, z.data(), by_x.data());
   return {z[0], by_x[0]};

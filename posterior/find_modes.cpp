@@ -29,13 +29,13 @@ void check_mode_search(const LeastSquares& problem, const ModeSearchOptions& sea
 /// Standard normal entries, those outside their bounds drawn again or else set on them.
 Eigen::VectorXd prior_draw(const LeastSquares& problem, const ModeSearchOptions& search,
                            int number) {
-  constexpr int kTrials = 20;  // Most trials of an entry within its bounds
+  constexpr int kMaxEntryTrials = 20;  // Most trials of an entry within its bounds
   // Each search has a stream of its own.
   RandomStream random(search.seed, static_cast<std::uint32_t>(number), 0, kSearchStream);
   Eigen::VectorXd z(problem.lower.size());
   for (Eigen::Index i = 0; i < z.size(); ++i)
     // Drawn again while outside, at last put on the bound.
-    for (int trial = 0; trial < kTrials; ++trial) {
+    for (int trial = 0; trial < kMaxEntryTrials; ++trial) {
       z[i] = search.start_sd * random.normal();
       if (z[i] >= problem.lower[i] && z[i] <= problem.upper[i]) break;
     }
@@ -152,9 +152,10 @@ std::vector<Share> shares_of_starts(const std::vector<Mode>& modes) {
 /// Brings z within bounds, as in a mirror, and a little off them.
 double reflected(double z, double lower, double upper) {
   if (lower >= upper) return lower;
-  // Distance to keep from a bound.
-  constexpr double kOff = 0.01;
-  const double off = std::isfinite(upper - lower) ? kOff * (upper - lower) : kOff;
+  // Distance to keep from a bound: a share of a finite range [1], else [prior sds]
+  constexpr double kBoundDistance = 0.01;
+  const double off =
+      std::isfinite(upper - lower) ? kBoundDistance * (upper - lower) : kBoundDistance;
   if (z < lower) z = 2 * lower - z;
   if (z > upper) z = 2 * upper - z;
   return std::min(std::max(z, lower + off), upper - off);
@@ -183,8 +184,8 @@ Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<
   Eigen::MatrixXd starts(n, count);
   for (int k = 0; k < count; ++k) {
     // Multiples of the golden section fill 0..1 evenly, however many of them there are.
-    constexpr double kGolden = 0.6180339887498949;
-    double left = std::fmod((k + 0.5) * kGolden, 1.0);
+    constexpr double kGoldenSection = 0.6180339887498949;
+    double left = std::fmod((k + 0.5) * kGoldenSection, 1.0);
     std::size_t m = 0;
     while (m + 1 < shares.size() && left >= shares[m].share) left -= shares[m++].share;
     // A normal draw about the mode, brought back within bounds.

@@ -17,8 +17,8 @@ ArrowFactor factor_blocks(const LeastSquares& problem, const Eigen::VectorXd& z)
 
 ModeCurvature::ModeCurvature(const LeastSquares& problem, const Eigen::VectorXd& z)
     : size_(z.size()) {
-  // Smaller curvatures, over the largest, are known from neither data nor priors [1]
-  constexpr double kUnknown = 1e-12;
+  // Share of the largest curvature below which neither data nor priors determine a direction [1]
+  constexpr double kMinCurvatureShare = 1e-12;
   for (int i = 0; i < static_cast<int>(z.size()); ++i)
     if (problem.lower[i] < problem.upper[i]) free_.push_back(i);
   if (!problem.parts.empty()) {
@@ -30,7 +30,7 @@ ModeCurvature::ModeCurvature(const LeastSquares& problem, const Eigen::VectorXd&
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(J.transpose() * J);
   const double largest = free_.empty() ? 0 : eigen.eigenvalues().maxCoeff();
   axes_ = eigen.eigenvectors();
-  lambda_ = eigen.eigenvalues().cwiseMax(largest > 0 ? kUnknown * largest : 1);
+  lambda_ = eigen.eigenvalues().cwiseMax(largest > 0 ? kMinCurvatureShare * largest : 1);
 }
 
 double ModeCurvature::squared_norm(const Eigen::VectorXd& apart) const {

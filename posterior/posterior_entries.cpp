@@ -40,13 +40,14 @@ class EntryLister {
  private:
   void add(int z, int c, int specimen, double sd) {
     if (std::count(left_out_.begin(), left_out_.end(), c) > 0) return;
-    constexpr double kRoom = 1e-12;  // Less room between bounds is rounding [prior sds]
+    constexpr double kMinBoundGap = 1e-12;  // Smaller gaps between bounds are rounding [prior sds]
     const CoordinateEntries& of = problem_.coordinates().entries(c);
-    if (specimen >= 0 && of.upper - of.lower <= kRoom * sd) return;  // its population is fixed, too
+    if (specimen >= 0 && of.upper - of.lower <= kMinBoundGap * sd)
+      return;  // its population is fixed, too
     CoordinateEntry entry{
         z,  c,  specimen, sd, problem_.coordinates().lower()[z], problem_.coordinates().upper()[z],
         {}, -1, -1};
-    if (entry.upper - entry.lower <= kRoom) {
+    if (entry.upper - entry.lower <= kMinBoundGap) {
       out_.fixed.push_back(z);
       return;
     }
@@ -127,8 +128,9 @@ class EntryLister {
 }  // namespace
 
 std::optional<BoundedNormal> CoordinateEntry::bounds(double k) const {
-  constexpr double kFar = 38;  // No mass of a normal distribution lies beyond this [sds]
-  if (lower < -kFar * k && upper > kFar * k) return std::nullopt;
+  // Distance beyond which a normal distribution has no mass [sds]
+  constexpr double kNormalReach = 38;
+  if (lower < -kNormalReach * k && upper > kNormalReach * k) return std::nullopt;
   return BoundedNormal(lower / k, upper / k);
 }
 

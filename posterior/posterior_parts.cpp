@@ -21,11 +21,11 @@ using Eigen::Index;
 SimdRows lanes_of(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   SimdRows out(x.rows(), x.cols());
   for (Index b = 0; b < out.blocks(); ++b)
-    for (int k = 0; k < kBlock; ++k) {
-      const double* column = x.col(std::min<Index>(b * kBlock + k, x.cols() - 1)).data();
+    for (int k = 0; k < kBlockPoints; ++k) {
+      const double* column = x.col(std::min<Index>(b * kBlockPoints + k, x.cols() - 1)).data();
       // Columns become lanes.
       double* to = out.row(b, 0) + k;
-      for (Index i = 0; i < x.rows(); ++i) to[i * kBlock] = column[i];
+      for (Index i = 0; i < x.rows(); ++i) to[i * kBlockPoints] = column[i];
     }
   return out;
 }
@@ -155,7 +155,7 @@ Displaced displace(const PosteriorParts& parts, const EntryMotion& motion) {
 namespace {
 
 using Eigen::Index;
-using Lane = std::array<double, kBlock>;
+using Lane = std::array<double, kBlockPoints>;
 
 /// One pair of tilts at one point: where it is, and by what it is moved.
 class TiltTerm {
@@ -225,8 +225,8 @@ class PriorBlock {
       : parts_(parts),
         motion_(motion),
         block_(block),
-        first_(block * kBlock),
-        count_(std::min<Index>(kBlock, points - first_)) {
+        first_(block * kBlockPoints),
+        count_(std::min<Index>(kBlockPoints, points - first_)) {
     sum_.fill(-0.5 * std::log(2 * kPi) * static_cast<double>(parts.entries.size()));
     product_.fill(1);
   }

@@ -13,17 +13,17 @@ void map_block(const PiecewisePolynomial& map, const double* x, double scale, do
   const double* coefficients = map.coefficients;
   const double start = map.start, per_unit = map.per_unit, last = map.last;
   // Cell of each point, and the fraction within it.
-  int cell[kBlock];
-  double f[kBlock];
+  int cell[kBlockPoints];
+  double f[kBlockPoints];
   // Value and slope of the cell's polynomial, by Horner.
-  for (int k = 0; k < kBlock; ++k) {
+  for (int k = 0; k < kBlockPoints; ++k) {
     double at = x[k] > start ? x[k] : start;  // NaN goes to the start
     at = at < last ? at : last;
     const double t = (at - start) * per_unit;
     cell[k] = static_cast<int>(t);
     f[k] = t - static_cast<double>(cell[k]);
   }
-  for (int k = 0; k < kBlock; ++k) {
+  for (int k = 0; k < kBlockPoints; ++k) {
     const double* c = coefficients + 6 * cell[k];
     const double t = f[k];
     y[k] = scale * (c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * c[5])))));
@@ -34,7 +34,7 @@ void map_block(const PiecewisePolynomial& map, const double* x, double scale, do
 
 THENAR_FOR_ALL_PROCESSORS
 void scale_block(const double* x, double scale, double* y, double* by_x) {
-  for (int k = 0; k < kBlock; ++k) {
+  for (int k = 0; k < kBlockPoints; ++k) {
     y[k] = scale * x[k];
     by_x[k] = scale;
   }
@@ -42,7 +42,7 @@ void scale_block(const double* x, double scale, double* y, double* by_x) {
 
 THENAR_FOR_ALL_PROCESSORS
 void subtract_half_square(const double* x, double* sum) {
-  for (int k = 0; k < kBlock; ++k) sum[k] -= 0.5 * x[k] * x[k];
+  for (int k = 0; k < kBlockPoints; ++k) sum[k] -= 0.5 * x[k] * x[k];
 }
 
 THENAR_FOR_ALL_PROCESSORS
@@ -51,7 +51,7 @@ void tilt_block(const TiltPriorBlock& prior, const double* y0, const double* y1,
                 double* product, double* by_y0, double* by_y1) {
   const double c0 = prior.mean[0], c1 = prior.mean[1], concentration = prior.concentration;
   const double precision = 1 / (prior.sd * prior.sd), w_c = 1 + c0 * c0 + c1 * c1;
-  for (int k = 0; k < kBlock; ++k) {
+  for (int k = 0; k < kBlockPoints; ++k) {
     // Tilts, and the weights of their solid angles.
     const double a = y0[k], b = y1[k], t0 = c0 + a, t1 = c1 + b;
     const double w = 1 + t0 * t0 + t1 * t1, dot = 1 + t0 * c0 + t1 * c1;
@@ -72,10 +72,10 @@ THENAR_FOR_ALL_PROCESSORS
 double weigh_residuals(int count, const double* measured, const double* predicted,
                        const double* precision, double scale, double* weight) {
   // Eight sums side by side, in an order that depends on nothing but the count.
-  double sums[kBlock] = {};
+  double sums[kBlockPoints] = {};
   int i = 0;
-  for (; i + kBlock <= count; i += kBlock)
-    for (int k = 0; k < kBlock; ++k) {
+  for (; i + kBlockPoints <= count; i += kBlockPoints)
+    for (int k = 0; k < kBlockPoints; ++k) {
       const double r = measured[i + k] - predicted[i + k], scaled = r * precision[i + k];
       weight[i + k] = scaled * scale;
       sums[k] += r * scaled;

@@ -6,7 +6,7 @@
 
 namespace thenar::internal {
 
-inline constexpr int kBlock = 8;  // points of a block: a register of the widest unit
+inline constexpr int kBlockPoints = 8;  // Points of a block: a register of the widest unit
 
 /// Row i of points 8 b .. 8 b + 7 is contiguous. Points beyond the last fill up the last block.
 class SimdRows {
@@ -14,22 +14,22 @@ class SimdRows {
   SimdRows() = default;
   SimdRows(long rows, long points)
       : rows_(rows),
-        blocks_((points + kBlock - 1) / kBlock),
-        numbers_(static_cast<std::size_t>(rows * blocks_ * kBlock)) {}
+        blocks_((points + kBlockPoints - 1) / kBlockPoints),
+        numbers_(static_cast<std::size_t>(rows * blocks_ * kBlockPoints)) {}
 
   [[nodiscard]] long rows() const { return rows_; }
   [[nodiscard]] long blocks() const { return blocks_; }
   [[nodiscard]] double* row(long block, long i) {
-    return numbers_.data() + (block * rows_ + i) * kBlock;
+    return numbers_.data() + (block * rows_ + i) * kBlockPoints;
   }
   [[nodiscard]] const double* row(long block, long i) const {
-    return numbers_.data() + (block * rows_ + i) * kBlock;
+    return numbers_.data() + (block * rows_ + i) * kBlockPoints;
   }
   [[nodiscard]] double& operator()(long i, long point) {
-    return row(point / kBlock, i)[point % kBlock];
+    return row(point / kBlockPoints, i)[point % kBlockPoints];
   }
   [[nodiscard]] double operator()(long i, long point) const {
-    return row(point / kBlock, i)[point % kBlock];
+    return row(point / kBlockPoints, i)[point % kBlockPoints];
   }
 
  private:

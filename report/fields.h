@@ -34,7 +34,7 @@ inline constexpr FieldUnit kSquareMillimetre{"m2", "mm2", 1, 1e-6};
 inline constexpr FieldUnit kRadian{"rad", "rad"};
 inline constexpr FieldUnit kDegree{"rad", "deg", 1, thenar::kDegree};
 inline constexpr FieldUnit kNewtonMetre{"N_m", "Nm"};
-inline constexpr FieldUnit kNewtonMillimetre{"N_m", "N_mm", 1, kNmm};
+inline constexpr FieldUnit kNewtonMillimetre{"N_m", "N_mm", 1, thenar::kNewtonMillimetre};
 inline constexpr FieldUnit kNewtonPerDegree{"N_per_rad", "N_per_deg", thenar::kDegree};
 inline constexpr FieldUnit kNewtonMetrePerDegree{"N_m_per_rad", "Nm_per_deg", thenar::kDegree};
 inline constexpr FieldUnit kSecond{"s", "s"};

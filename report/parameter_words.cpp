@@ -57,9 +57,9 @@ std::pair<int, bool> nearest_direction(const Eigen::Vector3d& v) {
 /// three;
 /// "" where one of them names it.
 std::string oblique_words(const Eigen::Vector3d& v) {
-  constexpr double kNamed = 0.9396926207859084;  // cos 20 degrees [1]
+  constexpr double kAlongCosine = 0.9396926207859084;  // Cosine of 20 degrees [1]
   const Eigen::Vector3d u = v.normalized();
-  if (u.cwiseAbs().maxCoeff() >= kNamed) return "";
+  if (u.cwiseAbs().maxCoeff() >= kAlongCosine) return "";
   const Eigen::Array3d shown = (100 * u.array()).round() / 100 + 0.0;  // without a -0
   return fmt::format("({:.2f} proximal, {:.2f} dorsal, {:.2f} radial)", shown.x(), shown.y(),
                      shown.z());

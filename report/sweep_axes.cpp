@@ -11,11 +11,11 @@
 namespace thenar {
 namespace {
 
-constexpr double kNothing = 1e-9;  // in display units: rounding
+constexpr double kValueRounding = 1e-9;  // Rounding of a value, in display units
 
 std::string value_text(const SweepAxes& axes, std::size_t row, std::size_t k) {
   const double value = axes.values(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
-  return shown(std::abs(value) < kNothing ? 0 : value);
+  return shown(std::abs(value) < kValueRounding ? 0 : value);
 }
 
 /// The values of the first `count` of those that vary.
@@ -28,7 +28,7 @@ std::string title_of_first(const SweepAxes& axes, std::size_t row, std::size_t c
 }
 
 Json cleaned(double value) {
-  return std::isfinite(value) ? Json(std::abs(value) < kNothing ? 0 : value) : Json();
+  return std::isfinite(value) ? Json(std::abs(value) < kValueRounding ? 0 : value) : Json();
 }
 
 }  // namespace

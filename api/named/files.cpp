@@ -143,12 +143,12 @@ char first_sign(const std::string& text) {
 }
 
 FileContents look_into(const std::string& path) {
-  constexpr std::size_t kStart = 1 << 16;  // [bytes]
+  constexpr std::size_t kStartBytes = 1 << 16;  // Size of the start that is read [bytes]
   if (has_hdf5_start(path)) return of_hdf5(path);
   const std::string ending = fs::path(path).extension();
   if (ending == ".toml") return {name_of(find_file_kind(path)), "TOML", {}};
   if (is_mesh_file(path)) return {"mesh", ending.substr(1), {}};
-  const std::string start = read_start(path, kStart);
+  const std::string start = read_start(path, kStartBytes);
   if (ending == ".html" || ending == ".htm") return of_html(path);
   if (first_sign(start) == '<') return of_xml(path, start);
   if (first_sign(start) == '{') return of_json(start);

@@ -108,11 +108,12 @@ void compare_inputs_of(RecordedRun& out) {
 }
 
 void compare_commits(RecordedRun& out) {
-  constexpr std::size_t kShown = 10;  // digits of a commit
+  constexpr std::size_t kCommitDigits = 10;  // Digits of a commit that are shown
   const std::string now = source_commit();
   if (out.run.commit.empty() || now.empty() || out.run.commit == now) return;
   out.warnings.push_back(fmt::format("it was written by commit {}, this program is of commit {}",
-                                     out.run.commit.substr(0, kShown), now.substr(0, kShown)));
+                                     out.run.commit.substr(0, kCommitDigits),
+                                     now.substr(0, kCommitDigits)));
 }
 
 /// Returns true if a version such as "0.1.0" is older than another; an unreadable version is older.

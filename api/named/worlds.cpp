@@ -26,14 +26,15 @@ namespace fs = std::filesystem;
 
 using Places = std::vector<std::string>;  // where data is looked for
 
-constexpr int kSmooth = 2500;      // triangles of a link that look smooth
-constexpr double kOutside = 1e-9;  // of limits that is still inside, as closing has it
+constexpr int kSmoothTriangles = 2500;  // Triangles of a link that look smooth
+// Largest excess over joint limits, as closing has it [rad] or [m]
+constexpr double kLimitExcess = 1e-9;
 
 HumanHandOptions human_of(const WorldRequest& request, const Progress& progress) {
   HumanHandOptions human;
   human.passive = request.passive;
   human.path = request.path;
-  human.skin.drawn = request.pictures ? kSmooth : 0;
+  human.skin.drawn = request.pictures ? kSmoothTriangles : 0;
   human.skin.progress = progress;
   return human;
 }
@@ -202,10 +203,11 @@ Eigen::VectorXd motion_of_dof(const WorldSpec& world, const PlacedHand& placed,
 void require_within(const WorldHand& hand, const std::string& path) {
   const HandLayout& layout = hand.named.hand->layout();
   for (int c = 0; c < hand.q.size(); ++c)
-    require(hand.q[c] >= layout.lower[c] - kOutside && hand.q[c] <= layout.upper[c] + kOutside,
-            "{}: hand '{}': {} is {:.6g}, outside its limits {:.6g} .. {:.6g} (rad or m)", path,
-            hand.named.name, layout.coordinates[static_cast<std::size_t>(c)], hand.q[c],
-            layout.lower[c], layout.upper[c]);
+    require(
+        hand.q[c] >= layout.lower[c] - kLimitExcess && hand.q[c] <= layout.upper[c] + kLimitExcess,
+        "{}: hand '{}': {} is {:.6g}, outside its limits {:.6g} .. {:.6g} (rad or m)", path,
+        hand.named.name, layout.coordinates[static_cast<std::size_t>(c)], hand.q[c],
+        layout.lower[c], layout.upper[c]);
 }
 
 void set_posture(const WorldSpec& world, const std::string& path, const Places& data,
@@ -243,8 +245,9 @@ std::string world_file(const WorldRequest& request) {
       named_file("world", request.world, "worlds", ".toml", data_folders(request.data));
   require_kind(file, {"world"},
                "a world puts a hand and an object together: docs/tutorials/own_gripper.md");
-  constexpr std::size_t kStart = 4096;  // of its text: a byte order mark and blank lines may lead
-  const std::string start = read_start(file, kStart);
+  // Size of the start of its text: a byte order mark and blank lines may lead [bytes]
+  constexpr std::size_t kTextStartBytes = 4096;
+  const std::string start = read_start(file, kTextStartBytes);
   const std::size_t sign = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
   require(sign == std::string::npos || start[sign] != '<',
           "'{}' is a world of GraspIt!: `thenar import` makes one of it that is read here", file);

@@ -22,14 +22,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLong = 1;             // of what has no end [m]
-constexpr double kRoundest = 10e-3;     // radius of sphere and cylinder [m]
-constexpr double kSharpest = 0.5e-3;    // radius of an edge [m]
-constexpr double kSteepestPress = 60;   // angle of a pad [deg]; beyond, the nail's rim touches
-constexpr int kSkinSamples = 50;        // along a radius of the chart's disc
-constexpr double kTouching = 1e-9;      // gap that counts as none [m]
-constexpr int kMostMarches = 2000;      // steps of a search for the touch
-constexpr double kPictureError = 5e-5;  // of a rounded edge [m]
+constexpr double kEndlessLength = 1;    // Length of an object without an end [m]
+constexpr double kUsualRadius = 10e-3;  // Radius of sphere and cylinder without a stated one [m]
+constexpr double kEdgeRadius = 0.5e-3;  // Radius of an edge without a stated one [m]
+// Largest angle of a pad; beyond, the nail's rim touches [deg]
+constexpr double kSteepestPress = 60;
+constexpr int kSkinSamples = 50;        // Samples of the skin along a radius of the chart's disc
+constexpr double kTouchingGap = 1e-9;   // Gap below which object and pad touch [m]
+constexpr int kMostMarches = 2000;      // Most steps of a search for the touch
+constexpr double kPictureError = 5e-5;  // Largest error of the picture of a rounded edge [m]
 
 TriangleMesh placed(TriangleMesh mesh, const Pose<double>& X) {
   mesh.vertices = (X.R * mesh.vertices).colwise() + X.p;
@@ -50,7 +51,8 @@ Pose<double> below(double depth, const Eigen::Matrix3d& R = Eigen::Matrix3d::Ide
 PressObject open_plane(double size) {
   PressObject object;
   object.name = "plane";
-  object.shape = place(build_box({kLong, kLong, kLong}), below(kLong / 2));
+  object.shape =
+      place(build_box({kEndlessLength, kEndlessLength, kEndlessLength}), below(kEndlessLength / 2));
   const double plate = 0.1 * size;
   object.picture = placed(box_mesh({2 * size, 2 * size, plate}), below(plate / 2));
   return object;
@@ -68,7 +70,7 @@ PressObject open_cylinder(double radius, double size) {
   const Eigen::Matrix3d along_y = rotation_about<double>({1, 0, 0}, -kPi / 2);
   PressObject object;
   object.name = fmt::format("cylinder of {:g} mm", radius / kMm);
-  object.shape = place(build_cylinder(radius, kLong), below(radius, along_y));
+  object.shape = place(build_cylinder(radius, kEndlessLength), below(radius, along_y));
   object.picture =
       placed(picture_of(ShapeKind::kCylinder, {radius, 2 * size, 0}), below(radius, along_y));
   return object;
@@ -80,7 +82,9 @@ PressObject open_edge(double radius, double size) {
   const auto wedge = [&](double edge) { return below(radius + edge * std::sqrt(0.5), on_edge); };
   PressObject object;
   object.name = fmt::format("edge of {:g} mm", radius / kMm);
-  object.shape = place(build_rounded(build_box({kLong, kLong, kLong}), radius), wedge(kLong));
+  object.shape =
+      place(build_rounded(build_box({kEndlessLength, kEndlessLength, kEndlessLength}), radius),
+            wedge(kEndlessLength));
   const double seen = 0.5 * size;
   object.picture =
       placed(tessellate(*build_rounded(build_box({seen, 2 * size, seen}), radius), kPictureError),
@@ -108,8 +112,8 @@ PressObject open_mesh(const PressObjectRequest& request) {
 
 double radius_of(const PressObjectRequest& request, double usual) {
   const double radius = request.radius.value_or(usual);
-  require(radius > 0 && radius <= kLong, "wanted a radius above 0, of at most {:g} m, got {:g} m",
-          kLong, radius);
+  require(radius > 0 && radius <= kEndlessLength,
+          "wanted a radius above 0, of at most {:g} m, got {:g} m", kEndlessLength, radius);
   return radius;
 }
 
@@ -136,10 +140,10 @@ double way_to_touch(const std::vector<Vector3d>& points, const Shape& object,
     const Pose<double> X_OP = X.inverse();
     double gap = std::numeric_limits<double>::infinity();
     for (const Vector3d& p : points) gap = std::min(gap, object.distance(X_OP * p));
-    if (gap < kTouching) return way;
+    if (gap < kTouchingGap) return way;
     way += gap;
     X.p += gap * along;
-    require(way < kLong, "the object passes the pad by");
+    require(way < kEndlessLength, "the object passes the pad by");
   }
   throw InputError("the object grazes the pad, and does not come to touch it");
 }
@@ -152,9 +156,9 @@ const std::vector<std::string>& press_object_names() {
 }
 
 PressObject open_press_object(const PressObjectRequest& request, double size) {
-  if (request.name == "sphere") return open_sphere(radius_of(request, kRoundest));
-  if (request.name == "cylinder") return open_cylinder(radius_of(request, kRoundest), size);
-  if (request.name == "edge") return open_edge(radius_of(request, kSharpest), size);
+  if (request.name == "sphere") return open_sphere(radius_of(request, kUsualRadius));
+  if (request.name == "cylinder") return open_cylinder(radius_of(request, kUsualRadius), size);
+  if (request.name == "edge") return open_edge(radius_of(request, kEdgeRadius), size);
   require(!request.radius, "an object '{}' has no radius", request.name);
   if (request.name == "plane") return open_plane(size);
   require(is_file(request.name), "there is no object '{}'{}: wanted {}, or a mesh file",

@@ -14,20 +14,26 @@
 namespace thenar {
 namespace {
 
-constexpr double kDeepestPress = 0.1;   // [m]
-constexpr double kHardestPress = 1e4;   // [N]
-constexpr double kFastestPress = 100;   // [m/s]
-constexpr int kMostPoints = 1000;       // of a curve
-constexpr int kMostElements = 200'000;  // of a mesh
-constexpr double kAnyError = 1e9;       // of a mesh that is not refined [1]
-constexpr double kDeepInFaces = 5e-5;   // of a round object between nodes, which refines [m]
-constexpr double kHertz = 1.5;          // power of force by depth of a first guess [1]
-constexpr double kEarly = 3;  // errors on the first third of the way, over that asked for [1]
-constexpr double kFirstOfHold = 2e-3;   // of the time that the object stands still [1]
-constexpr double kOffTime = 0.05;       // of time against depth over rate that is warned of [1]
-constexpr double kShortestTime = 1e-9;  // of a step with a rate [s]
-constexpr double kThinnest = 1.0 / 60;  // object across its way, over the length of a pad [1]
-constexpr double kAcross = 0.7;         // cosine of an axis that lies across the way, at most [1]
+constexpr double kDeepestPress = 0.1;   // Largest depth [m]
+constexpr double kHardestPress = 1e4;   // Largest force [N]
+constexpr double kFastestPress = 100;   // Largest rate [m/s]
+constexpr int kMostPoints = 1000;       // Most points of a curve
+constexpr int kMostElements = 200'000;  // Most elements of a mesh
+constexpr double kAnyError = 1e9;       // Error of the force with which no mesh is refined [1]
+// Depth of a round object in faces, between nodes, beyond which they are refined [m]
+constexpr double kDeepInFaces = 5e-5;
+constexpr double kHertzPower = 1.5;  // Power of the depth in the force of a first guess [1]
+// Error of the force on the first third of the way, over that asked for [1]
+constexpr double kEarlyErrorRatio = 3;
+// First instant at a held depth, over the time of holding [1]
+constexpr double kFirstOfHold = 2e-3;
+// Difference of the time from depth over rate that is warned of [1]
+constexpr double kOffTime = 0.05;
+constexpr double kShortestTime = 1e-9;  // Shortest time of a step with a rate [s]
+// Least size of an object across its way, over the length of a pad [1]
+constexpr double kMinSizeRatio = 1.0 / 60;
+// Largest cosine between the way and an axis across it [1]
+constexpr double kMaxAcrossCosine = 0.7;
 
 void check_numbers(const PressRequest& request) {
   require(request.force.has_value() != request.depth.has_value(),
@@ -64,10 +70,10 @@ void check_numbers(const PressRequest& request) {
 void check_object(const PressedPad& out) {
   const Eigen::Vector3d along = out.touch.X_PO.R.transpose() * out.touch.along;
   const Eigen::Vector3d sizes = out.object.shape->bounds().sizes();
-  const double thinnest = kThinnest * out.pad.spec.length;
+  const double thinnest = kMinSizeRatio * out.pad.spec.length;
   for (Eigen::Index axis = 0; axis < 3; ++axis)
     require(
-        std::abs(along[axis]) > kAcross || sizes[axis] >= thinnest,
+        std::abs(along[axis]) > kMaxAcrossCosine || sizes[axis] >= thinnest,
         "wanted an object of at least {:.2g} mm across its way into a pad of {:g} mm, as no mesh "
         "resolves thinner ones; got {}, which is {:.2g} mm",
         thinnest / kMm, out.pad.spec.length / kMm, out.object.name, sizes[axis] / kMm);
@@ -171,7 +177,7 @@ class PressRun {
   /// finer mesh may turn elements inside out where they are large.
   void allow_error(int k) {
     const bool early = 3 * k < out_.request.points;
-    press_.set_force_error((early ? kEarly : 1) * out_.request.force_error);
+    press_.set_force_error((early ? kEarlyErrorRatio : 1) * out_.request.force_error);
   }
 
   bool go_deep() {
@@ -196,7 +202,7 @@ class PressRun {
   /// Depth at a force by Hertz's power through where the press is and was; from the touch where a
   /// mesh that was refined between tells nothing [m].
   [[nodiscard]] double foretold(double wanted, double was_depth, double was_force) const {
-    const auto grown = [](double force) { return std::pow(force, 1 / kHertz); };
+    const auto grown = [](double force) { return std::pow(force, 1 / kHertzPower); };
     double slope = (grown(force()) - grown(was_force)) / (depth() - was_depth);
     if (!(slope > 0)) slope = grown(force()) / depth();
     return slope > 0 ? depth() + (grown(wanted) - grown(force())) / slope : depth();
@@ -217,7 +223,7 @@ class PressRun {
     const bool timed = rate_.value_or(0) > 0;
     const int count = out_.request.points;
     for (int k = 1; goes && k <= count; ++k) {
-      const double to = wanted * std::pow(static_cast<double>(k) / count, kHertz);
+      const double to = wanted * std::pow(static_cast<double>(k) / count, kHertzPower);
       if (k < count && to <= force()) continue;
       const double fraction = way_share() * (k - 1) / count;
       const double at_depth = depth(), at_force = force();

@@ -17,10 +17,13 @@
 namespace thenar {
 namespace {
 
-constexpr double kFullEffortAngle = 0.1;    // off the target, where effort is the largest [rad]
-constexpr double kFullEffortLength = 0.01;  // the same of what slides [m]
-constexpr double kSwing = 2 * kPi * 5;      // of drives whose largest effort is unknown [rad/s]
-constexpr double kApart = 1e-9;             // joints of a motor that differ by less are coupled
+// Distance from the target at which a drive makes its largest effort: of a hinge, of a slide
+constexpr double kFullEffortAngle = 0.1;    // [rad]
+constexpr double kFullEffortLength = 0.01;  // [m]
+// Natural frequency of drives whose largest effort is unknown [rad/s]
+constexpr double kDriveFrequency = 2 * kPi * 5;
+// Largest difference of a joint from its coupling to a motor [rad] or [m]
+constexpr double kCouplingTolerance = 1e-9;
 
 /// Value of a joint of a robot at its degree of freedom.
 JointValue value_at(const RobotJoint& joint, double u) {
@@ -61,7 +64,7 @@ void take_posture(RobotSpec& robot, std::map<std::string, double>& posture,
       if (!found) u = dof_at(joint, value);
       found = true;
       const double off = value - value_at(joint, u).value;
-      if (std::abs(off) <= kApart) continue;
+      if (std::abs(off) <= kCouplingTolerance) continue;
       joint.offset += off;
       apart = true;
     }
@@ -269,7 +272,7 @@ class WorldBuilder {
     // Choose the stiffness by the largest effort, else by a frequency; damp critically.
     const bool known = std::isfinite(drive.max_effort);
     drive.stiffness = known ? drive.max_effort / (slides ? kFullEffortLength : kFullEffortAngle)
-                            : inertia * kSwing * kSwing;
+                            : inertia * kDriveFrequency * kDriveFrequency;
     drive.damping = 2 * std::sqrt(drive.stiffness * inertia);
     if (!known)
       warnings_.push_back(

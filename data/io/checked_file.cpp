@@ -10,11 +10,11 @@ namespace thenar {
 namespace {
 
 constexpr const char* kMark = "\nthenar sha256 ";
-constexpr std::size_t kMarkSize = 15, kDigest = 64;     // [bytes]
-constexpr std::size_t kTail = kMarkSize + kDigest + 1;  // with the end of its line
+// Lengths of the mark, of the digest in hexadecimal, and of both with the end of the line [bytes]
+constexpr std::size_t kMarkSize = 15, kDigestSize = 64, kTailSize = kMarkSize + kDigestSize + 1;
 
 bool ends_with_checksum(const std::string& tail) {
-  return tail.size() == kTail && tail.compare(0, kMarkSize, kMark) == 0 && tail.back() == '\n';
+  return tail.size() == kTailSize && tail.compare(0, kMarkSize, kMark) == 0 && tail.back() == '\n';
 }
 
 }  // namespace
@@ -26,13 +26,13 @@ std::string with_checksum(std::string bytes) {
 }
 
 Checksum take_checksum(std::string& bytes, const std::string& path) {
-  if (bytes.size() < kTail) return Checksum::kAbsent;
+  if (bytes.size() < kTailSize) return Checksum::kAbsent;
   // The tail of the file: mark, digest, end of line.
-  const std::string tail = bytes.substr(bytes.size() - kTail);
+  const std::string tail = bytes.substr(bytes.size() - kTailSize);
   if (!ends_with_checksum(tail)) return Checksum::kAbsent;
   // The digest covers all bytes before it.
-  bytes.resize(bytes.size() - kTail);
-  if (sha256(bytes) != tail.substr(kMarkSize, kDigest))
+  bytes.resize(bytes.size() - kTailSize);
+  if (sha256(bytes) != tail.substr(kMarkSize, kDigestSize))
     throw DataError(path, 1, "its checksum (SHA-256) does not hold: it was damaged or changed");
   return Checksum::kHolds;
 }
@@ -58,8 +58,8 @@ bool has_hdf5_start(const std::string& path) {
 
 bool has_checksum(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::string tail(kTail, '\0');
-  file.seekg(-static_cast<std::streamoff>(kTail), std::ios::end);
+  std::string tail(kTailSize, '\0');
+  file.seekg(-static_cast<std::streamoff>(kTailSize), std::ios::end);
   file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
   return file.good() && ends_with_checksum(tail);
 }

@@ -14,7 +14,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-constexpr double kSmallest = 1e-12;  // Least scale, and least length of a normal [m], [1]
+constexpr double kMinMagnitude = 1e-12;  // Least torque scale [m], and least length of a normal [1]
 // Most contacts, a palm full of points; hulls take minutes beyond
 constexpr std::size_t kMaxContacts = 1000;
 
@@ -51,7 +51,7 @@ double not_negative(const JsonValue& value) {
 double positive(const JsonValue& value) {
   const double number = value.number("a number > 0");
   if (number <= 0) value.fail_wanted("a number > 0");
-  if (number < kSmallest) value.fail_wanted(fmt::format("at least {:g}", kSmallest));
+  if (number < kMinMagnitude) value.fail_wanted(fmt::format("at least {:g}", kMinMagnitude));
   return number;
 }
 
@@ -73,7 +73,7 @@ FileContact contact_with_cone(const JsonValue& value, bool planar, const Contact
   const JsonValue normal = value["normal"];
   result.normal = place_of(normal, planar);
   result.normal_length = result.normal.stableNorm();
-  if (result.normal_length < kSmallest) normal.fail_wanted("a direction");
+  if (result.normal_length < kMinMagnitude) normal.fail_wanted("a direction");
   result.normal /= result.normal_length;
   result.friction = not_negative(value["friction"]);
   return result;

@@ -11,7 +11,7 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kMega = 1000 * 1000;
+constexpr std::size_t kMega = 1000 * 1000;  // Factor of a million, of bytes or of values [1]
 
 // Sizes and counts keep the memory of a parser below 1 GB, depths keep its recursion below 1 MB of
 // stack. The right column states what real files need.

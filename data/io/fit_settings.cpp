@@ -11,12 +11,13 @@
 namespace thenar {
 namespace {
 
-constexpr std::array kDimensions{Dimension::kLength, Dimension::kAngle, Dimension::kNumber};
+// Dimensions that the key of a setting may have
+constexpr std::array kKeyDimensions{Dimension::kLength, Dimension::kAngle, Dimension::kNumber};
 
 /// Reads `<base>_mm`, `<base>_deg` or plain `<base>`; all numbers of a row have the same dimension.
 std::optional<double> read_number(TomlTable& table, const std::string& base, Range range,
                                   ParameterRule& rule, bool& seen) {
-  for (const Dimension dimension : kDimensions) {
+  for (const Dimension dimension : kKeyDimensions) {
     if (!table.has(dimension, base)) continue;
     if (seen && dimension != rule.dimension)
       table.fail(fmt::format("'{}' is {}, but an earlier key of the row is {}", base,
@@ -90,7 +91,7 @@ SettingChoice read_choice(TomlTable& table) {
   choice.name = table.text("name");
   // The one key that has the values to try.
   for (const ChoiceWord& word : kChoiceWords)
-    for (const Dimension dimension : kDimensions) {
+    for (const Dimension dimension : kKeyDimensions) {
       if (!word.dimension && dimension != Dimension::kNumber) continue;
       if (!table.has(dimension, word.word)) continue;
       if (!choice.values.empty()) table.fail("wanted one list of values, got a second one");

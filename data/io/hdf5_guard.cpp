@@ -24,7 +24,7 @@
 namespace thenar {
 namespace {
 
-constexpr int kDeepest = 8;           // Deepest nesting of groups; ours need 4
+constexpr int kMaxGroupDepth = 8;     // Deepest nesting of groups; ours need 4
 constexpr int kMaxDimensions = 8;     // Most dimensions of an array; ours need 3
 constexpr int kMaxAttributes = 1000;  // Most attributes of one object; each is searched among all
 constexpr std::size_t kMaxObjects = 100'000;  // Most groups, datasets and attributes together
@@ -52,7 +52,7 @@ class Hdf5Walk {
     while (!groups.empty()) {
       const auto [group, depth] = groups.back();
       groups.pop_back();
-      require(depth <= kDeepest, "groups nest deeper than {}", kDeepest);
+      require(depth <= kMaxGroupDepth, "groups nest deeper than {}", kMaxGroupDepth);
       for (const std::string& name : links_of(group)) {
         const std::string key = group == "/" ? name : fmt::format("{}/{}", group, name);
         const Hdf5Object object(H5Oopen(file_, key.c_str(), H5P_DEFAULT), H5Oclose, "open " + key);
@@ -101,8 +101,10 @@ class Hdf5Walk {
     hsize_t lengths[H5S_MAX_RANK];
     const int rank = H5Pget_chunk(made, H5S_MAX_RANK, lengths);
     require(rank >= 0, "HDF5 could not tell the pieces of '{}'", key);
-    constexpr std::size_t kUsual = 4u << 20;  // what netCDF takes for arrays that can grow [bytes]
-    (void)product(lengths, rank, entry, std::max(size_, kUsual), "a piece of '" + key + "'");
+    // Size of the pieces in which netCDF stores arrays that can grow [bytes]
+    constexpr std::size_t kNetcdfPieceBytes = 4u << 20;
+    (void)product(lengths, rank, entry, std::max(size_, kNetcdfPieceBytes),
+                  "a piece of '" + key + "'");
   }
 
   void check_attributes(hid_t object, const std::string& key) {
@@ -169,8 +171,8 @@ Hdf5Object::Hdf5Object(std::int64_t id, Close close, const std::string& what)
 std::vector<std::string> guard_hdf5(std::string& bytes, const std::string& path) try {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // otherwise the library prints its errors
   // The library neither copies nor frees the bytes, nor changes them, as it opens them to read.
-  constexpr unsigned kOurs = H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE;
-  const Hdf5Object file(H5LTopen_file_image(bytes.data(), bytes.size(), kOurs), H5Fclose,
+  constexpr unsigned kImageFlags = H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE;
+  const Hdf5Object file(H5LTopen_file_image(bytes.data(), bytes.size(), kImageFlags), H5Fclose,
                         "open the file");
   return Hdf5Walk(file, bytes.size()).datasets();
 } catch (const InputError& error) {
@@ -179,12 +181,13 @@ std::vector<std::string> guard_hdf5(std::string& bytes, const std::string& path)
 
 namespace {
 
-constexpr rlim_t kMemory = 1000 * 1000 * 1000;  // Most memory beyond that of this process [bytes]
+// Most memory beyond that of this process [bytes]
+constexpr rlim_t kMaxExtraMemory = 1000 * 1000 * 1000;
 
 /// Address space of this process [bytes].
 rlim_t memory_in_use() {
-  constexpr std::size_t kMax = 1000;
-  const std::string pages = read_file("/proc/self/statm", kMax);
+  constexpr std::size_t kMaxStatmBytes = 1000;  // Most bytes of the file [bytes]
+  const std::string pages = read_file("/proc/self/statm", kMaxStatmBytes);
   return std::stoull(pages) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
@@ -196,7 +199,8 @@ void lower_limit(int resource, rlim_t value) {
 }
 
 constexpr std::size_t kMaxMessage = 4000;  // Most bytes that a pipe takes at once [bytes]
-constexpr int kRefused = 1, kTooMuch = 2;
+// Exit statuses of the copy: the file is refused, or memory does not suffice
+constexpr int kRefusedStatus = 1, kMemoryStatus = 2;
 
 /// Work of the copy. Nothing of it is seen outside except its exit status and a message.
 [[noreturn]] void run_limited(rlim_t memory, int seconds, const std::function<void()>& work,
@@ -208,7 +212,7 @@ constexpr int kRefused = 1, kTooMuch = 2;
   lower_limit(RLIMIT_CORE, 0);
   lower_limit(RLIMIT_CPU, static_cast<rlim_t>(seconds));
 #ifndef __SANITIZE_ADDRESS__  // whose shadow takes more than all memory
-  lower_limit(RLIMIT_AS, memory + kMemory);
+  lower_limit(RLIMIT_AS, memory + kMaxExtraMemory);
 #else
   (void)memory;
 #endif
@@ -217,10 +221,10 @@ constexpr int kRefused = 1, kTooMuch = 2;
   try {
     work();
   } catch (const std::bad_alloc&) {
-    end = kTooMuch;
+    end = kMemoryStatus;
   } catch (const std::exception& error) {
     const std::string_view words = std::string_view(error.what()).substr(0, kMaxMessage);
-    end = write(message, words.data(), words.size()) >= 0 ? kRefused : kTooMuch;
+    end = write(message, words.data(), words.size()) >= 0 ? kRefusedStatus : kMemoryStatus;
   }
   _exit(end);
 }
@@ -239,9 +243,10 @@ std::string reason(int status, const std::string& message, const std::string& pa
     return "it is damaged: reading it does not end";
   if (WIFSIGNALED(status))
     return fmt::format("it is damaged: reading it crashes ({})", strsignal(WTERMSIG(status)));
-  if (WEXITSTATUS(status) == kTooMuch)
-    return fmt::format("reading it takes more than {} MB of memory", kMemory / 1'000'000);
-  if (WEXITSTATUS(status) != kRefused || message.empty()) return "it is damaged: reading it fails";
+  if (WEXITSTATUS(status) == kMemoryStatus)
+    return fmt::format("reading it takes more than {} MB of memory", kMaxExtraMemory / 1'000'000);
+  if (WEXITSTATUS(status) != kRefusedStatus || message.empty())
+    return "it is damaged: reading it fails";
   // The path is added again by the error.
   const std::string place = path + ":1: ";
   return message.compare(0, place.size(), place) == 0 ? message.substr(place.size()) : message;

@@ -108,8 +108,9 @@ void check_array(const std::string& name, const InferenceArray& array,
   for (const double value : array.values) {
     require(!array.boolean || value == 0 || value == 1, "array '{}' of bools has a value {}", name,
             value);
-    constexpr double kLargest = 9007199254740992;  // 2^53: every integer up to it is a double
-    require(!array.integer || (value == std::floor(value) && std::abs(value) <= kLargest),
+    // 2^53: every integer of at most this size is a double [1]
+    constexpr double kMaxExactInteger = 9007199254740992;
+    require(!array.integer || (value == std::floor(value) && std::abs(value) <= kMaxExactInteger),
             "array '{}' of integers has a value {}", name, value);
   }
 }

@@ -20,7 +20,7 @@ namespace {
 
 using PlainJson = nlohmann::json;            // members in alphabetic order
 using FileJson = nlohmann::ordered_json;     // members as they were added
-constexpr int kMisspelt = 2;                 // Most letters by which a misspelt key differs
+constexpr int kMaxMisspelling = 2;           // Most letters by which a misspelt key differs
 constexpr double kLargestNumber = 1e12;      // Largest number; beyond it wrenches lose all digits
 constexpr std::size_t kLongestShown = 60;    // Most characters of a value in a message
 constexpr double kLargestWhole = 1LL << 53;  // Largest whole number up to which a double is exact
@@ -295,7 +295,8 @@ std::vector<std::string> JsonValue::others_than(const std::vector<std::string>& 
     const std::string& member = node_.names[i];
     if (std::find(known.begin(), known.end(), member) != known.end()) continue;
     for (const std::string& meant : known)
-      if (edit_distance(member, meant) <= kMisspelt && meant.size() > std::size_t{2} * kMisspelt)
+      if (edit_distance(member, meant) <= kMaxMisspelling &&
+          meant.size() > std::size_t{2} * kMaxMisspelling)
         step(node_.items[i], member)
             .fail(fmt::format("{} knows no '{}', did you mean '{}'?", name(), member, meant));
     others.push_back(member);
@@ -320,9 +321,10 @@ std::vector<double> JsonValue::numbers(std::size_t count) const {
 }
 
 int JsonValue::count() const {
-  constexpr int kMax = 1000000000;
-  if (node_.kind != JsonKind::kNumber || !node_.whole || node_.number < 0 || node_.number > kMax)
-    fail_wanted(fmt::format("an integer of 0 to {}", kMax));
+  constexpr int kMaxCount = 1000000000;  // Largest count [1]
+  if (node_.kind != JsonKind::kNumber || !node_.whole || node_.number < 0 ||
+      node_.number > kMaxCount)
+    fail_wanted(fmt::format("an integer of 0 to {}", kMaxCount));
   return static_cast<int>(node_.number);
 }
 

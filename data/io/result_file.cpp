@@ -201,9 +201,9 @@ void read_dataset(hid_t file, const std::string& key, TextReader& texts, ResultF
 
 /// A file in memory. HDF5 cannot recover from a full disk: it crashes at exit.
 Hdf5Object memory_file(const std::string& path) {
-  constexpr std::size_t kIncrement = 1 << 16;  // Memory is allocated in pieces of this size [bytes]
+  constexpr std::size_t kMemoryIncrement = 1 << 16;  // Size of pieces of allocated memory [bytes]
   const Hdf5Object options(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file options");
-  require(H5Pset_fapl_core(options, kIncrement, false) >= 0,
+  require(H5Pset_fapl_core(options, kMemoryIncrement, false) >= 0,
           "HDF5 could not keep a file in memory");
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, options), H5Fclose,
           "make '" + path + "'"};

@@ -26,8 +26,8 @@ constexpr double kFurthestPoint = 1;  // Largest distance of a path's point from
 // Largest force of a muscle: its range [N]
 constexpr double kSmallestForce = 0.5, kLargestForce = 5e3;
 // Mass of moved segments: the heaviest's least, and the largest [kg]
-constexpr double kLightest = 5e-4, kHeaviest = 1.5;
-constexpr double kThinnest = 1e-3, kThickest = 0.15;  // Radii of skin and surfaces [m]
+constexpr double kSmallestMass = 5e-4, kLargestMass = 1.5;
+constexpr double kSmallestRadius = 1e-3, kLargestRadius = 0.15;  // Radii of skin and surfaces [m]
 // Largest distance of a bone from its axis and its centre of mass [m]
 constexpr double kFurthestBone = 0.08;
 constexpr double kShortestFibre = 2e-3, kLongestFibre = 0.5;  // Length of a muscle's fibres [m]
@@ -40,8 +40,8 @@ const char* const kMillimetres = "are its numbers millimetres, as they are read?
 /// Appends doubts of one kind; of many only the first and their number.
 void tell(const std::vector<std::string>& found, const std::string& kind,
           std::vector<std::string>& doubts) {
-  constexpr std::size_t kMany = 4;  // Fewest doubts of one kind that are only counted
-  if (found.size() < kMany) {
+  constexpr std::size_t kMinCounted = 4;  // Fewest doubts of one kind that are only counted
+  if (found.size() < kMinCounted) {
     doubts.insert(doubts.end(), found.begin(), found.end());
     return;
   }
@@ -55,10 +55,11 @@ double distance_to_axis(const Eigen::Vector3d& point, const JointAxis& joint) {
 /// Returns the distances of a digit's tip from its axes, the last first, without axes that point
 /// along its last bone [m].
 std::vector<double> levers_of(const Subject& subject, const Digit& digit) {
-  constexpr double kAlong = 0.7;  // cosine of the least angle between an axis and the bone
+  // Largest cosine of the angle between an axis and the bone [1]
+  constexpr double kMaxBoneCosine = 0.7;
   std::vector<double> levers;
   for (const JointAxis* joint : joints_to(subject, digit.tip_segment))
-    if (std::abs(joint->direction.dot(digit.proximal)) < kAlong)
+    if (std::abs(joint->direction.dot(digit.proximal)) < kMaxBoneCosine)
       levers.push_back(distance_to_axis(digit.tip, *joint));
   return levers;
 }
@@ -245,14 +246,14 @@ void doubt_masses(const Subject& subject, std::vector<std::string>& doubts) {
   for (const Segment& segment : subject.segments) {
     if (segment.mass <= 0 || segment.name == subject.base) continue;
     if (heaviest == nullptr || segment.mass > heaviest->mass) heaviest = &segment;
-    if (segment.mass > kHeaviest)
+    if (segment.mass > kLargestMass)
       heavy.push_back(
           fmt::format("segment '{}' weighs {:.3g} g: is its mass of the unit that its "
                       "key names?",
                       segment.name, 1e3 * segment.mass));
   }
   tell(heavy, "segments", doubts);
-  if (heaviest != nullptr && heaviest->mass < kLightest)
+  if (heaviest != nullptr && heaviest->mass < kSmallestMass)
     doubts.push_back(
         fmt::format("the heaviest segment that moves, '{}', weighs {:.3g} g: are masses "
                     "of the unit that their keys name?",
@@ -263,7 +264,7 @@ void doubt_masses(const Subject& subject, std::vector<std::string>& doubts) {
 void doubt_bones(const Subject& subject, std::vector<std::string>& doubts) {
   std::vector<std::string> places, radii;
   for (const Segment& segment : subject.segments) {
-    if (segment.radius > 0 && (segment.radius < kThinnest || segment.radius > kThickest))
+    if (segment.radius > 0 && (segment.radius < kSmallestRadius || segment.radius > kLargestRadius))
       radii.push_back(fmt::format("the skin of segment '{}' has a radius of {:.3g} mm: {}",
                                   segment.name, 1e3 * segment.radius, kMillimetres));
     if (segment.proximal == segment.distal || segment.name == subject.base) continue;
@@ -286,7 +287,7 @@ void doubt_bones(const Subject& subject, std::vector<std::string>& doubts) {
   }
   for (const Surface& surface : subject.surfaces) {
     const double size = surface.size.maxCoeff();
-    if (size < kThinnest || surface.size[0] > kThickest)
+    if (size < kSmallestRadius || surface.size[0] > kLargestRadius)
       radii.push_back(fmt::format("surface '{}' has a radius of {:.3g} mm: {}", surface.name,
                                   1e3 * surface.size[0], kMillimetres));
   }

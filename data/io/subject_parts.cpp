@@ -43,7 +43,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Largest cosine of published, rounded directions that should be perpendicular, 3 deg [1].
-constexpr double kSquare = 0.05;
+constexpr double kPerpendicularCosine = 0.05;
 
 HoodBranch read_branch(TomlTable& table, const SubjectDraft& draft) {
   HoodBranch branch;
@@ -63,17 +63,17 @@ void read_directions(TomlTable& table, const std::string& side, Digit& digit) {
   digit.proximal = table.direction("proximal");
   const Vector3d dorsal = table.direction("dorsal");
   // Rounded directions are accepted, skew ones are not.
-  if (std::abs(digit.proximal.dot(dorsal)) > kSquare)
+  if (std::abs(digit.proximal.dot(dorsal)) > kPerpendicularCosine)
     table.fail(fmt::format("'dorsal' of digit '{}' is not perpendicular to 'proximal': their "
                            "cosine is {:.3g}, wanted at most {} either way",
-                           digit.name, digit.proximal.dot(dorsal), kSquare),
+                           digit.name, digit.proximal.dot(dorsal), kPerpendicularCosine),
                "dorsal");
   digit.dorsal = (dorsal - digit.proximal * digit.proximal.dot(dorsal)).normalized();
   digit.radial = digit.proximal.cross(digit.dorsal) * (side == "right" ? 1 : -1);
   if (!table.has("radial")) return;
   // A stated radial direction must agree.
   const Vector3d radial = table.direction("radial");
-  if (radial.cross(digit.radial).norm() > kSquare || radial.dot(digit.radial) < 0)
+  if (radial.cross(digit.radial).norm() > kPerpendicularCosine || radial.dot(digit.radial) < 0)
     table.fail(fmt::format("'radial' of digit '{}' does not complete 'proximal' and 'dorsal' of a "
                            "{} hand",
                            digit.name, side),

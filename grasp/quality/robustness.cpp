@@ -87,9 +87,10 @@ std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
 
 ConfidenceInterval wilson_interval(int hits, int trials) {
   require(trials > 0 && hits >= 0 && hits <= trials, "{} hits in {} trials", hits, trials);
-  const double n = trials, p = hits / n, z2 = kNormal95 * kNormal95;
+  const double n = trials, p = hits / n, z2 = kNormal95HalfWidth * kNormal95HalfWidth;
   const double middle = (p + z2 / (2 * n)) / (1 + z2 / n);
-  const double half = kNormal95 / (1 + z2 / n) * std::sqrt(p * (1 - p) / n + z2 / (4 * n * n));
+  const double half =
+      kNormal95HalfWidth / (1 + z2 / n) * std::sqrt(p * (1 - p) / n + z2 / (4 * n * n));
   return {hits == 0 ? 0 : middle - half, hits == trials ? 1 : middle + half};
 }
 

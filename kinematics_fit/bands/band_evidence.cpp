@@ -39,13 +39,15 @@ double step_left(const FitProblem& problem, const VectorXd& z, const Residuals& 
 /// Searches for the mode until it is near enough, with at most so many Jacobians: they take most of
 /// the time.
 VectorXd find_mode(const FitProblem& problem, const VectorXd& start, int slopes) {
-  constexpr double kNear = 0.1;  // Newton steps shorter than this end the search [posterior sds]
+  // Length of a Newton step below which the search ends [posterior sds]
+  constexpr double kLastStepLength = 0.1;
   LeastSquares counted = least_squares(problem);
   int left = slopes;
   counted.residuals = [&](const VectorXd& z, WithJacobian want) {
     Residuals at = fit_residuals(problem, z, want);
     if (want == WithJacobian::kNo) return at;
-    const bool near = at.J.allFinite() && step_left(problem, z, at, factor_of(at)) < kNear;
+    const bool near =
+        at.J.allFinite() && step_left(problem, z, at, factor_of(at)) < kLastStepLength;
     left = near ? 0 : left - 1;
     return at;
   };

@@ -43,9 +43,9 @@ class KnownSets {
         band_evidence(problem, {carried_over(names_.at(near), other->second.z, problem)}, options_);
     if (!again.holds) return;
     // Least gain of the log density at the mode that replaces an answer [nat]
-    constexpr double kBetter = 0.05;
+    constexpr double kMinLogGain = 0.05;
     const auto cost = [](const BandEvidence& at) { return 0.5 * (at.misfit + at.z.squaredNorm()); };
-    if (!here.holds || cost(again) < cost(here) - kBetter) here = std::move(again);
+    if (!here.holds || cost(again) < cost(here) - kMinLogGain) here = std::move(again);
   }
 
   [[nodiscard]] const std::map<Topology, BandEvidence>& all() const { return sets_; }
@@ -135,17 +135,17 @@ Sampled sample_sets(KnownSets& known, std::size_t bands, std::mt19937& random,
   return out;
 }
 
-/// Returns whether draws integrated every set that may matter: within e^-kMinor of the best by
-/// Laplace.
+/// Returns whether draws integrated every set that may matter: within e^-kMinorEvidenceGap of the
+/// best by Laplace.
 bool all_by_draws(const std::map<Topology, BandEvidence>& sets) {
-  // Sets whose log evidence is lower than the best by more do not matter [nat]
-  constexpr double kMinor = 5;
+  // Difference from the best log evidence beyond which a set does not matter [nat]
+  constexpr double kMinorEvidenceGap = 5;
   double most = -kInfinity;
   for (const auto& [bands, evidence] : sets)
     if (evidence.holds) most = std::max(most, evidence.laplace);
   return std::all_of(sets.begin(), sets.end(), [&](const auto& each) {
     const BandEvidence& evidence = each.second;
-    return !evidence.holds || evidence.by_draws || evidence.laplace < most - kMinor;
+    return !evidence.holds || evidence.by_draws || evidence.laplace < most - kMinorEvidenceGap;
   });
 }
 
@@ -225,9 +225,9 @@ void judge(const KnownSets& known, std::size_t band, BandBelief& belief) {
                     : !with  ? -kInfinity
                     : rounds ? log_bayes_factor(with->second, without->second)
                              : std::log(belief.probability) - std::log1p(-belief.probability);
-  if (belief.probability >= kDecided)
+  if (belief.probability >= kDecidedProbability)
     belief.verdict = Verdict::kYes;
-  else if (belief.probability <= 1 - kDecided)
+  else if (belief.probability <= 1 - kDecidedProbability)
     belief.verdict = Verdict::kNo;
   else
     belief.why = belief.tension < kSlackTension ? WhyUntold::kSlack : WhyUntold::kOthers;

@@ -42,7 +42,7 @@ struct BandBelief {
   double error = 0;        // of the probability by chance, one sd; 0 if all sets were fitted [1]
   double log_odds = 0;     // log of posterior over prior odds: the log Bayes factor; infinite if no
                            // set without (or with) it carries the loads [nat]
-  Verdict verdict = Verdict::kUndecided;  // by kDecided
+  Verdict verdict = Verdict::kUndecided;  // by kDecidedProbability
   WhyUntold why = WhyUntold::kTold;
   double misfit_change = 0;     // chi^2 of the data in the best set without it, less that in the
                                 // best with it; NaN where one is missing [1]
@@ -54,7 +54,7 @@ struct BandBelief {
 };
 
 /// Probability from which a band exists, or is absent [1].
-inline constexpr double kDecided = 0.95;
+inline constexpr double kDecidedProbability = 0.95;
 
 struct BandPosteriorOptions {
   int enumerated = 7;  // bands up to which every set is fitted; beyond, sets are sampled

@@ -7,8 +7,8 @@
 namespace thenar::kernel {
 namespace {
 
-constexpr std::align_val_t kAlignment{64};
-constexpr int kMaxLanes = 8;
+constexpr std::align_val_t kLineAlignment{64};  // Size of a cache line [bytes]
+constexpr int kMaxLanes = 8;  // Most doubles in a register; as many fill a cache line
 
 /// Rounds a number of doubles up to whole cache lines.
 long padded(long doubles) { return (doubles + kMaxLanes - 1) / kMaxLanes * kMaxLanes; }
@@ -67,8 +67,8 @@ long scratch_doubles(const Program& program, const SimdBackend& backend) {
 
 SimdBuffer::SimdBuffer(long doubles)
     : first_(static_cast<double*>(
-          ::operator new(static_cast<std::size_t>(doubles) * sizeof(double), kAlignment))) {}
-void SimdBuffer::Free::operator()(double* p) const { ::operator delete(p, kAlignment); }
+          ::operator new(static_cast<std::size_t>(doubles) * sizeof(double), kLineAlignment))) {}
+void SimdBuffer::Free::operator()(double* p) const { ::operator delete(p, kLineAlignment); }
 
 Batch run_batch(const Program& program, const std::vector<SimdBackend>& choice,
                 const Eigen::Ref<const Eigen::MatrixXd>& u, KeepTape keep) {

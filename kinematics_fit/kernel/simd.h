@@ -20,7 +20,7 @@
 namespace thenar::kernel {
 namespace {
 
-inline constexpr int kLanes = THENAR_LANES;
+inline constexpr int kLanes = THENAR_LANES;  // Doubles in a register
 
 #if THENAR_LANES == 1
 using V = double;

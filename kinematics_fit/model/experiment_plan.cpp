@@ -14,7 +14,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kBeyond = 5 * kDegree;  // Slack of joint limits, which are of other hands [rad]
+// Slack of joint limits, which were measured on other hands [rad]
+constexpr double kLimitSlack = 5 * kDegree;
 // Largest tension over a muscle's largest force; no living muscle exceeds it [1]
 constexpr double kTooStrong = 2;
 
@@ -32,7 +33,7 @@ void warn_of_postures(const TendonDigit& digit, const ExperimentPlan& plan, Warn
     for (int j = 0; j < digit.skeleton.coordinates(); ++j) {
       const CoordinateLimits& limits = digit.skeleton.limits[static_cast<std::size_t>(j)];
       const double angle = plan.postures[k][j];
-      if (angle < limits.lower - kBeyond || angle > limits.upper + kBeyond)
+      if (angle < limits.lower - kLimitSlack || angle > limits.upper + kLimitSlack)
         warnings.push_back(
             fmt::format("posture '{}': {} = {:.1f} deg is beyond {:.1f} .. {:.1f} deg",
                         plan.posture_names[k], digit.skeleton.coordinate_names[j], degrees(angle),
@@ -43,11 +44,11 @@ void warn_of_postures(const TendonDigit& digit, const ExperimentPlan& plan, Warn
 
 /// Postures in radians under a key that says degrees: all angles are tiny, and not all are 0.
 void warn_of_angle_units(const Experiment& experiment, Warnings& warnings) {
-  constexpr double kTiny = 3.2 * kDegree;  // 180 degrees in radians, read as degrees [rad]
+  constexpr double kTinyAngle = 3.2 * kDegree;  // 180 degrees in radians, read as degrees [rad]
   double most = 0;
   for (const PostureRecord& posture : experiment.postures)
     for (const auto& [joint, angle] : posture.angles) most = std::max(most, std::abs(angle));
-  if (most > 0 && most < kTiny)
+  if (most > 0 && most < kTinyAngle)
     warnings.push_back(
         fmt::format("no joint is turned by more than {:.3g} degrees in any posture: are the angles "
                     "of the unit that their key names?",
@@ -140,9 +141,10 @@ std::vector<std::string> experiment_warnings(const TendonDigit& digit, const Exp
 
 namespace {
 
-constexpr double kSingular = 1e12;  // Condition beyond which no digit of a force is right [1]
+// Condition number from which no decimal of a force is right [1]
+constexpr double kSingularCondition = 1e12;
 // Largest angle of axes with the normal of their plane [rad]
-constexpr double kParallel = 15 * kDegree;
+constexpr double kNormalAngle = 15 * kDegree;
 constexpr double kNoAngle = 1e-6;  // Largest angle of axes that are parallel up to rounding [rad]
 
 /// Returns whether all axes between the tip and the base are normal to the plane of flexion, to
@@ -321,7 +323,8 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
   plan.force_link = link_named(digit, experiment, experiment.force_segment);
   plan.measured = experiment.components;
   plan.components = experiment.axes_of_digit.cast<double>();
-  if (plan.measured == 2 && all_flex(digit.model, kParallel)) plan.known = DecidedForces::kInPlane;
+  if (plan.measured == 2 && all_flex(digit.model, kNormalAngle))
+    plan.known = DecidedForces::kInPlane;
 
   // Postures, and the angle errors that belong to them.
   for (const PostureRecord& record : experiment.postures) {
@@ -342,8 +345,9 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
   // No force follows from the tendons' torques in a singular posture.
   plan.condition = conditions(digit, parameters, plan);
   for (std::size_t k = 0; k < plan.postures.size(); ++k)
-    require(plan.condition[k] < kSingular, "posture '{}' of experiment '{}' is singular: {}",
-            plan.posture_names[k], experiment.name, singular_in_words(digit, plan));
+    require(plan.condition[k] < kSingularCondition,
+            "posture '{}' of experiment '{}' is singular: {}", plan.posture_names[k],
+            experiment.name, singular_in_words(digit, plan));
 
   // Measured force, and its sd with that of what the model misses.
   plan.force.resize(3, static_cast<Eigen::Index>(experiment.trials.size()));

@@ -6,9 +6,9 @@
 namespace thenar {
 
 bool lies_at(const PathNode<double>& point, int link, const Eigen::Vector3d& p) {
-  // Points closer than this are one; both come from the same numbers [m]
-  constexpr double kSame = 1e-9;
-  return point.link == link && (point.p - p).norm() < kSame;
+  // Distance below which points are one; both come from the same numbers [m]
+  constexpr double kSamePointDistance = 1e-9;
+  return point.link == link && (point.p - p).norm() < kSamePointDistance;
 }
 
 bool pulls_net(const BuiltNet& built, const Eigen::VectorXd& t) {
@@ -22,8 +22,8 @@ std::optional<double> first_share(const BuiltNet& built, int m) {
   for (const MuscleAttachment& pull : built.pulls)
     if (pull.muscle == muscle.muscle) shares.push_back(pull.share / muscle.to_net);
   // Pulls that hand on what others gave add up to more than all.
-  constexpr double kRounding = 1e-9;
-  if (shares.size() != 2 || std::abs(shares[0] + shares[1] - 1) > kRounding) return {};
+  constexpr double kShareRounding = 1e-9;  // Rounding of a sum of shares [1]
+  if (shares.size() != 2 || std::abs(shares[0] + shares[1] - 1) > kShareRounding) return {};
   return shares[0];
 }
 

@@ -60,12 +60,13 @@ std::optional<LeftOutObservations> leave_out_observations(const PosteriorRun& ru
 
 std::vector<std::string> noise_warnings(const std::vector<PosteriorQuantity>& quantities,
                                         const std::vector<Estimate>& estimates) {
-  constexpr double kMuch = 2;  // A factor on the stated noise above this is reported [1]
+  constexpr double kWarnedNoiseFactor = 2;  // Factor on the stated noise that is reported [1]
   const std::string prefix = "noise/";
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     const std::string& name = quantities[i].name;
-    if (name.compare(0, prefix.size(), prefix) != 0 || !(estimates[i].q05 > kMuch)) continue;
+    if (name.compare(0, prefix.size(), prefix) != 0 || !(estimates[i].q05 > kWarnedNoiseFactor))
+      continue;
     warnings.push_back(fmt::format(
         "experiment '{}': its forces scatter by {:.1f} times the stated noise (5 to 95 %: {:.1f} "
         "to {:.1f}), and p and the intervals are of that larger noise. {}",

@@ -82,16 +82,18 @@ double noise_factor(const PosteriorRun& run, const PosteriorValues& values,
   return options.learn_noise ? std::exp(options.noise_sd * random.normal()) : 1;
 }
 
-/// Returns whether the mean of draws tells of few that lie far out: their sd is kLongTail times
-/// that of their central 95 %, or the mean kSkew of that from the median, as Pearson's second
-/// skewness measures it.
+/// Returns whether the mean of draws tells of few that lie far out: their sd is kMaxSdRatio times
+/// that of their central 95 %, or the mean kMaxSkewness of that from the median, as Pearson's
+/// second skewness measures it.
 bool has_long_tails(const Eigen::VectorXd& draws, double mean, const RobustMoments& middle) {
-  constexpr double kLongTail = 1.5;  // 1 of a normal, 1.07 of an exponential distribution [1]
-  constexpr double kSkew = 0.25;     // 0 of a normal, 0.33 of an exponential distribution [1]
+  // Largest ratio of the two sds: 1 of a normal, 1.07 of an exponential distribution [1]
+  constexpr double kMaxSdRatio = 1.5;
+  // Largest distance of the mean, in sds: 0 of a normal, 0.33 of an exponential distribution [1]
+  constexpr double kMaxSkewness = 0.25;
   const double rounding = 1e-9 * std::abs(middle.median);  // of equal numbers [N]
   const double sd = std::sqrt((draws.array() - mean).square().mean());
-  return !(sd <= kLongTail * middle.sd + rounding &&
-           std::abs(mean - middle.median) <= kSkew * middle.sd + rounding);
+  return !(sd <= kMaxSdRatio * middle.sd + rounding &&
+           std::abs(mean - middle.median) <= kMaxSkewness * middle.sd + rounding);
 }
 
 /// Variances of measured components [N^2] (3 trials): of the stated noise, and of what the model

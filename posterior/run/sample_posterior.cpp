@@ -22,8 +22,8 @@ namespace {
 // Most coordinates for a global search, and for the usual number of starts
 constexpr int kGlobalSearch = 60, kManyCoordinates = 1000;
 // Searches for modes, unless options say otherwise, and for many coordinates
-constexpr int kStarts = 16, kStartsOfMany = 4;
-constexpr double kInflation = 2;  // Spread of the starts [Laplace sds]
+constexpr int kUsualStarts = 16, kStartsOfMany = 4;
+constexpr double kStartInflation = 2;  // Spread of the starts [Laplace sds]
 
 std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settings) {
   // All texts, then the settings that change the density or the starts.
@@ -63,7 +63,7 @@ Eigen::MatrixXd find_starts(const HandPosterior& posterior, const std::vector<Mo
   Eigen::MatrixXd starts(posterior.size(), count);
   // A fit has no factors of noise and between specimens: they start at draws from the prior.
   const Eigen::Index factors = count_factors(posterior);
-  double inflation = kInflation;
+  double inflation = kStartInflation;
   for (int found = 0, attempt = 0; found < count; ++attempt, inflation *= 0.7) {
     require(attempt < 20, "no start with a density above zero was found about {} modes",
             modes.size());
@@ -168,7 +168,7 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
     if (options.walkers == 0) options.walkers = min_walkers(options.method, run.posterior->size());
     if (run.settings.mode_starts == 0)
       run.settings.mode_starts =
-          run.posterior->problem().size() > kManyCoordinates ? kStartsOfMany : kStarts;
+          run.posterior->problem().size() > kManyCoordinates ? kStartsOfMany : kUsualStarts;
     check_chains(options, run.posterior->size());
     // The others need not search for what they are told.
     if (ranks.rank() == 0) beginning = begin(run, options);

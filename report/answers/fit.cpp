@@ -88,10 +88,10 @@ enum class OpenKind {
 /// Names of the coordinates that make up a direction, each with its share.
 std::vector<std::pair<std::string, double>> shares_of(const Eigen::SparseVector<double>& direction,
                                                       const std::vector<std::string>& names) {
-  constexpr double kSmall = 0.1;  // [1]
+  constexpr double kMinNamedShare = 0.1;  // Least share of a coordinate that is named [1]
   std::vector<std::pair<std::string, double>> shares;
   for (Eigen::SparseVector<double>::InnerIterator at(direction); at; ++at)
-    if (std::abs(at.value()) >= kSmall)
+    if (std::abs(at.value()) >= kMinNamedShare)
       shares.emplace_back(without_specimen(names[static_cast<std::size_t>(at.index())]),
                           at.value());
   return shares;
@@ -112,12 +112,13 @@ OpenKind kind_of(const std::vector<std::pair<std::string, double>>& shares) {
 
 /// "; the same shift of all these arms of DI4" of three or more arms of one strand.
 std::string same_arms_words(const std::vector<std::pair<std::string, double>>& shares) {
-  constexpr double kSame = 1e-3;  // [1]
+  constexpr double kShareTolerance = 1e-3;  // Largest difference of equal shares [1]
   const std::string& first = shares.front().first;
   const std::string strand = first.substr(0, first.rfind('/') + 1);
   if (shares.size() < 3 || strand.rfind("arm/", 0) != 0) return "";
   for (const auto& [name, share] : shares)
-    if (name.rfind(strand, 0) != 0 || std::abs(share - shares.front().second) > kSame) return "";
+    if (name.rfind(strand, 0) != 0 || std::abs(share - shares.front().second) > kShareTolerance)
+      return "";
   return fmt::format(
       "; all arms of {} shift alike, which only a moment of the tip would tell, and it is not "
       "fitted",

@@ -19,7 +19,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kTouches = 2e-4;  // clearance up to which a stop is told with what it touches [m]
+// Clearance up to which a stop is told with what it touches [m]
+constexpr double kTouchClearance = 2e-4;
 
 const LinkSurface& surface_of(const GraspResult& result, const HandContact& contact) {
   return result.collision_hand.hand->surfaces()[static_cast<std::size_t>(contact.surface)];
@@ -209,7 +210,7 @@ std::vector<JointRow> joint_rows(const GraspResult& result) {
   const PosedCollisionHand posed{result.collision_hand, result.grasp.approached.X_WH,
                                  hand.pose(closed.q)};
   const std::vector<std::string> why = stop_words(
-      result.collision_hand, closed, find_touching(posed, result.setting.setup, kTouches));
+      result.collision_hand, closed, find_touching(posed, result.setting.setup, kTouchClearance));
   std::vector<JointRow> rows;
   for (std::size_t c = 0; c < why.size(); ++c) {
     const auto i = static_cast<int>(c);

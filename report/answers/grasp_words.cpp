@@ -10,8 +10,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kEpsilonRounding = 1e-9;  // of an epsilon of unit forces [1]
-constexpr double kSearch = 1.0 / 4;  // of what still touches: how exactly clearances are measured
+constexpr double kEpsilonRounding = 1e-9;  // Rounding of an epsilon of unit forces [1]
+// Error of a measured clearance, over that up to which parts touch [1]
+constexpr double kClearanceErrorShare = 1.0 / 4;
 
 const std::string& name_of(const Hand& hand, int surface) {
   return hand.surfaces()[static_cast<std::size_t>(surface)].name;
@@ -52,7 +53,7 @@ std::vector<Touching> find_touching(const PosedCollisionHand& posed, const Grasp
   for (Clearance& clearance : all_gaps(posed, setup)) {
     if (clearance.bound > within) continue;
     const double distance =
-        measure_clearance(clearance, posed, kSearch * within, 2 * within).distance;
+        measure_clearance(clearance, posed, kClearanceErrorShare * within, 2 * within).distance;
     const bool self = clearance.body == nullptr;
     if (distance > within || (self && distance < -within)) continue;  // neighbours overlap
     touching.push_back(

@@ -127,12 +127,13 @@ OrderedJson mass_json(const BodySpec& body) {
   return body.uniform_mass > 0 ? OrderedJson(body.uniform_mass) : OrderedJson(nullptr);
 }
 
-constexpr double kNoise = 1e-12;  // of the trace, in an inertia of a symmetric solid [1]
+// Rounding of an inertia of a symmetric solid, over its trace [1]
+constexpr double kInertiaNoise = 1e-12;
 
 /// Symmetric, and zero where only rounding is left.
 Eigen::Matrix3d without_noise(const Eigen::Matrix3d& inertia) {
   const Eigen::Matrix3d I = (inertia + inertia.transpose()) / 2;
-  return (I.array().abs() < kNoise * I.trace()).select(0.0, I);
+  return (I.array().abs() < kInertiaNoise * I.trace()).select(0.0, I);
 }
 
 /// JSON on one line, its numbers to seven digits: a report shows no rounding.

@@ -38,15 +38,15 @@ Table muscle_summary(const Trajectory& t) {
 
 /// The first snaps of the net.
 Table snap_table(const Trajectory& t) {
-  constexpr std::size_t kShown = 10;
+  constexpr std::size_t kMaxSnaps = 10;  // Most rows of snaps
   Table table{{"time_s", "band", "moved_mm", "released_mJ"}, {}};
-  for (std::size_t i = 0; i < std::min(t.snaps.size(), kShown); ++i) {
+  for (std::size_t i = 0; i < std::min(t.snaps.size(), kMaxSnaps); ++i) {
     const MotionSnap& snap = t.snaps[i];
     table.rows.push_back({shown(snap.time, 6), snap.band, shown(snap.moved / kMm, 3),
                           shown(1e3 * snap.released, 4)});
   }
-  if (t.snaps.size() > kShown)
-    table.rows.push_back({fmt::format("{} more", t.snaps.size() - kShown), "", "", ""});
+  if (t.snaps.size() > kMaxSnaps)
+    table.rows.push_back({fmt::format("{} more", t.snaps.size() - kMaxSnaps), "", "", ""});
   return table;
 }
 
@@ -96,8 +96,7 @@ std::string text_of(const SimulatedMotion& motion) {
       1e3 * t.balance.turned_over);
   text += fmt::format("largest drift of an excursion from the length of its tendon: {}\n",
                       t.drift ? fmt::format("{:.2g} mm", *t.drift / kMm) : "-");
-  if (motion.tendons)
-    text += passive_line(motion.tendons->digit().skeleton, t.angle.row(last));
+  if (motion.tendons) text += passive_line(motion.tendons->digit().skeleton, t.angle.row(last));
   if (!t.snaps.empty()) text += titled("Snaps of the net to another rest", snap_table(t));
   return text + fmt::format("{} steps to a tolerance of {:.2g}\n", t.counts.steps, t.tolerance);
 }

@@ -16,7 +16,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kDeep = 1e-3;  // penetration that is warned of [m]
+constexpr double kWarnedPenetration = 1e-3;  // Penetration beyond which a warning is given [m]
 
 std::string body_name(const SimulatedScene& scene, int body) {
   return scene.built->scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
@@ -391,7 +391,7 @@ std::vector<std::string> warnings_of(const SimulatedScene& scene) {
     warnings.push_back(
         fmt::format("in {} steps surfaces moved so fast that they may have gone through each other",
                     scene.run.cost.leaps));
-  if (scene.run.cost.deepest > kDeep && has_contact_problems(scene))
+  if (scene.run.cost.deepest > kWarnedPenetration && has_contact_problems(scene))
     warnings.push_back(fmt::format(
         "surfaces were up to {:.3g} mm inside each other: forces there are not to be trusted, "
         "shorter steps may help",

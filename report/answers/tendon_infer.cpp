@@ -13,7 +13,7 @@ namespace thenar {
 
 namespace {
 
-constexpr double kMilli = 1e3;  // mm per m
+constexpr double kMmPerMetre = 1e3;  // Millimetres in a metre [1]
 
 /// "+1.3"; "-" where there is no such number.
 std::string change_words(double value) {
@@ -31,7 +31,7 @@ Table belief_table(const NetInference& inference) {
          probability_words(band) + (band.doubtful ? " ?" : ""), change_words(band.log_odds),
          change_words(band.misfit_change), change_words(band.effective_change),
          shown(band.tension, 2), slack_words(band),
-         band.slack ? shown(kMilli * band.slack->prior_sd, 2) : "-"});
+         band.slack ? shown(kMmPerMetre * band.slack->prior_sd, 2) : "-"});
   }
   return table;
 }
@@ -51,9 +51,9 @@ OrderedJson json_of_belief(const BandBelief& band, const BandEnds& ends) {
                   {"largest_tension_N", band.tension}};
   OrderedJson slack;
   if (band.slack)
-    slack = {{"length_mm", kMilli * band.slack->length},
-             {"sd_mm", kMilli * band.slack->sd},
-             {"prior_sd_mm", kMilli * band.slack->prior_sd},
+    slack = {{"length_mm", kMmPerMetre * band.slack->length},
+             {"sd_mm", kMmPerMetre * band.slack->sd},
+             {"prior_sd_mm", kMmPerMetre * band.slack->prior_sd},
              {"at_bound", band.slack->at_bound}};
   out["slack"] = slack;
   return out;
@@ -71,14 +71,14 @@ std::string probability_words(const BandBelief& band) {
   if (std::isinf(band.log_odds))
     return band.log_odds > 0 ? "1 (no set without it)" : "0 (no set with it)";
   const std::string p = shown(band.probability, 3);
-  constexpr double kShown = 5e-4;  // errors below it are not [1]
-  return band.error >= kShown ? fmt::format("{} +- {}", p, shown(band.error, 3)) : p;
+  constexpr double kMinShownError = 5e-4;  // Least error that is shown [1]
+  return band.error >= kMinShownError ? fmt::format("{} +- {}", p, shown(band.error, 3)) : p;
 }
 
 std::string slack_words(const BandBelief& band) {
   if (!band.slack) return "held";
-  return fmt::format("{} +- {}", shown(kMilli * band.slack->length, 2),
-                     shown(kMilli * band.slack->sd, 2));
+  return fmt::format("{} +- {}", shown(kMmPerMetre * band.slack->length, 2),
+                     shown(kMmPerMetre * band.slack->sd, 2));
 }
 
 std::vector<std::string> posterior_in_words(const FreeInference& free) {
@@ -184,7 +184,7 @@ Table table_of_free(const NetInference& inference) {
   for (std::size_t k = 0; k < inference.free->posterior.bands.size(); ++k) {
     const BandBelief& band = inference.free->posterior.bands[k];
     const auto slack = [&](double SlackRange::*what) {
-      return band.slack ? number(kMilli * (*band.slack).*what) : "";
+      return band.slack ? number(kMmPerMetre * (*band.slack).*what) : "";
     };
     table.rows.push_back({band.name, inference.ends[k].from, inference.ends[k].to,
                           to_string(band.verdict), number(band.probability), number(band.error),

@@ -307,9 +307,9 @@ std::string tensions_in_words(const LoadedDigit& loaded) {
 }
 
 std::string tip_note(const TipForce& tip) {
-  constexpr double kNone = 1e-9;  // torque [N m]
+  constexpr double kTorqueRounding = 1e-9;  // Rounding of a joint torque [N m]
   if (tip.rank < std::min<Eigen::Index>(tip.possible, tip.tau_residual.size()))
-    return tip.tau_residual.cwiseAbs().maxCoeff() < kNone
+    return tip.tau_residual.cwiseAbs().maxCoeff() < kTorqueRounding
                ? "singular posture: along some direction a force of the tip needs no joint torque; "
                  "the smallest force in balance is given"
                : "singular posture: no force of the tip balances all joint torques; given is the "
@@ -335,9 +335,10 @@ std::string text_of(const TendonSolution& solution) {
   // Torques.
   Table torque{{"joint", "torque_N_mm", "unbalanced_N_mm"}, {}};
   for (std::size_t i = 0; i < names.coordinates.size(); ++i)
-    torque.rows.push_back({names.coordinates[i],
-                           shown(point.pull.tau[static_cast<Eigen::Index>(i)] / kNmm, 4),
-                           shown(point.tip.tau_residual[static_cast<Eigen::Index>(i)] / kNmm, 4)});
+    torque.rows.push_back(
+        {names.coordinates[i],
+         shown(point.pull.tau[static_cast<Eigen::Index>(i)] / kNewtonMillimetre, 4),
+         shown(point.tip.tau_residual[static_cast<Eigen::Index>(i)] / kNewtonMillimetre, 4)});
   text += titled(
       "Joint torque of all tendons, flexion positive, and the part that no tip force can balance",
       torque);
@@ -367,7 +368,7 @@ OrderedJson json_of(const TendonSolution& solution) {
                      {"terminal", slips.terminal}};
   json["terminal_to_central"] = number_or_null(slip_ratio(slips));
   // Torques and moment arms.
-  json["torque_N_mm"] = to_json(names.coordinates, point.pull.tau / kNmm);
+  json["torque_N_mm"] = to_json(names.coordinates, point.pull.tau / kNewtonMillimetre);
   for (std::size_t m = 0; m < names.muscles.size(); ++m)
     json["moment_arm_mm"][names.muscles[m]] = to_json(
         names.coordinates, point.pull.R.row(static_cast<Eigen::Index>(m)).transpose() / kMm);
@@ -375,7 +376,8 @@ OrderedJson json_of(const TendonSolution& solution) {
   json["force_N"] = to_json(point.tip.f_W);
   json["force_tip_axes_N"] =
       to_json({"proximal", "dorsal", "radial"}, force_in_tip_axes(loaded, point));
-  json["leftover_torque_N_mm"] = to_json(names.coordinates, point.tip.tau_residual / kNmm);
+  json["leftover_torque_N_mm"] =
+      to_json(names.coordinates, point.tip.tau_residual / kNewtonMillimetre);
   json["condition"] = number_or_null(point.tip.condition);
   if (const std::string note = tip_note(point.tip); !note.empty()) json["note"] = note;
   json["warnings"] = warnings_of(solution);

@@ -55,12 +55,13 @@ std::string one_posture(const TipForceResult& answer, const TipForcePoint& point
       force);
   if (answer.request.hold == TipHold::kRigid)
     text += titled("Moment of the tip on the world, about the tip, world axes",
-                   {{"x_N_mm", "y_N_mm", "z_N_mm"}, {cells(point.moment / kNmm, 3)}});
+                   {{"x_N_mm", "y_N_mm", "z_N_mm"}, {cells(point.moment / kNewtonMillimetre, 3)}});
   // A map's first rows are forces, balanced exactly; the rest are moments the tip must pass on.
   Table left{{bones ? "joint" : "moment", "N_mm"}, {}};
   for (std::size_t i = bones ? 0 : 3; i < about.rows.size(); ++i)
     left.rows.push_back(
-        {about.rows[i], shown(point.residual[static_cast<Eigen::Index>(i)] / kNmm, 4)});
+        {about.rows[i],
+         shown(point.residual[static_cast<Eigen::Index>(i)] / kNewtonMillimetre, 4)});
   text += titled(bones ? "Joint torque left over, that no tip load balances"
                        : "Moment at the tip, that the hold must carry",
                  left);
@@ -84,11 +85,11 @@ std::string many_postures(const TipForceResult& answer) {
       table.rows.push_back(row({cells_of(axes, i), std::vector<std::string>(6, "-")}));
       continue;
     }
-    table.rows.push_back(
-        row({cells_of(axes, i),
-             cells(force_along_tip(point), 4),
-             {shown(point.force.norm(), 4), shown(point.residual.cwiseAbs().maxCoeff() / kNmm, 4),
-              shown(point.condition)}}));
+    table.rows.push_back(row({cells_of(axes, i),
+                              cells(force_along_tip(point), 4),
+                              {shown(point.force.norm(), 4),
+                               shown(point.residual.cwiseAbs().maxCoeff() / kNewtonMillimetre, 4),
+                               shown(point.condition)}}));
   }
   return titled(fmt::format("Force of the tip on the world, hold {}, and the largest joint torque "
                             "that it leaves over",
@@ -165,8 +166,9 @@ Table table_of(const TipForceResult& answer) {
              cells(point.force, 6),
              {shown(point.force.norm(), 6)},
              bones ? cells(force_along_tip(point), 6) : std::vector<std::string>{},
-             rigid ? cells(Eigen::Vector3d(point.moment / kNmm), 4) : std::vector<std::string>{},
-             cells(Eigen::VectorXd(point.residual.tail(left) / kNmm), 4),
+             rigid ? cells(Eigen::Vector3d(point.moment / kNewtonMillimetre), 4)
+                   : std::vector<std::string>{},
+             cells(Eigen::VectorXd(point.residual.tail(left) / kNewtonMillimetre), 4),
              bones ? std::vector<std::string>{shown(point.condition)} : std::vector<std::string>{},
              {note_of(answer, point)}}));
   }

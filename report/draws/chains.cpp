@@ -15,9 +15,11 @@
 namespace thenar {
 namespace {
 
+// Most points of a trace, and lags of an autocorrelation
 constexpr Eigen::Index kTracePoints = 250, kLags = 50;
-constexpr int kBins = 20;
-constexpr std::size_t kAllShown = 8, kMaxShown = 16;  // chains
+constexpr int kRankBins = 20;  // Bins of a histogram of ranks
+// Chains up to which all traces are drawn, and most traces
+constexpr std::size_t kAllShown = 8, kMaxShown = 16;
 
 /// The chains whose traces are drawn, and what they are called.
 struct ShownChains {
@@ -85,14 +87,14 @@ Memory memory_of(const Quantity& quantity, const ShownChains& shown) {
 Json ranks_of(const Quantity& quantity, const ShownChains& shown, double tau) {
   const Eigen::MatrixXd pooled =
       shown.by_group ? pool_groups(quantity.draws, quantity.group) : quantity.draws;
-  const Eigen::MatrixXd counts = rank_counts(pooled, kBins);
+  const Eigen::MatrixXd counts = rank_counts(pooled, kRankBins);
   Json list = Json::array();
   for (std::size_t k = 0; k < shown.columns.size(); ++k)
     list.push_back(rounded(counts.col(static_cast<Eigen::Index>(k)), 1));
-  const CountBand band =
-      rank_band(static_cast<double>(pooled.rows()), static_cast<double>(pooled.cols()), kBins, tau);
+  const CountBand band = rank_band(static_cast<double>(pooled.rows()),
+                                   static_cast<double>(pooled.cols()), kRankBins, tau);
   return {{"counts", list},
-          {"mean", static_cast<double>(pooled.rows()) / kBins},
+          {"mean", static_cast<double>(pooled.rows()) / kRankBins},
           {"low", std::round(10 * band.low) / 10},
           {"high", std::round(10 * band.high) / 10}};
 }

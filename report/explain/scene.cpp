@@ -15,7 +15,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kG = 1e-3;  // [kg]
+constexpr double kGram = 1e-3;  // A gram [kg]
 
 /// "35", "120 60 40": only what the kind of shape uses.
 std::string sizes_of(const ShapeSpec& shape) {
@@ -28,9 +28,9 @@ std::string sizes_of(const ShapeSpec& shape) {
 }
 
 std::string mass_of(const BodySpec& body) {
-  if (body.mass) return shown(body.mass->mass / kG, 1) + " g, as stated with its inertia";
+  if (body.mass) return shown(body.mass->mass / kGram, 1) + " g, as stated with its inertia";
   if (body.uniform_mass > 0)
-    return shown(body.uniform_mass / kG, 1) + " g, spread evenly over the shapes";
+    return shown(body.uniform_mass / kGram, 1) + " g, spread evenly over the shapes";
   if (body.density > 0) return shown(body.density, 0) + " kg/m3 times the volume";
   return "unknown";
 }

@@ -11,8 +11,8 @@
 
 namespace thenar {
 
-inline constexpr double kSquareMm = 1e-6;   // [m^2]
-inline constexpr double kKilopascal = 1e3;  // [Pa]
+inline constexpr double kSquareMm = 1e-6;   // A square millimetre [m^2]
+inline constexpr double kKilopascal = 1e3;  // A kilopascal [Pa]
 
 /// Returns a press as text: pad, object, every instant, the rungs, and the accuracy.
 [[nodiscard]] std::string text_of(const PressedPad& pressed);

@@ -21,8 +21,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kAround = 1.6;  // size of a map, over that of the patch [1]
-constexpr int kBoneRings = 12;   // of the picture of the bone
+constexpr double kMapSizeRatio = 1.6;  // Size of a map, over that of the patch [1]
+constexpr int kBoneRings = 12;         // Rings of the picture of the bone
 const char* const kSkinColor = "#e8c4a8";
 const char* const kBoneColor = "#ece5d3";
 const char* const kObjectColor = "#9aa3ad";
@@ -57,15 +57,17 @@ Json edges_of(const PressedSkin& skin) {
 /// The bone's surface, which does not move: rings of the chart's disc.
 TriangleMesh bone_mesh(const PadShape& shape) {
   const PadChart chart(shape);
-  constexpr int kSides = 48;
+  constexpr int kRingSides = 48;  // Sides of a ring
   TriangleMesh mesh;
-  mesh.vertices.resize(3, 1 + kBoneRings * kSides);
+  mesh.vertices.resize(3, 1 + kBoneRings * kRingSides);
   mesh.vertices.col(0) = chart.place({0, 0, 0});
   std::vector<Eigen::Vector3i> triangles;
-  const auto at = [](int ring, int side) { return 1 + (ring - 1) * kSides + side % kSides; };
+  const auto at = [](int ring, int side) {
+    return 1 + (ring - 1) * kRingSides + side % kRingSides;
+  };
   for (int ring = 1; ring <= kBoneRings; ++ring)
-    for (int side = 0; side < kSides; ++side) {
-      const double r = static_cast<double>(ring) / kBoneRings, angle = 2 * kPi * side / kSides;
+    for (int side = 0; side < kRingSides; ++side) {
+      const double r = static_cast<double>(ring) / kBoneRings, angle = 2 * kPi * side / kRingSides;
       mesh.vertices.col(at(ring, side)) =
           chart.place({r * std::cos(angle), r * std::sin(angle), 0});
       if (ring == 1) {
@@ -131,7 +133,7 @@ PressedSkin near_patch(const PressedSkin& skin) {
     if (skin.contact[static_cast<std::size_t>(k)] != SkinContact::kFree)
       patch.extend(Eigen::Vector3d(skin.places.col(k)));
   if (patch.isEmpty()) return skin;
-  const double reach = 0.5 * kAround * patch.diagonal().norm();
+  const double reach = 0.5 * kMapSizeRatio * patch.diagonal().norm();
   // Faces with a corner in reach, and the nodes that they have.
   PressedSkin part;
   for (const std::array<int, 4>& face : skin.faces)

@@ -26,7 +26,7 @@ const ComparePicture* picture_of(const std::vector<ComparePicture>& pictures,
 /// Computes the mean offset of the tips from the palm's point, across the way of approach; zero
 /// where the tips stand round it. [m] (3)
 Eigen::Vector3d tips_ahead(const Hand& hand, const Eigen::VectorXd& q) {
-  constexpr double kRound = 0.02;  // [m]
+  constexpr double kMinOffset = 0.02;  // Offset below which tips stand round the palm [m]
   const HandLayout& layout = hand.layout();
   const std::vector<Pose<double>> links = hand.pose(q);
   Eigen::Vector3d ahead = Eigen::Vector3d::Zero();
@@ -34,7 +34,7 @@ Eigen::Vector3d tips_ahead(const Hand& hand, const Eigen::VectorXd& q) {
     ahead += (tip.link < 0 ? tip.p : links[tip.link] * tip.p) - layout.approach.point;
   ahead /= static_cast<double>(std::max<std::size_t>(layout.tip_points.size(), 1));
   ahead -= layout.approach.direction.dot(ahead) * layout.approach.direction;
-  return ahead.norm() < kRound ? Eigen::Vector3d::Zero() : ahead;
+  return ahead.norm() < kMinOffset ? Eigen::Vector3d::Zero() : ahead;
 }
 
 /// A hand whose palm looks along x and whose fingers point along z.

@@ -64,7 +64,8 @@ double worst_misfit(const FitResult& result) {
 /// The banner of a fit: green if it has converged to what noise allows, amber if it misses the
 /// forces, red if it has not converged or misses them by far.
 Json ending_banner(const FitResult& result) {
-  constexpr double kFar = 3;  // times the stated noise: nobody misjudges their noise so much [1]
+  // Largest misfit that a wrong noise explains, over the stated noise [1]
+  constexpr double kMaxMisfit = 3;
   const Solution& found = result.fit.solution;
   const bool converged = found.converged();
   const double missed = worst_misfit(result);
@@ -74,7 +75,7 @@ Json ending_banner(const FitResult& result) {
                          converged ? ", but" : ", and", missed);
   Json banner{
       {"type", "banner"},
-      {"ok", converged && missed <= kFar},
+      {"ok", converged && missed <= kMaxMisfit},
       {"title", title},
       {"text",
        fmt::format("{} by {} after {}, {:.2f} s: {}. {} free; the data determine as much as "
@@ -83,7 +84,7 @@ Json ending_banner(const FitResult& result) {
                    counted(found.evaluations, "evaluation"), found.seconds, found.message,
                    counted(result.fit.problem.size(), "coordinate"),
                    result.fit.covariance.effective_parameters)}};
-  if (converged && missed > 0 && missed <= kFar) banner["caution"] = true;
+  if (converged && missed > 0 && missed <= kMaxMisfit) banner["caution"] = true;
   return banner;
 }
 

@@ -20,7 +20,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kRounding = 5e-4;  // of a coordinate [mm], or of a unit vector [1]
+// Rounding of a coordinate [mm], or of an entry of a unit vector [1]
+constexpr double kTableRounding = 5e-4;
 
 Json outcome_banner(const GraspResult& result) {
   const Grasp& grasp = result.grasp;
@@ -93,7 +94,7 @@ Json measure_section(const GraspResult& result) {
 }
 
 /// Rounding is no number to read.
-double tidy(double x) { return std::abs(x) < kRounding ? 0 : x; }
+double tidy(double x) { return std::abs(x) < kTableRounding ? 0 : x; }
 
 /// Returns the meaning of the last column of the contacts.
 std::string torsion_words(const GraspResult& result) {

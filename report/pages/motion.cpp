@@ -56,12 +56,12 @@ Eigen::Vector3d dorsal_axis(const TendonDigit& digit) {
 }
 
 Json scene(const SimulatedMotion& motion, MeshTable& meshes) {
-  constexpr Index kInstants = 48;
+  constexpr Index kMaxInstants = 48;  // Most instants that are drawn
   const TendonDigit& digit = motion.tendons->digit();
   const Trajectory& trajectory = motion.trajectory;
   const Subject subject = parse_subject(motion.sources.front().text, motion.sources.front().path);
   Json layers = Json::array();
-  for (const Index i : shown_instants(trajectory.time.size(), kInstants)) {
+  for (const Index i : shown_instants(trajectory.time.size(), kMaxInstants)) {
     const Eigen::VectorXd q = trajectory.angle.row(i);
     Json bones = bone_layer(digit, q, "#b8a48a");
     bones["name"] = fmt::format("bones at {:.3g} s", trajectory.time[i]);

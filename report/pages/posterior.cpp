@@ -118,7 +118,7 @@ Json calibration_blocks(const PosteriorPicture& picture) {
 }
 
 constexpr long kPredictiveDraws = 2000;
-constexpr std::size_t kDoubtful = 8;  // quantities shown for their R-hat
+constexpr std::size_t kDoubtfulQuantities = 8;  // Most quantities shown for their R-hat
 
 /// Selects the quantities to show, in their order: those with the largest R-hat, and those that the
 /// data determine best.
@@ -132,7 +132,7 @@ std::vector<std::size_t> chosen(const std::vector<PosteriorQuantity>& quantities
                      [&](std::size_t a, std::size_t b) { return figure(a) < figure(b); });
   };
   sort_from(0, [&](std::size_t i) { return -estimates[i].r_hat; });
-  sort_from(std::min(kDoubtful, most),
+  sort_from(std::min(kDoubtfulQuantities, most),
             [&](std::size_t i) { return estimates[i].sd / prior_sd(quantities[i]); });
   order.resize(most);
   std::sort(order.begin(), order.end());

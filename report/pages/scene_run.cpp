@@ -18,11 +18,12 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index kPlayed = 240;          // instants of the player, at most
-constexpr int kStills = 8;              // pictures in a row
-constexpr std::size_t kCurves = 24;     // in one chart, at most
-constexpr double kLongestArrow = 0.25;  // of the largest contact force, over the scene's size [1]
-constexpr double kBodyOpacity = 0.5;    // of bodies that are no links [1]
+constexpr Index kMaxPlayed = 240;       // Most instants of the player
+constexpr int kStillCount = 8;          // Pictures in a row
+constexpr std::size_t kMaxCurves = 24;  // Most curves of a chart
+// Arrow of the largest force, over the size of the scene [1]
+constexpr double kLongestArrow = 0.25;
+constexpr double kBodyOpacity = 0.5;  // Opacity of bodies that are no links [1]
 const char* const kForceColor = "#b3261e";
 const char* const kPatchColor = "#1b6ca8";  // of pads
 const char* const kStickColor = "#0b3d2e";  // what of them sticks
@@ -63,8 +64,8 @@ std::vector<double> still_times(const SimulatedScene& scene, const std::vector<I
   const double whole = share(played.size() - 1);
   std::vector<double> times;
   std::size_t k = 0;
-  for (int still = 0; still < kStills; ++still) {
-    while (k + 1 < played.size() && share(k) < whole * still / (kStills - 1) - 1e-12) ++k;
+  for (int still = 0; still < kStillCount; ++still) {
+    while (k + 1 < played.size() && share(k) < whole * still / (kStillCount - 1) - 1e-12) ++k;
     if (times.empty() || time(k) > times.back()) times.push_back(time(k));
   }
   return times;
@@ -147,16 +148,16 @@ class SceneFilm {
 
   /// A circle of an area around a contact, across its normal.
   static Json ring(const ContactSample& contact, double area) {
-    constexpr int kCorners = 32;
+    constexpr int kRingCorners = 32;  // Corners of the circle
     const double radius = std::sqrt(area / kPi);
     const Tangents across = tangents(contact.normal);
     const auto corner = [&](int i) {
-      const double angle = 2 * kPi * i / kCorners;
+      const double angle = 2 * kPi * i / kRingCorners;
       return in_mm(contact.point +
                    radius * (std::cos(angle) * across.e1 + std::sin(angle) * across.e2));
     };
     Json positions = Json::array();
-    for (int i = 0; i < kCorners; ++i)
+    for (int i = 0; i < kRingCorners; ++i)
       for (const int end : {i, i + 1}) positions.push_back(corner(end));
     return {{"kind", "lines"}, {"positions", std::move(positions)}};
   }
@@ -220,7 +221,7 @@ class TimeChart {
   /// Adds a curve. @param at  value at an instant; null where it has none
   template <typename At>
   void add(const std::string& name, const At& at) {
-    if (series_.size() >= kCurves) return;
+    if (series_.size() >= kMaxCurves) return;
     Json y = Json::array();
     for (const Index i : instants_) y.push_back(at(static_cast<std::size_t>(i)));
     series_.push_back({{"name", name}, {"x", time_}, {"y", std::move(y)}});
@@ -352,7 +353,7 @@ Json opening_of(const SimulatedScene& scene) {
 Json page_of(const SimulatedScene& scene) {
   MeshTable meshes;
   Json blocks = Json::array({run_banner(scene)});
-  blocks.push_back(film_of(scene, kPlayed, meshes));
+  blocks.push_back(film_of(scene, kMaxPlayed, meshes));
   Json sections = Json::array({section("motion", "Motion", scene.description, std::move(blocks))});
   if (!scene.measures.pairs.empty())
     sections.push_back(section("contacts", "Contacts", "", Json::array({force_chart(scene)})));

@@ -22,12 +22,12 @@ Json tip_charts(const TipForceResult& answer) {
       return point.singular ? kNaN : force_along_tip(point)(k);
     }));
     moment.push_back(curve_over(answer.points, world[k], [k](const TipForcePoint& point) {
-      return point.moment(k) / kNmm;
+      return point.moment(k) / kNewtonMillimetre;
     }));
   }
   for (std::size_t j = 0; j < answer.rows.size(); ++j)
     torque.push_back(curve_over(answer.points, answer.rows[j], [j](const TipForcePoint& point) {
-      return point.residual(static_cast<Eigen::Index>(j)) / kNmm;
+      return point.residual(static_cast<Eigen::Index>(j)) / kNewtonMillimetre;
     }));
   Json charts =
       Json::array({curve_chart(axes,

@@ -13,9 +13,9 @@
 namespace thenar {
 namespace {
 
-constexpr int kPieces = 6;          // of each edge of the octahedron of directions
-constexpr int kFrictions = 24;      // points of the curve
-constexpr double kMaxFriction = 2;  // times the contacts' own
+constexpr int kEdgePieces = 6;      // Pieces of each edge of the octahedron of directions
+constexpr int kFrictionSteps = 24;  // Steps of the curve of friction
+constexpr double kMaxFriction = 2;  // Largest friction, over the contacts' own [1]
 constexpr const char* kSlice = "#0072b2";
 constexpr const char* kShadow = "#8a8f99";
 const Eigen::Vector3d kSlanted(1, -1, 0.7);  // eye on wrenches, which are in the object's frame
@@ -55,8 +55,8 @@ Json friction_chart(const GraspResult& result) {
   EpsilonOptions options;
   options.limit = result.request.limit;
   Json x = Json::array(), y = Json::array(), low = Json::array(), high = Json::array();
-  for (int i = 0; i <= kFrictions; ++i) {
-    const double factor = kMaxFriction * i / kFrictions;
+  for (int i = 0; i <= kFrictionSteps; ++i) {
+    const double factor = kMaxFriction * i / kFrictionSteps;
     const Epsilon e = epsilon(with_friction(result.wrenches, factor), options);
     x.push_back(factor);
     y.push_back((e.lower + e.upper) / 2);
@@ -78,14 +78,13 @@ Json friction_chart(const GraspResult& result) {
 Json mesh_layer(const std::string& name, const std::string& color, double opacity,
                 const WrenchSetMesh& picture, MeshTable& meshes) {
   TriangleMesh mesh = picture.mesh;
-  mesh.vertices /= 1000;          // the table counts in mm, the scene in N
-  constexpr double kCrease = 20;  // [deg]
-  return {
-      {"name", name},
-      {"color", color},
-      {"items",
-       Json::array(
-           {{{"kind", "mesh"}, {"mesh", meshes.add(mesh, {kCrease, {}})}, {"opacity", opacity}}})}};
+  mesh.vertices /= 1000;               // the table counts in mm, the scene in N
+  constexpr double kCreaseAngle = 20;  // Angle beyond which an edge is drawn sharp [deg]
+  return {{"name", name},
+          {"color", color},
+          {"items", Json::array({{{"kind", "mesh"},
+                                  {"mesh", meshes.add(mesh, {kCreaseAngle, {}})},
+                                  {"opacity", opacity}}})}};
 }
 
 Json axes_layer() {
@@ -105,7 +104,7 @@ Json set_scene(const GraspResult& result, int first, const std::string& caption,
   const ForceSet forces = unit_forces(result.wrenches, result.request.limit);
   const std::array<int, 3> coordinates{first, first + 1, first + 2};
   const auto draw = [&](PictureKind kind) {
-    return wrench_set_mesh(forces, coordinates, kind, kPieces);
+    return wrench_set_mesh(forces, coordinates, kind, kEdgePieces);
   };
   Json layers = Json::array({axes_layer()});
   layers.push_back(

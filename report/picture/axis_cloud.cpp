@@ -10,14 +10,14 @@
 namespace thenar {
 namespace {
 
-constexpr double kLength = 0.03;   // of an axis as drawn [m]
-constexpr double kOpacity = 0.12;  // of one line of a cloud [1]
+constexpr double kAxisLength = 0.03;   // Length of an axis as drawn [m]
+constexpr double kLineOpacity = 0.12;  // Opacity of one line of a cloud [1]
 const char* const kCloudColors[] = {"#0072b2", "#d55e00", "#cc79a7", "#e69f00", "#56b4e9"};
 
 /// Ends of one axis of a digit, a tenth of a millimetre exact.
 Json ends(const Eigen::Vector3d& point, const Eigen::Vector3d& axis) {
   const auto end = [&](double s) {
-    const Eigen::Vector3d p = 1000 * (point + s * kLength * axis);
+    const Eigen::Vector3d p = 1000 * (point + s * kAxisLength * axis);
     return rounded(p, 100);
   };
   return Json::array({end(-0.5), end(0.5)});
@@ -37,7 +37,7 @@ Json cloud_layer(const TendonDigit& start, const Eigen::VectorXd& q, const AxisC
   }
   Json items = Json::array();
   for (const Json& of_hinge : positions)
-    items.push_back({{"kind", "lines"}, {"positions", of_hinge}, {"opacity", kOpacity}});
+    items.push_back({{"kind", "lines"}, {"positions", of_hinge}, {"opacity", kLineOpacity}});
   return {{"name", cloud.name}, {"color", color}, {"items", items}};
 }
 
@@ -58,13 +58,13 @@ Json axis_cloud_picture(const TendonDigit& start, const Eigen::VectorXd& q,
                         const std::optional<TendonModel<double>>& truth,
                         const std::string& caption) {
   Json layers = Json::array({bone_layer(start, q, "#b8a48a"),
-                             axis_layer(start, q, "axes before", "#777777", kLength, true)});
+                             axis_layer(start, q, "axes before", "#777777", kAxisLength, true)});
   for (std::size_t k = 0; k < clouds.size(); ++k)
     layers.push_back(cloud_layer(start, q, clouds[k], kCloudColors[k % std::size(kCloudColors)]));
   if (truth) {
     TendonDigit true_digit = start;
     true_digit.model = *truth;
-    layers.push_back(axis_layer(true_digit, q, "true axes", "#009e73", 1.2 * kLength, false));
+    layers.push_back(axis_layer(true_digit, q, "true axes", "#009e73", 1.2 * kAxisLength, false));
   }
   return {{"type", "scene"},
           {"caption", caption},

@@ -10,8 +10,8 @@ namespace thenar {
 namespace {
 
 // Equal steps of "plasma" (Smith and van der Walt, matplotlib, CC0), as STOPS of the viewer.
-constexpr std::array kStops{"#4c02a1", "#7e03a8", "#a82296", "#cb4679",
-                            "#e56b5d", "#f89441", "#fdc328"};
+constexpr std::array kColorStops{"#4c02a1", "#7e03a8", "#a82296", "#cb4679",
+                                 "#e56b5d", "#f89441", "#fdc328"};
 
 }  // namespace
 
@@ -27,10 +27,10 @@ MeshColor color_of_hex(const std::string& hex) {
 }
 
 MeshColor ramp_color(double fraction) {
-  const double place = std::clamp(fraction, 0.0, 1.0) * (kStops.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
-  const Eigen::Vector3d from = color_of_hex(kStops[below]).cast<double>(),
-                        to = color_of_hex(kStops[below + 1]).cast<double>();
+  const double place = std::clamp(fraction, 0.0, 1.0) * (kColorStops.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), kColorStops.size() - 2);
+  const Eigen::Vector3d from = color_of_hex(kColorStops[below]).cast<double>(),
+                        to = color_of_hex(kColorStops[below + 1]).cast<double>();
   const Eigen::Vector3d mixed = from + (place - static_cast<double>(below)) * (to - from);
   return mixed.array().round().matrix().cast<unsigned char>();
 }

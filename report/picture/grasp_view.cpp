@@ -10,12 +10,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kAlong = 4e-3;     // from a contact to where its ray begins [m]
-constexpr double kThrough = 0.7;    // of a contact seen through the object [1]
-constexpr double kNearness = 0.15;  // of the usual direction [1]
-constexpr int kMaxCorners = 48;     // of the object
-constexpr int kRound = 24;          // directions at each height
-constexpr double kHeights[] = {-50, -35, -20, -5, 10, 25, 40};  // [deg]
+constexpr double kRayOffset = 4e-3;     // Distance from a contact to where its ray begins [m]
+constexpr double kThroughWeight = 0.7;  // Weight of a contact seen through the object [1]
+constexpr double kUsualWeight = 0.15;   // Weight of the usual direction [1]
+constexpr int kMaxCorners = 48;         // Most corners of the object
+constexpr int kRoundDirections = 24;    // Directions at each height
+constexpr double kHeights[] = {-50, -35, -20, -5, 10, 25, 40};  // Heights of the eye [deg]
 
 /// A mesh in the way, with a ball around it.
 struct Blocker {
@@ -82,8 +82,8 @@ std::vector<Vector3d> directions(const Eyes& eyes) {
   for (const double degrees : kHeights) {
     const double height = degrees * kDegree;
     if (height < eyes.lowest) continue;
-    for (int i = 0; i < kRound; ++i) {
-      const double round = 2 * kPi * (i + 0.5) / kRound;  // not along the axes
+    for (int i = 0; i < kRoundDirections; ++i) {
+      const double round = 2 * kPi * (i + 0.5) / kRoundDirections;  // not along the axes
       const Vector3d out = std::cos(round) * level.e1 + std::sin(round) * level.e2;
       all.emplace_back(std::cos(height) * out + std::sin(height) * up);
     }
@@ -115,8 +115,8 @@ double contacts_seen(const std::vector<Blocker>& blockers, const std::vector<Con
                      const Vector3d& eye) {
   double sum = 0;
   for (const Contact& each : contacts)
-    if (is_seen(blockers, each.p + kAlong * each.n, eye))
-      sum += (each.n.dot(eye) > 0 ? kThrough : 1) * eye.cross(each.n).norm();
+    if (is_seen(blockers, each.p + kRayOffset * each.n, eye))
+      sum += (each.n.dot(eye) > 0 ? kThroughWeight : 1) * eye.cross(each.n).norm();
   return sum / static_cast<double>(contacts.size());
 }
 
@@ -143,7 +143,7 @@ Vector3d view_of_contacts(const HandPicture& hand, const GraspSetup& setup,
   for (const Vector3d& eye : directions(eyes)) {
     const double worth =
         contacts_seen(blockers, in_world, eye) * std::sqrt(corners_seen(blockers, corners, eye)) +
-        kNearness * eye.dot(usual);
+        kUsualWeight * eye.dot(usual);
     if (worth <= most) continue;
     most = worth;
     best = eye;

@@ -14,9 +14,10 @@ constexpr const char* kObject = "#e6a83c";
 constexpr const char* kObstacle = "#b9c0c9";
 constexpr const char* kContact = "#b3261e";
 const MeshColor kSkinColor(0xdf, 0xab, 0x8f), kNailColor(0xf0, 0xd3, 0xc6);
-constexpr double kObjectOpacity = 0.6;  // [1]
-constexpr double kArrow = 0.25;         // of the object's reach [1]
-constexpr double kLongest = 12e-3;      // arrows and sides of cones, of small objects shorter [m]
+constexpr double kObjectOpacity = 0.6;  // Opacity of the object [1]
+// Length of arrows and of sides of cones, over the object's reach [1], and the largest [m]
+constexpr double kArrowShare = 0.25;
+constexpr double kMaxArrowLength = 12e-3;
 
 /// Colours of digits that tell them apart, paler than those of charts.
 const char* digit_color(std::size_t index) {
@@ -114,7 +115,7 @@ Json setup_layers(const GraspSetup& setup, MeshTable& meshes) {
 
 Json contact_layers(const std::vector<HandContact>& contacts, const Pose<double>& X_WO,
                     double reach) {
-  const double length = std::min(kArrow * reach, kLongest);
+  const double length = std::min(kArrowShare * reach, kMaxArrowLength);
   Json points = Json::array(), normals = Json::array(), cones = Json::array();
   for (const HandContact& found : contacts) {
     const Contact contact = seen_from(X_WO, found.contact);

@@ -91,9 +91,9 @@ Valley find_valley(const Eigen::Ref<const Eigen::VectorXd>& y, double min_share)
 
 namespace {
 
-constexpr int kMaxStarts = 20;         // Most starts of the climb of kurtosis
-constexpr int kClimbSteps = 15;        // Most steps of the climb, which converges cubically
-constexpr Eigen::Index kDraws = 4000;  // Most draws that the climb uses
+constexpr int kMaxStarts = 20;                 // Most starts of the climb of kurtosis
+constexpr int kClimbSteps = 15;                // Most steps of the climb, which converges cubically
+constexpr Eigen::Index kMaxClimbDraws = 4000;  // Most draws that the climb uses
 
 /// y = A (x - mean) has unit covariance; directions without variance are left out.
 struct Whitened {
@@ -160,7 +160,7 @@ Eigen::MatrixXd projection_directions(const Eigen::Ref<const Eigen::MatrixXd>& x
 
   // Starts of the climb: between chains, and along axes.
   const Eigen::MatrixXd apart = between_chains(white.y, chain);
-  const Eigen::Index every = (x.cols() + kDraws - 1) / kDraws;
+  const Eigen::Index every = (x.cols() + kMaxClimbDraws - 1) / kMaxClimbDraws;
   const Eigen::MatrixXd few = white.y(Eigen::all, Eigen::seq(0, Eigen::last, every));
   const Eigen::Index axes = std::min<Eigen::Index>(k, kMaxStarts);
   Eigen::MatrixXd starts(k, apart.cols() + axes);

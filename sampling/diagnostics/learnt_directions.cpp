@@ -13,8 +13,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kTold = 0.05;  // Entries with a smaller share are left out of the text [1]
-constexpr int kMaxTold = 5;     // Most entries of a direction in the text
+constexpr double kMinToldShare = 0.05;  // Smallest share of an entry in the text [1]
+constexpr int kMaxTold = 5;             // Most entries of a direction in the text
 
 std::string tell(const std::vector<std::string>& names, const LearntDirection& direction) {
   // Entries by falling share.
@@ -29,7 +29,7 @@ std::string tell(const std::vector<std::string>& names, const LearntDirection& d
   std::string text;
   int told = 0;
   for (const Eigen::Index i : order) {
-    if (direction.share[i] < kTold || told++ == kMaxTold) break;
+    if (direction.share[i] < kMinToldShare || told++ == kMaxTold) break;
     const char* joint = direction.v[i] * sign < 0 ? " - " : " + ";
     text += fmt::format("{}{:.2f} {}", text.empty() ? "" : joint, direction.share[i], names[i]);
   }

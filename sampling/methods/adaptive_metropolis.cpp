@@ -7,7 +7,7 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::uint32_t kProposal = 0;
+constexpr std::uint32_t kProposalStream = 0;  // Purpose of the random stream of proposals
 // Optimal acceptance rate in many dimensions [1] [Roberts1997]
 constexpr double kBestAcceptance = 0.234;
 
@@ -52,7 +52,7 @@ class AdaptiveMetropolis final : public Metropolis {
     for (int k = 0; k < chains(); ++k) {
       // A normal step in the shape that the chain has learnt.
       const ProposalShape& shape = shapes_[static_cast<std::size_t>(k)];
-      RandomStream draw = random(k, kProposal);
+      RandomStream draw = random(k, kProposalStream);
       Eigen::VectorXd w(size());
       for (double& entry : w) entry = draw.normal();
       to.chain.push_back(k);

@@ -8,17 +8,19 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::uint32_t kCandidate = 0, kArchive = 1;
-constexpr int kThin = 10;         // Steps between states that go to the archive [Vrugt2016]
-constexpr int kFirstStates = 10;  // States of the archive before the first step, over n
+// Purposes of the random streams of candidates and of the first archive
+constexpr std::uint32_t kCandidateStream = 0, kArchiveStream = 1;
+constexpr int kArchiveInterval = 10;  // Steps between states that go to the archive [Vrugt2016]
+constexpr int kFirstStates = 10;      // States of the archive before the first step, over n
 // Number of crossover probabilities: 1/3, 2/3 and 1 that an entry changes
-constexpr int kCrossovers = 3;
-constexpr int kMaxPairs = 3;        // Most differences that a jump adds
-constexpr double kSnooker = 0.1;    // Share of snooker updates [1]
-constexpr double kLongJump = 0.2;   // Share of jumps of a whole difference, from mode to mode [1]
-constexpr double kStretched = 0.1;  // Jumps are stretched by a factor within 1 -+ this [1]
+constexpr int kCrossoverCount = 3;
+constexpr int kMaxPairs = 3;           // Most differences that a jump adds
+constexpr double kSnookerShare = 0.1;  // Share of snooker updates [1]
+// Share of jumps of a whole difference, from mode to mode [1]
+constexpr double kLongJumpShare = 0.2;
+constexpr double kStretchSpread = 0.1;  // Largest difference from 1 of the factor on a jump [1]
 // sd of the noise added to a jump, in roots of the guessed covariance
-constexpr double kJitter = 1e-6;
+constexpr double kJitterSd = 1e-6;
 
 /// Differential evolution from an archive of past states  [TerBraak2008, Vrugt2009]:
 ///   x' = x + (1 + e) g sum_pairs (z_a - z_b) + jitter  in a random part of the entries,
@@ -37,16 +39,16 @@ class DreamZs final : public Metropolis {
     require(chains() >= 3, "differential evolution needs at least 3 chains, got {}", chains());
     // The archive begins with the starts, scattered by the guessed covariance.
     first_ = std::max(kFirstStates * size(), 2 * kMaxPairs + 1);
-    RandomStream draw = random(0, kArchive);
+    RandomStream draw = random(0, kArchiveStream);
     for (int i = 0; i < first_; ++i) {
       Eigen::VectorXd w(size());
       for (double& entry : w) entry = draw.normal();
       append(starts.col(i % chains()) + root_ * w);
     }
     // Crossovers with equal shares.
-    carried_.setZero(kCrossovers);
-    used_.setZero(kCrossovers);
-    share_.setConstant(kCrossovers, 1.0 / kCrossovers);
+    carried_.setZero(kCrossoverCount);
+    used_.setZero(kCrossoverCount);
+    share_.setConstant(kCrossoverCount, 1.0 / kCrossoverCount);
     crossover_.assign(static_cast<std::size_t>(chains()), -1);
   }
 
@@ -81,7 +83,7 @@ class DreamZs final : public Metropolis {
     // The crossover by its share.
     int& m = crossover_[static_cast<std::size_t>(k)];
     double left = draw.uniform();
-    for (m = 0; m < kCrossovers - 1 && left >= share_[m]; ++m) left -= share_[m];
+    for (m = 0; m < kCrossoverCount - 1 && left >= share_[m]; ++m) left -= share_[m];
 
     // A sum of differences between states.
     const int pairs = 1 + draw.index(kMaxPairs), sure = draw.index(size());
@@ -93,11 +95,11 @@ class DreamZs final : public Metropolis {
     // Only some entries jump; the scale is the best for as many.
     int entries = 0;
     for (int i = 0; i < size(); ++i) {
-      const bool moves = draw.uniform() * kCrossovers < m + 1 || i == sure;
+      const bool moves = draw.uniform() * kCrossoverCount < m + 1 || i == sure;
       entries += moves ? 1 : 0;
       if (!moves) sum[i] = 0;
     }
-    const double stretch = 1 + kStretched * (2 * draw.uniform() - 1);
+    const double stretch = 1 + kStretchSpread * (2 * draw.uniform() - 1);
     return stretch * 2.38 / std::sqrt(2.0 * pairs * entries) * sum;
   }
 
@@ -124,19 +126,19 @@ class DreamZs final : public Metropolis {
     Proposals to{{}, positions(), Eigen::VectorXd::Zero(chains())};
     for (int k = 0; k < chains(); ++k) {
       // Which of the three kinds?
-      RandomStream draw = random(k, kCandidate);
+      RandomStream draw = random(k, kCandidateStream);
       to.chain.push_back(k);
       const double kind = draw.uniform();
-      if (kind < kSnooker) {
+      if (kind < kSnookerShare) {
         const auto [step, log_proposal_ratio] = snooker(k, draw);
         to.x.col(k) += step;
         to.log_proposal_ratio[k] = log_proposal_ratio;
         continue;
       }
-      to.x.col(k) += kind < kSnooker + kLongJump ? long_jump(k, draw) : jump(k, draw);
+      to.x.col(k) += kind < kSnookerShare + kLongJumpShare ? long_jump(k, draw) : jump(k, draw);
       // A little jitter, so that any point can be reached.
       Eigen::VectorXd w(size());
-      for (double& entry : w) entry = kJitter * draw.normal();
+      for (double& entry : w) entry = kJitterSd * draw.normal();
       to.x.col(k) += root_ * w;
     }
     return to;
@@ -161,7 +163,7 @@ class DreamZs final : public Metropolis {
       share_ /= share_.sum();
     }
     // Every tenth state joins the archive.
-    if ((steps() + 1) % kThin != 0) return;
+    if ((steps() + 1) % kArchiveInterval != 0) return;
     for (int k = 0; k < chains(); ++k)
       if (inside(k)) append(positions().col(k));
   }
@@ -179,9 +181,9 @@ class DreamZs final : public Metropolis {
             "saved state, archive: wanted {} rows and at least {} columns, got {} x {}", size(),
             first_, archive.rows(), archive.cols());
     archive_.assign(archive.data(), archive.data() + archive.size());
-    carried_ = saved_vector(from, "distances of crossovers", kCrossovers);
-    used_ = saved_vector(from, "jumps of crossovers", kCrossovers);
-    share_ = saved_vector(from, "shares of crossovers", kCrossovers);
+    carried_ = saved_vector(from, "distances of crossovers", kCrossoverCount);
+    used_ = saved_vector(from, "jumps of crossovers", kCrossoverCount);
+    share_ = saved_vector(from, "shares of crossovers", kCrossoverCount);
   }
 
   Eigen::MatrixXd root_;            // of the guessed covariance (n, n)

@@ -5,8 +5,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kStep = 1e-4;     // Step of the differences of gradients [prior sds]
-constexpr double kMinBend = 0.05;  // Least curvature; that of the prior is 1 [1]
+constexpr double kGradientStep = 1e-4;  // Step of the differences of gradients [prior sds]
+constexpr double kMinBend = 0.05;       // Least curvature; that of the prior is 1 [1]
 
 }  // namespace
 
@@ -14,11 +14,11 @@ Eigen::MatrixXd laplace_covariance(const Target& target, const Eigen::VectorXd& 
   // Central differences of the gradient along every coordinate, in one evaluation.
   const Eigen::Index n = x.size();
   Eigen::MatrixXd points = x.replicate(1, 2 * n);
-  points.leftCols(n).diagonal().array() += kStep;
-  points.rightCols(n).diagonal().array() -= kStep;
+  points.leftCols(n).diagonal().array() += kGradientStep;
+  points.rightCols(n).diagonal().array() -= kGradientStep;
   const Densities at = target.evaluate(points, WithGradient::kYes);
   const Eigen::MatrixXd gradient = at.prior_gradient + at.likelihood_gradient;
-  const Eigen::MatrixXd bend = (gradient.rightCols(n) - gradient.leftCols(n)) / (2 * kStep);
+  const Eigen::MatrixXd bend = (gradient.rightCols(n) - gradient.leftCols(n)) / (2 * kGradientStep);
   if (!bend.allFinite()) return Eigen::MatrixXd::Identity(n, n);
   // Inverse of the symmetric part, with curvatures positive and not too small.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((bend + bend.transpose()) / 2);

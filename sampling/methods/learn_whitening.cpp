@@ -54,9 +54,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Most that a variance may exceed that of the draws: where the density is flat, its slopes would
-// have no end of it.
-constexpr double kWidest = 2;
+// Largest ratio of a variance to that of the draws; slopes set no bound where the density is
+// flat [1]
+constexpr double kMaxVarianceRatio = 2;
 
 /// Draws in linear coordinates z, and gradients by them (n, N).
 struct Whitened {
@@ -116,7 +116,8 @@ std::optional<Affine> fit_dense(const Window& window, const MatrixXd& before) {
   const MatrixXd covariance = (off * off.transpose() + 5 * I) / (count + 5);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(covariance);
   if (eigen.info() != Eigen::Success || !(eigen.eigenvalues()[0] > 0)) return {};
-  const VectorXd scale = eigen.eigenvalues().array().max(1 / (kWidest * kWidest)).pow(-0.25);
+  const VectorXd scale =
+      eigen.eigenvalues().array().max(1 / (kMaxVarianceRatio * kMaxVarianceRatio)).pow(-0.25);
   const MatrixXd& V = eigen.eigenvectors();
   const MatrixXd root = V * scale.asDiagonal() * V.transpose();
   const MatrixXd inverse_root = V * scale.cwiseInverse().asDiagonal() * V.transpose();
@@ -133,7 +134,7 @@ std::optional<Affine> fit_scales(const Window& window, const Whitening& before) 
   };
   const Eigen::ArrayXd variance = variances(before.inverse() * window.x),
                        of_gradient = variances(before.factor().transpose() * window.gradient);
-  const VectorXd scale = (variance / of_gradient).sqrt().min(kWidest * variance).sqrt();
+  const VectorXd scale = (variance / of_gradient).sqrt().min(kMaxVarianceRatio * variance).sqrt();
   if (!scale.allFinite() || !(scale.minCoeff() > 0)) return {};
   return centred(window, before.factor() * scale.asDiagonal(),
                  scale.cwiseInverse().asDiagonal() * before.inverse());
@@ -208,17 +209,18 @@ struct Strengths {
 /// Least squares by conjugate gradients; terms are nearly orthogonal, so a few steps do. A little
 /// weight on the strengths themselves keeps them small where draws are few.
 Strengths fit_strengths(const BendPotential& potential, const MatrixXd& residual) {
-  constexpr int kSteps = 8;
-  constexpr double kWeight = 15;  // as five draws would have
+  constexpr int kGradientSteps = 8;       // Most steps of conjugate gradients
+  constexpr double kStrengthWeight = 15;  // Weight of the strengths, that of five draws [1]
   Strengths out{MatrixXd::Zero(residual.rows(), potential.pairs()), residual};
   MatrixXd slope = potential.transposed(residual), direction = slope;
   double square = slope.squaredNorm();
-  for (int step = 0; step < kSteps && square > 0; ++step) {
+  for (int step = 0; step < kGradientSteps && square > 0; ++step) {
     const MatrixXd change = potential.gradient(direction);
-    const double length = square / (change.squaredNorm() + kWeight * direction.squaredNorm());
+    const double length =
+        square / (change.squaredNorm() + kStrengthWeight * direction.squaredNorm());
     out.strength += length * direction;
     out.left -= length * change;
-    slope = potential.transposed(out.left) - kWeight * out.strength;
+    slope = potential.transposed(out.left) - kStrengthWeight * out.strength;
     const double next = slope.squaredNorm();
     direction = slope + next / square * direction;
     square = next;
@@ -250,10 +252,10 @@ class DriverSearch {
  private:
   /// Draws with the largest residuals lie along drivers: some of them, none along another.
   [[nodiscard]] std::vector<VectorXd> starts() const {
-    constexpr std::size_t kStarts = 4;
+    constexpr std::size_t kDriverStarts = 4;  // Most draws from which a driver is sought
     VectorXd size = left_.colwise().norm();
     std::vector<VectorXd> found;
-    for (Index tried = 0; tried < size.size() && found.size() < kStarts; ++tried) {
+    for (Index tried = 0; tried < size.size() && found.size() < kDriverStarts; ++tried) {
       Index at = 0;
       size.maxCoeff(&at);
       size[at] = -1;
@@ -270,9 +272,9 @@ class DriverSearch {
 
   /// Improves v, and returns T(c, v, v) of the best unit vector c.
   double climb(VectorXd& v) const {
-    constexpr int kSteps = 30;
+    constexpr int kPowerSteps = 30;  // Most steps of the power iteration
     double form = 0;
-    for (int step = 0; step < kSteps; ++step) {
+    for (int step = 0; step < kPowerSteps; ++step) {
       // The best c for this v.
       const VectorXd z_v = z_.transpose() * v, r_v = left_.transpose() * v;
       VectorXd c = left_ * (z_v.array().square() - 1).matrix() + 2 * (z_ * z_v.cwiseProduct(r_v));

@@ -12,13 +12,15 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kZero = -std::numeric_limits<double>::infinity();
-constexpr std::uint32_t kAccept = 0xacce;  // Purpose of the random stream that decides acceptance
+// Logarithm of a density of 0 [nat]
+constexpr double kLogZeroDensity = -std::numeric_limits<double>::infinity();
+// Purpose of the random stream that decides acceptance
+constexpr std::uint32_t kAcceptStream = 0xacce;
 
 /// P(accept) of a proposal.
 double acceptance(double now, double there, double log_proposal_ratio) {
-  if (there == kZero) return 0;
-  if (now == kZero) return 1;
+  if (there == kLogZeroDensity) return 0;
+  if (now == kLogZeroDensity) return 1;
   return std::exp(std::min(0.0, there - now + log_proposal_ratio));
 }
 
@@ -35,7 +37,7 @@ Metropolis::Metropolis(const Eigen::MatrixXd& starts, SamplerOptions options)
   proposals_.x = starts;
 }
 
-bool Metropolis::inside(int chain) const { return value_[chain] > kZero; }
+bool Metropolis::inside(int chain) const { return value_[chain] > kLogZeroDensity; }
 
 RandomStream Metropolis::random(int chain, std::uint32_t purpose) const {
   return {options_.seed, static_cast<std::uint32_t>(options_.first_chain + chain),
@@ -53,14 +55,15 @@ void Metropolis::decide(const Densities& at, Eigen::Index point) {
   // Tempered density at the proposal.
   const int k = proposals_.chain[static_cast<std::size_t>(point)];
   TemperedDensity there = tempered(at, point, options_.beta);
-  if (!proposals_.x.col(point).allFinite()) there.value = kZero;  // where no posterior holds it
+  if (!proposals_.x.col(point).allFinite())
+    there.value = kLogZeroDensity;  // where no posterior holds it
   // Accept or stay.
   StepStats& stats = stats_[static_cast<std::size_t>(k)];
   stats = {};
   stats.evaluations = 1;
   stats.non_finite = there.non_finite ? 1 : 0;
   stats.acceptance = acceptance(value_[k], there.value, proposals_.log_proposal_ratio[point]);
-  if (random(k, kAccept).uniform() < stats.acceptance) {
+  if (random(k, kAcceptStream).uniform() < stats.acceptance) {
     x_.col(k) = proposals_.x.col(point);
     prior_[k] = at.log_prior[point];
     likelihood_[k] = at.log_likelihood[point];

@@ -13,18 +13,20 @@ namespace {
 // Purpose of the random stream of swaps; no sampler uses it
 constexpr std::uint32_t kSwapStream = 0x73776170;
 constexpr double kLadderPower = 5;  // Power of the first ladder, from 1 down to 0
-constexpr double kNothing = -std::numeric_limits<double>::infinity();
+// Logarithm of a likelihood of 0 [nat]
+constexpr double kLogZeroLikelihood = -std::numeric_limits<double>::infinity();
 
 double sound(double log_likelihood) {
-  return std::isnan(log_likelihood) || log_likelihood == -kNothing ? kNothing : log_likelihood;
+  return std::isnan(log_likelihood) || log_likelihood == -kLogZeroLikelihood ? kLogZeroLikelihood
+                                                                             : log_likelihood;
 }
 
 /// P(exchange) of a colder and a hotter place.
 double swap_probability(double temper_drop, double cold, double hot) {
   cold = sound(cold);
   hot = sound(hot);
-  if (hot == kNothing) return 0;
-  if (cold == kNothing) return 1;
+  if (hot == kLogZeroLikelihood) return 0;
+  if (cold == kLogZeroLikelihood) return 1;
   return std::exp(std::min(0.0, temper_drop * (hot - cold)));
 }
 

@@ -42,8 +42,8 @@ bool is_hamiltonian(SamplingMethod method) {
 }
 
 double target_acceptance_of(const SamplerOptions& options) {
-  constexpr double kDefault = 0.8;  // Stan's [Carpenter2017]
-  return options.target_acceptance > 0 ? options.target_acceptance : kDefault;
+  constexpr double kDefaultAcceptance = 0.8;  // Acceptance rate, Stan's [1] [Carpenter2017]
+  return options.target_acceptance > 0 ? options.target_acceptance : kDefaultAcceptance;
 }
 
 std::unique_ptr<Sampler> build_sampler(SamplingMethod method, const Eigen::MatrixXd& starts,

@@ -5,8 +5,8 @@
 namespace thenar::internal {
 namespace {
 
-constexpr long kColumns = 4;  // Columns computed at a time
-constexpr long kLanes = 8;    // Numbers in a register of the widest unit
+constexpr long kBlockColumns = 4;   // Columns computed at a time
+constexpr long kRegisterLanes = 8;  // Numbers in a register of the widest unit
 
 /// x += sum of four columns, from row `first` on.
 THENAR_FOR_ALL_PROCESSORS
@@ -17,15 +17,16 @@ void add_columns(const double* F, long n, long first, const double* y, double* x
 }
 
 /// Eight numbers side by side, in as many registers as the processor needs for them.
-using Lanes = double __attribute__((vector_size(kLanes * sizeof(double)), aligned(8), may_alias));
+using Lanes =
+    double __attribute__((vector_size(kRegisterLanes * sizeof(double)), aligned(8), may_alias));
 
 /// Products of four columns with g, from row `first` on, each as eight sums side by side.
 THENAR_FOR_ALL_PROCESSORS
 void column_products(const double* F, long n, long first, const double* g, double* out) {
   const double *a = F, *b = F + n, *c = F + 2 * n, *d = F + 3 * n;
-  Lanes sums[kColumns] = {};
+  Lanes sums[kBlockColumns] = {};
   long i = first;
-  for (; i + kLanes <= n; i += kLanes) {
+  for (; i + kRegisterLanes <= n; i += kRegisterLanes) {
     const Lanes value = *reinterpret_cast<const Lanes*>(g + i);
     sums[0] += *reinterpret_cast<const Lanes*>(a + i) * value;
     sums[1] += *reinterpret_cast<const Lanes*>(b + i) * value;
@@ -33,9 +34,9 @@ void column_products(const double* F, long n, long first, const double* g, doubl
     sums[3] += *reinterpret_cast<const Lanes*>(d + i) * value;
   }
   // Rows beyond the last whole block, and the sums in one order.
-  for (long column = 0; column < kColumns; ++column) {
-    double s[kLanes];
-    for (long k = 0; k < kLanes; ++k) s[k] = sums[column][k];
+  for (long column = 0; column < kBlockColumns; ++column) {
+    double s[kRegisterLanes];
+    for (long k = 0; k < kRegisterLanes; ++k) s[k] = sums[column][k];
     for (long row = i, k = 0; row < n; ++row, ++k) s[k] += F[column * n + row] * g[row];
     out[column] = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
   }
@@ -47,7 +48,7 @@ void add_product(const Eigen::MatrixXd& F, Shape shape, const Eigen::VectorXd& y
                  Eigen::VectorXd& x) {
   const long n = F.rows();
   long column = 0;
-  for (; column + kColumns <= n; column += kColumns)
+  for (; column + kBlockColumns <= n; column += kBlockColumns)
     add_columns(F.data() + column * n, n, shape == Shape::kLower ? column : 0, y.data() + column,
                 x.data());
   for (; column < n; ++column) x += F.col(column) * y[column];
@@ -55,16 +56,16 @@ void add_product(const Eigen::MatrixXd& F, Shape shape, const Eigen::VectorXd& y
 
 void transposed_product(const Eigen::MatrixXd& F, Shape shape, const Eigen::VectorXd& g,
                         Eigen::VectorXd& out) {
-  // A few rows are not worth the sums at the end of each column.
-  constexpr long kFew = 64;
+  // Fewest rows that are worth the sums at the end of each column
+  constexpr long kMinSummedRows = 64;
   const long n = F.rows();
-  if (n < kFew) {
+  if (n < kMinSummedRows) {
     out.noalias() = F.transpose() * g;
     return;
   }
   out.resize(n);
   long column = 0;
-  for (; column + kColumns <= n; column += kColumns)
+  for (; column + kBlockColumns <= n; column += kBlockColumns)
     column_products(F.data() + column * n, n, shape == Shape::kLower ? column : 0, g.data(),
                     out.data() + column);
   for (; column < n; ++column) out[column] = F.col(column).dot(g);

@@ -71,8 +71,8 @@ void ChainRun::leg() {
 
 void ChainRun::agree(double seconds, long steps) {
   // As many steps as should fill the wanted time, at most twice as many as before.
-  constexpr double kLeg = 0.25;  // [s]
-  const double goal = std::min(kLeg, options_.checkpoint_every);
+  constexpr double kLegTime = 0.25;  // Wanted time of a leg [s]
+  const double goal = std::min(kLegTime, options_.checkpoint_every);
   const double next = double(steps) * goal / std::max(seconds, 1e-9);
   Eigen::Vector4d mine;
   mine << (options_.progress.stop() ? 1 : 0), double(samplers_.divergent()),

@@ -9,8 +9,9 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::int64_t kDigestBytes = 16;                                // [bytes]
-constexpr std::int64_t kHead = 2 * sizeof(std::int64_t) + kDigestBytes;  // [bytes]
+constexpr std::int64_t kDigestBytes = 16;  // Size of a digest [bytes]
+// Size of the head of a block: rows, columns and digest [bytes]
+constexpr std::int64_t kHeadBytes = 2 * sizeof(std::int64_t) + kDigestBytes;
 
 std::string digest(const std::string& numbers) { return sha256(numbers).substr(0, kDigestBytes); }
 
@@ -32,22 +33,23 @@ void ChainStream::append(const Eigen::Ref<const Eigen::MatrixXd>& columns) {
 Eigen::MatrixXd ChainStream::read_block(std::int64_t& at) const {
   // The head of the block, if the file has room for one.
   const std::int64_t left = file_.size() - at;
-  require(left >= kHead, "'{}' ends too early, at byte {}", file_.path(), at);
-  const std::string head = file_.read(at, kHead);
+  require(left >= kHeadBytes, "'{}' ends too early, at byte {}", file_.path(), at);
+  const std::string head = file_.read(at, kHeadBytes);
   StateReader reader(head);
   const std::int64_t rows = reader.integer(), columns = reader.integer();
-  const std::int64_t room = (left - kHead) / std::int64_t{sizeof(double)};
+  const std::int64_t room = (left - kHeadBytes) / std::int64_t{sizeof(double)};
   require(rows == rows_ && columns > 0 && columns <= room / rows,
           "'{}' is damaged at byte {}: a block of {} x {} in {} numbers", file_.path(), at, rows,
           columns, room);
   // Its numbers, which must have the digest of the head.
   Eigen::MatrixXd block(rows, columns);
-  const std::string numbers = file_.read(at + kHead, block.size() * std::int64_t{sizeof(double)});
+  const std::string numbers =
+      file_.read(at + kHeadBytes, block.size() * std::int64_t{sizeof(double)});
   require(digest(numbers) == head.substr(head.size() - kDigestBytes),
           "'{}' is damaged between bytes {} and {}", file_.path(), at,
-          at + kHead + static_cast<std::int64_t>(numbers.size()));
+          at + kHeadBytes + static_cast<std::int64_t>(numbers.size()));
   numbers.copy(reinterpret_cast<char*>(block.data()), numbers.size());
-  at += kHead + static_cast<std::int64_t>(numbers.size());
+  at += kHeadBytes + static_cast<std::int64_t>(numbers.size());
   return block;
 }
 

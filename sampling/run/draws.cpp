@@ -22,11 +22,11 @@ Eigen::MatrixXd Draws::coordinate(int i) const {
 namespace thenar::internal {
 namespace {
 
-constexpr Eigen::Index kStats = 9;  // Numbers in StepStats
+constexpr Eigen::Index kStatCount = 9;  // Numbers in StepStats
 
 }  // namespace
 
-Eigen::Index rows_of_draw(Eigen::Index size) { return kStats + size; }
+Eigen::Index rows_of_draw(Eigen::Index size) { return kStatCount + size; }
 
 void put_draw(const StepStats& stats, const Eigen::Ref<const Eigen::VectorXd>& x,
               std::vector<double>& to) {
@@ -53,7 +53,7 @@ StepStats stats_of(const Eigen::Ref<const Eigen::VectorXd>& draw) {
 }
 
 Eigen::VectorXd position_of(const Eigen::Ref<const Eigen::VectorXd>& draw) {
-  return draw.tail(draw.size() - kStats);
+  return draw.tail(draw.size() - kStatCount);
 }
 
 }  // namespace thenar::internal

@@ -25,9 +25,10 @@ std::string text_of(const RunIdentity& identity) {
 }
 
 std::string content_of(const std::string& path) {
-  constexpr std::size_t kMax = 1'000'000'000;  // state of thousands of chains [bytes]
+  // Largest file: the state of thousands of chains [bytes]
+  constexpr std::size_t kMaxStateBytes = 1'000'000'000;
   try {
-    return read_file(path, kMax);
+    return read_file(path, kMaxStateBytes);
   } catch (const DataError& error) {
     throw InputError(error.what());
   }

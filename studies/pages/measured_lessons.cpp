@@ -204,8 +204,8 @@ Json kept_chart(const MeasuredLessons& of) {
       rows.push_back(
           {{"name", fmt::format("{}, {}", words_of_axis_parameter(draws.names[i]), draws.name)},
            {"estimate", with.sd_ratio[at]},
-           {"low", with.sd_ratio[at] - kNormal95 * with.sd_ratio_error[at]},
-           {"high", with.sd_ratio[at] + kNormal95 * with.sd_ratio_error[at]}});
+           {"low", with.sd_ratio[at] - kNormal95HalfWidth * with.sd_ratio_error[at]},
+           {"high", with.sd_ratio[at] + kNormal95HalfWidth * with.sd_ratio_error[at]}});
     }
   return {
       {"type", "interval"},

@@ -103,8 +103,8 @@ Json interval_of(const RecoveredNumber& number, const char* method, const Recove
           {"estimate", of.value},
           {"low", of.low},
           {"high", of.high},
-          {"prior_low", -kNormal95 * number.prior_sd},
-          {"prior_high", kNormal95 * number.prior_sd},
+          {"prior_low", -kNormal95HalfWidth * number.prior_sd},
+          {"prior_high", kNormal95HalfWidth * number.prior_sd},
           {"truth", number.truth},
           {"unit", number.unit}};
 }
@@ -158,7 +158,8 @@ std::string skew_words(const ThumbRecovery& of, const std::string& name) {
   return fmt::format(
       " There 95 % of the draws reach from {:.1f} sds below their mean to {:.1f} above it (a "
       "normal distribution: {:.1f} both).",
-      (drawn.value - drawn.low) / drawn.sd, (drawn.high - drawn.value) / drawn.sd, kNormal95);
+      (drawn.value - drawn.low) / drawn.sd, (drawn.high - drawn.value) / drawn.sd,
+      kNormal95HalfWidth);
 }
 
 /// Agreement of both methods and what they could not tell, in words.

@@ -18,10 +18,10 @@
 namespace thenar {
 namespace {
 
-// What each part takes on one core of 2.5 GHz [s].
-constexpr double kSpecimen = 14, kPopulation = 0.5, kPosteriorAlone = 5.5, kPosteriorTogether = 120,
-                 kHood = 0.3, kThumbStudy = 4.5, kThumbRecovery = 18, kHands = 8, kPad = 5.5,
-                 kPencil = 14;
+// Times of the parts on one core of 2.5 GHz [s]
+constexpr double kSpecimenTime = 14, kPopulationTime = 0.5, kPosteriorAloneTime = 5.5,
+                 kPosteriorTogetherTime = 120, kHoodTime = 0.3, kThumbStudyTime = 4.5,
+                 kThumbRecoveryTime = 18, kHandsTime = 8, kPadTime = 5.5, kPencilTime = 14;
 
 /// Lengths of chains.
 struct ChainLengths {
@@ -29,10 +29,11 @@ struct ChainLengths {
   int thin;                  // steps a draw [1]
   double target_acceptance;  // [1]
 };
-constexpr ChainLengths kAlone{1000, 1000, 1, 0.9};
-// Factors on the spread between specimens are learnt with what they spread: steps are cheap there,
-// but short, and forget slowly. Metrics want two draws an entry.
-constexpr ChainLengths kTogether{1200, 600, 6, 0.95};
+// Chains of one specimen
+constexpr ChainLengths kSpecimenChains{1000, 1000, 1, 0.9};
+// Chains of the population. Factors on the spread between specimens are learnt with what they
+// spread: steps are cheap there, but short, and forget slowly. Metrics want two draws an entry.
+constexpr ChainLengths kPopulationChains{1200, 600, 6, 0.95};
 
 StudyInputs inputs_of(const std::string& data) {
   const auto read = [&](const std::string& file) { return read_source(data + "/" + file); };
@@ -140,12 +141,12 @@ std::vector<SampledPosterior> posteriors_of(const StudyInputs& inputs) {
   for (const SourceText& experiment : inputs.specimen.experiments) {
     FitInputs alone = inputs.specimen;
     alone.experiments = {experiment};
-    all.push_back(
-        {parse_experiment(experiment.text, experiment.path).name, alone, kAlone, kPosteriorAlone});
+    all.push_back({parse_experiment(experiment.text, experiment.path).name, alone, kSpecimenChains,
+                   kPosteriorAloneTime});
   }
   FitInputs together = inputs.specimen;
   together.subject = inputs.population_subject;
-  all.push_back({"population", together, kTogether, kPosteriorTogether});
+  all.push_back({"population", together, kPopulationChains, kPosteriorTogetherTime});
   return all;
 }
 
@@ -209,10 +210,10 @@ std::vector<ParallelTask> finger_tasks(const DemoRequest& request, DemoResult& d
   const std::vector<SourceText>& experiments = inputs.specimen.experiments;
   places.specimens.resize(experiments.size());
   for (std::size_t i = 0; i < experiments.size(); ++i)
-    tasks.push_back({kSpecimen, [&, i](const Progress& progress) {
+    tasks.push_back({kSpecimenTime, [&, i](const Progress& progress) {
                        places.specimens[i] = study_specimen(inputs, experiments[i], progress);
                      }});
-  tasks.push_back({kPopulation, [&](const Progress& progress) {
+  tasks.push_back({kPopulationTime, [&](const Progress& progress) {
                      demo.population = study_population(inputs, progress);
                    }});
   const std::vector<SampledPosterior> posteriors = posteriors_of(inputs);
@@ -221,7 +222,7 @@ std::vector<ParallelTask> finger_tasks(const DemoRequest& request, DemoResult& d
     tasks.push_back({posteriors[i].seconds, [&, i, of = posteriors[i]](const Progress& progress) {
                        places.posteriors[i] = sample_one(of, inputs, request.run, progress);
                      }});
-  tasks.push_back({kHood, [&](const Progress&) { demo.hood = bend_hood(inputs); }});
+  tasks.push_back({kHoodTime, [&](const Progress&) { demo.hood = bend_hood(inputs); }});
   return tasks;
 }
 
@@ -238,11 +239,12 @@ std::vector<ParallelTask> other_tasks(const DemoRequest& request, DemoResult& de
     recovery.data = request.data;
     demo.thumb_recovery = ask_thumb_recovery(recovery, progress);
   };
-  return {{kThumbStudy, study},
-          {kThumbRecovery, recover},
-          {kHands, [&](const Progress& told) { demo.hands = compare_some_hands(request, told); }},
-          {kPad, [&](const Progress& told) { demo.pad = press_some_pad(request, told); }},
-          {kPencil, [&](const Progress& told) { demo.pencil = pinch_pencil(request, told); }}};
+  return {
+      {kThumbStudyTime, study},
+      {kThumbRecoveryTime, recover},
+      {kHandsTime, [&](const Progress& told) { demo.hands = compare_some_hands(request, told); }},
+      {kPadTime, [&](const Progress& told) { demo.pad = press_some_pad(request, told); }},
+      {kPencilTime, [&](const Progress& told) { demo.pencil = pinch_pencil(request, told); }}};
 }
 
 /// Keeps posteriors that are whole. HDF5 is for one thread at a time.

@@ -9,8 +9,8 @@
 namespace thenar {
 namespace {
 
-// What each takes on one core of 2.5 GHz [s].
-constexpr double kGlass = 0.3, kThumb = 1, kThumbOnPins = 0.5, kBall = 0.7;
+// Times of the scenes on one core of 2.5 GHz [s]
+constexpr double kGlassTime = 0.3, kThumbTime = 1, kThumbOnPinsTime = 0.5, kBallTime = 0.7;
 
 std::vector<PadState> thumb_pad_on_mug(const SimulatedScene& scene) {
   const Mechanism& mechanism = scene.built->scene.mechanism;
@@ -65,10 +65,10 @@ std::vector<ParallelTask> demo_scene_tasks(const std::string& data, const std::o
       if (!progress.stop()) pad = thumb_pad_on_mug(into);
     };
   };
-  return {{kGlass, run(glass, motion.glass)},
-          {kThumb, run_thumb(thumb, motion.thumb, motion.pad)},
-          {kThumbOnPins, run_thumb(pinned, motion.thumb_on_pins, motion.pad_on_pins)},
-          {kBall, [data, &motion](const Progress&) { motion.work = roll_ball(data); }}};
+  return {{kGlassTime, run(glass, motion.glass)},
+          {kThumbTime, run_thumb(thumb, motion.thumb, motion.pad)},
+          {kThumbOnPinsTime, run_thumb(pinned, motion.thumb_on_pins, motion.pad_on_pins)},
+          {kBallTime, [data, &motion](const Progress&) { motion.work = roll_ball(data); }}};
 }
 
 DemoMotion move_demo_scenes(const std::string& data, const Progress& progress,

@@ -51,13 +51,12 @@ std::vector<SolverRun> run_solvers(const FitProblem& problem, const StudyInputs&
 }
 
 std::vector<Profile> profiles_of(const Fit& fit, const Progress& progress) {
-  // Coordinates from the best known on.
-  constexpr std::size_t kProfiles = 4;
+  constexpr std::size_t kMaxProfiles = 4;  // Most coordinates, from the best known on
   ProfileOptions options;
   options.solver.progress = progress;
   std::vector<Profile> profiles;
   for (const int i : sorted_by_sd(fit.covariance)) {
-    if (profiles.size() == kProfiles) break;
+    if (profiles.size() == kMaxProfiles) break;
     profiles.push_back(profile_likelihood(fit.problem, fit.solution.z, i, options));
   }
   return profiles;

@@ -47,14 +47,14 @@ ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request, const Progres
 
 ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
                                        const Progress& progress) {
-  // Shares of the time that each takes.
-  constexpr double kRecovery = 9, kLessons = 11;  // [s]
-  ProgressParts parts(progress, kRecovery + kLessons);
+  // Times of the two parts, which share the progress [s]
+  constexpr double kRecoveryTime = 9, kLessonsTime = 11;
+  ProgressParts parts(progress, kRecoveryTime + kLessonsTime);
   const std::string data = data_with("fits", request.data);
   ThumbRecoverySettings recovery;
   if (request.draws > 0) recovery.draws = recovery.warm_up = request.draws;
   recovery.seed = request.seed;
-  recovery.progress = parts.next(kRecovery);
+  recovery.progress = parts.next(kRecoveryTime);
   ThumbRecoveryResult result;
   result.recovery = recover_thumb(thumb_study_inputs(data), recovery);
   result.stopped = !result.recovery.complete;
@@ -63,7 +63,7 @@ ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
   // Draws of its prior and posterior, weighed by what was measured.
   MeasuredLessonsSettings lessons;
   if (request.weighed > 0) lessons.prior_draws = request.weighed;
-  lessons.progress = parts.next(kLessons);
+  lessons.progress = parts.next(kLessonsTime);
   result.lessons = reweight_by_measurements(measured_thumb_inputs(data), result.recovery.run,
                                             result.recovery.truth, lessons);
   result.stopped = !result.lessons.complete;

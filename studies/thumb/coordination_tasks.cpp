@@ -17,9 +17,10 @@ namespace thenar {
 
 namespace {
 
-constexpr std::uint32_t kHabit = 211, kTaskReading = 212;  // purposes of random streams
-constexpr double kTorque = 0.1;                            // weighs torque against activation [N m]
-constexpr double kThrift = 0.1;                            // weighs activation [1]
+// Purposes of the random streams of people's habits and of readings
+constexpr std::uint32_t kHabitStream = 211, kTaskReadingStream = 212;
+constexpr double kTorqueScale = 0.1;       // Unbalanced torque that counts as one residual [N m]
+constexpr double kActivationWeight = 0.1;  // Weight of the cost of activation [1]
 
 /// Activations of least cost, see simulate_tasks().
 Eigen::VectorXd share_load(const TipStatics& statics, const Eigen::Vector3d& f,
@@ -27,10 +28,10 @@ Eigen::VectorXd share_load(const TipStatics& statics, const Eigen::Vector3d& f,
   // Rows: unbalanced torque, and the cost of each activation.
   const Eigen::Index n = statics.J.cols(), m = cost.size();
   Eigen::MatrixXd A(n + m, m);
-  A << statics.R.transpose() * statics.max_tension.asDiagonal() / kTorque,
-      Eigen::MatrixXd((kThrift * cost).asDiagonal());
+  A << statics.R.transpose() * statics.max_tension.asDiagonal() / kTorqueScale,
+      Eigen::MatrixXd((kActivationWeight * cost).asDiagonal());
   Eigen::VectorXd b = Eigen::VectorXd::Zero(n + m);
-  b.head(n) = statics.J.transpose() * f / kTorque;
+  b.head(n) = statics.J.transpose() * f / kTorqueScale;
   // Linear least squares within 0 .. 1.
   LeastSquares problem;
   problem.lower = Eigen::VectorXd::Zero(m);
@@ -82,7 +83,7 @@ Experiment simulate_tasks(const TendonDigit& truth, const TaskOptions& options) 
   tasks.trials.clear();
   for (int person = 0; person < options.people; ++person) {
     // A person: what each muscle costs.
-    RandomStream habit(options.seed, static_cast<std::uint32_t>(person), 0, kHabit);
+    RandomStream habit(options.seed, static_cast<std::uint32_t>(person), 0, kHabitStream);
     Eigen::VectorXd cost(truth.max_tension.size());
     for (double& c : cost) c = std::exp(options.habit * habit.normal());
     for (const PostureRecord& record : tasks.postures) {
@@ -93,8 +94,9 @@ Experiment simulate_tasks(const TendonDigit& truth, const TaskOptions& options) 
         const Eigen::VectorXd activation =
             share_load(tip_statics(truth, q), options.force * (axes * direction), cost);
         const auto number = static_cast<std::uint32_t>(tasks.activations.size());
-        tasks.activations.push_back(read_task(truth, q, activation, options,
-                                              RandomStream(options.seed, number, 0, kTaskReading)));
+        tasks.activations.push_back(
+            read_task(truth, q, activation, options,
+                      RandomStream(options.seed, number, 0, kTaskReadingStream)));
         tasks.activations.back().posture = record.name;
       }
     }

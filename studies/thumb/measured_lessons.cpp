@@ -85,12 +85,12 @@ MeasuredPredictions predict_measured(const TendonDigit& digit,
   out.undecided = Eigen::VectorXi::Zero(count);
 
   // Draw by draw, in parts between which progress is told.
-  constexpr std::size_t kPart = 100;
-  for (std::size_t begin = 0; begin < models.size(); begin += kPart) {
+  constexpr std::size_t kPartDraws = 100;  // Draws between two reports of progress
+  for (std::size_t begin = 0; begin < models.size(); begin += kPartDraws) {
     progress(static_cast<double>(begin) / static_cast<double>(models.size()),
              "what measurements teach of a thumb");
     if (progress.stop()) return out;
-    parallel_for(std::min(kPart, models.size() - begin), [&](std::size_t i) {
+    parallel_for(std::min(kPartDraws, models.size() - begin), [&](std::size_t i) {
       const auto k = static_cast<Eigen::Index>(begin + i);
       TendonDigit drawn = digit;
       drawn.model = models[begin + i];

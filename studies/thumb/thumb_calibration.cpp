@@ -9,8 +9,9 @@
 namespace thenar {
 namespace {
 
-constexpr std::uint32_t kCalibrationReading = 221;  // purpose of the random stream
-constexpr unsigned kTruths = 7919;                  // seeds of truths, apart from those of chains
+// Purpose of the random stream of readings
+constexpr std::uint32_t kCalibrationReadingStream = 221;
+constexpr unsigned kTruthSeedOffset = 7919;  // Offset of the seeds of truths from those of chains
 
 /// A thumb from the prior and what a load cell read of it.
 struct Simulation {
@@ -20,11 +21,11 @@ struct Simulation {
 
 Simulation simulate(const HandPosterior& prior, const Experiment& base, unsigned seed, int number) {
   // A thumb from the prior, and its forces.
-  Simulation out{prior.draw_prior(seed + kTruths, static_cast<unsigned>(number)), base};
+  Simulation out{prior.draw_prior(seed + kTruthSeedOffset, static_cast<unsigned>(number)), base};
   const Eigen::MatrixXd forces = prior.forces(out.truth, 0);
   const double factor = prior.values(out.truth).noise(0, 0);
   // Read with noise of the stated sd times a factor from its prior.
-  RandomStream random(seed, static_cast<std::uint32_t>(number), 0, kCalibrationReading);
+  RandomStream random(seed, static_cast<std::uint32_t>(number), 0, kCalibrationReadingStream);
   for (std::size_t i = 0; i < base.trials.size(); ++i)
     for (int k = 0; k < 3; ++k)
       out.pulls.trials[i].force[k] = forces(3 * static_cast<Eigen::Index>(i) + k, 0) +

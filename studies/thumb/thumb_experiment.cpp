@@ -13,7 +13,7 @@
 namespace thenar {
 namespace {
 
-constexpr std::uint32_t kDigitizing = 201;  // purpose of the random stream
+constexpr std::uint32_t kDigitizingStream = 201;  // Purpose of the random stream of noise
 
 /// Degrees at CMC flexion and abduction, MCP flexion and abduction, IP.
 PostureRecord posture(const char* name, std::array<double, 5> degrees) {
@@ -66,7 +66,7 @@ Experiment simulate_pulls(const TendonDigit& truth, const SimulatedPullOptions& 
     trial.force = force.col(static_cast<Eigen::Index>(i));
     const double sd = std::hypot(options.floor, options.noise * trial.force.norm());
     trial.sd = Eigen::Vector3d::Constant(sd);
-    RandomStream random(options.seed, static_cast<std::uint32_t>(i), 0, kDigitizing);
+    RandomStream random(options.seed, static_cast<std::uint32_t>(i), 0, kDigitizingStream);
     for (int k = 0; k < 3 && options.add_noise; ++k) trial.force[k] += sd * random.normal();
   }
   return experiment;

@@ -75,12 +75,13 @@ std::vector<RecoveredNumber> compare_numbers(const ThumbRecovery& of) {
     // Least squares, whose interval is that of its covariance, beside the draws.
     const Eigen::Index at = parameter - all.begin();
     const double value = fitted.value[at], sd = fitted.sd[at];
-    numbers.push_back({quantity.name,
-                       quantity.unit,
-                       *truth * display_scale(*parameter),
-                       prior_sd(quantity),
-                       {value, sd, value - kNormal95 * sd, value + kNormal95 * sd},
-                       summary_of(quantity.draws)});
+    numbers.push_back(
+        {quantity.name,
+         quantity.unit,
+         *truth * display_scale(*parameter),
+         prior_sd(quantity),
+         {value, sd, value - kNormal95HalfWidth * sd, value + kNormal95HalfWidth * sd},
+         summary_of(quantity.draws)});
   }
   return numbers;
 }

@@ -18,8 +18,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::uint32_t kDrawnAxes = 231;  // purpose of the random stream
-constexpr int kBatch = 500;                // draws between two reports of progress [1]
+constexpr std::uint32_t kDrawnAxesStream = 231;  // Purpose of the random stream of drawn axes
+constexpr int kBatchDraws = 500;                 // Draws between two reports of progress
 
 /// Half a turn about z, on the right of a pose.
 Pose<double> half_turned(const Pose<double>& pose) {
@@ -215,7 +215,7 @@ MeanThumb mean_thumb(const DigitVariability& variability, const Subject& subject
 }
 
 std::vector<AxisLine> draw_thumb(const MeanThumb& mean, unsigned seed, int number) {
-  RandomStream random(seed, static_cast<std::uint32_t>(number), 0, kDrawnAxes);
+  RandomStream random(seed, static_cast<std::uint32_t>(number), 0, kDrawnAxesStream);
   std::vector<AxisLine> axes = mean.axes;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const AxisVariability& spread = mean.spread[i];
@@ -286,7 +286,7 @@ ThumbTypes study_thumb_types(const ThumbTypesInputs& inputs, const ThumbTypesSet
   while (static_cast<int>(draws.size()) < settings.draws && !settings.progress.stop()) {
     const int done = static_cast<int>(draws.size());
     settings.progress(static_cast<double>(done) / settings.draws, "draws of thumbs");
-    draws.resize(static_cast<std::size_t>(std::min(done + kBatch, settings.draws)));
+    draws.resize(static_cast<std::size_t>(std::min(done + kBatchDraws, settings.draws)));
     parallel_for(draws.size() - static_cast<std::size_t>(done), [&](std::size_t i) {
       const int number = done + static_cast<int>(i);
       draws[static_cast<std::size_t>(number)] =

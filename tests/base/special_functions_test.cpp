@@ -14,7 +14,7 @@ namespace {
 TEST(NormalQuantile, IsThePublishedOne) {
   // Tables: 97.5 %, 99.9 % and a billionth.
   EXPECT_NEAR(normal_quantile(0.975), 1.959963984540054, 1e-15);
-  EXPECT_NEAR(normal_quantile(0.975), kNormal95, 1e-15);
+  EXPECT_NEAR(normal_quantile(0.975), kNormal95HalfWidth, 1e-15);
   EXPECT_NEAR(normal_quantile(0.999), 3.090232306167814, 2e-15);
   EXPECT_NEAR(normal_quantile(1e-9), -5.997807015007687, 2e-15);
   EXPECT_EQ(normal_quantile(0.5), 0);

@@ -111,7 +111,8 @@ class OneFolder : public Assimp::IOSystem {
 }  // namespace
 
 TriangleSoup read_assimp_mesh(const std::string& path) {
-  constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_ValidateDataStructure;
+  // Flags of assimp: split polygons into triangles, and check the scene
+  constexpr unsigned kImportFlags = aiProcess_Triangulate | aiProcess_ValidateDataStructure;
   // Collada is checked first, because assimp trusts its numbers.
   if (mesh_format(path) == MeshFormat::kCollada) check_collada(read_one(path), path);
   Assimp::Importer importer;
@@ -121,7 +122,7 @@ TriangleSoup read_assimp_mesh(const std::string& path) {
   // From here on no other file can be opened.
   open_nothing();
   try {
-    const aiScene* const scene = importer.ReadFile(path, kSteps);
+    const aiScene* const scene = importer.ReadFile(path, kImportFlags);
     if (scene == nullptr) fail(path, importer.GetErrorString());
     return soup_of(*scene, folder->bytes());
   } catch (const Error&) {

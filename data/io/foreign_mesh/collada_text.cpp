@@ -54,12 +54,12 @@ class Check {
 
   [[nodiscard]] double whole(const pugi::xml_node& node, const char* attribute,
                              double otherwise) const {
-    constexpr double kMax = 1e9;
+    constexpr double kMaxAttribute = 1e9;  // Upper bound of counts, strides and offsets [1]
     const double number = node.attribute(attribute).as_double(otherwise);
-    if (!(number >= 0 && number < kMax))
+    if (!(number >= 0 && number < kMaxAttribute))
       fail_at(node.offset_debug(),
-              fmt::format("wanted {} of <{}> in 0..{:.0e}, got '{}'", attribute, node.name(), kMax,
-                          node.attribute(attribute).value()));
+              fmt::format("wanted {} of <{}> in 0..{:.0e}, got '{}'", attribute, node.name(),
+                          kMaxAttribute, node.attribute(attribute).value()));
     return number;
   }
 
@@ -74,7 +74,7 @@ class Check {
   /// Number of nodes below a node, each <instance_node> with all nodes for which it stands.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as nodes may stand for others
   double placed(const pugi::xml_node& top, int depth) {
-    constexpr int kDeepest = 100;  // Deepest nesting of nodes
+    constexpr int kMaxNodeDepth = 100;  // Deepest nesting of nodes
     double count = 0;
     // NOLINTNEXTLINE(misc-no-recursion): as deep as nodes may stand for others
     each(top, [&](const pugi::xml_node& node) {
@@ -86,8 +86,8 @@ class Check {
       const auto [known, is_new] = placed_.emplace(other->first, -1);
       if (!is_new && known->second < 0)
         fail_at(node.offset_debug(), fmt::format("node '{}' stands in itself", other->first));
-      if (depth > kDeepest)
-        fail_at(node.offset_debug(), fmt::format("nodes stand more than {} deep", kDeepest));
+      if (depth > kMaxNodeDepth)
+        fail_at(node.offset_debug(), fmt::format("nodes stand more than {} deep", kMaxNodeDepth));
       // Its count is reused wherever it is instantiated again.
       if (is_new) {
         const double inside = placed(other->second, depth + 1);

@@ -154,7 +154,7 @@ Eigen::Affine3d map_of_node(const SoNode& node) {
 /// too.
 bool agrees(const Eigen::Affine3d& ours, const SbMatrix& coin, double size) {
   // Relative error of some hundred roundings in single precision [1]
-  constexpr double kSingle = 1e-5;
+  constexpr double kPoseTolerance = 1e-5;
   Eigen::Matrix4d theirs;
   for (int i = 0; i < 4; ++i)
     // Coin's matrix acts on row vectors.
@@ -164,8 +164,8 @@ bool agrees(const Eigen::Affine3d& ours, const SbMatrix& coin, double size) {
   const double largest = A.cwiseAbs().maxCoeff();
   // An affine map, with equal linear part and translation.
   return theirs.row(3) == Eigen::RowVector4d(0, 0, 0, 1) &&
-         (ours.linear() - A).cwiseAbs().maxCoeff() <= kSingle * largest &&
-         (ours.translation() - p).norm() <= kSingle * (p.norm() + largest * size);
+         (ours.linear() - A).cwiseAbs().maxCoeff() <= kPoseTolerance * largest &&
+         (ours.translation() - p).norm() <= kPoseTolerance * (p.norm() + largest * size);
 }
 
 /// A whole sphere, box or cylinder at its own pose, where cylinders stand along y.

@@ -101,8 +101,9 @@ int main(int argc, char** argv) {
   }
   // The output and the limits, before any parser runs.
   const int output = thenar::keep_output();
-  constexpr int kAll = 1000;
-  thenar::set_limits(argc == 3 ? std::atoi(argv[2]) : kAll);
+  // Processor time without SECONDS, above every limit [s]
+  constexpr int kUnlimitedTime = 1000;
+  thenar::set_limits(argc == 3 ? std::atoi(argv[2]) : kUnlimitedTime);
   // Without destructors: taking down foreign scenes is slow, or crashes.
   _exit(thenar::write_all(output, thenar::answer(argv[1])) ? 0 : 1);
 }

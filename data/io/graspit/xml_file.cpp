@@ -90,9 +90,9 @@ int XmlFile::line(const pugi::xml_node& node) const {
 
 void XmlFile::fail(const pugi::xml_node& node, const std::string& what) const {
   // Most bytes of a quotation in a message, which may be a whole file [bytes]
-  constexpr std::size_t kLongest = 1000;
+  constexpr std::size_t kMaxQuotedBytes = 1000;
   throw DataError(path_, line(node),
-                  what.size() > kLongest ? what.substr(0, kLongest) + " .." : what);
+                  what.size() > kMaxQuotedBytes ? what.substr(0, kMaxQuotedBytes) + " .." : what);
 }
 
 // NOLINTNEXTLINE(readability-convert-member-functions-to-static): asked of a file, as numbers() is

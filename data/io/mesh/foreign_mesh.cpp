@@ -21,9 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* kReaderProgram = "thenar-mesh-reader";
-constexpr double kNoTime = 0.05;   // A reader is not started with less time left [s]
-constexpr double kMegabyte = 0.2;  // Processor time added for each megabyte [s]
-constexpr double kQuick = 0.5;  // A reader that takes less processor time only waits for others [s]
+constexpr double kNoTime = 0.05;          // A reader is not started with less time left [s]
+constexpr double kTimePerMegabyte = 0.2;  // Processor time added for each megabyte [s]
+// A reader that takes less processor time only waits for other processes [s]
+constexpr double kMinBusyTime = 0.5;
 
 /// Places where the program may be, best first.
 std::vector<fs::path> reader_places() {
@@ -51,7 +52,8 @@ class SceneWords {
 
   /// The next word, or one of the signs {}[]; empty at the end of the text.
   std::string_view next() {
-    constexpr std::string_view kSigns = "{}[]", kBetween = " \t\r\n,";
+    // Characters that are words by themselves, and those that separate words
+    constexpr std::string_view kBracketSigns = "{}[]", kWordSeparators = " \t\r\n,";
     while (at_ < text_.size()) {
       const char c = text_[at_];
       // Skip comments, texts and white space.
@@ -59,15 +61,15 @@ class SceneWords {
         at_ = std::min(text_.find('\n', at_), text_.size());
       } else if (c == '"') {
         skip_text();
-      } else if (kBetween.find(c) != std::string_view::npos) {
+      } else if (kWordSeparators.find(c) != std::string_view::npos) {
         line_ += c == '\n' ? 1 : 0;
         ++at_;
       } else {
         // A sign, or a word up to the next separator.
         const std::size_t begin = at_++;
-        if (kSigns.find(c) == std::string_view::npos)
-          while (at_ < text_.size() && kSigns.find(text_[at_]) == std::string_view::npos &&
-                 kBetween.find(text_[at_]) == std::string_view::npos && text_[at_] != '"')
+        if (kBracketSigns.find(c) == std::string_view::npos)
+          while (at_ < text_.size() && kBracketSigns.find(text_[at_]) == std::string_view::npos &&
+                 kWordSeparators.find(text_[at_]) == std::string_view::npos && text_[at_] != '"')
             ++at_;
         return text_.substr(begin, at_ - begin);
       }
@@ -116,11 +118,11 @@ void refuse_inclusion(std::string_view text, const std::string& path) {
 /// The JSON chunk of a GLB, behind its header; empty if it is malformed.
 std::string_view json_of_glb(std::string_view bytes) {
   // Bytes of the header of a GLB file and of its first chunk [bytes]
-  constexpr std::size_t kHead = 20;
-  if (bytes.size() < kHead || bytes.substr(0, 4) != "glTF") return {};
+  constexpr std::size_t kGlbHeadSize = 20;
+  if (bytes.size() < kGlbHeadSize || bytes.substr(0, 4) != "glTF") return {};
   std::uint32_t size = 0;
   std::memcpy(&size, bytes.data() + 12, sizeof(size));
-  return bytes.substr(kHead, size);
+  return bytes.substr(kGlbHeadSize, size);
 }
 
 /// Checks a file against its limits before the program sees it.
@@ -161,14 +163,14 @@ TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format, MeshT
                                 "with THENAR_MESH_READER",
                                 kReaderProgram));
   // Large files may take longer.
-  left.processor += kMegabyte * static_cast<double>(fs::file_size(path)) / 1e6;
+  left.processor += kTimePerMegabyte * static_cast<double>(fs::file_size(path)) / 1e6;
   const double seconds = std::min<double>(limits.processor_seconds, std::ceil(left.processor));
   const ProcessEnd end = run_bounded({program, path, fmt::format("{:.0f}", seconds)},
                                      std::min(limits.clock_seconds, left.clock),
                                      kMaxTriangles * 36 + kMaxExact * 128 + 1000);
   // Charge the time; waiting for a busy machine is free.
   left.processor -= end.processor;
-  if (end.too_long || end.processor > kQuick) left.clock -= end.clock;
+  if (end.too_long || end.processor > kMinBusyTime) left.clock -= end.clock;
   // An answer says more than the way the program ended, which may be a crash after it.
   const std::string failure = end.failure();
   if (!failure.empty())

@@ -200,7 +200,7 @@ Polygons parse_obj(const std::string& text, const std::string& path) {
 
 namespace {
 
-constexpr int kMax = 100'000'000;  // Most corners or faces
+constexpr int kMaxPolygonCount = 100'000'000;  // Most corners, faces, or sides of a face
 
 void go_on(TextLines& lines) {
   if (!lines.next()) lines.fail("the file ends before all corners and faces are told");
@@ -219,7 +219,7 @@ Polygons parse_off(const std::string& text, const std::string& path) {
   // The counts follow on the same or the next line.
   TextLines same = lines;
   if (same.word().empty()) go_on(lines);
-  const int corners = lines.whole(0, kMax), faces = lines.whole(0, kMax);
+  const int corners = lines.whole(0, kMaxPolygonCount), faces = lines.whole(0, kMaxPolygonCount);
   // "0 0 0" and a line end take 6 bytes, the shortest face takes 2.
   if (6.0 * corners + 2.0 * faces > static_cast<double>(lines.bytes_left()) + 1)
     lines.fail(fmt::format("{} corners and {} faces are promised, more than {} bytes can hold",
@@ -234,7 +234,7 @@ Polygons parse_off(const std::string& text, const std::string& path) {
   }
   for (int i = 0; i < faces; ++i) {
     go_on(lines);
-    const int sides = lines.whole(1, kMax);
+    const int sides = lines.whole(1, kMaxPolygonCount);
     for (int k = 0; k < sides; ++k) found.corners.push_back(lines.whole(0, corners - 1));
     found.sizes.push_back(sides);
     found.lines.push_back(lines.line());

@@ -14,12 +14,13 @@
 namespace thenar {
 namespace {
 
-constexpr double kPrinted = 1e-3;   // largest error of the length of a printed quaternion [1]
-constexpr double kRotation = 1e-9;  // largest deviation of R R' from the identity [1]
+// Largest error of the length of a printed quaternion [1]
+constexpr double kQuaternionTolerance = 1e-3;
+constexpr double kRotationTolerance = 1e-9;  // Largest deviation of R R' from the identity [1]
 
 Eigen::Matrix3d read_rows(TomlTable& table) {
   Eigen::Matrix3d R = table.rows3("rotation");
-  if (!(R * R.transpose()).isIdentity(kRotation) || R.determinant() < 0)
+  if (!(R * R.transpose()).isIdentity(kRotationTolerance) || R.determinant() < 0)
     table.fail("wanted 'rotation' as the rows of a rotation", "rotation");
   return R;
 }
@@ -27,7 +28,7 @@ Eigen::Matrix3d read_rows(TomlTable& table) {
 Eigen::Matrix3d read_quaternion(TomlTable& table) {
   const std::vector<double> q = table.numbers(Dimension::kNumber, "quaternion_wxyz", 4);
   const Eigen::Quaterniond quaternion(q[0], q[1], q[2], q[3]);
-  if (std::abs(quaternion.norm() - 1) > kPrinted)
+  if (std::abs(quaternion.norm() - 1) > kQuaternionTolerance)
     table.fail(fmt::format("wanted 'quaternion_wxyz' of length 1, got {:.6g}", quaternion.norm()),
                "quaternion_wxyz");
   return quaternion.normalized().toRotationMatrix();

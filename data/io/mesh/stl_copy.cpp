@@ -23,11 +23,11 @@ std::string normal_path(const fs::path& path) {
 /// A mesh that bounds as many solids when it is read from an STL file, mended where rounding opens
 /// it; empty if there is none.
 TriangleMesh lasting_in_stl(TriangleMesh mesh) {
-  constexpr int kRounds = 3;  // Most rounds of rounding and mending
+  constexpr int kMaxMendRounds = 3;  // Most rounds of rounding and mending
   const std::size_t solids = solids_or_none(mesh).size();
   if (solids == 0) return {};
   try {
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kMaxMendRounds; ++round) {
       TriangleMesh rounded = as_in_stl(mesh);
       if (solids_or_none(rounded).size() == solids) return mesh;
       mesh = repair_to_solid(rounded).mesh;

@@ -11,7 +11,8 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kHead = 84, kFacet = 50, kNormal = 12;  // [bytes]
+// Sizes of the header with its count, of a facet, and of the normal at its start [bytes]
+constexpr std::size_t kStlHeadSize = 84, kFacetSize = 50, kNormalSize = 12;
 
 template <typename T>
 T number_at(const std::string& bytes, std::size_t at) {
@@ -22,8 +23,9 @@ T number_at(const std::string& bytes, std::size_t at) {
 
 /// Returns whether the number of bytes after the header is what it states, or at least that.
 bool holds_bytes(const std::string& text, bool exactly) {
-  if (text.size() < kHead) return false;
-  const std::size_t size = kHead + kFacet * std::size_t{number_at<std::uint32_t>(text, 80)};
+  if (text.size() < kStlHeadSize) return false;
+  const std::size_t size =
+      kStlHeadSize + kFacetSize * std::size_t{number_at<std::uint32_t>(text, 80)};
   return exactly ? size == text.size() : size <= text.size();
 }
 
@@ -40,7 +42,7 @@ TriangleSoup from_bytes(const std::string& text, const std::string& path) {
   for (std::size_t t = 0; t < count; ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       // Corners follow a normal, which is ignored.
-      const std::size_t at = kHead + kFacet * t + kNormal + 12 * k;
+      const std::size_t at = kStlHeadSize + kFacetSize * t + kNormalSize + 12 * k;
       soup.corners.emplace_back(number_at<float>(text, at), number_at<float>(text, at + 4),
                                 number_at<float>(text, at + 8));
     }
@@ -149,10 +151,11 @@ TriangleSoup parse_stl(const std::string& text, const std::string& path) {
   // Binary if the size fits, then text, then binary with more bytes behind.
   if (holds_bytes(text, true)) return from_bytes(text, path);
   if (!is_text(text) && holds_bytes(text, false)) return from_bytes(text, path);
-  if (!is_text(text) && text.size() >= kHead)
-    throw DataError(path, 1,
-                    fmt::format("wanted {} triangles of {} bytes after the heading, got {} bytes",
-                                number_at<std::uint32_t>(text, 80), kFacet, text.size() - kHead));
+  if (!is_text(text) && text.size() >= kStlHeadSize)
+    throw DataError(
+        path, 1,
+        fmt::format("wanted {} triangles of {} bytes after the heading, got {} bytes",
+                    number_at<std::uint32_t>(text, 80), kFacetSize, text.size() - kStlHeadSize));
   return from_text(text, path);
 }
 

@@ -10,7 +10,8 @@
 namespace thenar {
 namespace {
 
-constexpr std::string_view kWhite = " \t\r\n\v\f";
+// Characters between words
+constexpr std::string_view kWhiteSpace = " \t\r\n\v\f";
 
 }  // namespace
 
@@ -30,19 +31,19 @@ bool TextLines::next() {
     // Comments are cut off; empty lines are skipped.
     rest_ = text_.substr(begin, end - begin);
     rest_ = rest_.substr(0, rest_.find('#'));
-    if (rest_.find_first_not_of(kWhite) != std::string_view::npos) return true;
+    if (rest_.find_first_not_of(kWhiteSpace) != std::string_view::npos) return true;
   }
   return false;
 }
 
 std::string_view TextLines::word() {
   const auto is_white = [](char c) {
-    return kWhite.find(c) != std::string_view::npos || c == '\\';
+    return kWhiteSpace.find(c) != std::string_view::npos || c == '\\';
   };
   std::size_t begin = 0;
   while (begin < rest_.size() && is_white(rest_[begin])) ++begin;
   std::size_t end = begin;
-  while (end < rest_.size() && kWhite.find(rest_[end]) == std::string_view::npos) ++end;
+  while (end < rest_.size() && kWhiteSpace.find(rest_[end]) == std::string_view::npos) ++end;
   const std::string_view word = rest_.substr(begin, end - begin);
   rest_.remove_prefix(end);
   return word;

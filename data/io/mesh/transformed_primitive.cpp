@@ -10,16 +10,17 @@
 namespace thenar {
 namespace {
 
-constexpr double kSame = 1e-6;       // relative difference of equal numbers with seven digits [1]
-constexpr double kRounding = 1e-12;  // largest deviation of R R' from the identity [1]
+// Relative difference of equal numbers with seven digits [1]
+constexpr double kEqualityTolerance = 1e-6;
+constexpr double kRotationRounding = 1e-12;  // Largest deviation of R R' from the identity [1]
 
-bool is_same(double a, double b) { return std::abs(a - b) <= kSame * std::max(a, b); }
+bool is_same(double a, double b) { return std::abs(a - b) <= kEqualityTolerance * std::max(a, b); }
 
 /// Rotation nearest to almost orthogonal unit columns. A mirrored third axis is reversed, because
 /// the solids are symmetric.
 Eigen::Matrix3d nearest_rotation(Eigen::Matrix3d columns) {
   if (columns.determinant() < 0) columns.col(2) *= -1;
-  if ((columns * columns.transpose()).isIdentity(kRounding)) return columns;
+  if ((columns * columns.transpose()).isIdentity(kRotationRounding)) return columns;
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(columns, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return svd.matrixU() * svd.matrixV().transpose();
 }
@@ -60,7 +61,7 @@ std::optional<ShapeSpec> place_primitive(const ShapeSpec& solid, const Eigen::Af
 
   // The axes must stay perpendicular, and the sizes those of the same solid.
   const Eigen::Matrix3d columns = A * factor.cwiseInverse().asDiagonal();
-  if (!(columns.transpose() * columns).isIdentity(kSame)) return {};
+  if (!(columns.transpose() * columns).isIdentity(kEqualityTolerance)) return {};
 
   const std::optional<Eigen::Vector3d> size = stretched(solid, factor);
   if (!size) return {};

@@ -19,11 +19,11 @@ namespace thenar {
 namespace {
 
 // Largest coordinate of a corner; its squares and products stay finite [m]
-constexpr int kFarthest = 1'000'000;
+constexpr int kMaxCoordinate = 1'000'000;
 using Eigen::Vector3d, Eigen::Vector3i;
 
-// Corners within this distance over the box are equal up to rounding [1]
-constexpr double kNear = 1e-6;
+// Distance of corners, over the diagonal of their box, that are equal up to rounding [1]
+constexpr double kNearCornerRatio = 1e-6;
 
 struct HashNumbers {
   template <typename T, std::size_t n>
@@ -291,9 +291,9 @@ std::vector<Corners> scaled(const TriangleSoup& soup, double scale, const std::s
       corners[k] = scale * soup.corners[i + k];
       if (!corners[k].allFinite())
         throw DataError(path, 1, fmt::format("triangle {} has a corner that is not finite", i / 3));
-      if (corners[k].cwiseAbs().maxCoeff() > kFarthest)
+      if (corners[k].cwiseAbs().maxCoeff() > kMaxCoordinate)
         throw DataError(path, 1,
-                        fmt::format("triangle {} has a corner beyond {} m", i / 3, kFarthest));
+                        fmt::format("triangle {} has a corner beyond {} m", i / 3, kMaxCoordinate));
     }
     triangles.push_back(corners);
   }
@@ -307,7 +307,7 @@ TriangleMesh weld_vertices(const TriangleSoup& soup, double scale, const std::st
   Eigen::AlignedBox3d box;
   for (const Corners& corners : triangles)
     for (const Vector3d& corner : corners) box.extend(corner);
-  const double near = triangles.empty() ? 0 : kNear * box.diagonal().norm();
+  const double near = triangles.empty() ? 0 : kNearCornerRatio * box.diagonal().norm();
   // Three attempts: parts by exact corners, parts by near corners, and everything merged, as a
   // surface may continue from one that was closed before. The fewest open edges win.
   std::vector<std::size_t> all(triangles.size());

@@ -19,8 +19,8 @@ constexpr int kMostCells = 64;  // Most cells along one way; finer meshes are ma
 constexpr std::size_t kMostLayers = 8;      // Most layers of skin
 constexpr std::size_t kMostTerms = 8;       // Most terms of relaxation
 constexpr double kLongestPad = 0.2;         // Longest pad; longer ones have a wrong unit [m]
-constexpr double kHardest = 1e9;            // Largest shear modulus [Pa]
-constexpr double kSteepest = 1e3;           // Largest |exponent| of a law [1]
+constexpr double kMostShearModulus = 1e9;   // Largest shear modulus [Pa]
+constexpr double kMostExponent = 1e3;       // Largest |exponent| of a law [1]
 constexpr double kLeastPoisson = -0.999;    // Least Poisson's ratio [1]
 constexpr double kMostPoisson = 0.4999999;  // Largest Poisson's ratio [1]
 
@@ -85,9 +85,9 @@ double read_exponent(TomlTable& table, const std::string& law) {
   if (!has_exponent(law)) return 0;
   const double k = table.number(Dimension::kNumber, "exponent");
   const bool fits = law == "ogden" ? k != 0 : k > 0;
-  if (!fits || std::abs(k) > kSteepest)
+  if (!fits || std::abs(k) > kMostExponent)
     table.fail(fmt::format("wanted 'exponent' {} and at most {:g} for the law '{}', got {:g}",
-                           law == "ogden" ? "other than 0" : "above 0", kSteepest, law, k),
+                           law == "ogden" ? "other than 0" : "above 0", kMostExponent, law, k),
                "exponent");
   return k;
 }
@@ -118,9 +118,9 @@ PadTissueSpec read_tissue(TomlTable& table, bool is_layer) {
   if (is_layer) tissue.thickness = read_length(table, "thickness");
   tissue.law = table.choice("law", tissue_law_names());
   tissue.shear_modulus = table.number(Dimension::kStress, "shear_modulus", Range::kPositive);
-  if (tissue.shear_modulus > kHardest)
-    table.fail(fmt::format("wanted 'shear_modulus' of at most {:g} Pa, got {:g} Pa", kHardest,
-                           tissue.shear_modulus),
+  if (tissue.shear_modulus > kMostShearModulus)
+    table.fail(fmt::format("wanted 'shear_modulus' of at most {:g} Pa, got {:g} Pa",
+                           kMostShearModulus, tissue.shear_modulus),
                "shear_modulus");
   tissue.exponent = read_exponent(table, tissue.law);
   tissue.poisson_ratio = table.number(Dimension::kNumber, "poisson_ratio");

@@ -73,13 +73,14 @@ struct MeasuredKey {
   const char* quantity;
   Dimension dimension;
 };
-constexpr std::array kMeasured{MeasuredKey{"indentation", Dimension::kLength},
-                               MeasuredKey{"force", Dimension::kForce},
-                               MeasuredKey{"area", Dimension::kArea}};
+// Keys of measured quantities
+constexpr std::array kMeasuredKeys{MeasuredKey{"indentation", Dimension::kLength},
+                                   MeasuredKey{"force", Dimension::kForce},
+                                   MeasuredKey{"area", Dimension::kArea}};
 
 /// Measured numbers in units, with their sds.
 void read_values(TomlTable& table, PadDataRows& rows, const std::string& imposed) {
-  for (const MeasuredKey& each : kMeasured) {
+  for (const MeasuredKey& each : kMeasuredKeys) {
     const std::string sd = std::string("sd_") + each.quantity;
     if (!table.has(each.dimension, sd)) continue;
     if (!rows.quantity.empty())

@@ -13,13 +13,13 @@ namespace thenar {
 namespace {
 
 /// Quantities and the keys that this text has for them.
-constexpr std::array kKeys{"length_mm",      "width_mm",          "height_mm",
-                           "bone_length_mm", "bone_width_mm",     "bone_height_mm",
-                           "thickness_mm",   "shear_modulus_kPa", "relaxation_time_s"};
+constexpr std::array kQuantityKeys{"length_mm",      "width_mm",          "height_mm",
+                                   "bone_length_mm", "bone_width_mm",     "bone_height_mm",
+                                   "thickness_mm",   "shear_modulus_kPa", "relaxation_time_s"};
 
 /// A key that is assumed may have had another unit: the key of this text.
 std::string our_key(const std::string& key) {
-  for (const std::string ours : kKeys) {
+  for (const std::string ours : kQuantityKeys) {
     const std::string base = ours.substr(0, ours.rfind('_') + 1);
     if (key.rfind(base, 0) == 0 && key.find('_', base.size()) == std::string::npos) return ours;
   }

@@ -20,11 +20,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kGape = 5e-5;     // largest gap of a solved loop [m]
-constexpr double kWell = 1e-7;     // gap at which no higher degree is tried [m]
-constexpr double kStill = 1e-7;    // Joints that move less stand still [rad] or [m]
-constexpr double kMinRange = 0.2;  // smallest share of the motor's range that must remain [1]
-constexpr int kNodes = 40, kChecks = 500, kMaxPolynomialDegree = 12;
+constexpr double kMaxLoopGap = 5e-5;   // Largest gap of a solved loop [m]
+constexpr double kGoodLoopGap = 1e-7;  // Gap from which on no higher degree is tried [m]
+constexpr double kStillRange = 1e-7;   // Range below which a joint stands still [rad] or [m]
+constexpr double kMinRange = 0.2;      // Smallest share of the motor's range that must remain [1]
+constexpr int kTrackSteps = 40;  // Steps across the range of the motor at which the loop is closed
+constexpr int kGapChecks = 500;  // Intervals of the motor's range at which gaps are checked
+constexpr int kMaxPolynomialDegree = 12;  // Largest degree of a coupling's polynomial
 
 /// Names of the driven joints between a link and the base.
 std::set<std::string> joints_below(const RobotSpec& robot, std::string link) {
@@ -81,7 +83,7 @@ struct Track {
 /// Steps from a closed posture towards both ends of the range, as long as the loop closes.
 Track follow(const Linkage& linkage, const RobotDof& motor, double start, const VectorXd& at) {
   Track track{{start}, {at}};
-  const double step = (motor.upper - motor.lower) / kNodes;
+  const double step = (motor.upper - motor.lower) / kTrackSteps;
   for (const double way : {1.0, -1.0}) {
     double u = start;
     VectorXd y = at;
@@ -139,9 +141,9 @@ void couple(RobotSpec& robot, const std::string& passive, const std::string& mot
 void widen_limits(RobotSpec& robot, const RobotDof& motor) {
   for (RobotJoint& joint : robot.joints)
     if (joint.dof == motor.name && !joint.curve.empty())
-      for (int i = 0; i <= kChecks; ++i) {
+      for (int i = 0; i <= kGapChecks; ++i) {
         const double value =
-            joint_value(joint, motor.lower + (motor.upper - motor.lower) * i / kChecks);
+            joint_value(joint, motor.lower + (motor.upper - motor.lower) * i / kGapChecks);
         joint.lower = std::min(joint.lower, value);  // by what the polynomial is off
         joint.upper = std::max(joint.upper, value);
       }
@@ -150,8 +152,8 @@ void widen_limits(RobotSpec& robot, const RobotDof& motor) {
 /// The largest gap in the whole range, with joints coupled [m].
 double gape(const Linkage& linkage, const RobotSpec& coupled, const RobotDof& motor) {
   double worst = 0;
-  for (int i = 0; i <= kChecks; ++i) {
-    const double u = motor.lower + (motor.upper - motor.lower) * i / kChecks;
+  for (int i = 0; i <= kGapChecks; ++i) {
+    const double u = motor.lower + (motor.upper - motor.lower) * i / kGapChecks;
     worst = max_or_nan(
         worst,
         max_or_nan(linkage.loop_residual(link_poses(coupled, {{motor.name, u}})).cwiseAbs()));
@@ -238,7 +240,7 @@ class LoopSolver {
     RobotSpec best;
     gape_ = 1;
     // Raise the degree until the loop closes well enough.
-    for (int degree = 1; degree <= kMaxPolynomialDegree && gape_ > kWell; ++degree) {
+    for (int degree = 1; degree <= kMaxPolynomialDegree && gape_ > kGoodLoopGap; ++degree) {
       RobotSpec coupled = robot_;
       followers_.clear();
       // Fit every passive joint, and measure the gap of the coupled robot.
@@ -246,7 +248,7 @@ class LoopSolver {
         VectorXd values(static_cast<Eigen::Index>(track.u.size()));
         for (std::size_t k = 0; k < track.u.size(); ++k)
           values[static_cast<Eigen::Index>(k)] = track.y[k][static_cast<Eigen::Index>(i)];
-        const bool still = values.maxCoeff() - values.minCoeff() < kStill;
+        const bool still = values.maxCoeff() - values.minCoeff() < kStillRange;
         couple(coupled, linkage.passives()[i].name, motor.name,
                still ? VectorXd::Constant(1, values.mean()) : polynomial(track.u, values, degree));
         if (!still) followers_.push_back("'" + linkage.passives()[i].name + "'");
@@ -257,7 +259,7 @@ class LoopSolver {
       best = std::move(coupled);
     }
     // The best degree must close the loop.
-    if (!(gape_ <= kGape))
+    if (!(gape_ <= kMaxLoopGap))
       return fmt::format("no polynomial of degree {} closes it: it gapes by {:.2g} mm",
                          kMaxPolynomialDegree, 1e3 * gape_);
     adopt(std::move(best), linkage, motor, lost);
@@ -270,7 +272,7 @@ class LoopSolver {
     for (const LoopClosure& closure : group_.closures)
       robot_.joined.emplace_back(closure.a, closure.b);
     // The motor may have lost part of its range.
-    if (lost > kStill) {
+    if (lost > kStillRange) {
       robot_.warnings.push_back(
           fmt::format("'{}' moves from {:.6g} to {:.6g} only: beyond, its linkage does not close",
                       motor.name, motor.lower, motor.upper));

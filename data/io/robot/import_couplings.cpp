@@ -97,14 +97,15 @@ void follow(RobotSpec& robot, RobotJoint& joint, const FollowerCoupling& couplin
 /// Longest interval of a degree of freedom in its range that keeps a joint, which follows it along
 /// a curve, within its limits. Lower exceeds upper if there is none.
 JointRange range_along(const RobotJoint& joint, const RobotDof& dof) {
-  constexpr int kPlaces = 1000;  // Intervals of a motor's range at which a coupling is checked
+  // Intervals of a motor's range at which a coupling is checked
+  constexpr int kRangeIntervals = 1000;
   const double slack = 1e-3 * (joint.upper - joint.lower);
-  const auto at = [&](int i) { return dof.lower + (dof.upper - dof.lower) * i / kPlaces; };
+  const auto at = [&](int i) { return dof.lower + (dof.upper - dof.lower) * i / kRangeIntervals; };
   // Longest run of admissible places.
   JointRange best{1, 0};
-  for (int i = 0; i <= kPlaces; ++i) {
+  for (int i = 0; i <= kRangeIntervals; ++i) {
     int end = i;
-    for (; end <= kPlaces; ++end) {
+    for (; end <= kRangeIntervals; ++end) {
       const double value = joint_value(joint, at(end));
       if (value < joint.lower - slack || value > joint.upper + slack) break;
     }

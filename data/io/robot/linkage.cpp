@@ -14,11 +14,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kClosed = 1e-11;  // Largest residual of a closed loop [m]
-constexpr double kLength = 0.05;   // Length that converts rotations of welds to displacements [m]
-constexpr double kStep = 0.1;      // longest step of the search [rad] or [m]
-constexpr double kDifference = 1e-6;  // step of central differences [rad] or [m]
-constexpr double kRank = 1e-7;  // singular values below this share of the largest are zero [1]
+constexpr double kClosureTolerance = 1e-11;  // Largest residual of a closed loop [m]
+// Length that converts rotations of welds to displacements [m]
+constexpr double kWeldLength = 0.05;
+constexpr double kMaxSearchStep = 0.1;    // Longest step of the search [rad] or [m]
+constexpr double kDifferenceStep = 1e-6;  // Step of central differences [rad] or [m]
+// Singular values below this share of the largest are zero [1]
+constexpr double kLoopRankTolerance = 1e-7;
 
 }  // namespace
 
@@ -55,7 +57,7 @@ VectorXd Linkage::loop_residual(const std::vector<Pose<double>>& links) const {
     for (int k = 0; k < 3; ++k) all.push_back(A.p[k] - B.p[k]);
     if (!closure.welded) continue;
     const Eigen::AngleAxisd turn(Eigen::Matrix3d(A.R.transpose() * B.R));
-    for (int k = 0; k < 3; ++k) all.push_back(kLength * turn.angle() * turn.axis()[k]);
+    for (int k = 0; k < 3; ++k) all.push_back(kWeldLength * turn.angle() * turn.axis()[k]);
   }
   return Eigen::Map<const VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
@@ -63,8 +65,9 @@ VectorXd Linkage::loop_residual(const std::vector<Pose<double>>& links) const {
 std::optional<VectorXd> Linkage::close(double u, VectorXd y) const {
   // If the motor moves every joint, the loop closes by itself or not at all.
   if (passives_.empty())
-    return max_or_nan(loop_residual(u, y).cwiseAbs()) < kClosed ? std::optional<VectorXd>(y)
-                                                                : std::nullopt;
+    return max_or_nan(loop_residual(u, y).cwiseAbs()) < kClosureTolerance
+               ? std::optional<VectorXd>(y)
+               : std::nullopt;
   std::vector<ActiveLimit> stops(passives_.size(), ActiveLimit::kNone);
   for (int iteration = 0; iteration < 400; ++iteration) {
     // SQP step on the joints that are not at a limit.
@@ -73,7 +76,7 @@ std::optional<VectorXd> Linkage::close(double u, VectorXd y) const {
     bool decided = true;
     VectorXd d = free_step(c, J, y, stops, decided);
     // Closed and optimal, unless a spring pulls a joint off its limit.
-    if (max_or_nan(c.cwiseAbs()) < kClosed && max_or_nan(d.cwiseAbs()) < 1e-10) {
+    if (max_or_nan(c.cwiseAbs()) < kClosureTolerance && max_or_nan(d.cwiseAbs()) < 1e-10) {
       if (release(J, y, stops)) continue;
       return decided ? std::optional<VectorXd>(y) : std::nullopt;
     }
@@ -81,7 +84,7 @@ std::optional<VectorXd> Linkage::close(double u, VectorXd y) const {
     if (d.isZero(0) && !release(J, y, stops)) return {};
     // Limited step, up to the first limit.
     const double longest = d.cwiseAbs().maxCoeff();
-    if (longest > kStep) d *= kStep / longest;
+    if (longest > kMaxSearchStep) d *= kMaxSearchStep / longest;
     go(y, d, stops);
   }
   return {};
@@ -90,8 +93,9 @@ std::optional<VectorXd> Linkage::close(double u, VectorXd y) const {
 MatrixXd Linkage::slopes(double u, const VectorXd& y) const {
   MatrixXd J;
   for (Eigen::Index i = 0; i < y.size(); ++i) {
-    const VectorXd e = kDifference * VectorXd::Unit(y.size(), i);
-    const VectorXd column = (loop_residual(u, y + e) - loop_residual(u, y - e)) / (2 * kDifference);
+    const VectorXd e = kDifferenceStep * VectorXd::Unit(y.size(), i);
+    const VectorXd column =
+        (loop_residual(u, y + e) - loop_residual(u, y - e)) / (2 * kDifferenceStep);
     if (i == 0) J.resize(column.size(), y.size());
     J.col(i) = column;
   }
@@ -131,7 +135,7 @@ bool Linkage::release(const MatrixXd& J, const VectorXd& y, std::vector<ActiveLi
     if (stops[static_cast<std::size_t>(i)] != ActiveLimit::kNone) balance.row(i).setZero();
   }
   Eigen::JacobiSVD<MatrixXd> svd(balance, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(kRank);
+  svd.setThreshold(kLoopRankTolerance);
   VectorXd free = pull;
   for (Eigen::Index i = 0; i < y.size(); ++i)
     if (stops[static_cast<std::size_t>(i)] != ActiveLimit::kNone) free[i] = 0;
@@ -166,7 +170,7 @@ VectorXd Linkage::free_step(const VectorXd& c, const MatrixXd& J, const VectorXd
     A.col(static_cast<Eigen::Index>(f)) = J.col(free[f]);
   // Least-norm step that closes the loop to first order.
   Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeFullV);
-  svd.setThreshold(kRank);
+  svd.setThreshold(kLoopRankTolerance);
   const VectorXd least = svd.solve(VectorXd(-c));
   const MatrixXd Z = svd.matrixV().rightCols(A.cols() - svd.rank());
   VectorXd x = least;

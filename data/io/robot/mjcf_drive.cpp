@@ -20,7 +20,8 @@ namespace thenar::internal {
 namespace {
 
 constexpr double kSameEffort = 1e-6;  // Relative difference up to which efforts are equal [1]
-constexpr double kTight = 0.1;  // Largest share of a tendon's travel that its limits leave [1]
+// Largest share of a tendon's travel that its limits leave [1]
+constexpr double kMaxTravelShare = 0.1;
 
 /// Gives joints their couplings, degrees of freedom and efforts.
 class MjcfDrive {
@@ -160,7 +161,7 @@ class MjcfDrive {
         const RobotJoint& joint = *find_joint(robot_, term.joint);
         travel += std::abs(term.coefficient) * (joint.upper - joint.lower);
       }
-      if (tendon.terms.size() != 2 || slack > kTight * travel || is_driven(tendon)) {
+      if (tendon.terms.size() != 2 || slack > kMaxTravelShare * travel || is_driven(tendon)) {
         robot_.warnings.push_back(
             fmt::format("limits of tendon '{}' ({:.4g} to {:.4g}) are not kept: its joints move "
                         "within their own",

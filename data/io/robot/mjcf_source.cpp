@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kDeepest = 128;  // largest number of elements around an <include>
+constexpr int kMaxIncludeDepth = 128;  // Most elements around an <include>
 
 /// Kind under which defaults are kept: all actuators share theirs.
 std::string default_kind(const std::string& element) {
@@ -55,8 +55,9 @@ pugi::xml_node expand(const XmlFile& file, const pugi::xml_node& include,
                                    name));
   if (!is_file(path)) file.fail(include, fmt::format("there is no file '{}'", path));
   if (!open.insert(path).second) file.fail(include, fmt::format("'{}' is included twice", path));
-  if (depth_of(include) > kDeepest)
-    file.fail(include, fmt::format("<include> stands more than {} elements deep", kDeepest));
+  if (depth_of(include) > kMaxIncludeDepth)
+    file.fail(include,
+              fmt::format("<include> stands more than {} elements deep", kMaxIncludeDepth));
   // Copy its elements, then remove the <include>.
   const XmlFile included(path);
   pugi::xml_node parent = include.parent(), first;
@@ -146,7 +147,7 @@ const std::string* MjcfDefaults::find(const std::string& name_of_class, const st
   if (start == by_name_.end()) return nullptr;
   const std::pair<std::string, std::string> wanted{default_kind(element), attribute};
   // The class and all classes around it, from inside out.
-  for (std::size_t at = start->second; at != kNone; at = classes_[at].above) {
+  for (std::size_t at = start->second; at != kNoClass; at = classes_[at].above) {
     const auto value = classes_[at].values.find(wanted);
     if (value != classes_[at].values.end()) return &value->second;
   }

@@ -44,11 +44,12 @@ class MjcfDefaults {
   [[nodiscard]] bool has_class(const std::string& name) const { return by_name_.count(name) > 0; }
 
  private:
-  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  // Index that stands for no class
+  static constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
   /// Values that a class states itself; the class around it states the rest.
   struct Class {
     std::map<std::pair<std::string, std::string>, std::string> values;  // by element and attribute
-    std::size_t above = kNone;  // index of the class around it
+    std::size_t above = kNoClass;  // index of the class around it
   };
   void read_class(const XmlFile& file, const pugi::xml_node& node, std::size_t own);
   std::vector<Class> classes_{1};  // the outermost first

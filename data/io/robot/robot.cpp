@@ -244,8 +244,8 @@ void check_tree(const RobotSpec& robot) {
     require(reached.count(link.name) == 1, "link '{}' hangs on no joint", link.name);
 }
 
-constexpr int kAlong = 256;       // Places of a motor's range at which a curve is checked
-constexpr double kBeyond = 1e-6;  // Largest violation of a joint's limits there [rad] or [m]
+constexpr int kCurveIntervals = 256;  // Intervals of a motor's range at which a curve is checked
+constexpr double kLimitTolerance = 1e-6;  // Largest excess over a joint's limits there [rad] or [m]
 
 /// Checks that a joint that follows its motor along a curve stays within its limits everywhere.
 void check_curve(const RobotJoint& joint, const RobotDof& dof) {
@@ -253,10 +253,10 @@ void check_curve(const RobotJoint& joint, const RobotDof& dof) {
           "joint '{}' follows '{}' along a curve: wanted a rigid "
           "degree of freedom",
           joint.name, dof.name);
-  for (int i = 0; i <= kAlong; ++i) {
-    const double u = dof.lower + (dof.upper - dof.lower) * i / kAlong;
+  for (int i = 0; i <= kCurveIntervals; ++i) {
+    const double u = dof.lower + (dof.upper - dof.lower) * i / kCurveIntervals;
     const double value = joint_value(joint, u);
-    require(value >= joint.lower - kBeyond && value <= joint.upper + kBeyond,
+    require(value >= joint.lower - kLimitTolerance && value <= joint.upper + kLimitTolerance,
             "joint '{}' is at {:.6g} where '{}' is at {:.6g}: its limits are {:.6g} .. {:.6g}",
             joint.name, value, dof.name, u, joint.lower, joint.upper);
   }

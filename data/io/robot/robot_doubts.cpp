@@ -13,8 +13,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kLargest = 10;  // Largest shape or offset; larger ones are in another unit [m]
-// Of a slide from 0; of one that carries the whole robot, as of a vehicle [m].
+constexpr double kMostLength = 10;  // Largest shape or offset; larger ones are in another unit [m]
+// Largest travel of a slide from 0; that of a slide that carries the whole robot, a vehicle [m]
 constexpr double kMostTravel = 1, kMostWay = 100;
 constexpr double kMostTurn = 4 * kPi;  // Largest range of a hinge between its limits [rad]
 constexpr double kFarAbove = 20;       // Ratio of a placeholder to the efforts of others [1]
@@ -33,7 +33,7 @@ void doubt_sizes(const RobotSpec& robot, std::vector<std::string>& doubts) {
   for (const RobotLink& link : robot.links)
     for (const ShapeSpec& shape : link.shapes) {
       const double size = across(shape);
-      if (!(size > kLargest)) continue;
+      if (!(size > kMostLength)) continue;
       doubts.push_back(
           shape.kind == ShapeKind::kMesh
               ? fmt::format("a mesh of link '{}' is {:.4g} m across: are its numbers millimetres, "
@@ -44,7 +44,7 @@ void doubt_sizes(const RobotSpec& robot, std::vector<std::string>& doubts) {
                             name_of(shape.kind), link.name, size));
     }
   for (const RobotJoint& joint : robot.joints)
-    if (joint.X_PJ.p.norm() > kLargest)
+    if (joint.X_PJ.p.norm() > kMostLength)
       doubts.push_back(fmt::format(
           "joint '{}' lies {:.4g} m from its parent's frame: are its numbers millimetres? Lengths "
           "are read as metres",

@@ -17,7 +17,7 @@ namespace internal {
 namespace {
 
 // Number of ways that are translations, the first of all ways
-constexpr std::size_t kTranslations = 3;
+constexpr std::size_t kTranslationCount = 3;
 
 /// Reads the ways that yield: those of 'ways', or all.
 std::array<bool, 5> read_ways(TomlTable& table) {
@@ -37,7 +37,7 @@ std::array<bool, 5> read_ways(TomlTable& table) {
 /// Stiffness and damping of the ways from `first` on that give.
 void read_group(TomlTable& table, const std::string& name, bool turns,
                 const std::array<bool, 5>& gives, SceneComplianceSpec& out) {
-  const std::size_t first = turns ? kTranslations : 0, end = turns ? 5 : kTranslations;
+  const std::size_t first = turns ? kTranslationCount : 0, end = turns ? 5 : kTranslationCount;
   const bool any = std::find(gives.begin() + static_cast<std::ptrdiff_t>(first),
                              gives.begin() + static_cast<std::ptrdiff_t>(end),
                              true) != gives.begin() + static_cast<std::ptrdiff_t>(end);

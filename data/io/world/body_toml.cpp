@@ -11,8 +11,8 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kLargestMesh = 10;  // Largest object without a stated scale [m]
-constexpr double kRounding = 1e-6;   // Relative error allowed for moments of inertia [1]
+constexpr double kLargestMesh = 10;        // Largest object without a stated scale [m]
+constexpr double kInertiaRounding = 1e-6;  // Relative error allowed for moments of inertia [1]
 
 Eigen::Matrix3d read_inertia(TomlTable& table) {
   std::vector<double> v = table.numbers(Dimension::kInertia, "inertia");  // xx yy zz xy xz yz
@@ -25,8 +25,8 @@ Eigen::Matrix3d read_inertia(TomlTable& table) {
   I << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
   // No body has a principal moment above the sum of the others.
   const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(I).eigenvalues();
-  if (moments(0) < -kRounding * moments(2) ||
-      moments(2) > (1 + kRounding) * (moments(0) + moments(1)))
+  if (moments(0) < -kInertiaRounding * moments(2) ||
+      moments(2) > (1 + kInertiaRounding) * (moments(0) + moments(1)))
     table.fail(fmt::format("no body has the principal moments of inertia {:.6g}, {:.6g}, {:.6g}",
                            moments(0), moments(1), moments(2)),
                "inertia");

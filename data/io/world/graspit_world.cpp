@@ -188,7 +188,7 @@ class WorldReader {
     // Which robot carries which, and on which chain.
     const int parent = whole_number(node, "parentRobot", count);
     const int child = whole_number(node, "childRobot", count);
-    const int chain = whole_number(node, "parentChain", kChains);
+    const int chain = whole_number(node, "parentChain", kMaxChains);
     if (parent == child) file_.fail(node, "a robot cannot carry itself");
     // A connection needs both robots.
     const std::optional<Placed>& carrier = robots_[static_cast<std::size_t>(parent)];
@@ -230,7 +230,7 @@ class WorldReader {
     const std::vector<double> q = file_.numbers(turn, 4);  // x y z w
     const Eigen::Quaterniond R(q[3], q[0], q[1], q[2]);
     const pugi::xml_node focus = node.child("focalDistance");
-    const double distance = focus ? file_.numbers(focus, 1)[0] : kFocus;
+    const double distance = focus ? file_.numbers(focus, 1)[0] : kDefaultFocus;
     if (!(R.norm() > 0) || !(distance > 0))
       return warn(node, "the camera looks nowhere and was left out");
     Camera& camera = read_.world.camera;
@@ -239,8 +239,8 @@ class WorldReader {
     camera.target = camera.eye + R.normalized() * Eigen::Vector3d(0, 0, -kGraspitLength * distance);
   }
 
-  static constexpr double kFocus = 1000;  // default focal distance [mm]
-  static constexpr int kChains = 1000;    // more than any robot has
+  static constexpr double kDefaultFocus = 1000;  // Focal distance without a stated one [mm]
+  static constexpr int kMaxChains = 1000;        // Upper bound of a chain's number
   /// A robot, and the index of its hand in the world.
   struct Placed {
     RobotSpec robot;

@@ -48,8 +48,7 @@ PlacedHand read_hand(TomlTable& table, const WorldSpec& world,
   PlacedHand hand;
   hand.name = table.text("name");
   if (table.has("file"))
-    hand.file =
-        internal::file_or_name(table, "file", world.folder, {"robots", "subjects"}, places);
+    hand.file = internal::file_or_name(table, "file", world.folder, {"robots", "subjects"}, places);
   hand.X_WH = read_pose_keys(table);
   hand.posture = internal::read_posture(table);
   hand.carrier = table.text_or("carrier", "");
@@ -102,7 +101,8 @@ WorldSpec parse_world(const std::string& text, const std::string& path,
   world.materials = internal::read_materials_key(top, world.folder);
   // Camera, hands and bodies.
   world.camera = internal::read_camera(top);
-  for (TomlTable& table : top.tables("hand")) world.hands.push_back(read_hand(table, world, places));
+  for (TomlTable& table : top.tables("hand"))
+    world.hands.push_back(read_hand(table, world, places));
   for (TomlTable& table : top.tables("body"))
     world.bodies.push_back(read_body(table, world, path, places));
   top.done();
@@ -200,12 +200,13 @@ double density_of(const BodySpec& body, double volume, const Materials& material
 
 BodyMass body_mass(const BodySpec& body, const Materials& materials) {
   if (body.mass) return *body.mass;
-  constexpr double kKnown = 0.01;  // largest relative error of a volume that gives a mass
+  // Largest relative error of a volume that gives a mass [1]
+  constexpr double kMaxVolumeError = 0.01;
   // Mass of the union at unit density.
   const UnionMass found = union_mass(body.shapes);
   const MassProperties& even = found.mass;
   require(even.mass > 0, "the shapes of body '{}' enclose nothing", body.name);
-  require(found.error <= kKnown,
+  require(found.error <= kMaxVolumeError,
           "the volume of body '{}' is known to {:.0f} % only, so many of its parts overlap: state "
           "mass, com and inertia, or join the parts into one surface",
           body.name, 100 * found.error);
