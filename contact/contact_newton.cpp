@@ -21,10 +21,12 @@ constexpr int kNewtonRefinements = 2;  // Refinements of a Newton step with a sm
 /// Unit vectors perpendicular to the unit vector d, two of three dimensions or one of two.
 Eigen::Matrix<double, 3, 2> perpendicular(const Vector3d& d, int tangents) {
   Eigen::Matrix<double, 3, 2> P = Eigen::Matrix<double, 3, 2>::Zero();
+  // Quarter turn in a plane.
   if (tangents == 2) {
     P.col(0) = Vector3d(-d.y(), d.x(), 0);
     return P;
   }
+  // Cross product in space, with the axis that is farthest from d.
   Index least = 0;
   d.cwiseAbs().minCoeff(&least);
   P.col(0) = d.cross(Vector3d::Unit(least)).normalized();
@@ -56,7 +58,7 @@ void ContactNewton::add_slipping(Slipping* contact, double fn, const Ref<const V
   contact->P = perpendicular(contact->d, tangents);
   contact->first = static_cast<int>(unknowns_.size());
 
-  // More normal impulse along the cone.
+  // First unknown: fn along the cone's generator (1, -mu d); its equation is un = 0.
   Unknown unknown;
   unknown.start = i;
   unknown.rows = contact->rows;
@@ -64,7 +66,8 @@ void ContactNewton::add_slipping(Slipping* contact, double fn, const Ref<const V
   unknown.impulse.tail<3>() = -contact->mu * contact->d;
   unknowns_.push_back(unknown);
 
-  // Turns of the slip's direction; the unknown is (mu fn + slip) times the angle.
+  // Other unknowns: y = -(mu fn + slip) times the turn of d. Friction changes by share y, and the
+  // equation  P' ut = slip times the turn  puts 1 - share on the diagonal.
   const double slip = std::max(contact->d.head(tangents).dot(u.segment(i + 1, tangents)), 0.0);
   const double friction = contact->mu * fn, sum = friction + slip;
   const double share = sum > 0 ? friction / sum : 1;
@@ -83,11 +86,13 @@ void ContactNewton::add_slipping(Slipping* contact, double fn, const Ref<const V
 void ContactNewton::read_cone(const ScaledBlock& block, Ref<VectorXd> f,
                               const Ref<const VectorXd>& u) {
   const int i = block.start, tangents = block.rows - 1;
+  // The trial point p = f - u decides. Open: f = 0.
   const double p_n = f(i) - u(i);
   if (p_n <= 0) {
     f.segment(i, block.rows).setZero();
     return;
   }
+  // Stick: an unknown for each row, with u = 0.
   Vector3d p_t = Vector3d::Zero();
   p_t.head(tangents) = f.segment(i + 1, tangents) - u.segment(i + 1, tangents);
   const double norm = p_t.norm();
@@ -95,6 +100,7 @@ void ContactNewton::read_cone(const ScaledBlock& block, Ref<VectorXd> f,
     for (int k = 0; k < block.rows; ++k) add_row(i + k);
     return;
   }
+  // Slip: move f onto the cone, against d, the direction of the slip.
   Slipping contact;
   contact.start = i;
   contact.rows = block.rows;
@@ -114,6 +120,7 @@ void ContactNewton::read_states(const ScaledContacts& contacts, Ref<VectorXd> f,
       read_cone(block, f, u);
       continue;
     }
+    // Interval: at an end if f - u passes it, otherwise free with u = 0.
     const double p = f(block.start) - u(block.start);
     if (p <= block.lower)
       f(block.start) = block.lower;
@@ -147,6 +154,7 @@ void ContactNewton::assemble(const ScaledContacts& contacts, const Ref<const Vec
 }
 
 bool ContactNewton::solve_linear(double proximal) {
+  // Refine away a proximal term that only guards against singular W; a large one is meant to act.
   proximal = std::max(proximal, kLeastProximal);
   const int refinements = proximal > 1e-8 ? 0 : kNewtonRefinements;
   const auto k = static_cast<Index>(unknowns_.size());
@@ -158,7 +166,7 @@ bool ContactNewton::solve_linear(double proximal) {
   y.setZero();
   rest = rhs_.head(k);
 
-  // Symmetric while nothing slips.
+  // Cholesky without slip, where R is symmetric positive semidefinite.
   if (slipping_.empty()) {
     Eigen::LLT<Ref<MatrixXd>> llt(factor);
     if (llt.info() == Eigen::Success) {
@@ -172,6 +180,7 @@ bool ContactNewton::solve_linear(double proximal) {
     factor = R;
     factor.diagonal().array() += proximal;
   }
+  // LU with slip, or where Cholesky fails.
   if (!lu_.factor(factor)) return false;
   for (int round = 0; round <= refinements; ++round) {
     lu_.solve(factor, rest);
@@ -182,7 +191,7 @@ bool ContactNewton::solve_linear(double proximal) {
 }
 
 void ContactNewton::apply(Ref<VectorXd> f) const {
-  // Rows that stand alone.
+  // Unknowns of one row are impulses.
   for (std::size_t j = 0; j < unknowns_.size(); ++j)
     if (unknowns_[j].rows == 1) f(unknowns_[j].start) += y_(static_cast<Index>(j));
 
@@ -193,6 +202,7 @@ void ContactNewton::apply(Ref<VectorXd> f) const {
     for (int k = 0; k + 1 < tangents; ++k)
       d += contact.turn * y_(contact.first + 1 + k) * contact.P.col(k);
     d.normalize();
+    // A step may make fn negative; friction is then 0 until states are read again.
     double& fn = f(contact.start);
     fn += y_(contact.first);
     f.segment(contact.start + 1, tangents) = -contact.mu * std::max(fn, 0.0) * d.head(tangents);
@@ -201,16 +211,19 @@ void ContactNewton::apply(Ref<VectorXd> f) const {
 
 bool ContactNewton::step(const ScaledContacts& contacts, double proximal, Ref<VectorXd> f,
                          Ref<VectorXd> u) {
+  // States at f - u, and u at the impulses that were moved to their bounds and cones.
   f_before_.head(f.size()) = f;
   read_states(contacts, f, u);
   u.noalias() = contacts.A() * f;
   u += contacts.b();
+  // Linear system of the unknowns; f is restored where it has no answer.
   for (Slipping& contact : slipping_) add_slipping(&contact, f(contact.start), u);
   assemble(contacts, u);
   if (!unknowns_.empty() && !solve_linear(proximal)) {
     f = f_before_.head(f.size());
     return false;
   }
+  // New impulses and their velocities.
   apply(f);
   u.noalias() = contacts.A() * f;
   u += contacts.b();

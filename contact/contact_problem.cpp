@@ -35,12 +35,12 @@ void add_interval(double lower, double upper, double f, double u, ContactResidua
     return;
   }
   if (upper == kInfinity) out->approach = std::max(out->approach, -u);
-  // What a change of the impulse within its bounds could take from the motion.
+  // Energy that the impulse would still take out if it moved to the end that u asks for [J].
   const double to = u > 0 ? lower : upper;
   if (std::isfinite(to)) out->complementarity = std::max(out->complementarity, u * (f - to));
 }
 
-/// Adds a contact's rows, torsion already over and times its radius.
+/// Adds a contact's rows to the residual, torsion in the units of the tangents: torque / e, e spin.
 template <int Rows>
 void add_cone(const Eigen::Matrix<double, Rows, 1>& f, const Eigen::Matrix<double, Rows, 1>& u,
               double mu, ContactResidual* out) {
@@ -55,6 +55,7 @@ void add_cone(const Eigen::Matrix<double, Rows, 1>& f, const Eigen::Matrix<doubl
 template <int Rows>
 double add_contact(const ContactBlock& block, const Row& f, const Row& u, double s,
                    ContactResidual* out) {
+  // Scale torsion to the units of the tangents, torque / e and e spin, so that the cone is round.
   Eigen::Matrix<double, Rows, 1> f_row = f, u_row = u;
   const double e = block.torsion_radius;
   double unloadable = 0;
@@ -64,6 +65,7 @@ double add_contact(const ContactBlock& block, const Row& f, const Row& u, double
     f_row(Rows - 1) = e > 0 ? f_row(Rows - 1) / e : 0;
     u_row(Rows - 1) *= e;
   }
+  // Residuals in the problem's units, then the natural map in the block's scale.
   add_cone<Rows>(f_row, u_row, block.friction, out);
   out->outside = std::max(out->outside, unloadable);
   const double natural = internal::cone_natural_map<Rows>(f_row / s, u_row * s, block.friction)
@@ -74,10 +76,12 @@ double add_contact(const ContactBlock& block, const Row& f, const Row& u, double
 /// Largest |s b|, |P(0) / s| of a block.
 double scale_of(const ContactBlock& block, const Row& b, double s) {
   if (b.size() == 1) {
+    // Interval: where lower == upper the velocity is free, and only P(0) counts.
     const auto [lower, upper] = internal::ends_of(block);
     const double nearest = std::clamp(0.0, lower, upper);
     return std::max(lower == upper ? 0 : std::abs(s * b(0)), std::abs(nearest / s));
   }
+  // Cone: rows that friction cannot load have a free velocity and do not count.
   double out = std::abs(b(0));
   if (block.friction > 0) out = b.head<3>().lpNorm<Eigen::Infinity>();
   if (b.size() == 4 && block.friction > 0)
@@ -116,6 +120,7 @@ int rows_of(ConstraintLaw law) {
 
 void check_contact_problem(const ContactProblem& problem) {
   Index rows = 0;
+  // Each block must be valid, and their rows must add up to the size of W and b.
   for (const ContactBlock& block : problem.blocks) {
     check_block(block);
     rows += rows_of(block.law);
@@ -124,7 +129,7 @@ void check_contact_problem(const ContactProblem& problem) {
   require(problem.W.rows() == rows && problem.W.cols() == rows,
           "blocks have {} rows, W is {} by {}", rows, problem.W.rows(), problem.W.cols());
 
-  // Sums of entries that are not finite are not finite either.
+  // A sum is finite only if all its entries are. Mirrored entries of W must agree.
   double largest = 0, sum = problem.b.sum(), difference = 0;
   for (Index j = 0; j < rows; ++j) {
     const auto column = problem.W.col(j);
@@ -154,6 +159,7 @@ double least_diagonal(const ContactProblem& problem) {
 double block_scale(const ContactProblem& problem, const ContactBlock& block, Index start,
                    double least) {
   const int rows = rows_of(block.law);
+  // Mean diagonal of W over the rows that count; torsion enters as e^2 W, and not at all for e = 0.
   double sum = 0;
   int counted = 0;
   for (int k = 0; k < rows; ++k) {
@@ -161,6 +167,7 @@ double block_scale(const ContactProblem& problem, const ContactBlock& block, Ind
     sum += e * e * problem.W(start + k, start + k);
     counted += e > 0 ? 1 : 0;
   }
+  // A block without mobility takes the scale of the largest diagonal, or 1 if W is zero.
   const double mean = sum / counted;
   return mean > least ? 1 / std::sqrt(mean) : least > 0 ? 1 / std::sqrt(least * 1e16) : 1;
 }
@@ -173,7 +180,9 @@ ContactResidual contact_residual_at(const ContactProblem& problem, const Row& f,
   for (const ContactBlock& block : problem.blocks) {
     const int rows = rows_of(block.law);
     const double s = block_scale(problem, block, start, least);
+    // Scale of the natural map: the largest |s b| and |P(0) / s|.
     out.scale = std::max(out.scale, scale_of(block, problem.b.segment(start, rows), s));
+    // Natural map in the block's scale; the other residuals are in the problem's units.
     double entry = 0;
     if (rows == 1) {
       const auto [lower, upper] = internal::ends_of(block);
@@ -184,9 +193,11 @@ ContactResidual contact_residual_at(const ContactProblem& problem, const Row& f,
     } else {
       entry = add_contact<4>(block, f.segment<4>(start), u.segment<4>(start), s, &out);
     }
+    // NaN counts as infinite; std::max would drop it.
     natural = entry >= natural ? entry : std::isnan(entry) ? kInfinity : natural;
     start += rows;
   }
+  // Relative values; the rounding is that of the sums W f.
   out.natural = natural > 0 ? natural / out.scale : 0;
   if (natural > 0)
     out.rounding = kRoundings * std::numeric_limits<double>::epsilon() / out.scale *

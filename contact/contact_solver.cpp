@@ -84,19 +84,21 @@ struct ContactSolver::Workspace {
 
 void ContactSolver::Workspace::assign(const ContactProblem& problem,
                                       const Ref<const VectorXd>& warm_start) {
+  // Scaled problem and vectors, whose memory only grows.
   contacts.assign(problem);
   newton.assign(contacts);
   sweeper_ready = false;
   const Index n = contacts.rows();
   if (n > f_room.size())
     for (VectorXd* v : {&f_room, &u_room, &best_room, &turn_room}) v->resize(n);
+  // Counters, and the goal: scaling back to units may cost the rest of the tolerance.
   solution.newton_steps = solution.sweeps = solution.interior_steps = solution.pivots = 0;
   solution.pyramid_residual = 0;
   solution.method = options.method;
   goal = kToleranceShare * options.tolerance;
   best = kInfinity;
-  // Where nothing moves and nothing is asked, no impulse is an answer: a warm start would leave its
-  // rounding behind, over a scale of zero.
+  // Zero b without a prescribed impulse has the answer f = 0 and the scale 0, over which the
+  // rounding of a warm start would be an infinite residual.
   is_warm = warm_start.size() > 0 && contacts.scale() > 0;
   f().setZero();
   if (is_warm) f() = warm_start.cwiseQuotient(contacts.s());
@@ -110,6 +112,7 @@ bool ContactSolver::Workspace::measure() {
     best = residual;
     best_room.head(contacts.rows()) = f();
   }
+  // Solved: within the goal, or within what rounding can hide.
   return residual <= goal ||
          (residual < kRoundingFrom && residual <= kToleranceShare * contacts.rounding(f()));
 }
@@ -128,15 +131,18 @@ bool ContactSolver::Workspace::run_newton(Damped damped) {
   for (int idle = 0; idle < kStalledSteps && solution.newton_steps < options.max_newton_steps;) {
     ++solution.newton_steps;
     end_if_stopped();
+    // Step with a proximal term that falls with the residual, so that convergence stays quadratic.
     const double before = residual;
     if (!newton.step(contacts, damping * std::min(residual, 1.0), f(), u())) return false;
     if (measure()) {
       solution.method = ContactMethod::kNewton;
       return true;
     }
+    // Halve the damping after a step that halves the residual, double it after any other.
     if (damped == Damped::kYes)
       damping = residual < before / 2 ? damping / 2
                                       : std::clamp(2 * damping, kLeastDamping, kMostDamping);
+    // Count the steps without progress over the best of this try.
     idle = residual < kProgressRatio * least ? 0 : idle + 1;
     least = std::min(least, residual);
   }
@@ -144,8 +150,10 @@ bool ContactSolver::Workspace::run_newton(Damped damped) {
 }
 
 bool ContactSolver::Workspace::run_sweeps(int sweeps) {
+  // Prepare the local problems of the blocks, once a problem.
   if (!sweeper_ready) sweeper.assign(contacts);
   sweeper_ready = true;
+  // Sweep in small groups; u and the residual are computed only after each group.
   sweeps = std::min(sweeps, options.max_sweeps - solution.sweeps);
   for (int done = 0; done < sweeps; done += kSweepsPerCheck) {
     const int count = std::min(kSweepsPerCheck, sweeps - done);
@@ -163,6 +171,7 @@ bool ContactSolver::Workspace::run_sweeps(int sweeps) {
 /// Tries sweeps from the best point found, and then Newton again.
 bool ContactSolver::Workspace::run_tries() {
   for (int k = 0; k < kMostRounds; ++k) {
+    // Start from the best point, with twice as many sweeps each round.
     f() = best_room.head(contacts.rows());
     if (run_sweeps(kFirstSweeps << k) || run_newton(Damped::kYes)) return true;
   }
@@ -174,6 +183,7 @@ bool ContactSolver::Workspace::run_pivots() {
   f() = best_room.head(contacts.rows());
   go_to(f());
   for (int k = 0; k < kPivotTurns; ++k) {
+    // Linearise at f and u, and let Lemke's algorithm choose the contacts that bear.
     const double before = residual;
     if (!internal::pivot_sliding(contacts, f(), u(), solution.pivots)) return false;
     go_to(f());
@@ -181,22 +191,25 @@ bool ContactSolver::Workspace::run_pivots() {
       solution.method = ContactMethod::kNewton;
       return true;
     }
+    // End where turns no longer lower the residual.
     if (k > 2 && residual > kProgressRatio * before) break;
   }
   return false;
 }
 
-/// Interior points with |ut| as an unknown, then as a fixed point. Newton ends each turn, as he
-/// starts where all states are clear.
+/// Interior points with |ut| as an unknown, then as a fixed point. Each turn ends with Newton: near
+/// an answer from the interior the state of every contact (open, stick, slip) is clear.
 bool ContactSolver::Workspace::run_interior() {
   using Coupling = internal::InteriorContact::Coupling;
   auto turn = turn_room.head(contacts.rows());
   turn.setZero();
+  // The first turn has |ut| as an unknown; the others freeze it at the impulses of the turn before.
   for (int k = 0; k <= kFrozenTurns; ++k) {
     const int most = std::min(kInteriorTurn, options.max_interior_steps - solution.interior_steps);
     if (most <= 0) return false;
     solution.interior_steps +=
         interior.run(contacts, k > 0 ? Coupling::kFrozen : Coupling::kFull, most, 0.1 * goal, turn);
+    // Measure, and let Newton find the last digits.
     go_to(turn);
     if (measure() || run_newton(Damped::kYes)) {
       solution.method = ContactMethod::kInteriorPoint;
@@ -210,6 +223,7 @@ bool ContactSolver::Workspace::run_interior() {
 /// answer, as no function is known that falls towards answers alone.
 bool ContactSolver::Workspace::run_restarts() {
   for (int start = 0; start < kMostRestarts; ++start) {
+    // Random normal impulses up to twice the scale, no friction; the seed is fixed.
     RandomStream random(kRestartSeed, 0, static_cast<std::uint32_t>(start));
     for (const internal::ScaledBlock& block : contacts.blocks()) {
       f().segment(block.start, block.rows).setZero();
@@ -217,6 +231,7 @@ bool ContactSolver::Workspace::run_restarts() {
       if (!block.is_cone())
         f()(block.start) = std::clamp(f()(block.start), block.lower, block.upper);
     }
+    // Few sweeps and undamped steps, then more sweeps and damped steps.
     if (run_sweeps(kFirstSweeps) || run_newton(Damped::kNo)) return true;
     if (run_sweeps(2 * kFirstSweeps) || run_newton(Damped::kYes)) return true;
   }
@@ -224,13 +239,17 @@ bool ContactSolver::Workspace::run_restarts() {
 }
 
 bool ContactSolver::Workspace::run_automatic() {
+  // Try from the warm start: Newton, then sweeps with Newton, then pivots.
   if (run_newton(Damped::kYes) || run_tries() || run_pivots()) return true;
+  // Try from zero, because a misleading warm start may be what holds Newton back.
   if (is_warm) {
     f().setZero();
     go_to(f());
     if (measure() || run_newton(Damped::kYes)) return true;
   }
+  // Methods that need no start, which are slower.
   if (run_interior() || run_restarts()) return true;
+  // Last resort: sweeps from the best point until max_sweeps.
   f() = best_room.head(contacts.rows());
   for (int sweeps = 4 * kFirstSweeps; solution.sweeps < options.max_sweeps; sweeps *= 2)
     if (run_sweeps(sweeps)) return true;
@@ -254,6 +273,7 @@ bool ContactSolver::Workspace::run() {
 /// errors would add up from step to step.
 void ContactSolver::Workspace::polish() {
   for (int k = 0; k < kPolishSteps && best > kRoundingGoal; ++k) {
+    // Undamped step from the best f; measure() keeps it only if it is better.
     const double before = best;
     go_to(best_room.head(contacts.rows()));
     ++solution.newton_steps;
@@ -264,12 +284,14 @@ void ContactSolver::Workspace::polish() {
 }
 
 void ContactSolver::Workspace::run_pyramid(const ContactProblem& problem) {
+  // Lemke's algorithm on the complementarity problem of the pyramids.
   const internal::PyramidProblem pyramids =
       internal::friction_pyramids(contacts, options.pyramid_edges);
   ComplementarityOptions pivoting;
   pivoting.tolerance = options.tolerance;
   const ComplementaritySolution found = solve_complementarity(pyramids.lcp, pivoting);
   solution.pivots = found.pivots;
+  // Impulses from the generators; residuals on the true cones, the status of the pyramids.
   best_room.head(contacts.rows()) =
       pyramids.origin + pyramids.generators * found.z.head(pyramids.generators.cols());
   certify(problem);
@@ -281,12 +303,14 @@ void ContactSolver::Workspace::run_pyramid(const ContactProblem& problem) {
 /// polishing halves its residual.
 bool ContactSolver::Workspace::is_answer(const ContactProblem& problem,
                                          const Ref<const VectorXd>& warm_start) {
+  // Residual of the warm start as given, because scaling to and fro would change its bits.
   solution.f = warm_start;
   solution.u = problem.b;
   solution.u.noalias() += problem.W * warm_start;
   solution.residual = internal::contact_residual_at(problem, solution.f, solution.u);
   if (!solution.residual.is_within(options.tolerance)) return false;
   solution.status = Status::kSolved;
+  // Polish its scaled copy, and take the result only if that halves the residual.
   const double before = best;
   if (is_polished()) polish();
   if (best < before / 2) certify(problem);
@@ -299,6 +323,7 @@ void ContactSolver::Workspace::certify(const ContactProblem& problem) {
   solution.u = problem.b;
   solution.u.noalias() += problem.W * solution.f;
   solution.residual = internal::contact_residual_at(problem, solution.f, solution.u);
+  // Status from that residual; a failure is a limit where a count has run out.
   const bool spent = solution.newton_steps >= options.max_newton_steps ||
                      solution.sweeps >= options.max_sweeps ||
                      solution.interior_steps >= options.max_interior_steps;
@@ -325,13 +350,16 @@ const ContactSolution& ContactSolver::solve(const ContactProblem& problem,
   Workspace& work = *work_;
   work.options = options;
   work.assign(problem, warm_start);
+  // Pyramids: an approximation with a status and a residual of its own.
   if (options.method == ContactMethod::kPyramid) {
     work.run_pyramid(problem);
     return work.solution;
   }
 
+  // Return a warm start that is an answer already.
   const bool solved = work.measure();
   if (warm_start.size() > 0 && work.is_answer(problem, warm_start)) return work.solution;
+  // Otherwise run the method, polish its answer and certify it on the unscaled problem.
   if ((solved || work.run()) && work.is_polished()) work.polish();
   work.certify(problem);
   return work.solution;

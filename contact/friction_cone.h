@@ -13,6 +13,7 @@ template <int Rows>
 Eigen::Matrix<double, Rows, 1> nearest_in_cone(const Eigen::Matrix<double, Rows, 1>& x, double mu) {
   const double t = x.template tail<Rows - 1>().norm();
   if (t <= mu * x(0)) return x;
+  // Project a point outside onto the nearest generator, or to 0 from inside the polar cone.
   const double n = (x(0) + mu * t) / (1 + mu * mu);
   Eigen::Matrix<double, Rows, 1> out = Eigen::Matrix<double, Rows, 1>::Zero();
   if (n <= 0) return out;

@@ -13,11 +13,13 @@ using Eigen::VectorXd;
 
 /// Directions of a polygon, or of a polyhedron around a ball (tangents, count).
 MatrixXd edge_directions(int tangents, int edges) {
+  // A polygon has the equator alone; a polyhedron has circles of latitude, one turn apart.
   const double turn = 2 * kPi / edges;
   const int circles = tangents == 2 ? 0 : edges / 4;  // of latitude above the equator
   std::vector<Eigen::Vector3d> out;
   for (int circle = -circles; circle <= circles; ++circle) {
     const double latitude = circle * turn;
+    // All directions of a pole coincide.
     if (std::abs(latitude) > kPi / 2 - turn / 4) {
       out.emplace_back(0, 0, circle > 0 ? 1 : -1);
       continue;
@@ -51,12 +53,13 @@ class PyramidBuilder {
 
   [[nodiscard]] PyramidProblem build(const ScaledContacts& contacts) const {
     const auto g = static_cast<Index>(generators_.size()), l = static_cast<Index>(limits_.size());
+    // Generators as columns of impulses.
     PyramidProblem out;
     out.origin = origin_;
     out.generators.resize(rows_, g);
     for (Index k = 0; k < g; ++k) out.generators.col(k) = generators_[static_cast<std::size_t>(k)];
 
-    // Velocities along generators, and limits.
+    // Complementary to a generator is the velocity along it, to a limit its slack.
     MatrixXd& M = out.lcp.M;
     M = MatrixXd::Zero(g + l, g + l);
     M.topLeftCorner(g, g) = out.generators.transpose() * contacts.A() * out.generators;
@@ -87,6 +90,7 @@ class PyramidBuilder {
 };
 
 void add_interval(const ScaledBlock& block, PyramidBuilder* builder) {
+  // Start at a finite end; one generator leads away from it, or two where there is none.
   const VectorXd up = VectorXd::Ones(1), down = -up;
   const bool has_lower = std::isfinite(block.lower), has_upper = std::isfinite(block.upper);
   builder->set_origin(block.start, has_lower ? block.lower : has_upper ? block.upper : 0);
@@ -97,6 +101,7 @@ void add_interval(const ScaledBlock& block, PyramidBuilder* builder) {
 }
 
 void add_pyramid(const ScaledBlock& block, int edges, PyramidBuilder* builder) {
+  // Normal, then edges whose sum is at most mu times the normal.
   const Index normal = builder->add_generator(block.start, VectorXd::Ones(1));
   const MatrixXd directions = edge_directions(block.rows - 1, edges);
   for (Index k = 0; k < directions.cols(); ++k)

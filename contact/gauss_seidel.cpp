@@ -8,6 +8,7 @@ void GaussSeidel::assign(const ScaledContacts& contacts) {
   local_.clear();
   for (const ScaledBlock& block : contacts.blocks()) {
     if (!block.is_cone()) continue;
+    // Eigenvectors of the cone's own matrix serve all sweeps.
     local_.emplace_back();
     local_.back().assign(contacts.A().block(block.start, block.start, block.rows, block.rows));
   }
@@ -23,11 +24,12 @@ void GaussSeidel::sweep(const ScaledContacts& contacts, int sweeps,
     for (const ScaledBlock& block : contacts.blocks()) {
       const int i = block.start;
       if (!block.is_cone()) {
+        // Interval: velocity without its own impulse, then a clamp.
         const double q = b(i) + A.col(i).dot(f) - A(i, i) * f(i);
         f(i) = solve_interval(block, A(i, i), q, f(i));
         continue;
       }
-      // Velocity without the block's own impulse.
+      // Cone: velocity without the block's own impulse, then the exact local answer.
       Eigen::Vector4d q = Eigen::Vector4d::Zero();
       for (int r = 0; r < block.rows; ++r) q(r) = b(i + r) + A.col(i + r).dot(f);
       q.head(block.rows).noalias() -=

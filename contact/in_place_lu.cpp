@@ -21,10 +21,11 @@ void InPlaceLu::find_blocks(const Eigen::Ref<const Eigen::MatrixXd>& R) {
   blocks_.reserve(static_cast<std::size_t>(n));
   Index begin = 0, end = 0;
   for (Index k = 0; k < n; ++k) {
-    // The last row that has to do with this one.
+    // Last row or column that couples with k.
     Index last = n - 1;
     while (last > k && last >= end && R(last, k) == 0 && R(k, last) == 0) --last;
     end = std::max(end, last + 1);
+    // A block ends where no later row couples with any of its rows.
     if (end > k + 1) continue;
     blocks_.push_back({begin, end});
     begin = end;
@@ -37,7 +38,7 @@ bool InPlaceLu::factor(Eigen::Ref<Eigen::MatrixXd> R) {
   for (const auto [begin, end] : blocks_)
     for (Index k = begin; k < end; ++k) {
       if (end - begin > kLargeBlock) end_if_stopped();
-      // The largest entry left in the column comes up.
+      // Partial pivoting: swap the largest entry left in the column to the diagonal.
       Index at = 0;
       const double largest = R.col(k).segment(k, end - k).cwiseAbs().maxCoeff(&at);
       if (!(largest > 0) || !std::isfinite(largest)) return false;
@@ -45,7 +46,7 @@ bool InPlaceLu::factor(Eigen::Ref<Eigen::MatrixXd> R) {
       if (at > 0)
         R.row(k).segment(begin, end - begin).swap(R.row(k + at).segment(begin, end - begin));
 
-      // Its multiples leave the columns behind.
+      // Eliminate the column below the pivot.
       const Index rest = end - k - 1;
       R.col(k).segment(k + 1, rest) /= R(k, k);
       for (Index j = k + 1; j < end; ++j)
@@ -57,6 +58,7 @@ bool InPlaceLu::factor(Eigen::Ref<Eigen::MatrixXd> R) {
 void InPlaceLu::solve(const Eigen::Ref<const Eigen::MatrixXd>& factors,
                       Eigen::Ref<Eigen::VectorXd> y) const {
   for (const auto [begin, end] : blocks_) {
+    // Permutation, then forward substitution with L, then back substitution with U.
     for (Index k = begin; k < end; ++k) std::swap(y(k), y(pivots_[static_cast<std::size_t>(k)]));
     for (Index k = begin; k < end; ++k) {
       const Index rest = end - k - 1;

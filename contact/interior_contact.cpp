@@ -51,6 +51,7 @@ Vector4d mirrored(const Vector4d& u) { return {u(0), -u(1), -u(2), -u(3)}; }
 
 /// Largest a with u + a d in the cone, at most 1 / kToBoundary.
 double step_in_cone(const Vector4d& u, const Vector4d& d) {
+  // First root a > 0 of  |u + a d|^2 = 0  in Lorentz's form, by formulas without cancellation.
   const double a = d(0) * d(0) - d.tail<3>().squaredNorm(),
                b = u(0) * d(0) - u.tail<3>().dot(d.tail<3>()), c = lorentz_square(u);
   double out = 1 / kToBoundary;
@@ -59,6 +60,7 @@ double step_in_cone(const Vector4d& u, const Vector4d& d) {
     const double root = std::sqrt(discriminant), to = b < 0 ? c / (root - b) : -(b + root) / a;
     if (to > 0) out = std::min(out, to);
   }
+  // The first component must stay positive.
   if (d(0) < 0) out = std::min(out, -u(0) / d(0));
   return out;
 }
@@ -87,11 +89,13 @@ void InteriorContact::start(const ScaledContacts& contacts, const Ref<const Vect
   }
   cones_.clear();
   intervals_.clear();
+  // Velocities at f, whose |ut| is kept where the coupling is frozen.
   const double size = contacts.scale();
   u_.head(n).noalias() = contacts.A() * f;
   u_.head(n) += contacts.b();
   for (const ScaledBlock& block : contacts.blocks()) {
     if (block.is_cone()) {
+      // Cones start on their axis, at the scale of the problem.
       Cone cone;
       cone.start = block.start;
       cone.rows = block.rows;
@@ -105,12 +109,13 @@ void InteriorContact::start(const ScaledContacts& contacts, const Ref<const Vect
     interval.start = block.start;
     interval.lower = block.lower;
     interval.upper = block.upper;
-    // The middle, but no farther from an end than the scale.
+    // Impulse in the middle of the interval, but no farther from an end than the scale.
     interval.f = std::clamp(0.0, block.lower, block.upper);
     const double half = std::min(size, (block.upper - block.lower) / 2);
     if (interval.has_lower()) interval.f = std::max(interval.f, block.lower + half);
     if (interval.has_upper()) interval.f = std::min(interval.f, block.upper - half);
     if (interval.is_fixed()) interval.f = block.lower;
+    // Multipliers of finite ends start at the scale.
     if (interval.has_lower()) interval.low = size;
     if (interval.has_upper()) interval.high = size;
     intervals_.push_back(interval);
@@ -137,6 +142,7 @@ double InteriorContact::mean_complementarity() const {
 /// Impulses, velocities, what the equations miss, and tau.
 void InteriorContact::measure(const ScaledContacts& contacts) {
   const Index n = contacts.rows();
+  // Impulses  fn = x_0 / mu,  ft = x_t,  and their velocities.
   for (const Cone& cone : cones_) {
     f_(cone.start) = cone.x(0) / cone.mu;
     for (int k = 1; k < cone.rows; ++k) f_(cone.start + k) = cone.x(k);
@@ -145,10 +151,11 @@ void InteriorContact::measure(const ScaledContacts& contacts) {
   u_.head(n).noalias() = contacts.A() * f_.head(n);
   u_.head(n) += contacts.b();
 
-  // tau first: it smooths |y_t|.
+  // First tau, because it smooths |y_t|.
   tau_ = mean_complementarity();
   smooth_ = tau_ / contacts.scale();
 
+  // Residuals  y - |y_t| e - D u  of cones, and  low - high - u  of intervals.
   missing_ = 0;
   for (const Cone& cone : cones_) {
     const int i = cone.start;
@@ -165,11 +172,13 @@ void InteriorContact::measure(const ScaledContacts& contacts) {
 /// Points of Nesterov and Todd:  W = beta (2 v v' - J),  W x = W^-1 y = lambda.
 void InteriorContact::scale_cones() {
   for (Cone& cone : cones_) {
+    // Scaling point w of x and y, both divided by their Lorentz length.
     const double y_size = std::sqrt(lorentz_square(cone.y)),
                  x_size = std::sqrt(lorentz_square(cone.x));
     const Vector4d y = cone.y / y_size, x = cone.x / x_size;
     const double gamma = std::sqrt((1 + x.dot(y)) / 2);
     cone.w = (y + mirrored(x)) / (2 * gamma);
+    // Root of the scaling, v = (w + e) / sqrt(2 (w_0 + 1)), and lambda = W x.
     cone.v = cone.w;
     cone.v(0) += 1;
     cone.v /= std::sqrt(2 * cone.v(0));
@@ -179,6 +188,7 @@ void InteriorContact::scale_cones() {
 }
 
 bool InteriorContact::factor(const ScaledContacts& contacts) {
+  // System matrix D A D: normal rows and columns are over mu, as the unknowns are dx.
   const Index n = contacts.rows();
   auto R = R_.topLeftCorner(n, n);
   R = contacts.A();
@@ -187,7 +197,7 @@ bool InteriorContact::factor(const ScaledContacts& contacts) {
     R.col(cone.start) /= cone.mu;
   }
   for (const Cone& cone : cones_) {
-    // G W^2  with  G = I - e (y_t / |y_t|)'.
+    // Add  G W^2,  where  G = I - e (y_t / |y_t|)'  is the derivative of  y - |y_t| e.
     const int i = cone.start, rows = cone.rows;
     Eigen::Matrix4d H = 2 * cone.w * cone.w.transpose();
     H.diagonal() -= Vector4d(1, -1, -1, -1);
@@ -195,6 +205,7 @@ bool InteriorContact::factor(const ScaledContacts& contacts) {
     H.row(0) -= slope(cone).transpose() * H.bottomRows<3>();
     R.block(i, i, rows, rows) += H.topLeftCorner(rows, rows);
   }
+  // Ends of intervals add multiplier over gap; a fixed row becomes df = 0.
   for (const Interval& interval : intervals_) {
     const int i = interval.start;
     if (interval.is_fixed()) {
@@ -204,6 +215,7 @@ bool InteriorContact::factor(const ScaledContacts& contacts) {
     }
     if (interval.has_lower()) R(i, i) += interval.low / (interval.f - interval.lower);
     if (interval.has_upper()) R(i, i) += interval.high / (interval.upper - interval.f);
+    // Free rows get a proximal 1e-12, because A may be singular.
     if (!interval.has_lower() && !interval.has_upper()) R(i, i) += 1e-12;
   }
   return lu_.factor(R);
@@ -212,6 +224,7 @@ bool InteriorContact::factor(const ScaledContacts& contacts) {
 /// Right side of the linear system towards  x o y = target e.
 void InteriorContact::set_right_side(double target, Corrected corrected) {
   for (Cone& cone : cones_) {
+    // Cones:  lambda o rho = target e - lambda o lambda - second-order term.
     Vector4d want = -jordan_product(cone.lambda, cone.lambda);
     if (corrected == Corrected::kYes) {
       // W dx and W^-1 dy of the predictor.
@@ -226,6 +239,7 @@ void InteriorContact::set_right_side(double target, Corrected corrected) {
     rhs_(cone.start) = Wrho(0) - slope(cone).dot(Wrho.tail<3>()) + rest_(cone.start);
     for (int k = 1; k < cone.rows; ++k) rhs_(cone.start + k) = Wrho(k) + rest_(cone.start + k);
   }
+  // Intervals: changes of the multipliers at df = 0, which the linear system completes.
   for (Interval& interval : intervals_) {
     double& rhs = rhs_(interval.start);
     rhs = rest_(interval.start);
@@ -244,6 +258,7 @@ void InteriorContact::set_right_side(double target, Corrected corrected) {
 }
 
 double InteriorContact::longest_step() const {
+  // Distance to the nearest boundary, over cones, gaps and multipliers.
   double out = 1 / kToBoundary;
   for (const Cone& cone : cones_)
     out = std::min({out, step_in_cone(cone.x, cone.dx), step_in_cone(cone.y, cone.dy)});
@@ -273,12 +288,15 @@ void InteriorContact::move(double step) {
 
 /// Solves the linear system, and what it leaves to the other variables.
 void InteriorContact::take_direction() {
+  // Changes of the impulses.
   const Index n = rows_;
   lu_.solve(R_.topLeftCorner(n, n), rhs_.head(n));
+  // Cones: dy from  W dx + W^-1 dy = rho.
   for (Cone& cone : cones_) {
     cone.dx.head(cone.rows) = rhs_.segment(cone.start, cone.rows);
     cone.dy = times_scaling(cone, cone.rho - times_scaling(cone, cone.dx));
   }
+  // Intervals: multipliers from  multiplier times gap = target,  linearised.
   for (Interval& interval : intervals_) {
     if (interval.is_fixed()) continue;
     interval.df = rhs_(interval.start);
@@ -293,15 +311,17 @@ void InteriorContact::take_direction() {
 
 /// Predictor, centring by how far it may go, corrector where that is far enough.
 void InteriorContact::find_step() {
+  // Predictor: aim at tau = 0 and see how far the step may go.
   set_right_side(0, Corrected::kNo);
   take_direction();
   const double free = longest_step();
+  // Centring by the cube of what the predictor leaves; a short predictor is not corrected.
   const double centring = std::clamp(std::pow(1 - free, 3), kLeastCentring, kMostCentring);
   set_right_side(centring * tau_, free > kCorrectFrom ? Corrected::kYes : Corrected::kNo);
   take_direction();
   if (longest_step() > kShortStep) return;
 
-  // Near a wall all that helps is to go away from it.
+  // Blocked by a boundary: aim at almost the present tau, which leads away from it.
   set_right_side(kAwayFromWalls * tau_, Corrected::kNo);
   take_direction();
 }
@@ -310,6 +330,7 @@ void InteriorContact::find_step() {
 /// themselves about as a linear system's would, while tau has not grown much; false where none
 /// does.
 bool InteriorContact::move_down(const ScaledContacts& contacts) {
+  // Merit: residual of the equations and tau, both relative.
   const double size = contacts.scale();
   const auto merit = [&] { return missing_ / size + tau_ / (size * size); };
   const double before = merit(), missing = missing_, tau = tau_;
@@ -318,6 +339,7 @@ bool InteriorContact::move_down(const ScaledContacts& contacts) {
     return merit() <= (1 - kLeastFall * length) * before ||
            (missing_ <= (1 - length / 2) * missing && tau_ <= kMostGrowth * tau);
   };
+  // Backtracking line search from the longest step.
   move(length);
   measure(contacts);
   for (int halvings = 0; !is_down(); ++halvings) {
@@ -338,14 +360,16 @@ int InteriorContact::run(const ScaledContacts& contacts, Coupling coupling, int 
   measure(contacts);
   double least = kInfinity;
   for (int step = 0; step < max_steps; ++step) {
+    // Converged in equations and complementarity.
     if (tau_ <= tolerance * size * size && missing_ <= tolerance * size) return step;
     end_if_stopped();
+    // Newton direction in Nesterov and Todd's scaling, then the line search.
     scale_cones();
     if (!factor(contacts)) return step;
     find_step();
     const bool moved = move_down(contacts);
 
-    // The best so far; of a frozen problem, whose residual is another, the last.
+    // Keep the best impulses; a frozen problem keeps the last, because its residual is another.
     const double natural = contacts.residual(f_.head(n), u_.head(n));
     if (natural < least || coupling == Coupling::kFrozen) {
       least = natural;

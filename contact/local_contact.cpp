@@ -33,6 +33,7 @@ struct Slip {
 
 /// The root of excess(): Newton's steps, halved intervals where they leave the bracket.
 double root_of(const Slip& slip) {
+  // Bracket of the root: excess() is negative at low (outside the cone), positive at high.
   double low = 0, high = std::max(slip.y.norm() * slip.A_nn / (slip.mu * -slip.q_n), 1e-12);
   while (slip.excess(high).first < 0 && high < 1e300) {
     low = high;
@@ -54,11 +55,13 @@ double root_of(const Slip& slip) {
 void LocalContact::assign(const Eigen::Ref<const Eigen::MatrixXd>& A) {
   tangents_ = static_cast<int>(A.rows()) - 1;
   A_nn_ = std::max(A(0, 0), 1e-14);
+  // Schur complement S of the normal row.
   Eigen::Matrix3d S = Eigen::Matrix3d::Identity();
   Vector3d a = Vector3d::Zero();
   a.head(tangents_) = A.col(0).tail(tangents_);
   S.topLeftCorner(tangents_, tangents_) = A.bottomRightCorner(tangents_, tangents_) -
                                           a.head(tangents_) * a.head(tangents_).transpose() / A_nn_;
+  // Axes of S, in which each kappa costs three divisions.
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(S);
   axes_ = eigen.eigenvectors();
   sigma_ = eigen.eigenvalues().cwiseMax(0) + Vector3d::Constant(kLocalProximal);
@@ -70,7 +73,7 @@ Vector4d LocalContact::solve(const Eigen::Ref<const Eigen::VectorXd>& q, double 
   Vector4d out = Vector4d::Zero();
   if (q(0) >= 0) return out;
 
-  // In the axes of S.
+  // Right side c in the axes of S, with the proximal pull to the former friction.
   Vector3d q_t = Vector3d::Zero(), t_former = Vector3d::Zero();
   q_t.head(tangents_) = q.tail(tangents_);
   t_former.head(tangents_) = former.tail(tangents_);
@@ -78,7 +81,7 @@ Vector4d LocalContact::solve(const Eigen::Ref<const Eigen::VectorXd>& q, double 
                      kLocalProximal * (axes_.transpose() * t_former);
   const Slip slip{y, sigma_, A_tn_, q(0), A_nn_, mu};
 
-  // Stick, or slip at the edge of the cone.
+  // Stick at kappa = 0, or slip at the edge of the cone.
   Vector3d t = slip.ft(0);
   double n = slip.fn(t);
   if (!(t.norm() <= mu * n)) {

@@ -13,7 +13,7 @@ void ScaledContacts::add(const ContactBlock& block, int start, double s) {
     blocks_.push_back({start, 1, -1, lower / s, upper / s});
     return;
   }
-  // Rows that friction can load, and the others one by one.
+  // One cone of the rows that friction can load; each other row is an interval of its own.
   const double e = block.torsion_radius;
   int loaded = block.friction > 0 ? 3 : 1;
   if (rows == 4 && block.friction > 0 && e > 0) loaded = 4;
@@ -26,7 +26,7 @@ void ScaledContacts::add(const ContactBlock& block, int start, double s) {
 }
 
 void ScaledContacts::assign(const ContactProblem& problem) {
-  // Room.
+  // Memory, which only grows.
   rows_ = problem.b.size();
   if (rows_ > b_.size()) {
     A_.resize(rows_, rows_);
@@ -41,10 +41,11 @@ void ScaledContacts::assign(const ContactProblem& problem) {
     add(block, start, block_scale(problem, block, start, least));
     start += rows_of(block.law);
   }
-  // Everything in these scales.
+  // Scaled problem: A = s W s and b' = s b.
   for (Eigen::Index j = 0; j < rows_; ++j)
     A_.col(j).head(rows_) = s_(j) * problem.W.col(j).cwiseProduct(s());
   b_.head(rows_) = problem.b.cwiseProduct(s());
+  // Scale of the natural map: largest |s b| of rows that are not fixed, and |P(0) / s|.
   scale_ = 0;
   for (const ScaledBlock& block : blocks_) {
     if (block.is_cone()) {
@@ -61,6 +62,7 @@ double ScaledContacts::residual(const Eigen::Ref<const Eigen::VectorXd>& f,
   double out = 0;
   for (const ScaledBlock& block : blocks_) {
     const int i = block.start;
+    // Natural map of the block; NaN counts as infinite.
     double entry = 0;
     if (block.rows == 1)
       entry = std::abs(interval_natural_map(f(i), u(i), block.lower, block.upper));

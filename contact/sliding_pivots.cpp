@@ -38,6 +38,7 @@ void add_interval(const ScaledContacts& contacts, const ScaledBlock& block, doub
                   States& states) {
   const Index i = block.start;
   const bool ends_below = block.lower > -kInfinity, ends_above = block.upper < kInfinity;
+  // One end: left to Lemke's algorithm. Otherwise fixed at an end that f has reached, or u = 0.
   if (ends_below && !ends_above) {
     states.fixed[i] = block.lower;
     states.bearing.push_back(i);
@@ -51,7 +52,9 @@ void add_interval(const ScaledContacts& contacts, const ScaledBlock& block, doub
 void add_cone(const ScaledContacts& contacts, const ScaledBlock& block, const VectorXd& f,
               const VectorXd& u, States& states) {
   const Index i = block.start, tangents = block.rows - 1;
+  // The normal is left to Lemke's algorithm.
   states.bearing.push_back(i);
+  // Direction d of the slip, or against the friction where there is none.
   const VectorXd slip = u.segment(i + 1, tangents), drag = f.segment(i + 1, tangents);
   const double speed = slip.norm();
   const bool slides = speed > kSlideShare * contacts.scale(),
@@ -65,7 +68,7 @@ void add_cone(const ScaledContacts& contacts, const ScaledBlock& block, const Ve
       states.hold(contacts, row);
       continue;
     }
-    // ft + mu fn d + mu fn (I - d d') ut / |ut| = 0,  where d' ut changes no direction.
+    // Slip: ft + mu fn d + mu fn (I - d d') ut / |ut| = 0: the part of ut along d turns nothing.
     states.following.push_back(row);
     states.G(row, row) = 1;
     states.G(row, i) = block.mu * along[k];
@@ -82,6 +85,7 @@ void add_cone(const ScaledContacts& contacts, const ScaledBlock& block, const Ve
 
 bool pivot_sliding(const ScaledContacts& contacts, Eigen::Ref<VectorXd> f,
                    const Eigen::Ref<const VectorXd>& u, int& pivots) {
+  // States of all rows at f and u.
   const Index n = contacts.rows();
   States states;
   states.fixed.setZero(n);
@@ -92,7 +96,7 @@ bool pivot_sliding(const ScaledContacts& contacts, Eigen::Ref<VectorXd> f,
       add_cone(contacts, block, f, u, states);
     else
       add_interval(contacts, block, f[block.start], states);
-  // f = F (z, 1): first what bears, then what follows.
+  // Impulses f = F (z, 1): bearing rows are z, and following rows solve G f + g = 0.
   const auto unknowns = static_cast<Index>(states.bearing.size());
   MatrixXd F = MatrixXd::Zero(n, unknowns + 1);
   for (Index k = 0; k < unknowns; ++k) F(states.bearing[static_cast<std::size_t>(k)], k) = 1;
@@ -106,6 +110,7 @@ bool pivot_sliding(const ScaledContacts& contacts, Eigen::Ref<VectorXd> f,
     for (Index k = 0; k < follow.rows(); ++k)
       F.row(states.following[static_cast<std::size_t>(k)]) += follow.row(k);
   }
+  // Linear complementarity problem of the bearing rows: z >= 0, and velocities >= 0.
   LinearComplementarity normals;
   const MatrixXd rows = contacts.A()(states.bearing, Eigen::all);
   normals.M = rows * F.leftCols(unknowns);

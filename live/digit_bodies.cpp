@@ -133,6 +133,7 @@ std::vector<LiveJoint> joints_of(const std::string& name, const TendonDigit& dig
     joint.body = list.body_of(static_cast<int>(i));
     joint.axis = hinge.direction;
     joint.point = state[i].X.inverse() * points[i];
+    // Limits of the joint by those of its coordinate, in order also where it turns the other way.
     const double a = hinge.ratio * limits.lower + hinge.offset;
     const double b = hinge.ratio * limits.upper + hinge.offset;
     joint.lower = std::min(a, b);

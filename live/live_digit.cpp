@@ -248,6 +248,7 @@ DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& g
                      Eigen::MatrixXd::Constant(t.size(), postures, kNaN), grid.warnings};
   const int varied = grid.varied.front();
   bool doubtful = false;
+  // Postures of the sweep; those that are not trusted leave gaps, and the first doubt is told.
   for (Eigen::Index k = 0; k < postures; ++k) {
     const DigitPoint& point = points[static_cast<std::size_t>(k)];
     curves.angle[k] = point.q[varied];

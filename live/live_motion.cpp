@@ -35,6 +35,7 @@ LiveMotion::LiveMotion(MotionSource source, const HistoryLimits& limits)
       picture_(scene_picture(*source_.built, source_.camera)),
       stepper_(source_.built->scene, source_.built->options),
       history_(limits) {
+  // Names of coordinates and controls; a tension may be set up to kLargestTension at most.
   const std::vector<MechanismCoordinate>& coordinates = scene().mechanism.coordinates;
   for (std::size_t c = 0; c < coordinates.size(); ++c) {
     coordinates_.push_back(coordinates[c].name);
@@ -44,6 +45,7 @@ LiveMotion::LiveMotion(MotionSource source, const HistoryLimits& limits)
     if (control.unit == "N") control.upper = std::min(control.upper, kLargestTension);
     controls_[control.name] = control;
   }
+  // Bodies that move, and which reading is the tension of each muscle that is drawn.
   moving_ = moving_bodies(scene().mechanism, stepper_.model());
   readings_ = stepper_.readings();
   for (const std::string& muscle : picture_.tendons.muscles()) {
@@ -92,6 +94,7 @@ bool LiveMotion::step_once(const Progress& progress) {
 }
 
 MotionQuality LiveMotion::step(long count, const Progress& progress) {
+  // The past is shown: forget what came behind it and go on from there.
   if (!is_newest()) {
     history_.cut_behind(shown_);
     stepper_.go_to(shown());
@@ -103,6 +106,7 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
   within.report = [&](double part, const std::string& what) {
     progress((static_cast<double>(made) + part) / static_cast<double>(count), what);
   };
+  // Steps until one is bad, the caller stops, or play passes its end.
   bool good = true;
   for (; made < count && good; ++made) {
     if (made % kStepsBetweenLooks == 0) {
@@ -233,6 +237,7 @@ void LiveMotion::set(const MotionInputs& inputs) {
   check_targets(inputs.targets);
   check_controls(inputs.tensions, "N");
   check_controls(inputs.excitations, "1");
+  // An effort takes the place of a target, and a target that of an effort.
   for (const auto& [name, value] : inputs.efforts)
     require(inputs.targets.count(name) == 0, "'{}' has an effort and a target", name);
   for (const std::string& name : inputs.release) {

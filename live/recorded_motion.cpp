@@ -102,6 +102,7 @@ TimelineState RecordedMotion::state(const MotionParts& parts) const {
   const Eigen::VectorXd q = positions(), v = speeds();
   TimelineState out;
   out.t = shown();
+  // Positions and speeds between samples; recorded efforts are not known.
   if (parts.joints)
     for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
       out.joints.push_back({mechanism.coordinates[c].name, q[model_.layout.coordinate_q[c]],
@@ -112,6 +113,7 @@ TimelineState RecordedMotion::state(const MotionParts& parts) const {
     for (const std::size_t i : moving_bodies(mechanism, model_))
       out.bodies.push_back({mechanism.bodies[i].name, X_WB[i], velocities[i]});
   }
+  // Contacts of the nearest sample, tensions on the straight line between two.
   if (parts.contacts) {
     out.contacts = nearest_sample().contacts;
     for (const MechanismBody& body : mechanism.bodies) out.body_names.push_back(body.name);

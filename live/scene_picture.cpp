@@ -67,6 +67,7 @@ void add_joints(const BuiltScene& built, ScenePicture& out) {
     const auto c = static_cast<std::size_t>(joint.coordinate);
     const bool leads = leader_of(mechanism, joint.coordinate) == static_cast<int>(i);
     const std::string& coordinate = mechanism.coordinates[c].name;
+    // The leading joint has the coordinate's name and range, joints that follow their own limits.
     LiveJoint shown;
     shown.name = leads ? coordinate : joint.name;
     shown.hand = built.owner[i];
@@ -114,6 +115,7 @@ std::vector<CoordinateRange> coordinate_ranges(const MovingScene& scene) {
   const Mechanism& mechanism = scene.mechanism;
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::vector<CoordinateRange> ranges(mechanism.coordinates.size(), {-kNone, kNone});
+  // Ranges by limits of joints and stops of hands.
   std::vector<bool> slides(ranges.size(), false);
   for (const MechanismJoint& joint : mechanism.joints) {
     if (!is_scalar(joint.kind)) continue;
@@ -122,6 +124,7 @@ std::vector<CoordinateRange> coordinate_ranges(const MovingScene& scene) {
     narrow(joint, ranges[c]);
   }
   narrow_by_stops(scene, ranges);
+  // Default range of an unbounded coordinate: half a turn or a metre either way.
   for (std::size_t c = 0; c < ranges.size(); ++c) {
     const double far = slides[c] ? 1 : kPi;
     if (ranges[c].lower == -kNone) ranges[c].lower = -far;
@@ -134,6 +137,7 @@ ScenePicture scene_picture(const BuiltScene& built, const std::optional<Camera>&
   ScenePicture out;
   add_bodies(built, out);
   add_joints(built, out);
+  // Forces and moments as arrows, tendons as lines.
   for (std::size_t i = 0; i < built.scene.forces.size(); ++i) {
     const bool is_moment = built.scene.forces[i].force.isZero(0);
     const std::string& name = i < built.force_names.size() ? built.force_names[i] : "";
@@ -154,6 +158,7 @@ LiveInstant scene_instant(const ScenePicture& picture, const MovingScene& scene,
                           const MechanismLayout& layout, const SceneView& view) {
   LiveInstant out;
   out.time = view.t;
+  // Bodies and joints; a joint that follows is shown at its own value.
   const auto pose = [&](int body) { return view.X_WB[static_cast<std::size_t>(body)]; };
   for (const int body : picture.body_of) out.bodies.push_back(pose(body));
   for (std::size_t k = 0; k < picture.joint_of.size(); ++k) {
@@ -163,6 +168,7 @@ LiveInstant scene_instant(const ScenePicture& picture, const MovingScene& scene,
   }
   out.line_points = picture.tendons.points(view.q, view.X_WB);
   out.tensions = picture.tendons.tensions(view.q, view.tension);
+  // Arrows of forces that do not act now have no length.
   for (std::size_t k = 0; k < scene.forces.size(); ++k) {
     const SceneForce& force = scene.forces[k];
     const Eigen::Vector3d at = pose(force.body) * force.point;

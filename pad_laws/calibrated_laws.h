@@ -52,7 +52,7 @@ struct CalibratedLaws {
 
 /// @throws InputError if constants are not as their laws ask, or errors are negative or not finite.
 inline void check_laws(const CalibratedLaws& laws) {
-  // Their builders refuse what makes no sense.
+  // The laws' own constructors check their constants.
   (void)PowerLaw(laws.power, laws.relaxation);
   (void)SoftFinger(laws.soft_finger, laws.relaxation);
   (void)ElasticFoundation(laws.foundation, laws.relaxation);

@@ -9,16 +9,18 @@ namespace thenar {
 
 LawContact relaxed_contact(const ContactLaw& law, const RelativeCurvatures& gap, double depth,
                            double friction, const MemoryStep& weights, ExponentialMemory& memory) {
+  // Force at once by the law, plus the history of the steps before.
   LawContact contact = law.at_depth(gap, depth, friction);
   const double history = history_of(weights, memory);
   const double force = weights.now * contact.force + history;
   if (force <= 0) {
-    // The pad is free, and elastic and remembered forces cancel.
+    // The pad is free: its elastic force is the one that cancels the history.
     remember(weights, std::max(0.0, -history / weights.now), memory);
     LawContact apart;
     apart.patch.depth = depth;
     return apart;
   }
+  // In contact: the step's own force and stiffness.
   remember(weights, contact.force, memory);
   contact.force = force;
   contact.stiffness *= weights.now;
@@ -30,6 +32,7 @@ namespace internal {
 GapRadius radius_of(const RelativeCurvatures& gap) {
   require(std::isfinite(gap.k1) && gap.k1 >= gap.k2 && std::isfinite(gap.k2),
           "curvatures of a gap must be finite, the larger first, got {} and {} /m", gap.k1, gap.k2);
+  // Flatter gaps count as kFlattestGap, because laws of patches know no flat faces.
   const double k1 = std::max(kFlattestGap, gap.k1), k2 = std::max(kFlattestGap, gap.k2);
   return {1 / std::sqrt(k1 * k2), k1 / k2};
 }

@@ -63,8 +63,9 @@ FoundationBed::FoundationBed(FoundationColumns columns, const FoundationConstant
             "column {} of a bed needs a finite place, a unit normal, a thickness and an area above "
             "0, got {} m and {} m^2",
             i, columns_.thickness[i], columns_.area[i]);
+  // A column whose middle is up to half its width apart may be partly within the patch.
   reach_ = 0.5 * std::sqrt(columns_.area.maxCoeff());
-  // Neighbours come to lie together.
+  // Sort columns by leaves of a tree, so that neighbours lie together in memory.
   std::vector<Index> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), Index{0});
   split(order, 0, count);
@@ -80,6 +81,7 @@ void FoundationBed::split(std::vector<Index>& order, Index first, Index end) {
   Eigen::AlignedBox3d box;
   for (Index i = first; i < end; ++i)
     box.extend(Vector3d(columns_.skin.col(order[static_cast<std::size_t>(i)])));
+  // Leaf: a ball around its columns.
   if (end - first <= kLeafColumns) {
     double radius = 0;
     for (Index i = first; i < end; ++i)
@@ -88,6 +90,7 @@ void FoundationBed::split(std::vector<Index>& order, Index first, Index end) {
     leaves_.push_back({box.center(), radius, first, end});
     return;
   }
+  // Otherwise halve at the median along the longest side.
   Index axis = 0;
   box.sizes().maxCoeff(&axis);
   const Index middle = (first + end) / 2;
@@ -105,11 +108,13 @@ FoundationBed::Touches FoundationBed::touches(const Shape& object, const Pose<do
   const double reach = reach_ + object.accuracy();
   double least = kInfinity;
   for (const Leaf& leaf : leaves_) {
+    // A leaf out of reach bounds the gap and nothing else.
     const double apart = object.distance(X_OP * leaf.centre) - leaf.radius;
     if (apart > reach) {
       least = std::min(least, apart - object.accuracy());
       continue;
     }
+    // The overlap of a column is minus the distance of its middle from the object.
     for (Index i = leaf.first; i < leaf.end; ++i) {
       const NearestSurface near = object.nearest(X_OP * Vector3d(columns_.skin.col(i)));
       least = std::min(least, near.distance);
@@ -119,7 +124,8 @@ FoundationBed::Touches FoundationBed::touches(const Shape& object, const Pose<do
     }
   }
   found.gap = std::max(0.0, least);
-  // The patch as a whole; columns that are pressed stay.
+  // Skin sinks beside the object: delta = deepest - spread (deepest - overlap). Columns with
+  // delta > 0 stay.
   std::size_t kept = 0;
   if (found.deepest > 0)
     for (Touch& touch : found.all) {
@@ -135,6 +141,7 @@ FoundationBed::Touches FoundationBed::touches(const Shape& object, const Pose<do
 /// Part of a column within the patch, whose rim is where delta is 0: delta falls as the surfaces
 /// are inclined to each other.
 double FoundationBed::share_of_area(const Touch& touch) const {
+  // Fall of delta over one column, by the angle between the surfaces.
   const double along = touch.normal.dot(columns_.normal.col(touch.column));
   const double slope = std::max(kLevelSlope, std::sqrt(std::max(0.0, 1 - along * along)));
   const double fall = constants_.spread * slope * width_[touch.column];
@@ -148,6 +155,7 @@ void FoundationBed::conclude(const Touches& found, const VectorXd& forces, doubl
   contact.gap = found.gap;
   if (found.deepest <= 0) return;
   contact.area = found.area;
+  // Wrench of the normal forces about the pad's origin, largest strain, pressed far sides.
   Matrix3Xd points(3, forces.size());
   for (std::size_t k = 0; k < found.all.size(); ++k) {
     const Touch& touch = found.all[k];
@@ -161,6 +169,7 @@ void FoundationBed::conclude(const Touches& found, const VectorXd& forces, doubl
     contact.normal += push;
     contact.strain = std::max(contact.strain, touch.delta / columns_.thickness[touch.column]);
   }
+  // Force, centre, aspect and mean arm of the pressure across its mean normal.
   contact.normal = contact.normal.stableNormalized();
   const PressureMoments moments = pressure_moments(points, forces, contact.normal);
   contact.force = moments.force;
@@ -174,6 +183,7 @@ BedContact FoundationBed::press(const Shape& object, const Pose<double>& X_PO,
   check_pose(X_PO, friction);
   const Touches found = touches(object, X_PO);
   BedContact contact;
+  // Instantaneous force of each column; surrounding tissue makes it stiffer by c h / r.
   VectorXd forces(static_cast<Index>(found.all.size()));
   for (std::size_t k = 0; k < found.all.size(); ++k) {
     const Index i = found.all[k].column;
@@ -192,6 +202,7 @@ Eigen::Matrix<double, 6, 6> FoundationBed::stiffness(const Shape& object, const 
   require(step > 0 && std::isfinite(step), "a step must be positive and finite, got {} m", step);
   Eigen::Matrix<double, 6, 6> K;
   for (int k = 0; k < 6; ++k) {
+    // Turns are as large as `step` at the lever kTurnArm.
     const double way = k < 3 ? step / kTurnArm : step;
     const auto push = [&](double by) {
       Pose<double> X = X_PO;
@@ -213,6 +224,7 @@ Eigen::Matrix<double, 6, 6> FoundationBed::stiffness(const Shape& object, const 
 
 void FoundationBed::begin(BedState& state) const {
   const Index count = columns_.skin.cols(), terms = static_cast<Index>(terms_.size());
+  // An empty state starts at rest.
   if (state.elastic.size() == 0) {
     state.elastic = state.normal_force = VectorXd::Zero(count);
     state.terms = Eigen::MatrixXd::Zero(terms, count);
@@ -236,25 +248,27 @@ BedContact FoundationBed::step(const Shape& object, const Pose<double>& X_PO, do
   VectorXd forces = VectorXd::Zero(static_cast<Index>(found.all.size()));
   double stuck = 0;
   Wrench rubbed;
-  // Columns, of which those that are touched come in the same order.
+  // Touched columns come in the order of all columns; columns that still relax count, too.
   std::size_t next = 0;
   for (Index i = 0; i < columns_.skin.cols(); ++i) {
     const std::size_t k = next;
     const bool near = k < found.all.size() && found.all[k].column == i;
     if (near) ++next;
     if (!near && !state.remembers[static_cast<std::size_t>(i)]) continue;
-    // The spring as if nothing relaxed.
+    // Force of the spring if nothing relaxed, 0 where nothing touches it.
     const double h = columns_.thickness[i], area = columns_.area[i];
     SpringPressure spring;
     if (near) spring = spring_pressure(constants_, found.all[k].delta / h);
     contact.energy += area * h * spring.energy;
     const bool sticks = move_column(i, area * spring.pressure * (1 + found.stiffer * h),
                                     near ? found.all[k].normal : Vector3d(0, 0, 0), inputs, state);
+    // Sums over columns in contact: the part that sticks, and the wrench of friction.
     if (!state.touching[static_cast<std::size_t>(i)]) continue;
     forces[static_cast<Index>(k)] = state.normal_force[i];
     if (sticks) stuck += state.normal_force[i];
     rubbed += wrench_of_force(columns_.skin.col(i), state.shear_force.col(i));
   }
+  // Normal forces and patch, to which friction is added.
   conclude(found, forces, friction, contact);
   contact.push += rubbed;
   contact.stick = contact.force > 0 ? stuck / contact.force : 0;
@@ -264,7 +278,7 @@ BedContact FoundationBed::step(const Shape& object, const Pose<double>& X_PO, do
 bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
                                 const StepInputs& inputs, BedState& state) const {
   const MemoryStep& weights = inputs.weights;
-  // Memory of the normal force and of friction.
+  // History of the normal force and of friction.
   double history = 0;
   Vector3d past = Vector3d::Zero();
   for (std::size_t j = 0; j < terms_.size(); ++j) {
@@ -279,7 +293,7 @@ bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
   const bool touches = elastic > 0 && f > 0, touched = state.touching[static_cast<std::size_t>(i)];
   if (touches) {
     if (!touched) state.anchor.col(i) = inputs.X_OP * Vector3d(columns_.skin.col(i));
-    // Trial: it sticks.
+    // Trial: the column sticks at its anchor, the point of the object that it touched first.
     const double spring = constants_.shear * columns_.area[i] / columns_.thickness[i];
     const double limit = inputs.friction * f;
     const Vector3d way =
@@ -288,6 +302,7 @@ bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
     shear = spring * (way - n * n.dot(way));
     t = weights.now * shear + past;
     sticks = t.norm() < (1 - kStickShare) * limit;
+    // Slip: friction comes back to the cone, and the anchor moves to where its spring agrees.
     if (t.norm() > limit) {
       t *= limit / t.norm();
       shear = (t - past) / weights.now;
@@ -296,10 +311,11 @@ bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
             inputs.X_OP * Vector3d(Vector3d(columns_.skin.col(i)) + shear / spring);
     }
   } else {
-    // Free: elastic and remembered forces cancel.
+    // Free: elastic forces cancel the remembered ones.
     elastic = std::max(0.0, -history / weights.now);
     shear = -past / weights.now;
   }
+  // Advance the terms; a column is forgotten once all of them are negligible.
   bool remembers = touches;
   for (std::size_t j = 0; j < terms_.size(); ++j) {
     const auto row = static_cast<Index>(j);

@@ -9,7 +9,6 @@
 namespace thenar {
 namespace {
 
-// Rings and rays of the points of a patch over which friction is summed
 // Rings of a patch, and points of each ring, over which friction is summed
 constexpr int kPatchRings = 128, kPatchRays = 256;
 
@@ -64,7 +63,7 @@ PatchFriction slip_friction(double a, double b, PatchPressure pressure, double f
       sum.torque += weight * (x.x() * v.y() - x.y() * v.x());
     }
   }
-  // Per normal force.
+  // Divide by the normal force.
   sum.f *= friction / normal;
   sum.torque *= friction / normal;
   return sum;

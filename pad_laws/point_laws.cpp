@@ -38,6 +38,7 @@ void check_powers(double force, double depth_exponent, double patch, double patc
 LawContact HardPoint::at_depth(const RelativeCurvatures& gap, double depth, double friction) const {
   (void)internal::radius_of(gap);
   internal::check_contact_load(depth, 0, friction);
+  // Rigid: no force up to depth 0, where the stiffness is infinite, and an infinite force beyond.
   LawContact contact = no_contact(depth);
   if (depth >= 0) contact.stiffness = contact.shear = kInfinity;
   if (depth > 0) contact.force = kInfinity;
@@ -62,8 +63,10 @@ PowerLaw::PowerLaw(const PowerLawConstants& constants, std::vector<ExponentialTe
 
 LawContact PowerLaw::answer(double depth, double force, double friction) const {
   LawContact contact;
+  // Stiffness dF / d depth = n F / depth.
   contact.force = force;
   contact.stiffness = depth > 0 ? c_.depth_exponent * force / depth : 0;
+  // Circular patch a = c F^gamma, whose radius gives torsion and shear.
   contact.patch.a = contact.patch.b = c_.patch * std::pow(force, c_.patch_exponent);
   contact.patch.depth = depth;
   contact.patch.torsion = c_.torsion * friction * contact.patch.a;
@@ -98,12 +101,15 @@ SoftFinger::SoftFinger(const SoftFingerConstants& constants, std::vector<Exponen
 LawContact SoftFinger::answer(const internal::GapRadius& gap, double depth, double force,
                               double friction) const {
   LawContact contact;
+  // Stiffness dF / d depth = n F / depth.
   contact.force = force;
   contact.stiffness = depth > 0 ? c_.depth_exponent * force / depth : 0;
+  // Mean radius sqrt(a b) by force and radius of the gap, and a / b = (k1 / k2)^e.
   const double mean = c_.patch * std::pow(force, c_.patch_exponent) *
                       std::pow(gap.radius / kLawRadius, c_.patch_radius);
   const double stretch = std::pow(gap.ratio, c_.aspect / 2);
   contact.patch = {mean * stretch, mean / stretch, depth, 0};
+  // Torsion and shear of this ellipse.
   contact.patch.torsion = c_.torsion * friction * mean_radius(contact.patch.a, contact.patch.b);
   contact.area = kPi * mean * mean;
   contact.shear = shear_of(c_.shear, mean);
@@ -125,6 +131,7 @@ LawContact SoftFinger::at_force(const RelativeCurvatures& gap, double force,
   const internal::GapRadius shape = internal::radius_of(gap);
   internal::check_contact_load(0, force, friction);
   if (force == 0) return {};
+  // Force at 1 mm for this radius, then the depth that the power gives.
   const double at_1mm = c_.force * std::pow(shape.radius / kLawRadius, c_.radius_exponent);
   return answer(shape, kLawDepth * std::pow(force / at_1mm, 1 / c_.depth_exponent), force,
                 friction);

@@ -35,6 +35,7 @@ double mean_radius(double a, double b) {
           a, b);
   const double most = std::max(a, b), least = std::min(a, b);
   if (most == 0) return 0;
+  // Perimeter over 2 pi, where e^2 = 1 - ratio^2 is written without cancellation.
   const double ratio = least / most;
   return 2 / kPi * most * std::comp_ellint_2(std::sqrt((1 - ratio) * (1 + ratio)));
 }
@@ -51,6 +52,7 @@ SoftPatch winkler_patch(double force, double young, double thickness, double R1,
       young > 0 && thickness > 0 && R1 > 0 && R2 > 0 && std::isfinite(young + thickness + R1 + R2),
       "a soft layer must have positive modulus, thickness and radii, got {} Pa, {}, {} and {} m",
       young, thickness, R1, R2);
+  // Depth at which the springs' paraboloid of pressure balances the force.
   SoftPatch patch;
   patch.depth = std::sqrt(force * thickness / (young * kPi * std::sqrt(R1 * R2)));
   patch.a = std::sqrt(2 * patch.depth * R1);
@@ -101,7 +103,7 @@ PressureMoments pressure_moments(const Eigen::Matrix3Xd& points, const Eigen::Ve
   out.force = forces.sum();
   if (!(out.force > 0)) return out;
   out.centre = points * forces / out.force;
-  // Second moments across the direction.
+  // Mean arm and second moments of the forces across the direction.
   const Tangents t = tangents(normal);
   double xx = 0, xy = 0, yy = 0;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
@@ -113,6 +115,7 @@ PressureMoments pressure_moments(const Eigen::Matrix3Xd& points, const Eigen::Ve
     yy += f * y * y;
   }
   out.arm /= out.force;
+  // Principal second moments; the aspect of a line or a point stays 1.
   const double mean = (xx + yy) / 2, half = std::hypot((xx - yy) / 2, xy);
   if (mean - half > 1e-12 * mean) out.aspect = std::sqrt((mean + half) / (mean - half));
   return out;

@@ -29,6 +29,7 @@ Tissue build_tissue(const PadTissueSpec& spec, const std::string& name) {
   tissue.shear_modulus = spec.shear_modulus;
   tissue.exponent = spec.exponent;
   tissue.poisson_ratio = spec.poisson_ratio;
+  // Relaxation, a time for each share.
   require(spec.relaxation_share.size() == spec.relaxation_time.size(),
           "{} has {} shares of relaxation and {} times", name, spec.relaxation_share.size(),
           spec.relaxation_time.size());
@@ -49,6 +50,7 @@ HexElement pad_element_named(const std::string& name) {
 }
 
 PadModel build_pad(const PadSpec& spec) {
+  // Shape, skin and cells.
   PadModel model;
   model.shape.length = spec.length;
   model.shape.width = spec.width;

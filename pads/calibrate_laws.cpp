@@ -78,6 +78,7 @@ double shear_modulus(const Fits& fits, const ContactLaw& law) {
 PowerLawConstants fit_power(Fits& fits) {
   const auto rows = static_cast<Index>(fits.presses.size());
   PowerLawConstants out;
+  // Logarithm of the force as a line in that of the depth.
   MatrixXd A = MatrixXd::Ones(rows, 2);
   A.col(1) = fits.all([](const MeasuredPress& p) { return std::log(p.depth / kLawDepth); });
   const VectorXd forces = fits.all([](const MeasuredPress& p) { return std::log(p.force); });
@@ -85,7 +86,7 @@ PowerLawConstants fit_power(Fits& fits) {
   fits.note(found, "force of the power law");
   out.force = std::exp(found.z[0]);
   out.depth_exponent = found.z[1];
-  // The patch, by force; gamma as published.
+  // Logarithm of the radius as a line in that of the force; gamma is bounded as published.
   A.col(1) = forces;
   const VectorXd radii =
       fits.all([](const MeasuredPress& p) { return std::log(mean_semi_axis(p) / kLawDepth); });
@@ -93,6 +94,7 @@ PowerLawConstants fit_power(Fits& fits) {
   fits.note(found, "patch of the power law");
   out.patch = kLawDepth * std::exp(found.z[0]);
   out.patch_exponent = found.z[1];
+  // Torsion and shear in the mean over the presses, with the patch that was fitted.
   out.torsion = torsion_share(fits, PowerLaw(out));
   out.shear = 1;
   out.shear = shear_modulus(fits, PowerLaw(out));
@@ -102,6 +104,7 @@ PowerLawConstants fit_power(Fits& fits) {
 SoftFingerConstants fit_soft_finger(Fits& fits) {
   const auto rows = static_cast<Index>(fits.presses.size());
   SoftFingerConstants out;
+  // Logarithm of the force by those of the depth and of the gap's radius.
   MatrixXd A = MatrixXd::Ones(rows, 3);
   A.col(1) = fits.all([](const MeasuredPress& p) { return std::log(p.depth / kLawDepth); });
   A.col(2) = fits.all([](const MeasuredPress& p) {
@@ -113,6 +116,7 @@ SoftFingerConstants fit_soft_finger(Fits& fits) {
   out.force = std::exp(found.z[0]);
   out.depth_exponent = found.z[1];
   out.radius_exponent = found.z[2];
+  // Logarithm of the mean radius by those of the force and of the gap's radius.
   A.col(1) = forces;
   const VectorXd radii =
       fits.all([](const MeasuredPress& p) { return std::log(mean_semi_axis(p) / kLawDepth); });
@@ -121,7 +125,7 @@ SoftFingerConstants fit_soft_finger(Fits& fits) {
   out.patch = kLawDepth * std::exp(found.z[0]);
   out.patch_exponent = found.z[1];
   out.patch_radius = found.z[2];
-  // Ratio of semi-axes, by the ratio of radii.
+  // Logarithm of the ratio of semi-axes by that of the gap's radii.
   const MatrixXd ratios =
       fits.all([](const MeasuredPress& p) { return std::log(internal::radius_of(p.gap).ratio); });
   const VectorXd aspects = fits.all([](const MeasuredPress& p) { return std::log(p.aspect); });
@@ -150,6 +154,7 @@ FoundationConstants foundation_at(const VectorXd& z, const FoundationConstants& 
 FoundationConstants fit_foundation(Fits& fits, const FoundationColumns& columns,
                                    const FoundationConstants& base, const LawFitOptions& options) {
   const auto rows = static_cast<Index>(fits.presses.size());
+  // Residuals: logarithms of force and area over those of the elements.
   const auto residuals = [&](const VectorXd& z) {
     const FoundationBed bed(columns, foundation_at(z, base));
     VectorXd r(2 * rows);
@@ -161,6 +166,7 @@ FoundationConstants fit_foundation(Fits& fits, const FoundationColumns& columns,
     }
     return r;
   };
+  // Bounds of log pressure, m, s, spread and c.
   LeastSquares problem;
   problem.lower = VectorXd::Zero(5);
   problem.upper = VectorXd::Constant(5, 100);
@@ -181,6 +187,7 @@ FoundationConstants fit_foundation(Fits& fits, const FoundationColumns& columns,
     }
     return out;
   };
+  // Start from soft linear springs.
   VectorXd start(5);
   start << std::log(1e4), 1, 1, 1.5, 0.5;
   const Solution found = solve(problem, start);
@@ -196,6 +203,7 @@ double shear_per_modulus(const FoundationColumns& columns, FoundationConstants c
   const FoundationBed bed(columns, constants);
   const Tangents across = tangents(bed.press(*press.object, press.X_PO).normal);
   double sum = 0;
+  // Both directions across the press: pull with all sticking, less the pull without friction.
   for (const Vector3d& way : {across.e1, across.e2}) {
     Pose<double> X = press.X_PO;
     X.p += kDifferenceWay * way;
@@ -217,6 +225,7 @@ struct Answer {
 LawError error_of(const std::vector<MeasuredPress>& presses,
                   const std::function<Answer(const MeasuredPress&)>& law) {
   LawError out;
+  // Adds a relative error to the mean square and to the largest.
   const auto add = [&](RelativeError& error, double ours, double theirs) {
     const double wrong = std::abs(ours / theirs - 1);
     error.rms += wrong * wrong / static_cast<double>(presses.size());
@@ -260,18 +269,20 @@ LawCalibration fit_laws(const PadModel& model, const MeasuredPresses& fit,
   require(fit.presses.size() >= 4 && !check.presses.empty(),
           "laws need at least 4 presses to fit and 1 to check, got {} and {}", fit.presses.size(),
           check.presses.size());
+  // Presses must touch, because logarithms are fitted.
   for (const MeasuredPresses* presses : {&fit, &check})
     for (const MeasuredPress& press : presses->presses)
       require(
           press.force > 0 && press.area > 0 && press.depth > 0 && press.arm > 0 && press.shear > 0,
           "a press by '{}' does not touch the pad", press.trial);
+  // Fit the laws at a point.
   LawCalibration out;
   CalibratedLaws& laws = out.laws;
   laws.relaxation = model.tissues.at(0).relaxation;
   Fits fits{fit.presses, ""};
   laws.power = fit_power(fits);
   laws.soft_finger = fit_soft_finger(fits);
-  // Springs over the pad's skin; for curvatures alone they are as thick as where it was pressed.
+  // Bed of springs over the pad's skin. ElasticFoundation has its mean thickness there.
   const FoundationColumns columns = pad_columns(model.shape, options.rings);
   FoundationConstants base;
   const VectorXd thickness = fits.all([&](const MeasuredPress& press) {
@@ -279,17 +290,18 @@ LawCalibration fit_laws(const PadModel& model, const MeasuredPresses& fit,
   });
   base.thickness = thickness.mean();
   laws.foundation = fit_foundation(fits, columns, base, options);
-  // Springs across, in the geometric mean.
+  // Shear modulus of the springs, in the geometric mean.
   laws.foundation.shear = std::exp(
       fits.all([&](const MeasuredPress& press) {
             return std::log(press.shear / shear_per_modulus(columns, laws.foundation, press));
           })
           .mean());
-  // Errors.
+  // Errors on presses that had no part in the fit.
   laws.power_error = error_of(check.presses, PowerLaw(laws.power));
   laws.soft_finger_error = error_of(check.presses, SoftFinger(laws.soft_finger));
   laws.foundation_error = error_of(check.presses, ElasticFoundation(laws.foundation));
   laws.bed_error = error_of(check.presses, columns, laws.foundation);
+  // Presses that the laws rest on, and failures.
   laws.evidence.fitted = static_cast<int>(fit.presses.size());
   laws.evidence.checked = static_cast<int>(check.presses.size());
   laws.evidence.depth = fits.all([](const MeasuredPress& p) { return p.depth; }).maxCoeff();

@@ -65,6 +65,7 @@ std::vector<Matrix3d> PressCarrier::gradients_in(const HexMesh& mesh, const Matr
   const auto nodes = static_cast<std::size_t>(mesh.nodes());
   std::vector<Matrix3d> sum(nodes, Matrix3d::Zero());
   std::vector<int> cells(nodes, 0);
+  // Gradient of each old cell, in the mean over the cells around a node.
   for (const int index : active_) {
     const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
     const Matrix3d gradient = mean_deformation(cell, places_, u) - Matrix3d::Identity();
@@ -80,7 +81,7 @@ std::vector<Matrix3d> PressCarrier::gradients_in(const HexMesh& mesh, const Matr
 Matrix3Xd PressCarrier::displacements_in(const HexMesh& mesh, const PressState& old) const {
   Matrix3Xd u = body_->spread(old.x, {}), from = places_;
   const std::vector<Matrix3d> gradients = gradients_in(mesh, u);
-  // Means of what new nodes were made from, which are older than they.
+  // Means over the nodes that new nodes were made from, which are older than they are.
   const Index old_nodes = u.cols();
   u.conservativeResize(3, mesh.nodes());
   from.conservativeResize(3, mesh.nodes());
@@ -92,7 +93,7 @@ Matrix3Xd PressCarrier::displacements_in(const HexMesh& mesh, const PressState& 
       from.col(node) += each.weight * from.col(each.node);
     }
   }
-  // What they are off them.
+  // Offset from that mean, turned and stretched with the tissue.
   for (Index node = 0; node < u.cols(); ++node)
     u.col(node) += gradients[static_cast<std::size_t>(node)] *
                    (mesh.place(static_cast<int>(node)) - from.col(node));
@@ -103,6 +104,7 @@ PressCarrier::SkinFields PressCarrier::fields_in(const HexMesh& mesh, const Pres
   const auto nodes = static_cast<std::size_t>(mesh.nodes());
   SkinFields out{std::vector<double>(nodes, 0), std::vector<Vector3d>(nodes, Vector3d::Zero()),
                  std::vector<std::optional<Vector3d>>(nodes)};
+  // Pressure, friction and anchors of the old surface's nodes.
   for (std::size_t k = 0; k < surface_.nodes.size(); ++k) {
     const auto column = static_cast<Index>(k);
     const auto node = static_cast<std::size_t>(mesh_node(*body_, surface_, k));
@@ -110,6 +112,7 @@ PressCarrier::SkinFields PressCarrier::fields_in(const HexMesh& mesh, const Pres
     out.traction[node] = old.shear.col(column) / surface_.area[column];
     out.anchor[node] = old.anchor.col(column);
   }
+  // New nodes have the means of those that they were made from.
   for (auto node = static_cast<std::size_t>(places_.cols()); node < nodes; ++node)
     for (const NodeWeight& each : mesh.made_from(static_cast<int>(node))) {
       out.pressure[node] += each.weight * out.pressure[static_cast<std::size_t>(each.node)];
@@ -120,15 +123,18 @@ PressCarrier::SkinFields PressCarrier::fields_in(const HexMesh& mesh, const Pres
 
 PressState PressCarrier::carry(const PressState& old, const HexMesh& mesh, const TissueBody& body,
                                const ContactSurface& surface) const {
+  // Object and springs stay.
   PressState out;
   out.X_PO = old.X_PO;
   out.push = old.push;
   out.by_springs = old.by_springs;
   out.spring_energy = old.spring_energy;
+  // Displacements of the new body's free nodes.
   const Matrix3Xd u = displacements_in(mesh, old);
   out.x.resize(body.unknowns());
   for (std::size_t i = 0; i < body.free_nodes().size(); ++i)
     out.x.segment<3>(static_cast<Index>(3 * i)) = u.col(body.free_nodes()[i]);
+  // Forces on nodes by the carried tractions and the new shares of area.
   const auto count = static_cast<Index>(surface.nodes.size());
   out.normal.resize(count);
   out.shear.resize(3, count);
@@ -143,7 +149,8 @@ PressState PressCarrier::carry(const PressState& old, const HexMesh& mesh, const
     const Vector3d here = surface.places.col(k) + out.x.segment<3>(3 * surface.nodes[at]);
     out.anchor.col(k) = fields.anchor[node].value_or(X_OP * here);
   }
-  // A carried displacement keeps no volume on new nodes of a curved skin; pressure does.
+  // Pressure and history go with the elements: carried displacements alone keep no volume at new
+  // nodes of a curved skin.
   for (const Origin& from : origins_in(mesh)) {
     if (!old.pressure.empty()) out.pressure.push_back(old.pressure[from.element]);
     if (!old.history.empty())

@@ -94,11 +94,13 @@ std::vector<Crossing> crossings_of(const HexMesh& mesh, const std::vector<Tissue
                                    const std::vector<HexFace>& faces, const MovedNodes& nodes,
                                    const VectorXd& pressure, const RigidObject& object,
                                    const PressState& state) {
+  // Places of deformed nodes.
   const Pose<double> X_OP = state.X_PO.inverse();
   const auto place = [&](int node) {
     return Vector3d(nodes.at_rest.col(node) + nodes.u.col(node));
   };
   std::vector<Crossing> crossings;
+  // Faces that touch at some corners, with  E* = 2 mu / (1 - nu)  of the stretched tissue.
   for (const HexFace& face : faces) {
     const std::array<int, 4> corners = in_a_round(face);
     const auto touching =
@@ -108,6 +110,7 @@ std::vector<Crossing> crossings_of(const HexMesh& mesh, const std::vector<Tissue
     const Tissue& tissue = tissues[static_cast<std::size_t>(cell.region)];
     const double modulus = 2 / (1 - tissue.poisson_ratio) *
                            modulus_of(tissue, mean_deformation(cell, nodes.at_rest, nodes.u));
+    // Sides from a touching corner to an open one, with the ratio  E* gap / (p h).
     for (std::size_t i = 0; i < 4; ++i) {
       const int one = corners[i], other = corners[(i + 1) % 4];
       if ((pressure[one] > 0) == (pressure[other] > 0)) continue;
@@ -141,6 +144,7 @@ std::vector<double> inside_of(const std::vector<Crossing>& crossings, const Vect
     inside[static_cast<std::size_t>(each.in)] += edge / count[each.in];
     inside[static_cast<std::size_t>(each.out)] += (edge - 1) / count[each.out];
   }
+  // Nodes without a crossing are all inside or all outside.
   for (Eigen::Index node = 0; node < pressure.size(); ++node)
     if (count[node] == 0) inside[static_cast<std::size_t>(node)] = pressure[node] > 0 ? 1 : -1;
   return inside;
@@ -157,11 +161,13 @@ double area_by_points(const HexMesh& mesh, const TissueBody& body,
   const VectorXd pressure = state.normal.cwiseQuotient(surface.area);
   double area = 0;
   for (const SurfaceFace& face : surface.faces) {
+    // Faces with pressure at some corner.
     Eigen::Vector4d pressures = Eigen::Vector4d::Zero();
     for (std::size_t k = 0; k < 4; ++k)
       for (const NodeWeight& each : face.corners[k])
         pressures[static_cast<Eigen::Index>(k)] += each.weight * pressure[each.node];
     if (!(pressures.array() > 0).any()) continue;
+    // Pressure over gap at an edge: skin that is nearer to the object than this allows touches.
     const HexCell& cell = mesh.cells()[static_cast<std::size_t>(face.cell)];
     const double scale = kEdgeScale *
                          modulus_of(tissues[static_cast<std::size_t>(cell.region)],
@@ -171,6 +177,7 @@ double area_by_points(const HexMesh& mesh, const TissueBody& body,
     const Vector3d between =
         Vector3d(corners.col(3) - corners.col(0)).cross(Vector3d(corners.col(2) - corners.col(1)));
     const Vector3d across = between.normalized();
+    // Share of the face's points that are inside or near enough.
     double share = 0;
     for (int i = 0; i < kFacePoints; ++i)
       for (int j = 0; j < kFacePoints; ++j) {
@@ -194,7 +201,7 @@ double positive_share(const std::array<double, 3>& values) {
   const auto above = std::count_if(values.begin(), values.end(), [](double v) { return v > 0; });
   if (above == 0) return 0;
   if (above == 3) return 1;
-  // The corner that is alone on its side: its part of the triangle.
+  // The corner alone on its side cuts off a triangle, whose share is a product of two parts.
   for (std::size_t i = 0; i < 3; ++i) {
     const double own = values[i], a = values[(i + 1) % 3], b = values[(i + 2) % 3];
     if ((own > 0) == (a > 0) || (own > 0) == (b > 0)) continue;
@@ -215,7 +222,7 @@ double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vect
       crossings_of(mesh, tissues, faces, {at_rest, u}, pressure, object, state), pressure);
   double area = 0;
   for (const HexFace& face : faces) {
-    // The face's corners, and their mean.
+    // Deformed corners of the face, and how far inside of the edge they are.
     const std::array<int, 4> corners = in_a_round(face);
     std::array<Vector3d, 4> at;
     std::array<double, 4> value{};

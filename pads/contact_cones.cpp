@@ -52,12 +52,14 @@ using Rows = std::vector<MeanGaps::Slope>;
 MatrixXd compliance(CondensedBody& body, const ContactSurface& surface, const Rows& J,
                     const Rows& F, Index rows) {
   const auto nodes = static_cast<Index>(surface.nodes.size());
+  // Nodes on which forces F act, and the body's answers to unit forces there.
   std::vector<char> acts(surface.nodes.size(), 0);
   for (const MeanGaps::Slope& each : F) acts[static_cast<std::size_t>(each.node)] = 1;
   std::vector<int> acted;
   for (int k = 0; k < nodes; ++k)
     if (acts[static_cast<std::size_t>(k)] != 0) acted.push_back(k);
   body.condense(surface, acted);
+  // Displacements by each row of F, then seen by the rows of J.
   MatrixXd answer = MatrixXd::Zero(3 * nodes, rows);
   for (const MeanGaps::Slope& each : F)
     answer.col(each.row).noalias() += body.answer_to(each.node) * each.by;
@@ -106,6 +108,7 @@ void CondensedBody::condense(const ContactSurface& surface, const std::vector<in
     place_[node] = static_cast<int>((before + column) / 3);
   }
   const MatrixXd answer = factor_->solve(unit);
+  // Append the displacements of the surface's nodes to those that are known.
   answers_.conservativeResize(Eigen::NoChange, before + count);
   for (std::size_t k = 0; k < surface.nodes.size(); ++k)
     answers_.block(static_cast<Index>(3 * k), before, 3, count) =
@@ -120,6 +123,7 @@ bool ContactCones::factor(const std::vector<double>& values, const Matrix3Xd& sp
 void ContactCones::set_problem(const ContactSurface& surface, const Iterate& at,
                                const Matrix3Xd& moved, const VectorXd& gaps,
                                const std::vector<int>& touching) {
+  // Rows of a node: its gap alone, or gap and two slips with friction.
   const bool slips = at.friction > 0;
   const Index per_node = slips ? 3 : 1;
   const auto rows = per_node * static_cast<Index>(touching.size());
@@ -140,6 +144,7 @@ void ContactCones::set_problem(const ContactSurface& surface, const Iterate& at,
     problem_.b.segment<2>(row + 1) = tangents.transpose() * Vector3d(at.slip.col(k) + moved.col(k));
     start_.segment<2>(row + 1) = tangents.transpose() * Vector3d(at.shear.col(k));
   }
+  // Delassus matrix  W = J A^-1 J',  symmetric but for rounding.
   J_ = dense(list, rows, moved.cols());
   const MatrixXd W = compliance(body_, surface, list, list, rows);
   problem_.W = 0.5 * (W + W.transpose());
@@ -148,12 +153,13 @@ void ContactCones::set_problem(const ContactSurface& surface, const Iterate& at,
 ContactCones::Rest ContactCones::solve(const ContactSurface& surface, const Iterate& at) {
   Rest out;
   const auto nodes = static_cast<Index>(surface.nodes.size());
+  // Gaps after a motion of the nodes, linearised.
   const auto gaps_after = [&](const Matrix3Xd& moved) {
     VectorXd gaps = at.gaps.change(moved);
     for (Index k = 0; k < nodes; ++k) gaps[k] += at.gaps.gap(static_cast<std::size_t>(k));
     return gaps;
   };
-  // Without contact; what touched or would be inside then touches.
+  // Motion without contact. Nodes that bore a force, or would then be inside, touch.
   const Matrix3Xd free = on_surface(surface, body_.solve(-at.force));
   const VectorXd free_gaps = gaps_after(free);
   std::vector<bool> joins(static_cast<std::size_t>(nodes));
@@ -176,6 +182,7 @@ ContactCones::Rest ContactCones::solve(const ContactSurface& surface, const Iter
       joins[static_cast<std::size_t>(k)] = more = true;
     }
     if (more) continue;
+    // Forces on the nodes, from the rows of the answer.
     out.normal = VectorXd::Zero(nodes);
     out.shear = Matrix3Xd::Zero(3, nodes);
     const Index per_node = at.friction > 0 ? 3 : 1;
@@ -200,13 +207,14 @@ Status ContactCones::answer(const ContactSurface& surface, const Iterate& at, Re
   };
   const Index unknowns = at.force.size();
   if (!at.drive) {
+    // The object stays: the contact problem as it is.
     const Status status = found();
     rest.dx = body_.solve(on_body(surface, J_.transpose() * f_, unknowns) - at.force);
     return status;
   }
   const Drive& drive = *at.drive;
   const auto nodes = static_cast<Index>(surface.nodes.size());
-  // Rows by a unit motion of the object, c, which takes the ends of springs with it: forces q.
+  // Rows by a unit motion of the object, c, which takes the ends of springs along: forces q.
   VectorXd c = J_ * drive.along.replicate(nodes, 1), q = VectorXd::Zero(3 * nodes);
   double stiffness = drive.spring;
   for (Index k = 0; k < springs_.cols(); ++k) {
@@ -214,11 +222,12 @@ Status ContactCones::answer(const ContactSurface& surface, const Iterate& at, Re
     q.segment<3>(3 * k) = share * springs_.col(k);
     stiffness += share * share;
   }
+  // The body follows the springs: eliminate its displacements.
   const VectorXd pulled = on_body(surface, q, unknowns), follows = body_.solve(pulled);
   c -= J_ * on_surface(surface, follows).reshaped();
   stiffness -= pulled.dot(follows);
   const double force = drive.force - follows.dot(at.force);
-  // Its motion is (force - c . f) / stiffness: one more answer of all rows.
+  // The object's motion is (force - c . f) / stiffness, a rank-one term of W.
   const MatrixXd W = problem_.W;
   const VectorXd b = problem_.b;
   problem_.W += c * c.transpose() / stiffness;
@@ -226,7 +235,7 @@ Status ContactCones::answer(const ContactSurface& surface, const Iterate& at, Re
   Status status = found();
   rest.motion = (force - c.dot(f_)) / stiffness;
   if (status != Status::kSolved || !(std::abs(rest.motion) <= drive.longest)) {
-    // No farther than that.
+    // Too long: hold the motion at the longest that is allowed.
     rest.motion = std::copysign(drive.longest, rest.motion);
     problem_.W = W;
     problem_.b = b - rest.motion * c;
@@ -240,7 +249,8 @@ Status ContactCones::answer(const ContactSurface& surface, const Iterate& at, Re
 Eigen::Matrix<double, 6, 6> contact_stiffness(CondensedBody& body, const ContactSurface& surface,
                                               const MeanGaps& gaps, const TouchingNodes& touching,
                                               const Matrix3Xd& places, const Matrix3Xd& forces) {
-  // Gaps, then slips of nodes that stick; forces of nodes that slip lean.
+  // Rows J: gaps, then slips of nodes that stick. Forces F: the same, but a node that slips has
+  // friction in proportion to its normal force.
   Rows J = gaps.slopes(touching.nodes), F = J;
   auto rows = static_cast<Index>(touching.nodes.size());
   for (std::size_t i = 0; i < touching.nodes.size(); ++i) {
@@ -256,11 +266,13 @@ Eigen::Matrix<double, 6, 6> contact_stiffness(CondensedBody& body, const Contact
     }
   }
   const Index nodes = places.cols(), unknowns = static_cast<Index>(body.size());
+  // Compliance of the rows, regularised where contacts are redundant.
   MatrixXd W = compliance(body, surface, J, F, rows);
   W.diagonal().array() += kAddedCompliance * W.diagonal().maxCoeff();
   const Eigen::PartialPivLU<MatrixXd> lu(W);
   const MatrixXd slopes = dense(J, rows, nodes), pushes = dense(F, rows, nodes);
   return push_slope(places, forces, [&](const Matrix3Xd& rigid, const Matrix3Xd& turned) {
+    // Forces that make the rows follow the object while old forces turn.
     const VectorXd turn = turned.reshaped();
     const Matrix3Xd by_turn = on_surface(surface, body.solve(on_body(surface, turn, unknowns)));
     const VectorXd f = lu.solve(slopes * (rigid - by_turn).reshaped());
@@ -283,6 +295,7 @@ Eigen::Matrix<double, 6, 6> push_slope(
       if (column < 3) turned.col(k) = axis.cross(Vector3d(forces.col(k)));
     }
     const PushAnswer found = answer(rigid, turned);
+    // Force and moment gained, and the moment of the old forces on nodes that moved.
     for (Index k = 0; k < places.cols(); ++k) {
       const Vector3d gained = found.gained.col(k);
       out.block<3, 1>(0, column) += Vector3d(places.col(k)).cross(gained) +

@@ -25,6 +25,7 @@ constexpr std::array<double, 3> kGaussShares{5.0 / 18, 4.0 / 9, 5.0 / 18};
 /// Points of a face, by nodes of the mesh; an empty list: some nodes are fixed.
 std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& body,
                                       const std::array<int, 4>& nodes, const Matrix3Xd& at_rest) {
+  // Area of the quadrilateral from its diagonals.
   const Vector3d one = at_rest.col(nodes[3]) - at_rest.col(nodes[0]);
   const Vector3d other = at_rest.col(nodes[2]) - at_rest.col(nodes[1]);
   const double area = 0.5 * one.cross(other).norm();
@@ -33,6 +34,7 @@ std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& bod
     for (std::size_t j = 0; j < kGaussPlaces.size(); ++j) {
       const double x = kGaussPlaces[i], y = kGaussPlaces[j];
       const Eigen::Vector4d shape = face_shape(x, y);
+      // Bilinear point, the same point of the chart, and the weights of free nodes in it.
       Vector3d chart(0, 0, 0), mean(0, 0, 0);
       std::map<int, double> weights;
       for (std::size_t k = 0; k < 4; ++k) {
@@ -42,6 +44,7 @@ std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& bod
         for (const NodeWeight& each : mesh.support(nodes[k]))
           weights[body.free_place(each.node)] += share * each.weight;
       }
+      // Faces with a fixed node have no points.
       if (weights.count(-1) != 0) return {};
       SurfacePoint point{mesh.chart().place(chart) - mean,
                          {},
@@ -58,6 +61,7 @@ std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& bod
 VectorXd node_areas(const HexMesh& mesh, const std::vector<HexFace>& faces, const Matrix3Xd& at) {
   VectorXd area = VectorXd::Zero(mesh.nodes());
   for (const HexFace& face : faces) {
+    // A quarter of the face's area for each corner.
     const Vector3d one = at.col(face.nodes[3]) - at.col(face.nodes[0]);
     const Vector3d other = at.col(face.nodes[2]) - at.col(face.nodes[1]);
     const double share = 0.125 * one.cross(other).norm();
@@ -89,7 +93,7 @@ ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
     surface.area[k] = area[node];
   }
   if (body.is_quadratic()) return surface;
-  // Points by nodes of the surface, and the same faces.
+  // Gauss points and faces, by numbers of the surface's nodes.
   for (const HexFace& face : faces) {
     std::vector<SurfacePoint> points = face_points(mesh, body, face.nodes, at_rest);
     if (points.empty()) continue;
@@ -105,7 +109,7 @@ ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
             {index[static_cast<std::size_t>(body.free_place(each.node))], each.weight});
     surface.faces.push_back(std::move(whole));
   }
-  // Its corners go with nodes that are as far out as the true surface around them.
+  // Corners of faces move out by the mean offset of the true surface around their nodes.
   Matrix3Xd out = Matrix3Xd::Zero(3, count);
   for (const SurfacePoint& point : surface.points)
     for (const NodeWeight& each : point.nodes)
@@ -171,12 +175,14 @@ bool meets_edge(const ContactSurface& surface, const Shape& object, const Pose<d
     const auto at = [&](const NodeWeight& each) -> const Nearest& {
       return at_nodes[static_cast<std::size_t>(each.node)];
     };
+    // A point whose nodes are all far from the object shows no edge.
     const bool far = std::all_of(
         point.nodes.begin(), point.nodes.end(),
         [&](const NodeWeight& each) { return at(each).distance > kFarGapShare * point.size; });
     if (far) return false;
     const Nearest here = nearest(place_of(point, places));
     return std::any_of(point.nodes.begin(), point.nodes.end(), [&](const NodeWeight& each) {
+      // Normals that turn much between places close to each other show an edge.
       const Vector3d turn = at(each).normal - here.normal;
       const double along = std::abs(turn.dot(at(each).place - here.place));
       return turn.norm() > kEdgeTurn && along < kEdgeRadius * point.size * turn.squaredNorm();
@@ -194,6 +200,7 @@ MeanGaps::MeanGaps(const ContactSurface& surface)
 void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
   const Matrix3Xd places = places_of(surface_, x);
+  // Distances of the nodes, whose slopes are the object's normals.
   for (Eigen::Index k = 0; k < places.cols(); ++k) {
     const NearestSurface at = object.nearest(X_OP * Vector3d(places.col(k)));
     gap_[k] = at.distance;
@@ -205,6 +212,7 @@ void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorX
   more_.setZero();
   neighbours_matter_ = false;
   for (const SurfacePoint& point : surface_.points) {
+    // Distance and normal that the nodes give the point by interpolation.
     Vector3d mean(0, 0, 0);
     double nearest = 1e300, distance = 0;
     for (const NodeWeight& each : point.nodes) {
@@ -215,7 +223,7 @@ void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorX
     if (nearest > kFarGapShare * point.size) continue;
     const NearestSurface at = object.nearest(X_OP * place_of(point, places));
     const Vector3d normal = X_PO.R * at.normal;
-    // A node's share of the point, and what it makes of gap and normals there.
+    // Each node takes its share of what the true distance and normal have beyond these.
     for (const NodeWeight& each : point.nodes) {
       const double share = each.weight * point.area / surface_.area[each.node];
       more_[each.node] += share * (at.distance - distance);

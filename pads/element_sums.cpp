@@ -32,6 +32,7 @@ THENAR_INLINE Lanes sums_of(const Lanes& a, const Lanes& b, const Lanes& c, cons
 template <int N>
 THENAR_INLINE void kinematics(int points, const double* gradient, const double* u,
                               PointKinematics& out, int q) {
+  // Deformation gradient, column by column.
   Lanes F[9]{};
   for (int a = 0; a < N; ++a)
     for (int j = 0; j < 3; ++j) {
@@ -47,10 +48,12 @@ THENAR_INLINE void kinematics(int points, const double* gradient, const double* 
       const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
       C[3 * j + i] = F[3 * j1 + i1] * F[3 * j2 + i2] - F[3 * j1 + i2] * F[3 * j2 + i1];
     }
+  // Determinant, and F^-T from the cofactors.
   const Lanes J = F[0] * C[0] + F[1] * C[1] + F[2] * C[2];
   put(out.J + q, J);
   const Lanes over = 1.0 / J;
   for (Lanes& each : C) each *= over;
+  // Spatial gradients  g_a = F^-T dN_a/dX.
   for (int a = 0; a < N; ++a) {
     const Lanes x = lanes_at(gradient + (3 * a) * points + q),
                 y = lanes_at(gradient + (3 * a + 1) * points + q),
@@ -63,6 +66,7 @@ THENAR_INLINE void kinematics(int points, const double* gradient, const double* 
 template <int N>
 THENAR_INLINE void forces(int points, const double* g, const PointStresses& at, double* force) {
   for (int a = 0; a < N; ++a) {
+    // Force on a node: the sum of tau g_a over the points.
     Lanes x{}, y{}, z{};
     for (int q = 0; q < points; q += 4) {
       const auto tau = [&](int p) __attribute__((always_inline)) {
@@ -94,11 +98,13 @@ THENAR_INLINE NodeStress node_stress(int points, const double* g, const PointStr
   const auto c = [&](int p, int r) __attribute__((always_inline)) {
     return lanes_at(at.c + (p < r ? tangent_entry(p, r) : tangent_entry(r, p)) * points + q);
   };
+  // Columns of c B_b.
   for (int p = 0; p < 6; ++p) {
     out.t[0][p] = c(p, 0) * x + c(p, 3) * y + c(p, 5) * z;
     out.t[1][p] = c(p, 1) * y + c(p, 3) * x + c(p, 4) * z;
     out.t[2][p] = c(p, 2) * z + c(p, 4) * y + c(p, 5) * x;
   }
+  // Stress along the gradient, tau g_b.
   const auto tau = [&](int p) __attribute__((always_inline)) {
     return lanes_at(at.tau + p * points + q);
   };
@@ -112,9 +118,10 @@ template <int N>
 THENAR_INLINE void stiffness(int points, const double* g, const PointStresses& at, double* K) {
   NodeStress of[kMostPoints / 4];
   for (int b = 0; b < N; ++b) {
+    // Parts of node b, which all blocks of its column share.
     for (int q = 0; q < points; q += 4) of[q / 4] = node_stress(points, g, at, b, q);
     for (int a = 0; a <= b; ++a) {
-      // Block of two nodes, columns first.
+      // Block of nodes a <= b, by columns:  B_a' c B_b  and, on its diagonal, g_a . tau g_b.
       Lanes sum[9]{};
       for (int q = 0; q < points; q += 4) {
         const NodeStress& right = of[q / 4];
@@ -130,6 +137,7 @@ THENAR_INLINE void stiffness(int points, const double* g, const PointStresses& a
           sum[4 * j] += geometric;
         }
       }
+      // Sums over the four lanes, into K.
       const Lanes first = sums_of(sum[0], sum[1], sum[2], sum[3]),
                   second = sums_of(sum[4], sum[5], sum[6], sum[7]);
       double* column = K + 3 * b * 3 * N + 3 * a;

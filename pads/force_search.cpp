@@ -41,6 +41,7 @@ class ForceSearch {
   PressOutcome run(PressState& state) {
     PressOutcome out;
     bool ended = false;
+    // Depths until two enclose the force, then each time Newton's method to the force itself.
     while (!ended && trials_ < kMostTrials && way_ > shortest_) {
       out = try_depth(next_depth());
       ended = out.status == Status::kStopped;
@@ -59,6 +60,7 @@ class ForceSearch {
     if (near == nullptr) return first_depth_;
     if (!above_) return below_->depth + way_;
     if (!below_) return above_->depth - way_;
+    // Interpolate within the bracket, off its ends, no farther than way_ from the nearer one.
     const double part = (*goal_.force - below_->force) / (above_->force - below_->force);
     const double line = below_->depth + std::clamp(part, kEndShare, 1 - kEndShare) *
                                             (above_->depth - below_->depth);
@@ -66,6 +68,7 @@ class ForceSearch {
   }
 
   PressOutcome try_depth(double depth) {
+    // Press to the depth, whatever the force.
     PressGoal goal = goal_;
     goal.force.reset();
     goal.X_PO.p += depth * goal_.along;
@@ -73,14 +76,16 @@ class ForceSearch {
     PressState answer;
     PressOutcome out = step_from(near, goal, answer);
     if (out.status == Status::kSolved) {
+      // Solved: one end of the bracket moves, and the next way may be longer.
       const double force = goal_.along.dot(out.push.force);
       was_below_ = force < *goal_.force;
       (was_below_ ? below_ : above_) = SolvedDepth{depth, force, std::move(answer)};
       way_ = std::min(kWayGrowth * way_, longest_);
     } else if (near != nullptr) {
+      // Not solved: half the way from the nearer end.
       way_ = std::abs(depth - near->depth) / 2;
     } else {
-      // From farther off, where it is less.
+      // Nothing is solved yet: begin farther off, where the object presses less.
       first_depth_ -= way_;
       way_ = std::min(kWayGrowth * way_, longest_);
     }
@@ -123,6 +128,7 @@ class ForceSearch {
   /// Solves a step from an answer, with the history of the beginning.
   PressOutcome step_from(const SolvedDepth* from, const PressGoal& goal, PressState& answer) {
     ++trials_;
+    // Displacements and forces of the answer, history of the beginning.
     answer = start_;
     if (from != nullptr) {
       answer.x = from->state.x;

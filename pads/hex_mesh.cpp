@@ -21,6 +21,7 @@ std::array<int, 4> sorted(std::array<int, 4> a) {
 const std::array<std::array<int, 2>, 12>& hex_edges() {
   static const std::array<std::array<int, 2>, 12> edges = [] {
     std::array<std::array<int, 2>, 12> out{};
+    // Edges join corners whose numbers differ in one bit.
     std::size_t k = 0;
     for (const int axis : {1, 2, 4})
       for (int corner = 0; corner < 8; ++corner)
@@ -33,6 +34,7 @@ const std::array<std::array<int, 2>, 12>& hex_edges() {
 const std::array<std::array<int, 4>, 6>& hex_faces() {
   static const std::array<std::array<int, 4>, 6> faces = [] {
     std::array<std::array<int, 4>, 6> out{};
+    // Faces have corners with the same bit of `normal`, in the order 0, u, v, u + v.
     const std::array<std::array<int, 3>, 3> axes{{{1, 2, 4}, {2, 4, 1}, {4, 1, 2}}};
     std::size_t k = 0;
     for (const auto& [normal, u, v] : axes)
@@ -65,6 +67,7 @@ std::vector<HexFace> marked_faces(const HexMesh& mesh, const std::vector<bool>& 
 }
 
 std::size_t lattice_place(int a, int b) {
+  // Bits of both corners add up to 0, 1 or 2 along each axis.
   int place = 0, step = 1;
   for (const int axis : {1, 2, 4}) {
     place += step * (((a & axis) != 0 ? 1 : 0) + ((b & axis) != 0 ? 1 : 0));
@@ -146,6 +149,7 @@ void HexMesh::split(int index) {
     lattice[lattice_place(face[0], face[3])] = middle;
     sum += chart_point(middle);
   }
+  // Middle of the cell: mean of the middles of its faces.
   std::vector<NodeWeight> from;
   for (const int corner : cell.corners) from.push_back({corner, 0.125});
   lattice[lattice_place(0, 7)] = add_node(sum / 6, std::move(from));
@@ -169,14 +173,14 @@ int HexMesh::edge_node_in_use(int a, int b) const {
 
 bool HexMesh::must_split(const HexCell& cell) const {
   const auto node_of = [&](int corner) { return cell.corners[static_cast<std::size_t>(corner)]; };
-  // A half of an edge is cut again.
+  // A half of an edge is cut again: the neighbour is two levels finer.
   for (const auto& [a, b] : hex_edges()) {
     const int middle = edge_node_in_use(node_of(a), node_of(b));
     if (middle < 0) continue;
     if (edge_node_in_use(node_of(a), middle) >= 0 || edge_node_in_use(middle, node_of(b)) >= 0)
       return true;
   }
-  // An edge from the middle of a face is cut again.
+  // The line from the middle of an edge to that of a face is cut again.
   for (const std::array<int, 4>& face : hex_faces()) {
     const std::array<int, 4> corners{node_of(face[0]), node_of(face[1]), node_of(face[2]),
                                      node_of(face[3])};
@@ -198,7 +202,7 @@ std::vector<NodeWeight> HexMesh::support(int node) const {
 
 void HexMesh::refine(const std::vector<int>& cells) {
   for (const int cell : cells) split(cell);
-  // Until the balance holds.
+  // Split further cells until neighbours differ by one level at most.
   for (bool any = true; any;) {
     any = false;
     list_active();
@@ -216,10 +220,11 @@ void HexMesh::coarsen(const std::vector<int>& cells) {
     HexCell& cell = cells_[static_cast<std::size_t>(index)];
     const int first = cell.first_child;
     if (first < 0) continue;
+    // Only cells whose children are active can be coarsened.
     const bool bare = std::all_of(cells_.begin() + first, cells_.begin() + first + 8,
                                   [](const HexCell& child) { return child.first_child < 0; });
     if (!bare) continue;
-    // Tried, and taken back if the balance does not allow it.
+    // Try it, and undo it where the balance is lost.
     cell.first_child = -1;
     list_active();
     if (must_split(cell)) {
@@ -245,6 +250,7 @@ void HexMesh::list_active() {
       for (int k = 0; k < 8; ++k) open.push_back(child + k);
   }
   std::sort(active_.begin(), active_.end());
+  // Nodes of active cells are in use.
   in_use_.assign(chart_points_.size(), false);
   for (const int cell : active_)
     for (const int node : cells_[static_cast<std::size_t>(cell)].corners)
@@ -254,7 +260,7 @@ void HexMesh::list_active() {
 
 void HexMesh::find_hanging() {
   masters_.assign(chart_points_.size(), {});
-  // Middles in use of edges and faces of active cells hang.
+  // Middles in use of the edges and faces of active cells hang.
   for (const int index : active_) {
     const HexCell& cell = cells_[static_cast<std::size_t>(index)];
     const auto node_of = [&](int corner) { return cell.corners[static_cast<std::size_t>(corner)]; };
@@ -294,7 +300,7 @@ void HexMesh::find_hanging() {
       }
       k = 0;
     }
-  // What moves with the mean of its masters lies there, too, or a turn would strain it.
+  // A hanging node is placed at the mean of its masters, or a rigid rotation would strain its cell.
   places_ = on_chart_;
   for (std::size_t node = 0; node < places_.size(); ++node) {
     if (masters_[node].empty()) continue;
@@ -309,6 +315,7 @@ HexMesh box_mesh(const Vector3d& size, const Eigen::Vector3i& cells) {
    public:
     [[nodiscard]] Vector3d place(const Vector3d& c) const override { return c; }
   };
+  // Lattice of points, first axis fastest.
   const Eigen::Vector3i points = cells.array() + 1;
   Eigen::Matrix3Xd at(3, points.prod());
   const auto node = [&](int i, int j, int k) { return (k * points[1] + j) * points[0] + i; };
@@ -317,6 +324,7 @@ HexMesh box_mesh(const Vector3d& size, const Eigen::Vector3i& cells) {
       for (int i = 0; i < points[0]; ++i)
         at.col(node(i, j, k)) =
             Vector3d(i, j, k).cwiseQuotient(cells.cast<double>()).cwiseProduct(size);
+  // Cells between the points; the bits of a corner are its steps along the axes.
   std::vector<HexCell> list;
   for (int k = 0; k < cells[2]; ++k)
     for (int j = 0; j < cells[1]; ++j)

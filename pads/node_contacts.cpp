@@ -14,18 +14,20 @@ void find_contacts(PressIterate& at) {
   for (std::size_t k = 0; k < at.contacts.size(); ++k) {
     TouchingNode& c = at.contacts[k];
     const auto column = static_cast<Eigen::Index>(k);
+    // Augmented normal force  (normal - stiffness gap)+.
     c.push = std::max(0.0, at.now.normal[column] - at.stiffness[k] * at.gaps.gap(k));
     c.shear.setZero();
     c.slips = c.push > 0;
     c.cut = 0;
     if (c.push <= 0 || at.object.friction <= 0) continue;
-    // The force within the cone that is nearest to the last less the slip.
+    // Friction: the last force minus a spring times the slip, cut to the cone.
     const Vector3d trial =
         at.across(k, Vector3d(at.now.shear.col(column))) - at.stiffness[k] * at.slip_of(k);
     const double bound = at.object.friction * c.push, size = trial.norm();
     c.slips = size > bound;
     c.cut = c.slips ? bound / size : 1;
     c.way = c.last = Vector3d(0, 0, 0);
+    // Direction of slip, and the last friction over the bound, for the slope.
     if (c.slips) {
       c.way = trial / size;
       const Vector3d last = at.across(k, Vector3d(at.now.shear.col(column)));
@@ -56,6 +58,7 @@ IterateTurn measure_contacts(PressIterate& at, const Matrix3Xd& u, PressOutcome&
 Matrix3d own_slope(const PressIterate& at, std::size_t k) {
   const TouchingNode& c = at.contacts[k];
   if (c.push <= 0) return Matrix3d::Zero();
+  // Normal stiffness, and that of friction in the tangent plane, less along the slip.
   const Vector3d own = at.gaps.own_slope(k), normal = at.gaps.normal(k);
   const Matrix3d plane = Matrix3d::Identity() - normal * normal.transpose() -
                          c.last.dot(c.way) * c.way * c.way.transpose();
@@ -74,6 +77,7 @@ Vector3d lost_shear(const PressIterate& at, std::size_t k, const Vector3d& moved
 }
 
 Matrix3Xd contact_loss(const PressIterate& at, const Matrix3Xd& moved) {
+  // Normal forces lost as gaps open, then friction.
   VectorXd lost = at.gaps.change(moved);
   for (std::size_t k = 0; k < at.contacts.size(); ++k)
     lost[static_cast<Eigen::Index>(k)] *= at.contacts[k].push > 0 ? at.stiffness[k] : 0;

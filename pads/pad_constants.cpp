@@ -10,6 +10,7 @@ namespace {
 /// The number that a constant is.
 double& entry(PadModel& pad, const PadConstant& constant) {
   if (constant.kind == PadConstantKind::kBoneHeight) return pad.shape.bone_height;
+  // The tissue must exist.
   const auto count = static_cast<int>(pad.tissues.size());
   require(constant.tissue >= 0 && constant.tissue < count, "a pad of {} tissues has no tissue {}",
           count, constant.tissue);
@@ -71,6 +72,7 @@ DisplayUnit display_unit(PadConstantKind kind) {
 }
 
 double value_of(const PadModel& pad, const PadConstant& constant) {
+  // A copy, because entry() gives access for writing.
   PadModel copy = pad;
   return entry(copy, constant);
 }

@@ -64,6 +64,7 @@ class PadResiduals {
  public:
   explicit PadResiduals(const PadFitProblem& problem, const Progress& progress)
       : problem_(problem), progress_(progress) {
+    // Coordinates of the pad's own values, about which priors are.
     for (const FreeConstant& each : problem.constants) {
       own_.push_back(value_of(problem.pad, each.constant));
       start_.push_back(coordinate_of(each.constant, own_.back()));
@@ -99,14 +100,14 @@ class PadResiduals {
   const Answer& at(const VectorXd& z) {
     for (const Answer& each : known_)
       if (each.z == z) return each;
-    // How many there will be is not known: a bar that never ends.
+    // The number of presses is not known, so progress approaches 1 without an end.
     progress_(presses_ / (presses_ + kUsualPads),
               presses_ == 0 ? "pressing the first pad"
                             : fmt::format("searching, {} pads pressed", presses_));
     Answer answer = evaluate(z);
     ++presses_;
     if (known_.size() >= 4) {
-      // Forget the worst of all but the last.
+      // Forget the answer with the largest residual, so that four are kept.
       auto worst = known_.begin();
       for (auto each = known_.begin(); each != known_.end(); ++each)
         if (!(each->r.squaredNorm() <= worst->r.squaredNorm())) worst = each;
@@ -123,18 +124,21 @@ class PadResiduals {
     out.z = z;
     out.r = VectorXd::Constant(data() + priors_, std::numeric_limits<double>::quiet_NaN());
     out.J = MatrixXd::Zero(data() + priors_, n);
+    // The pad at z, and a neighbour for each slope.
     std::vector<PadModel> pads{pad_at(z)};
     for (Eigen::Index i = 0; i < n; ++i) {
       VectorXd beside = z;
       beside[i] += kNeighbourDistance;
       pads.push_back(pad_at(beside));
     }
+    // A pad that cannot be leaves residuals that are not numbers.
     for (const PadModel& pad : pads) {
       out.failed = why_impossible(pad);
       if (!out.failed.empty()) return out;
     }
     VectorXd r(out.r.size());
     Eigen::Index row = 0;
+    // Data: residuals (prediction - value) / sd, and their differences to the neighbours.
     for (const PressRecord& record : problem_.records) {
       const PressCurves curves = press_curves(pads, record.course, {{}, progress_.stop_requested});
       if (curves.status != Status::kSolved) {
@@ -153,6 +157,7 @@ class PadResiduals {
         ++row;
       }
     }
+    // Priors: residuals (z - z_0) / sd.
     for (Eigen::Index i = 0; i < n; ++i) {
       const std::optional<double>& factor =
           problem_.constants[static_cast<std::size_t>(i)].prior_factor;
@@ -187,10 +192,12 @@ Residuals anchored(const PadResiduals::Answer& at, const VectorXd& start) {
 
 /// Diagonal of the inverse of J'J; infinite for coordinates with a part where it is singular.
 VectorXd variances(const MatrixXd& J) {
+  // Spectrum of the information J'J.
   const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(J.transpose() * J);
   const VectorXd& lambda = spectrum.eigenvalues();
   const MatrixXd& v = spectrum.eigenvectors();
   const double small = kSingularShare * std::max(lambda.tail<1>()[0], 1e-300);
+  // Variance of each coordinate by its parts along eigenvectors; infinite along singular ones.
   VectorXd out = VectorXd::Zero(J.cols());
   for (Eigen::Index k = 0; k < lambda.size(); ++k)
     for (Eigen::Index i = 0; i < out.size(); ++i) {
@@ -200,6 +207,7 @@ VectorXd variances(const MatrixXd& J) {
       else if (part > kSingularShare)
         out[i] = kInfinity;
     }
+  // An sd far beyond the reach of the slopes is as good as infinite.
   for (double& variance : out)
     if (variance > kNoTrace * kNoTrace) variance = kInfinity;
   return out;
@@ -208,6 +216,7 @@ VectorXd variances(const MatrixXd& J) {
 void estimate(const PadFitProblem& problem, const PadResiduals::Answer& at, const Eigen::Index data,
               PadFitResult& result) {
   const auto n = static_cast<Eigen::Index>(problem.constants.size());
+  // Variances with and without priors, and correlations with them.
   const VectorXd all = variances(at.J), alone = variances(at.J.topRows(data));
   result.correlations = MatrixXd::Identity(n, n);
   if (all.allFinite()) {
@@ -216,6 +225,7 @@ void estimate(const PadFitProblem& problem, const PadResiduals::Answer& at, cons
       for (Eigen::Index j = 0; j < n; ++j)
         if (i != j) result.correlations(i, j) = covariance(i, j) / std::sqrt(all[i] * all[j]);
   }
+  // Estimates: value, sd, whether the data alone determine it, and whether it is at a bound.
   for (Eigen::Index i = 0; i < n; ++i) {
     const FreeConstant& free = problem.constants[static_cast<std::size_t>(i)];
     ConstantEstimate each;
@@ -244,9 +254,11 @@ void check_mesh(const PadFitProblem& problem, const PadResiduals::Answer& at,
     result.warnings.emplace_back("the mesh is not checked: it was stopped before");
   };
   if (progress.stop()) return stopped();
+  // Presses on cells of half the size.
   PadModel finer = result.pad;
   finer.cells = {2 * finer.cells.across, 2 * finer.cells.around, 2 * finer.cells.through};
   const std::vector<PressCurves> curves = press_records(finer, problem.records, progress);
+  // Change of the residuals.
   VectorXd change = VectorXd::Zero(at.r.size());
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -263,6 +275,7 @@ void check_mesh(const PadFitProblem& problem, const PadResiduals::Answer& at,
       change[row++] = (*here.finer - here.value) / datum.sd;
     }
   }
+  // Shift by the normal equations, -(J'J)^-1 J' change.
   if (!variances(at.J).allFinite()) return;
   const VectorXd shift = -(at.J.transpose() * at.J).ldlt().solve(at.J.transpose() * change);
   for (Eigen::Index i = 0; i < shift.size(); ++i)
@@ -273,6 +286,7 @@ void warn(const PadFitProblem& problem, PadFitResult& result) {
   const auto name = [&](std::size_t i) {
     return name_of(problem.pad, problem.constants[i].constant);
   };
+  // Constants: not determined, at a bound, dependent on the mesh, or known only with another.
   for (std::size_t i = 0; i < result.estimates.size(); ++i) {
     const ConstantEstimate& each = result.estimates[i];
     const bool prior = problem.constants[i].prior_factor.has_value();
@@ -297,6 +311,7 @@ void warn(const PadFitProblem& problem, PadFitResult& result) {
             "{} and {} are known only together: correlation {:.3f}", name(j), name(i), together));
     }
   }
+  // A misfit beyond what chance explains.
   if (result.degrees_of_freedom > 0 && result.misfit > kBeyondChance * result.degrees_of_freedom)
     result.warnings.push_back(
         fmt::format("the pad misses the data: {:.3g} times what their sds allow",
@@ -305,12 +320,14 @@ void warn(const PadFitProblem& problem, PadFitResult& result) {
 
 void check_problem(const PadFitProblem& problem) {
   require(!problem.constants.empty(), "no constant of the pad is free");
+  // There must be data, each of which makes sense.
   std::size_t data = 0;
   for (const PressRecord& record : problem.records) {
     for (const PressDatum& datum : record.data) check_datum(record, datum);
     data += record.data.size();
   }
   require(data > 0, "there are no data to fit a pad to");
+  // Constants must exist, with bounds and priors about their own values.
   for (const FreeConstant& each : problem.constants) {
     (void)value_of(problem.pad, each.constant);  // there is one
     const std::string name = name_of(problem.pad, each.constant);
@@ -321,6 +338,7 @@ void check_problem(const PadFitProblem& problem) {
     require(!each.prior_factor || (*each.prior_factor > 1 && std::isfinite(*each.prior_factor)),
             "the prior of {} needs a factor above 1, got {}", name, each.prior_factor.value_or(0));
   }
+  // The search begins at a pad that can be.
   const std::string impossible = why_impossible(problem.pad);
   require(impossible.empty(), "{}", impossible);
 }
@@ -348,6 +366,7 @@ std::vector<PressCurves> press_records(const PadModel& pad, const std::vector<Pr
 
 PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options) {
   check_problem(problem);
+  // Least squares in coordinates, between bounds about the pad's own values.
   ProgressParts parts(options.progress, 1);
   const Progress of_search = parts.next(options.check_mesh ? 1 - kFinerCells : 1);
   PadResiduals residuals(problem, of_search);
@@ -361,6 +380,7 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
   squares.residuals = [&](const VectorXd& z, WithJacobian) {
     return anchored(residuals.at(z), start);
   };
+  // The pad must be pressed where the search begins.
   PadFitResult result;
   result.pad = problem.pad;
   const std::string failed = residuals.at(start).failed;
@@ -370,6 +390,7 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
     return result;
   }
   require(failed.empty(), "the search cannot begin: {}", failed);
+  // Search, and the pad at its end.
   SolveOptions search;
   search.tolerance = options.tolerance;
   search.progress.stop_requested = options.progress.stop_requested;
@@ -377,11 +398,13 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
   const PadResiduals::Answer best = residuals.at(result.solution.z);
   result.pad = residuals.pad_at(best.z);
   if (!best.failed.empty()) return result;  // stopped while it was pressed
+  // Predictions, estimates and their errors.
   for (const std::vector<double>& record : best.predictions) {
     result.predictions.emplace_back();
     for (const double value : record) result.predictions.back().push_back({value, {}});
   }
   estimate(problem, best, residuals.data(), result);
+  // Presses on finer cells, for the shift by the mesh.
   if (options.check_mesh) {
     const Progress of_mesh = parts.next(kFinerCells);
     of_mesh(0, "pressing the estimate on finer cells");

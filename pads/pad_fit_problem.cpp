@@ -29,16 +29,19 @@ PadConstantKind kind_of(const std::string& constant) {
 PadConstant constant_of(const PadData& data, const PadDataConstant& named, const PadSpec& pad) {
   const auto layers = static_cast<int>(pad.layers.size());
   const auto fail = [&](const std::string& what) { throw DataError(data.path, named.line, what); };
+  // The layer must exist.
   if (named.layer > layers)
     fail(fmt::format("pad '{}' has {} layers of skin, wanted layer {}", pad.name, layers,
                      named.layer));
   PadConstant out;
   out.kind = kind_of(named.constant);
   out.tissue = named.layer == 0 ? 0 : layers - named.layer + 1;
+  // The tissue must have such a constant.
   const PadTissueSpec& tissue =
       named.layer == 0 ? pad.pulp : pad.layers[static_cast<std::size_t>(named.layer) - 1];
   if (out.kind == PadConstantKind::kExponent && !has_exponent(tissue.law))
     fail(fmt::format("the law '{}' has no exponent", tissue.law));
+  // A share needs its term, above 0, and a press that takes time.
   if (out.kind == PadConstantKind::kShare) {
     out.term = named.term - 1;
     const std::size_t terms = tissue.relaxation_share.size();
@@ -74,6 +77,7 @@ std::shared_ptr<const Shape> object_of(const PadDataPress& press, double size, d
 
 PressCourse course_of(const PadDataPress& press, const PadSpec& pad) {
   PressCourse out;
+  // The object far enough off, turned by its angle, with its top towards the pad.
   const double size = std::max({pad.length, pad.width, pad.height});
   double top = 0;
   Eigen::Matrix3d turn;
@@ -81,12 +85,13 @@ PressCourse course_of(const PadDataPress& press, const PadSpec& pad) {
   out.along = -Vector3d(std::sin(press.angle), 0, std::cos(press.angle));
   out.X_PO.R = rotation_about<double>(Vector3d(0, 1, 0), press.angle) * turn;
   out.X_PO.p = -(top + 2 * size) * out.along;
-  // Loads rise; those of which numbers are parts are among them.
+  // Loads in rising order; loads of which data are parts are among them.
   std::set<double> loads;
   for (const PadDataRows& rows : press.rows) {
     loads.insert(rows.loads.begin(), rows.loads.end());
     if (rows.part_at) loads.insert(*rows.part_at);
   }
+  // Steps between loads, each with its share of the ramp's time.
   double before = 0;
   for (const double load : loads) {
     PressLoad next;
@@ -106,6 +111,7 @@ PressRecord record_of(const PadDataPress& press, const PadSpec& pad) {
   PressRecord out;
   out.name = press.name;
   out.course = course_of(press, pad);
+  // Number of a load by its value.
   const auto load_of = [&](double value) {
     const auto found =
         std::find_if(out.course.loads.begin(), out.course.loads.end(), [&](const PressLoad& load) {
@@ -113,6 +119,7 @@ PressRecord record_of(const PadDataPress& press, const PadSpec& pad) {
         });
     return static_cast<int>(found - out.course.loads.begin());
   };
+  // Each value of a row is a datum, absolute or over that at another load.
   for (const PadDataRows& rows : press.rows)
     for (std::size_t i = 0; i < rows.loads.size(); ++i) {
       PressDatum datum;
@@ -213,6 +220,7 @@ PadFitProblem pad_fit_problem(const PadData& data, const PadSpec& pad) {
                                  [](const PadDataPress& press) { return press.ramp > 0; });
   if (!timed)
     for (Tissue& tissue : out.pad.tissues) tissue.relaxation.clear();
+  // Constants that move, each once, from their start in the file.
   for (const PadDataConstant& named : data.constants) {
     FreeConstant free{constant_of(data, named, pad), named.lower_factor, named.upper_factor,
                       named.prior_factor};
@@ -225,6 +233,7 @@ PadFitProblem pad_fit_problem(const PadData& data, const PadSpec& pad) {
     if (named.start) set_value(out.pad, free.constant, *named.start);
     out.constants.push_back(free);
   }
+  // The search must begin at a pad that can be.
   const std::string impossible = why_impossible(out.pad);
   if (!impossible.empty()) throw DataError(data.path, data.constants[0].line, impossible);
   for (const PadDataPress& press : data.presses) out.records.push_back(record_of(press, pad));
@@ -237,10 +246,12 @@ PadSpec fitted_pad(const PadSpec& pad, const PadData& data, const PadFitProblem&
   out.across = data.cells.across;
   out.around = data.cells.around;
   out.through = data.cells.through;
+  // Collect the sources of all data.
   std::string cited;
   for (const PadDataPress& press : data.presses)
     for (const PadDataRows& rows : press.rows) cited = joined(cited, rows.source);
   add_sources(data.own_sources, out.own_sources);
+  // Each estimate goes to the shape or to its tissue; files count layers from the outside.
   for (std::size_t i = 0; i < result.estimates.size(); ++i) {
     const PadConstant& constant = problem.constants[i].constant;
     const ConstantEstimate& estimate = result.estimates[i];
@@ -253,6 +264,7 @@ PadSpec fitted_pad(const PadSpec& pad, const PadData& data, const PadFitProblem&
       out.bone_height = estimate.value;
     else
       set_tissue(tissue, constant, estimate.value);
+    // What the data determine is assumed no longer and cites them.
     mark(of_shape ? out.shape_assumed : tissue.assumed, constant.kind, estimate.determined);
     if (!estimate.determined) continue;
     std::string& source = of_shape ? out.shape_source : tissue.source;

@@ -100,6 +100,7 @@ PressOutcome PadPress::solve_once(const PressGoal& goal, PressState& state) {
 }
 
 PressOutcome PadPress::solve(const PressGoal& goal, int cuts) {
+  // Whole step, or a search by depths for a force.
   PressOutcome out = solve_once(goal, state_);
   if (ended(out)) return out;
   if (goal.force && options_.pieces > 1)
@@ -122,10 +123,11 @@ PadPressResult PadPress::step(const PressGoal& goal) {
   PressState start = state_;
   std::optional<Kept> kept;
   for (bool refined = false;; refined = true) {
-    // On a finer mesh from the answer of the coarser; otherwise from the step's beginning.
+    // Solve on a refined mesh, first from the answer of the coarser one.
     if (refined) {
       result.solved = solve_once(from_here(goal), state_);
     }
+    // A mesh refined for depth alone that has no answer is given up for the one before.
     if (kept && !ended(result.solved)) {
       mesh_ = std::move(kept->mesh);
       build();
@@ -134,6 +136,7 @@ PadPressResult PadPress::step(const PressGoal& goal) {
       result = std::move(kept->result);
       break;
     }
+    // First mesh, or no answer from there: solve from the step's beginning, in pieces.
     if (!refined || !ended(result.solved)) {
       state_ = start;
       pieces_ = 0;
@@ -143,6 +146,7 @@ PadPressResult PadPress::step(const PressGoal& goal) {
       state_ = start;
       break;
     }
+    // Error of the force by the energy of the error, which tells when the mesh is good enough.
     const Matrix3Xd u = body_->spread(state_.x, {});
     const VectorXd errors = body_->error_energies(u);
     TissueResponse now;
@@ -154,8 +158,8 @@ PadPressResult PadPress::step(const PressGoal& goal) {
         model_.element == HexElement::kQuadratic ||
         static_cast<int>(body_->elements()) >= options_.max_elements)
       break;
-    // Cells that touch while they are too few; those with large errors; or where faces are too
-    // deep, for whose sake no answer is given up.
+    // Refine where nodes touch while they are too few, else where errors are large, else where
+    // faces are too deep, and then keep the answer in case the finer mesh has none.
     const bool is_coarse = patch_is_coarse();
     kept.reset();
     if (!is_coarse && result.force_error <= options_.force_error)
@@ -180,11 +184,13 @@ bool PadPress::patch_is_coarse() const {
 }
 
 std::vector<int> PadPress::touching_cells() const {
+  // Nodes that bear force.
   std::vector<bool> touches(static_cast<std::size_t>(mesh_.nodes()), false);
   for (std::size_t k = 0; k < surface_.nodes.size(); ++k)
     if (state_.normal[static_cast<Eigen::Index>(k)] > 0)
       touches[static_cast<std::size_t>(mesh_node(*body_, surface_, k))] = true;
   std::vector<int> out;
+  // Cells with such a corner, or with one that hangs on it.
   for (const int index : mesh_.active()) {
     const auto& corners = mesh_.cells()[static_cast<std::size_t>(index)].corners;
     if (std::any_of(corners.begin(), corners.end(), [&](int node) {
@@ -199,6 +205,7 @@ std::vector<int> PadPress::touching_cells() const {
 }
 
 std::vector<int> PadPress::cells_of_errors(const VectorXd& errors) const {
+  // Elements by falling error, until they hold the share that is refined at once.
   std::vector<int> order(static_cast<std::size_t>(errors.size()));
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return errors[a] > errors[b]; });
@@ -215,6 +222,7 @@ std::vector<int> PadPress::cells_of_errors(const VectorXd& errors) const {
 }
 
 void PadPress::refine(const std::vector<int>& marked, PressState& start) {
+  // New mesh and body, with the states at the beginning and now carried over.
   const PressCarrier carrier(mesh_, std::move(body_), std::move(surface_));
   mesh_.refine(marked);
   build();
@@ -227,6 +235,7 @@ void PadPress::refine(const std::vector<int>& marked, PressState& start) {
 
 void PadPress::measure(PadPressResult& result) {
   result.push = result.solved.push;
+  // Share of the normal force on nodes that stick.
   double all = 0, stuck = 0;
   for (Eigen::Index k = 0; k < state_.normal.size(); ++k) {
     all += state_.normal[k];
@@ -235,7 +244,7 @@ void PadPress::measure(PadPressResult& result) {
   result.stick = all > 0 ? stuck / all : 0;
   const std::vector<bool> skin = skin_nodes(mesh_);
   result.area = contact_area(mesh_, *body_, model_.tissues, skin, surface_, object_, state_);
-  // The deepest of points within faces, and the cells where they are too deep.
+  // Deepest point within each face on a grid, and the cells where it is too deep.
   const Matrix3Xd u = body_->spread(state_.x, {});
   const Pose<double> X_OP = state_.X_PO.inverse();
   result.penetration = 0;

@@ -26,6 +26,7 @@ PadShape scaled_shape(PadShape shape, double s) {
 CalibratedLaws scaled_laws(CalibratedLaws laws, double s) {
   check_scale(s);
   if (s != 1) laws.pad_digest.clear();  // of another pad than they were fitted to
+  // Forces go as s^2 at equal strain, lengths as s: powers of the scale that keep the laws' form.
   PowerLawConstants& power = laws.power;
   power.force *= std::pow(s, 2 - power.depth_exponent);
   power.patch *= std::pow(s, 1 - 2 * power.patch_exponent);

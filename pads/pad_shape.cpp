@@ -55,7 +55,7 @@ Vector3d PadChart::bone_point(double a, double b) const {
 Vector3d PadChart::skin_point(double a, double b) const {
   Vector3d outer = dome(a, b, {shape_.length / 2, shape_.width / 2, shape_.height});
   if (!shape_.skin) return outer;
-  // From the bone along the ray, by steps as long as the distance, which passes no surface.
+  // Sphere tracing from the bone along the ray: steps as long as the distance pass no surface.
   const Vector3d from = bone_point(a, b), along = (outer - from).normalized();
   double t = 0, depth = -shape_.skin->distance(from);
   require(depth > 0, "the bone of a pad leaves its skin at ({:g}, {:g}, {:g}) mm", from[0] * 1e3,
@@ -91,6 +91,7 @@ double PadChart::level_depth(double w, double thickness) const {
 }
 
 Vector3d PadChart::place(const Vector3d& c) const {
+  // Point on the segment from bone to skin, at the depth of the level.
   const Vector3d bone = bone_point(c[0], c[1]), skin = skin_point(c[0], c[1]);
   const double all = (skin - bone).norm();
   return bone + level_depth(c[2], all) / all * (skin - bone);
@@ -123,13 +124,14 @@ HexMesh pad_mesh(const PadShape& shape, const PadCells& cells) {
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
       quads.push_back({inner(i, j), inner(i + 1, j), inner(i, j + 1), inner(i + 1, j + 1)});
-  // Around it, counterclockwise.
+  // Border of the square, counterclockwise.
   std::vector<int> ring;
   for (int i = 0; i < n; ++i) ring.push_back(inner(i, 0));
   for (int j = 0; j < n; ++j) ring.push_back(inner(n, j));
   for (int i = n; i > 0; --i) ring.push_back(inner(i, n));
   for (int j = n; j > 0; --j) ring.push_back(inner(0, j));
   const std::vector<int> square = ring;
+  // Rings from the square's border to the rim of the disc.
   for (int layer = 1; layer <= cells.around; ++layer) {
     std::vector<int> next;
     const double part = static_cast<double>(layer) / cells.around;
@@ -159,6 +161,7 @@ HexMesh pad_mesh(const PadShape& shape, const PadCells& cells) {
     for (int i = 0; i < per_level; ++i)
       points.col(static_cast<Eigen::Index>(k) * per_level + i) << disc[static_cast<std::size_t>(i)],
           levels[k];
+  // Cells between two levels; the pulp is region 0, layers follow from the inside out.
   std::vector<HexCell> list;
   for (int k = 0; k + 1 < static_cast<int>(levels.size()); ++k)
     for (const std::array<int, 4>& quad : quads) {
@@ -198,7 +201,7 @@ FoundationColumns pad_columns(const PadShape& shape, int rings) {
   std::vector<double> thickness, area;
   const double width = 1.0 / rings;
   for (int ring = 0; ring < rings; ++ring) {
-    // Cells about as long as wide.
+    // Cells of a ring are about as long as wide.
     const double r = (ring + 0.5) * width;
     const int count = static_cast<int>(std::lround(2 * kPi * (ring + 0.5)));
     const double turn = 2 * kPi / count;
@@ -211,12 +214,14 @@ FoundationColumns pad_columns(const PadShape& shape, int rings) {
               .cross(at(r, angle + turn / 2, 1) - at(r, angle - turn / 2, 1));
       skin.push_back(middle);
       area.push_back(side.norm() * turn / 2 / std::sin(turn / 2));
+      // Thickness down to the bone, and the normal away from it.
       const Eigen::Vector3d up = middle - at(r, angle, 0);
       thickness.push_back(up.norm());
       normal.push_back(side.normalized());
       if (normal.back().dot(up) < 0) normal.back() *= -1;
     }
   }
+  // Collect the columns in matrices.
   FoundationColumns out;
   const auto count = static_cast<Eigen::Index>(skin.size());
   out.skin.resize(3, count);

@@ -41,6 +41,7 @@ void add_turning_slopes(PressIterate& at) {
     const auto normal_at = [&](const Vector3d& p) {
       return Vector3d(at.now.X_PO.R * at.object.shape->nearest(X_OP * p).normal);
     };
+    // Slope of the normal by central differences.
     Matrix3d slope;
     for (int c = 0; c < 3; ++c) {
       const Vector3d way = step * Vector3d::Unit(c);
@@ -56,14 +57,14 @@ void add_turning_slopes(PressIterate& at) {
 bool renew_tangent(PressIterate& at, const Matrix3Xd& u) {
   at.body.respond(u, at.goal.time, at.start.history, at.now.pressure, ElementAsk::kStiffness,
                   at.tissue);
-  // With turning forces, or else without.
+  // Tangent with turning forces, or without where that is not positive definite.
   const Matrix3Xd none(3, 0);
   const std::vector<double> tissue = at.tissue.values;
   add_turning_slopes(at);
   if (at.factors.cones.factor(at.tissue.values, none)) return true;
   at.tissue.values = tissue;
   if (at.factors.cones.factor(at.tissue.values, none)) return true;
-  // With springs.
+  // Springs between contacts and object, where the contacts alone hold the body.
   Matrix3Xd springs = Matrix3Xd::Zero(3, static_cast<Eigen::Index>(at.contacts.size()));
   for (std::size_t k = 0; k < at.contacts.size(); ++k)
     if (at.contacts[k].push > 0)
@@ -83,6 +84,7 @@ Matrix3Xd slips_of(const PressIterate& at) {
 /// The linear body at rest under its contacts.
 ContactCones::Rest rest_under_cones(PressIterate& at) {
   const Matrix3Xd slip = slips_of(at);
+  // A force to reach drives the object, held by a soft spring.
   std::optional<ContactCones::Drive> drive;
   if (at.goal.force)
     drive = {at.goal.along, *at.goal.force,
@@ -101,7 +103,7 @@ PressOutcome press_by_cones(PressIterate& at) {
   VectorXd dx, last;
   AndersonMixing mixing(kMixedMotions);
   for (; at.goes_on(out); ++out.iterations) {
-    // Forces here.
+    // Tissue and contacts at the iterate; stiffness only if there is no tangent yet.
     Matrix3Xd u;
     const bool has_factor = tangent.has_factor();
     if (!at.respond(has_factor ? ElementAsk::kForce : ElementAsk::kStiffness, dx, u, out))
@@ -110,7 +112,7 @@ PressOutcome press_by_cones(PressIterate& at) {
     const IterateTurn turn = measure_contacts(at, u, out);
     if (turn == IterateTurn::kEnded) return out;
     if (turn == IterateTurn::kMoved) continue;
-    // A tangent of elsewhere serves while what is left falls well.
+    // An older tangent serves while the residual falls well.
     const double left = std::max(out.residual, at.change);
     const bool well = out.iterations == 0 || left < kTangentFallRatio * std::min(before, at.scale);
     if (!(has_factor && well) && !renew_tangent(at, u)) {
@@ -118,17 +120,19 @@ PressOutcome press_by_cones(PressIterate& at) {
       return out;
     }
     before = left;
+    // Linear body at rest under exact cones.
     const ContactCones::Rest rest = rest_under_cones(at);
     if (rest.status != Status::kSolved) {
       out.message = "no forces of contact were found";
       return out;
     }
-    // Where motions shrink slowly, as where friction turns with normals, all of what they tend to.
+    // Anderson mixing where motions shrink slowly, as where friction turns with normals.
     dx = rest.dx;
     const bool creeps = last.size() > 0 && rest.dx.norm() > kCreepRatio * last.norm();
     last = rest.dx;
     if (at.goal.force || !creeps || left > kMixingShare * at.scale) mixing.clear();
     dx = mixing.next(rest.dx);
+    // Pressure and contact forces that the motion predicts.
     at.now.pressure = at.body.pressure_after(u, at.body.spread(dx, {}));
     at.now.x += dx;
     at.now.X_PO.p += rest.motion * at.goal.along;

@@ -14,7 +14,6 @@ using Eigen::Vector3d;
 
 // Normals on two sides of an object have a cosine below this [1]
 constexpr double kOppositeCosine = -0.5;
-// Depth that the springs of skin may yield, over the distance of nodes [1]
 // Largest depth of the object under springs, over the distance of nodes [1]
 constexpr double kSpringDepth = 0.2;
 
@@ -56,7 +55,7 @@ std::string find_crossing(const PressIterate& at, const Matrix3Xd& u) {
   for (std::size_t k = 0; k < at.contacts.size(); ++k)
     if (at.contacts[k].push > 0 && changed_sides(at, k, X_OP))
       return "the object jumped through skin";
-  // Springs give way by a part of what they hold.
+  // Springs give way by a part of the distance of nodes.
   const double gives = at.springs ? kSpringDepth * std::sqrt(at.surface.area.mean()) : 0;
   if (at.springs && at.springs->deepest() > gives) return "the skin is inside the object";
   if (at.springs && at.springs->changed_sides(*at.object.shape, at.start.X_PO, at.now.X_PO,

@@ -72,6 +72,7 @@ class CurveWalk {
   }
 
   std::string step(const PressLoad& load, int cuts) {
+    // Step to the load, the others after the first.
     PadTrack& first = *pads_[0];
     const double before = indentation(first), push = course_.along.dot(first.state.push.force);
     PressState next = first.state;
@@ -95,6 +96,7 @@ class CurveWalk {
 
   /// The other pads, from the answer of the first but with their own past.
   std::string follow(const PressLoad& load, const PressState& answer) {
+    // Each goes from the first one's answer, but relaxes and rubs from its own past.
     const double at = course_.along.dot(answer.X_PO.p - pads_[0]->touched);
     for (std::size_t k = 1; k < pads_.size(); ++k) {
       PadTrack& pad = *pads_[k];
@@ -155,6 +157,7 @@ PressCurves press_curves(const std::vector<PadModel>& pads, const PressCourse& c
   CurveWalk walk(pads, course);
   PressCurves out;
   out.points.resize(pads.size());
+  // Load by load, until a stop or a failure.
   for (std::size_t i = 0; i < course.loads.size(); ++i) {
     if (progress.stop()) {
       out.status = Status::kStopped;

@@ -24,7 +24,6 @@ constexpr double kMostContactOverRest = 5000;
 
 // Longest motion of the object in an iteration to a force, over the distance of nodes [1]
 constexpr double kMotionShare = 0.25;
-// Distance beyond which a force is searched for anew, over that longest motion [1]
 // Largest gap from which an object is brought to touch, over that motion [1]
 constexpr double kSearchDistance = 20;
 // Depth at which the object touches again, over that longest motion [1]
@@ -91,6 +90,7 @@ bool PressIterate::respond(ElementAsk ask, VectorXd& dx, Matrix3Xd& u, PressOutc
     u = body.spread(now.x, {});
     body.respond(u, goal.time, start.history, now.pressure, ask, tissue);
     if (!tissue.inverted) return true;
+    // Inverted: take back half of the last motion.
     if (dx.size() == 0) break;
     dx *= 0.5;
     now.x -= dx;
@@ -104,6 +104,7 @@ void PressIterate::measure(const Matrix3Xd& forces, PressOutcome& out) {
   out.gap = change = rounding = 0;
   out.push = {};
   scale = 0;
+  // Contact forces, subtracted from those of tissue, and their wrench on the body.
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const TouchingNode& c = contacts[k];
     const auto column = static_cast<Eigen::Index>(k);
@@ -114,9 +115,9 @@ void PressIterate::measure(const Matrix3Xd& forces, PressOutcome& out) {
     scale += force.norm();
     if (c.push <= 0) continue;
     rounding = std::max(rounding, stiffness[k] * kRoundedPlace);
-    // Forces that still move tell of nodes that should stick or open.
+    // A force that still changes may be that of a node that is to stick, to slip or to open.
     change = std::max(change, (c.shear - Vector3d(now.shear.col(column))).norm());
-    if (springs) continue;  // which leave no gap to close
+    if (springs) continue;  // springs leave no gap to close
     out.gap = std::max(out.gap, std::abs(gaps.gap(k)));
     change = std::max(change, std::abs(c.push - now.normal[column]));
   }
@@ -126,8 +127,8 @@ void PressIterate::measure(const Matrix3Xd& forces, PressOutcome& out) {
 }
 
 bool PressIterate::is_solved(const PressOutcome& out) const {
-  // No better than rounding of the forces within elements, which bulk moduli make large, and of
-  // the places that forces of contact come from.
+  // Tolerance, but no less than the rounding of forces within elements, which bulk moduli
+  // magnify, and of contact forces, which their stiffness magnifies.
   const double rounded = std::max(kRoundedStrain * body.largest_pressure_force(), rounding);
   const double small = std::max(options.force_tolerance * scale, rounded);
   return out.residual <= small && std::abs(missing) <= std::max(small, 1e-9) &&
@@ -152,12 +153,13 @@ bool PressIterate::go_to_touch(PressOutcome& out) {
 
 void PressIterate::find_stiffness(const std::vector<double>& values) {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
+    // Stiffness of tissue at rest under the node, and of the body as it is.
     const double at_rest =
         body.largest_modulus() * std::sqrt(surface.area[static_cast<Eigen::Index>(k)]);
     double here = 0;
     for (int c = 0; c < 3; ++c)
       here = std::max(here, values[body.diagonal_entry(surface.nodes[k], c, c)]);
-    // No more than leaves forces exact to rounding of places.
+    // The upper bound keeps the rounding of places out of the forces.
     stiffness.push_back(std::clamp(kContactOverBody * here, kContactOverRest * at_rest,
                                    kMostContactOverRest * at_rest));
   }
@@ -166,6 +168,7 @@ void PressIterate::find_stiffness(const std::vector<double>& values) {
 bool PressIterate::factored(const std::function<bool()>& factor) {
   if (factor()) return true;
   const double mean = mean_diagonal(body, tissue.values);
+  // Springs on the diagonal, ten times stiffer each time.
   double held = 0;
   for (double share = kLeastHold; share <= kMostHold; share *= 10) {
     add_to_diagonal(body, share * mean - held, tissue.values);
@@ -184,11 +187,13 @@ void PressIterate::add_block(std::size_t k, const Matrix3d& block) {
 bool PressIterate::reach_force(const std::function<Matrix3Xd(const Matrix3Xd&)>& loss,
                                const std::function<VectorXd(const VectorXd&)>& solve, VectorXd& dx,
                                double& motion) const {
+  // Forces lost by a unit motion of the object, and the body's answer to them.
   const Matrix3Xd lost = loss(goal.along.replicate(1, static_cast<Eigen::Index>(contacts.size())));
   const VectorXd follows = solve(on_body(lost));
   const auto lost_along = [&](const Matrix3Xd& forces) {
     return goal.along.dot(forces.rowwise().sum());
   };
+  // Schur complement: stiffness of the object's motion, with the body following.
   const double schur = lost_along(lost) - lost_along(loss(on_surface(follows)));
   if (!(schur > 0)) return false;
   motion = std::clamp((missing + lost_along(loss(on_surface(dx)))) / schur, -longest, longest);
@@ -198,6 +203,7 @@ bool PressIterate::reach_force(const std::function<Matrix3Xd(const Matrix3Xd&)>&
 
 VectorXd PressIterate::solve_with(
     const VectorXd& b, const std::function<Matrix3Xd(const Matrix3Xd&)>& left_out) const {
+  // GMRES on  (1 + A^-1 B) x = A^-1 b,  where the factor of A leaves out B.
   return gmres(
       [&](const VectorXd& x) {
         return VectorXd(x + factors.moment.solve(on_body(left_out(on_surface(x)))));

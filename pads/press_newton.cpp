@@ -23,6 +23,7 @@ constexpr double kTangentReuseShare = 0.2;
 VectorXd solve_coupled(const PressIterate& at, const VectorXd& b) {
   if (!at.gaps.neighbours_matter() && !some_slip(at)) return at.factors.moment.solve(b);
   return at.solve_with(b, [&](const Matrix3Xd& moved) {
+    // Loss of contact forces, less the part that the factor has.
     Matrix3Xd more = contact_loss(at, moved);
     for (std::size_t k = 0; k < at.contacts.size(); ++k) {
       const auto column = static_cast<Eigen::Index>(k);
@@ -35,6 +36,7 @@ VectorXd solve_coupled(const PressIterate& at, const VectorXd& b) {
 /// @param u  displacements of all nodes [m] (3, nodes)
 /// @return false if the object finds no way to its force
 bool take_step(PressIterate& at, const Matrix3Xd& u) {
+  // Newton step; to reach a force the object's motion is one more unknown.
   VectorXd dx = solve_coupled(at, -at.residual);
   double motion = 0;
   if (at.goal.force &&
@@ -74,7 +76,7 @@ PressOutcome press_by_newton(PressIterate& at) {
   bool keeps = false;
   double before = kInfinity;
   for (; at.goes_on(out); ++out.iterations) {
-    // Forces here.
+    // Tissue and contacts at the iterate; stiffness only if no tangent is kept.
     Matrix3Xd u;
     if (!at.respond(keeps ? ElementAsk::kForce : ElementAsk::kStiffness, dx, u, out)) return out;
     if (out.iterations == 0) at.find_stiffness(at.tissue.values);
@@ -82,7 +84,7 @@ PressOutcome press_by_newton(PressIterate& at) {
     const IterateTurn turn = measure_contacts(at, u, out);
     if (turn == IterateTurn::kEnded) return out;
     if (turn == IterateTurn::kMoved) continue;
-    // A tangent that was kept is taken anew where it serves no more.
+    // Renew a kept tangent where contacts have changed or the residual falls too slowly.
     const double left = std::max({out.residual, at.change, std::abs(at.missing)});
     const bool same = contact_states(at) == touched;
     if (keeps && !(same && left < kTangentReuseRatio * before)) {
@@ -94,6 +96,7 @@ PressOutcome press_by_newton(PressIterate& at) {
       out.message = "the stiffness is not positive definite";
       return out;
     }
+    // Keep the tangent close to the answer, while contacts stay.
     before = left;
     keeps = same && left < kTangentReuseShare * at.scale;
   }

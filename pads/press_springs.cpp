@@ -47,12 +47,13 @@ class SpringPress {
       return out;
     }
     for (; at_.goes_on(out); ++out.iterations) {
-      // Forces here.
+      // Tissue and springs at the iterate; a step that did not lower the potential is cut.
       Matrix3Xd u;
       if (!at_.respond(ElementAsk::kStiffness, dx_, u, out)) return out;
       if (out.iterations == 0) find_spring_stiffness();
       find_springs(at_.object.friction);
       if (out.iterations > kFreeIterations && !search_line(u, out)) return out;
+      // Balanced, or going round without progress.
       at_.measure(at_.springs->push(), out);
       if (at_.is_solved(out)) {
         at_.end(u, out);
@@ -63,6 +64,7 @@ class SpringPress {
         return out;
       }
       if (at_.goal.force && at_.scale == 0) {
+        // A force is sought and nothing touches: move the object on.
         at_.gaps.find(*at_.object.shape, at_.now.X_PO, at_.now.x);
         if (!at_.go_to_touch(out)) return out;
         line_.before = kInfinity;
@@ -78,12 +80,14 @@ class SpringPress {
   }
 
   Eigen::Matrix<double, 6, 6> stiffness() {
+    // Springs at the state. Friction is bounded a little lower, so that nodes on their cones slip.
     at_.residual = VectorXd::Zero(at_.body.unknowns());
     find_spring_stiffness();
     at_.springs.emplace(at_.body, at_.surface);
     find_springs(at_.object.friction * (1 - kSlipMargin));
     at_.springs->add_slopes(at_.tissue.values);
     if (!factored()) return Eigen::Matrix<double, 6, 6>::Zero();
+    // Forces by a motion of the object, less those that the body's motion gives back.
     const SkinSprings& springs = *at_.springs;
     return push_slope(places_of(at_.surface, at_.now.x), springs.push() + springs.shear(),
                       [&](const Matrix3Xd& rigid, const Matrix3Xd& turned) {
@@ -124,6 +128,7 @@ class SpringPress {
     for (int cut = 0; cut < kStepHalvings; ++cut) {
       if (potential() <= line_.before + kArmijoParameter * line_.promise + rounded_potential())
         break;
+      // Take back half of the last step, of body and object.
       line_.promise /= 2;
       line_.motion /= 2;
       dx_ /= 2;
@@ -137,6 +142,7 @@ class SpringPress {
 
   /// Returns whether steps with friction go round for ever.
   bool goes_round(const PressOutcome& out) {
+    // Iteration in which the residual last fell by half.
     if (out.residual < kRoundFall * least_) {
       least_ = out.residual;
       fell_ = out.iterations;
@@ -150,20 +156,24 @@ class SpringPress {
     dx_.resize(0);
     line_ = {potential(), 0, 0};
     if (!factored()) return false;
+    // Newton step; to reach a force the object's motion is one more unknown.
     dx_ = solve(-at_.residual);
     if (at_.goal.force &&
         !at_.reach_force([&](const Matrix3Xd& moved) { return at_.springs->loss(moved); },
                          [&](const VectorXd& b) { return solve(b); }, dx_, line_.motion))
       return false;
+    // Change of the potential by its slope.
     line_.promise = at_.residual.dot(dx_) - at_.missing * line_.motion;
     return true;
   }
 
   /// Applies the step. @param may_grow  if it runs off an equilibrium that is not stable
   void take_step(const Matrix3Xd& u, bool may_grow) {
+    // Lengthen a step that runs off, up to the longest motion.
     const bool runs = may_grow && runs_off();
     last_ = dx_;
     if (runs) dx_ *= std::clamp(at_.longest / dx_.lpNorm<Eigen::Infinity>(), 1.0, kMostGrowth);
+    // Pressure and friction that the step predicts.
     at_.now.pressure = at_.body.pressure_after(u, at_.body.spread(dx_, {}));
     if (at_.object.friction > 0) {
       Matrix3Xd moved = at_.on_surface(dx_);
@@ -184,6 +194,7 @@ class SpringPress {
   /// Returns whether the object, which does not wait for a force, is off the skin at rest.
   bool is_off_at_rest() {
     if (at_.goal.force || at_.body.relaxes()) return false;
+    // Depth of the skin at rest, for which any stiffness will do.
     const std::vector<double> any(at_.surface.nodes.size(), 1);
     at_.springs->find(*at_.object.shape, at_.now.X_PO, VectorXd::Zero(at_.now.x.size()), any, 0,
                       {at_.start.anchor, at_.now.shear});

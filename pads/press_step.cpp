@@ -28,9 +28,11 @@ int nodes_to_touch(PressIterate& at) {
 /// Solves by springs where there are edges; else by the augmented Lagrangian without friction or
 /// where many nodes touch, or by cones; where one fails, by the other.
 PressOutcome solve(PressIterate& at) {
+  // Edges over the skin: springs.
   if (meets_edge(at.surface, *at.object.shape, at.start.X_PO, at.start.x) ||
       meets_edge(at.surface, *at.object.shape, at.goal.X_PO, at.start.x))
     return press_by_springs(at);
+  // Newton's method or cones, and from the start again by the other if that fails.
   const bool augments = at.object.friction <= 0 || nodes_to_touch(at) > kMostConeNodes;
   PressOutcome out = augments ? press_by_newton(at) : press_by_cones(at);
   if (out.status == Status::kSolved || out.status == Status::kStopped) return out;
@@ -48,11 +50,12 @@ PressState finish(PressIterate& at) {
     const auto column = static_cast<Eigen::Index>(k);
     const TouchingNode& c = at.contacts[k];
     now.normal[column] = c.push;
-    // Bounded by the force of this iteration, from which that of the last differs by the tolerance.
+    // Friction is cut to its cone, which it may exceed by the tolerance.
     const double bound = at.object.friction * c.push, size = c.shear.norm();
     now.shear.col(column) = (size > bound ? bound / size : 1.0) * c.shear;
     now.anchor.col(column) = now.X_PO.inverse() * at.place_of(k);
   }
+  // Push and springs, and the relaxation over the step.
   now.push = at.push;
   now.by_springs = at.springs.has_value();
   now.spring_energy = at.springs ? at.springs->energy() : 0;
@@ -86,6 +89,7 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
                         const RigidObject& object, const PressGoal& goal,
                         const PressOptions& options, PressFactors& factors, PressState& state) {
   const auto nodes = static_cast<Eigen::Index>(surface.nodes.size());
+  // Object and goal must make sense, and the state must fit the body.
   require(object.shape != nullptr, "an object without a shape presses on nothing");
   require(object.friction >= 0 && std::isfinite(object.friction),
           "friction must be finite and >= 0, got {}", object.friction);
@@ -101,6 +105,7 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
               has_springs_of(state, surface),
           "a state of {} unknowns and {} nodes does not fit a body of {} and {}", state.x.size(),
           state.normal.size(), body.unknowns(), nodes);
+  // The state changes only if the step is solved.
   PressIterate at({body, surface, object, goal, options, state}, factors);
   PressOutcome out = solve(at);
   if (out.status == Status::kSolved) state = finish(at);
@@ -116,13 +121,13 @@ Eigen::Matrix<double, 6, 6> press_stiffness(const TissueBody& body, const Contac
           "a state of {} unknowns does not fit a body of {}", state.x.size(), body.unknowns());
   PressGoal here;
   here.X_PO = state.X_PO;
-  // Tissue there.
+  // Tissue at the state, with no time to relax.
   PressIterate at({body, surface, object, here, options, state}, factors);
   at.body.respond(body.spread(at.now.x, {}), 0, state.history, at.now.pressure,
                   ElementAsk::kStiffness, at.tissue);
   if (at.tissue.inverted) return Eigen::Matrix<double, 6, 6>::Zero();
   if (state.by_springs) return spring_press_stiffness(at);
-  // Contacts of nodes.
+  // Contacts of nodes on the body, whose compliance is found for the nodes that touch.
   at.gaps.find(*object.shape, at.now.X_PO, at.now.x);
   const TouchingNodes touching = touching_nodes(at.now, object.friction);
   if (touching.nodes.empty() || !factors.moment.factor(at.tissue.values))

@@ -43,6 +43,7 @@ void add_node(const HexMesh& mesh, const MeshContact& found, int node, Eigen::In
   skin.normal[k] = found.normal[node];
   skin.pressure[k] = 0;
   double touching = 0, sticking = 0;
+  // Pressure of each master by its own area, and how much of the node's weight touches.
   for (const NodeWeight& each : mesh.support(node)) {
     if (found.area[each.node] > 0)
       skin.pressure[k] += each.weight * (found.normal[each.node] / found.area[each.node]);
@@ -75,7 +76,7 @@ PressedSkin pressed_skin(const PadPress& press, double friction) {
   const HexMesh& mesh = press.mesh();
   const Eigen::Matrix3Xd at_rest = places_at_rest(mesh);
   const Eigen::Matrix3Xd at = at_rest + press.body().spread(press.state().x, {});
-  // Faces and what their nodes have, by nodes of the mesh.
+  // Faces of the skin, with areas and forces by nodes of the mesh.
   PressedSkin skin;
   const std::vector<HexFace> faces = marked_faces(mesh, skin_nodes(mesh));
   for (const HexFace& face : faces)  // two rows become a round

@@ -31,7 +31,7 @@ MeasuredPress measured(PadPress& press, const PadPressResult& result, const Pres
   out.arm = moments.arm;
   out.force_error = result.force_error;
   out.penetration = result.penetration;
-  // What sticking adds; what does not go along the press goes across it.
+  // Stiffness across the press that sticking adds, in the mean over two directions.
   const Eigen::Matrix3d K = (press.stiffness(1) - press.stiffness(0)).bottomRightCorner<3, 3>();
   out.shear = 0.5 * (K.trace() - trial.along.dot(K * trial.along));
   return out;
@@ -61,6 +61,7 @@ void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPr
                      const std::function<void(double)>& report, MeasuredPresses& out) {
   const std::shared_ptr<const Shape> skin = skin_solid(model.shape);
   PadPress press(model, trial.object, trial.X_PO, options);
+  // Depths count from the first touch.
   (void)press.touch(trial.along);
   PressGoal goal;
   const Vector3d touch = press.state().X_PO.p;
@@ -69,6 +70,7 @@ void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPr
     const double depth = trial.depths[i];
     goal.X_PO = press.state().X_PO;
     goal.X_PO.p = touch + depth * trial.along;
+    // Press to the depth; a press that is not solved ends the trial.
     const PadPressResult result = press.step(goal);
     out.stopped = result.solved.status == Status::kStopped;
     if (out.stopped) return;
@@ -78,6 +80,7 @@ void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPr
                       i + 1 < trial.depths.size() ? "; no deeper one was tried" : ""));
       return;
     }
+    // Depth and gap of the undeformed surfaces, by which laws go.
     MeasuredPress found = measured(press, result, trial);
     const DeepestSkin deepest =
         deepest_skin(PadChart(model.shape), *trial.object.shape, found.X_PO);
@@ -110,6 +113,7 @@ LawTrials standard_trials(const PadShape& shape, const std::vector<double>& dept
   std::vector<double> between;
   for (std::size_t i = 0; i < depths.size(); ++i)
     between.push_back(0.5 * (depths[i] + (i > 0 ? depths[i - 1] : 0)));
+  // Objects begin farther off than any skin.
   const double far = 1e-3 + reach_of(shape);
   const auto plane = [&](double angle, const std::vector<double>& to) {
     const Vector3d along(-std::sin(angle), 0, -std::cos(angle));
@@ -128,7 +132,6 @@ LawTrials standard_trials(const PadShape& shape, const std::vector<double>& dept
   };
   const auto cylinder = [&](const Vector3d& axis, const std::string& way,
                             const std::vector<double>& to) {
-    // Radius of the cylinder and of its distance to the pad [m]
     constexpr double kRodRadius = 8e-3;  // Radius of the cylinder [m]
     return PressTrial{"cylinder of 8 mm " + way,
                       {build_cylinder(kRodRadius, 0.2), 0},

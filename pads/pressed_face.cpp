@@ -50,6 +50,7 @@ Polygon whole_triangle() {
 Polygon clipped(const Polygon& polygon, const Vector3d& values) {
   Polygon out;
   for (std::size_t i = 0; i < polygon.size; ++i) {
+    // Keep corners inside, and add the point where a side crosses.
     const Vector3d &a = polygon.corners[i], &b = polygon.corners[(i + 1) % polygon.size];
     const double at_a = values.dot(a), at_b = values.dot(b);
     if (at_a >= 0) out.add(a);
@@ -95,9 +96,11 @@ class FacePress {
         X_OP_(X_PO.inverse()) {}
 
   PressedFace press() {
+    // A face farther from the object than its corners from its middle is outside.
     const Sample middle = sample(face_shape(0.5, 0.5));
     if (middle.distance > (corners_.colwise() - middle.place).colwise().norm().maxCoeff())
       return std::move(out_);
+    // Grid of places with the object's nearest points.
     std::array<std::array<Sample, kSideParts + 1>, kSideParts + 1> at;
     for (std::size_t i = 0; i <= kSideParts; ++i)
       for (std::size_t j = 0; j <= kSideParts; ++j)
@@ -123,12 +126,14 @@ class FacePress {
 
   /// Adds the springs of a triangle. @param cuts  that made it out of one of the face
   void add(const Triangle& at, int cuts = 0) {
+    // A triangle farther from the object than its size is outside.
     const double reach =
         std::max((at[1].place - at[0].place).norm(), (at[2].place - at[0].place).norm());
     if (at[0].distance > reach) return;
     for (Eigen::Index c = 0; c < 3; ++c) shapes_.col(c) = at[static_cast<std::size_t>(c)].shape;
     k_ = std::pow(0.25, cuts) * stiffness_.dot(shapes_.rowwise().mean());
-    // Planes of the corners.
+    // Planes of the object at the corners: how far normals turn apart, and by how much a plane lies
+    // beyond the object, as only an object that is not convex allows.
     double turn = 0, excess = 0;
     std::array<Plane, 3> planes;
     for (std::size_t p = 0; p < 3; ++p) {
@@ -138,11 +143,12 @@ class FacePress {
         excess = std::max(excess, planes[p].values[static_cast<Eigen::Index>(c)] - at[c].distance);
       }
     }
-    // All of it outside.
+    // Outside if all of it is above one plane of a convex object.
     const bool is_convex = excess < kConvexRounding;
     if (is_convex && std::any_of(planes.begin(), planes.end(),
                                  [](const Plane& plane) { return plane.values.minCoeff() >= 0; }))
       return;
+    // Planes where edges are straight, linear depth where the object is smooth, quarters elsewhere.
     if (turn > kPlaneTurn && is_convex && find_planes(at, planes))
       add_planes();
     else if (turn < kSharpTurn || cuts == kMostSplits)
@@ -186,6 +192,7 @@ class FacePress {
   /// Adds springs whose depth is linear over the triangle.
   /// @param smooth  whether normals turn evenly, so that their turn is part of the stiffness
   void add_linear(const Triangle& at, bool smooth) {
+    // Linear depth and mean normal; springs press where the depth is positive.
     const Vector3d depth(-at[0].distance, -at[1].distance, -at[2].distance);
     const Vector3d normal = (at[0].normal + at[1].normal + at[2].normal).stableNormalized();
     const Polygon part = clipped(whole_triangle(), depth);
@@ -206,7 +213,7 @@ class FacePress {
     ways.col(2) = ways.col(0).norm() * normal;
     const Eigen::Matrix3d slope = turns * ways.inverse();
     const Eigen::Matrix3d curvature = (slope + slope.transpose()) / 2;
-    // Forces on distances of the corners.
+    // Forces on the distances of the triangle's corners.
     Vector3d forces(0, 0, 0);
     for_points(part,
                [&](const Vector3d& b, double share) { forces += k_ * share * depth.dot(b) * b; });
@@ -222,12 +229,14 @@ class FacePress {
   /// object
   bool find_planes(const Triangle& at, const std::array<Plane, 3>& of_corners) {
     planes_.clear();
+    // Planes of the corners that differ.
     for (const Plane& plane : of_corners) {
       const bool known = std::any_of(planes_.begin(), planes_.end(), [&](const Plane& other) {
         return (other.normal - plane.normal).norm() < kSamePlane;
       });
       if (!known) planes_.push_back(plane);
     }
+    // Add planes that the object has beyond them, until there is none.
     for (int look = 0; look <= kMostLooks; ++look) {
       find_parts();
       if (!find_another(at)) return true;
@@ -245,6 +254,7 @@ class FacePress {
       parts_[kept++] = parts_[p];
     }
     planes_.resize(kept);
+    // Springs below each plane, then the ridge of each pair.
     for (std::size_t p = 0; p < planes_.size(); ++p) {
       const Plane& plane = planes_[p];
       add_part(parts_[p], -plane.values, plane.normal, [&](const Vector3d& b) {
@@ -258,6 +268,7 @@ class FacePress {
   void find_parts() {
     parts_.assign(planes_.size(), whole_triangle());
     for (std::size_t p = 0; p < planes_.size(); ++p) {
+      // Inside the object, and where no other plane is farther.
       parts_[p] = clipped(parts_[p], -planes_[p].values);
       for (std::size_t q = 0; q < planes_.size(); ++q)
         if (q != p) parts_[p] = clipped(parts_[p], planes_[p].values - planes_[q].values);
@@ -271,6 +282,7 @@ class FacePress {
     std::optional<Plane> found;
     for (std::size_t p = 0; p < planes_.size(); ++p)
       for (std::size_t i = 0; i < parts_[p].size; ++i) {
+        // Excess of the true distance over the plane's at a corner of its part.
         const Vector3d& b = parts_[p].corners[i];
         const Vector3d place = b[0] * at[0].place + b[1] * at[1].place + b[2] * at[2].place;
         const NearestSurface near = object_.nearest(X_OP_ * place);
@@ -289,12 +301,14 @@ class FacePress {
   void add_part(const Polygon& part, const Vector3d& depth, const Vector3d& normal,
                 const SlopeAt& slope_at) {
     if (share_of(part) <= 0) return;
+    // Deepest point, and the middle of the part.
     Vector3d mean(0, 0, 0);
     for (std::size_t i = 0; i < part.size; ++i) {
       out_.deepest = std::max(out_.deepest, depth.dot(part.corners[i]));
       mean += part.corners[i] / static_cast<double>(part.size);
     }
     out_.points.push_back({shapes_ * mean, normal});
+    // Energy k depth^2 / 2, its slope and its stiffness.
     for_points(part, [&](const Vector3d& b, double share) {
       const double here = depth.dot(b), k = k_ * share;
       const FaceCorners slope = slope_at(b);
@@ -321,7 +335,7 @@ class FacePress {
   void add_ridge(std::size_t p, std::size_t q) {
     const Vector3d &one = planes_[p].values, more = one - planes_[q].values;
     const Vector3d turn = planes_[p].normal - planes_[q].normal;
-    // Where it crosses the triangle's sides.
+    // Ends of the ridge on the triangle's sides.
     std::array<Vector3d, 2> ends;
     std::size_t found = 0;
     for (int i = 0; i < 3 && found < 2; ++i) {
@@ -331,7 +345,7 @@ class FacePress {
             (more[j] * Vector3d::Unit(i) - more[i] * Vector3d::Unit(j)) / (more[j] - more[i]);
     }
     if (found < 2) return;
-    // Its part below the planes and above the others.
+    // Part of the ridge inside the object where no other plane is farther.
     double from = 0, to = 1;
     const auto cut = [&](const Vector3d& values) {
       const double a = values.dot(ends[0]), b = values.dot(ends[1]);
@@ -343,8 +357,8 @@ class FacePress {
     for (std::size_t r = 0; r < planes_.size(); ++r)
       if (r != p && r != q) cut(one - planes_[r].values);
     if (!(to > from)) return;
-    // Two points, exact for products of three linear functions; by areas of the triangle, which is
-    // 1/2 of the unit of its coordinates.
+    // Two Gauss points, exact for products of three linear functions. Lengths are in barycentric
+    // coordinates, in which the triangle has the area 1/2.
     const double length = (to - from) * (ends[1] - ends[0]).head<2>().norm();
     const double rate = std::hypot(more[0] - more[2], more[1] - more[2]);
     for (const double side : {-1.0, 1.0}) {

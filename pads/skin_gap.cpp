@@ -43,6 +43,7 @@ PrincipalCurvatures curvatures_near(const Shape& shape, const Vector3d& p) {
 /// The point of the convex hull of some points that is nearest to 0.
 template <std::size_t n>
 Vector2d shortest_mixture(const std::array<Vector2d, n>& points) {
+  // Nearest point to 0 of all segments between two of them.
   Vector2d out = points.front();
   for (const Vector2d& a : points)
     for (const Vector2d& b : points) {
@@ -50,7 +51,7 @@ Vector2d shortest_mixture(const std::array<Vector2d, n>& points) {
       const Vector2d x = a + std::clamp(share, 0.0, 1.0) * (b - a);
       if (x.squaredNorm() < out.squaredNorm()) out = x;
     }
-  // Unless 0 lies within.
+  // The hull holds 0 unless all points lie beyond that point.
   const bool is_beyond = std::all_of(points.begin(), points.end(), [&](const Vector2d& p) {
     return out.dot(p) > (1 - 1e-9) * out.squaredNorm();
   });
@@ -73,6 +74,7 @@ class OverlapSearch {
   bool follow(Vector2d c) {
     for (int i = 0; i < 5; ++i) {
       if (c.norm() > 1 - 2 * kDifferenceStep) return false;
+      // Slope and curvature by central differences.
       const Vector2d x(kDifferenceStep, 0), y(0, kDifferenceStep);
       const double here = overlap(c), left = overlap(c - x), right = overlap(c + x),
                    below = overlap(c - y), above = overlap(c + y);
@@ -82,7 +84,7 @@ class OverlapSearch {
       curve(1, 1) = 4 * (above - 2 * here + below);
       curve(0, 1) = curve(1, 0) =
           overlap(c + x + y) - overlap(c + x - y) - overlap(c - x + y) + overlap(c - x - y);
-      // A maximum, and not far.
+      // Newton step, only near a maximum and if it is short.
       if (!(curve.trace() < 0 && curve.determinant() > 0)) return false;
       const Vector2d step = -2 * kDifferenceStep * curve.inverse() * slope;
       if (!(step.norm() < kMostNewtonStep)) return false;
@@ -106,6 +108,7 @@ class OverlapSearch {
                       static_cast<int>(k) % kGridSide - kGridPlaces) /
              kGridPlaces;
     };
+    // Deepest place of the grid.
     most = -kInfinity;
     for (std::size_t k = 0; k < found.size(); ++k) {
       if (place(k).norm() > 1) continue;
@@ -114,6 +117,7 @@ class OverlapSearch {
       most = found[k];
       best = place(k);
     }
+    // Lead over all places that are not beside it.
     double other = -kInfinity;
     for (std::size_t k = 0; k < found.size(); ++k)
       if ((place(k) - best).norm() > kBesideShare) other = std::max(other, found[k]);
@@ -126,6 +130,7 @@ class OverlapSearch {
   void climb(double ring) {
     most = overlap(best);
     while (ring > kFinestStep) {
+      // Slopes on a ring around the best place.
       std::array<Vector2d, kSlopePlaces> slopes;
       for (int k = 0; k < kSlopePlaces; ++k) {
         const double turn = 2 * kPi * k / kSlopePlaces;
@@ -134,7 +139,7 @@ class OverlapSearch {
         slopes[static_cast<std::size_t>(k)] =
             Vector2d(overlap(at + Vector2d(d, 0)) - here, overlap(at + Vector2d(0, d)) - here) / d;
       }
-      // As far as it rises as slopes say, in part; nearer where it does not.
+      // Go on while the overlap rises by a part of what slopes promise; otherwise shrink the ring.
       const Vector2d mixed = shortest_mixture(slopes), way = mixed.stableNormalized(), from = best;
       double t = ring;
       if (mixed.norm() > kLevelMixture * slopes[0].norm())
@@ -178,6 +183,7 @@ DeepestSkin deepest_skin(const PadChart& chart, const Shape& object, const Pose<
                          const std::optional<Vector2d>& near) {
   OverlapSearch search(chart, object, X_PO);
   DeepestSkin out;
+  // Search all of the disc, or follow the maximum from a place nearby.
   if (!near) {
     out.lead = search.look_over();
     search.climb(1.0 / kGridPlaces);

@@ -37,6 +37,7 @@ void SkinSprings::find(const Shape& object, const Pose<double>& X_PO, const Vect
                        const std::vector<double>& stiffness, double friction,
                        const Before& before) {
   const Matrix3Xd places = places_of(surface_, x);
+  // Object moved aside by a hair, so that an edge along nodes lies on one side of them.
   Pose<double> X_beside = X_PO;
   X_beside.p += beside();
   friction_ = friction;
@@ -44,6 +45,7 @@ void SkinSprings::find(const Shape& object, const Pose<double>& X_PO, const Vect
   pressed_.clear();
   push_ = shear_ = Matrix3Xd::Zero(3, places.cols());
   for (const SurfaceFace& face : surface_.faces) {
+    // Stiffness per area at the face's corners.
     Eigen::Vector4d per_area = Eigen::Vector4d::Zero();
     for_nodes(face, [&](Index corner, int node, double weight) {
       per_area[corner] += weight * stiffness[static_cast<std::size_t>(node)] / surface_.area[node];
@@ -51,6 +53,7 @@ void SkinSprings::find(const Shape& object, const Pose<double>& X_PO, const Vect
     PressedFace springs =
         press_face(corners_of(face, places), per_area, face.area, object, X_beside);
     if (springs.points.empty()) continue;
+    // Sums over faces, and forces on their nodes.
     energy_ += springs.energy;
     deepest_ = std::max(deepest_, springs.deepest);
     for_nodes(face, [&](Index corner, int node, double weight) {
@@ -58,6 +61,7 @@ void SkinSprings::find(const Shape& object, const Pose<double>& X_PO, const Vect
     });
     pressed_.push_back({&face, std::move(springs)});
   }
+  // Friction, which needs the sum of a node's pushes.
   rubbing_.assign(surface_.nodes.size(), {});
   if (friction > 0) rub(X_PO, places, stiffness, before);
 }
@@ -68,6 +72,7 @@ bool SkinSprings::changed_sides(const Shape& object, const Pose<double>& X_PO_be
   const Matrix3Xd places = places_of(surface_, before);
   const Pose<double> X_OP_before = X_PO_before.inverse();
   return std::any_of(pressed_.begin(), pressed_.end(), [&](const Pressed& each) {
+    // Side of the object that was nearest to each pressed point.
     const FaceCorners was = corners_of(*each.face, places);
     const std::vector<PressedFace::Point>& points = each.springs.points;
     return std::any_of(points.begin(), points.end(), [&](const PressedFace::Point& point) {
@@ -84,7 +89,7 @@ void SkinSprings::rub(const Pose<double>& X_PO, const Matrix3Xd& places,
     if (push <= 0) continue;
     Rubbing& node = rubbing_[static_cast<std::size_t>(k)];
     node.normal = push_.col(k) / push;
-    // The force within the cone that is nearest to the last less the slip.
+    // Friction: the last force minus a spring times the slip, cut to the cone.
     const auto across = [&](const Vector3d& v) {
       return Vector3d(v - v.dot(node.normal) * node.normal);
     };
@@ -98,6 +103,7 @@ void SkinSprings::rub(const Pose<double>& X_PO, const Matrix3Xd& places,
     node.slips = size > bound;
     node.cut = node.slips ? bound / size : 1;
     node.stick = node.cut * stick;
+    // Direction of slip, and the last friction over the bound, for the slope.
     if (node.slips) {
       node.way = trial / size;
       node.last = across(last) / std::max(bound, across(last).norm());
@@ -122,6 +128,7 @@ void SkinSprings::add_slopes(std::vector<double>& values) const {
                           weight * share * each.springs.stiffness.block<3, 3>(3 * row, 3 * column));
       });
     });
+  // Friction of each node by its own motion.
   for (std::size_t k = 0; k < rubbing_.size(); ++k)
     if (rubbing_[k].stick > 0)
       body_.add_block(values, surface_.nodes[k], surface_.nodes[k], own_slope(rubbing_[k]));
@@ -130,6 +137,7 @@ void SkinSprings::add_slopes(std::vector<double>& values) const {
 Matrix3Xd SkinSprings::push_loss(const Matrix3Xd& moved) const {
   Matrix3Xd out = Matrix3Xd::Zero(3, moved.cols());
   for (const Pressed& each : pressed_) {
+    // Motion of the corners, forces lost there, and these on the nodes.
     FaceCorners there = FaceCorners::Zero();
     for_nodes(*each.face, [&](Index corner, int node, double weight) {
       there.col(corner) += weight * moved.col(node);
@@ -149,7 +157,7 @@ Matrix3Xd SkinSprings::friction_loss(const Matrix3Xd& moved) const {
     const auto column = static_cast<Index>(k);
     if (node.push <= 0) continue;
     const Vector3d n = node.normal, lost = out.col(column), move = moved.col(column);
-    // By its own motion and by what it loses of its push; as that turns, so does friction.
+    // Friction changes by the node's own slip, by the push that it loses, and as the push turns.
     const Vector3d slid = move - n.dot(move) * n, turn = (n.dot(lost) * n - lost) / node.push;
     Vector3d turned = -turn.dot(node.trial) * n - n.dot(node.trial) * turn;
     turned -= node.way.dot(turned) * node.way;

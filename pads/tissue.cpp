@@ -49,6 +49,7 @@ void add_isochoric_parts(double s, const Voigt& t, VoigtTangent& c) {
 void invariant_response(const Tissue& tissue, const Matrix3d& F, bool with_tangent,
                         IsochoricResponse& out) {
   const double mu = tissue.shear_modulus;
+  // Isochoric left Cauchy-Green tensor  b = J^(-2/3) F F'.
   const double J = F.determinant();
   const double scale = 1 / std::cbrt(J * J);
   const Matrix3d b = scale * (F * F.transpose());
@@ -95,6 +96,7 @@ void invariant_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
 void principal_response(const Tissue& tissue, const Matrix3d& F, bool with_tangent,
                         IsochoricResponse& out) {
   const double mu = tissue.shear_modulus, k = tissue.exponent;
+  // Squares of the isochoric stretches l_a, and their directions.
   const double J = F.determinant();
   const Eigen::SelfAdjointEigenSolver<Matrix3d> spectrum(F * F.transpose() / std::cbrt(J * J));
   const Vector3d& square = spectrum.eigenvalues();  // of isochoric stretches
@@ -105,7 +107,7 @@ void principal_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
   const Vector3d beta = (2 * mu / k) * (power.array() - power.mean());
   out.stress = voigt_of(n * beta.asDiagonal() * n.transpose());
   if (!with_tangent) return;
-  // d beta_a / d ln l_b = 2 mu (delta_ab l_a^k - (l_a^k + l_b^k)/3 + mean/3).
+  // Derivatives  d beta_a / d ln l_b = 2 mu (delta_ab l_a^k - (l_a^k + l_b^k)/3 + mean/3).
   out.tangent.setZero();
   std::array<Voigt, 3> m;
   for (int a = 0; a < 3; ++a) m[a] = voigt_of(n.col(a) * n.col(a).transpose());
@@ -117,7 +119,7 @@ void principal_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
     }
   for (int a = 0; a < 3; ++a)
     for (int b = a + 1; b < 3; ++b) {
-      // (beta_a l_b^2 - beta_b l_a^2) / (l_a^2 - l_b^2), or its limit at equal stretches.
+      // Shear factor  (beta_a l_b^2 - beta_b l_a^2) / (l_a^2 - l_b^2),  or its limit.
       const double apart = square[a] - square[b];
       const double factor = std::abs(apart) > kEqualStretches * square[a]
                                 ? (beta[a] * square[b] - beta[b] * square[a]) / apart
@@ -165,14 +167,14 @@ void isochoric_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
 
 double tangent_shear_modulus(const Tissue& tissue, const IsochoricResponse& at) {
   constexpr double kLeastModulusRatio = 0.1;  // Least tangent shear modulus, over that at rest [1]
-  // Of 2 mu times the deviatoric projection, whose trace is 5.
+  // The isotropic tangent is 2 mu times the deviatoric projection, whose trace is 5.
   const auto& diagonal = at.tangent.diagonal();
   const double trace = diagonal.head<3>().sum() + 2 * diagonal.tail<3>().sum();
   return std::max(trace / 10, kLeastModulusRatio * tissue.shear_modulus);
 }
 
 VolumetricResponse volumetric_response(double bulk_modulus, double J) {
-  const double e = J - 1;  // so that the energy is exact where it is small
+  const double e = J - 1;  // keeps small energies exact
   return {bulk_modulus / 4 * (e * (2 + e) - 2 * std::log1p(e)), bulk_modulus / 2 * (J - 1 / J),
           bulk_modulus / 2 * (1 + 1 / (J * J))};
 }

@@ -36,13 +36,14 @@ TissueBody::TissueBody(const HexMesh& mesh, HexElement kind, std::vector<Tissue>
     : kind_(kind), tissues_(std::move(tissues)) {
   require(fixed.size() == static_cast<std::size_t>(mesh.nodes()),
           "{} nodes, {} marks of fixed ones", mesh.nodes(), fixed.size());
+  // Tissues, each with the history of elements that were never deformed.
   for (const Tissue& tissue : tissues_) {
     check_tissue(tissue);
     const auto points = static_cast<std::size_t>(points_of(kind_));
     fresh_.push_back({std::vector<Voigt>(points, Voigt::Zero()),
                       std::vector<Voigt>(points * tissue.relaxation.size(), Voigt::Zero())});
   }
-  // Unknowns.
+  // Unknowns: nodes in use that neither hang nor are fixed.
   free_place_.assign(fixed.size(), -1);
   node_masters_.resize(fixed.size());
   for (int node = 0; node < mesh.nodes(); ++node) {
@@ -61,6 +62,7 @@ TissueBody::TissueBody(const HexMesh& mesh, HexElement kind, std::vector<Tissue>
 }
 
 void TissueBody::list_elements(const HexMesh& mesh) {
+  // Adds an element with its shape and the free masters of its nodes.
   const auto add = [&](std::vector<int> nodes, int region) {
     require(region >= 0 && region < static_cast<int>(tissues_.size()), "region {} has no tissue",
             region);
@@ -82,12 +84,14 @@ void TissueBody::list_elements(const HexMesh& mesh) {
     elements_.push_back(std::move(element));
   };
   if (kind_ != HexElement::kQuadratic) {
+    // One element for each active cell.
     for (const int index : mesh.active()) {
       const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
       add({cell.corners.begin(), cell.corners.end()}, cell.region);
     }
     return;
   }
+  // Quadratic: one element for each parent of eight active cells.
   std::set<int> parents;
   for (const int index : mesh.active())
     parents.insert(mesh.cells()[static_cast<std::size_t>(index)].parent);
@@ -102,7 +106,7 @@ void TissueBody::list_elements(const HexMesh& mesh) {
 }
 
 void TissueBody::build_pattern() {
-  // Free nodes that meet in an element.
+  // Free nodes that share an element, in the column of the first of each pair.
   std::vector<std::set<int>> below(free_nodes_.size());
   for (const Element& element : elements_) {
     std::set<int> all;
@@ -111,6 +115,7 @@ void TissueBody::build_pattern() {
     for (const int j : all)
       below[static_cast<std::size_t>(j)].insert(all.lower_bound(j), all.end());
   }
+  // Rows of the lower triangle, three columns for each node.
   pattern_.size = unknowns();
   pattern_.starts = {0};
   for (std::size_t j = 0; j < below.size(); ++j) {
@@ -139,6 +144,7 @@ void TissueBody::list_shares(Element& element) const {
     element.shares.push_back({static_cast<int>(a), static_cast<int>(b), column, place,
                               left.weight * right.weight, turned, place == 0 && a != b});
   };
+  // Pairs of nodes of the element, by pairs of their masters.
   for (std::size_t b = 0; b < element.masters.size(); ++b)
     for (std::size_t a = 0; a <= b; ++a)
       for (const NodeWeight& right : element.masters[b])
@@ -146,6 +152,7 @@ void TissueBody::list_shares(Element& element) const {
 }
 
 std::size_t TissueBody::block_entry(int column, int place, int r, int c) const {
+  // Column 3 j + c has 3 - c rows of the diagonal block, then three of each block below.
   const int start = pattern_.starts[static_cast<std::size_t>(3 * column + c)];
   return static_cast<std::size_t>(place == 0 ? start + r - c
                                              : start + (3 - c) + 3 * (place - 1) + r);
@@ -157,6 +164,7 @@ std::size_t TissueBody::diagonal_entry(int free, int r, int c) const {
 
 void TissueBody::add_block(std::vector<double>& values, int row, int column,
                            const Eigen::Matrix3d& block) const {
+  // Only the lower triangle is stored: the block is transposed where its row comes first.
   const int first = std::min(row, column);
   const std::vector<int>& below = columns_[static_cast<std::size_t>(first)];
   const auto found = std::find(below.begin(), below.end(), std::max(row, column));
@@ -167,9 +175,10 @@ void TissueBody::add_block(std::vector<double>& values, int row, int column,
 }
 
 bool TissueBody::contains(const Vector3d& place, const Matrix3Xd& u) const {
-  // Six tetrahedra around a diagonal, between it and the sides of a hexagon.
+  // Six tetrahedra around the diagonal from corner 0 to 7, one for each side of this hexagon.
   static constexpr std::array<int, 7> kAround{1, 3, 2, 6, 4, 5, 1};
   static constexpr std::array<int, 8> kCornersOf27{0, 2, 6, 8, 18, 20, 24, 26};
+  // A place is inside if it is on the same side of all four faces.
   const auto in_tetrahedron = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c,
                                   const Vector3d& d) {
     const auto side = [](const Vector3d& x, const Vector3d& y, const Vector3d& z) {
@@ -181,6 +190,7 @@ bool TissueBody::contains(const Vector3d& place, const Matrix3Xd& u) const {
            std::all_of(parts.begin(), parts.end(), [](double part) { return part <= 0; });
   };
   return std::any_of(elements_.begin(), elements_.end(), [&](const Element& element) {
+    // Deformed corners, whose box excludes most elements.
     std::array<Vector3d, 8> at;
     Eigen::AlignedBox3d box;
     for (std::size_t k = 0; k < 8; ++k) {
@@ -225,7 +235,7 @@ Matrix3Xd TissueBody::spread(const VectorXd& x, const Matrix3Xd& at_fixed) const
   Matrix3Xd u = at_fixed.cols() == 0 ? Matrix3Xd(Matrix3Xd::Zero(3, nodes)) : at_fixed;
   for (std::size_t i = 0; i < free_nodes_.size(); ++i)
     u.col(free_nodes_[i]) = x.segment<3>(static_cast<Eigen::Index>(3 * i));
-  // Masters do not hang: any order does.
+  // Hanging nodes follow their masters, which do not hang; so any order will do.
   for (Eigen::Index node = 0; node < nodes; ++node) {
     const std::vector<NodeWeight>& masters = node_masters_[static_cast<std::size_t>(node)];
     if (masters.empty()) continue;
@@ -261,6 +271,7 @@ void TissueBody::respond(const Matrix3Xd& u, double h, const TissueHistory& hist
           history.size(), elements_.size());
   require(tangent_pressure.empty() || tangent_pressure.size() == elements_.size(),
           "{} pressures for {} elements", tangent_pressure.size(), elements_.size());
+  // Weights of the step, and empty sums of what was asked for.
   const std::vector<MemoryStep> steps = steps_of(h);
   out.inverted = false;
   out.energy = 0;
@@ -285,13 +296,14 @@ void TissueBody::add_element(const Element& element, const ElementResponse& resp
                              ElementAsk ask, TissueResponse& out) const {
   out.energy += response.energy;
   if (ask == ElementAsk::kEnergy) return;
+  // Forces on the nodes go to their masters.
   for (std::size_t b = 0; b < element.masters.size(); ++b)
     for (const NodeWeight& each : element.masters[b])
       out.force.segment<3>(3 * each.node) +=
           each.weight * response.force.segment<3>(static_cast<Eigen::Index>(3 * b));
   if (ask != ElementAsk::kStiffness) return;
   for (const BlockShare& share : element.shares) {
-    // Of a block on the diagonal the upper half is set.
+    // An element's diagonal block has its upper half alone.
     Eigen::Matrix3d block = response.stiffness.block<3, 3>(3 * share.a, 3 * share.b);
     if (share.a == share.b) block.triangularView<Eigen::StrictlyLower>() = block.transpose();
     if (share.turned) block.transposeInPlace();
@@ -321,11 +333,13 @@ TissueHistory TissueBody::advance(const Matrix3Xd& u, double h,
     const Element& element = elements_[e];
     const auto region = static_cast<std::size_t>(element.region);
     const MemoryStep& step = steps[region];
+    // Elastic stress at the end of the step.
     ElementHistory at = history_of(e, history);
     const std::size_t points = at.elastic.size();
     element_response(kind_, element.shape, tissues_[region], displacements_of(element, u), &step,
                      &at, nullptr, ElementAsk::kForce, response);
     require(!response.inverted, "a step cannot end with an element turned inside out");
+    // History terms decay and take up the change of the elastic stress.
     if (!step.decay.empty()) {
       for (std::size_t i = 0; i < step.decay.size(); ++i)
         for (std::size_t q = 0; q < points; ++q) {
@@ -361,6 +375,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
       mean += element.shape.volume[q] * response.stress;
       volume += element.shape.volume[q];
     }
+    // The element's mean counts at its nodes by its volume.
     for (const int node : element.nodes) {
       auto& [sum, weight] =
           smooth.try_emplace({node, element.region}, Voigt(Voigt::Zero()), 0.0).first->second;
@@ -368,6 +383,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
       weight += volume;
     }
   }
+  // Energy of the stress at Gauss points minus the smooth stress.
   VectorXd out(static_cast<Eigen::Index>(elements_.size()));
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
@@ -380,7 +396,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
     for (std::size_t q = 0; q < points; ++q) {
       Voigt apart = -stress[e * points + q];
       for (std::size_t a = 0; a < nodal.size(); ++a) apart += shape_value(kind_, q, a) * nodal[a];
-      // s : s / (4 mu), shear components count twice.
+      // Energy density  s : s / (4 mu);  shear components count twice.
       energy += element.shape.volume[q] *
                 (apart.head<3>().squaredNorm() + 2 * apart.tail<3>().squaredNorm()) /
                 (4 * modulus[e]);
@@ -401,6 +417,7 @@ Matrix3Xd TissueBody::reactions(const Matrix3Xd& u, double h, const TissueHistor
                      &steps[region], &history_of(e, history), nullptr, ElementAsk::kForce,
                      response);
     require(!response.inverted, "an element is turned inside out: it has no reactions");
+    // Forces on hanging nodes go to their masters.
     for (std::size_t a = 0; a < element.nodes.size(); ++a) {
       const Eigen::Vector3d f = response.force.segment<3>(static_cast<Eigen::Index>(3 * a));
       const std::vector<NodeWeight>& masters =

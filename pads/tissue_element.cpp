@@ -36,6 +36,7 @@ Axis axis_at(int degree, double x) {
 /// Values and slopes of all nodes at a point, added to the lists.
 void add_shapes(int degree, const Vector3d& xi, std::vector<double>& value,
                 std::vector<double>& slope) {
+  // Tensor products of the functions of the axes, first axis fastest.
   const std::array<Axis, 3> axes{axis_at(degree, xi[0]), axis_at(degree, xi[1]),
                                  axis_at(degree, xi[2])};
   const auto n = static_cast<std::size_t>(degree + 1);
@@ -53,10 +54,12 @@ ElementTable build_table(int degree) {
   ElementTable table;
   const int n = degree + 1;
   table.nodes = table.points = n * n * n;
+  // Gauss points and weights of one axis, two or three.
   const double at = degree == 1 ? 1 / std::sqrt(3.0) : std::sqrt(0.6);
   const std::array<double, 3> x = degree == 1 ? std::array{-at, at, 0.0} : std::array{-at, 0.0, at};
   const std::array<double, 3> w =
       degree == 1 ? std::array{1.0, 1.0, 0.0} : std::array{5.0 / 9, 8.0 / 9, 5.0 / 9};
+  // Tensor products, first axis fastest.
   for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
     for (std::size_t j = 0; j < static_cast<std::size_t>(n); ++j)
       for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
@@ -145,8 +148,10 @@ class Dilatation {
       : kind_(kind), shape_(shape), tangent_(tangent_pressure) {
     const double K = bulk_modulus(tissue);
     if (kind == HexElement::kDisplacement) {
+      // Q1: J of each point.
       for (std::size_t q = 0; q < N; ++q) at_[q] = volumetric_response(K, points.J[q]);
     } else if (kind == HexElement::kMeanDilatation) {
+      // Q1P0: mean of J over the element's volume.
       volume_ = 0;
       double sum = 0;
       for (std::size_t q = 0; q < N; ++q) {
@@ -155,6 +160,7 @@ class Dilatation {
       }
       at_.fill(volumetric_response(K, sum / volume_));
     } else if (kind == HexElement::kCentroidDilatation) {
+      // F-bar: J of the mean of F, which must be positive, too.
       point_kinematics(N, kCentre, shape.mean_gradient.data(), u, centre_);
       volume_ = 0;
       for (const double w : shape.volume) volume_ += w;
@@ -192,6 +198,7 @@ class Dilatation {
   [[nodiscard]] Eigen::Vector4d linear_pressure(const PointKinematics& points,
                                                 const double* du) const {
     Eigen::Vector4d out(0, 0, 0, 0);
+    // Divergence of du at the points; dJ = J times the divergence.
     std::array<double, kMostPoints> divergence{};
     const bool centre = kind_ == HexElement::kCentroidDilatation;
     const int count = centre ? kCentre : kPoints;
@@ -200,12 +207,15 @@ class Dilatation {
       for (int q = 0; q < count; ++q)
         divergence[static_cast<std::size_t>(q)] += g[i * count + q] * du[i];
     if (kind_ == HexElement::kCentroidDilatation) {
+      // F-bar: pressure at the centre.
       out[0] = at_[0].pressure + at_[0].stiffness * centre_.J[0] * divergence[0];
     } else if (kind_ == HexElement::kMeanDilatation) {
+      // Q1P0: pressure by the mean of dJ over the volume.
       double sum = 0;
       for (std::size_t q = 0; q < N; ++q) sum += shape_.volume[q] * points.J[q] * divergence[q];
       out[0] = at_[0].pressure + at_[0].stiffness * sum / volume_;
     } else if (kind_ == HexElement::kQuadratic) {
+      // Q2P1: projections of dJ on the modes, and then of the pressure.
       Eigen::Vector4d mean(0, 0, 0, 0), p(0, 0, 0, 0);
       for (std::size_t q = 0; q < N; ++q)
         mean += shape_.volume[q] * points.J[q] * divergence[q] *
@@ -229,6 +239,7 @@ class Dilatation {
     if (kind_ == HexElement::kCentroidDilatation) {
       add_centre(with_stiffness, force, K);
     } else if (kind_ == HexElement::kMeanDilatation && with_stiffness) {
+      // Stiffness of V U(mean J) that couples points:  U'' / V b b',  b = d(V mean J) / du.
       std::array<double, 3 * N> b{};
       for (std::size_t q = 0; q < N; ++q) {
         const double w = shape_.volume[q] * points.J[q];
@@ -245,6 +256,7 @@ class Dilatation {
 
   /// The pressure of the centre acts there with the whole volume.
   void add_centre(bool with_stiffness, double* force, double* K) const {
+    // Force of the pressure, as of a stress at the centre.
     PointStresses at{};
     const double J = centre_.J[0], own = at_[0].pressure * J;
     Voigt tau = Voigt::Zero();
@@ -252,6 +264,7 @@ class Dilatation {
     set_point(kCentre, 0, volume_, tau, nullptr, at);
     add_forces(N, kCentre, centre_.g, at, force);
     if (!with_stiffness) return;
+    // Stiffness there, with the pressure that the tangent takes.
     VoigtTangent c = VoigtTangent::Zero();
     const double pJ = tangent_ != nullptr ? (*tangent_)[0] * J : own;
     tau.head<3>().setConstant(pJ);
@@ -268,11 +281,13 @@ class Dilatation {
 
   /// theta = projection of J on the modes; p = projection of U'(theta).
   void project(double bulk, const PointKinematics& points) {
+    // Modes of the dilatation; J must be positive at all points.
     Eigen::Vector4d mean(0, 0, 0, 0);
     for (std::size_t q = 0; q < N; ++q)
       mean += shape_.volume[q] * points.J[q] *
               shape_.modes.row(static_cast<Eigen::Index>(q)).transpose();
     const Eigen::Vector4d theta = shape_.modes_inverse * mean;
+    // Modes of the pressure U'(J).
     Eigen::Vector4d p(0, 0, 0, 0);
     for (std::size_t q = 0; q < N; ++q) {
       const double J = shape_.modes.row(static_cast<Eigen::Index>(q)).dot(theta);
@@ -288,7 +303,7 @@ class Dilatation {
   }
 
   void add_modes(const PointKinematics& points, double* K) const {
-    // H = sum of U'' times modes, B = d (M theta) / d u.
+    // Matrices  H = sum of U'' times modes,  B = d (M theta) / d u.
     Eigen::Matrix4d H = Eigen::Matrix4d::Zero();
     Eigen::Matrix<double, 3 * N, 4> B = Eigen::Matrix<double, 3 * N, 4>::Zero();
     for (std::size_t q = 0; q < N; ++q) {
@@ -298,6 +313,7 @@ class Dilatation {
       for (int i = 0; i < 3 * N; ++i)
         B.row(i) += points.g[static_cast<std::size_t>(i * kPoints) + q] * weighted.transpose();
     }
+    // Stiffness  B M^-1 H M^-1 B',  of rank four.
     const Eigen::Matrix4d middle = shape_.modes_inverse * H * shape_.modes_inverse;
     const Eigen::Matrix<double, 3 * N, 4> left = B * middle;
     for (int m = 0; m < 4; ++m) add_square(1, left.col(m).data(), B.col(m).data(), K);
@@ -323,11 +339,13 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
   point_kinematics(N, kPoints, shape.gradient.data(), u, points);
   out.inverted = !std::all_of(points.J, points.J + N, [](double J) { return J > 0; });
   if (out.inverted) return;
+  // Dilatation of this kind of element; where it is not positive the element counts as inverted.
   const Dilatation<N> dilatation(kind, shape, tissue, points, u, tangent_pressure);
   if (!dilatation.fits()) {
     out.inverted = true;
     return;
   }
+  // Results that were asked for.
   const bool with_force = ask != ElementAsk::kEnergy,
              with_stiffness = ask == ElementAsk::kStiffness;
   out.energy = dilatation.energy();
@@ -340,14 +358,16 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
   iso.tangent.setZero();
   PointStresses stresses;
   std::array<double, N> more{};  // pressure of the stiffness over that of forces
-  // Points without weight.
+  // Points that fill up a group of four have no weight.
   for (int q = N; q < kPoints; ++q) set_point(kPoints, q, 0, Voigt::Zero(), &iso.tangent, stresses);
   for (std::size_t q = 0; q < N; ++q) {
+    // Isochoric response of the point, as if nothing relaxed.
     const Matrix3d F = deformation_at(points, kPoints, static_cast<int>(q));
     const double w = shape.volume[q], J = points.J[q];
     isochoric_response(tissue, F, with_stiffness, iso);
     out.energy += w * now * iso.energy;
-    Voigt past = Voigt::Zero();  // stress that is left of the past, second Piola-Kirchhoff
+    // Stress left of the past, second Piola-Kirchhoff; its energy is linear in C.
+    Voigt past = Voigt::Zero();
     if (relaxes) {
       for (std::size_t i = 0; i < step->decay.size(); ++i)
         past += step->decay[i] * history->terms[i * N + q] - step->change[i] * history->elastic[q];
@@ -355,11 +375,12 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
       out.energy += 0.5 * w * tensor_of(past).cwiseProduct(C - Matrix3d::Identity()).sum();
     }
     if (!with_force) continue;
+    // Elastic stress for the history, pulled back to the reference.
     if (relaxes) {
       const Matrix3d inverse = F.inverse();
       out.elastic[q] = voigt_of(inverse * tensor_of(iso.stress) * inverse.transpose());
     }
-    // Kirchhoff stress: isochoric now, of the past, and pressure.
+    // Kirchhoff stress: isochoric now, what is left of the past pushed forward, and pressure.
     Voigt tau = now * iso.stress;
     if (relaxes) tau += voigt_of(F * tensor_of(past) * F.transpose());
     tau.head<3>().array() += dilatation.pressure(q) * J;
@@ -374,6 +395,7 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
               stresses);
   }
   if (!with_force) return;
+  // Sums over points; the geometric stiffness takes the pressure of the tangent.
   add_forces(N, kPoints, points.g, stresses, out.force.data());
   if (with_stiffness) {
     for (int p = 0; p < 3; ++p)
@@ -381,6 +403,7 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
         stresses.tau[static_cast<std::size_t>(p * kPoints) + q] += more[q];
     add_stiffness(N, kPoints, points.g, stresses, out.stiffness.data());
   }
+  // Contributions of the dilatation that couple points.
   dilatation.add(points, with_stiffness, out.force.data(), out.stiffness.data());
 }
 
@@ -410,17 +433,21 @@ const ElementTable& element_table(HexElement kind) {
 ElementShape element_shape(HexElement kind, const Eigen::Matrix3Xd& X) {
   const ElementTable& table = element_table(kind);
   ElementShape shape;
+  // Gradients and volumes of the Gauss points.
   for (int q = 0; q < table.points; ++q) {
     const double det = map_slopes(table.slope.data() + q * 3 * table.nodes, X, shape.gradient);
     require(det > 0, "an element folds onto itself at Gauss point {}: {:g} m^3", q, det);
     shape.volume.push_back(table.weight[static_cast<std::size_t>(q)] * det);
   }
+  // Layout for sums over four points at a time.
   shape.gradient = side_by_side(shape.gradient, table.points, table.nodes);
   if (kind == HexElement::kCentroidDilatation) {
+    // F-bar: gradients of the mean of F.
     const std::vector<double> mean = mean_gradient(shape, padded_points(table.points));
     shape.mean_gradient = side_by_side(mean, 1, table.nodes);
   }
   if (kind == HexElement::kQuadratic) {
+    // Q2P1: dilatation by 1, xi, eta, zeta, and the inverse of their Gram matrix.
     shape.modes.resize(table.points, 4);
     for (int q = 0; q < table.points; ++q)
       shape.modes.row(q) << 1, table.xi[static_cast<std::size_t>(q)].transpose();

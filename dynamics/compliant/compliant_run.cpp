@@ -18,6 +18,7 @@ class CompliantLoop {
  public:
   CompliantLoop(CompliantMotion& motion, const MovingScene& scene, const SceneOptions& options)
       : motion_(motion), energy_(scene), options_(options), stops_(switching_times(scene)) {
+    // Spans end where something begins or ends to act.
     stops_.erase(std::remove_if(stops_.begin(), stops_.end(),
                                 [&](double t) { return t <= 0 || t >= options.seconds; }),
                  stops_.end());
@@ -25,6 +26,7 @@ class CompliantLoop {
   }
 
   SceneRun run(const Progress& progress) {
+    // Sample the start, then span after span.
     const double start = thread_seconds();
     contacts_ = motion_.contacts(stored_);
     sample();
@@ -34,6 +36,7 @@ class CompliantLoop {
       span(stops_[i], progress);
       from = stops_[i];
     }
+    // Take over the counts of the integrator.
     run_.cost.substeps = motion_.evaluations();
     run_.cost.rejected = motion_.rejected();
     run_.cost.cpu_seconds = thread_seconds() - start;
@@ -43,6 +46,7 @@ class CompliantLoop {
  private:
   /// Goes on to an instant at which something begins or ends to act.
   void span(double end, const Progress& progress) {
+    // Steps up to the next sample or the end of the span.
     while (end - motion_.state().t > kSameInstant) {
       progress(motion_.state().t / options_.seconds, "");
       if (progress.stop()) {
@@ -56,6 +60,7 @@ class CompliantLoop {
         run_.reason = std::move(step.reason);
         return;
       }
+      // Cost, depths and limits of the step.
       ++run_.cost.steps;
       note_depth();
       note_limits(energy_.scene().mechanism, energy_.model().layout, motion_.state().q,
@@ -103,9 +108,11 @@ void refuse_restitution(const PairFriction& pair) {
 }  // namespace
 
 double StepReach::follow(ContactStep& step, const SceneState& before, const SceneState& after) {
+  // Contacts that touch stick, so that their pairs are not looked at.
   step.find(after, 0, touching_);
   for (ActiveContact& contact : touching_) contact.mode = ContactMode::kStick;
   const double motion = step.motion_between(before, after, touching_);
+  // Next length, by which surfaces may move half of what is allowed.
   length_ = motion > 0 ? 0.5 * (after.t - before.t) / motion : longest_;
   return motion;
 }

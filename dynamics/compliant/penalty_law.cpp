@@ -38,6 +38,7 @@ double creep_speed(FrictionRamp ramp, double share) {
 
 TangentialLoad friction_load(const ContactCompliance& compliance, const PairFriction& pair,
                              double normal_force, const Eigen::Vector3d& slip, double spin) {
+  // Share of  mu normal  by the ramp, against slip and spin together.
   const double turning = pair.torsion_radius * spin;
   const double speed = std::hypot(slip.norm(), turning);
   const double most = pair.coefficient * normal_force;

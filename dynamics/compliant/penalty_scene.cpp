@@ -121,6 +121,7 @@ class PenaltyMotion : public CompliantMotion {
     }
     const Eigen::Index nq = state_.q.size(), nv = state_.v.size();
     if (nv == 0) return;
+    // Tolerances of positions and speeds.
     StiffOdeOptions ode;
     ode.relative = options_.tolerance;
     ode.absolute.resize(nq + nv);
@@ -130,6 +131,7 @@ class PenaltyMotion : public CompliantMotion {
     ode.absolute << Eigen::VectorXd::Constant(nq, options_.tolerance),
         Eigen::VectorXd::Constant(nv, speeds);
     ode.max_steps = kMostOdeSteps;
+    // Integrator from here on.
     Eigen::VectorXd y(nq + nv);
     y << state_.q, state_.v;
     ode_.emplace([this](double t, const Eigen::VectorXd& at) { return rates(t, at); }, state_.t, y,
@@ -164,6 +166,7 @@ class PenaltyMotion : public CompliantMotion {
   /// @param out  gets the contacts, unless null
   /// @return energy of their springs [J]
   double load(const SceneState& state, std::vector<ContactSample>* out) {
+    // Contacts within reach, and links in motion.
     step_.find(state, 0, found_);
     motion_.set_position(state.q);
     motion_.set_speed(state.v);
@@ -198,6 +201,7 @@ class PenaltyMotion : public CompliantMotion {
 
   /// A point of contact. @return energy [J]
   double push(const ActiveContact& contact, std::vector<ContactSample>* out) {
+    // Normal force by depth and approach.
     const int a = motion_.link_of(contact.a), b = motion_.link_of(contact.b);
     const NormalLoad normal = normal_load(contact);
     // Friction acts against the slip and the spin about the normal.
@@ -207,6 +211,7 @@ class PenaltyMotion : public CompliantMotion {
     const double spin = contact.normal.dot(spin_of(a) - spin_of(b));
     const TangentialLoad friction =
         friction_load(options_.compliance, contact.friction, normal.force, slip, spin);
+    // Efforts at the joints, and the contact as runs keep it.
     const Eigen::Vector3d force = normal.force * contact.normal + friction.force;
     const Eigen::Vector3d moment = friction.torsion * contact.normal;
     motion_.add_row_against(a, b, contact.point, force, moment, efforts_);
@@ -230,6 +235,7 @@ class PenaltyMotion : public CompliantMotion {
 
   /// Relative radius of two balls, or of a ball on a box; 0: other shapes [m]
   [[nodiscard]] double hertz_radius(const ActiveContact& contact) const {
+    // Sum of the curvatures of both parts.
     double curvature = 0;  // [1/m]
     for (const int body : {contact.a, contact.b}) {
       const MechanismBody& of = step_.scene().mechanism.bodies[static_cast<std::size_t>(body)];

@@ -38,6 +38,7 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
   void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& on_bodies,
                  SimTK::Vector_<SimTK::Vec3>& /*particles*/,
                  SimTK::Vector& on_joints) const override {
+    // Forces whose time it is.
     for (const SceneForce& force : scene_.forces) {
       if (!force.when.holds(acting_)) continue;
       const SimTK::MobilizedBody& body = body_of(bodies_, static_cast<std::size_t>(force.body));
@@ -45,6 +46,7 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
                                  on_bodies);
       body.applyBodyTorque(state, to_simbody(force.moment), on_bodies);
     }
+    // Drives, on the joint that leads the coordinate.
     for (const SceneDrive& drive : scene_.drives) {
       if (!drive.when.holds(acting_)) continue;
       const int lead = bodies_.leader(drive.coordinate);
@@ -55,6 +57,7 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
       const double effort = drive_effort(drive, u, rate, state.getTime(), acting_);
       body.applyOneMobilityForce(state, 0, effort / joint.ratio, on_joints);
     }
+    // Dry friction of joints by its ramp.
     for (std::size_t i = 0; i < scene_.mechanism.joints.size(); ++i) {
       const MechanismJoint& joint = scene_.mechanism.joints[i];
       if (!is_scalar(joint.kind) || joint.friction == 0) continue;
@@ -80,6 +83,7 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
 };
 
 SimTK::ContactGeometry mesh_geometry(const TriangleMesh& mesh) {
+  // Copy vertices and triangles to Simbody's polygons.
   SimTK::PolygonalMesh polygons;
   for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i)
     polygons.addVertex(to_simbody(Eigen::Vector3d(mesh.vertices.col(i))));
@@ -106,11 +110,13 @@ class SimbodyScene {
         tracker_(bodies.system()),
         contacts_(bodies.system(), tracker_),
         loads_(forces_, new SceneLoads(scene, compliance, bodies, acting)) {  // owned by the system
+    // Surfaces, resistance and topology.
     for (std::size_t i = 0; i < scene.mechanism.bodies.size(); ++i)
       add_surfaces(static_cast<int>(i));
     contacts_.setTransitionVelocity(compliance.transition);
     for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) add_resistance(i);
     bodies.system().realizeTopology();
+    // Pair of each surface, once Simbody has numbered them.
     for (std::size_t k = 0; k < pairs_.size(); ++k)
       for (const std::size_t side : {0, 1}) pair_of_[surface_index(k, side)] = k;
   }
@@ -126,6 +132,7 @@ class SimbodyScene {
 
   /// Contacts at a state. @param stored  energy of contacts and stops [J]
   std::vector<ContactSample> contacts(const SimTK::State& at, double& stored) const {
+    // Points of all contacts.
     bodies.system().realize(at, SimTK::Stage::Dynamics);
     std::vector<ContactSample> out;
     for (int i = 0; i < contacts_.getNumContactForces(at); ++i) add_contact(at, i, out);
@@ -143,6 +150,7 @@ class SimbodyScene {
   /// Names the pair of a contact that is beyond the face that its half space stands for; "": none.
   std::string left_face(const SimTK::State& at) const {
     bodies.system().realize(at, SimTK::Stage::Dynamics);
+    // Contacts with a half space, whose points lie beyond its face.
     for (int i = 0; i < contacts_.getNumContactForces(at); ++i) {
       const SimTK::ContactForce& force = contacts_.getContactForce(at, i);
       SimTK::ContactPatch patch;
@@ -170,6 +178,7 @@ class SimbodyScene {
   /// Puts all surfaces of a body on it.
   /// @throws InputError if Simbody refuses one, as it does meshes that are not closed.
   void add_surfaces(int body) try {
+    // Surface of each pair that the body has a side of, with the cliques that keep it from others.
     SimTK::Body& rigid =
         bodies.matter().updMobilizedBody(SimTK::MobilizedBodyIndex(body + 1)).updBody();
     for (std::size_t k = 0; k < pairs_.size(); ++k)
@@ -226,6 +235,7 @@ class SimbodyScene {
   [[nodiscard]] SimTK::ContactMaterial material(std::size_t pair) const {
     const SimbodyPair& of = pairs_[pair];
     const auto has = [&](SurfaceKind kind) { return of.a.kind == kind || of.b.kind == kind; };
+    // Stiffness that two equal materials combine to.
     double stiffness = std::pow(2, 1.5) * compliance_.modulus;
     if (has(SurfaceKind::kMesh)) stiffness = 2 * compliance_.modulus;
     if (has(SurfaceKind::kBrick)) stiffness = 2 * compliance_.stiffness;
@@ -239,6 +249,7 @@ class SimbodyScene {
     if (!is_scalar(joint.kind)) return;
     const SimTK::MobilizedBody& body = body_of(bodies, i);
     const SimTK::MobilizerQIndex q(0);
+    // Springs, dampers and stops of hinges and slides.
     if (joint.stiffness > 0)
       SimTK::Force::MobilityLinearSpring(forces_, body, q, joint.stiffness, joint.rest);
     if (joint.damping > 0)
@@ -268,6 +279,7 @@ class SimbodyScene {
 
   [[nodiscard]] bool is_beyond(const SimTK::State& at, const SimbodySurface& face,
                                const SimTK::ContactPatch& patch) const {
+    // Points in the frame of the face, with slack for their deformation.
     const SimTK::Transform X_FG =
         ~(body_of(bodies, static_cast<std::size_t>(face.body)).getBodyTransform(at) *
           to_simbody(face.X_BS));
@@ -337,10 +349,12 @@ class SimbodyMotion : public CompliantMotion {
   }
 
   void begin_span(double instant) override {
+    // Counts of the integrator that is replaced.
     world_.acting = instant;
     evaluations_ = integrator_ ? evaluations() : 0;
     rejected_ = rejected();
     state_.t = instant;
+    // Integrator that returns after every step of its own.
     integrator_ =
         std::make_unique<SimTK::CPodesIntegrator>(world_.bodies.system(), SimTK::CPodes::BDF);
     integrator_->setAccuracy(options_.tolerance);

@@ -18,6 +18,7 @@ class PairPlanner {
   }
 
   std::vector<SimbodyPair> plan() {
+    // Each part of one body against each of the other.
     std::vector<SimbodyPair> out;
     for (const auto& [a, b] : pairs_that_may_meet(scene_, model_)) {
       check_parts(a);
@@ -48,6 +49,7 @@ class PairPlanner {
 
   /// A part by itself; a box is a brick.
   [[nodiscard]] SimbodySurface surface(int i, std::size_t part) const {
+    // Kind and size as Simbody has them.
     SimbodySurface out;
     out.body = i;
     out.part = part;
@@ -78,6 +80,7 @@ class PairPlanner {
   }
 
   SimbodyPair pair(SimbodySurface a, SimbodySurface b) const {
+    // A box against another shape becomes a half space; of two boxes, the one that carries does.
     const bool is_brick_a = a.kind == SurfaceKind::kBrick,
                is_brick_b = b.kind == SurfaceKind::kBrick;
     if (is_brick_a && (!is_brick_b || carries(a, b))) {
@@ -85,6 +88,7 @@ class PairPlanner {
     } else if (is_brick_b) {
       flatten(b, a);
     }
+    // Simbody has no contact of ellipsoids with meshes.
     const auto are = [&](SurfaceKind one, SurfaceKind other) {
       return (a.kind == one && b.kind == other) || (a.kind == other && b.kind == one);
     };
@@ -96,6 +100,7 @@ class PairPlanner {
   /// Returns true if the first of two boxes becomes the half space: a fixed box, else the box with
   /// the larger face.
   [[nodiscard]] bool carries(const SimbodySurface& a, const SimbodySurface& b) const {
+    // A fixed box carries; of two others the one with the larger face.
     const auto is_fixed = [&](const SimbodySurface& of) {
       return model_.bodies[static_cast<std::size_t>(of.body)].link < 0;
     };
@@ -110,6 +115,7 @@ class PairPlanner {
   /// Centre of the other part in the frame of a box [m].
   [[nodiscard]] Eigen::Vector3d seen_from(const SimbodySurface& box,
                                           const SimbodySurface& other) const {
+    // Middle of the other part, in the frame of the box at the start.
     Eigen::Vector3d centre = other.X_BS.p;
     if (other.kind == SurfaceKind::kMesh)
       centre = other.X_BS * solid(other.body).parts[other.part].shape->bounds().center();
@@ -127,6 +133,7 @@ class PairPlanner {
 
   /// Makes a box the half space of a face.
   void flatten(SimbodySurface& box, const SimbodySurface& other) const {
+    // Face that looks at the other part; z of its frame points out of the box.
     const int k = axis_towards(box, other), x = (k + 1) % 3, y = (k + 2) % 3;
     const double sign = seen_from(box, other)[k] < 0 ? -1 : 1;
     Pose<double> X_SF;
@@ -154,6 +161,7 @@ std::vector<SimbodyPair> simbody_pairs(const MovingScene& scene, const TreeModel
 std::vector<std::vector<int>> separating_cliques(std::size_t pairs) {
   std::vector<std::vector<int>> out(2 * pairs);
   for (std::size_t k = 0; k < pairs; ++k) {
+    // Surfaces with a clique in common never touch: only the two sides of a pair have none.
     for (const std::size_t side : {0, 1}) {
       std::vector<int>& of = out[2 * k + side];
       of.push_back(static_cast<int>(side));

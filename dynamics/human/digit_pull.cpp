@@ -30,6 +30,7 @@ SchedulePiece constant_piece(double begin, double value) {
 }
 SchedulePiece piece_at(const MuscleSchedule& schedule, double from) {
   const Index last = schedule.time.size() - 1;
+  // Constant before the first knot and behind the last, otherwise the line between two.
   if (from < schedule.time[0]) return constant_piece(from, schedule.value[0]);
   Index k = 0;
   while (k < last && schedule.time[k + 1] <= from) ++k;
@@ -54,6 +55,7 @@ VectorXd gathered(const VectorXd& from, const std::vector<int>& places) {
 
 void check_schedules(const std::vector<MuscleSchedule>& schedules, const DigitPullModel& model,
                      double most, const char* what) {
+  // Each schedule is of a muscle of its own, with knots in order and values in range.
   const std::vector<std::string>& names = model.tendons->muscles();
   for (std::size_t i = 0; i < schedules.size(); ++i) {
     const MuscleSchedule& each = schedules[i];
@@ -67,6 +69,7 @@ void check_schedules(const std::vector<MuscleSchedule>& schedules, const DigitPu
       require(each.time[k] >= each.time[k - 1], "{} of '{}' goes back in time", what, name);
     require((each.value.array() >= 0).all() && (each.value.array() <= most).all(),
             "{} of '{}' must be 0 to {:g}", what, name, most);
+    // Two schedules of a muscle must not act at once.
     for (std::size_t j = 0; j < i; ++j)
       require(schedules[j].muscle != each.muscle || schedules[j].when.from >= each.when.to ||
                   schedules[j].when.to <= each.when.from,
@@ -86,6 +89,7 @@ double SchedulePiece::at(double t) const {
 
 DigitPull::DigitPull(DigitPullModel model)
     : model_(std::make_shared<const DigitPullModel>(std::move(model))) {
+  // Tendons, places and schedules must fit.
   const TendonGroup& group = *model_->tendons;
   const std::size_t joints = group.coordinates().size();
   require(model_->places.q.size() == joints && model_->places.v.size() == joints,
@@ -93,22 +97,25 @@ DigitPull::DigitPull(DigitPullModel model)
   muscles_ = static_cast<Index>(group.muscles().size());
   check_schedules(model_->tensions, *model_, std::numeric_limits<double>::max(), "tension");
   check_schedules(model_->excitations, *model_, 1, "excitation");
-  // A net in motion: see FingerMotion.
+  // A net in motion has smoothed bands, as in FingerMotion; without a net there are arms alone.
   const bool net = group.has_net();
   if (net) blended_ = std::make_shared<const TendonGroup>(group.smoothed(model_->blend));
   if (!net) arms_.emplace(group);
+  // Muscles contract unless their tension is given; only those may be excited.
   contracts_.assign(static_cast<std::size_t>(muscles_), model_->contraction != nullptr);
   for (const MuscleSchedule& given : model_->tensions)
     contracts_[static_cast<std::size_t>(given.muscle)] = false;
   for (const MuscleSchedule& each : model_->excitations)
     require(contracts(each.muscle), "'{}' has a tension or cannot contract, and is excited",
             group.muscles()[static_cast<std::size_t>(each.muscle)]);
+  // Values of all muscles, zero at first.
   given_.resize(static_cast<std::size_t>(muscles_));
   set_.resize(static_cast<std::size_t>(muscles_));
   excited_ = given_;
   now_.excitation.setZero(muscles_);
   now_.excursion.setZero(muscles_);
   now_.state.clear(muscles_);
+  // Contraction of these very muscles; under a net tendons yield.
   if (!model_->contraction) return;
   require(static_cast<Index>(model_->contraction->muscles().size()) == muscles_,
           "{} muscles contract, '{}' has {}", model_->contraction->muscles().size(), model_->name,
@@ -118,6 +125,7 @@ DigitPull::DigitPull(DigitPullModel model)
             "muscle {} contracts as '{}', '{}' calls it '{}'", m,
             model_->contraction->muscles()[m].name, model_->name, group.muscles()[m]);
   if (net) compliant_ = model_->contraction->with_compliant_tendon(kRigidStrain);
+  // States: activation, and excursion and fibre where tension depends on them.
   for (int m = 0; m < muscles_; ++m)
     if (contracts(m)) contracting_.push_back(m);
   has_fibre_ = contraction().has_fibre_state();
@@ -125,6 +133,7 @@ DigitPull::DigitPull(DigitPullModel model)
   has_excursion_ = has_fibre_ || contraction().depends_on_velocity();
   states_ = static_cast<Index>(contracting_.size()) *
             (1 + (has_excursion_ ? 1 : 0) + (has_fibre_ ? 1 : 0));
+  // Lengths by which states are scaled.
   tensions_.emplace(contraction());
   fibre_length_.resize(muscles_);
   length_at_optimum_.resize(muscles_);
@@ -144,6 +153,7 @@ const std::vector<std::string>& DigitPull::muscles() const { return model_->tend
 bool DigitPull::contracts(int muscle) const { return contracts_[static_cast<std::size_t>(muscle)]; }
 
 std::vector<std::string> DigitPull::state_names() const {
+  // States in three lists: activations, excursions, fibres.
   std::vector<std::string> names;
   for (const int m : contracting_)
     names.push_back("activation " + muscles()[static_cast<std::size_t>(m)] + " [1]");
@@ -210,6 +220,7 @@ bool DigitPull::set_arm_slopes(const VectorXd& q) {
 
 void DigitPull::set_posture_stiffness(const Now& now) {
   if (set_arm_slopes(now.q)) return;
+  // Slope of the torque by posture at constant tension; steps take its symmetric part.
   const MatrixXd by_posture = tendons().torque_by_posture(now.q, now.tension, now.pull);
   posture_stiffness_ = -0.5 * (by_posture + by_posture.transpose());
   stiffness_q_ = now.q;
@@ -262,6 +273,7 @@ void DigitPull::set_states(const ElementInput& at, Now& now) const {
 
 /// Tensions, and for kAll their derivatives.
 void DigitPull::set_tensions(double t, ElementNeed need, Now& now) const {
+  // Tensions by contraction, with derivatives where slopes are asked for.
   if (!contracting_.empty()) {
     if (need == ElementNeed::kAll)
       tensions_->solver().derivatives(now.state, now.by);
@@ -273,6 +285,7 @@ void DigitPull::set_tensions(double t, ElementNeed need, Now& now) const {
     if (!contracts(m))
       now.by.by_activation[m] = now.by.by_length[m] = now.by.by_velocity[m] =
           now.by.by_projected_fibre[m] = 0;
+  // Given or contracted, above the least tension of a net.
   const double base = has_net() ? model_->base_tension : 0;
   now.tension.resize(muscles_);
   for (int m = 0; m < muscles_; ++m)
@@ -281,6 +294,7 @@ void DigitPull::set_tensions(double t, ElementNeed need, Now& now) const {
 }
 
 const DigitPull::Now& DigitPull::now(const ElementInput& at, ElementNeed need) const {
+  // Posture, schedules and states.
   Now& now = now_;
   gather(at.q, model_->places.q, now.q);
   gather(at.v, model_->places.v, now.q_dot);
@@ -294,6 +308,7 @@ const DigitPull::Now& DigitPull::now(const ElementInput& at, ElementNeed need) c
   if (feels_speed_)
     for (const int m : contracting_) now.state.velocity[m] = now.stretch[m];
   if (need == ElementNeed::kStates) return now;
+  // Tensions, then torque: a net is solved for it, arms give it.
   set_tensions(at.t, need, now);
   if (!now.tension.allFinite()) return now;
   if (has_net()) {
@@ -313,14 +328,17 @@ bool DigitPull::act(const ElementInput& at, ElementAction& out) {
     return false;
   };
   if (!is_finite(at)) return refuse();
+  // Quantities at the state, as far as they are needed.
   const ElementNeed need = need_of(at);
   const Now& now = this->now(at, need);
   MatrixXd G, A;
+  // Add the torque at the joints.
   if (need != ElementNeed::kStates) {
     if (!now.tension.allFinite() || !now.pull.tau.allFinite()) return refuse();
     for (std::size_t c = 0; c < v.size(); ++c) out.tau[v[c]] += now.pull.tau[static_cast<Index>(c)];
     last_tension_ = now.tension;
   }
+  // Slopes, then rates; excursions need the others.
   if (need == ElementNeed::kAll) add_slopes(now, G, A, out);
   set_rates(at, now, out);
   if (has_excursion_ && !contracting_.empty()) set_excursion_rates(at, now, G, A, out);
@@ -330,11 +348,13 @@ bool DigitPull::act(const ElementInput& at, ElementAction& out) {
 /// Slopes at constant tensions, then those of the tensions.
 void DigitPull::add_slopes(const Now& now, MatrixXd& G, MatrixXd& A, ElementAction& out) {
   const std::vector<int>& v = model_->places.v;
+  // Slopes at constant tension, from the last accept().
   if (stiffness_q_.size() == 0) set_posture_stiffness(now);
   if (arm_slopes_.exist)
     tendons().add_stiffness(arm_slopes_, now.tension, v, by_pair_, out.stiffness);
   else
     scatter(posture_stiffness_, v, v, out.stiffness);
+  // Slopes of tensions with excursion: directly, or under a net by  A = 1 + G dt/d excursion.
   if (contracting_.empty()) return;
   if (!has_net()) {
     add_tension_slopes(now, out);
@@ -362,6 +382,7 @@ void DigitPull::add_tension_slopes(const Now& now, ElementAction& out) {
       by_speed[m] = now.by.by_velocity[m] * arm_j[m];
     }
     const int column = v[static_cast<std::size_t>(j)];
+    // Entry of the pair (i, j), and its mirror image.
     for (Index i = 0; i <= j; ++i) {
       const double* const arm_i = R.data() + i * muscles_;
       double stiffness = 0, damping = 0;
@@ -384,11 +405,13 @@ void DigitPull::set_rates(const ElementInput& at, const Now& now, ElementAction&
   const auto count = static_cast<Index>(contracting_.size());
   for (Index i = 0; i < count; ++i) {
     const int m = contracting_[static_cast<std::size_t>(i)];
+    // Activation follows excitation.
     const ActivationRate rate =
         activation_rate_with_slope(now.excitation[m], now.state.activation[m], model_->activation);
     out.z_rate[at.first_z + i] = rate.rate;
     out.z_decay[at.first_z + i] = std::max(0.0, -rate.by_activation);
     if (!has_fibre_) continue;
+    // Fibres by force balance with their tendons.
     const MuscleState state = now.state.of(m);
     out.z_rate[at.first_z + 2 * count + i] =
         contraction().projected_fibre_rate(m, state) / fibre_length_[m];
@@ -402,6 +425,7 @@ void DigitPull::set_rates(const ElementInput& at, const Now& now, ElementAction&
 void DigitPull::set_excursion_rates(const ElementInput& at, const Now& now, const MatrixXd& G,
                                     const MatrixXd& A, ElementAction& out) {
   const auto count = static_cast<Index>(contracting_.size());
+  // Muscles lengthen with the joints.
   double decay = 0;
   excursion_rate_ = now.stretch;
   if (has_net()) {
@@ -410,7 +434,7 @@ void DigitPull::set_excursion_rates(const ElementInput& at, const Now& now, cons
       excursion_rate_ -= kBaumgarteRate * (now.excursion + slack_length_ - lengths);
       decay = kBaumgarteRate;
     }
-    // Rates of tensions at constant length.
+    // Rates of tensions at constant excursion; then  A excursion' = -R q' - G rest.
     VectorXd rest = VectorXd::Zero(muscles_);
     for (const MuscleSchedule& given : model_->tensions)
       rest[given.muscle] = given_[static_cast<std::size_t>(given.muscle)].slope();
@@ -423,6 +447,7 @@ void DigitPull::set_excursion_rates(const ElementInput& at, const Now& now, cons
     }
     excursion_rate_ = A.partialPivLu().solve(excursion_rate_ - G * rest);
   }
+  // Rates over the optimal fibre length.
   for (Index i = 0; i < count; ++i) {
     const int m = contracting_[static_cast<std::size_t>(i)];
     out.z_rate[at.first_z + count + i] = excursion_rate_[m] / fibre_length_[m];
@@ -432,13 +457,16 @@ void DigitPull::set_excursion_rates(const ElementInput& at, const Now& now, cons
 
 void DigitPull::accept(const ElementInput& at) {
   if (!is_finite(at)) return;
+  // Renew slopes of arms, where there is no net, once the posture has changed much.
   gather(at.q, model_->places.q, accepted_q_);
   if (!has_net() && last_tension_.size() > 0 &&
       (knows_stiffness(accepted_q_, last_tension_) || set_arm_slopes(accepted_q_)))
     return;
+  // Otherwise slopes need tensions and the pull.
   const Now& now = this->now(at, ElementNeed::kRates);
   if (!now.tension.allFinite() || !now.pull.tau.allFinite()) return;
   if (!knows_stiffness(now.q, now.tension)) set_posture_stiffness(now);
+  // Net: nodes to start from, and lengths to which excursions return.
   if (!has_net()) return;
   last_nodes_.clear();
   for (const TendonTorque& digit : now.pull.digits) last_nodes_.push_back(digit.nodes);
@@ -459,6 +487,7 @@ std::vector<double> DigitPull::switches() const {
 }
 
 bool DigitPull::moves(const ElementInput& at) const {
+  // A tension that changes, or a muscle that is not at rest, moves.
   for (const MuscleSchedule& given : model_->tensions)
     if (given.when.holds(at.acting) && piece_at(given, at.acting).slope() != 0) return true;
   if (contracting_.empty()) return false;
@@ -475,6 +504,7 @@ bool DigitPull::moves(const ElementInput& at) const {
 
 std::vector<ElementControl> DigitPull::controls() const {
   std::vector<ElementControl> out;
+  // Excitation of muscles that contract, tension of the others.
   for (std::size_t m = 0; m < set_.size(); ++m) {
     const bool excited = contracts_[m];
     out.push_back({name() + "/" + muscles()[m], excited ? "1" : "N", 0,
@@ -486,6 +516,7 @@ std::vector<ElementControl> DigitPull::controls() const {
 bool DigitPull::set_control(const std::string& name, double value) {
   for (std::size_t m = 0; m < set_.size(); ++m) {
     if (name != this->name() + "/" + muscles()[m]) continue;
+    // Check the range; the value holds from the next step on, in place of schedules.
     const bool excited = contracts_[m];
     require(value >= 0 && std::isfinite(value) && (!excited || value <= 1),
             "{} of '{}' must be {}, got {}", excited ? "excitation" : "tension", name,
@@ -499,6 +530,7 @@ bool DigitPull::set_control(const std::string& name, double value) {
 
 std::vector<ElementValue> DigitPull::readings(const ElementInput& at) {
   const PullInstant now = this->at(at);
+  // Tension of each muscle, and the activation of those that contract.
   std::vector<ElementValue> out;
   for (std::size_t m = 0; m < set_.size(); ++m) {
     const std::string muscle = name() + "/" + muscles()[m];

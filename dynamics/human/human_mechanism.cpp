@@ -17,6 +17,7 @@ namespace {
 /// The subject with all masses, and with the axes of the version.
 Subject weighed_subject(const HumanModel& model, std::vector<std::string>& warnings) {
   Subject subject = with_skin_masses(with_passive(model.subject, model.options.passive));
+  // Segments whose mass was not stated have that of their skin.
   std::vector<std::string> assumed;
   for (std::size_t i = 0; i < subject.segments.size(); ++i)
     if (subject.segments[i].mass != model.subject.segments[i].mass)
@@ -31,6 +32,7 @@ Subject weighed_subject(const HumanModel& model, std::vector<std::string>& warni
 /// Mass of what is welded to the base, without the forearm.
 BodyMass base_mass(const Subject& subject, const Skeleton& skeleton) {
   LinkMass sum;
+  // Segments on the base, without the forearm.
   for (const Segment& segment : subject.segments) {
     const auto link = skeleton.link_of_segment.find(segment.name);
     if (link == skeleton.link_of_segment.end() || link->second >= 0) continue;
@@ -47,6 +49,7 @@ BodyMass base_mass(const Subject& subject, const Skeleton& skeleton) {
 /// The segment of a link: of those on it, without the forearm, the heaviest; the joint's name where
 /// it is between two joints of the same segments.
 std::string link_name(const Subject& subject, const Skeleton& skeleton, int link) {
+  // Heaviest segment of the link, the forearm left out.
   const Segment* found = nullptr;
   for (const Segment& segment : subject.segments) {
     const auto at = skeleton.link_of_segment.find(segment.name);
@@ -62,6 +65,7 @@ std::string link_name(const Subject& subject, const Skeleton& skeleton, int link
 /// Puts the base before all links.
 Mechanism on_base(const Mechanism& links, const BodyMass& mass) {
   Mechanism out;
+  // The base is welded to the world, and numbers of parents move up by one.
   out.coordinates = links.coordinates;
   MechanismJoint weld;
   weld.name = "base";
@@ -83,6 +87,7 @@ void dress(const Subject& subject, const Skeleton& skeleton,
   for (int link = -1; link < links; ++link) {
     const auto body = static_cast<std::size_t>(link + 1);
     mechanism.bodies[body].name = link_name(subject, skeleton, link);
+    // The first surface is the body itself, further ones are welded to it.
     bool dressed = false;
     for (const LinkSurface& surface : surfaces) {
       if (surface.link != link) continue;
@@ -111,6 +116,7 @@ void dress(const Subject& subject, const Skeleton& skeleton,
 void resist(const Skeleton& skeleton, Mechanism& mechanism) {
   const Eigen::VectorXd damping = joint_damping(skeleton, JointResistance());
   for (MechanismJoint& joint : mechanism.joints) {
+    // No limits of their own; damping where the joint is its coordinate.
     joint.lower = -std::numeric_limits<double>::infinity();
     joint.upper = std::numeric_limits<double>::infinity();
     if (joint.coordinate < 0) continue;
@@ -124,6 +130,7 @@ std::vector<HumanDigit> digits_of(const std::vector<std::shared_ptr<const DigitT
                                   const Subject& subject, const Skeleton& skeleton,
                                   const std::map<std::string, double>& max_force) {
   std::vector<HumanDigit> digits;
+  // Places of the tendons' coordinates among those of the hand.
   for (std::size_t i = 0; i < tendons.size(); ++i) {
     HumanDigit digit{subject.digits[i].name, tendons[i], {}, {}};
     const TendonNames& names = tendons[i]->digit().names;
@@ -145,6 +152,7 @@ std::vector<HumanDigit> tendons_of(const HumanModel& model, const Subject& subje
   if (subject.muscles.empty()) return {};
   const Hood extensors =
       model.version == HumanVersion::kTendonNet ? Hood::kFloatingNet : Hood::kFractions;
+  // Tendons of the version, and what is assumed of them.
   HumanTendons built = human_tendons(subject, extensors, model.options);
   for (const std::string& warning : built.warnings)
     if (std::count(warnings.begin(), warnings.end(), warning) == 0) warnings.push_back(warning);
@@ -157,12 +165,14 @@ std::vector<HumanDigit> tendons_of(const HumanModel& model, const Subject& subje
 }  // namespace
 
 HumanMechanism human_mechanism(const HumanModel& model) {
+  // Hand with its masses and warnings.
   HumanMechanism out;
   out.subject = weighed_subject(model, out.warnings);
   const HumanHand hand = build_human_hand(out.subject, model.version, model.options);
   out.warnings.insert(out.warnings.end(), hand.warnings.begin(), hand.warnings.end());
   out.skeleton = hand.skeleton;
   out.contact = hand.contact;
+  // Mechanism with skin and resistance.
   out.mechanism = on_base(skeleton_mechanism(hand.skeleton), base_mass(out.subject, hand.skeleton));
   const SkinError error = capsule_error(hand.hand->surfaces());
   if (model.options.skin.capsules && !error.worst.empty())
@@ -181,6 +191,7 @@ HumanMechanism human_mechanism(const HumanModel& model) {
       out.mechanism.coordinates[c].max_effort = std::max(-motors.lower[i], motors.upper[i]);
     }
   }
+  // Posture and tendons.
   out.open = layout.open.size() > 0
                  ? layout.open
                  : Eigen::VectorXd(layout.lower.cwiseMax(0).cwiseMin(layout.upper));

@@ -27,6 +27,7 @@ std::unique_ptr<ForceElement> JointStops::clone() const {
 bool JointStops::act(const ElementInput& at, ElementAction& out) {
   if (at.need == ElementNeed::kStates) return true;
   for (std::size_t i = 0; i < limits_.limits.size(); ++i) {
+    // Stop and passive moment, and their slopes.
     const CoordinateLimits& limits = limits_.limits[i];
     const double angle = at.q[places_.q[i]];
     const int v = places_.v[i];

@@ -71,6 +71,7 @@ std::vector<std::vector<int>> contracting_groups(
 }
 
 TendonGroup::TendonGroup(std::vector<std::shared_ptr<const DigitTendons>> digits) {
+  // Coordinates and muscles of digits, each once in the group.
   for (std::shared_ptr<const DigitTendons>& tendons : digits) {
     const TendonDigit& digit = tendons->digit();
     has_net_ = has_net_ || digit.fidelity.hood == Hood::kFloatingNet;
@@ -96,6 +97,7 @@ GroupTorque TendonGroup::evaluate(const VectorXd& q, const VectorXd& t,
   GroupTorque out;
   out.tau = VectorXd::Zero(q.size());
   out.R = MatrixXd::Zero(t.size(), q.size());
+  // Each digit with its own coordinates and muscles, summed in the group's.
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     const Digit& digit = digits_[i];
     static const Eigen::Matrix3Xd kNone;
@@ -119,6 +121,7 @@ GroupArms::GroupArms(const TendonGroup& group) : group_(&group), q_(group.digits
 void GroupArms::slopes(const VectorXd& q, GroupSlopes& out) {
   out.exist = true;
   out.digits.resize(solvers_.size());
+  // Arms of every digit must have slopes.
   for (std::size_t i = 0; i < solvers_.size() && out.exist; ++i) {
     out.exist = solvers_[i] != nullptr;
     if (!out.exist) return;
@@ -135,6 +138,7 @@ void GroupArms::solve(const VectorXd& q, GroupTorque& out) {
   out.status = TendonStatus::kValid;
   out.warning.clear();
   out.digits.resize(solvers_.size());
+  // Arms of each digit, by its solver or at zero tension.
   for (std::size_t i = 0; i < solvers_.size(); ++i) {
     const TendonGroup::Digit& digit = group.digits_[i];
     TendonTorque& part = out.digits[i];
@@ -144,6 +148,7 @@ void GroupArms::solve(const VectorXd& q, GroupTorque& out) {
     else
       part = digit.tendons->evaluate(
           q_[i], VectorXd::Zero(static_cast<Eigen::Index>(digit.muscles.size())));
+    // Sum in the group, and the worst status.
     if (alone)
       out.R = part.R;
     else
@@ -156,6 +161,7 @@ void GroupArms::solve(const VectorXd& q, GroupTorque& out) {
 MatrixXd TendonGroup::torque_by_posture(const VectorXd& q, const VectorXd& t,
                                         const GroupTorque& at) const {
   MatrixXd out = MatrixXd::Zero(q.size(), q.size());
+  // Torque of each digit by its own posture.
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     const auto& [tendons, coordinates, muscles] = digits_[i];
     out(coordinates, coordinates) +=
@@ -180,6 +186,7 @@ void TendonGroup::add_stiffness(const GroupSlopes& slopes, const VectorXd& t,
       for (Eigen::Index pair = 0; pair < pairs; ++pair) sum[pair] += tension * of[pair];
     }
     const double* next = sum;
+    // Both halves of the symmetric matrix.
     for (std::size_t k = 0; k < coordinates.size(); ++k)
       for (std::size_t j = 0; j <= k; ++j, ++next) {
         const int row = places[static_cast<std::size_t>(coordinates[j])],
@@ -193,6 +200,7 @@ void TendonGroup::add_stiffness(const GroupSlopes& slopes, const VectorXd& t,
 MatrixXd TendonGroup::compliance(const VectorXd& q, const VectorXd& t,
                                  const GroupTorque& at) const {
   MatrixXd out = MatrixXd::Zero(t.size(), t.size());
+  // Stretch of muscles by tensions, digit by digit.
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     const auto& [tendons, coordinates, muscles] = digits_[i];
     out(muscles, muscles) += tendons->compliance(q(coordinates), t(muscles), at.digits[i]);
@@ -211,6 +219,7 @@ VectorXd TendonGroup::lengths(const VectorXd& q, const VectorXd& t, const GroupT
 
 Excursion TendonGroup::excursion(const VectorXd& q) const {
   Excursion out{VectorXd::Zero(static_cast<Eigen::Index>(muscles_.size())), ""};
+  // Walk from posture zero, with all tendons taut at 1 N.
   for (const auto& [tendons, coordinates, muscles] : digits_) {
     const VectorXd here = q(coordinates);
     const VectorXd one = VectorXd::Ones(static_cast<Eigen::Index>(muscles.size()));  // [N]

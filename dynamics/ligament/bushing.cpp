@@ -30,6 +30,7 @@ std::unique_ptr<ForceElement> BushingElement::clone() const {
 }
 
 bool BushingElement::act(const ElementInput& at, ElementAction& out) {
+  // Frames at both bodies, and the coordinates between them.
   const TreeMotion<double>& motion = at.motion;
   const Pose<double> X_WA = pose_of(motion, proximal_.body) * proximal_.X_BF;
   const Pose<double> X_WB = pose_of(motion, distal_.body) * distal_.X_BF;
@@ -46,6 +47,7 @@ bool BushingElement::act(const ElementInput& at, ElementAction& out) {
     const Eigen::Vector3d about = X_WA.R * pose.turn.row(k).transpose();
     motion.add_row_against(b, a, X_WB.p, none, about, J_.col(3 + k));
   }
+  // Law at the coordinates and their rates.
   const BushingVector rate = J_.transpose() * at.v;
   const BushingAction action = bushing_action(law_, pose.x, rate);
   out.tau.noalias() += J_ * action.effort;
@@ -70,6 +72,7 @@ std::unique_ptr<ForceElement> LigamentElement::clone() const {
 }
 
 bool LigamentElement::act(const ElementInput& at, ElementAction& out) {
+  // Line from one point to the other, and its force.
   const TreeMotion<double>& motion = at.motion;
   const Eigen::Vector3d p = pose_of(motion, from_.body) * from_.p;
   const Eigen::Vector3d way = pose_of(motion, to_.body) * to_.p - p;

@@ -31,6 +31,7 @@ BushingAction bushing_action(const BushingLaw& law, const BushingVector& x,
     BushingVector g = BushingVector::Zero();
     g[i] = 1;
     g[kFlexed] -= follows;
+    // Force and slope of the way, spread by its gradient.
     const LigamentForce at = capsule_force(way, g.dot(x));
     out.effort -= (at.force + way.damping * g.dot(rate)) * g;
     out.stiffness += at.slope * g * g.transpose();
@@ -48,6 +49,7 @@ void check_law(const BushingLaw& law) {
 }
 
 BushingPose bushing_pose(const Pose<double>& X_AB) {
+  // Rotation as flexion about z, then abduction, then twist.
   const Eigen::Matrix3d& R = X_AB.R;
   const double flexion = std::atan2(-R(0, 1), R(1, 1));
   const double abduction = std::asin(std::clamp(R(2, 1), -1.0, 1.0));

@@ -24,12 +24,14 @@ bool is_rigid(const BushingLaw& law, BushingWay way) {
 Eigen::Matrix3d frame_of_bone(const Mechanism& mechanism, std::size_t body,
                               const Eigen::Vector3d& bone) {
   const MechanismJoint& joint = mechanism.joints[body];
+  // The bone points to the centre of mass unless the file states where.
   require(!bone.isZero(0) || mechanism.bodies[body].mass.mass > 0,
           "joint '{}': '{}' has no mass, so that nothing says where its bone points: state one, "
           "'bone'",
           joint.name, mechanism.bodies[body].name);
   const Eigen::Vector3d way =
       bone.isZero(0) ? mechanism.bodies[body].mass.com - joint.X_BM.p : bone;
+  // Axis y is the bone's part across the hinge.
   Eigen::Vector3d y = joint.X_BM.R.transpose() * way;
   const double length = y.norm();
   y.z() = 0;
@@ -72,6 +74,7 @@ CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompli
   const MechanismJoint hinge = mechanism.joints.at(body);
   check_hinge(mechanism, hinge);
   CompliantJoint out{hinge.name, compliance.law, {}};
+  // Ways that yield; rigid ones have no law.
   std::vector<BushingWay> ways;
   for (const BushingWay way : kChain) {
     out.coordinate[index_of(way)] = -1;
@@ -87,6 +90,7 @@ CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompli
   std::vector<MechanismJoint> chain;
   for (std::size_t k = 0; k < ways.size(); ++k) {
     const BushingWay way = ways[k];
+    // Link of the chain: the hinge itself, or a slide or hinge with a coordinate of its own.
     MechanismJoint link;
     if (way == BushingWay::kFlexion) {
       link = hinge;
@@ -98,6 +102,7 @@ CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompli
           static_cast<int>(mechanism.coordinates.size());
       mechanism.coordinates.push_back({link.name});
     }
+    // Frames of the link; the first hangs on the parent, the last carries the body.
     const Pose<double> own{way == BushingWay::kFlexion ? Eigen::Matrix3d::Identity()
                                                        : Eigen::Matrix3d(C.R * axis_frame(way)),
                            Eigen::Vector3d::Zero()};
@@ -119,6 +124,7 @@ CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompli
          {},
          {}});
   mechanism.bodies.insert(mechanism.bodies.begin() + joint, massless.begin(), massless.end());
+  // The chain in place of the hinge.
   mechanism.joints[body] = chain.front();
   mechanism.joints.insert(mechanism.joints.begin() + joint + 1, chain.begin() + 1, chain.end());
   return out;
@@ -133,6 +139,7 @@ int joint_named(const Mechanism& mechanism, const std::string& name) {
 CapsuleElement::CapsuleElement(const Mechanism& mechanism, CompliantJoint joint)
     : joint_(std::move(joint)) {
   const MechanismLayout layout = layout_of(mechanism);
+  // Places of coordinates in positions and speeds, -1 of rigid ways.
   for (std::size_t i = 0; i < q_.size(); ++i) {
     const int coordinate = joint_.coordinate[i];
     require(coordinate < static_cast<int>(layout.coordinate_q.size()),
@@ -162,6 +169,7 @@ BushingAction CapsuleElement::action(const ElementInput& at) const {
 
 bool CapsuleElement::act(const ElementInput& at, ElementAction& out) {
   const BushingAction action = this->action(at);
+  // Efforts and slopes of the ways that yield.
   for (std::size_t i = 0; i < v_.size(); ++i) {
     if (v_[i] < 0) continue;
     const auto row = static_cast<Eigen::Index>(i);

@@ -37,6 +37,7 @@ void check_law(const CapsuleLaw& law) {
 LigamentForce ligament_force(const LigamentLaw& law, double length) {
   const double e = (length - law.slack_length) / law.slack_length, toe = law.toe_strain;
   if (e <= 0) return {};
+  // Toe region: force quadratic in strain.
   const double per_strain = law.stiffness / law.slack_length;
   if (e <= 2 * toe)
     return {law.stiffness * e * e / (4 * toe), per_strain * e / (2 * toe),

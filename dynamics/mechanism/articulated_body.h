@@ -100,7 +100,7 @@ class ArticulatedBody {
       const TreeLink& constant = motion.model().links[i];
       const T mass(constant.mass);
       Body& body = bodies_[i];
-      // A world that falls upwards stands for weights.
+      // Weights: the world accelerates upwards instead.
       if (constant.parent < 0) {
         body.a_w = link.zeta_w;
         body.a_v = link.zeta_v - gravity;
@@ -128,7 +128,7 @@ class ArticulatedBody {
     Body& body = bodies_[i];
     const bool passes = constant.parent >= 0;
     if (is_scalar(constant.kind)) {
-      // One axis.
+      // One axis: inertia times it, inverse of its own part, and effort beyond the bias wrench.
       const Vec3<T> axis = link.slope * link.E.col(2);
       const bool turns = constant.kind == JointKind::kHinge;
       if (turns) {
@@ -141,6 +141,7 @@ class ArticulatedBody {
       body.D_inverse = T(1) / axis.dot(turns ? body.U_m : body.U_f);
       body.u = tau[constant.v] - axis.dot(turns ? body.m : body.f);
       if (!passes) return;
+      // What passes to the parent: the inertia without the axis, and the bias with the effort.
       const Vec3<T> Um = body.D_inverse * body.U_m, Uf = body.D_inverse * body.U_f;
       body.A.subtract(body.U_m, Um);
       body.B.noalias() -= body.U_m * Uf.transpose();
@@ -158,7 +159,7 @@ class ArticulatedBody {
   static void fold_many(const TreeLink& constant, const MovingLink<T>& link, Body& body, Many& many,
                         const Tau& tau) {
     const int n = speeds_of(constant.kind);
-    // The axes are those of F.
+    // Inertia times the axes of F, and the inverse of what the axes see of it.
     many.U.setZero();
     many.U.template block<3, 3>(0, 0).noalias() = body.A.full() * link.E;
     many.U.template block<3, 3>(3, 0).noalias() = body.B.transpose() * link.E;
@@ -170,12 +171,13 @@ class ArticulatedBody {
     D.topLeftCorner(3, n).noalias() = link.E.transpose() * many.U.topLeftCorner(3, n);
     if (n == 6) D.bottomRows(3).noalias() = link.E.transpose() * many.U.bottomRows(3);
     many.D = D.llt().solve(Eigen::Matrix<T, 6, 6>::Identity());
-    // Efforts less what the bias wrench needs.
+    // Efforts beyond those that the bias wrench needs.
     many.effort.setZero();
     for (int k = 0; k < n; ++k) many.effort[k] = tau[constant.v + k];
     many.effort.template head<3>().noalias() -= link.E.transpose() * body.m;
     if (n == 6) many.effort.template tail<3>().noalias() -= link.E.transpose() * body.f;
     if (constant.parent < 0) return;
+    // What passes to the parent: the inertia without the axes, and the bias with the efforts.
     const Eigen::Matrix<T, 6, 6> UD = many.U.leftCols(n) * many.D.topRows(n);
     const Eigen::Matrix<T, 6, 6> lost = UD.leftCols(n) * many.U.leftCols(n).transpose();
     body.A.add(-lost.template topLeftCorner<3, 3>());
@@ -192,6 +194,7 @@ class ArticulatedBody {
     const T x = r.x(), y = r.y(), z = r.z();
     const internal::Symmetric3<T>&A = body.A, &C = body.C;
     const Mat3<T>& B = body.B;
+    // Matrix  M = B + [r] C.
     Mat3<T> M;
     M(0, 0) = B(0, 0) + y * C.xz - z * C.xy;
     M(1, 0) = B(1, 0) + z * C.xx - x * C.xz;
@@ -202,13 +205,14 @@ class ArticulatedBody {
     M(0, 2) = B(0, 2) + y * C.zz - z * C.yz;
     M(1, 2) = B(1, 2) + z * C.xz - x * C.zz;
     M(2, 2) = B(2, 2) + x * C.yz - y * C.xz;
-    // Column k of -B [r] is r x (row k of B) as a row; column k of [r] M' is r x (row k of M).
+    // Column k of -B [r], as a row, is r x (row k of B); column k of [r] M' is r x (row k of M).
     parent.A.xx += A.xx + (y * B(0, 2) - z * B(0, 1)) + (y * M(0, 2) - z * M(0, 1));
     parent.A.xy += A.xy + (z * B(0, 0) - x * B(0, 2)) + (y * M(1, 2) - z * M(1, 1));
     parent.A.xz += A.xz + (x * B(0, 1) - y * B(0, 0)) + (y * M(2, 2) - z * M(2, 1));
     parent.A.yy += A.yy + (z * B(1, 0) - x * B(1, 2)) + (z * M(1, 0) - x * M(1, 2));
     parent.A.yz += A.yz + (x * B(1, 1) - y * B(1, 0)) + (z * M(2, 0) - x * M(2, 2));
     parent.A.zz += A.zz + (x * B(2, 1) - y * B(2, 0)) + (x * M(2, 1) - y * M(2, 0));
+    // Rest of the inertia, and the wrench with its arm.
     parent.B += M;
     parent.C += C;
     parent.m += body.m + r.cross(body.f);
@@ -221,14 +225,14 @@ class ArticulatedBody {
     const TreeLink& constant = motion.model().links[i];
     const MovingLink<T>& link = motion.links()[i];
     Body& body = bodies_[i];
-    // With the parent.
+    // Acceleration with the parent.
     Vec3<T> a_w = Vec3<T>::Zero(), a_v = a_w;
     if (constant.parent >= 0) {
       const Body& parent = bodies_[static_cast<std::size_t>(constant.parent)];
       a_w = parent.a_w;
       a_v = parent.a_v + a_w.cross(link.r);
     }
-    // And by the joint.
+    // Acceleration of the joint, from the efforts left.
     if (is_scalar(constant.kind)) {
       const T rate = body.D_inverse * (body.u - body.U_m.dot(a_w) - body.U_f.dot(a_v));
       v_dot[constant.v] = rate;

@@ -40,6 +40,7 @@ BodyMass link_mass(const RobotLink& link, std::vector<std::string>& warnings) {
           "link '{}': inertia of a ball of its mass, as its own is unknown", link.name));
     return {link.mass, link.com, ball_inertia(link.mass, kAssumedDensity)};
   }
+  // Shapes at the mass that is stated, or else at an assumed density.
   BodySpec body;
   body.name = link.name;
   body.shapes = link.shapes;
@@ -61,6 +62,7 @@ int coordinate_of(const RobotSpec& robot, const RobotJoint& joint,
   const std::string name = joint.dof.empty() ? joint.name : joint.dof;
   const std::string key = (joint.dof.empty() ? "joint " : "drive ") + name;
   const auto [at, is_new] = known.emplace(key, static_cast<int>(out.coordinates.size()));
+  // A new coordinate takes effort and backdrivability of its motor.
   if (is_new) {
     MechanismCoordinate coordinate{name, 0, true};
     for (const RobotDof& dof : robot.dofs) {
@@ -74,6 +76,7 @@ int coordinate_of(const RobotSpec& robot, const RobotJoint& joint,
 }
 
 MechanismJoint moving_joint(const RobotJoint& joint, int parent) {
+  // Frames F and M, with z along the axis.
   const Pose<double> axis = frame_along(joint.axis, Eigen::Vector3d::Zero());
   MechanismJoint out;
   out.name = joint.name;
@@ -81,6 +84,7 @@ MechanismJoint moving_joint(const RobotJoint& joint, int parent) {
   out.parent = parent;
   out.X_PF = joint.X_PJ * axis;
   out.X_BM = joint.X_JC.inverse() * axis;
+  // Value, limits and resistance.
   out.ratio = joint.dof.empty() ? 1 : joint.ratio;
   out.offset = joint.dof.empty() ? 0 : joint.offset;
   if (!joint.dof.empty()) out.curve = joint.curve;
@@ -131,6 +135,7 @@ BuiltMechanism robot_mechanism(const RobotSpec& robot) {
           robot.open_loops.empty() ? "" : robot.open_loops.front());
   BuiltMechanism out;
   std::map<std::string, int> body_of, coordinate_known;
+  // Adds a link with its shapes and mass on a joint.
   const auto add = [&](const RobotLink& link, MechanismJoint joint) {
     body_of[link.name] = static_cast<int>(out.mechanism.bodies.size());
     std::shared_ptr<const Solid> solid;
@@ -144,6 +149,7 @@ BuiltMechanism robot_mechanism(const RobotSpec& robot) {
   base.name = robot.links.front().name + " base";
   base.kind = JointKind::kWeld;
   add(robot.links.front(), base);
+  // Fixed joints become welds, the others hinges or slides of their coordinates.
   for (const RobotJoint& joint : robot.joints) {
     const auto child =
         std::find_if(robot.links.begin(), robot.links.end(),

@@ -114,6 +114,7 @@ class MassMatrix {
   template <typename Diagonal, typename Added>
   bool set(const TreeMotion<T>& motion, const Diagonal& diagonal, const Added& added) {
     assemble(motion);
+    // Entries of added matrices that the tree has not are left out.
     for (std::size_t k = 0; k < size_; ++k) {
       M_[k * size_ + k] += diagonal[at(k)] + added(at(k), at(k));
       for (const int i : motion.model().coupled_to[k]) {
@@ -209,6 +210,7 @@ class MassMatrix {
 
   void spread_row(const TreeMotion<T>& motion, int first, int row, Vec3<T> m, const Vec3<T>& f) {
     int at = first;
+    // Each joint on the way to the root takes the wrench along its axes.
     while (at >= 0) {
       const TreeLink& constant = motion.model().links[static_cast<std::size_t>(at)];
       const MovingLink<T>& link = motion.links()[static_cast<std::size_t>(at)];
@@ -238,12 +240,14 @@ class MassMatrix {
   }
 
   bool factorise(const TreeModel& model) {
+    // Entries of M that the tree has.
     for (std::size_t k = 0; k < size_; ++k) L_[k * size_ + k] = M_[k * size_ + k];
     for (std::size_t k = 0; k < size_; ++k)
       for (const int i : model.coupled_to[k]) {
         const std::size_t at_ki = k * size_ + static_cast<std::size_t>(i);
         L_[at_ki] = M_[at_ki];
       }
+    // Elimination from the last speed: its pivot, then its row out of the rows coupled to it.
     bool positive = true;
     for (std::size_t k = size_; k-- > 0;) {
       T* row = &L_[k * size_];

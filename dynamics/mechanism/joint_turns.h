@@ -41,6 +41,7 @@ class JointTurns {
   /// @return false where some angle is too large
   bool find_in_pairs() {
     bool all_small = true;
+    // Take two angles at a time, and note any beyond the range of sin_cos().
     for (std::size_t i = 0; i < value_.size(); i += 2) {
       const Double2 angle{value_[i], value_[i + 1]};
       for (int k = 0; k < 2; ++k) all_small = all_small && std::abs(angle[k]) <= kSinCosBound;

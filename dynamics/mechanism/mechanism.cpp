@@ -29,7 +29,7 @@ void check_joint(const Mechanism& mechanism, std::size_t i) {
   require(is_rigid(joint.X_PF) && is_rigid(joint.X_BM),
           "joint '{}': wanted frames with rotations, to 1e-9", joint.name);
   if (!is_scalar(joint.kind)) return;
-  // What belongs to hinges and slides.
+  // Hinges and slides need a coordinate, finite numbers and limits in order.
   require(
       joint.coordinate >= 0 && joint.coordinate < static_cast<int>(mechanism.coordinates.size()),
       "joint '{}': there is no coordinate {}", joint.name, joint.coordinate);
@@ -47,6 +47,7 @@ void check_joint(const Mechanism& mechanism, std::size_t i) {
 
 /// Every coordinate moves something, and no two things of a kind have one name.
 void check_names(const Mechanism& mechanism) {
+  // Names of bodies and joints, and coordinates that move a joint.
   std::set<int> moved;
   std::set<std::string> bodies, joints;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
@@ -56,6 +57,7 @@ void check_names(const Mechanism& mechanism) {
             mechanism.joints[i].name);
     if (is_scalar(mechanism.joints[i].kind)) moved.insert(mechanism.joints[i].coordinate);
   }
+  // Names of coordinates, each of which must move something.
   std::set<std::string> coordinates;
   for (const MechanismCoordinate& coordinate : mechanism.coordinates)
     require(coordinates.insert(coordinate.name).second, "two coordinates are named '{}'",
@@ -76,6 +78,7 @@ MechanismLayout layout_of(const Mechanism& mechanism) {
   MechanismLayout layout;
   layout.coordinate_q.assign(mechanism.coordinates.size(), -1);
   layout.coordinate_v = layout.coordinate_q;
+  // One place for a coordinate; balls have 4 positions and 3 speeds, free joints 7 and 6.
   for (const MechanismJoint& joint : mechanism.joints) {
     int first_q = -1, first_v = -1;
     if (is_scalar(joint.kind)) {
@@ -129,6 +132,7 @@ int append(Mechanism& whole, const Mechanism& part, const std::string& prefix, i
     if (is_scalar(joint.kind)) joint.coordinate += coordinates;
     whole.joints.push_back(std::move(joint));
   }
+  // Append its coordinates behind those of the whole.
   for (MechanismCoordinate coordinate : part.coordinates) {
     coordinate.name = prefix + coordinate.name;
     whole.coordinates.push_back(std::move(coordinate));

@@ -45,6 +45,7 @@ double SimbodyMachine::kinetic_energy() const {
 }
 
 Eigen::MatrixXd SimbodyMachine::mass_matrix() const {
+  // Simbody's mass matrix over its own speeds, reduced to the speeds of the mechanism.
   SimTK::Matrix M;
   parts_->bodies.matter().calcM(parts_->state, M);
   const Eigen::MatrixXd whole = Eigen::MatrixXd::NullaryExpr(
@@ -85,6 +86,7 @@ Eigen::VectorXd SimbodyMachine::accelerations(const Eigen::VectorXd& tau,
                                to_simbody(load.force), F);
     body.applyBodyTorque(state, to_simbody(load.moment), F);
   }
+  // Accelerations with the constraints of shared coordinates.
   SimTK::Vector u_dot;
   SimTK::Vector_<SimTK::SpatialVec> A;
   bodies.matter().calcAcceleration(state, on_joints, F, u_dot, A);

@@ -60,6 +60,7 @@ class CouplingError : public SimTK::Function {
   }
   SimTK::Real calcDerivative(const SimTK::Array_<int>& of,
                              const SimTK::Vector& values) const override {
+    // Derivatives up to the second: only the leader's enters more than linearly.
     const JointValue at = joint_value(follower_, (values[0] - offset_) / ratio_);
     if (of.size() == 1) return of[0] == 0 ? at.slope / ratio_ : -1;
     if (of.size() == 2 && of[0] == 0 && of[1] == 0) return at.bend / (ratio_ * ratio_);
@@ -88,6 +89,7 @@ struct SimbodyMechanism::Parts {
     const SimTK::Body::Rigid body = rigid_body(mechanism.bodies[i]);
     const SimTK::Transform F = to_simbody(joint.X_PF), M = to_simbody(joint.X_BM);
     SimTK::MobilizedBody& parent = matter.updMobilizedBody(index_of(joint.parent));
+    // Mobilizer with the joint's frames.
     switch (joint.kind) {
       case JointKind::kWeld:
         SimTK::MobilizedBody::Weld(parent, F, body, M);
@@ -109,6 +111,7 @@ struct SimbodyMechanism::Parts {
         SimTK::MobilizedBody::Free(parent, F, body, M);
         break;
     }
+    // The first joint that follows its coordinate linearly leads it.
     if (!is_scalar(joint.kind)) return;
     int& lead = leader[static_cast<std::size_t>(joint.coordinate)];
     if (lead < 0 && joint.curve.empty() && joint.ratio != 0) lead = static_cast<int>(i);
@@ -117,6 +120,7 @@ struct SimbodyMechanism::Parts {
   void couple(std::size_t i) {
     const MechanismJoint& joint = mechanism.joints[i];
     if (!is_scalar(joint.kind)) return;
+    // Joints that follow a leader are coupled to it by a constraint.
     const int lead = leader[static_cast<std::size_t>(joint.coordinate)];
     require(lead >= 0, "no joint follows the coordinate '{}' linearly",
             mechanism.coordinates[static_cast<std::size_t>(joint.coordinate)].name);
@@ -161,6 +165,7 @@ void SimbodyMechanism::write(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
   require(q.size() == parts_->layout.q && v.size() == parts_->layout.v,
           "wanted {} positions and {} speeds, got {} and {}", parts_->layout.q, parts_->layout.v,
           q.size(), v.size());
+  // Values and speeds of joints from those of coordinates; quaternions as they are.
   for (std::size_t i = 0; i < parts_->mechanism.bodies.size(); ++i) {
     const int at_q = parts_->layout.first_q[i], at_v = parts_->layout.first_v[i];
     if (at_q < 0) continue;
@@ -181,6 +186,7 @@ void SimbodyMechanism::read(const SimTK::State& state, Eigen::VectorXd& q,
                             Eigen::VectorXd& v) const {
   q.resize(parts_->layout.q);
   v.resize(parts_->layout.v);
+  // Coordinates from the joints that lead them; quaternions have length 1 again.
   for (std::size_t i = 0; i < parts_->mechanism.bodies.size(); ++i) {
     const int at_q = parts_->layout.first_q[i], at_v = parts_->layout.first_v[i];
     if (at_q < 0) continue;
@@ -200,6 +206,7 @@ void SimbodyMechanism::read(const SimTK::State& state, Eigen::VectorXd& q,
 
 std::vector<SimbodyMechanism::Speed> SimbodyMechanism::speeds(const SimTK::State& state) const {
   std::vector<Speed> out;
+  // Speeds of balls and free joints are ours; coordinates have their leader's over its ratio.
   for (std::size_t i = 0; i < parts_->mechanism.bodies.size(); ++i) {
     const int at = parts_->layout.first_v[i];
     if (at < 0) continue;
@@ -216,6 +223,7 @@ std::vector<SimbodyMechanism::Speed> SimbodyMechanism::speeds(const SimTK::State
 
 Eigen::MatrixXd SimbodyMechanism::speed_map(const SimTK::State& state) const {
   Eigen::MatrixXd N = Eigen::MatrixXd::Zero(state.getNU(), parts_->layout.v);
+  // Slopes of joints by their coordinates, at the leader's value.
   for (std::size_t i = 0; i < parts_->mechanism.bodies.size(); ++i) {
     if (parts_->layout.first_v[i] < 0) continue;
     const int row = parts_->body(i).getFirstUIndex(state);

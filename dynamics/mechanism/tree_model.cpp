@@ -25,6 +25,7 @@ void add_mass(TreeLink& link, const BodyMass& body, const Pose<double>& X_LB) {
 /// Puts links in the order of their depth in the tree, those of one depth as they came: neighbours
 /// then wait for each other's results only where they have to, and processors overlap them.
 void order_by_depth(TreeModel& model) {
+  // Depths and the stable order by them.
   const std::size_t n = model.links.size();
   std::vector<int> depth(n, 0);
   for (std::size_t i = 0; i < n; ++i)
@@ -34,6 +35,7 @@ void order_by_depth(TreeModel& model) {
   std::iota(old_of.begin(), old_of.end(), std::size_t{0});
   std::stable_sort(old_of.begin(), old_of.end(),
                    [&](std::size_t a, std::size_t b) { return depth[a] < depth[b]; });
+  // Links in that order, and their new numbers.
   std::vector<int> new_of(n);
   std::vector<TreeLink> ordered;
   for (const std::size_t old : old_of) {
@@ -52,6 +54,7 @@ void order_by_depth(TreeModel& model) {
 /// A joint whose motion moves no mass has no acceleration.
 void check_masses(const TreeModel& model) {
   std::vector<bool> carries(model.links.size());
+  // Find inwards which links carry mass, themselves or beyond, and which speeds move any.
   std::vector<bool> moves(static_cast<std::size_t>(model.layout.v));
   for (std::size_t i = model.links.size(); i-- > 0;) {
     const TreeLink& link = model.links[i];
@@ -77,11 +80,12 @@ std::vector<std::vector<int>> structure(const TreeModel& model) {
       if (at->parent < 0) break;
       at = &model.links[static_cast<std::size_t>(at->parent)];
     }
+    // Each pair of these is coupled.
     for (const int a : movers)
       for (const int b : movers)
         if (b < a) lower[static_cast<std::size_t>(a)].insert(b);
   }
-  // Fill.
+  // Fill of the elimination.
   for (std::size_t k = lower.size(); k-- > 0;)
     for (const int i : lower[k])
       for (const int j : lower[k])

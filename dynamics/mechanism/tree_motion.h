@@ -155,7 +155,7 @@ void TreeMotion<T>::set_position(const Q& q) {
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const TreeLink& constant = model_->links[i];
     MovingLink<T>& link = links_[i];
-    // The joint's frame F moves with the parent.
+    // Frame F of the joint moves with the parent.
     if (constant.parent < 0) {
       link.E = constant.X_PF.R.template cast<T>();
       link.o = link.r = constant.X_PF.p.template cast<T>();
@@ -165,7 +165,7 @@ void TreeMotion<T>::set_position(const Q& q) {
       link.r.noalias() = parent.R * constant.X_PF.p.template cast<T>();
       link.o = parent.o + link.r;
     }
-    // The joint moves M in F.
+    // Frame M moves in F by the joint.
     switch (constant.kind) {
       case JointKind::kHinge: {
         const T c = turns_.cosine(i), s = turns_.sine(i);
@@ -192,7 +192,7 @@ void TreeMotion<T>::set_position(const Q& q) {
       default:
         link.R = link.E * internal::rotation_of<T>(q, constant.q);
     }
-    // Mass in the world's axes.
+    // Moment of mass and inertia in the axes of the world.
     link.moment.noalias() = link.R * constant.moment.template cast<T>();
     const Mat3<T> half = link.R * constant.inertia.template cast<T>();
     for (int row = 0; row < 3; ++row)
@@ -207,7 +207,7 @@ void TreeMotion<T>::set_speed(const V& v) {
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const TreeLink& constant = model_->links[i];
     MovingLink<T>& link = links_[i];
-    // What the parent does to the link.
+    // Velocity and acceleration by the parent's motion.
     Vec3<T> base = Vec3<T>::Zero();
     link.vel = link.zeta_v = base;
     if (constant.parent >= 0) {
@@ -219,7 +219,7 @@ void TreeMotion<T>::set_speed(const V& v) {
     }
     link.w = base;
     link.zeta_w = Vec3<T>::Zero();
-    // What the joint adds.
+    // Velocity and acceleration by the joint's own.
     switch (constant.kind) {
       case JointKind::kHinge: {
         const T rate = v[constant.v];

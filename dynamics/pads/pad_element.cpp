@@ -65,6 +65,7 @@ PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) c
   out.push.setZero();
   out.allowed = options_.force_error * std::max(touch_.push.force.norm(), options_.least_force);
   if (touch_.force <= 0) return out;
+  // Elastic push with the stiffness of the last look, relaxed since.
   const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - t_seen_));
   const Vector6 more = stiffness_ * motion_from(X_seen_, X_PO);
   for (Eigen::Index k = 0; k < 6; ++k) {
@@ -82,6 +83,7 @@ PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) c
 }
 
 void PadElement::set_rows(const ElementInput& at) {
+  // Rows of the object's motion against the pad, in the pad's axes at its origin: turns, then ways.
   const Pose<double> X_WP = at.motion.pose(body_) * X_BP_;
   const int pad = at.motion.link_of(body_), object = at.motion.link_of(other_);
   const Vector3d none(0, 0, 0);
@@ -99,9 +101,11 @@ double PadElement::fastest(const ElementInput& at) const {
 }
 
 bool PadElement::act(const ElementInput& at, ElementAction& out) {
+  // Without a touch there is no push.
   if (touch_.force <= 0) return has_answer();
   const Prediction seen = predict(at.t, object_pose(at));
   if (seen.share == 0) return has_answer();
+  // Efforts by the push, against the object's motion relative to the pad, and its symmetric slope.
   set_rows(at);
   out.tau.noalias() -= J_ * seen.push;
   if (at.need == ElementNeed::kAll) {
@@ -119,6 +123,7 @@ bool PadElement::changed_little(const Prediction& seen, const Pose<double>& X_PO
 }
 
 void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& seen) {
+  // Contact at the end of the motion, from what the pad kept.
   trial_.t = t;
   trial_.X_PO = X_PO;
   trial_.touch = pad_->move(X_PO, t - t_);
@@ -126,6 +131,7 @@ void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& 
     trial_.error = kNoAnswer;
     return;
   }
+  // Error of the prediction, over what the push allows.
   const double allowed =
       std::max(seen.allowed, options_.force_error * trial_.touch.push.force.norm());
   trial_.error = size_of(six_of(trial_.touch.push) - seen.push) / allowed;
@@ -133,8 +139,8 @@ void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& 
 
 void PadElement::catch_up(double t, const Pose<double>& X_PO, double allowed) {
   if (t_seen_ <= t_ + kSameInstant || touch_.force <= 0) return;
-  // A motion after a rest is not spread over the rest, which the pad has not seen, where the pad
-  // would feel that.
+  // After a rest that the pad has not seen, a motion would count as spread over the rest. Where the
+  // pad would feel that, it is first moved to the end of the rest.
   const std::vector<ExponentialTerm>& terms = pad_->relaxation();
   const double spread = memory_step(terms, std::max(0.0, t - t_)).now,
                late = memory_step(terms, std::max(0.0, t - t_seen_)).now;
@@ -145,17 +151,18 @@ void PadElement::catch_up(double t, const Pose<double>& X_PO, double allowed) {
 }
 
 double PadElement::doubt(const ElementInput& at) {
+  // A pad without an answer waits, and one that hardly moved has no doubt.
   if (stale_ && at.t < retry_) return 0;
   const Pose<double> X_PO = object_pose(at);
   const Prediction seen = predict(at.t, X_PO);
   if (changed_little(seen, X_PO)) return 0;
   catch_up(at.t, X_PO, seen.allowed);
   try_move(at.t, X_PO, seen);
-  // What jumps in so short a time, jumps.
+  // Steps are not made shorter than this: what jumps in so short a time jumps.
   const double seconds = at.t - t_seen_;
   if (seconds < kLeastPadStep) return 0;
   if (touch_.force > 0) return trial_.error;
-  // Farther than it was away, and is: it may have gone through.
+  // Not touched before: an object that moves farther than the gaps may have gone through.
   set_rows(at);
   const double way = seconds * std::max(speed_, fastest(at)),
                most = std::max(gap_, trial_.touch.gap) + kFirstDip;
@@ -163,6 +170,7 @@ double PadElement::doubt(const ElementInput& at) {
 }
 
 void PadElement::accept(const ElementInput& at) {
+  // Pose at the end of the step, and the push that was predicted for it.
   const Pose<double> X_PO = object_pose(at);
   foresees_ = std::numeric_limits<double>::infinity();
   anew_ = false;
@@ -170,6 +178,7 @@ void PadElement::accept(const ElementInput& at) {
   const bool waits = stale_ && at.t < retry_;
   const Prediction seen = predict(at.t, X_PO);
   if (!waits) stale_ = false;
+  // Move the pad, unless the last trial was this very motion.
   if (!waits && !changed_little(seen, X_PO)) {
     const bool is_tried =
         std::abs(trial_.t - at.t) < kSameInstant && motion_from(trial_.X_PO, X_PO).norm() < 1e-6;
@@ -177,6 +186,7 @@ void PadElement::accept(const ElementInput& at) {
       catch_up(at.t, X_PO, seen.allowed);
       try_move(at.t, X_PO, seen);
     }
+    // Begin anew without an answer; otherwise keep the move, whose error bounds the next step.
     stale_ = trial_.touch.status != Status::kSolved;
     if (stale_) {
       if (at.t >= retry_) begin_anew(at.t, X_PO);
@@ -189,6 +199,7 @@ void PadElement::accept(const ElementInput& at) {
             seconds * std::clamp(0.9 / std::sqrt(std::max(error, 1e-6)), kStepShrink, kStepGrowth));
     }
   }
+  // Apart: no step may be longer than the way to the pad.
   go_on(at.t, X_PO);
   gap_ = touch_.gap;
   if (touch_.force > 0 || stale_) return;
@@ -212,6 +223,7 @@ void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
     fresh->keep();
   }
   anew_ = touch_.force > 0;  // otherwise it has nothing to forget
+  // The fresh pad takes the place of the old one, with nothing remembered.
   pad_ = std::move(fresh);
   moved_memory_ = {};
   trial_.t = -1;
@@ -224,12 +236,14 @@ void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
 }
 
 void PadElement::keep_move(bool new_stiffness) {
+  // The pad keeps the trial.
   const double seconds = trial_.t - t_;
   const Vector6 motion = motion_from(X_PO_, trial_.X_PO);
   pad_->keep();
   t_ = trial_.t;
   X_PO_ = trial_.X_PO;
   trial_.t = -1;
+  // Stiffness where the touch begins, or where a prediction was poor.
   const bool begins = touch_.force <= 0;
   touch_ = trial_.touch;
   remember_push(seconds);
@@ -279,6 +293,7 @@ double PadElement::energy(const ElementInput& at) {
   Vector6 push;
   for (std::size_t k = 0; k < 6; ++k) push[static_cast<Eigen::Index>(k)] = memory[k].x;
   const double work = (push - 0.5 * stiffness_ * motion).dot(motion);  // since the pad moved
+  // Share of the elastic energy that its terms have left:  1 - sum g_i + sum part_i^2 / g_i.
   const Vector3d force = push.tail<3>();
   double share = 1;
   for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -292,6 +307,7 @@ double PadElement::energy(const ElementInput& at) {
 void PadElement::add_contacts(const ElementInput& at, std::vector<ContactSample>& out) {
   const Prediction seen = predict(at.t, object_pose(at));
   if (touch_.force <= 0 || seen.share == 0) return;
+  // Push at the instant, and the pad's frame in the world.
   const Pose<double> X_WP = at.motion.pose(body_) * X_BP_;
   const Vector3d moment = seen.push.head<3>(), force = seen.push.tail<3>();
   // On the body with the lower index.

@@ -36,11 +36,13 @@ void put_on_joint(const SceneJointSpec& spec, const std::string& name, const Pos
                   Mechanism& part) {
   MechanismJoint& joint = part.joints.front();
   joint.kind = static_cast<JointKind>(spec.kind);
+  // A free body hangs on its centre of mass.
   if (spec.kind == SceneJointKind::kFree) {
     joint.X_PF = {};
     joint.X_BM.p = part.bodies.front().mass.com;
     return;
   }
+  // Frame A of the joint, z along its axis; F is turned back by the start, where the part stands.
   Pose<double> A = X_WB;
   if (spec.kind != SceneJointKind::kWeld) A = {Eigen::Matrix3d::Identity(), spec.point};
   if (is_scalar(joint.kind)) {
@@ -74,6 +76,7 @@ double opening_of(const RobotDof& dof) {
 void weld_coordinate(Mechanism& part, int coordinate, double u) {
   for (MechanismJoint& joint : part.joints) {
     if (!is_scalar(joint.kind)) continue;
+    // Shift F by the joint's value at u, and weld it there.
     if (joint.coordinate == coordinate) {
       joint.X_PF = joint.X_PF * motion_along_z(joint.kind, joint_value(joint, u).value);
       joint.kind = JointKind::kWeld;
@@ -83,6 +86,7 @@ void weld_coordinate(Mechanism& part, int coordinate, double u) {
 
 /// Leaves out coordinates that move nothing any more. @return the old index of each that is left
 std::vector<int> drop_unused(Mechanism& part) {
+  // Coordinates that some joint still has, and their new numbers.
   std::vector<int> kept, now(part.coordinates.size(), -1);
   std::vector<MechanismCoordinate> left;
   for (int c = 0; c < static_cast<int>(part.coordinates.size()); ++c) {
@@ -96,6 +100,7 @@ std::vector<int> drop_unused(Mechanism& part) {
     left.push_back(part.coordinates[static_cast<std::size_t>(c)]);
   }
   part.coordinates = std::move(left);
+  // New numbers in the joints.
   for (MechanismJoint& joint : part.joints)
     if (is_scalar(joint.kind)) joint.coordinate = now[static_cast<std::size_t>(joint.coordinate)];
   return kept;
@@ -177,13 +182,14 @@ class SceneBuilder {
       part.prefix = part.name + "/";
       part.joint = hand.joint;
       part.velocity = hand.velocity;
+      // Mechanism and posture of the robot or the human.
       if (const auto* robot = std::get_if<RobotSpec>(&model))
         add_robot(hand, *robot, part);
       else
         add_human(hand, std::get<HumanModel>(model), part);
       (void)give(part);
       place_links(hand.placed.X_WH, part);
-      // The base on its joint.
+      // The base on its joint, whose coordinate comes last.
       put_on_joint(hand.joint, "base", hand.placed.X_WH, part.mechanism);
       part.u_dot.assign(part.u.size(), 0);
       if (part.mechanism.coordinates.size() > part.u.size()) {
@@ -218,6 +224,7 @@ class SceneBuilder {
   /// Coordinates of a hand at the start.
   static std::vector<double> posture_of(const SceneHandSpec& hand, const RobotSpec& robot,
                                         const Mechanism& part) {
+    // Openings of the motors, then the posture that the file states.
     std::vector<std::string> names;
     std::vector<double> u;
     for (const MechanismCoordinate& coordinate : part.coordinates) {
@@ -300,6 +307,7 @@ class SceneBuilder {
   /// Adds all parts to the mechanism, each after the part that carries it. The reader has refused
   /// parents that lead back to themselves.
   void add_parents_first(std::vector<ScenePart>& parts) {
+    // Depth first: the part that carries another is added before it.
     std::vector<ScenePart> ordered;
     std::vector<bool> added(parts.size(), false);
     const auto add = [&](const auto& self, std::size_t i) -> void {
@@ -343,6 +351,7 @@ class SceneBuilder {
     const MechanismLayout layout = layout_of(scene.mechanism);
     scene.q = reference_position(scene.mechanism);
     scene.v = Eigen::VectorXd::Zero(layout.v);
+    // Parts in order have their bodies and coordinates one after the other.
     std::size_t body = 0, coordinate = 0;
     for (const ScenePart& part : parts) {
       for (std::size_t c = 0; c < part.u.size(); ++c, ++coordinate) {
@@ -368,6 +377,7 @@ class SceneBuilder {
 
   void add_forces() {
     for (const SceneForceSpec& force : spec_.forces) {
+      // Force on a body, by default at its centre of mass.
       SceneForce out;
       out.body = at_line(spec_.path, force.line,
                          [&] { return body_named(built_.scene.mechanism, force.body); });
@@ -395,6 +405,7 @@ class SceneBuilder {
     for (const MechanismCoordinate& coordinate : mechanism.coordinates)
       names.push_back(coordinate.name);
     for (const SceneDriveSpec& drive : spec_.drives) {
+      // Coordinate of each drive.
       SceneDrive out;
       out.coordinate = at_line(spec_.path, drive.line, [&] {
         return static_cast<int>(index_of_name(drive.coordinate, names, "coordinate"));
@@ -432,6 +443,7 @@ class SceneBuilder {
     options.method = static_cast<SteppingMethod>(at_line(spec_.path, stepping.line, [&] {
       return index_of_name(stepping.method, stepping_names(), "method");
     }));
+    // Lengths of steps and samples, or the defaults.
     options.seconds = stepping.duration;
     options.sample = stepping.sample;
     options.step = stepping.step.value_or(options.step);
@@ -444,6 +456,7 @@ class SceneBuilder {
   void set_compliance() {
     const SteppingSpec& stepping = spec_.stepping;
     ContactCompliance& out = built_.options.compliance;
+    // Numbers that the file states, or the defaults.
     out.modulus = stepping.modulus.value_or(out.modulus);
     out.stiffness = stepping.stiffness.value_or(out.stiffness);
     out.dissipation = stepping.dissipation.value_or(out.dissipation);

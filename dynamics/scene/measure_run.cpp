@@ -18,6 +18,7 @@ using Pair = std::pair<int, int>;
 /// Notes what the pairs do at an instant.
 void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeasure>& pairs) {
   std::map<Pair, double> normal;
+  // First and last touch of each pair, and its normal force.
   for (const ContactSample& contact : sample.contacts) {
     const auto [at, is_new] = pairs.try_emplace({contact.a, contact.b});
     PairMeasure& pair = at->second;
@@ -28,6 +29,7 @@ void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeas
     }
     pair.last = sample.t;
     normal[at->first] += contact.force.dot(contact.normal);
+    // Sum forces and patches at the last instant, and note whether any point slides.
     if (!last) continue;
     pair.force += contact.force;
     pair.area += contact.area;
@@ -39,6 +41,7 @@ void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeas
     if (contact.mode == ContactMode::kSlide || pair.mode == ContactMode::kOpen)
       pair.mode = contact.mode;
   }
+  // Largest normal force over the run.
   for (const auto& [pair, force] : normal)
     pairs[pair].largest_force = std::max(pairs[pair].largest_force, force);
 }
@@ -47,12 +50,14 @@ void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeas
 /// points, where the coordinate goes by the cubic through both ends and rates.
 double work_in_part(const SceneDrive& drive, const MechanismLayout& layout, const SceneSample& from,
                     const SceneSample& to, double begin, double end) {
+  // Cubic through both ends and their rates.
   const auto c = static_cast<std::size_t>(drive.coordinate);
   const int q = layout.coordinate_q[c], v = layout.coordinate_v[c];
   const double span = to.t - from.t, mean_rate = (to.q[q] - from.q[q]) / span;
   const double bend = from.v[v] + to.v[v] - 2 * mean_rate;
   const double turn = 3 * mean_rate - 2 * from.v[v] - to.v[v];
   const double nodes[] = {-std::sqrt(0.6), 0, std::sqrt(0.6)}, weights[] = {5.0, 8.0, 5.0};
+  // Integrate the power by Gauss's three points.
   double work = 0;
   for (int k = 0; k < 3; ++k) {
     const double t = 0.5 * (begin + end + nodes[k] * (end - begin)), s = (t - from.t) / span;
@@ -69,6 +74,7 @@ double work_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
                      const SceneSample& from, const SceneSample& to) {
   double begin = std::max(from.t, drive.when.from), work = 0;
   const double end = std::min(to.t, drive.when.to);
+  // Parts between knots of its table.
   while (begin < end) {
     double part_end = end;
     if (drive.table) {
@@ -89,6 +95,7 @@ double work_between(const MovingScene& scene, const MechanismLayout& layout,
                     const Poses& X_to) {
   const double middle = 0.5 * (from.t + to.t);
   double work = 0;
+  // Forces do work by the displacement of their point, moments by the turn.
   for (const SceneForce& force : scene.forces) {
     if (!force.when.holds(middle)) continue;
     const auto i = static_cast<std::size_t>(force.body);
@@ -102,6 +109,7 @@ double work_between(const MovingScene& scene, const MechanismLayout& layout,
 
 /// The instant with what touches at it: the start comes before any step, and has no forces yet.
 SceneSample with_touching(const SceneSample& sample, ContactStep& step) {
+  // Contacts at the state, without forces.
   std::vector<ActiveContact> found;
   step.find({sample.t, sample.q, sample.v, sample.z}, SceneOptions().touch, found);
   SceneSample out = sample;
@@ -142,10 +150,12 @@ void note_sliding(const MovingScene& scene, const SlipInstant& last,
 
 std::vector<SceneVelocity> body_velocities(const Mechanism& mechanism, const TreeModel& model,
                                            const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  // Motion of the links at the state.
   TreeMotion<double> motion(model);
   motion.set_position(q);
   motion.set_speed(v);
   std::vector<SceneVelocity> out(mechanism.bodies.size());
+  // Velocity of each centre of mass.
   for (std::size_t i = 0; i < out.size(); ++i) {
     const int link = model.bodies[i].link;
     if (link < 0) continue;
@@ -167,6 +177,7 @@ std::vector<std::size_t> moving_bodies(const Mechanism& mechanism, const TreeMod
 RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   RunMeasures out;
   if (run.samples.empty()) return out;
+  // Poses at all instants.
   ContactStep step(scene);
   out.X_WB.resize(run.samples.size());
   for (std::size_t k = 0; k < run.samples.size(); ++k)
@@ -174,6 +185,7 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   const MechanismLayout& layout = step.model().layout;
   out.moving = moving_bodies(scene.mechanism, step.model());
   const bool has_flows = run.samples.back().w.size() > 0;
+  // Pairs instant by instant: forces, slip, and work where the run kept no flows.
   std::map<Pair, PairMeasure> pairs;
   SlipInstant before = slip_instant(scene, step.model(), run.samples.front(), out.X_WB.front());
   for (std::size_t k = 0; k < run.samples.size(); ++k) {
@@ -187,10 +199,12 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
     before = std::move(now);
     if (!has_flows) out.work += work_between(scene, layout, from, to, out.X_WB[k - 1], out.X_WB[k]);
   }
+  // Results of pairs, velocities and muscles at the end.
   note_sliding(scene, before, pairs);
   for (const auto& [bodies, pair] : pairs) out.pairs.push_back(pair);
   out.velocity = std::move(before.velocity);  // the last instant's
   out.pulls = measure_pulls(scene, run);
+  // Work and losses by the flows of the steps, or by energies alone.
   if (has_flows) {
     out.balance = flow_balance(run.samples.front(), run.samples.back());
     out.worst = worst_balance(run.samples);

@@ -27,6 +27,7 @@ std::vector<PadState> pad_angles(const SceneRun& run, const RunMeasures& measure
   require(run.samples.size() == measures.X_WB.size(), "{} instants have {} measures",
           run.samples.size(), measures.X_WB.size());
   std::vector<PadState> out;
+  // Instants at which they press, with the angle between the pad's normal and the force.
   for (std::size_t i = 0; i < run.samples.size(); ++i) {
     const auto bodies = static_cast<int>(measures.X_WB[i].size());
     require(std::min(body, other) >= 0 && std::max(body, other) < bodies,

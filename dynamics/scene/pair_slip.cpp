@@ -55,6 +55,7 @@ class ContactWay {
 
   /// Sliding way [m].
   [[nodiscard]] double slip() const {
+    // Large turns hide the way: the mean of the sliding speeds stands for it.
     const double time = to_.t - from_.t;
     const double turn = std::max(
         {time * turning(from_), time * turning(to_), normal_turn(moved_a_), normal_turn(moved_b_)});

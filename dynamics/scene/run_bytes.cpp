@@ -53,6 +53,7 @@ class ByteReader {
 
 template <typename Stream, typename Vector>
 void pass_vector(Stream& stream, Vector& vector) {
+  // Size first, so that a reader can make room.
   auto size = static_cast<std::size_t>(vector.size());
   stream.count(size);
   vector.resize(static_cast<Eigen::Index>(size));
@@ -101,6 +102,7 @@ void pass_cost(Stream& stream, SceneCost& cost) {
 /// Writes or reads a run, its parts in the same order.
 template <typename Stream>
 void pass_run(Stream& stream, SceneRun& run) {
+  // Samples, cost and the reason of a failure, each list after its size.
   auto& [status, samples, cost, reason] = run;
   stream.plain(status);
   std::size_t instants = samples.size();

@@ -9,6 +9,7 @@ JointCompliance joint_compliance(const SceneComplianceSpec& spec) {
                                             BushingWay::kAxial, BushingWay::kAbduction,
                                             BushingWay::kTwist};
   JointCompliance out;
+  // Stiffness, toe and damping of each way but flexion.
   for (std::size_t i = 0; i < kWays.size(); ++i) {
     const double toe = i == SceneComplianceSpec::kTwist       ? spec.twist_toe
                        : i == SceneComplianceSpec::kAbduction ? spec.rotation_toe
@@ -23,6 +24,7 @@ JointCompliance joint_compliance(const SceneComplianceSpec& spec) {
 std::vector<CompliantJoint> make_part_compliant(const SceneSpec& spec, const std::string& name,
                                                 const std::string& prefix, Mechanism& part) {
   std::vector<CompliantJoint> made;
+  // Compliances of this part's joints.
   for (const SceneComplianceSpec& compliance : spec.compliances) {
     const bool is_own = prefix.empty() ? compliance.joint == name
                                        : compliance.joint.compare(0, prefix.size(), prefix) == 0;
@@ -41,10 +43,12 @@ namespace {
 std::shared_ptr<const ForceElement> bushing_element(const SceneBushingSpec& spec,
                                                     const Mechanism& mechanism,
                                                     const std::vector<Pose<double>>& X_WB) {
+  // Set the law of the six ways.
   BushingLaw law;
   for (std::size_t i = 0; i < law.ways.size(); ++i)
     law.ways[i] = {spec.stiffness[i], i < 3 ? spec.translation_toe : spec.rotation_toe,
                    spec.stiffening, spec.damping[i]};
+  // Frame at the point, z along the axis, in both bodies.
   const Tangents sides = tangents(spec.axis);
   Pose<double> X_WA;
   X_WA.R << sides.e1, sides.e2, spec.axis;
@@ -62,12 +66,14 @@ std::shared_ptr<const ForceElement> bushing_element(const SceneBushingSpec& spec
 std::vector<std::shared_ptr<const ForceElement>> scene_ligaments(
     const SceneSpec& spec, const Mechanism& mechanism, const std::vector<Pose<double>>& X_WB) {
   std::vector<std::shared_ptr<const ForceElement>> out;
+  // Bushings, then ligaments.
   for (const SceneBushingSpec& bushing : spec.bushings) {
     at_line(spec.path, bushing.line,
             [&] { out.push_back(bushing_element(bushing, mechanism, X_WB)); });
   }
   for (const SceneLigamentSpec& ligament : spec.ligaments) {
     at_line(spec.path, ligament.line, [&] {
+      // Points of both ends; by default it is just slack at the start.
       BodyPoint from{-1, ligament.from_point}, to{-1, ligament.to_point};
       if (!ligament.from.empty()) from.body = body_named(mechanism, ligament.from);
       to.body = body_named(mechanism, ligament.to);

@@ -41,6 +41,7 @@ std::vector<std::string> muscles_of(const HumanMechanism& hand) {
 std::vector<GivenMuscle> given_by(const SceneMuscleSpec& spec, const SceneSpec& scene,
                                   const std::vector<std::string>& names) {
   const TimeSpan when{spec.from, spec.to};
+  // Constant values of single muscles.
   std::vector<GivenMuscle> out;
   for (const auto& [name, value] : spec.value) {
     const std::string& muscle = names[index_of_name(name, names, "muscle")];
@@ -63,6 +64,7 @@ std::vector<GivenMuscle> given_by(const SceneMuscleSpec& spec, const SceneSpec& 
 /// Finds the indices of a hand's coordinates in the scene.
 CoordinatePlaces places_of(const std::string& hand, const std::vector<std::string>& coordinates,
                            const Mechanism& mechanism) {
+  // Coordinates are named after the hand.
   const MechanismLayout layout = layout_of(mechanism);
   CoordinatePlaces places;
   for (const std::string& name : coordinates)
@@ -79,6 +81,7 @@ std::shared_ptr<const Contraction> contraction_of(const HumanMechanism& hand,
                                                   const std::vector<const HumanDigit*>& digits,
                                                   const std::vector<std::string>& names,
                                                   Muscle rung) {
+  // Muscles without a largest force have that of the digit.
   Subject subject = hand.subject;
   std::vector<Musculotendon> muscles;
   for (const HumanDigit* digit : digits) {
@@ -103,6 +106,7 @@ class HandPuller {
 
   /// @return whether anything does
   bool pull() {
+    // Read what the file drives, then pull each group of digits.
     for (const SceneMuscleSpec& each : spec_.muscles)
       if (each.hand == human_.name) read(each);
     bool any = false;
@@ -116,6 +120,7 @@ class HandPuller {
     const auto fail = [&](const std::string& what) {
       throw DataError(spec_.path, each.line, what);
     };
+    // The rung must be one for the hand; errors name the line.
     if (names_.empty()) fail(fmt::format("hand '{}' has no muscles", human_.name));
     try {
       if (!each.rung.empty()) {
@@ -170,6 +175,7 @@ class HandPuller {
                                                   const std::vector<std::string>& muscles,
                                                   int last = std::numeric_limits<int>::max()) {
     std::vector<MuscleSchedule> out;
+    // Entries of these muscles, with their numbers among them.
     for (const GivenMuscle& each : given) {
       const auto at = std::find(muscles.begin(), muscles.end(), each.muscle);
       if (at == muscles.end() || each.line > last) continue;
@@ -216,6 +222,7 @@ class HandPuller {
 
   /// Digits one by one, but those that contract with all that share a muscle with them.
   [[nodiscard]] std::vector<std::vector<const HumanDigit*>> groups() const {
+    // Muscles that are not given a tension, and whether any is excited.
     std::vector<std::vector<std::string>> muscles;
     std::vector<bool> excited;
     for (const HumanDigit& digit : human_.hand.digits) {
@@ -227,6 +234,7 @@ class HandPuller {
         return gives(excitations_, name);
       }));
     }
+    // Digits that contract with those that share a muscle.
     std::vector<std::vector<const HumanDigit*>> groups;
     for (const std::vector<int>& members : contracting_groups(muscles, excited)) {
       groups.emplace_back();
@@ -237,6 +245,7 @@ class HandPuller {
   }
 
   bool add(const std::vector<const HumanDigit*>& group) {
+    // Name, tendons and schedules of the group.
     DigitPullModel model;
     std::vector<std::shared_ptr<const DigitTendons>> tendons;
     for (const HumanDigit* digit : group) {
@@ -301,6 +310,7 @@ int carrier_of(const Mechanism& mechanism, int body) {
 }  // namespace
 
 std::vector<double> human_posture(const SceneHandSpec& spec, const HumanMechanism& hand) {
+  // Open hand, with the angles that the file states, within their ranges.
   const std::vector<std::string>& names = hand.skeleton.coordinate_names;
   std::vector<double> u(hand.open.data(), hand.open.data() + hand.open.size());
   for (const auto& [name, value] : spec.placed.posture)
@@ -317,11 +327,13 @@ std::vector<double> human_posture(const SceneHandSpec& spec, const HumanMechanis
 
 void add_human_elements(const SceneSpec& spec, const std::vector<SceneHuman>& humans,
                         BuiltScene& built) {
+  // Robots have no muscles.
   for (const SceneMuscleSpec& each : spec.muscles)
     if (std::none_of(humans.begin(), humans.end(),
                      [&](const SceneHuman& human) { return human.name == each.hand; }))
       throw DataError(spec.path, each.line,
                       fmt::format("hand '{}' is a robot: it has no muscles", each.hand));
+  // Stops of the joints, and warnings of what is left free.
   for (const SceneHuman& human : humans) {
     built.scene.elements.push_back(std::make_shared<const JointStops>(
         human.name + "/stops", human.hand.skeleton,

@@ -27,6 +27,7 @@ constexpr double kOutOfReach = 100;  // where no object touches yet [m]
 /// A pad of a rung under an object.
 std::shared_ptr<const MovingPad> moving_pad(const ScenePadSpec& pad, double scale,
                                             const RigidObject& object) {
+  // Elements need the scaled shape alone, reduced laws their constants.
   PadModel model = build_pad(pad.spec);
   model.shape = scaled_shape(model.shape, scale);
   Pose<double> far;
@@ -39,6 +40,7 @@ std::shared_ptr<const MovingPad> moving_pad(const ScenePadSpec& pad, double scal
         std::make_shared<FoundationBed>(pad_columns(model.shape, kBedRings), laws.foundation,
                                         laws.relaxation),
         object, far);
+  // Choose the law at a point.
   std::shared_ptr<const ContactLaw> law;
   if (pad.rung == "soft-finger")
     law = std::make_shared<SoftFinger>(laws.soft_finger, laws.relaxation);
@@ -63,6 +65,7 @@ PadPlace place_of(const ScenePadSpec& pad, const std::vector<SceneHuman>& humans
 
 /// The body that carries a body by welds alone; -1: the world.
 int carrier_by_welds(const Mechanism& mechanism, int body) {
+  // Follow welds to the first joint that moves.
   while (body >= 0) {
     const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(body)];
     if (joint.kind != JointKind::kWeld) return body;
@@ -75,10 +78,12 @@ int carrier_by_welds(const Mechanism& mechanism, int body) {
 void add_element(const SceneSpec& spec, const ScenePadSpec& pad, const PadPlace& place, int a,
                  int b, BuiltScene& built) {
   MovingScene& scene = built.scene;
+  // The object with the pair's friction.
   const MechanismBody& other = scene.mechanism.bodies[static_cast<std::size_t>(b)];
   require(other.solid != nullptr, "'{}' has no shape that could press on a pad", other.name);
   const RigidObject object{other.solid->shape,
                            pad.friction ? *pad.friction : friction_between(spec, built, a, b)};
+  // The pad presses in place of contacts between the two.
   scene.elements.push_back(std::make_shared<PadElement>(
       fmt::format("pad of {} on {}", pad.on, other.name), a, place.X_BP, b,
       moving_pad(pad, place.scale, object), PadElementOptions{pad.force_error}));
@@ -88,6 +93,7 @@ void add_element(const SceneSpec& spec, const ScenePadSpec& pad, const PadPlace&
 
 void add_pad(const SceneSpec& spec, const ScenePadSpec& pad, const std::vector<SceneHuman>& humans,
              BuiltScene& built) {
+  // A pad element against each body, which must move against the other.
   const int a = body_named(built.scene.mechanism, pad.on);
   const PadPlace place = place_of(pad, humans);
   for (const std::string& name : pad.against) {
@@ -104,6 +110,7 @@ void add_pad(const SceneSpec& spec, const ScenePadSpec& pad, const std::vector<S
 
 PadPlace place_on_fingertip(const HumanMechanism& hand, const std::string& link, const PadSpec& pad,
                             std::optional<double> scale) {
+  // Frame of the pad: z outward, x along the finger, origin one height below the skin.
   for (const SkinPatch& patch : skin_patches(find_anatomy(hand.subject), hand.skeleton)) {
     if (patch.kind != PatchKind::kPad || patch.middle.segment != link) continue;
     PadPlace out;
@@ -146,6 +153,7 @@ void set_hard_points(const SceneSpec& spec, BuiltScene& built) {
   for (const ScenePadSpec& pad : spec.pads) {
     if (pad.rung != "hard-point" || !pad.friction) continue;
     const int a = body_named(scene.mechanism, pad.on);
+    // Friction of the pad for each pair, in place of what is stated.
     for (const std::string& name : pad.against) {
       const int b = body_named(scene.mechanism, name);
       const std::pair<int, int> bodies = std::minmax(a, b);

@@ -21,6 +21,7 @@ Pair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 /// Bodies of a name: one body, or all links of a hand.
 std::vector<int> bodies_of(const BuiltScene& built, const std::string& name,
                            const std::string& path, int line) {
+  // Body of that name, or all bodies of that hand.
   std::vector<int> found;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < built.owner.size(); ++i) {
@@ -58,6 +59,7 @@ std::string material_of(const MechanismBody& body) {
 /// The named pairs, over what all pairs have.
 std::map<Pair, PairFriction> named_pairs(const SceneSpec& spec, const BuiltScene& built) {
   std::map<Pair, PairFriction> named;
+  // Pairs that a line of the file names, each once.
   for (const SceneFrictionSpec& friction : spec.frictions) {
     if (friction.between.empty()) continue;
     for (const Pair& pair : pairs_between(built, friction.between, spec.path, friction.line)) {
@@ -74,6 +76,7 @@ std::map<Pair, PairFriction> named_pairs(const SceneSpec& spec, const BuiltScene
 
 /// Friction of materials, where neither the pair nor all pairs have a coefficient.
 double material_friction(const SceneSpec& spec, const MovingScene& scene, const Pair& pair) {
+  // Materials of both bodies; an unknown pair is an error that names them.
   const MechanismBody& a = scene.mechanism.bodies[static_cast<std::size_t>(pair.first)];
   const MechanismBody& b = scene.mechanism.bodies[static_cast<std::size_t>(pair.second)];
   try {
@@ -87,12 +90,14 @@ double material_friction(const SceneSpec& spec, const MovingScene& scene, const 
 
 void set_friction(const SceneSpec& spec, BuiltScene& built) {
   MovingScene& scene = built.scene;
+  // Friction of all pairs, if the file states one.
   bool of_materials = true;
   for (const SceneFrictionSpec& friction : spec.frictions) {
     if (!friction.between.empty()) continue;
     scene.friction = with_stated(scene.friction, friction);
     of_materials = !friction.coefficient;
   }
+  // Named pairs; where friction is by materials, all others that may meet.
   std::map<Pair, PairFriction> named = named_pairs(spec, built);
   if (of_materials) {
     std::set<Pair> stated;
@@ -111,6 +116,7 @@ void set_friction(const SceneSpec& spec, BuiltScene& built) {
 
 /// Computes the penetration depths of all pairs that may meet.
 std::map<Pair, double> depths_at(ContactStep& step, const Eigen::VectorXd& q) {
+  // Contacts of negative gap, the deepest of each pair.
   std::vector<ActiveContact> found;
   step.find({0, q, Eigen::VectorXd::Zero(step.model().layout.v)}, 0, found);
   std::map<Pair, double> depths;
@@ -126,6 +132,7 @@ std::map<Pair, double> depths_at(ContactStep& step, const Eigen::VectorXd& q) {
 void part_links(const SceneSpec& spec, BuiltScene& built) {
   if (spec.hands.empty()) return;
   MovingScene& scene = built.scene;
+  // Posture with all coordinates of hands at 0.
   std::set<std::string> hands;
   for (const SceneHandSpec& hand : spec.hands) hands.insert(hand.placed.name);
   Eigen::VectorXd zero = scene.q;
@@ -133,6 +140,7 @@ void part_links(const SceneSpec& spec, BuiltScene& built) {
   for (std::size_t c = 0; c < layout.coordinate_q.size(); ++c)
     if (scene.mechanism.coordinates[c].name.find('/') != std::string::npos)
       zero[layout.coordinate_q[c]] = 0;
+  // Links of one hand that overlap there or at the start are kept apart.
   std::set<Pair> inside;
   ContactStep step(scene);
   for (const Eigen::VectorXd& q : {scene.q, zero})
@@ -147,6 +155,7 @@ void part_links(const SceneSpec& spec, BuiltScene& built) {
 }  // namespace
 
 double friction_between(const SceneSpec& spec, const BuiltScene& built, int a, int b) {
+  // A stated pair first, then all pairs, then materials.
   const Pair pair = ordered(a, b);
   std::optional<double> of_all;
   for (const SceneFrictionSpec& friction : spec.frictions) {
@@ -162,11 +171,13 @@ double friction_between(const SceneSpec& spec, const BuiltScene& built, int a, i
 }
 
 void set_pairs(const SceneSpec& spec, BuiltScene& built) {
+  // Pairs that the file keeps apart, and links that overlap by design.
   for (const SceneApartSpec& apart : spec.apart)
     for (const Pair& pair : pairs_between(built, apart.between, spec.path, apart.line))
       built.scene.apart.push_back(pair);
   part_links(spec, built);
   set_friction(spec, built);
+  // Overlaps at the start are told.
   ContactStep step(built.scene);
   for (const auto& [pair, depth] : depths_at(step, built.scene.q))
     if (depth > kToldOverlap)

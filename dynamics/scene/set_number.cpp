@@ -41,6 +41,7 @@ void set_force(SceneForce& force, double length) {
 void set_number(BuiltScene& built, const std::string& name, double value) {
   require(std::isfinite(value), "wanted a finite value of '{}'", name);
   MovingScene& scene = built.scene;
+  // Numbers of the whole scene, then mass, force or drive of a name, which may stand for several.
   if (name == "friction") {
     require(built.pads == 0,
             "cannot vary 'friction': pads keep that of their [[pad]], unless all are hard points");
@@ -66,6 +67,7 @@ void set_number(BuiltScene& built, const std::string& name, double value) {
         "tolerance",
         name));
   }
+  // The scene must still make sense.
   check_scene(scene);
 }
 

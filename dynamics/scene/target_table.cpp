@@ -22,6 +22,7 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
                                const SceneDriveSpec& drive) {
   const TimeTable table = parse_time_table(text, path, "target");
   const Dimension dimension = drive.turns ? Dimension::kAngle : Dimension::kLength;
+  // Column of the drive, in one of the units of its kind.
   TargetTable out;
   std::vector<std::string> wanted;
   for (const Unit& unit : units_of(dimension)) {
@@ -46,6 +47,7 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
                       fmt::format("wanted rows of one time, or {} s apart, got {:.3g} s",
                                   SceneOptions().shortest, span));
   }
+  // Targets within the largest of their kind.
   for (Eigen::Index k = 0; k < out.target.size(); ++k)
     if (std::abs(out.target[k]) > largest_of(dimension))
       throw DataError(

@@ -16,6 +16,7 @@ WorkPoint measured_point(const MovingScene& scene, const SceneOptions& options, 
   point.method = options.method;
   point.setting = setting;
   point.cpu_seconds = std::numeric_limits<double>::infinity();
+  // Shortest time of several runs, which all end alike.
   for (int i = 0; i < repeats; ++i) {
     const SceneRun run = simulate_scene(scene, options);
     point.cpu_seconds = std::min(point.cpu_seconds, run.cost.cpu_seconds);
@@ -34,6 +35,7 @@ std::vector<WorkPoint> work_precision(const MovingScene& scene, SceneOptions opt
   require(settings.repeats >= 1, "wanted at least one run, got {}", settings.repeats);
   options.sample = options.seconds;
   std::vector<WorkPoint> points;
+  // One curve by tolerances, one by steps.
   options.method = SteppingMethod::kEvents;
   for (const double tolerance : settings.tolerances) {
     options.tolerance = tolerance;
@@ -52,6 +54,7 @@ double rolled_angle(double start, double seconds, double distance, double gravit
   require(seconds >= 0 && distance > 0 && gravity > 0,
           "wanted a time from 0 s on, a distance and a gravity above 0, got {} s, {} m, {} m/s^2",
           seconds, distance, gravity);
+  // Elliptic integral that is left: F falls evenly with time.
   const double modulus = std::cos(0.5 * start);
   const double left =
       std::comp_ellint_1(modulus) - std::sqrt(5 * gravity / (7 * distance)) * seconds;

@@ -31,6 +31,7 @@ void AppliedEfforts::note_what_acts() {
 }
 
 bool AppliedEfforts::load(SceneMotion& motion, const SceneState& state, ElementNeed need) {
+  // Springs and dampers of joints, then drives whose time it is.
   tau.setZero();
   stiffness.setZero();
   damping.setZero();

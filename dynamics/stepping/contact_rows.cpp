@@ -37,6 +37,7 @@ void read_contact(const ContactSolution& answer, const ContactBlock& block, int 
 
 void ContactRows::set(const std::vector<ActiveContact>& list, double h,
                       const TreeMotion<double>& links, const MassMatrix<double>& mass) {
+  // Blocks and their rows, and the Jacobian of each.
   int rows = 0;
   problem.blocks.clear();
   for (const ActiveContact& contact : list) {
@@ -55,10 +56,12 @@ void ContactRows::set(const std::vector<ActiveContact>& list, double h,
 }
 
 ContactBlock ContactRows::block_of(const ActiveContact& contact, double h) const {
+  // Dry friction of a joint: an impulse of at most h times its largest effort.
   if (contact.kind == RowKind::kJointFriction) {
     const double most = h * scene_.mechanism.joints[static_cast<std::size_t>(contact.a)].friction;
     return box_block(-most, most);
   }
+  // Limits and contacts without friction, points with friction, patches with torsion.
   if (contact.kind != RowKind::kContact || contact.friction.coefficient == 0)
     return unilateral_block();
   if (contact.friction.torsion_radius == 0) return coulomb_block(contact.friction.coefficient);
@@ -75,6 +78,7 @@ void ContactRows::fill(const ActiveContact& contact, ConstraintLaw law, int at,
     J(model_.layout.first_v[joint], at) = sign * slope;
     return;
   }
+  // Velocity of a against b at the point, along the normal and the tangents, and about the normal.
   const int a = links.link_of(contact.a), b = links.link_of(contact.b);
   const auto add = [&](int column, const Eigen::Vector3d& along, const Eigen::Vector3d& about) {
     links.add_row_against(a, b, contact.point, along, about, J.col(column));
@@ -90,6 +94,7 @@ void ContactRows::fill(const ActiveContact& contact, ConstraintLaw law, int at,
 
 void ContactRows::bounce(std::vector<ActiveContact>& list) {
   for_each_row(list, [&](ActiveContact& contact, const ContactBlock& /*block*/, int at) {
+    // Forget impulses, and let closing contacts return with restitution.
     contact.impulse.setZero();
     contact.torsion = 0;
     if (contact.kind == RowKind::kContact && problem.b[at] < 0)
@@ -106,7 +111,8 @@ void ContactRows::add_speeds_before(const Eigen::VectorXd& v, double h, double r
 
 void ContactRows::add_speeds(const Eigen::VectorXd& v, double h, double recovery, int at, int rows,
                              ActiveContact& contact) {
-  // Along the normal.
+  // Normal: a gap may close by the next middle; a contact that touched goes on in the mean of both
+  // ends.
   BeforeSpeeds now;
   if (contact.kind != RowKind::kJointFriction) {
     double gap_speed = contact.gap / h;
@@ -116,7 +122,7 @@ void ContactRows::add_speeds(const Eigen::VectorXd& v, double h, double recovery
     }
     problem.b[at] += std::max(gap_speed, -recovery);
   }
-  // Across it, where it sticks.
+  // Tangents and spin: a contact that stuck goes on in the mean, too.
   if (contact.kind == RowKind::kContact && contact.mode == ContactMode::kStick && rows > 1) {
     const Tangents sides = tangents(contact.normal);
     now.drift = J.col(at + 1).dot(v) * sides.e1 + J.col(at + 2).dot(v) * sides.e2;
@@ -135,6 +141,7 @@ void ContactRows::add_speeds(const Eigen::VectorXd& v, double h, double recovery
 const Eigen::VectorXd& ContactRows::warm_start(const std::vector<ActiveContact>& list) {
   start_.setZero(problem.W.rows());
   for_each_row(list, [&](const ActiveContact& contact, const ContactBlock& block, int at) {
+    // Impulses of joints are scalars, of contacts vectors in the world.
     if (contact.kind != RowKind::kContact) {
       start_[at] = contact.impulse.x();
       return;
@@ -151,6 +158,7 @@ const Eigen::VectorXd& ContactRows::warm_start(const std::vector<ActiveContact>&
 
 void ContactRows::read(const ContactSolution& answer, std::vector<ActiveContact>& list) const {
   for_each_row(list, [&](ActiveContact& contact, const ContactBlock& block, int at) {
+    // Approach, and the impulse of a joint's friction, which sticks or slides.
     contact.approach = answer.u[at];
     contact.slip = 0;
     if (contact.kind == RowKind::kJointFriction) {
@@ -159,6 +167,7 @@ void ContactRows::read(const ContactSolution& answer, std::vector<ActiveContact>
           std::abs(contact.approach) > kStickSpeed ? ContactMode::kSlide : ContactMode::kStick;
       return;
     }
+    // Limits and contacts are open or closed by their approach; contacts read their tangents, too.
     contact.mode = contact.approach > kStickSpeed ? ContactMode::kOpen : ContactMode::kStick;
     if (contact.kind == RowKind::kContact)
       read_contact(answer, block, at, contact);

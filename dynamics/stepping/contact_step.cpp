@@ -63,6 +63,7 @@ struct ContactStep::Parts {
 
   /// Flows of a midpoint step, after end_elements().
   void end_flows(double h, SceneState& state) {
+    // Powers of efforts with their slopes over the step, and their sums.
     efforts.find_powers(motion, {state.t, efforts.acting(), h, 0.5, state.q, v_before, state.v});
     state.w += h * efforts.power;
     state.w[kWorked] += h * std::abs(efforts.power[kApplied]);
@@ -72,6 +73,7 @@ struct ContactStep::Parts {
 
   /// Residual that rounding of gaps amounts to in the problem of a midpoint step [1].
   [[nodiscard]] double rounding_of_gaps(double h) const {
+    // Rounding of positions, as a speed over the largest velocity of the problem.
     const double size = contacts->extent(kLeastSize);
     const double rounding = kGapRoundings * std::numeric_limits<double>::epsilon() * size;
     const double share = 2 * rounding / (h * rows.problem.b.lpNorm<Eigen::Infinity>());
@@ -90,12 +92,12 @@ struct ContactStep::Parts {
              ImpulseBooking booking, double aim = 0) {
     const ContactProblem& problem = rows.problem;
     if (!problem.W.allFinite() || !problem.b.allFinite()) {
-      // Speeds have become too large for numbers.
+      // Speeds have overflowed: the caller sees a state that is no number.
       state.v.setConstant(std::numeric_limits<double>::quiet_NaN());
       outcome.solved = false;
       return;
     }
-    // The contact problem.
+    // Contact problem; with an aim, 1e-9 is good enough where the solver stops short of it.
     ContactSolverOptions options = solver_options;
     double enough = options.tolerance;
     if (aim > 0) {
@@ -108,7 +110,7 @@ struct ContactStep::Parts {
                              : answer.residual.is_within(enough);
     outcome.solved = outcome.solved && arrived;
     outcome.residual = answer.residual.natural;
-    // What its impulses do.
+    // Impulses change the speeds, take energy and leave modes.
     pushed.noalias() = rows.J * answer.f;
     free.push(pushed);
     v_mean = 0.5 * (state.v + free.v);
@@ -165,15 +167,16 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
   Parts& p = *parts_;
   outcome.active.clear();
   outcome.deepest_new = outcome.closing_new = outcome.residual = 0;
+  // Positions at the end of the substep.
   advance(p.scene.mechanism, p.model.layout, state.v, h, state.q);
   state.t += h;
   if (!state.q.allFinite()) {
     state.v.setConstant(std::numeric_limits<double>::quiet_NaN());
     return;
   }
+  // Contacts there: contacts of `closed` act on, the others only tell how deep they are.
   p.motion.place(state);
   p.contacts->find(p.motion, state, touch + kNearGap, p.found);
-  // Contacts that were closed act on; the others only tell how deep they are.
   for (ActiveContact& contact : p.found) {
     const auto old = find_same(closed, contact);
     if (old == closed.end()) {
@@ -185,15 +188,18 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
     contact.torsion = old->torsion;
     outcome.active.push_back(contact);
   }
+  // Speeds without impulses, by forces at q+ and v with their slopes at the end.
   const bool acted = p.efforts.load(p.motion, state);
   outcome.solved = p.free.set(p.motion, p.efforts, state, h, 1) && acted;
   p.efforts.advance_states(h, state);
+  // Impulses on contacts, if there are any.
   if (outcome.active.empty()) {
     state.v = p.free.v;
   } else {
     p.set_rows(outcome.active, h);
     p.solve(outcome.active, state, outcome, ImpulseBooking::kNet);
   }
+  // Energy flows of the substep.
   p.efforts.find_powers(
       p.motion, {state.t, p.efforts.acting(), h, 1, state.q, p.motion.placed_speeds(), state.v});
   state.w += h * p.efforts.power;
@@ -204,6 +210,7 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   Parts& p = *parts_;
   const MechanismLayout& layout = p.model.layout;
   outcome.active.clear();
+  // Positions at the middle of the step.
   advance(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
   state.t += 0.5 * h;
   if (!state.q.allFinite()) {
@@ -219,18 +226,19 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
     acted = p.efforts.elements.act(p.efforts.input_at(p.motion, state, ElementNeed::kStates));
     p.efforts.advance_states(0.5 * h, state);
   }
+  // Speeds without impulses, by efforts with their slopes in the mean of the step.
   acted = p.efforts.load(p.motion, state) && acted;
   outcome.solved = p.free.set(p.motion, p.efforts, state, h, 0.5) && acted;
   outcome.residual = 0;
-  // Once more with the velocity product at the mean of the speeds before and after; efforts stay,
-  // as the mass matrix has their slopes.
+  // Repeat with the velocity product at the mean of the speeds before and after. Efforts stay,
+  // because the mass matrix has their slopes.
   p.v_mean = 0.5 * (state.v + p.free.v);
   p.motion.speed_up(p.v_mean);
   p.free.v = state.v;
   p.free.add_efforts(p.motion, p.efforts, h);
-  // What dry friction has stopped keeps last bits of its speed, and bits of those in the next step.
+  // Joints that friction has stopped keep ever smaller rests of speed, whose squares underflow.
   p.free.v = (p.free.v.array().abs() < kUnderflowSpeed).select(0, p.free.v);
-  // Whatever may close its gap within the step.
+  // Contacts that may close their gaps within the step, with modes and impulses of the part before.
   const double margin = h * p.contacts->fastest(p.motion, p.free.v) + 1e-5;
   p.contacts->find(p.motion, state, std::min(margin, 0.05), outcome.active);
   for (ActiveContact& contact : outcome.active)
@@ -241,6 +249,7 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
         contact.mode = old.mode;
         contact.before = old.before;
       }
+  // Impulses, with gaps and the mean of both ends in the velocities without impulses.
   if (outcome.active.empty()) {
     state.v = p.free.v;
   } else {
@@ -248,6 +257,7 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
     p.rows.add_speeds_before(state.v, h, recovery, outcome.active);
     p.solve(outcome.active, state, outcome, ImpulseBooking::kLosses, p.rounding_of_gaps(h));
   }
+  // States of elements and energy flows, then positions at the end.
   outcome.solved = p.end_elements(h, state) && outcome.solved;
   p.end_flows(h, state);
   advance(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
@@ -262,6 +272,7 @@ double ContactStep::motion_between(const SceneState& from, const SceneState& to,
 void ContactStep::impact(SceneState& state, const std::vector<ActiveContact>& touching,
                          StepOutcome& outcome) {
   Parts& p = *parts_;
+  // Contact problem at a fixed position and over no time: efforts do not count.
   outcome = {};
   if (touching.empty()) return;
   p.motion.place(state);
@@ -275,10 +286,11 @@ void ContactStep::impact(SceneState& state, const std::vector<ActiveContact>& to
 void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>& touching,
                              double most) {
   Parts& p = *parts_;
+  // Repeat up to three times, because gaps do not close linearly.
   for (int round = 0; round < 3; ++round) {
     p.motion.place(state);
     p.contacts->find(p.motion, state, kNearGap, p.found);
-    // Their normal rows alone.
+    // Normal rows of contacts that have a force.
     std::vector<ActiveContact> pressed;
     double worst = 0;
     for (ActiveContact& contact : p.found) {
@@ -292,7 +304,7 @@ void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>
       pressed.push_back(contact);
     }
     if (worst < 1e-13) break;
-    // Least motion that closes all gaps, also where there are more than it needs.
+    // Least motion in the metric of M that closes all gaps, also where they are redundant.
     p.free.mass.set(p.motion.links());
     p.rows.set(pressed, 0, p.motion.links(), p.free.mass);
     Eigen::VectorXd gaps(static_cast<Eigen::Index>(pressed.size()));
@@ -314,12 +326,14 @@ void ContactStep::poses(const SceneState& state, std::vector<Pose<double>>& out)
 }
 
 ContactStep::Energy ContactStep::energy(const SceneState& state) {
+  // Kinetic energy, weights and springs of joints.
   Parts& p = *parts_;
   p.motion.place(state);
   Energy out;
   out.kinetic = p.motion.links().kinetic_energy();
   out.weight = p.motion.links().weight_energy(p.scene.gravity);
   out.springs = p.efforts.spring_energy(state);
+  // Elements, of which passive ones are told apart.
   const SceneElements::Energy stored =
       p.efforts.elements.energy(p.efforts.input_at(p.motion, state));
   out.of_elements = stored.active;
@@ -336,11 +350,13 @@ double ContactStep::kinetic_energy(const SceneState& state) {
 bool ContactStep::free_rates(const SceneState& state, Eigen::VectorXd& q_dot,
                              Eigen::VectorXd& v_dot, Eigen::VectorXd& z_dot) {
   Parts& p = *parts_;
+  // Efforts and powers at the state.
   p.motion.place(state);
   const bool acted = p.efforts.load(p.motion, state, ElementNeed::kRates);
   z_dot = p.efforts.elements.action().z_rate;
   p.efforts.find_powers(p.motion, {state.t, p.efforts.acting(), 0, 0, state.q, state.v, state.v});
   position_rates(p.scene.mechanism, p.model.layout, state.q, state.v, q_dot);
+  // Accelerations by articulated bodies, or by the mass matrix where joints share coordinates.
   if (p.articulated) {
     p.articulated->accelerations(p.motion.links(), p.scene.gravity, p.efforts.tau, v_dot);
     return acted;
@@ -427,6 +443,7 @@ void ContactStep::note_new(const std::vector<ActiveContact>& found,
 bool ContactStep::is_stiff(const SceneState& state, double h) {
   Parts& p = *parts_;
   if (!p.efforts.has_slopes()) return false;
+  // Slopes at the state against the diagonal of the mass matrix.
   p.motion.place(state);
   p.efforts.load(p.motion, state);
   p.free.mass.set(p.motion.links());
@@ -437,6 +454,7 @@ bool ContactStep::is_stiff(const SceneState& state, double h) {
       slope += h * action.damping(i, i) + h * h * action.stiffness(i, i);
     if (slope > p.free.mass(i, i)) return true;
   }
+  // Decay of element states, which an explicit step must not overshoot.
   return !p.efforts.elements.empty() && (h * action.z_decay).maxCoeff() > 1;
 }
 

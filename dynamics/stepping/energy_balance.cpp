@@ -45,6 +45,7 @@ FlowBalance flow_balance(const SceneSample& first, const SceneSample& last) {
 FlowBalance worst_balance(const std::vector<SceneSample>& samples) {
   const FlowBalance end = flow_balance(samples.front(), samples.back());
   FlowBalance worst = end;
+  // Largest error from the start on; errors below rounding do not displace the last instant.
   for (const SceneSample& sample : samples) {
     const FlowBalance here = flow_balance(samples.front(), sample);
     const double known = std::max(std::abs(worst.error), kRoundingShare * end.turned_over);

@@ -17,6 +17,7 @@ double power_of_loads(const TreeMotion<double>& motion) {
 /// Mean power of a drive over a step [W].
 double power_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
                       const StepEfforts& at) {
+  // Effort at the beginning, less its slopes unless it is cut, times the mean speed.
   const auto c = static_cast<std::size_t>(drive.coordinate);
   const int row = layout.coordinate_v[c];
   double effort = drive_effort(drive, at.q[layout.coordinate_q[c]], at.v[row], at.t, at.acting);
@@ -36,9 +37,11 @@ bool has_powers(const MovingScene& scene) {
 
 Eigen::Vector2d applied_powers(const MovingScene& scene, const MechanismLayout& layout,
                                const TreeMotion<double>& motion, const StepEfforts& at) {
+  // Power of forces and drives.
   double applied = scene.forces.empty() ? 0 : power_of_loads(motion), damped = 0;
   for (const SceneDrive& drive : scene.drives)
     if (drive.when.holds(at.acting)) applied += power_of_drive(drive, layout, at);
+  // Dampers, at the speed at which the step takes them, times the mean speed.
   for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) {
     const MechanismJoint& joint = scene.mechanism.joints[i];
     if (!is_scalar(joint.kind) || joint.damping == 0) continue;

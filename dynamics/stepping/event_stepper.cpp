@@ -45,6 +45,7 @@ double EventStepper::next_stop(double stop) const {
 }
 
 bool EventStepper::go_on(double stop) {
+  // Piles of events and rest are passed over.
   if (is_chattering()) {
     pass_events(stop);
     return true;
@@ -75,6 +76,7 @@ SceneSample EventStepper::sample() {
 
 /// Returns whether the last steps went nowhere: events follow each other without end.
 bool EventStepper::is_chattering() {
+  // Judge kChatterSteps steps together, by the time that they passed.
   ++since_mark_;
   if (since_mark_ < kChatterSteps) return false;
   since_mark_ = 0;
@@ -85,6 +87,7 @@ bool EventStepper::is_chattering() {
 
 /// Goes through a pile of events by some steps of fixed length, which need not tell them apart.
 void EventStepper::pass_events(double stop) {
+  // Steps of a fixed length, from impulses scaled to it.
   const double end = std::min(next_stop(stop), state_.t + kChatterPassTime);
   const double h = (end - state_.t) / kPassSteps, before = touching_.impulse_time();
   std::vector<ActiveContact> last = touching_.closed();
@@ -97,7 +100,7 @@ void EventStepper::pass_events(double stop) {
   ++cost_.passed;
   touching_.take(last, part);
   if (!is_finite(state_)) return;
-  // What touches there.
+  // Contacts at the end, with impacts.
   note_limits(step_.scene().mechanism, step_.model().layout, state_.q, cost_.beyond);
   step_.accept(state_);
   step_.find(state_, kNearGap, trials_.found());
@@ -118,7 +121,7 @@ double EventStepper::step_once(double wanted, double left, double stop) {
   double length = control_.begin(state_.t, wanted);
   if (!find_length(length)) return 0;
   if (trials_.result().error > 1) ++cost_.coarse;
-  // A step that is as short as can be was not inspected.
+  // Contacts at the end of a step that was too short to be looked at.
   trials_.find_end();
   was_solved_ = counts_.unsolved() == 0;
   accept(length, length == left ? next_stop(stop) : state_.t + length);
@@ -132,18 +135,21 @@ bool EventStepper::find_length(double& length) {
   while (true) {
     trials_.attempt({state_, touching_.closed(), touching_.impulse_time()}, length);
     const StepTrial& trial = trials_.result();
+    // A state that is no number at the shortest length is hopeless.
     if (!std::isfinite(trial.error) && length <= options_.shortest) return false;
-    // Long steps are for what hardly moves.
+    // A step beyond the usual longest must hardly move.
     if (length > (1 + 1e-9) * options_.longest && moved_by(trial, length) >= kNearGap) {
       ++cost_.rejected;
       length = control_.shorten_to_longest();
       continue;
     }
+    // No gap closes, and error or length are small enough: elements may still doubt it.
     double doubt = 0;
     if (trial.closes < 0 && (trial.error <= 1 || length <= options_.shortest)) {
       doubt = doubt_of(length, unsolved);
       if (doubt <= 1) return true;
     }
+    // Rejected: shorter for the doubt, the closing gap, the error or the change of modes.
     ++cost_.rejected;
     if (doubt > 1) {
       trials_.forget_rates();
@@ -176,6 +182,7 @@ void EventStepper::accept(double length, double end) {
   const bool was_still = is_still(state_);
   // Where positions hardly move, the next step may be long.
   control_.set_reach(step_.scene().elements.empty() && moved_by(trial, length) < kNearGap);
+  // State, contacts and counts of the trial.
   keep_account(trial.state);
   state_ = trial.state;
   state_.t = end;
@@ -183,7 +190,7 @@ void EventStepper::accept(double length, double end) {
   counts_.accept();
   ++cost_.steps;
   note_limits(step_.scene().mechanism, step_.model().layout, state_.q, cost_.beyond);
-  // What touches there.
+  // Contacts that touch at the end, with gaps closed and impacts, then rest and elements.
   const std::vector<ActiveContact>& closed = touching_.closed();
   const bool slides = std::any_of(closed.begin(), closed.end(), [](const ActiveContact& c) {
     return c.mode == ContactMode::kSlide;

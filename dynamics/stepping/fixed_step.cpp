@@ -9,10 +9,12 @@ double FixedStep::take(ContactStep& step, double h, const SceneOptions& options,
                        const Progress& progress) {
   const SceneState before = state;
   const std::vector<ActiveContact> start = last;
+  // Twice as many parts, until surfaces move little enough within a part.
   for (int parts = 1;; parts *= 2) {
     const double part = h / parts;
     double motion = 0, residual = 0;
     long unsolved = 0;
+    // Parts of equal length; a stop goes back to the beginning.
     for (int i = 0; i < parts; ++i) {
       if (parts > 1 && progress.stop()) {
         state = before;
@@ -28,12 +30,14 @@ double FixedStep::take(ContactStep& step, double h, const SceneOptions& options,
       std::swap(last, outcome_.active);
       motion = std::max(motion, step.motion_between(from, state, last));
     }
+    // Done if motion is small enough, parts are as short as can be, or the state is no number.
     if (motion <= 1 || part <= options.shortest || !is_finite(state)) {
       if (motion > 1) ++cost.leaps;
       cost.unsolved += unsolved;
       cost.worst_residual = std::max(cost.worst_residual, residual);
       return part;
     }
+    // Start again with twice as many parts, and impulses for half the length.
     ++cost.rejected;
     state = before;
     last = start;
@@ -56,6 +60,7 @@ std::vector<ContactSample> contact_samples(const std::vector<ActiveContact>& act
   std::vector<ContactSample> out;
   if (h <= 0) return out;
   for (const ActiveContact& contact : active) {
+    // Contacts with a force, as forces in the mean of the step.
     if (contact.kind != ActiveContact::Kind::kContact || contact.mode == ContactMode::kOpen)
       continue;
     out.push_back({contact.a, contact.b, contact.id, contact.point, contact.normal,

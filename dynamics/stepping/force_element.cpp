@@ -17,6 +17,7 @@ void ElementAction::clear(Eigen::Index speeds, Eigen::Index states) {
 
 SceneElements::SceneElements(const std::vector<std::shared_ptr<const ForceElement>>& elements,
                              Eigen::Index speeds) {
+  // Clones with places for their states; the work is the last state.
   for (const std::shared_ptr<const ForceElement>& element : elements) {
     elements_.push_back(element->clone());
     first_z_.push_back(states_);
@@ -45,6 +46,7 @@ bool SceneElements::act(const ElementInput& at) {
     action_.z_rate.setZero(states_);
     action_.z_decay.setZero(states_);
   }
+  // Efforts, rates and slopes of all; powers are the differences that each makes to  tau . v.
   double before = 0, power = 0;  // of all so far; of those that are not passive [W]
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     solved = elements_[i]->act(input_of(i, at), action_) && solved;
@@ -104,6 +106,7 @@ std::vector<ElementControl> SceneElements::controls() const {
 }
 
 void SceneElements::set_control(const std::string& name, double value) {
+  // The element that knows the name sets it; otherwise the error has the nearest name.
   for (const std::unique_ptr<ForceElement>& element : elements_)
     if (element->set_control(name, value)) return;
   std::vector<std::string> names;

@@ -55,6 +55,7 @@ bool FreeStep::find_rates(ContactStep& scene, Index stage) {
 
 double FreeStep::error_of(Index first, Index count) const {
   if (count == 0) return 0;
+  // Error of order five, reduced by that of order three [Hairer1993].
   const double five = five_.segment(first, count).cwiseAbs().maxCoeff();
   const double three = three_.segment(first, count).cwiseAbs().maxCoeff();
   return five > 0 ? five * five / std::sqrt(five * five + 0.01 * three * three) : five;
@@ -64,12 +65,13 @@ FreeStep::Error FreeStep::step(ContactStep& scene, double h, SceneState& state) 
   using Method = DormandPrince;
   const Index q = state.q.size(), v = state.v.size(), z = state.z.size(), rows = rates_.rows();
   begin_.head(q + v + z + flows_) << state.q, state.v, state.z, state.w.head(flows_);
-  // A rejected step has told the first stage.
+  // A rejected step from the same state has found the first stage.
   if (!(first_.t == state.t && first_.q == state.q && first_.v == state.v && first_.z == state.z)) {
     first_ = at_ = state;
     first_acted_ = find_rates(scene, 0);
   }
   bool acted = first_acted_;
+  // Stages  k_i = f(t + c_i h, y + h sum_j a_ij k_j).
   for (std::size_t i = 1; i < kStages; ++i) {
     for (Index k = 0; k < rows; k += kSumLanes)
       y_.segment<kSumLanes>(k) =
@@ -78,6 +80,7 @@ FreeStep::Error FreeStep::step(ContactStep& scene, double h, SceneState& state) 
     put(y_);
     acted = find_rates(scene, static_cast<Index>(i)) && acted;
   }
+  // End of order eight, and the differences to orders five and three.
   for (Index k = 0; k < rows; k += kSumLanes) {
     const double* rates = rates_.data() + k;
     const Lanes eight = weighted_sum(Method::b, kStages, rates, rows);
@@ -85,6 +88,7 @@ FreeStep::Error FreeStep::step(ContactStep& scene, double h, SceneState& state) 
     three_.segment<kSumLanes>(k) = eight - weighted_sum(Method::three, kStages, rates, rows);
     y_.segment<kSumLanes>(k) = begin_.segment<kSumLanes>(k) + h * eight;
   }
+  // State at the end.
   put(y_);
   state.q = at_.q;
   state.v = at_.v;

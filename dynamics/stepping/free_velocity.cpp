@@ -9,10 +9,12 @@ FreeVelocity::FreeVelocity(const MovingScene& scene, const TreeModel& model)
 
 bool FreeVelocity::set(const SceneMotion& motion, const AppliedEfforts& efforts,
                        const SceneState& state, double h, double d) {
+  // Factor of A with the slopes of springs, dampers, drives and elements.
   implicit_ = (d * h) * efforts.damping + (d * h * d * h) * efforts.stiffness;
   const bool positive = h > 0 && !efforts.elements.empty()
                             ? set_with_elements(motion, efforts.elements.action(), d * h)
                             : mass.set(motion.links(), implicit_);
+  // Speeds by the efforts of the step.
   v = state.v;
   if (h > 0) add_efforts(motion, efforts, h);
   return positive;
@@ -36,6 +38,7 @@ void FreeVelocity::add_efforts(const SceneMotion& motion, const AppliedEfforts& 
 
 void FreeVelocity::solve_efforts(const SceneMotion& motion, const AppliedEfforts& efforts, double h,
                                  Eigen::VectorXd& out) {
+  // Efforts less those that the velocity product and weights need.
   inverse_.efforts(motion.links(), scene_.gravity, zero_, out);
   out = h * (efforts.tau - out);
   mass.solve(model_, out);

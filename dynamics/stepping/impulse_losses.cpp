@@ -36,10 +36,12 @@ void add_impulse_losses(const std::vector<ActiveContact>& list,
   Eigen::Index at = 0;
   for (std::size_t k = 0; k < list.size(); ++k) {
     const ActiveContact& contact = list[k];
+    // A new pair of bodies: book what the last one took.
     if (k > 0 && !is_same_pair(list[k - 1], contact)) {
       pair.add_to(booking, w);
       pair = {};
     }
+    // Work of the normal, by what the contact did before; then of friction.
     const Eigen::Index across = rows_of(blocks[k].law) - 1;
     const double first = -f[at] * mean_u[at];
     double& taken = contact.kind == Kind::kJointFriction ? pair.rubbed

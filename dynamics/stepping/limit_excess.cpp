@@ -7,6 +7,7 @@ namespace thenar {
 void note_limits(const Mechanism& mechanism, const MechanismLayout& layout,
                  const Eigen::VectorXd& q, Eigen::VectorXd& beyond) {
   if (beyond.size() == 0) beyond.setZero(static_cast<Eigen::Index>(mechanism.joints.size()));
+  // Hinges and slides: largest way beyond a limit so far.
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const MechanismJoint& joint = mechanism.joints[i];
     if (!is_scalar(joint.kind)) continue;

@@ -22,9 +22,11 @@ std::vector<int> welded_groups(const Mechanism& mechanism) {
 /// universal joint): they overlap there by design.
 std::vector<std::pair<int, int>> neighbours(const Mechanism& mechanism,
                                             const std::vector<int>& group) {
+  // Find the groups that have a surface.
   std::vector<bool> has_surface(group.size());
   for (std::size_t i = 0; i < group.size(); ++i)
     if (mechanism.bodies[i].solid) has_surface[static_cast<std::size_t>(group[i])] = true;
+  // Parents of each group, up to the first that has a surface.
   std::vector<std::pair<int, int>> out;
   for (std::size_t i = 0; i < group.size(); ++i) {
     if (group[i] != static_cast<int>(i)) continue;
@@ -48,6 +50,7 @@ bool has_pair(const std::vector<std::pair<int, int>>& pairs, int a, int b) {
 
 std::vector<std::pair<int, int>> pairs_that_may_meet(const MovingScene& scene,
                                                      const TreeModel& model) {
+  // Pairs with surfaces that move apart from each other, are not neighbours and may meet.
   const std::vector<int> group = welded_groups(scene.mechanism);
   const std::vector<std::pair<int, int>> joined = neighbours(scene.mechanism, group);
   const std::size_t count = scene.mechanism.bodies.size();

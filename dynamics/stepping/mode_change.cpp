@@ -27,6 +27,7 @@ bool turned_round(const ActiveContact& a, const ActiveContact& b) {
 /// remaining friction if it sticks, and the slip if it slides. @param next  null: the contact is
 /// lost
 double mode_margin(const ActiveContact& contact, const ActiveContact* next) {
+  // Normal force of a contact that opens, or of a limit; speed of a joint that slides.
   const double pressed = contact.kind == ActiveContact::Kind::kContact
                              ? contact.impulse.dot(contact.normal)
                              : contact.impulse.x();
@@ -35,6 +36,7 @@ double mode_margin(const ActiveContact& contact, const ActiveContact* next) {
   if (contact.kind != ActiveContact::Kind::kContact || next == nullptr ||
       next->mode == ContactMode::kOpen)
     return pressed;
+  // Slip of a contact that slides, otherwise friction that is left below the cone.
   if (contact.mode == ContactMode::kSlide) return contact.slip;
   return contact.friction.coefficient * pressed -
          (contact.impulse - pressed * contact.normal).norm();
@@ -43,6 +45,7 @@ double mode_margin(const ActiveContact& contact, const ActiveContact* next) {
 }  // namespace
 
 bool same_modes(const std::vector<ActiveContact>& a, const std::vector<ActiveContact>& b) {
+  // Both lists in step, without contacts that open.
   const auto opens = [](const ActiveContact& c) { return c.mode == ContactMode::kOpen; };
   auto x = a.begin(), y = b.begin();
   while (true) {
@@ -70,11 +73,13 @@ double share_before_change(const std::vector<ActiveContact>& earlier,
                            const std::vector<ActiveContact>& now,
                            const std::vector<ActiveContact>& next) {
   double share = earlier.empty() ? 0.5 : 1;
+  // Contacts that change their mode in the next substep.
   for (const ActiveContact& contact : now) {
     const ActiveContact* const before = same_in(earlier, contact);
     const ActiveContact* const after = same_in(next, contact);
     if (contact.mode == ContactMode::kOpen || before == nullptr) continue;
     if (after != nullptr && after->mode == contact.mode && !turned_round(contact, *after)) continue;
+    // Instant at which the margin ends, if it falls as in the substep before.
     const double margin = mode_margin(contact, after);
     const double fall = mode_margin(*before, after) - margin;
     if (fall > 0 && margin >= 0) share = std::min(share, margin / fall);

@@ -39,6 +39,7 @@ void check_table(const TargetTable& table, const std::string& name) {
 }
 
 void check_drives(const MovingScene& scene) {
+  // Drives move coordinates that exist, with finite numbers and spans in order.
   for (const SceneDrive& drive : scene.drives) {
     require(drive.coordinate >= 0 &&
                 drive.coordinate < static_cast<int>(scene.mechanism.coordinates.size()),
@@ -83,6 +84,7 @@ int free_joint(const Mechanism& mechanism, int body) {
 }  // namespace
 
 void check_scene(const MovingScene& scene) {
+  // Check sizes, and that numbers are finite.
   check_mechanism(scene.mechanism);
   const MechanismLayout layout = layout_of(scene.mechanism);
   require(scene.gravity.allFinite(), "gravity is not finite");
@@ -90,6 +92,7 @@ void check_scene(const MovingScene& scene) {
           "wanted {} positions and {} speeds, got {} and {}", layout.q, layout.v, scene.q.size(),
           scene.v.size());
   require(scene.q.allFinite() && scene.v.allFinite(), "positions or speeds are not finite");
+  // Check that quaternions have length 1.
   for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) {
     const JointKind kind = scene.mechanism.joints[i].kind;
     if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
@@ -97,6 +100,7 @@ void check_scene(const MovingScene& scene) {
     require(std::abs(length - 1) < 1e-6, "joint '{}': wanted a unit quaternion, its length is {}",
             scene.mechanism.joints[i].name, length);
   }
+  // Check forces, drives and friction.
   for (const SceneForce& force : scene.forces) {
     check_body(scene, force.body);
     require(force.point.allFinite() && force.force.allFinite() && force.moment.allFinite(),
@@ -145,10 +149,12 @@ double largest_restitution(const MovingScene& scene) {
 
 void advance(const Mechanism& mechanism, const MechanismLayout& layout, const Eigen::VectorXd& v,
              double h, Eigen::VectorXd& q) {
+  // Positions move as speeds do where there is no quaternion.
   if (has_no_quaternion(layout)) {
     q += h * v;
     return;
   }
+  // Hinges and slides go straight.
   for (std::size_t c = 0; c < layout.coordinate_q.size(); ++c)
     q[layout.coordinate_q[c]] += h * v[layout.coordinate_v[c]];
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
@@ -172,6 +178,7 @@ void advance(const Mechanism& mechanism, const MechanismLayout& layout, const Ei
 
 void position_rates(const Mechanism& mechanism, const MechanismLayout& layout,
                     const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& q_dot) {
+  // Rates are speeds where there is no quaternion.
   if (has_no_quaternion(layout)) {
     q_dot = v;
     return;
@@ -193,6 +200,7 @@ void position_rates(const Mechanism& mechanism, const MechanismLayout& layout,
 void set_free_pose(const Mechanism& mechanism, int body, const Pose<double>& X_WB,
                    Eigen::VectorXd& q) {
   const int first = free_joint(mechanism, body);
+  // Pose of M in F, as a quaternion and a position.
   const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(body)];
   const Pose<double> X_FM = joint.X_PF.inverse() * X_WB * joint.X_BM;
   const Eigen::Quaterniond turn(X_FM.R);
@@ -210,11 +218,13 @@ void set_free_velocity(const Mechanism& mechanism, int body, const Eigen::Vector
   const Eigen::Quaterniond turn(q[first_q], q[first_q + 1], q[first_q + 2], q[first_q + 3]);
   const Eigen::Matrix3d R_WM = joint.X_PF.R * turn.toRotationMatrix();
   const Eigen::Vector3d arm = R_WM * (joint.X_BM.R.transpose() * joint.X_BM.p);
+  // Speeds of a free joint have the axes of F.
   v.segment<3>(first) = joint.X_PF.R.transpose() * angular;
   v.segment<3>(first + 3) = joint.X_PF.R.transpose() * (linear + angular.cross(arm));
 }
 
 std::vector<double> switching_times(const MovingScene& scene) {
+  // Ends of spans, jumps and bends of tables, and switches of elements.
   std::vector<double> times;
   const auto add = [&](const TimeSpan& span) {
     times.push_back(span.from);

@@ -18,6 +18,7 @@ JointValue joint_value_at(const MovingScene& scene, const TreeModel& model, std:
 
 SceneContacts::SceneContacts(const MovingScene& scene, const TreeModel& model)
     : scene_(scene), model_(model) {
+  // Collision bodies of all bodies with a surface.
   std::vector<std::shared_ptr<const CollisionBody>> bodies;
   for (std::size_t i = 0; i < scene.mechanism.bodies.size(); ++i) {
     const std::shared_ptr<const Solid>& solid = scene.mechanism.bodies[i].solid;
@@ -29,7 +30,7 @@ SceneContacts::SceneContacts(const MovingScene& scene, const TreeModel& model)
   X_before_.resize(body_of_.size());
   way_.resize(body_of_.size());
   may_meet_.assign(body_of_.size() * body_of_.size(), false);
-  // Only these pairs are asked for contacts.
+  // Pairs that may meet; the collision world leaves out all others.
   const std::vector<std::pair<int, int>> pairs = pairs_that_may_meet(scene, model);
   for (std::size_t i = 0; i < body_of_.size(); ++i)
     for (std::size_t j = i + 1; j < body_of_.size(); ++j)
@@ -56,6 +57,7 @@ void SceneContacts::find(const SceneMotion& motion, const SceneState& state, dou
 
 void SceneContacts::find_contacts(const TreeMotion<double>& links, double margin,
                                   std::vector<ActiveContact>& out) {
+  // Points of the manifolds, with velocities of a against b.
   for (std::size_t i = 0; i < body_of_.size(); ++i) X_WB_[i] = links.pose(body_of_[i]);
   for (const BodyContact& pair : world_->update(X_WB_, margin))
     for (const ManifoldPoint& point : *pair.manifold) {
@@ -78,10 +80,12 @@ void SceneContacts::find_contacts(const TreeMotion<double>& links, double margin
 
 void SceneContacts::find_joint(std::size_t i, const SceneState& state, double margin,
                                std::vector<ActiveContact>& out) const {
+  // Value and rate of a hinge or slide.
   const MechanismJoint& joint = scene_.mechanism.joints[i];
   if (!is_scalar(joint.kind)) return;
   const JointValue at = joint_value_at(scene_, model_, i, state);
   const double rate = at.slope * state.v[model_.layout.first_v[i]];
+  // Limits within the margin, and dry friction.
   const auto add = [&](Kind kind, double gap, double approach) {
     if (!(gap <= margin)) return;
     ActiveContact limit;
@@ -117,11 +121,13 @@ double SceneContacts::motion_between(SceneMotion& motion, const SceneState& from
                                      const std::vector<ActiveContact>& touching) {
   const std::size_t n = body_of_.size();
   if (n < 2) return 0;
+  // Displacement of each body between the two states.
   motion.move_to(from.q);
   for (std::size_t i = 0; i < n; ++i) X_before_[i] = motion.links().pose(body_of_[i]);
   motion.move_to(to.q);
   for (std::size_t i = 0; i < n; ++i) X_WB_[i] = motion.links().pose(body_of_[i]);
   for (std::size_t i = 0; i < n; ++i) way_[i] = displacement(i);
+  // Motion of each pair over half the thinner body's thickness; the largest counts.
   double most = 0;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) {
@@ -138,6 +144,7 @@ double SceneContacts::motion_between(SceneMotion& motion, const SceneState& from
 }
 
 double SceneContacts::fastest(SceneMotion& motion, const Eigen::VectorXd& v) const {
+  // Speed of a body's bounding ball: that of its centre, and its turn at the rim.
   motion.speed_up(v);
   const TreeMotion<double>& links = motion.links();
   double most = 0;

@@ -22,6 +22,7 @@ bool is_still(const SceneState& state) {
 
 void SceneSleep::observe(ContactStep& step, bool was_still, bool slides, double gap, double touch,
                          SceneState& state) {
+  // Rest: still before and after, and nothing slides, closes or moves by itself.
   if (was_still && is_still(state) && !slides && gap < touch &&
       !drives_move(step.scene(), state.t) && !step.elements_move(state)) {
     state.v.setZero();

@@ -36,6 +36,7 @@ bool SceneStepper::step(const Progress& progress) {
   const double near = kSameInstant * length_;
   const auto behind = std::lower_bound(switches_.begin(), switches_.end(), end + near);
   if (behind != switches_.begin() && *(behind - 1) > end - near) end = *(behind - 1);
+  // Parts between switches; a stop takes the whole step back.
   bool whole = true;
   try {
     for (auto t = std::upper_bound(switches_.begin(), switches_.end(), now_.state.t);
@@ -54,10 +55,12 @@ bool SceneStepper::step(const Progress& progress) {
 
 bool SceneStepper::part_step(double end, const Progress& progress) {
   const bool is_first = now_.state.t == 0;
+  // Step of a fixed length with the forces of its beginning.
   step_.act_as_at(now_.state.t);
   now_.part =
       fixed_.take(step_, end - now_.state.t, options_, now_.state, now_.active, cost_, progress);
   if (now_.part == 0) return false;
+  // Accept the end, and note limits and depths; a depth in the first part is the scene's own.
   now_.state.t = end;
   if (is_finite(now_.state)) step_.accept(now_.state);
   ++cost_.steps;
@@ -116,6 +119,7 @@ std::size_t SceneStepper::checked(int coordinate) const {
 
 double SceneStepper::largest_effort(int coordinate) const {
   const std::size_t c = checked(coordinate);
+  // Largest effort of the coordinate's drives, or else of its motor.
   double most = 0;
   for (const SceneDrive& drive : drives_)
     if (drive.coordinate == coordinate) most = std::max(most, drive.max_effort);
@@ -134,6 +138,7 @@ const SceneDrive* SceneStepper::stiff_drive(int coordinate) const {
 void SceneStepper::set_effort(int coordinate, double effort) {
   const std::string& name = scene().mechanism.coordinates[checked(coordinate)].name;
   require(std::isfinite(effort), "effort of '{}': wanted a finite number, got {}", name, effort);
+  // The effort as a drive without stiffness, in place of the scene's drives.
   SceneDrive drive;
   drive.coordinate = coordinate;
   drive.bias = effort;
@@ -147,6 +152,7 @@ void SceneStepper::set_target(int coordinate, double target) {
   require(std::isfinite(target), "target of '{}': wanted a finite number, got {}", name, target);
   const SceneDrive* stiff = stiff_drive(coordinate);
   require(stiff != nullptr, "no drive with stiffness moves '{}': set its effort instead", name);
+  // The stiff drive with a constant target, in place of the scene's drives.
   SceneDrive drive = *stiff;
   drive.target = target;
   drive.speed = 0;
@@ -162,6 +168,7 @@ void SceneStepper::release(int coordinate) {
 }
 
 void SceneStepper::use_drives() {
+  // Drives of the scene, but those of coordinates that are overridden.
   std::vector<SceneDrive> drives;
   for (const SceneDrive& drive : drives_)
     if (overrides_.count(drive.coordinate) == 0) drives.push_back(drive);

@@ -35,7 +35,7 @@ void run_events(const MovingScene& scene, const SceneOptions& options, const Pro
   first.v = start.v;
   first.energy = stepper.energy_at(start);
   first.w = start.w;
-  // Steps, samples.
+  // Steps up to the next sample, until the end, a stop or a state that is no number.
   while (stepper.state().t < options.seconds && run.status == SceneStatus::kDone) {
     progress(stepper.state().t / options.seconds, "");
     if (progress.stop()) {
@@ -60,6 +60,7 @@ void run_fixed(const MovingScene& scene, const SceneOptions& options, const Prog
     next_sample = sample_after(stepper.now().state.t, options);
   };
   keep();
+  // Steps of one length; a sample is the step that ends nearest to its time.
   const long steps = fixed_steps(options);
   for (long i = 0; i < steps && run.status == SceneStatus::kDone; ++i) {
     if (!stepper.step()) {
@@ -116,6 +117,7 @@ SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options,
       options.method == SteppingMethod::kEvents || options.method == SteppingMethod::kTimeStepping,
       "wanted events or time-stepping, got {}",
       stepping_names()[static_cast<std::size_t>(options.method)]);
+  // Run by the method, in which a stop may end a step half way.
   const double start = thread_seconds();
   SceneRun run;
   try {
@@ -126,6 +128,7 @@ SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options,
   } catch (const Stopped&) {
     run.status = SceneStatus::kStopped;  // within a step, which does not count
   }
+  // Status: problems that were not solved, then energy that does not balance.
   run.cost.cpu_seconds = thread_seconds() - start;
   if (run.status == SceneStatus::kDone && run.cost.unsolved > 0)
     run.status = SceneStatus::kUnsolved;

@@ -56,6 +56,7 @@ double StepControl::shorten(StepTrials& trials, double t, double length) {
   } else if (trials.verdict() == Extrapolation::Verdict::kReject) {
     length = trials.next_length(length, reach_);
   } else if (trial.smooth && std::isfinite(trial.error)) {
+    // Smooth, with an error: by its order in the length.
     length *= std::clamp(0.9 * std::pow(trial.error, -1.0 / trial.order), 0.1, 0.9);
   } else {
     // Up to the instant at which a mode changes; a short step goes over it.

@@ -51,7 +51,7 @@ bool TouchingContacts::keep_closed(std::vector<ActiveContact>& found) {
 void TouchingContacts::touch_and_bounce(SceneState& state, std::vector<ActiveContact>& found) {
   note_lost(found);
   const bool all_known = keep_closed(found);
-  // Impacts.
+  // Impacts, where contacts approach.
   const bool approaches =
       std::any_of(closed_.begin(), closed_.end(), [](const ActiveContact& contact) {
         return contact.kind != ActiveContact::Kind::kJointFriction &&
@@ -65,9 +65,9 @@ void TouchingContacts::touch_and_bounce(SceneState& state, std::vector<ActiveCon
     ++cost_.impacts;
   }
   if (approaches || !all_known) settle_modes(state);
-  // What leaves is free: if it comes back, its gap will close anew. Where its gap still counts as
-  // closed it does not come back, else contacts that push each other off by turns would ask for an
-  // impact each time.
+  // Contacts that leave are free, and touch again once their gap closes anew. A gap that still
+  // counts as closed does not leave, or contacts that push each other off by turns would ask for
+  // an impact each time.
   closed_.erase(std::remove_if(closed_.begin(), closed_.end(),
                                [&](const ActiveContact& c) {
                                  return c.mode == ContactMode::kOpen && c.approach > kImpactSpeed &&
@@ -79,11 +79,13 @@ void TouchingContacts::touch_and_bounce(SceneState& state, std::vector<ActiveCon
 
 /// Finds what contacts do next, by a step that is as short as can be.
 void TouchingContacts::settle_modes(const SceneState& state) {
+  // Shortest step from the state, with impulses scaled to its length.
   SceneState next = state;
   step_.act_as_at(next.t);
   const double factor = impulse_time_ > 0 ? options_.shortest / impulse_time_ : 0;
   scale_impulses(closed_, factor);
   scale_impulses(lost_, factor);
+  // Contacts and modes of that step are where the next one starts.
   step_.substep(next, options_.shortest, closed_, options_.touch, outcome_);
   counts_.count(outcome_);
   counts_.accept();
@@ -93,6 +95,7 @@ void TouchingContacts::settle_modes(const SceneState& state) {
 
 double TouchingContacts::touch_again(double length, SceneState& state,
                                      std::vector<ActiveContact>& found) {
+  // Largest gap of contacts with a force; close the gaps where it is too large.
   const std::vector<ActiveContact> pressed = closed_;
   double worst = 0;
   for (const ActiveContact& contact : found)
@@ -103,6 +106,7 @@ double TouchingContacts::touch_again(double length, SceneState& state,
     step_.close_gaps(state, pressed, std::max(options_.touch, options_.recovery * length));
     step_.find(state, kNearGap, found);
   }
+  // Impacts, and the deepest contact for the record.
   touch_and_bounce(state, found);
   for (const ActiveContact& contact : closed_)
     if (contact.kind == ActiveContact::Kind::kContact)

@@ -99,6 +99,7 @@ std::shared_ptr<const LiveHand> build_live_hand(const WorldSpec& world, const st
                                                 const std::vector<std::string>& data,
                                                 const Progress& progress) {
   report_or_stop(progress, 0, "building hand '" + name + "'");
+  // Build the hand by itself, with a smooth skin.
   HumanHandOptions human;
   human.skin.drawn = kSmoothSkin;
   human.skin.progress = progress;
@@ -156,6 +157,7 @@ bool is_up_to_date(const LiveHand& hand) {
 
 void add_hand_shape(const LiveHand& hand, const std::string& name, const std::string& root,
                     LiveShape& shape) {
+  // Bodies; carried ones belong to the root and move with it.
   const int first = static_cast<int>(shape.bodies.size());
   for (const HandBody& body : hand.bodies) {
     LiveBody look = body.look;
@@ -164,6 +166,7 @@ void add_hand_shape(const LiveHand& hand, const std::string& name, const std::st
     look.movable = body.carried || root == name;
     shape.bodies.push_back(std::move(look));
   }
+  // Joints with their coordinates, then tendons as lines.
   const HandLayout& layout = hand.model().layout();
   for (std::size_t j = 0; j < hand.joints.size(); ++j) {
     const HandJoint& joint = hand.joints[j];

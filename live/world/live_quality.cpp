@@ -94,6 +94,7 @@ GraspResult standing_grasp(const LiveWorld& live, const LivePair& pair,
   require(request.tolerance > 0, "wanted a tolerance of epsilon above 0, got {}",
           request.tolerance);
   const LiveMeeting meeting = meeting_of(live, pair);
+  // Setting of the request, without an approach.
   GraspResult result{};
   result.request.approach = false;
   result.request.limit = request.norm;
@@ -135,6 +136,7 @@ WrenchSetMesh live_wrench_set(const LiveWorld& live, const LivePair& pair,
   require(result.grasp.outcome == GraspOutcome::kGrasped,
           "hand '{}' does not touch '{}': there is no wrench set", result.setting.hand.named.name,
           result.setting.setup.object.name);
+  // Geometric limits need the contacts alone, those of the hand its actuation.
   if (limits == WrenchLimits::kGeometric)
     return wrench_set_mesh(unit_forces(result.wrenches, ForceNorm::kL1), axes, kind, pieces);
   const GraspBody& object = result.setting.setup.object;

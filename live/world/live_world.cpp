@@ -114,6 +114,7 @@ void LiveWorld::show(WorldState next, unsigned long id) {
 }
 
 void LiveWorld::apply(WorldState next, const std::string& text, const std::string& key) {
+  // Edits of one gesture are one step of undo.
   const bool merges = !key.empty() && redo_.empty() && !undo_.empty() && undo_.back().key == key;
   if (!merges) undo_.push_back({text, key, state_, id_});
   if (undo_.size() > kMostEdits) undo_.pop_front();

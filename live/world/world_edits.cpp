@@ -240,6 +240,7 @@ void place_thing(LiveWorld& live, const std::string& name,
   }
   const std::size_t placed = placed_index(next, name);
   if (placed == next.placed.size()) refuse_name(next, name);
+  // A mounted hand moves with what it is mounted on.
   const PlacedHand& found = next.placed[placed];
   require(found.carrier.empty(),
           "'{}' is mounted on '{}' ({}): move the joints of that, or place '{}'", name,

@@ -21,6 +21,7 @@ std::unique_ptr<MovingPad> BedPad::clone() const {
 }
 
 PadContact BedPad::move(const Pose<double>& X_PO, double seconds) {
+  // Step of the bed from what was kept.
   moved_ = kept_;
   moved_.X_PO = X_PO;
   const BedContact contact =
@@ -55,7 +56,7 @@ double BedPad::energy() const {
     X.p -= nodes[i] * at.depth * at.normal;
     out += weights[i] * at.depth * bed_->press(*object_.shape, X).push.force.dot(at.normal);
   }
-  // Springs across.
+  // Energy of the springs across, f^2 / (2 G A / h) each.
   const FoundationColumns& columns = bed_->columns();
   for (Eigen::Index i = 0; i < columns.area.size() && bed_->constants().shear > 0; ++i)
     if (kept_.bed.touching[static_cast<std::size_t>(i)])

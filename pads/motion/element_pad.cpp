@@ -24,6 +24,7 @@ ElementPad::ElementPad(PadModel model, RigidObject object, const Pose<double>& X
   kept_.X_PO = moved_.X_PO = X_PO;
   require(object_.shape && object_.friction >= 0,
           "a pad in motion wants an object with a shape and a friction >= 0");
+  // Reach of the skin with a margin, and the time after which nothing is remembered.
   renew(X_PO);
   const Eigen::Matrix3Xd& places = press_->surface().places;
   reach_ = places.colwise().norm().maxCoeff() * 1.05;
@@ -65,6 +66,7 @@ PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
     press_->begin_at(pulled_out(X_PO, -out.gap));
     out.gap = 0;
   }
+  // One step of the elements; if it fails the pad is as it was.
   PressGoal goal;
   goal.X_PO = X_PO;
   goal.time = seconds;
@@ -84,6 +86,7 @@ PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
 
 Pose<double> ElementPad::pulled_out(const Pose<double>& X_PO, double overlap) const {
   const Pose<double> X_OP = X_PO.inverse();
+  // Node that lies deepest in the object.
   const Eigen::Matrix3Xd places = places_of(press_->surface(), press_->state().x);
   Eigen::Index deepest = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -93,6 +96,7 @@ Pose<double> ElementPad::pulled_out(const Pose<double>& X_PO, double overlap) co
     least = gap;
     deepest = k;
   }
+  // Object moved out along its normal there, to a small gap.
   Pose<double> out = X_PO;
   out.p -= (overlap + kClearGap) *
            (X_PO.R * object_.shape->nearest(X_OP * Eigen::Vector3d(places.col(deepest))).normal);
@@ -104,12 +108,14 @@ PadContact ElementPad::touch_of(const PadPressResult& result) const {
   const PressState& state = press_->state();
   out.force = state.normal.sum();
   out.force_error = result.force_error;
+  // Apart: the gap to the deformed skin.
   if (out.force <= 0) {
     out.force = 0;
     const double gap = smallest_gap(press_->surface(), *object_.shape, state.X_PO, state.x);
     out.gap = std::max(0.0, gap);
     return out;
   }
+  // Push, patch and centre of pressure; the normal is the push without friction.
   out.push = result.push;
   out.area = result.area;
   out.stick = result.stick;

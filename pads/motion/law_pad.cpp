@@ -76,7 +76,7 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
   moved_ = kept_;
   moved_.X_PO = X_PO;
   PadContact out;
-  // Far off, there is nothing to look for.
+  // Distance to the pad's origin, which gives the gap of a far object without a search.
   const Pose<double> X_OP = X_PO.inverse();
   const double apart = object_.shape->distance(X_OP.p) - reach_;
   const MemoryStep weights = memory_step(law_->relaxation(), seconds);
@@ -84,7 +84,7 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
   deepest.overlap = -apart;
   RelativeCurvatures gap{2 * kFlattestGap, kFlattestGap};
   if (apart <= 0) {
-    // All of the skin is looked at again once another place may have come to lie deeper.
+    // Search all of the skin again once another place may have become the deepest.
     const Eigen::Matrix<double, 6, 1> way = motion_from(kept_.X_look, X_PO);
     const double moved = way.tail<3>().norm() + way.head<3>().norm() * reach_;
     const bool knows = 2 * moved < kept_.lead;
@@ -97,6 +97,7 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
     }
     if (deepest.overlap > 0) gap = skin_gap(*skin_, *object_.shape, X_PO, deepest.place);
   }
+  // Normal force by the law and its memory. Without force nothing is remembered of friction.
   const LawContact contact =
       relaxed_contact(*law_, gap, deepest.overlap, object_.friction, weights, moved_.normal);
   if (contact.force <= 0) {
@@ -109,13 +110,14 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
   }
   moved_.touched = true;
   out.normal = X_PO.R * object_.shape->nearest(X_OP * deepest.place).normal;
-  // The far side of a thin object would pull, and near its middle depth does not rise any more.
+  // Refuse the far side of a thin object and its middle, where depth tells nothing.
   const Vector3d deeper = deepest.place - kRoomShare * deepest.overlap * out.normal;
   if (out.normal.dot(skin_->nearest(deepest.place).normal) > 0 ||
       object_.shape->distance(X_OP * deeper) > -(1 + 0.5 * kRoomShare) * deepest.overlap) {
     moved_ = kept_;
     return behind_object();
   }
+  // Patch at the object's surface, with friction and torsion.
   out.centre = deepest.place + deepest.overlap * out.normal;
   out.force = contact.force;
   out.area = contact.area;
@@ -128,6 +130,7 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
   for (std::size_t k = 0; k < 4; ++k)
     if (const double spring = moved_.spring[k < 3 ? 0 : 1]; spring > 0)
       moved_.energy += 0.5 * moved_.drag[k].x * moved_.drag[k].x / spring;
+  // Push with friction, and torsion about the normal.
   out.stick = sticks ? 1 : 0;
   out.push = wrench_of_force(out.centre, contact.force * out.normal + rubbed.head<3>());
   out.push.moment += rubbed[3] * out.normal;
@@ -136,16 +139,18 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
 
 Vector4d LawPad::rub(const LawContact& contact, const Vector3d& at, const Vector3d& normal,
                      const MemoryStep& weights, bool& sticks) {
-  // What the object has moved there since the last step drags the skin along.
+  // Motion of the object at the patch since the last step.
   const Pose<double> D = moved_.X_PO * kept_.X_PO.inverse();
   const Eigen::AngleAxisd turn(D.R);
   const Vector3d way = at - D.inverse() * at;
+  // Stiffness k of sliding and k a b of twisting. Remembered friction is laid flat on the patch
+  // and reduced as the patch softens.
   const double stiffness = contact.shear, twisted = stiffness * contact.patch.a * contact.patch.b;
   lay_flat(normal, moved_.drag);
   slacken(stiffness, 0, 3, moved_.spring[0], moved_.drag);
   slacken(twisted, 3, 4, moved_.spring[1], moved_.drag);
   Vector4d elastic, past, stretch = Vector4d::Zero();
-  // What moved before it touched drags nothing.
+  // Stretch of friction's springs, none on first touch.
   if (kept_.touched)
     stretch << stiffness * (way - normal * normal.dot(way)),
         twisted * turn.angle() * turn.axis().dot(normal);
@@ -154,16 +159,19 @@ Vector4d LawPad::rub(const LawContact& contact, const Vector3d& at, const Vector
     past[k] = history_of(weights, memory);
     elastic[k] = memory.x + stretch[k];
   }
+  // Springs that hold the energy of the friction.
   const auto set_spring = [&](const Vector3d& force, const Vector3d& change, double patch,
                               double& spring) { spring = spring_of(force, change, patch, spring); };
   const std::array<ExponentialMemory, 4>& before = moved_.drag;
   set_spring({before[0].x, before[1].x, before[2].x}, stretch.head<3>(), stiffness,
              moved_.spring[0]);
   set_spring({before[3].x, 0, 0}, {stretch[3], 0, 0}, twisted, moved_.spring[1]);
+  // Trial: the patch sticks.
   Vector4d drag = weights.now * elastic + past;
   const double bound = object_.friction * contact.force, torsion = contact.patch.torsion;
   // A patch without extent has no torque.
   if (torsion <= 0) drag[3] = elastic[3] = past[3] = 0;
+  // Slip: back to the ellipsoid |f|^2 + (torque / lever)^2 <= bound^2, straight towards 0.
   const double lever = object_.friction > 0 ? torsion / object_.friction : 0;
   const double size = std::hypot(drag.head<3>().norm(), lever > 0 ? drag[3] / lever : 0);
   sticks = size <= bound;
@@ -171,6 +179,7 @@ Vector4d LawPad::rub(const LawContact& contact, const Vector3d& at, const Vector
     drag *= size > 0 ? bound / size : 0;
     elastic = (drag - past) / weights.now;
   }
+  // Memory takes the elastic friction that fits.
   for (std::size_t k = 0; k < 4; ++k) {
     ExponentialMemory& memory = moved_.drag[k];
     (void)remember(weights, elastic[static_cast<Eigen::Index>(k)], memory);

@@ -14,11 +14,13 @@ constexpr double kTurnArm = 10e-3;
 }  // namespace
 
 Matrix6 MovingPad::stiffness(const Eigen::Matrix<double, 6, 1>& onward) {
+  // Push at the pose that was kept.
   const Pose<double> from = object_pose();
   const PadContact at = move(from, 0);
   const Eigen::Matrix<double, 6, 1> before = six_of(at.push);
   Matrix6 out = Matrix6::Zero();
   if (at.status != Status::kSolved) return out;
+  // Difference onward in each direction, or backward where the pad finds no answer.
   for (int k = 0; k < 6; ++k) {
     Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
     motion[k] = std::copysign(k < 3 ? kDifferenceWay / kTurnArm : kDifferenceWay, onward[k]);
