@@ -168,6 +168,11 @@ Hdf5Object::Hdf5Object(std::int64_t id, Close close, const std::string& what)
   require(id >= 0, "HDF5 could not {}", what);
 }
 
+std::unique_lock<std::recursive_mutex> lock_hdf5() {
+  static std::recursive_mutex one_at_a_time;
+  return std::unique_lock<std::recursive_mutex>(one_at_a_time);
+}
+
 std::vector<std::string> guard_hdf5(std::string& bytes, const std::string& path) try {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // otherwise the library prints its errors
   // The library neither copies nor frees the bytes, nor changes them, as it opens them to read.

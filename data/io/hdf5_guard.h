@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ class Hdf5Object {
   std::int64_t id_;
   Close close_;
 };
+
+/// Keeps other threads from HDF5 and netCDF, which are built for one, while it lives.
+[[nodiscard]] std::unique_lock<std::recursive_mutex> lock_hdf5();
 
 /// Time limit for reading a file of this size: a hundred times what it takes [s of processor]
 [[nodiscard]] inline int seconds_to_read(std::size_t bytes) {

@@ -183,6 +183,7 @@ std::map<std::string, std::string> group_attributes(const InferenceFile& file) {
 
 // Writes into memory first, because HDF5 cannot recover from a full disk.
 void write_inference(const InferenceFile& file, const std::string& path) {
+  const auto lock = lock_hdf5();
   require(file.attributes.count(kProgram) == 0, "attribute '{}' is ours", kProgram);
   require_writable(path);
   int id = 0;
@@ -409,6 +410,7 @@ InferenceFile read_inference_image(std::string& bytes, Checksum checksum, const 
 }  // namespace
 
 InferenceFile read_inference(const std::string& path) {
+  const auto lock = lock_hdf5();
   if (!has_hdf5_start(path))
     throw DataError(path, 1, "wanted an inference file (netCDF-4), got none or another format");
   std::string bytes = read_guarded(path, GuardedKind::kInference);

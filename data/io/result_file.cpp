@@ -317,6 +317,7 @@ const std::string& ResultFile::text(const std::string& key) const {
 }
 
 void write_result(const ResultFile& file, const std::string& path) {
+  const auto lock = lock_hdf5();
   // Into memory first, then to disk in one go.
   be_quiet();
   require_writable(path);
@@ -328,6 +329,7 @@ void write_result(const ResultFile& file, const std::string& path) {
 }
 
 ResultFile read_result(const std::string& path) {
+  const auto lock = lock_hdf5();
   be_quiet();
   if (!has_hdf5_start(path))
     throw DataError(path, 1, "wanted a result file (HDF5) of thenar, got none or another format");
