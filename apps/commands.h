@@ -6,6 +6,7 @@
 
 namespace thenar {
 
+void add_ask(CLI::App& app);
 void add_close(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_demo(CLI::App& app);

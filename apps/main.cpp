@@ -122,6 +122,7 @@ int run_command(int argc, char** argv) {
   add_serve(app);
   add_import(app);
   add_demo(app);
+  add_ask(app);
   add_rerun(app);
   hide_empty_defaults(app);
   try {

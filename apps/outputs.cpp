@@ -52,6 +52,7 @@ void add_run(AnyJson& json, const FileDigests& files) {
   if (run.arguments.empty() || !json.is_object()) return;
   AnyJson& provenance = json["provenance"];
   provenance["command"] = command_line(run);
+  if (!run.request.empty()) provenance["request"] = run.request;
   provenance["folder"] = run.folder;
   provenance["date"] = run.date;
   if (!run.commit.empty()) provenance["commit"] = run.commit;
@@ -101,6 +102,12 @@ void begin_run(int argc, char** argv) {
 }
 
 const RunRecord& this_run() { return run_of_process(); }
+
+void set_request(const std::string& question, OrderedJson request) {
+  OrderedJson record{{"question", question}};
+  record.update(request);
+  run_of_process().request = json_text(record, -1);
+}
 
 void print_answer(const std::string& text) { fmt::print("{}", text); }
 

@@ -154,8 +154,10 @@ std::string option_field(const std::vector<Param>& params, const std::string& fi
 void ask_and_deliver(const TypedQuestion& typed) {
   const Question& question = *typed.question;
   try {
-    deliver(typed.outputs,
-            question.ask(typed.request, "", terminal_progress("what is done is kept")));
+    const Answer answer =
+        question.ask(typed.request, "", terminal_progress("what is done is kept"));
+    set_request(question.name, answer.request);
+    deliver(typed.outputs, answer);
   } catch (const InputError& error) {
     throw InputError(error.what(), option_field(question.params, error.field()));
   }

@@ -13,6 +13,7 @@ struct RunRecord {
   std::string folder;                  // where it ran, absolute
   std::string commit;                  // of the sources, 40 hexadecimal digits; "": not known
   std::string date;                    // when it began, UTC: "2026-01-31T12:00:00Z"
+  std::string request = {};            // that was answered, as JSON: {"question": "tip_force", ..}
 };
 
 /// The record of a run that begins now. The environment's SOURCE_DATE_EPOCH, whole seconds since

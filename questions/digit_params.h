@@ -57,6 +57,7 @@ void add_posture(RequestTable<Request>& table, const std::string& key,
         },
         [=](const Request& request) { return internal::posture_to(request.*member, unit); });
     param.option = typed ? "--" + key : "";
+    param.is_twin = !typed;
   }
 }
 
@@ -80,6 +81,7 @@ void add_vary(RequestTable<Request>& table, std::vector<Vary> Request::*member,
           return (request.*posture).unit == unit ? internal::vary_to(request.*member) : Json();
         });
     param.option = typed ? "--vary" : "";
+    param.is_twin = !typed;
   }
 }
 

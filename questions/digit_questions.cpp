@@ -100,19 +100,22 @@ MomentArmResult compute_arms(const DigitRequest& request, const Progress& progre
 }  // namespace
 
 void add_digit_questions(std::vector<Question>& all) {
-  all.push_back(make_question(
-      "moment_arms", "Moment arms and length changes of a digit's tendons.", moment_arm_params(),
-      compute_arms, R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 20}})"));
+  all.push_back(make_question("moment_arms", "Moment arms and length changes of a digit's tendons.",
+                              moment_arm_params(), compute_arms,
+                              R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 20}})",
+                              "moment-arms"));
   all.push_back(make_question("tip_force", "Force of a fingertip from tendon tensions.",
                               tip_force_params(), compute_tip_force,
                               R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 40,
-                                  "PIP3": 55}, "tension_N": {"FDP": 10}})"));
+                                  "PIP3": 55}, "tension_N": {"FDP": 10}})",
+                              "tip-force"));
   all.push_back(make_question("feasible_force",
                               "The largest force or moment of a fingertip, or all of them.",
                               feasible_force_params(), compute_feasible_force,
                               R"({"subject": "an_chao_index", "posture_deg": {"MCP2_FE": 45,
                                   "PIP2": 45, "DIP2": 10}, "frame": "tip",
-                                  "direction": [0, -1, 0]})"));
+                                  "direction": [0, -1, 0]})",
+                              "feasible-force"));
 }
 
 }  // namespace thenar::internal

@@ -55,8 +55,14 @@ template <typename Request, typename Result>
 [[nodiscard]] Question make_question(std::string name, std::string about,
                                      const RequestTable<Request>& table,
                                      Result (*ask)(const Request&, const Progress&),
-                                     std::string example) {
-  return {std::move(name), std::move(about), table.params(), std::move(example),
+                                     std::string example, std::string command,
+                                     Pace pace = Pace::kAtOnce) {
+  return {std::move(name),
+          std::move(about),
+          table.params(),
+          std::move(example),
+          std::move(command),
+          pace,
           [table, ask](Json json, const std::string& data, const Progress& progress) {
             if (!data.empty() && !json.contains("data")) json["data"] = data;
             const Request request = table.read(json);

@@ -27,12 +27,20 @@ struct Answer {
   std::function<FileDigests()> files;  // that it came from
 };
 
+/// How long a question takes at most.
+enum class Pace {
+  kAtOnce,  // one posture, one set of contacts: some milliseconds
+  kLasts    // seconds to hours
+};
+
 /// A question.
 struct Question {
   std::string name;           // "tip_force"
   std::string about;          // one sentence
   std::vector<Param> params;  // of the request
   std::string example;        // a request as JSON, which tests ask
+  std::string command;        // that asks it: "tip-force"
+  Pace pace = Pace::kAtOnce;
   /// @param request  keys bear units
   /// @param data  folder of data where the request names none; empty: the usual ones
   /// @throws InputError with the field, DataError, Stopped

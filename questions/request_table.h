@@ -32,6 +32,7 @@ struct Param {
   std::string option =
       {};  // of commands: "--hold-length", "subject" for a plain argument; "": none
   ParamScope scope = ParamScope::kAnywhere;
+  bool is_twin = false;  // of the parameter before it, in another unit
 
   /// "hold_length_m", "hold_length_mm"
   [[nodiscard]] std::string key_in(UnitSystem system) const;

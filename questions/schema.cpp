@@ -122,6 +122,7 @@ Json checked_map(const Schema& schema, const Json& value, const std::string& whe
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
 Json checked_object(const Schema& schema, const Json& value, const std::string& where) {
   if (!value.is_object()) refuse(schema, value, where);
+  if (schema.open) return value;
   // Members that nobody knows are refused: they are misspelt ones.
   std::vector<std::string> names;
   for (const SchemaMember& member : schema.members) names.push_back(member.name);
@@ -227,6 +228,12 @@ Schema map_or_list_schema(const Schema& each) {
 Schema object_schema(std::vector<SchemaMember> members) {
   Schema schema;
   schema.members = std::move(members);
+  return schema;
+}
+
+Schema any_object_schema() {
+  Schema schema;
+  schema.open = true;
   return schema;
 }
 

@@ -22,6 +22,7 @@ struct Schema {
   std::string unit;                                         // of numbers, "rad or m"; empty: none
   double lower = -std::numeric_limits<double>::infinity();  // of numbers
   double upper = std::numeric_limits<double>::infinity();   // of numbers
+  bool open = false;                                        // of objects: members are not looked at
   bool unnamed = false;  // of maps: a list of the values in a known order will do as well
   bool endless = false;  // of numbers: infinite ones may be given, in JSON as "inf" and "-inf"
   std::vector<std::string> words;                     // of texts: one of these; empty: any
@@ -62,6 +63,8 @@ struct SchemaMember {
 [[nodiscard]] Schema map_or_list_schema(const Schema& each);
 /// An object whose members have any name and one type: joint -> angle.
 [[nodiscard]] Schema map_schema(const Schema& each, std::size_t most = 1000);
+/// An object whose members something else checks.
+[[nodiscard]] Schema any_object_schema();
 [[nodiscard]] Schema object_schema(std::vector<SchemaMember> members);
 /// Three numbers.
 [[nodiscard]] Schema vector_schema(const std::string& unit);

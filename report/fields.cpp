@@ -11,24 +11,9 @@ namespace {
 
 constexpr std::array kAxisNames{"x", "y", "z"};
 
-/// A value in another unit, numbers that are not finite as null.
-// NOLINTNEXTLINE(misc-no-recursion): as deep as the value
-OrderedJson scaled(const OrderedJson& value, const FieldUnit& unit, UnitSystem system) {
-  if (value.is_number_float()) {
-    const double si = value.get<double>();
-    return number_or_null(system == UnitSystem::kSi ? si : si * unit.numerator / unit.denominator);
-  }
-  OrderedJson out = value;
-  if (value.is_array())
-    for (OrderedJson& each : out) each = scaled(each, unit, system);
-  if (value.is_object())
-    for (auto& [name, each] : out.items()) each = scaled(each, unit, system);
-  return out;
-}
-
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
 OrderedJson value_of(const Field& field, UnitSystem system) {
-  if (!field.is_list && field.parts.empty()) return scaled(field.value, field.unit, system);
+  if (!field.is_list && field.parts.empty()) return value_in(field.value, field.unit, system);
   if (!field.is_list) return json_of(field.parts.front(), system);
   OrderedJson list = OrderedJson::array();
   for (const Fields& part : field.parts) list.push_back(json_of(part, system));
@@ -101,10 +86,26 @@ void Fields::append(Fields more) {
   std::move(more.fields_.begin(), more.fields_.end(), std::back_inserter(fields_));
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the value
+OrderedJson value_in(const OrderedJson& si, const FieldUnit& unit, UnitSystem system) {
+  if (si.is_number_float()) {
+    const double value = si.get<double>();
+    return number_or_null(system == UnitSystem::kSi ? value
+                                                    : value * unit.numerator / unit.denominator);
+  }
+  OrderedJson out = si;
+  if (si.is_array())
+    for (OrderedJson& each : out) each = value_in(each, unit, system);
+  if (si.is_object())
+    for (auto& [name, each] : out.items()) each = value_in(each, unit, system);
+  return out;
+}
+
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
 OrderedJson json_of(const Fields& fields, UnitSystem system) {
   OrderedJson json = OrderedJson::object();
   for (const Field& field : fields.all()) {
+    if (field.unit.is_measured && system == UnitSystem::kSi) continue;
     json[key_with(field.key, field.unit, system)] = value_of(field, system);
     if (!field.alias.empty()) json[field.alias] = value_of(field, system);
   }

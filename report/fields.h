@@ -22,6 +22,7 @@ struct FieldUnit {
   const char* si = "";       // as keys end: "N_m"
   const char* printed = "";  // "N_mm"
   double numerator = 1, denominator = 1;
+  bool is_measured = false;  // by the clock of a computation: another one every time
 };
 
 /// Units by the name in which they are printed.
@@ -38,6 +39,7 @@ inline constexpr FieldUnit kNewtonMillimetre{"N_m", "N_mm", 1, thenar::kNewtonMi
 inline constexpr FieldUnit kNewtonPerDegree{"N_per_rad", "N_per_deg", thenar::kDegree};
 inline constexpr FieldUnit kNewtonMetrePerDegree{"N_m_per_rad", "Nm_per_deg", thenar::kDegree};
 inline constexpr FieldUnit kSecond{"s", "s"};
+inline constexpr FieldUnit kCpuSecond{"s", "s", 1, 1, true};  // processor time of a computation
 inline constexpr FieldUnit kMetrePerSecond{"m_per_s", "m_per_s"};
 inline constexpr FieldUnit kMillimetrePerSecond{"m_per_s", "mm_per_s", 1, kMm};
 inline constexpr FieldUnit kKilopascal{"Pa", "kPa", 1, 1e3};
@@ -110,7 +112,11 @@ class Fields {
   std::vector<Field> fields_;
 };
 
-/// The fields as an object, the unit in each key; numbers that are not finite are null.
+/// A value in another unit than SI, numbers that are not finite as null.
+[[nodiscard]] OrderedJson value_in(const OrderedJson& si, const FieldUnit& unit, UnitSystem system);
+
+/// The fields as an object, the unit in each key; numbers that are not finite are null. In SI
+/// processor times are left out, so that the same request gives the same text.
 [[nodiscard]] OrderedJson json_of(const Fields& fields, UnitSystem system);
 
 /// JSON of any result that has fields, in printed units.

@@ -44,6 +44,7 @@ EngineClock::time_point later(EngineClock::time_point from, double seconds) {
 Engine::Engine(MethodTable table, SessionPlaces places, EngineOptions options)
     : table_(std::move(table)), options_(std::move(options)), session_(std::move(places)) {
   if (!options_.log.empty()) session_.log().open(options_.log);
+  session_.jobs().on_end([this](int) { put(0, [this] { note_ended_jobs(); }); });
   thread_ = std::thread([this] { work(); });
 }
 
@@ -128,6 +129,21 @@ RpcAnswer Engine::answer_at_once(const RpcRequest& request) {
           std::nullopt};
 }
 
+void Engine::note_ended_jobs() {
+  for (const EndedJob& job : session_.jobs().take_ended()) {
+    add_to_log(thenar::logged(job));
+    tell_watchers(clients(), rpc_notification("job", {{"job", job.id}}));
+  }
+}
+
+void Engine::add_to_log(const LoggedRequest& request) {
+  try {
+    session_.log().add(request);
+  } catch (const Error& error) {
+    tell_trouble(error.what());
+  }
+}
+
 void Engine::note_running(const std::string& method) {
   const std::lock_guard<std::mutex> lock(mutex_);
   runs_ = {method, EngineClock::now(), 0, ""};
@@ -181,6 +197,7 @@ void Engine::end(const std::string& reason) {
     called_.notify_one();
   }
   if (thread_.joinable()) thread_.join();
+  session_.jobs().end();
 }
 
 void Engine::work() {
@@ -232,11 +249,7 @@ RpcAnswer Engine::run(int client, const RpcRequest& request, const Progress& pro
   const Execution execution = execute(request, table_, session_, progress);
   note_running("");
   if (request.failure || !is_logged(request.method)) return execution.answer;
-  try {
-    session_.log().add(logged(client, request, execution));
-  } catch (const Error& error) {
-    tell_trouble(error.what());
-  }
+  add_to_log(logged(client, request, execution));
   return execution.answer;
 }
 

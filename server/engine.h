@@ -77,6 +77,8 @@ class Engine {
   [[nodiscard]] bool waits(int client);
   [[nodiscard]] RpcAnswer answer_at_once(const RpcRequest& request);
   void note_running(const std::string& method);
+  void note_ended_jobs();
+  void add_to_log(const LoggedRequest& request);
   void note_session();
   Publisher::Clock::time_point play();
   Publisher::Clock::time_point publish();

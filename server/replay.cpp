@@ -32,9 +32,36 @@ LoggedRequest logged(int client, const RpcRequest& request, const Execution& exe
   return {client, request.method, request.params, reply_hash(reply), execution.stopped_at};
 }
 
+LoggedRequest logged(const EndedJob& job) {
+  return {0, kJobEnd, {{"job", job.id}}, job.reply, job.stopped_at};
+}
+
+namespace {
+
+/// Executes one line of a log again. @throws InputError for a job that was not started
+LoggedRequest execute_again(const LoggedRequest& then, const MethodTable& table, Session& session) {
+  if (then.method == kJobEnd) {
+    const bool has_id = then.params.is_object() && then.params.contains("job") &&
+                        then.params["job"].is_number_integer();
+    require(has_id, "wanted the id of a job that ended, got none");
+    return logged(session.jobs().run_held(then.params["job"].get<int>(), then.stopped_at));
+  }
+  RpcRequest request;
+  request.method = then.method;
+  request.params = then.params;
+  // It is told to stop when it was, not when somebody wants the repetition to end.
+  long asked = 0;
+  Progress same;
+  same.stop_requested = [&] { return then.stopped_at && asked++ >= *then.stopped_at; };
+  return logged(then.client, request, execute(request, table, session, same));
+}
+
+}  // namespace
+
 ReplayResult replay(const std::vector<LoggedRequest>& log, const MethodTable& table,
                     Session& session, ReplayWrites writes, const Progress& progress) {
   ReplayResult result;
+  session.jobs().hold();
   for (std::size_t line = 1; line <= log.size() && !result.differs; ++line) {
     const LoggedRequest& then = log[line - 1];
     // Files are written for those alone who said so.
@@ -44,14 +71,7 @@ ReplayResult replay(const std::vector<LoggedRequest>& log, const MethodTable& ta
       ++result.skipped;
       continue;
     }
-    RpcRequest request;
-    request.method = then.method;
-    request.params = then.params;
-    // It is told to stop when it was, not when somebody wants the repetition to end.
-    long asked = 0;
-    Progress same;
-    same.stop_requested = [&] { return then.stopped_at && asked++ >= *then.stopped_at; };
-    const LoggedRequest now = logged(then.client, request, execute(request, table, session, same));
+    const LoggedRequest now = execute_again(then, table, session);
     session.log().add(now);
     ++result.requests;
     if (now.reply != then.reply) result.differs = line;

@@ -28,6 +28,9 @@ struct Execution {
 [[nodiscard]] LoggedRequest logged(int client, const RpcRequest& request,
                                    const Execution& execution);
 
+/// Returns the log entry of a job that has ended.
+[[nodiscard]] LoggedRequest logged(const EndedJob& job);
+
 /// Handling of requests that write files in a replay: a log may be a stranger's.
 enum class ReplayWrites { kSkipped, kDone };
 
@@ -39,7 +42,7 @@ struct ReplayResult {
 };
 
 /// Executes the requests of a log in order, up to the first whose reply is another one now; one
-/// that was stopped is stopped at the same question.
+/// that was stopped is stopped at the same question. Jobs run where they ended.
 /// @throws Stopped if progress says so
 [[nodiscard]] ReplayResult replay(const std::vector<LoggedRequest>& log, const MethodTable& table,
                                   Session& session, ReplayWrites writes,

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "live/live_picture.h"
+#include "server/jobs.h"
 #include "server/mesh_store.h"
 #include "server/session_log.h"
 
@@ -60,6 +61,8 @@ class Session {
   [[nodiscard]] unsigned long revision() const;
   /// Meshes that clients may fetch; other threads may read them at any time.
   [[nodiscard]] MeshStore& meshes() { return meshes_; }
+  /// Questions that are answered beside it.
+  [[nodiscard]] Jobs& jobs() { return jobs_; }
   /// Returns the log of all requests so far.
   [[nodiscard]] SessionLog& log() { return log_; }
 
@@ -73,6 +76,7 @@ class Session {
   SessionPlaces places_;
   MeshStore meshes_;
   SessionLog log_;
+  Jobs jobs_;
   std::array<std::shared_ptr<LiveModel>, 4> models_{};
   LiveMode mode_ = LiveMode::kWorld;
   unsigned long switches_ = 0;  // of what is shown; with the model's own changes the revision

@@ -1,5 +1,7 @@
 #include "server/session_log.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -47,8 +49,9 @@ std::string reply_hash(const OrderedJson& result_or_error) {
 }
 
 bool is_logged(const std::string& method) {
-  return method != "session.hello" && method != "session.stop" && method != "session.status" &&
-         method != "session.log";
+  const std::array kAsk{"session.hello", "session.stop", "session.status", "session.log",
+                        "job.state",     "job.list",     "job.stop",       "job.result"};
+  return std::find(kAsk.begin(), kAsk.end(), method) == kAsk.end();
 }
 
 std::vector<LoggedRequest> read_log(const std::string& path) {

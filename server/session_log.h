@@ -5,8 +5,10 @@
 ///
 /// A line is {"client": 2, "request": {..}, "reply": SHA-256 of the result or the error}. Client 0
 /// is the program itself, as it plays a motion. Of a request that was asked to stop, "stopped_at"
-/// counts how often it had asked before. Not in a log: session.hello, session.stop, session.status
-/// and session.log, which change nothing.
+/// counts how often it had asked before. A job stands in it twice: where it was started, and as
+/// "job.end" of client 0, with its id and the hash of its result, where it ended. Not in a log:
+/// session.hello, session.stop, session.status, session.log, job.state, job.list, job.stop and
+/// job.result, which change nothing or depend on time.
 
 #include <cstddef>
 #include <cstdio>
@@ -30,6 +32,9 @@ struct LoggedRequest {
   std::string reply;               // SHA-256, hexadecimal
   std::optional<long> stopped_at;  // which question "am I to stop?" was the first to be told yes
 };
+
+/// Method of the line of a job that has ended.
+inline constexpr const char* kJobEnd = "job.end";
 
 /// Computes the hash of a reply for the log, from its result or its error.
 [[nodiscard]] std::string reply_hash(const OrderedJson& result_or_error);

@@ -10,6 +10,7 @@ MethodTable method_table() {
   internal::add_motion_methods(table);
   internal::add_tendon_methods(table);
   internal::add_fit_methods(table);
+  internal::add_question_methods(table);
   return table;
 }
 

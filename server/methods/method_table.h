@@ -23,6 +23,8 @@ void add_motion_methods(MethodTable& table);
 void add_tendon_methods(MethodTable& table);
 /// fit.*
 void add_fit_methods(MethodTable& table);
+/// ask.* and job.*
+void add_question_methods(MethodTable& table);
 
 }  // namespace internal
 

@@ -1,0 +1,52 @@
+// thenar ask REQUEST.toml [--json] [--csv] [-o FILE]
+// thenar ask QUESTION
+//
+// Asks what a file says, or prints a file to fill in.
+
+#include "base/file_io.h"
+#include "apps/commands.h"
+#include "apps/options.h"
+#include "apps/outputs.h"
+#include "apps/terminal.h"
+#include "base/nearest_name.h"
+#include "questions/request_file.h"
+
+namespace thenar {
+namespace {
+
+struct AskArguments {
+  std::string request;
+  Outputs outputs;
+};
+
+std::vector<std::string> question_names() {
+  std::vector<std::string> names;
+  for (const Question& each : questions()) names.push_back(each.name);
+  return names;
+}
+
+void run_ask(const AskArguments& options) {
+  if (!is_file(options.request) && options.request.find_first_of("./") == std::string::npos)
+    return print_answer(request_template(question_named(options.request)));
+  const RequestFile request = read_request(options.request);
+  const Answer answer = request.ask(terminal_progress("what is done is kept"));
+  set_request(request.question->name, answer.request);
+  deliver(options.outputs, answer);
+}
+
+}  // namespace
+
+void add_ask(CLI::App& app) {
+  auto options = std::make_shared<AskArguments>();  // lives as long as the callback
+  CLI::App* command = app.add_subcommand(
+      "ask", "Ask what a file says; of the name of a question, print such a file");
+  command
+      ->add_option("request", options->request,
+                   "A request (TOML), or a question: " + listed(question_names()))
+      ->required();
+  add_output_options(*command, options->outputs, {true, true, true});
+  add_examples(*command, {"ask tip_force", "ask request.toml --json"});
+  command->callback([options] { run_ask(*options); });
+}
+
+}  // namespace thenar

@@ -1,0 +1,231 @@
+#include "server/jobs.h"
+
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/enum_names.h"
+#include "base/error.h"
+#include "base/progress_parts.h"
+#include "base/stop_scope.h"
+#include "questions/question.h"
+#include "server/session_log.h"
+
+namespace thenar {
+namespace {
+
+using JobClock = std::chrono::steady_clock;
+
+constexpr int kJobNice = 10;  // Priority of jobs behind the session's thread
+constexpr std::size_t kMaxResultBytes = 32UL << 20U;  // of JSON, as a reply holds
+
+constexpr std::array kJobStageNames{
+    EnumName{JobStage::kWaiting, "waiting"}, EnumName{JobStage::kRunning, "running"},
+    EnumName{JobStage::kDone, "done"}, EnumName{JobStage::kStopped, "stopped"},
+    EnumName{JobStage::kFailed, "failed"}};
+
+bool has_ended(JobStage stage) {
+  return stage != JobStage::kWaiting && stage != JobStage::kRunning;
+}
+
+/// Puts this thread, and those that it starts, behind the threads that serve clients.
+void yield_to_clients() {
+  (void)setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kJobNice);
+}
+
+}  // namespace
+
+std::string name_of(JobStage stage) { return name_in(kJobStageNames, stage); }
+
+struct Jobs::Job {
+  int id = 0;
+  const Question* question = nullptr;
+  Json request;
+  std::string data;
+  std::atomic<bool> stop{false};
+  std::atomic<long> asked{0}, stopped_at{-1};
+  // Behind the mutex of the jobs.
+  JobStage stage = JobStage::kWaiting;
+  double fraction = 0;
+  std::string text;
+  JobClock::time_point begin, end;
+  OrderedJson result;
+};
+
+void Jobs::end() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  ending_ = true;
+  for (const auto& [id, job] : jobs_) job->stop = true;
+  ended_.wait(lock, [this] { return running_ == 0; });
+}
+
+int Jobs::start(const Question& question, const Json& request, const std::string& data) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  // Results that nobody fetched make room, the oldest first.
+  if (jobs_.size() >= kMaxJobs) {
+    const auto oldest = std::find_if(
+        jobs_.begin(), jobs_.end(), [](const auto& each) { return has_ended(each.second->stage); });
+    require(oldest != jobs_.end(), "{} jobs have not ended, the most there may be", kMaxJobs);
+    jobs_.erase(oldest);
+  }
+  auto job = std::make_shared<Job>();
+  job->id = ++last_;
+  job->question = &question;
+  job->request = request;
+  job->data = data;
+  jobs_[job->id] = job;
+  start_waiting();
+  return job->id;
+}
+
+/// Starts jobs that wait, in their order, while there is room; the mutex is held.
+void Jobs::start_waiting() {
+  for (const auto& [id, job] : jobs_) {
+    if (held_ || ending_ || running_ >= kMaxRunningJobs) return;
+    if (job->stage != JobStage::kWaiting) continue;
+    job->stage = JobStage::kRunning;
+    job->begin = JobClock::now();
+    ++running_;
+    std::thread([this, job = job] { run(job); }).detach();
+  }
+}
+
+void Jobs::run(const std::shared_ptr<Job>& job) {
+  yield_to_clients();
+  answer(*job, [&](long) { return job->stop.load(); });
+  // Told before it counts as ended, so that nobody is told of jobs whose session is gone.
+  std::function<void(int)> told;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!ending_) told = told_;
+  }
+  if (told) told(job->id);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  --running_;
+  start_waiting();
+  ended_.notify_all();
+}
+
+/// Answers the question of a job, and keeps the result or why there is none.
+/// @param stop  whether to stop, at a question "am I to stop?" of this number
+void Jobs::answer(Job& job, const std::function<bool(long)>& stop) {
+  Progress progress;
+  progress.stop_requested = [&] {
+    const long number = job.asked++;
+    if (!stop(number)) return false;
+    long none = -1;
+    job.stopped_at.compare_exchange_strong(none, number);
+    return true;
+  };
+  progress.report = [&](double fraction, const std::string& text) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    job.fraction = fraction;
+    job.text = text;
+  };
+  JobStage stage = JobStage::kFailed;
+  OrderedJson result;
+  std::string text;
+  try {
+    const StopScope scope(progress);
+    const Answer answer = job.question->ask(job.request, job.data, progress);
+    result = {{"request", answer.request},
+              {"status", name_of(answer.outcome.status)},
+              {"warnings", answer.outcome.warnings},
+              {"answer", answer.json(UnitSystem::kSi)}};
+    if (!answer.refusal.empty()) result["refusal"] = answer.refusal;
+    require(json_text(result, -1).size() <= kMaxResultBytes,
+            "the answer holds more than {} MB, which no reply does", kMaxResultBytes >> 20U);
+    stage = answer.outcome.status == Status::kStopped ? JobStage::kStopped : JobStage::kDone;
+  } catch (const Stopped& stopped) {
+    stage = JobStage::kStopped;
+    text = stopped.what();
+  } catch (const std::exception& error) {
+    text = error.what();
+  }
+  // The hash is of what a client can be told.
+  OrderedJson told = result;
+  if (stage == JobStage::kFailed || result.is_null()) told = {{"failed", text}};
+  EndedJob ended{job.id, reply_hash(told), std::nullopt};
+  if (job.stopped_at >= 0) ended.stopped_at = job.stopped_at;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  job.stage = stage;
+  job.end = JobClock::now();
+  if (!text.empty() || stage == JobStage::kDone) job.text = text;
+  if (stage == JobStage::kDone) job.fraction = 1;
+  job.result = std::move(result);
+  untold_.push_back(ended);
+}
+
+std::shared_ptr<Jobs::Job> Jobs::job(int id) {
+  const auto found = jobs_.find(id);
+  require_field("job", found != jobs_.end(), "there is no job {}", id);
+  return found->second;
+}
+
+JobState Jobs::state_of(const Job& job) {
+  JobState state{job.id, job.question->name, job.stage, job.fraction, job.text, 0};
+  if (job.stage != JobStage::kWaiting)
+    state.seconds = std::chrono::duration<double>(
+                        (has_ended(job.stage) ? job.end : JobClock::now()) - job.begin)
+                        .count();
+  return state;
+}
+
+JobState Jobs::state(int id) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return state_of(*job(id));
+}
+
+std::vector<JobState> Jobs::all() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<JobState> states;
+  for (const auto& [id, job] : jobs_) states.push_back(state_of(*job));
+  return states;
+}
+
+bool Jobs::stop(int id) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::shared_ptr<Job> job = this->job(id);
+  if (has_ended(job->stage)) return false;
+  job->stop = true;
+  return true;
+}
+
+OrderedJson Jobs::result(int id) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::shared_ptr<Job> job = this->job(id);
+  require(has_ended(job->stage), "job {} has not ended: it is {}", id, name_of(job->stage));
+  require(!job->result.is_null(), "job {} has no result: {}", id, job->text);
+  return job->result;
+}
+
+std::vector<EndedJob> Jobs::take_ended() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(untold_, {});
+}
+
+void Jobs::on_end(std::function<void(int id)> told) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  told_ = std::move(told);
+}
+
+EndedJob Jobs::run_held(int id, const std::optional<long>& stopped_at) {
+  std::shared_ptr<Job> job;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    job = this->job(id);
+    require(job->stage == JobStage::kWaiting, "job {} has run already", id);
+    job->stage = JobStage::kRunning;
+    job->begin = JobClock::now();
+  }
+  answer(*job, [&](long number) { return stopped_at && number >= *stopped_at; });
+  return take_ended().back();
+}
+
+}  // namespace thenar

@@ -1,0 +1,125 @@
+// ask.* and job.*: every question of the table, at once or beside the session.
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/nearest_name.h"
+#include "base/progress_parts.h"
+#include "questions/question.h"
+#include "server/methods/method_table.h"
+
+namespace thenar::internal {
+namespace {
+
+constexpr std::size_t kMaxPosturesAtOnce = 200;  // Postures of a grid that is answered at once
+
+/// Refuses a grid of postures that would keep other clients waiting.
+void require_short(const Json& params) {
+  double postures = 1;
+  for (const char* const key : {"vary_deg", "vary_rad"})
+    if (params.contains(key))
+      for (const Json& range : params[key])
+        postures *= 1 + (range["to"].get<double>() - range["from"].get<double>()) /
+                            range["step"].get<double>();
+  require(!(postures > kMaxPosturesAtOnce),
+          "wanted at most {} postures at once, got {:.0f}: ask by job.start", kMaxPosturesAtOnce,
+          postures);
+}
+
+OrderedJson reply_of(const Answer& answer) {
+  OrderedJson reply = answer.json(UnitSystem::kSi);
+  if (!answer.refusal.empty()) reply["refusal"] = answer.refusal;
+  return reply;
+}
+
+RpcMethod ask_method(const Question& question) {
+  const auto handler = [&question](Session& session, const Json& params, const Progress& progress) {
+    require_short(params);
+    const Answer answer = question.ask(params, session.places().data, progress);
+    if (answer.outcome.status == Status::kStopped) throw Stopped("stopped");
+    return reply_of(answer);
+  };
+  return {
+      "ask." + question.name,
+      question.about,
+      schema_of(question.params, ParamScope::kAnywhere),
+      fmt::format("as `thenar {} --json`, in SI; the unit stands in each key", question.command),
+      question.example,
+      handler};
+}
+
+OrderedJson state_json(const JobState& state) {
+  return {{"job", state.id},
+          {"question", state.question},
+          {"state", name_of(state.stage)},
+          {"fraction", number_or_null(state.fraction)},
+          {"text", state.text},
+          {"seconds", state.seconds}};
+}
+
+OrderedJson start_job(Session& session, const Json& params, const Progress& /*progress*/) {
+  const Question& question = question_named(params["question"].get<std::string>());
+  const Json& request = params["request"];
+  for (const auto& [key, value] : request.items())
+    for (const Param& param : question.params)
+      require_field("request", param.scope == ParamScope::kAnywhere || param.member.name != key,
+                    "'{}' is for programs of the server's own machine", key);
+  (void)request_in_si(question.params, request);  // refuses it before it waits
+  return {{"job", session.jobs().start(question, request, session.places().data)}};
+}
+
+Schema job_schema() {
+  return object_schema({{"job", integer_schema(1, 1e9), "As job.start has given it.", true}});
+}
+
+int job_param(const Json& params) { return params["job"].get<int>(); }
+
+std::vector<std::string> question_names() {
+  std::vector<std::string> names;
+  for (const Question& question : questions()) names.push_back(question.name);
+  return names;
+}
+
+}  // namespace
+
+void add_question_methods(MethodTable& table) {
+  for (const Question& question : questions())
+    if (question.pace == Pace::kAtOnce) table.add(ask_method(question));
+  table.add({"job.start",
+             "Asks a question beside the session, which goes on meanwhile; it reads files, never "
+             "the live world.",
+             object_schema({{"question", word_schema(question_names()), "Which.", true},
+                            {"request", any_object_schema(),
+                             "Its parameters, as of ask.* and of files of requests; `thenar ask "
+                             "QUESTION` prints them.",
+                             true}}),
+             "job: its id", R"({"question": "tip_force", "request": {"subject": "synek2019_middle",
+                 "tension_N": {"FDP": 10}}})",
+             start_job});
+  table.add({"job.state", "Says how far a job is.", job_schema(),
+             "job, question, state (waiting, running, done, stopped, failed), fraction, text (what "
+             "it does, or why it failed), seconds",
+             R"({"job": 1})", [](Session& session, const Json& params, const Progress&) {
+               return state_json(session.jobs().state(job_param(params)));
+             }});
+  table.add({"job.list", "Says how far all jobs are.", object_schema({}),
+             "jobs: a list of what job.state gives", "{}",
+             [](Session& session, const Json&, const Progress&) {
+               OrderedJson list = OrderedJson::array();
+               for (const JobState& state : session.jobs().all()) list.push_back(state_json(state));
+               return OrderedJson{{"jobs", list}};
+             }});
+  table.add({"job.stop", "Asks a job to stop and keep its best so far.", job_schema(),
+             "asked: false where it had ended", R"({"job": 1})",
+             [](Session& session, const Json& params, const Progress&) {
+               return OrderedJson{{"asked", session.jobs().stop(job_param(params))}};
+             }});
+  table.add({"job.result", "Gives the answer of a job that has ended.", job_schema(),
+             "request as it was answered, status, warnings; answer: as `--json` of the command, in "
+             "SI, the unit in each key; refusal: why it must not be used, if so",
+             R"({"job": 1})", [](Session& session, const Json& params, const Progress&) {
+               return session.jobs().result(job_param(params));
+             }});
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,50 @@
+#include "questions/request_file.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+TEST(RequestFile, IsReadBackAsItWasWritten) {
+  const OrderedJson request{{"subject", "a \"quoted\" name"},
+                            {"tension_N", {{"FDP", 1.0 / 3}, {"LU 2", 4.0}}},
+                            {"direction", {0.1, -1.0, 2e-9}},
+                            {"whole_set", true},
+                            {"count", 3}};
+  const RequestFile read = parse_request(request_text("tip_force", request), "r.toml");
+  EXPECT_EQ(read.question->name, "tip_force");
+  EXPECT_EQ(read.request, Json::parse(json_text(request, -1)));
+  EXPECT_EQ(read.lines.at("direction"), 4);
+}
+
+TEST(RequestFile, TellsTheLineOfWhatIsWrong) {
+  const auto refusal = [](const std::string& text) {
+    return message_of([&] { (void)parse_request(text, "r.toml").ask({}); });
+  };
+  EXPECT_EQ(refusal("subject = \"synek2019_middle\"\n"),
+            "r.toml:1: wanted question = \"..\": which question is asked");
+  EXPECT_EQ(refusal("question = \"tip_forces\"\n").substr(0, 64),
+            "r.toml:1: no question 'tip_forces', did you mean 'tip_force'? th");
+  EXPECT_EQ(refusal("question = \"tip_force\"\nsubject = \"synek2019_middle\"\n\n"
+                    "tension_N = {FDP = -1}\n"),
+            "r.toml:4: tension_N.FDP: wanted a number from 0 to 10000 [N], got -1");
+  EXPECT_EQ(refusal("question = \"tip_force\"\nsubject = \"synek2019_middle\"\n"
+                    "tension_N = {FDP = 10}\nhold_length_mm = 0\nhold = \"rigid\"\n"),
+            "r.toml:4: wanted a hold length above 0, up to 1000 mm, got 0 mm");
+  EXPECT_EQ(refusal("question = \"tip_force\"\nsubject = 2026-01-01\n"),
+            "r.toml:2: no parameter is a date");
+}
+
+TEST(RequestFile, OfATemplateAsksTheExample) {
+  for (const Question& question : questions()) {
+    const RequestFile read = parse_request(request_template(question), question.name + ".toml");
+    EXPECT_EQ(read.question, &question);
+    EXPECT_EQ(read.request, Json::parse(question.example)) << question.name;
+  }
+}
+
+}  // namespace
+}  // namespace thenar

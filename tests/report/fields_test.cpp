@@ -1,0 +1,83 @@
+#include "report/fields.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace thenar {
+namespace {
+
+const double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+Fields sample() {
+  return {
+      {"hold", "pinned"},
+      {"angle", units::kDegree, kPi / 6},
+      {"force", units::kNewton, Eigen::Vector3d(1, -2, 0.5)},
+      {"arm", units::kMillimetre, std::vector<std::string>{"PIP3", "DIP3"},
+       Eigen::Vector2d(0.0071, -0.002)},
+      {"check", Fields{{"gap", units::kNewton, 1e-9}, {"solved", true}}},
+      {"muscles", std::vector<Fields>{{{"name", "FDP"}, {"length", units::kMillimetre, 0.25}}}}};
+}
+
+TEST(Fields, BearSiUnitsInSi) {
+  EXPECT_EQ(json_text(json_of(sample(), UnitSystem::kSi), -1),
+            R"({"hold":"pinned","angle_rad":0.5235987755982988,"force_N":[1.0,-2.0,0.5],)"
+            R"("arm_m":{"PIP3":0.0071,"DIP3":-0.002},"check":{"gap_N":1e-09,"solved":true},)"
+            R"("muscles":[{"name":"FDP","length_m":0.25}]})");
+}
+
+TEST(Fields, BearPrintedUnitsForPeople) {
+  const OrderedJson json = json_of(sample(), UnitSystem::kPrinted);
+  EXPECT_NEAR(json["angle_deg"].get<double>(), 30, 1e-13);
+  EXPECT_EQ(json["arm_mm"]["PIP3"].get<double>(), 0.0071 / 1e-3);
+  EXPECT_EQ(json["muscles"][0]["length_mm"].get<double>(), 250);
+  EXPECT_EQ(json["check"]["gap_N"].get<double>(), 1e-9);
+}
+
+TEST(Fields, AreNullWhereThereIsNoNumber) {
+  const Fields fields{{"a", units::kNewton, kNaN},
+                      {"b", units::kMillimetre, std::optional<double>()},
+                      {"c", units::kMillimetre, Eigen::Vector2d(INFINITY, 1)}};
+  EXPECT_EQ(json_text(json_of(fields, UnitSystem::kPrinted), -1),
+            R"({"a_N":null,"b_mm":null,"c_mm":[null,1000.0]})");
+}
+
+TEST(Fields, KeepKeysOfEarlierVersions) {
+  Fields fields;
+  fields.add("tip_force", units::kNewton, 2.5).alias = "tip_force";
+  EXPECT_EQ(json_text(json_of(fields, UnitSystem::kSi), -1),
+            R"({"tip_force_N":2.5,"tip_force":2.5})");
+}
+
+TEST(Fields, LeaveOutInSiWhatTheClockMeasured) {
+  const Fields fields{{"cpu", units::kCpuSecond, 0.25}, {"time", units::kSecond, 2.0}};
+  EXPECT_EQ(json_text(json_of(fields, UnitSystem::kSi), -1), R"({"time_s":2.0})");
+  EXPECT_EQ(json_text(json_of(fields, UnitSystem::kPrinted), -1), R"({"cpu_s":0.25,"time_s":2.0})");
+}
+
+TEST(Fields, AreRowsOfATable) {
+  Fields other{{"hold", "rigid"}, {"note", "singular"}};
+  const Table table = table_of({sample(), other});
+  EXPECT_EQ(table.header, (std::vector<std::string>{"hold", "note", "angle_deg", "force_x_N",
+                                                    "force_y_N", "force_z_N", "arm_PIP3_mm",
+                                                    "arm_DIP3_mm", "check_gap_N", "check_solved"}));
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"pinned", "-", "30", "1", "-2", "0.5", "7.1",
+                                                     "-2", "1e-09", "yes"}));
+  EXPECT_EQ(table.rows[1], (std::vector<std::string>{"rigid", "singular", "-", "-", "-", "-", "-",
+                                                     "-", "-", "-"}));
+}
+
+TEST(Fields, TakeNamesOfColumnsAndDecimals) {
+  Fields fields;
+  Field& force = fields.add("force", units::kNewton, Eigen::Vector2d(1.23456, 2));
+  force.columns = {"fx_N", "fy_N"};
+  force.decimals = 2;
+  const Table table = table_of({fields});
+  EXPECT_EQ(table.header, (std::vector<std::string>{"fx_N", "fy_N"}));
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"1.23", "2.00"}));
+}
+
+}  // namespace
+}  // namespace thenar
