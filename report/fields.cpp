@@ -27,12 +27,16 @@ OrderedJson scaled(const OrderedJson& value, const FieldUnit& unit, UnitSystem s
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
+OrderedJson list_of(const std::vector<Fields>& parts, UnitSystem system) {
+  OrderedJson list = OrderedJson::array();
+  for (const Fields& part : parts) list.push_back(json_of(part, system));
+  return list;
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
 OrderedJson value_of(const Field& field, UnitSystem system) {
   if (!field.is_list && field.parts.empty()) return scaled(field.value, field.unit, system);
-  if (!field.is_list) return json_of(field.parts.front(), system);
-  OrderedJson list = OrderedJson::array();
-  for (const Fields& part : field.parts) list.push_back(json_of(part, system));
-  return list;
+  return field.is_list ? list_of(field.parts, system) : json_of(field.parts.front(), system);
 }
 
 using Cells = std::vector<std::pair<std::string, std::string>>;  // column, text
@@ -97,8 +101,23 @@ std::string key_with(const std::string& key, const FieldUnit& unit, UnitSystem s
   return *name == '\0' ? key : fmt::format("{}_{}", key, name);
 }
 
+void Fields::add_some(std::string key, std::vector<Fields> list) {
+  if (!list.empty()) add(std::move(key), std::move(list));
+}
+
 void Fields::append(Fields more) {
   std::move(more.fields_.begin(), more.fields_.end(), std::back_inserter(fields_));
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
+void Fields::sort() {
+  const auto printed = [](const Field& field) {
+    return key_with(field.key, field.unit, UnitSystem::kPrinted);
+  };
+  std::sort(fields_.begin(), fields_.end(),
+            [&](const Field& a, const Field& b) { return printed(a) < printed(b); });
+  for (Field& field : fields_)
+    for (Fields& part : field.parts) part.sort();
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
@@ -109,6 +128,10 @@ OrderedJson json_of(const Fields& fields, UnitSystem system) {
     if (!field.alias.empty()) json[field.alias] = value_of(field, system);
   }
   return json;
+}
+
+OrderedJson json_of(const std::vector<Fields>& results, UnitSystem system) {
+  return results.size() == 1 ? json_of(results.front(), system) : list_of(results, system);
 }
 
 Table table_of(const std::vector<Fields>& rows) {
