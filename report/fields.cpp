@@ -12,12 +12,16 @@ namespace {
 constexpr std::array kAxisNames{"x", "y", "z"};
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
+OrderedJson list_of(const std::vector<Fields>& parts, UnitSystem system) {
+  OrderedJson list = OrderedJson::array();
+  for (const Fields& part : parts) list.push_back(json_of(part, system));
+  return list;
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
 OrderedJson value_of(const Field& field, UnitSystem system) {
   if (!field.is_list && field.parts.empty()) return value_in(field.value, field.unit, system);
-  if (!field.is_list) return json_of(field.parts.front(), system);
-  OrderedJson list = OrderedJson::array();
-  for (const Fields& part : field.parts) list.push_back(json_of(part, system));
-  return list;
+  return field.is_list ? list_of(field.parts, system) : json_of(field.parts.front(), system);
 }
 
 using Cells = std::vector<std::pair<std::string, std::string>>;  // column, text
@@ -82,6 +86,10 @@ std::string key_with(const std::string& key, const FieldUnit& unit, UnitSystem s
   return *name == '\0' ? key : fmt::format("{}_{}", key, name);
 }
 
+void Fields::add_some(std::string key, std::vector<Fields> list) {
+  if (!list.empty()) add(std::move(key), std::move(list));
+}
+
 void Fields::append(Fields more) {
   std::move(more.fields_.begin(), more.fields_.end(), std::back_inserter(fields_));
 }
@@ -110,6 +118,10 @@ OrderedJson json_of(const Fields& fields, UnitSystem system) {
     if (!field.alias.empty()) json[field.alias] = value_of(field, system);
   }
   return json;
+}
+
+OrderedJson json_of(const std::vector<Fields>& results, UnitSystem system) {
+  return results.size() == 1 ? json_of(results.front(), system) : list_of(results, system);
 }
 
 Table table_of(const std::vector<Fields>& rows) {

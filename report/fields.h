@@ -31,6 +31,7 @@ inline constexpr FieldUnit kOne{};
 inline constexpr FieldUnit kNewton{"N", "N"};
 inline constexpr FieldUnit kMetre{"m", "m"};
 inline constexpr FieldUnit kMillimetre{"m", "mm", 1, kMm};
+inline constexpr FieldUnit kSquareMetre{"m2", "m2"};
 inline constexpr FieldUnit kSquareMillimetre{"m2", "mm2", 1, 1e-6};
 inline constexpr FieldUnit kRadian{"rad", "rad"};
 inline constexpr FieldUnit kDegree{"rad", "deg", 1, thenar::kDegree};
@@ -46,6 +47,15 @@ inline constexpr FieldUnit kKilopascal{"Pa", "kPa", 1, 1e3};
 inline constexpr FieldUnit kPascal{"Pa", "Pa"};
 inline constexpr FieldUnit kJoule{"J", "J"};
 inline constexpr FieldUnit kKilogram{"kg", "kg"};
+inline constexpr FieldUnit kBit{"bit", "bit"};
+// Printed under keys of earlier versions.
+inline constexpr FieldUnit kMetrePerSecondShort{"m_per_s", "m_s"};
+inline constexpr FieldUnit kRadianPerSecondShort{"rad_per_s", "rad_s"};
+inline constexpr FieldUnit kDegreePerSecondShort{"rad_per_s", "deg_s", 1, thenar::kDegree};
+inline constexpr FieldUnit kMetreBare{"m", ""};
+inline constexpr FieldUnit kRadianBare{"rad", ""};
+inline constexpr FieldUnit kMetrePerSecondBare{"m_per_s", ""};
+inline constexpr FieldUnit kRadianPerSecondBare{"rad_per_s", ""};
 }  // namespace units
 
 /// Units in which fields are written.
@@ -103,6 +113,8 @@ class Fields {
   Field& add(Arguments&&... arguments) {
     return fields_.emplace_back(std::forward<Arguments>(arguments)...);
   }
+  /// Adds a list, unless it is empty.
+  void add_some(std::string key, std::vector<Fields> list);
   /// Adds all fields of another result behind these.
   void append(Fields more);
 
@@ -118,6 +130,9 @@ class Fields {
 /// The fields as an object, the unit in each key; numbers that are not finite are null. In SI
 /// processor times are left out, so that the same request gives the same text.
 [[nodiscard]] OrderedJson json_of(const Fields& fields, UnitSystem system);
+
+/// An object of one result, a list of such of several.
+[[nodiscard]] OrderedJson json_of(const std::vector<Fields>& results, UnitSystem system);
 
 /// JSON of any result that has fields, in printed units.
 template <typename Result>

@@ -59,7 +59,7 @@ def commands():
 
 
 TOLD = re.compile(r"seconds|_ms$|^ms|date|commit|version|command|machine|program|host|started|wall|cpu|threads|made_by|sha256"
-                  r"|rate_per_s|per_second|bytes|memory|advice", re.I)
+                  r"|rate_per_s|per_second|bytes|memory|advice|^request$", re.I)
 
 
 def numbers_of(value):

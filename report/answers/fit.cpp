@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/numbers.h"
 #include "base/units.h"
 #include "base/words.h"
 #include "kinematics_fit/trivial_prediction.h"
@@ -18,48 +19,64 @@ namespace {
 
 constexpr std::size_t kLearntShown = 8, kOpenShown = 4;  // lines of the text
 
-Json error_json(const Prediction& prediction) {
+Fields error_fields(const Prediction& prediction) {
   const ForceError& error = prediction.error;
   return {{"experiment", prediction.experiment},
-          {"rms_error_N", error.rms},
+          {"rms_error", units::kNewton, error.rms},
           {"relative_error", error.relative},
           {"relative_error_flexion_plane", error.relative_flexion},
           {"start_has_seen_specimen", prediction.calibrated_on_specimen}};
 }
 
-/// An experiment in sample, with its misfit.
-Json in_sample_json(const FitResult& result, std::size_t e) {
-  Json out = error_json(result.in_sample[e]);
-  if (e >= result.misfits.size()) return out;
-  const Misfit& misfit = result.misfits[e];
-  out["chi_square"] = misfit.chi_square;
-  out["numbers"] = misfit.numbers;
-  out["degrees_of_freedom"] = misfit.degrees_of_freedom;
-  out["times_noise"] = misfit.degrees_of_freedom > 0 ? Json(misfit.times_noise) : Json(nullptr);
-  out["tail_probability"] = misfit.tail;
-  out["beyond_chance"] = misfit.beyond_chance;
-  return out;
+/// Experiments in sample, with their misfits.
+std::vector<Fields> in_sample_fields(const FitResult& result) {
+  std::vector<Fields> list;
+  for (std::size_t e = 0; e < result.in_sample.size(); ++e) {
+    Fields& fields = list.emplace_back(error_fields(result.in_sample[e]));
+    if (e >= result.misfits.size()) continue;
+    const Misfit& misfit = result.misfits[e];
+    fields.append({{"chi_square", misfit.chi_square},
+                   {"numbers", misfit.numbers},
+                   {"degrees_of_freedom", misfit.degrees_of_freedom},
+                   {"times_noise", misfit.degrees_of_freedom > 0 ? misfit.times_noise : kNaN},
+                   {"tail_probability", misfit.tail},
+                   {"beyond_chance", misfit.beyond_chance}});
+  }
+  return list;
+}
+
+std::vector<Fields> left_out_fields(const FitResult& result) {
+  std::vector<Fields> list;
+  for (const CrossValidation& validation : result.left_out)
+    for (const Prediction& prediction : validation.experiments)
+      list.emplace_back(error_fields(prediction))
+          .append({{"what", name_of(validation.what)},
+                   {"covered_95", units::kOne, prediction.error.covered},
+                   {"log_loss", units::kOne, prediction.error.log_loss},
+                   trivial_field("mean_of_others", prediction),
+                   {"folds_done", validation.folds_done},
+                   {"folds", validation.folds.size()}});
+  return list;
 }
 
 /// Every coordinate with what it means, best known first.
-Json learnt_json(const Fit& fit) {
-  Json learnt = Json::array();
+std::vector<Fields> learnt_fields(const Fit& fit) {
+  std::vector<Fields> list;
   for (const int i : sorted_by_sd(fit.covariance)) {
     const CoordinateEstimate& one = fit.covariance.learnt[static_cast<std::size_t>(i)];
-    Json row{{"name", one.name},
-             {"meaning", meaning_of(one.name, fit.problem.digit())},
-             {"estimate_prior_sds", one.z},
-             {"sd_prior_sds", one.sd},
-             {"at_bound", one.at_bound}};
-    if (const auto value = value_in_unit(fit, i)) {
-      row["value"] = value->value;
-      row["sd"] = value->sd;
-      row["prior_sd"] = value->prior_sd;
-      row["unit"] = value->unit;
-    }
-    learnt.push_back(std::move(row));
+    Fields& fields =
+        list.emplace_back(Fields{{"name", one.name},
+                                 {"meaning", meaning_of(one.name, fit.problem.digit())},
+                                 {"estimate_prior_sds", one.z},
+                                 {"sd_prior_sds", one.sd},
+                                 {"at_bound", one.at_bound}});
+    if (const auto value = value_in_unit(fit, i))
+      fields.append({{"value", value->value},
+                     {"sd", value->sd},
+                     {"prior_sd", value->prior_sd},
+                     {"unit", value->unit}});
   }
-  return learnt;
+  return list;
 }
 
 std::string learnt_text(const Fit& fit) {
@@ -208,8 +225,8 @@ std::string chosen_text(const FitResult& result) {
   return text;
 }
 
-Json choices_json(const ChosenSettings& chosen) {
-  Json choices = Json::array(), tried = Json::array();
+Fields choice_fields(const ChosenSettings& chosen) {
+  std::vector<Fields> choices, tried;
   for (const SettingChoice& choice : chosen.settings.choices)
     choices.push_back({{"name", choice.name},
                        {"match", choice.match},
@@ -217,14 +234,14 @@ Json choices_json(const ChosenSettings& chosen) {
                        {"chosen", choice.value()}});
   for (const TriedSettings& one : chosen.tried)
     tried.push_back({{"chosen", one.chosen}, {"loss", one.loss}, {"relative_error", one.error}});
-  Json by = Json::array();
-  for (const LeaveOut what : chosen.by) by.push_back(name_of(what));
+  std::vector<std::string> by;
+  for (const LeaveOut what : chosen.by) by.emplace_back(name_of(what));
   return {{"by", by},
-          {"loss", chosen.tried.empty() ? Json() : Json(chosen.loss)},
-          {"relative_error", chosen.tried.empty() ? Json() : Json(chosen.error)},
+          {"loss", chosen.tried.empty() ? kNaN : chosen.loss},
+          {"relative_error", chosen.tried.empty() ? kNaN : chosen.error},
           {"complete", !chosen.stopped},
-          {"choices", choices},
-          {"tried", tried}};
+          {"choices", std::move(choices)},
+          {"tried", std::move(tried)}};
 }
 
 std::string left_out_text(const CrossValidation& validation) {
@@ -267,12 +284,12 @@ std::string trivial_words(const Prediction& prediction, const std::string& who) 
   return fmt::format("; {} {:.3f}{}", who, beside->trivial.relative, share);
 }
 
-Json trivial_json(const Prediction& prediction) {
+Field trivial_field(std::string key, const Prediction& prediction) {
   const std::optional<BesideTrivial> beside = beside_trivial(prediction);
-  if (!beside) return nullptr;
-  return {{"trials", beside->trivial.trials},
-          {"relative_error", beside->trivial.relative},
-          {"relative_error_of_model", beside->model.relative}};
+  if (!beside) return {std::move(key), nullptr};
+  return {std::move(key), Fields{{"trials", beside->trivial.trials},
+                                 {"relative_error", beside->trivial.relative},
+                                 {"relative_error_of_model", beside->model.relative}}};
 }
 
 std::string judged_words(const ChosenSettings& chosen) {
@@ -291,47 +308,37 @@ std::string fit_complaint(const FitResult& result, bool allowed) {
   return allowed ? text : text + " (--allow-unconverged to exit without error)";
 }
 
-OrderedJson json_of(const FitResult& result) {
+Fields fields_of(const FitResult& result) {
   const Fit& fit = result.fit;
-  Json out{{"status", convergence_word(fit.solution)},
-           {"message", fit.solution.message},
-           {"cost", fit.solution.cost},
-           {"evaluations", fit.solution.evaluations},
-           {"seconds", fit.solution.seconds},
-           {"free_coordinates", fit.problem.size()},
-           {"effective_parameters", fit.covariance.effective_parameters},
-           {"fidelity", describe(fit.problem.digit().fidelity)},
-           {"warnings", result.warnings}};
-  if (fit.solution.status == Status::kSolved) out["learnt"] = learnt_json(fit);
-  for (std::size_t e = 0; e < result.in_sample.size(); ++e)
-    out["in_sample"].push_back(in_sample_json(result, e));
+  Fields fields{{"status", convergence_word(fit.solution)},
+                {"message", fit.solution.message},
+                {"cost", fit.solution.cost},
+                {"evaluations", fit.solution.evaluations},
+                {"seconds", fit.solution.seconds},
+                {"free_coordinates", fit.problem.size()},
+                {"effective_parameters", fit.covariance.effective_parameters},
+                {"fidelity", describe(fit.problem.digit().fidelity)},
+                {"warnings", result.warnings}};
+  if (fit.solution.status == Status::kSolved) fields.add("learnt", learnt_fields(fit));
+  fields.add_some("in_sample", in_sample_fields(result));
+  std::vector<Fields> scales, folds, published;
   for (const ScaledPriors& scale : fit.problem.parameters().scales)
-    out["prior_scales"].push_back({{"name", scale.name}, {"factor", scale.factor}});
-  if (result.chosen) out["chosen_settings"] = choices_json(*result.chosen);
-  for (const FoldChoice& fold : result.fold_choices) {
-    out["fold_settings"].push_back(choices_json(fold.settings));
-    out["fold_settings"].back()["fold"] = fold.fold;
-  }
-  for (const NullDirection& null : fit.covariance.null_directions)
-    out["not_identifiable"].push_back(null.text);
-  for (const CrossValidation& validation : result.left_out)
-    for (const Prediction& prediction : validation.experiments) {
-      out["left_out"].push_back(error_json(prediction));
-      out["left_out"].back()["what"] = name_of(validation.what);
-      out["left_out"].back()["covered_95"] =
-          prediction.error.covered ? Json(*prediction.error.covered) : Json(nullptr);
-      out["left_out"].back()["log_loss"] =
-          prediction.error.log_loss ? Json(*prediction.error.log_loss) : Json(nullptr);
-      out["left_out"].back()["mean_of_others"] = trivial_json(prediction);
-      out["left_out"].back()["folds_done"] = validation.folds_done;
-      out["left_out"].back()["folds"] = validation.folds.size();
-    }
-  if (const Json rows = hood_row_json(result); !rows.is_null()) out["hood_rows"] = rows;
-  for (const BaselinePrediction& one : result.published) {
-    out["published"].push_back(error_json(one.prediction));
-    out["published"].back()["subject"] = one.name;
-  }
-  return OrderedJson(out);
+    scales.push_back({{"name", scale.name}, {"factor", scale.factor}});
+  fields.add_some("prior_scales", std::move(scales));
+  if (result.chosen) fields.add("chosen_settings", choice_fields(*result.chosen));
+  for (const FoldChoice& fold : result.fold_choices)
+    folds.emplace_back(choice_fields(fold.settings)).add("fold", fold.fold);
+  fields.add_some("fold_settings", std::move(folds));
+  std::vector<std::string> open;
+  for (const NullDirection& null : fit.covariance.null_directions) open.push_back(null.text);
+  if (!open.empty()) fields.add("not_identifiable", open);
+  fields.add_some("left_out", left_out_fields(result));
+  if (Fields rows = hood_row_fields(result); !rows.all().empty())
+    fields.add("hood_rows", std::move(rows));
+  for (const BaselinePrediction& one : result.published)
+    published.emplace_back(error_fields(one.prediction)).add("subject", one.name);
+  fields.add_some("published", std::move(published));
+  return fields;
 }
 
 std::string text_of(const FitResult& result) {

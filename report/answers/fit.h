@@ -1,12 +1,11 @@
 #pragma once
 
-/// A fit as words, JSON and rows.
+/// A fit as words, fields and rows.
 
 #include <string>
 
 #include "api/fit.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
@@ -14,8 +13,8 @@ namespace thenar {
 /// and what the prior alone determines.
 [[nodiscard]] std::string text_of(const FitResult& result);
 
-/// Returns a fit as JSON, complete and with unrounded numbers.
-[[nodiscard]] OrderedJson json_of(const FitResult& result);
+/// Returns a fit complete and with unrounded numbers.
+[[nodiscard]] Fields fields_of(const FitResult& result);
 
 /// One row for each coordinate of the fit, best known first: its meaning, and estimate and sd in
 /// prior sds.
@@ -39,6 +38,6 @@ namespace thenar {
 [[nodiscard]] std::string trivial_words(const Prediction& prediction,
                                         const std::string& who = "the mean of others' forces");
 /// Returns the error of trivial_words() as numbers, or null.
-[[nodiscard]] Json trivial_json(const Prediction& prediction);
+[[nodiscard]] Field trivial_field(std::string key, const Prediction& prediction);
 
 }  // namespace thenar

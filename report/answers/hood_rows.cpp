@@ -70,11 +70,13 @@ std::string error_words(const std::optional<HoodRowErrors>& errors, const std::s
   return "-";
 }
 
-Json errors_json(const std::optional<HoodRowErrors>& errors) {
-  if (!errors) return nullptr;
-  Json out{{"together", errors->together.relative}};
-  for (const MuscleError& one : errors->muscles) out["by_muscle"][one.muscle] = one.error.relative;
-  return out;
+/// Relative errors under a key, or null.
+Field errors_field(std::string key, const std::optional<HoodRowErrors>& errors) {
+  if (!errors) return {std::move(key), nullptr};
+  Fields by_muscle;
+  for (const MuscleError& one : errors->muscles) by_muscle.add(one.muscle, one.error.relative);
+  return {std::move(key),
+          Fields{{"together", errors->together.relative}, {"by_muscle", std::move(by_muscle)}}};
 }
 
 /// "net extensor_hood" or "fixed fractions".
@@ -83,7 +85,7 @@ std::string hood_name(const Fit& fit) {
   return "net " + parse_net(fit.inputs.net->text, fit.inputs.net->path).name;
 }
 
-Json count_json(const Fit& fit) {
+Fields count_fields(const Fit& fit) {
   const HoodCount count = count_hood(fit.covariance);
   return {{"hood", hood_name(fit)},
           {"status", convergence_word(fit.solution)},
@@ -149,20 +151,18 @@ std::string hood_row_text(const FitResult& result) {
   return text;
 }
 
-Json hood_row_json(const FitResult& result) {
+Fields hood_row_fields(const FitResult& result) {
   const std::vector<HoodRow> all = hood_rows(result);
-  if (all.empty()) return nullptr;
-  Json rows = Json::array();
+  if (all.empty()) return {};
+  std::vector<Fields> rows, fits{count_fields(result.fit)};
   for (const HoodRow& row : all) {
-    Json one{{"experiment", row.experiment},
-             {"what", row.what},
-             {"relative_error", errors_json(row.errors)}};
-    if (result.fractions) one["relative_error_with_fractions"] = errors_json(row.fractions);
-    rows.push_back(std::move(one));
+    Fields& fields = rows.emplace_back(Fields{{"experiment", row.experiment},
+                                              {"what", row.what},
+                                              errors_field("relative_error", row.errors)});
+    if (result.fractions) fields.add(errors_field("relative_error_with_fractions", row.fractions));
   }
-  Json fits = Json::array({count_json(result.fit)});
-  if (result.fractions) fits.push_back(count_json(result.fractions->fit));
-  return {{"fits", fits}, {"rows", rows}};
+  if (result.fractions) fits.push_back(count_fields(result.fractions->fit));
+  return {{"fits", std::move(fits)}, {"rows", std::move(rows)}};
 }
 
 }  // namespace thenar

@@ -6,8 +6,7 @@
 #include <string>
 
 #include "api/fit.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
@@ -23,7 +22,7 @@ namespace thenar {
 /// parameters, 3.8 of them of the hood" of a fit.
 [[nodiscard]] std::string hood_count_words(const Fit& fit);
 
-/// Returns hood_row_table() as JSON, complete and with unrounded numbers, or null.
-[[nodiscard]] Json hood_row_json(const FitResult& result);
+/// Returns hood_row_table() complete and with unrounded numbers; no fields without rows.
+[[nodiscard]] Fields hood_row_fields(const FitResult& result);
 
 }  // namespace thenar

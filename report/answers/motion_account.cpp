@@ -39,11 +39,11 @@ std::string beyond_words(const PassedLimit& limit) {
                       : fmt::format("{:.3g} deg", limit.beyond / kDegree);
 }
 
-OrderedJson limits_json(const std::vector<PassedLimit>& limits) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> limit_fields(const std::vector<PassedLimit>& limits) {
+  std::vector<Fields> list;
   for (const PassedLimit& limit : limits)
-    list.push_back(
-        {{"joint", limit.joint}, {limit.slides ? "beyond_m" : "beyond_rad", limit.beyond}});
+    list.push_back({{"joint", limit.joint},
+                    {"beyond", limit.slides ? units::kMetre : units::kRadian, limit.beyond}});
   return list;
 }
 

@@ -9,8 +9,7 @@
 #include "api/scenes/simulate_scene.h"
 #include "dynamics/stepping/energy_balance.h"
 #include "dynamics/stepping/limit_excess.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
@@ -20,8 +19,8 @@ namespace thenar {
 /// "11.9 deg", "40 mm"
 [[nodiscard]] std::string beyond_words(const PassedLimit& limit);
 
-/// Each with `joint` and `beyond_rad` or `beyond_m`.
-[[nodiscard]] OrderedJson limits_json(const std::vector<PassedLimit>& limits);
+/// Each with `joint` and `beyond`, in rad or m.
+[[nodiscard]] std::vector<Fields> limit_fields(const std::vector<PassedLimit>& limits);
 
 /// Joints of a run that went beyond their limits.
 [[nodiscard]] std::vector<PassedLimit> limits_passed(const SimulatedScene& scene);

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "report/answers/prediction.h"
-#include "report/sampling_advice.h"
 #include "report/parameter_words.h"
+#include "report/sampling_advice.h"
 
 namespace thenar {
 namespace {
@@ -169,17 +169,13 @@ std::string modes_text(const PosteriorRun& run) {
          doubts_text("modes", run.mode_table.warnings);
 }
 
-// As JSON.
+// As fields.
 
-Json vector_json(const Eigen::VectorXd& values) {
-  return std::vector<double>(values.data(), values.data() + values.size());
-}
-
-Json advice_json(const PosteriorRun& run) {
-  Json out = Json::array();
+std::vector<std::string> advice_lines(const PosteriorRun& run) {
+  std::vector<std::string> lines;
   for (const SamplingAdvice& one : advise(run))
-    out.push_back(one.command.empty() ? one.remedy : one.remedy + ": " + one.command);
-  return out;
+    lines.push_back(one.command.empty() ? one.remedy : one.remedy + ": " + one.command);
+  return lines;
 }
 
 /// Returns warnings about the inputs, and about noise that the draws found to be far larger than
@@ -190,7 +186,7 @@ std::vector<std::string> all_warnings(const PosteriorResult& result) {
   return warnings;
 }
 
-Json convergence_json(const PosteriorRun& run) {
+Fields convergence_fields(const PosteriorRun& run) {
   const Convergence& c = run.convergence;
   return {{"sampler", name_of(run.settings.run.method)},
           {"chains", run.draws.chains()},
@@ -204,17 +200,17 @@ Json convergence_json(const PosteriorRun& run) {
           {"reasons", c.warnings},
           {"cautions", c.cautions},
           {"unsettled", c.unsettled},
-          {"advice", advice_json(run)},
+          {"advice", advice_lines(run)},
           {"worst_r_hat", c.worst_r_hat},
           {"least_bulk_ess", c.min_bulk_ess},
           {"least_tail_ess", c.min_tail_ess},
           {"divergent", c.divergent},
           {"depth_limit", c.depth_limit},
           {"broken", c.non_finite},
-          {"temper", vector_json(run.draws.beta)}};
+          {"temper", units::kOne, run.draws.beta}};
 }
 
-Json estimate_json(const PosteriorQuantity& q, const Estimate& e, const std::string& meaning) {
+Fields estimate_fields(const PosteriorQuantity& q, const Estimate& e, const std::string& meaning) {
   return {{"name", q.name},
           {"meaning", meaning},
           {"unit", q.unit},
@@ -231,80 +227,109 @@ Json estimate_json(const PosteriorQuantity& q, const Estimate& e, const std::str
           {"tail_ess", e.tail_ess}};
 }
 
-Json axes_json(const PosteriorResult& result) {
-  Json out = Json::array();
-  for (const PosteriorAxes& of : result.summary->axes) {
-    out.push_back({{"axes", of.axes.name},
-                   {"meaning", distal_words(of, result.run.posterior->problem().digit())},
-                   {"second_distal_probability", of.second_distal},
-                   {"second_distal_prior_probability", of.second_distal_before}});
-    if (!of.whose.empty()) out.back()["specimen"] = of.whose;
-    const auto add = [&](const char* name, const Estimate& e) {
-      out.back()[name] = {{"mean", e.mean},     {"sd", e.sd},   {"q05", e.q05},
-                          {"median", e.median}, {"q95", e.q95}, {"bulk_ess", e.bulk_ess},
-                          {"r_hat", e.r_hat}};
-    };
-    add("angle_deg", of.angle);
-    add("distance_mm", of.distance);
-    add("second_distal_mm", of.beyond);
-  }
-  return out;
+/// An estimate whose key has the unit of its values.
+/// @param e  in the printed unit
+Field offset_field(std::string key, const FieldUnit& unit, const Estimate& e) {
+  const FieldUnit inner{"", "", unit.numerator, unit.denominator};
+  const double si = unit.denominator / unit.numerator;
+  Field field(std::move(key), Fields{{"mean", inner, e.mean * si},
+                                     {"sd", inner, e.sd * si},
+                                     {"q05", inner, e.q05 * si},
+                                     {"median", inner, e.median * si},
+                                     {"q95", inner, e.q95 * si},
+                                     {"bulk_ess", e.bulk_ess},
+                                     {"r_hat", e.r_hat}});
+  field.unit = unit;
+  return field;
 }
 
-Json modes_json(const PosteriorRun& run) {
-  Json out = Json::array();
+std::vector<Fields> axes_fields(const PosteriorResult& result) {
+  std::vector<Fields> list;
+  for (const PosteriorAxes& of : result.summary->axes) {
+    Fields& fields = list.emplace_back(
+        Fields{{"axes", of.axes.name},
+               {"meaning", distal_words(of, result.run.posterior->problem().digit())},
+               {"second_distal_probability", of.second_distal},
+               {"second_distal_prior_probability", of.second_distal_before},
+               offset_field("angle", units::kDegree, of.angle),
+               offset_field("distance", units::kMillimetre, of.distance),
+               offset_field("second_distal", units::kMillimetre, of.beyond)});
+    if (!of.whose.empty()) fields.add("specimen", of.whose);
+  }
+  return list;
+}
+
+std::vector<Fields> modes_fields(const PosteriorRun& run) {
+  std::vector<Fields> list;
   for (const ModeMass& mode : run.mode_table.modes) {
-    out.push_back({{"mass", mode.mass},
-                   {"mcse", mode.mcse},
-                   {"crossings", mode.crossings},
-                   {"visits", vector_json(mode.visits)}});
+    Fields& fields = list.emplace_back(Fields{{"mass", mode.mass},
+                                              {"mcse", mode.mcse},
+                                              {"crossings", mode.crossings},
+                                              {"visits", units::kOne, mode.visits}});
     if (mode.known < 0) continue;
     const Mode& found = run.modes[static_cast<std::size_t>(mode.known)];
-    out.back()["cost"] = found.cost;
-    out.back()["searches"] = found.hits;
-    out.back()["laplace_mass"] = found.laplace_mass;
+    fields.append(
+        {{"cost", found.cost}, {"searches", found.hits}, {"laplace_mass", found.laplace_mass}});
   }
-  return out;
+  return list;
 }
 
-Json directions_json(const LearntDirections& found) {
-  Json out{{"decided", found.decided},
-           {"effective_parameters", found.effective_parameters},
-           {"directions", Json::array()}};
+Fields direction_fields(const LearntDirections& found) {
+  std::vector<Fields> list;
   for (const LearntDirection& direction : found.directions)
-    out["directions"].push_back({{"sd_ratio", direction.sd_ratio}, {"text", direction.text}});
-  return out;
+    list.push_back({{"sd_ratio", direction.sd_ratio}, {"text", direction.text}});
+  return {{"decided", found.decided},
+          {"effective_parameters", found.effective_parameters},
+          {"directions", std::move(list)}};
 }
 
-Json check_json(const ExperimentCheck& of) {
-  Json out{{"experiment", of.prediction.experiment},
-           {"rms_error_N", of.prediction.error.rms},
-           {"relative_error", of.prediction.error.relative},
-           {"chi_square", of.check.mean_chi_square},
-           {"numbers", of.check.rank_share.size()},
-           {"p", of.check.p},
-           {"trial_p", vector_json(of.check.trial_p)},
-           {"doubts", of.check.warnings},
-           {"start_has_seen_specimen", of.prediction.calibrated_on_specimen}};
-  for (const Coverage& coverage : of.check.coverage)
-    out["coverage"].push_back(
-        {{"level", coverage.level}, {"share", coverage.share}, {"error", coverage.error}});
-  return out;
+Fields check_fields(const ExperimentCheck& of) {
+  std::vector<Fields> coverage;
+  for (const Coverage& each : of.check.coverage)
+    coverage.push_back({{"level", each.level}, {"share", each.share}, {"error", each.error}});
+  Fields fields{{"experiment", of.prediction.experiment},
+                {"rms_error", units::kNewton, of.prediction.error.rms},
+                {"relative_error", of.prediction.error.relative},
+                {"chi_square", of.check.mean_chi_square},
+                {"numbers", of.check.rank_share.size()},
+                {"p", of.check.p},
+                {"trial_p", units::kOne, of.check.trial_p},
+                {"doubts", of.check.warnings},
+                {"start_has_seen_specimen", of.prediction.calibrated_on_specimen}};
+  fields.add_some("coverage", std::move(coverage));
+  return fields;
 }
 
-Json left_out_json(const LeftOutObservations& of) {
-  Json out{{"elpd", of.result.elpd},
-           {"se", of.result.se},
-           {"effective_parameters", of.result.effective_parameters},
-           {"good_k", of.result.good_k},
-           {"above_good_k", (of.result.k.array() > of.result.good_k).count()},
-           {"doubts", of.result.warnings},
-           {"observations", Json::array()}};
+Fields left_out_fields(const LeftOutObservations& of) {
+  std::vector<Fields> list;
   for (std::size_t i = 0; i < of.observations.size(); ++i)
-    out["observations"].push_back({{"name", of.observations[i]},
-                                   {"elpd", of.result.pointwise[static_cast<Eigen::Index>(i)]},
-                                   {"k", of.result.k[static_cast<Eigen::Index>(i)]}});
-  return out;
+    list.push_back({{"name", of.observations[i]},
+                    {"elpd", of.result.pointwise[static_cast<Eigen::Index>(i)]},
+                    {"k", of.result.k[static_cast<Eigen::Index>(i)]}});
+  return {{"elpd", of.result.elpd},
+          {"se", of.result.se},
+          {"effective_parameters", of.result.effective_parameters},
+          {"good_k", of.result.good_k},
+          {"above_good_k", (of.result.k.array() > of.result.good_k).count()},
+          {"doubts", of.result.warnings},
+          {"observations", std::move(list)}};
+}
+
+/// Adds what a summary has besides the run.
+void add_summary(const PosteriorResult& result, Fields& fields) {
+  const PosteriorSummary& summary = *result.summary;
+  const TendonDigit& digit = result.run.posterior->problem().digit();
+  std::vector<Fields> parameters, experiments;
+  for (std::size_t i = 0; i < summary.quantities.size(); ++i)
+    parameters.push_back(estimate_fields(summary.quantities[i], summary.estimates[i],
+                                         meaning_of(summary.quantities[i].name, digit)));
+  fields.add_some("parameters", std::move(parameters));
+  fields.add("axes", axes_fields(result));
+  fields.add("learnt", direction_fields(summary.directions));
+  for (const ExperimentCheck& experiment : summary.experiments)
+    experiments.push_back(check_fields(experiment));
+  fields.add_some("experiments", std::move(experiments));
+  if (summary.left_out) fields.add("leave_one_out", left_out_fields(*summary.left_out));
 }
 
 }  // namespace
@@ -320,27 +345,16 @@ std::string text_of(const PosteriorResult& result) {
          modes_text(run);
 }
 
-OrderedJson json_of(const PosteriorResult& result) {
+Fields fields_of(const PosteriorResult& result) {
   const PosteriorRun& run = result.run;
-  Json out = convergence_json(run);
-  out["warnings"] = all_warnings(result);
-  out["swap_rates"] = Json::array();  // of each group, coldest pair first
-  for (const auto& group : run.draws.swap_rate.colwise())
-    out["swap_rates"].push_back(vector_json(group));
-  out["modes"] = modes_json(run);
-  out["mode_doubts"] = run.mode_table.warnings;
-  if (!result.summary) return OrderedJson(out);
-  const PosteriorSummary& summary = *result.summary;
-  const TendonDigit& digit = run.posterior->problem().digit();
-  for (std::size_t i = 0; i < summary.quantities.size(); ++i)
-    out["parameters"].push_back(estimate_json(summary.quantities[i], summary.estimates[i],
-                                              meaning_of(summary.quantities[i].name, digit)));
-  out["axes"] = axes_json(result);
-  out["learnt"] = directions_json(summary.directions);
-  for (const ExperimentCheck& experiment : summary.experiments)
-    out["experiments"].push_back(check_json(experiment));
-  if (summary.left_out) out["leave_one_out"] = left_out_json(*summary.left_out);
-  return OrderedJson(out);
+  Fields fields = convergence_fields(run);
+  fields.add("warnings", all_warnings(result));
+  // Of each group, the coldest pair first.
+  fields.add("swap_rates", units::kOne, run.draws.swap_rate.transpose());
+  fields.add("modes", modes_fields(run));
+  fields.add("mode_doubts", run.mode_table.warnings);
+  if (result.summary) add_summary(result, fields);
+  return fields;
 }
 
 Table table_of(const PosteriorResult& result) {
@@ -363,7 +377,9 @@ Table table_of(const PosteriorResult& result) {
 
 std::string text_of(const PosteriorPrediction& result) { return text_of(result.predicted); }
 
-OrderedJson json_of(const PosteriorPrediction& result) { return json_of(result.predicted); }
+std::vector<Fields> fields_of(const PosteriorPrediction& result) {
+  return fields_of(result.predicted);
+}
 
 Table table_of(const PosteriorPrediction& result) { return table_of(result.predicted); }
 

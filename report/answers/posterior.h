@@ -1,12 +1,11 @@
 #pragma once
 
-/// A sampled posterior as words, JSON and rows.
+/// A sampled posterior as words, fields and rows.
 
 #include <string>
 
 #include "api/posterior.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
@@ -14,15 +13,15 @@ namespace thenar {
 /// leave-one-out, parameters, directions and modes.
 [[nodiscard]] std::string text_of(const PosteriorResult& result);
 
-/// Returns a posterior as JSON, complete and with unrounded numbers.
-[[nodiscard]] OrderedJson json_of(const PosteriorResult& result);
+/// Returns a posterior complete and with unrounded numbers.
+[[nodiscard]] Fields fields_of(const PosteriorResult& result);
 
 /// One row for each parameter and factor, best known first.
 [[nodiscard]] Table table_of(const PosteriorResult& result);
 
-/// Returns the predictions of the draws: as text, JSON and rows like any prediction.
+/// Returns the predictions of the draws: as text, fields and rows like any prediction.
 [[nodiscard]] std::string text_of(const PosteriorPrediction& result);
-[[nodiscard]] OrderedJson json_of(const PosteriorPrediction& result);
+[[nodiscard]] std::vector<Fields> fields_of(const PosteriorPrediction& result);
 [[nodiscard]] Table table_of(const PosteriorPrediction& result);
 
 /// Returns the reason why the draws are not to be used, with remedies and commands; "" if they may

@@ -52,31 +52,32 @@ std::string experiment_text(const PredictedExperiment& one) {
   return text;
 }
 
-Json experiment_json(const PredictedExperiment& one) {
+Fields experiment_fields(const PredictedExperiment& one) {
   const Prediction& prediction = one.prediction;
-  Json vectors = Json::array();
+  std::vector<Fields> vectors;
   for (const PredictedTrial& trial : prediction.trials)
     vectors.push_back({{"posture", trial.posture},
                        {"loads", trial.loads},
-                       {"measured_N", to_json(trial.measured.head(trial.components))},
-                       {"predicted_N", to_json(trial.predicted.head(trial.components))},
-                       {"sd_N", to_json(trial.sd.head(trial.components))},
-                       {"error_N", (trial.predicted - trial.measured).norm()},
-                       {"direction_error_deg", degrees(direction_error(trial))}});
-  return {
-      {"experiment", prediction.experiment},
-      {"specimen", one.experiment.specimen},
-      {"specimen_was_fitted", one.by != PredictedBy::kStranger},
-      {"predicted_by", one.by == PredictedBy::kOwn ? "own parameters" : "population"},
-      {"start_has_seen_specimen", prediction.calibrated_on_specimen},
-      {"rms_error_N", prediction.error.rms},
-      {"relative_error", prediction.error.relative},
-      {"relative_error_flexion_plane", prediction.error.relative_flexion},
-      {"direction_error_deg", degrees(prediction.error.direction)},
-      {"covered_95", prediction.error.covered ? Json(*prediction.error.covered) : Json()},
-      {"mean_of_others", one.by == PredictedBy::kOwn ? Json(nullptr) : trivial_json(prediction)},
-      {"superposition", one.by == PredictedBy::kOwn ? trivial_json(prediction) : Json(nullptr)},
-      {"vectors", vectors}};
+                       {"measured", units::kNewton, trial.measured.head(trial.components)},
+                       {"predicted", units::kNewton, trial.predicted.head(trial.components)},
+                       {"sd", units::kNewton, trial.sd.head(trial.components)},
+                       {"error", units::kNewton, (trial.predicted - trial.measured).norm()},
+                       {"direction_error", units::kDegree, direction_error(trial)}});
+  const bool own = one.by == PredictedBy::kOwn;
+  Fields fields{{"experiment", prediction.experiment},
+                {"specimen", one.experiment.specimen},
+                {"specimen_was_fitted", one.by != PredictedBy::kStranger},
+                {"predicted_by", own ? "own parameters" : "population"},
+                {"start_has_seen_specimen", prediction.calibrated_on_specimen},
+                {"rms_error", units::kNewton, prediction.error.rms},
+                {"relative_error", prediction.error.relative},
+                {"relative_error_flexion_plane", prediction.error.relative_flexion},
+                {"direction_error", units::kDegree, prediction.error.direction},
+                {"covered_95", units::kOne, prediction.error.covered},
+                trivial_field(own ? "superposition" : "mean_of_others", prediction),
+                {own ? "mean_of_others" : "superposition", nullptr},
+                {"vectors", std::move(vectors)}};
+  return fields;
 }
 
 }  // namespace
@@ -106,10 +107,10 @@ std::string text_of(const PredictResult& result) {
   return text;
 }
 
-OrderedJson json_of(const PredictResult& result) {
-  Json all = Json::array();
-  for (const PredictedExperiment& one : result.experiments) all.push_back(experiment_json(one));
-  return OrderedJson(all.size() == 1 ? all[0] : all);
+std::vector<Fields> fields_of(const PredictResult& result) {
+  std::vector<Fields> all;
+  for (const PredictedExperiment& one : result.experiments) all.push_back(experiment_fields(one));
+  return all;
 }
 
 Table table_of(const PredictResult& result) {

@@ -1,12 +1,12 @@
 #pragma once
 
-/// Predicted forces beside the measured ones, as words, JSON and rows.
+/// Predicted forces beside the measured ones, as words, fields and rows.
 
 #include <string>
+#include <vector>
 
 #include "api/predict.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
@@ -14,8 +14,8 @@ namespace thenar {
 /// errors.
 [[nodiscard]] std::string text_of(const PredictResult& result);
 
-/// An object for one experiment, a list of such for several.
-[[nodiscard]] OrderedJson json_of(const PredictResult& result);
+/// Fields of each experiment.
+[[nodiscard]] std::vector<Fields> fields_of(const PredictResult& result);
 
 /// One row for each trial of each experiment. Columns 1, 2 and 3 are the components in the order of
 /// the column "components".

@@ -51,28 +51,31 @@ Table snap_table(const Trajectory& t) {
 }
 
 /// All snaps of the net.
-OrderedJson snaps_json(const Trajectory& t) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> snap_fields(const Trajectory& t) {
+  std::vector<Fields> list;
   for (const MotionSnap& snap : t.snaps)
-    list.push_back({{"time_s", snap.time},
+    list.push_back({{"time", units::kSecond, snap.time},
                     {"band", snap.band},
-                    {"moved_mm", snap.moved / kMm},
-                    {"released_J", snap.released}});
+                    {"moved", units::kMillimetre, snap.moved},
+                    {"released", units::kJoule, snap.released}});
   return list;
 }
 
 /// The state at the last instant.
-OrderedJson end_state(const Trajectory& t) {
+Fields end_state(const SimulatedMotion& motion) {
+  const Trajectory& t = motion.trajectory;
   const Eigen::Index last = t.time.size() - 1;
-  return {{"time_s", t.time[last]},
-          {"posture_deg", to_json(t.joints, t.angle.row(last).transpose() / kDegree)},
-          {"speed_deg_s", to_json(t.joints, t.speed.row(last).transpose() / kDegree)},
-          {"activation", to_json(t.muscles, t.activation.row(last).transpose())},
-          {"tension_N", to_json(t.muscles, t.tension.row(last).transpose())},
-          {"excursion_mm", to_json(t.muscles, t.excursion.row(last).transpose() / kMm)},
-          {"slips_N",
-           to_json({"central", "radial", "ulnar", "terminal"}, t.slips.row(last).transpose())},
-          {"tip_mm", to_json(t.tip.row(last).transpose() / kMm)}};
+  Fields fields{
+      {"time", units::kSecond, t.time[last]},
+      {"posture", units::kDegree, t.joints, t.angle.row(last)},
+      {"speed", units::kDegreePerSecondShort, t.joints, t.speed.row(last)},
+      {"activation", units::kOne, t.muscles, t.activation.row(last)},
+      {"tension", units::kNewton, t.muscles, t.tension.row(last)},
+      {"excursion", units::kMillimetre, t.muscles, t.excursion.row(last)},
+      {"slips", units::kNewton, {"central", "radial", "ulnar", "terminal"}, t.slips.row(last)},
+      {"tip", units::kMillimetre, t.tip.row(last)}};
+  if (motion.tendons) add_passive(motion.tendons->digit().skeleton, t.angle.row(last), fields);
+  return fields;
 }
 
 }  // namespace
@@ -101,30 +104,29 @@ std::string text_of(const SimulatedMotion& motion) {
   return text + fmt::format("{} steps to a tolerance of {:.2g}\n", t.counts.steps, t.tolerance);
 }
 
-OrderedJson json_of(const SimulatedMotion& motion) {
+Fields fields_of(const SimulatedMotion& motion) {
   const Trajectory& t = motion.trajectory;
   const Eigen::Index last = t.time.size() - 1;
-  OrderedJson json{
-      {"subject", motion.subject},   {"digit", motion.digit}, {"fidelity", describe(t.fidelity)},
-      {"status", name_of(t.status)}, {"trouble", t.warning},  {"warning", t.warning},
-      {"instants", t.time.size()}};
-  json["last"] = end_state(t);
-  if (motion.tendons)
-    add_passive(motion.tendons->digit().skeleton, t.angle.row(last), json["last"]);
-  json["work_J"] = t.work[last];
-  json["lost_J"] = t.dissipated[last];
-  json["energy_error_J"] = t.balance.error;
-  json["turned_over_J"] = t.balance.turned_over;
-  const Json drift = t.drift ? number_or_null(*t.drift / kMm) : Json();
-  json["stray_mm"] = drift;
-  json["drift_mm"] = drift;
-  json["snaps"] = snaps_json(t);
-  json["released_J"] = released_energy(t);
-  json["tolerance"] = t.tolerance;
-  json["steps"] = t.counts.steps;
-  json["slopes"] = t.counts.slopes;
-  json["net_evaluations"] = t.effort;
-  return json;
+  return {{"subject", motion.subject},
+          {"digit", motion.digit},
+          {"fidelity", describe(t.fidelity)},
+          {"status", name_of(t.status)},
+          {"trouble", t.warning},
+          {"warning", t.warning},
+          {"instants", t.time.size()},
+          {"last", end_state(motion)},
+          {"work", units::kJoule, t.work[last]},
+          {"lost", units::kJoule, t.dissipated[last]},
+          {"energy_error", units::kJoule, t.balance.error},
+          {"turned_over", units::kJoule, t.balance.turned_over},
+          {"stray", units::kMillimetre, t.drift},
+          {"drift", units::kMillimetre, t.drift},
+          {"snaps", snap_fields(t)},
+          {"released", units::kJoule, released_energy(t)},
+          {"tolerance", t.tolerance},
+          {"steps", t.counts.steps},
+          {"slopes", t.counts.slopes},
+          {"net_evaluations", t.effort}};
 }
 
 Table table_of(const SimulatedMotion& motion) {

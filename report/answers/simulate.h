@@ -1,20 +1,19 @@
 #pragma once
 
-/// Words, JSON and tables of a digit in motion.
+/// Words, fields and tables of a digit in motion.
 
 #include <string>
 #include <vector>
 
 #include "api/simulate.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
 /// Joints and muscles at the start, the end and their extremes, the tip, and the energy account.
 [[nodiscard]] std::string text_of(const SimulatedMotion& motion);
-/// The state at the end, and the energy account; `drift_mm` is null where it is not known.
-[[nodiscard]] OrderedJson json_of(const SimulatedMotion& motion);
+/// The state at the end, and the energy account; `drift` is null where it is not known.
+[[nodiscard]] Fields fields_of(const SimulatedMotion& motion);
 /// A row for each instant: angles, speeds, excitations, activations, tensions, excursions, slips,
 /// tip, energies. Columns: trajectory_table().
 [[nodiscard]] Table table_of(const SimulatedMotion& motion);

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <Eigen/Geometry>
 
+#include "base/numbers.h"
 #include "base/rung_names.h"
 #include "base/units.h"
 #include "dynamics/human/joint_stops.h"
@@ -90,39 +91,53 @@ Table patch_table(const SimulatedScene& scene) {
   return table;
 }
 
-OrderedJson bodies_json(const SimulatedScene& scene) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> body_fields(const SimulatedScene& scene) {
+  std::vector<Fields> list;
   const std::size_t last = scene.run.samples.size() - 1;
   for (const std::size_t body : scene.measures.moving) {
     const Pose<double>& X = scene.measures.X_WB.back()[body];
     const SceneVelocity& velocity = scene.measures.velocity[body];
+    const Eigen::Vector3d end = centre(scene, last, body);
     list.push_back({{"body", scene.built->scene.mechanism.bodies[body].name},
-                    {"position_m", to_json(X.p)},
-                    {"rotation", to_json(X.R)},
-                    {"centre_m", to_json(centre(scene, last, body))},
-                    {"moved_m", to_json(centre(scene, last, body) - centre(scene, 0, body))},
-                    {"turned_rad", turn(scene, body)},
-                    {"velocity_m_s", to_json(velocity.linear)},
-                    {"angular_velocity_rad_s", to_json(velocity.angular)}});
+                    {"position", units::kMetre, X.p},
+                    {"rotation", units::kOne, X.R},
+                    {"centre", units::kMetre, end},
+                    {"moved", units::kMetre, end - centre(scene, 0, body)},
+                    {"turned", units::kRadian, turn(scene, body)},
+                    {"velocity", units::kMetrePerSecondShort, velocity.linear},
+                    {"angular_velocity", units::kRadianPerSecondShort, velocity.angular}});
   }
   return list;
 }
 
-OrderedJson coordinates_json(const SimulatedScene& scene) {
-  OrderedJson list = OrderedJson::array();
+/// Returns true if the first joint of a coordinate slides.
+bool slides_along(const Mechanism& mechanism, int coordinate) {
+  for (const MechanismJoint& joint : mechanism.joints)
+    if (is_scalar(joint.kind) && joint.coordinate == coordinate)
+      return joint.kind == JointKind::kSlide;
+  return false;
+}
+
+std::vector<Fields> coordinate_fields(const SimulatedScene& scene) {
+  std::vector<Fields> list;
   const Mechanism& mechanism = scene.built->scene.mechanism;
   const MechanismLayout layout = layout_of(mechanism);
-  for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
+  const SceneSample &start = scene.run.samples.front(), &end = scene.run.samples.back();
+  for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c) {
+    const bool slides = slides_along(mechanism, static_cast<int>(c));
+    const FieldUnit& unit = slides ? units::kMetreBare : units::kRadianBare;
     list.push_back({{"coordinate", mechanism.coordinates[c].name},
-                    {"start", scene.run.samples.front().q[layout.coordinate_q[c]]},
-                    {"end", scene.run.samples.back().q[layout.coordinate_q[c]]},
-                    {"speed", scene.run.samples.back().v[layout.coordinate_v[c]]}});
+                    {"start", unit, start.q[layout.coordinate_q[c]]},
+                    {"end", unit, end.q[layout.coordinate_q[c]]},
+                    {"speed", slides ? units::kMetrePerSecondBare : units::kRadianPerSecondBare,
+                     end.v[layout.coordinate_v[c]]}});
+  }
   return list;
 }
 
 /// Passive moments of the joints of human hands at the end, by coordinate [N m]; null: none has
 /// any. Their lines are springs of the mechanism, their ends are in the elements that stop joints.
-OrderedJson passive_json(const SimulatedScene& scene) {
+OrderedJson passive_moments(const SimulatedScene& scene) {
   OrderedJson json;
   const Mechanism& mechanism = scene.built->scene.mechanism;
   const MechanismLayout layout = layout_of(mechanism);
@@ -148,20 +163,22 @@ OrderedJson passive_json(const SimulatedScene& scene) {
   return json;
 }
 
-OrderedJson pairs_json(const SimulatedScene& scene) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> pair_fields(const SimulatedScene& scene) {
+  std::vector<Fields> list;
   for (const PairMeasure& pair : scene.measures.pairs) {
-    list.push_back({{"bodies", {body_name(scene, pair.a), body_name(scene, pair.b)}},
-                    {"slip_m", pair.slip},
-                    {"first_s", pair.first},
-                    {"last_s", pair.last},
-                    {"largest_force_N", pair.largest_force},
-                    {"end_force_N", to_json(pair.force)},
-                    {"end_points", pair.points},
-                    {"end", mode_word(pair)}});
+    Fields& fields = list.emplace_back(Fields{
+        {"bodies", std::vector<std::string>{body_name(scene, pair.a), body_name(scene, pair.b)}},
+        {"slip", units::kMetre, pair.slip},
+        {"first", units::kSecond, pair.first},
+        {"last", units::kSecond, pair.last},
+        {"largest_force", units::kNewton, pair.largest_force},
+        {"end_force", units::kNewton, pair.force},
+        {"end_points", pair.points},
+        {"end", mode_word(pair)}});
     if (is_pad(pair))
-      list.back()["patch"] = {
-          {"area_m2", pair.area}, {"stick", pair.stick}, {"torsion_Nm", pair.torsion}};
+      fields.add("patch", Fields{{"area", units::kSquareMetre, pair.area},
+                                 {"stick", pair.stick},
+                                 {"torsion", units::kNewtonMetre, pair.torsion}});
   }
   return list;
 }
@@ -178,21 +195,21 @@ Table muscle_table(const SimulatedScene& scene) {
   return table;
 }
 
-OrderedJson muscles_json(const SimulatedScene& scene) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> muscle_fields(const SimulatedScene& scene) {
+  std::vector<Fields> list;
   for (const PullMeasure& muscle : scene.measures.pulls.muscles) {
-    OrderedJson entry{{"muscle", muscle.name},
-                      {"tension_N", muscle.tension.tail<1>()[0]},
-                      {"largest_tension_N", muscle.tension.maxCoeff()}};
-    if (muscle.contracts) {
-      entry["excitation"] = muscle.excitation.tail<1>()[0];
-      entry["activation"] = muscle.activation.tail<1>()[0];
-    }
-    list.push_back(std::move(entry));
+    Fields& fields =
+        list.emplace_back(Fields{{"muscle", muscle.name},
+                                 {"tension", units::kNewton, muscle.tension.tail<1>()[0]},
+                                 {"largest_tension", units::kNewton, muscle.tension.maxCoeff()}});
+    if (!muscle.contracts) continue;
+    fields.add("excitation", muscle.excitation.tail<1>()[0]);
+    fields.add("activation", muscle.activation.tail<1>()[0]);
   }
   return list;
 }
 
+/// [J]
 OrderedJson energy_json(const ContactStep::Energy& energy) {
   return {{"kinetic", energy.kinetic},
           {"weight", energy.weight},
@@ -200,18 +217,12 @@ OrderedJson energy_json(const ContactStep::Energy& energy) {
           {"total", energy.total()}};
 }
 
-OrderedJson varied_json(const SimulatedScene& scene) {
-  OrderedJson object = OrderedJson::object();
-  for (const auto& [name, value] : scene.varied) object[name] = value;
-  return object;
-}
-
 /// The worst residual of its contact problems.
 std::string residual_words(const SimulatedScene& scene) {
   return has_contact_problems(scene) ? fmt::format("{:.2g}", scene.run.cost.worst_residual) : "n/a";
 }
 
-/// Returns the energy losses as JSON; null if they are unknown.
+/// Energy losses [J]; null if they are unknown.
 OrderedJson losses_json(const SimulatedScene& scene) {
   if (!scene.measures.balance) return nullptr;
   const FlowBalance& balance = *scene.measures.balance;
@@ -220,25 +231,25 @@ OrderedJson losses_json(const SimulatedScene& scene) {
 }
 
 /// Status, energy and cost of a run.
-OrderedJson outcome_json(const SimulatedScene& scene) {
+Fields outcome_fields(const SimulatedScene& scene) {
   const SceneCost& cost = scene.run.cost;
   const std::string& reason = scene.run.reason;
   const std::optional<FlowBalance>& worst = scene.measures.worst;
   return {{"status", name_of(scene.run.status)},
           {"reason", reason.empty() ? OrderedJson() : OrderedJson(reason)},
-          {"simulated_s", simulated_seconds(scene)},
-          {"largest_slip_m", largest_slip(scene)},
-          {"largest_penetration_m", cost.deepest},
-          {"energy_start_J", energy_json(scene.run.samples.front().energy)},
-          {"energy_end_J", energy_json(scene.run.samples.back().energy)},
-          {"work_J", scene.measures.work},
-          {"dissipated_J", scene.measures.dissipated},
-          {"dissipated_by_J", losses_json(scene)},
-          {"energy_error_J", worst ? number_or_null(worst->error) : Json()},
-          {"energy_turned_over_J", worst ? number_or_null(worst->turned_over) : Json()},
-          {"energy_error_share", worst ? number_or_null(worst->share()) : Json()},
-          {"energy_error_at_s", worst ? Json(worst->t) : Json()},
-          {"limits_passed", limits_json(limits_passed(scene))},
+          {"simulated", units::kSecond, simulated_seconds(scene)},
+          {"largest_slip", units::kMetre, largest_slip(scene)},
+          {"largest_penetration", units::kMetre, cost.deepest},
+          {"energy_start", units::kJoule, energy_json(scene.run.samples.front().energy)},
+          {"energy_end", units::kJoule, energy_json(scene.run.samples.back().energy)},
+          {"work", units::kJoule, scene.measures.work},
+          {"dissipated", units::kJoule, scene.measures.dissipated},
+          {"dissipated_by", units::kJoule, losses_json(scene)},
+          {"energy_error", units::kJoule, worst ? worst->error : kNaN},
+          {"energy_turned_over", units::kJoule, worst ? worst->turned_over : kNaN},
+          {"energy_error_share", worst ? worst->share() : kNaN},
+          {"energy_error_at", units::kSecond, worst ? worst->t : kNaN},
+          {"limits_passed", limit_fields(limits_passed(scene))},
           {"restitution_ignored", restitution_ignored(scene)},
           {"steps", cost.steps},
           {"rejected_steps", cost.rejected},
@@ -247,10 +258,9 @@ OrderedJson outcome_json(const SimulatedScene& scene) {
           {"unsolved", cost.unsolved},
           {"leaps", cost.leaps},
           {"coarse_steps", cost.coarse},
-          {"worst_residual",
-           has_contact_problems(scene) ? number_or_null(cost.worst_residual) : Json()},
-          {"asleep_s", cost.asleep},
-          {"cpu_s_per_simulated_s", number_or_null(cpu_per_second(scene))}};
+          {"worst_residual", has_contact_problems(scene) ? cost.worst_residual : kNaN},
+          {"asleep", units::kSecond, cost.asleep},
+          {"cpu_s_per_simulated_s", cpu_per_second(scene)}};
 }
 
 }  // namespace
@@ -287,28 +297,28 @@ std::string text_of(const SimulatedScene& scene) {
       1e3 * scene.measures.dissipated);
   for (const std::vector<std::string>& row : account_table(scene).rows)
     text += fmt::format("{}: {}\n", row[0], row[1]);
-  if (!passive_json(scene).is_null()) text += "passive moments of human joints are counted\n";
+  if (!passive_moments(scene).is_null()) text += "passive moments of human joints are counted\n";
   text += fmt::format("worst residual of a contact problem {}\n", residual_words(scene));
   return text + fmt::format("CPU {:.3g} ms a simulated second\n", 1e3 * cpu_per_second(scene));
 }
 
-OrderedJson json_of(const SimulatedScene& scene) {
-  OrderedJson json{{"scene", scene.name},
-                   {"description", scene.description},
-                   {"method", method_of(scene)},
-                   {"instants", scene.run.samples.size()}};
-  json.update(outcome_json(scene));
-  json["bodies"] = bodies_json(scene);
-  json["coordinates"] = coordinates_json(scene);
-  if (const OrderedJson passive = passive_json(scene); !passive.is_null())
-    json["passive_moment_Nm"] = passive;
-  json["pairs"] = pairs_json(scene);
+Fields fields_of(const SimulatedScene& scene) {
+  Fields fields{{"scene", scene.name},
+                {"description", scene.description},
+                {"method", method_of(scene)},
+                {"instants", scene.run.samples.size()}};
+  fields.append(outcome_fields(scene));
+  fields.add("bodies", body_fields(scene));
+  fields.add("coordinates", coordinate_fields(scene));
+  if (OrderedJson passive = passive_moments(scene); !passive.is_null())
+    fields.add("passive_moment", units::kNewtonMetre, std::move(passive));
+  fields.add("pairs", pair_fields(scene));
   if (!scene.measures.pulls.muscles.empty()) {
-    json["tendon_paths"] = asked_paths(scene.path);
-    json["muscles"] = muscles_json(scene);
+    fields.add("tendon_paths", asked_paths(scene.path));
+    fields.add("muscles", muscle_fields(scene));
   }
-  json["warnings"] = warnings_of(scene);
-  return json;
+  fields.add("warnings", warnings_of(scene));
+  return fields;
 }
 
 Table table_of(const SimulatedScene& scene) {
@@ -338,14 +348,15 @@ std::string text_of(const SceneSweep& sweep) {
          aligned(table_of(sweep));
 }
 
-OrderedJson json_of(const SceneSweep& sweep) {
-  OrderedJson runs = OrderedJson::array();
+Fields fields_of(const SceneSweep& sweep) {
+  std::vector<Fields> runs;
   for (const SimulatedScene& scene : sweep.runs) {
-    OrderedJson run{{"varied", varied_json(scene)}};
-    run.update(outcome_json(scene));
-    run["bodies"] = bodies_json(scene);
-    run["pairs"] = pairs_json(scene);
-    runs.push_back(std::move(run));
+    Fields varied;
+    for (const auto& [name, value] : scene.varied) varied.add(name, value);
+    Fields& run = runs.emplace_back(Fields{{"varied", std::move(varied)}});
+    run.append(outcome_fields(scene));
+    run.add("bodies", body_fields(scene));
+    run.add("pairs", pair_fields(scene));
   }
   return {{"scene", sweep.name},
           {"asked", sweep.asked},

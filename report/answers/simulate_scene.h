@@ -1,25 +1,24 @@
 #pragma once
 
-/// Words, JSON and tables of scenes that were simulated.
+/// Words, fields and tables of scenes that were simulated.
 
 #include <string>
 #include <vector>
 
 #include "api/scenes/simulate_scene.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
 /// Bodies at the end, pairs that touched, energy, and how the run went.
 [[nodiscard]] std::string text_of(const SimulatedScene& scene);
-[[nodiscard]] OrderedJson json_of(const SimulatedScene& scene);
+[[nodiscard]] Fields fields_of(const SimulatedScene& scene);
 /// A row for each instant: energies, places of all bodies that move, contacts.
 [[nodiscard]] Table table_of(const SimulatedScene& scene);
 
 /// A row for each run: the numbers that vary, the largest slip, penetration, energy, cost.
 [[nodiscard]] std::string text_of(const SceneSweep& sweep);
-[[nodiscard]] OrderedJson json_of(const SceneSweep& sweep);
+[[nodiscard]] Fields fields_of(const SceneSweep& sweep);
 [[nodiscard]] Table table_of(const SceneSweep& sweep);
 
 /// Returns warnings about a run, one sentence each.

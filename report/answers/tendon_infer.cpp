@@ -36,27 +36,27 @@ Table belief_table(const NetInference& inference) {
   return table;
 }
 
-OrderedJson json_of_belief(const BandBelief& band, const BandEnds& ends) {
-  OrderedJson out{{"band", band.name},
-                  {"from", ends.from},
-                  {"to", ends.to},
-                  {"verdict", to_string(band.verdict)},
-                  {"why", verdict_words(band)},
-                  {"probability", band.probability},
-                  {"probability_error", band.error},
-                  {"log_bayes_factor", number_or_null(band.log_odds)},
-                  {"chi2_without", number_or_null(band.misfit_change)},
-                  {"effective_parameters_with", number_or_null(band.effective_change)},
-                  {"doubtful", band.doubtful},
-                  {"largest_tension_N", band.tension}};
-  OrderedJson slack;
+Fields belief_fields(const BandBelief& band, const BandEnds& ends) {
+  Fields fields{{"band", band.name},
+                {"from", ends.from},
+                {"to", ends.to},
+                {"verdict", to_string(band.verdict)},
+                {"why", verdict_words(band)},
+                {"probability", band.probability},
+                {"probability_error", band.error},
+                {"log_bayes_factor", band.log_odds},
+                {"chi2_without", band.misfit_change},
+                {"effective_parameters_with", band.effective_change},
+                {"doubtful", band.doubtful},
+                {"largest_tension", units::kNewton, band.tension}};
   if (band.slack)
-    slack = {{"length_mm", kMmPerMetre * band.slack->length},
-             {"sd_mm", kMmPerMetre * band.slack->sd},
-             {"prior_sd_mm", kMmPerMetre * band.slack->prior_sd},
-             {"at_bound", band.slack->at_bound}};
-  out["slack"] = slack;
-  return out;
+    fields.add("slack", Fields{{"length", units::kMillimetre, band.slack->length},
+                               {"sd", units::kMillimetre, band.slack->sd},
+                               {"prior_sd", units::kMillimetre, band.slack->prior_sd},
+                               {"at_bound", band.slack->at_bound}});
+  else
+    fields.add("slack", nullptr);
+  return fields;
 }
 
 }  // namespace
@@ -127,15 +127,15 @@ std::string text_of_free(const NetInference& inference) {
   return text + titled("Measure next. " + next_in_words(free), next);
 }
 
-OrderedJson json_of_free(const NetInference& inference) {
+Fields fields_of_free(const NetInference& inference) {
   const FreeInference& free = *inference.free;
   const BandPosterior& posterior = free.posterior;
   // Bands, sets that were kept, and trials.
-  OrderedJson bands = OrderedJson::array(), sets = bands, next = bands;
+  std::vector<Fields> bands, sets, next;
   for (std::size_t k = 0; k < posterior.bands.size(); ++k)
-    bands.push_back(json_of_belief(posterior.bands[k], inference.ends[k]));
+    bands.push_back(belief_fields(posterior.bands[k], inference.ends[k]));
   for (const BandSet& set : posterior.sets) {
-    OrderedJson absent = OrderedJson::array();
+    std::vector<std::string> absent;
     for (std::size_t b = 0; b < set.bands.size(); ++b)
       if (!set.bands[b]) absent.push_back(posterior.bands[b].name);
     sets.push_back({{"without", absent},
@@ -150,10 +150,10 @@ OrderedJson json_of_free(const NetInference& inference) {
   }
   for (const RankedTrial& trial : free.next)
     next.push_back({{"test", trial.name},
-                    {"information_bit", trial.information},
-                    {"slack_bit", trial.slack},
+                    {"information", units::kBit, trial.information},
+                    {"slack", units::kBit, trial.slack},
                     {"tells_most_of", trial.most_told},
-                    {"of_it_bit", trial.of_most_told}});
+                    {"of_it", units::kBit, trial.of_most_told}});
   return {{"experiment", inference.experiment},
           {"subject", inference.subject},
           {"net", inference.net},
@@ -166,12 +166,12 @@ OrderedJson json_of_free(const NetInference& inference) {
           {"all_sets", posterior.enumerated},
           {"all_by_draws", posterior.by_draws},
           {"errors_per_noise", posterior.noise},
-          {"entropy_bit", posterior.entropy},
-          {"bands", bands},
-          {"sets", sets},
+          {"entropy", units::kBit, posterior.entropy},
+          {"bands", std::move(bands)},
+          {"sets", std::move(sets)},
           {"trials_ranked", free.pool},
-          {"mean_information_bit", free.next_mean},
-          {"next_tests", next},
+          {"mean_information", units::kBit, free.next_mean},
+          {"next_tests", std::move(next)},
           {"warnings", inference.warnings}};
 }
 
@@ -286,10 +286,10 @@ std::string text_of(const NetInference& inference) {
   return text + titled("Measure next. " + next_in_words(inference), next);
 }
 
-OrderedJson json_of(const NetInference& inference) {
-  if (inference.free) return json_of_free(inference);
+Fields fields_of(const NetInference& inference) {
+  if (inference.free) return fields_of_free(inference);
   const InferredNet& net = inference.inferred;
-  OrderedJson bands = OrderedJson::array(), next = bands, groups = bands;
+  std::vector<Fields> bands, groups, next;
   // Bands.
   for (std::size_t k = 0; k < net.verdicts.size(); ++k) {
     const BandVerdict& band = net.verdicts[k];
@@ -297,36 +297,37 @@ OrderedJson json_of(const NetInference& inference) {
                      {"from", inference.ends[k].from},
                      {"to", inference.ends[k].to},
                      {"verdict", to_string(band.verdict)},
-                     {"evidence", number_or_null(band.evidence)},
+                     {"evidence", band.evidence},
                      {"converged", band.converged},
-                     {"EA_N", band.EA_told || band.EA == 0 ? Json(band.EA) : Json()},
-                     {"sd_of_log_EA", number_or_null(band.EA_sd)}});
+                     {"EA", units::kNewton, band.EA_told || band.EA == 0 ? band.EA : std::nan("")},
+                     {"sd_of_log_EA", band.EA_sd}});
   }
   for (const BandGroup& group : net.groups) {
-    Json names = Json::array();
+    std::vector<std::string> names;
     for (const int c : group.bands) names.push_back(net.verdicts[static_cast<std::size_t>(c)].name);
     groups.push_back({{"bands", names}, {"ways", group.ways.size()}});
   }
   // Tests.
   for (const ProposedTest& test : inference.next)
     next.push_back({{"test", test.name}, {"disagreement", test.disagreement}});
-  return {{"experiment", inference.experiment},
-          {"subject", inference.subject},
-          {"net", inference.net},
-          {"method", name_of(inference.method)},
-          {"search_ended", inference.stop ? Json(to_string(*inference.stop)) : Json()},
-          {"best_fit_converged", net.converged},
-          {"out_of_balance_N", net.residual},
-          {"readings", net.rows},
-          {"chi2", net.misfit},
-          {"noise_inflated_by", net.inflation},
-          {"topologies_alike", net.alike.size()},
-          {"topologies_tried", net.tried},
-          {"blind_directions", net.blind.size()},
-          {"bands", bands},
-          {"groups", groups},
-          {"next_tests", next},
-          {"warnings", inference.warnings}};
+  return {
+      {"experiment", inference.experiment},
+      {"subject", inference.subject},
+      {"net", inference.net},
+      {"method", name_of(inference.method)},
+      {"search_ended", inference.stop ? OrderedJson(to_string(*inference.stop)) : OrderedJson()},
+      {"best_fit_converged", net.converged},
+      {"out_of_balance", units::kNewton, net.residual},
+      {"readings", net.rows},
+      {"chi2", net.misfit},
+      {"noise_inflated_by", net.inflation},
+      {"topologies_alike", net.alike.size()},
+      {"topologies_tried", net.tried},
+      {"blind_directions", net.blind.size()},
+      {"bands", std::move(bands)},
+      {"groups", std::move(groups)},
+      {"next_tests", std::move(next)},
+      {"warnings", inference.warnings}};
 }
 
 Table table_of(const NetInference& inference) {

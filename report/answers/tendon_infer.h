@@ -1,6 +1,6 @@
 #pragma once
 
-/// Words, JSON and tables of which bands of an extensor net measured forces ask for.
+/// Words, fields and tables of which bands of an extensor net measured forces ask for.
 ///
 /// A band is decided by its evidence: by how much chi-square is worse without it than with it, in
 /// units of the errors that the best net leaves. Above 6 it exists, below -6 it does not, between
@@ -11,18 +11,16 @@
 #include <vector>
 
 #include "api/tendon_infer.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
 /// Returns an inference as text: the fit of the best net to the forces, the verdict on every band,
 /// the bands that cannot be told apart, and the next measurements.
 [[nodiscard]] std::string text_of(const NetInference& inference);
-/// Returns an inference as JSON; evidence, sd_of_log_EA, log_bayes_factor, chi2_without and
-/// effective_parameters_with are null where they are infinite, EA_N where the data do not decide
-/// it.
-[[nodiscard]] OrderedJson json_of(const NetInference& inference);
+/// Returns an inference as fields; evidence, sd_of_log_EA, log_bayes_factor, chi2_without and
+/// effective_parameters_with are null where they are infinite, EA where the data do not decide it.
+[[nodiscard]] Fields fields_of(const NetInference& inference);
 /// A row for each candidate band.
 [[nodiscard]] Table table_of(const NetInference& inference);
 

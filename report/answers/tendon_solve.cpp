@@ -22,7 +22,7 @@ const char* const kTipDirections[] = {"proximal", "dorsal", "radial"};
 /// A band of the answer.
 struct BandRow {
   std::string name, from, to, state;
-  double length, slack;  // [mm]; slack length NaN of a muscle
+  double length, slack;  // [m]; slack length NaN of a muscle
   double tension;        // [N]
 };
 
@@ -37,8 +37,8 @@ std::vector<BandRow> band_rows(const LoadedDigit& loaded, const DigitPoint& poin
     rows.push_back({band.name, net.nodes[static_cast<std::size_t>(band.a)].name,
                     net.nodes[static_cast<std::size_t>(band.b)].name,
                     std::string(tension > kTaut ? "taut" : "slack") + (bent ? ", on bone" : ""),
-                    point.rest.length[static_cast<Eigen::Index>(k)] / kMm,
-                    band.muscle < 0 ? band.slack / kMm : std::nan(""), tension});
+                    point.rest.length[static_cast<Eigen::Index>(k)],
+                    band.muscle < 0 ? band.slack : std::nan(""), tension});
   }
   return rows;
 }
@@ -74,14 +74,14 @@ std::string shown_tension(double tension) {
   return std::abs(tension) > kTaut ? shown(tension, 4) : "0";
 }
 
-/// Subject, digit, fidelity, net and tensions, as they open every answer in JSON.
-OrderedJson tendon_header(const LoadedDigit& loaded) {
-  OrderedJson json{{"subject", loaded.subject},
-                   {"digit", loaded.digit},
-                   {"fidelity", describe(loaded.bones().fidelity)}};
-  if (loaded.net() != nullptr) json["net"] = loaded.net()->net().net.name;
-  json["tension_N"] = to_json(loaded.bones().names.muscles, loaded.t);
-  return json;
+/// Subject, digit, fidelity, net and tensions: the first fields of every answer.
+Fields tendon_header(const LoadedDigit& loaded) {
+  Fields fields{{"subject", loaded.subject},
+                {"digit", loaded.digit},
+                {"fidelity", describe(loaded.bones().fidelity)}};
+  if (loaded.net() != nullptr) fields.add("net", loaded.net()->net().net.name);
+  fields.add("tension", units::kNewton, loaded.bones().names.muscles, loaded.t);
+  return fields;
 }
 
 /// Returns the header of an answer as two lines of text.
@@ -92,44 +92,42 @@ std::string tendon_title(const LoadedDigit& loaded) {
                      loaded.net() == nullptr ? "" : ", net " + loaded.net()->net().net.name);
 }
 
-void add_net(const LoadedDigit& loaded, const DigitPoint& point, OrderedJson& json) {
+void add_net(const LoadedDigit& loaded, const DigitPoint& point, Fields& fields) {
   const Net& net = loaded.net()->net().net;
-  json["status"] = name_of(point.rest.status);
-  json["snapped"] = point.snapped;
-  json["residual_N"] = point.rest.residual;
-  json["iterations"] = point.rest.iterations;
-  // Bands.
-  json["bands"] = Json::array();
+  fields.add("status", name_of(point.rest.status));
+  fields.add("snapped", point.snapped);
+  fields.add("residual", units::kNewton, point.rest.residual);
+  fields.add("iterations", point.rest.iterations);
+  std::vector<Fields> bands, nodes, contacts;
   for (const BandRow& row : band_rows(loaded, point))
-    json["bands"].push_back(OrderedJson{{"name", row.name},
-                                        {"from", row.from},
-                                        {"to", row.to},
-                                        {"length_mm", row.length},
-                                        {"slack_mm", number_or_null(row.slack)},
-                                        {"tension_N", row.tension},
-                                        {"state", row.state}});
-  // Nodes.
-  json["nodes"] = Json::array();
+    bands.push_back({{"name", row.name},
+                     {"from", row.from},
+                     {"to", row.to},
+                     {"length", units::kMillimetre, row.length},
+                     {"slack", units::kMillimetre, row.slack},
+                     {"tension", units::kNewton, row.tension},
+                     {"state", row.state}});
   for (std::size_t i = 0; i < net.nodes.size(); ++i)
-    json["nodes"].push_back(
-        OrderedJson{{"name", net.nodes[i].name},
-                    {"floating", net.nodes[i].free},
-                    {"place_mm", to_json(point.rest.x.col(static_cast<Eigen::Index>(i)) / kMm)}});
-  // Contacts of nodes with bone.
-  json["contacts"] = Json::array();
+    nodes.push_back(
+        {{"name", net.nodes[i].name},
+         {"floating", net.nodes[i].free},
+         {"place", units::kMillimetre, point.rest.x.col(static_cast<Eigen::Index>(i))}});
+  // Of nodes with bone.
   for (const NetContact& contact : point.rest.contacts)
-    json["contacts"].push_back(
-        OrderedJson{{"node", net.nodes[static_cast<std::size_t>(contact.node)].name},
-                    {"surface", net.surfaces[static_cast<std::size_t>(contact.surface)].name},
-                    {"force_N", contact.force}});
+    contacts.push_back({{"node", net.nodes[static_cast<std::size_t>(contact.node)].name},
+                        {"surface", net.surfaces[static_cast<std::size_t>(contact.surface)].name},
+                        {"force", units::kNewton, contact.force}});
+  fields.add("bands", std::move(bands));
+  fields.add("nodes", std::move(nodes));
+  fields.add("contacts", std::move(contacts));
 }
 
 std::string net_text(const LoadedDigit& loaded, const DigitPoint& point) {
   const Net& net = loaded.net()->net().net;
   Table bands{{"band", "from", "to", "length_mm", "slack_length_mm", "tension_N", "state"}, {}};
   for (const BandRow& row : band_rows(loaded, point))
-    bands.rows.push_back({row.name, row.from, row.to, shown(row.length, 3),
-                          std::isfinite(row.slack) ? shown(row.slack, 3) : "-",
+    bands.rows.push_back({row.name, row.from, row.to, shown(row.length / kMm, 3),
+                          std::isfinite(row.slack) ? shown(row.slack / kMm, 3) : "-",
                           shown_tension(row.tension), row.state});
 
   Table nodes{{"node", "x_mm", "y_mm", "z_mm"}, {}};
@@ -171,36 +169,43 @@ std::string tip_text(const LoadedDigit& loaded, const DigitPoint& point) {
   return note.empty() ? text : text + fmt::format("note: {}\n", note);
 }
 
-/// A column of numbers: its name with the unit, and its value at a posture.
+/// A column of numbers: its key, and its value at a posture in SI.
 struct SweepColumn {
-  std::string name;
+  std::string key;
+  FieldUnit unit;
   std::function<double(const DigitPoint&)> value;
+
+  [[nodiscard]] std::string name() const { return key_with(key, unit, UnitSystem::kPrinted); }
+  /// In the unit of name().
+  [[nodiscard]] double printed(const DigitPoint& point) const {
+    return value(point) * unit.numerator / unit.denominator;
+  }
 };
 
 std::vector<SweepColumn> angle_columns(const TendonNames& names) {
   std::vector<SweepColumn> columns;
   for (std::size_t i = 0; i < names.coordinates.size(); ++i)
-    columns.push_back({names.coordinates[i] + "_deg", [i](const DigitPoint& point) {
-                         return point.q[static_cast<Eigen::Index>(i)] / kDegree;
+    columns.push_back({names.coordinates[i], units::kDegree, [i](const DigitPoint& point) {
+                         return point.q[static_cast<Eigen::Index>(i)];
                        }});
   return columns;
 }
 
 std::vector<SweepColumn> slip_columns(const LoadedDigit& loaded) {
   if (loaded.net() == nullptr && !loaded.bones().model.hood) return {};
-  return {{"central_N", [](const DigitPoint& p) { return p.pull.slips.central; }},
-          {"radial_N", [](const DigitPoint& p) { return p.pull.slips.radial; }},
-          {"ulnar_N", [](const DigitPoint& p) { return p.pull.slips.ulnar; }},
-          {"terminal_N", [](const DigitPoint& p) { return p.pull.slips.terminal; }}};
+  return {{"central", units::kNewton, [](const DigitPoint& p) { return p.pull.slips.central; }},
+          {"radial", units::kNewton, [](const DigitPoint& p) { return p.pull.slips.radial; }},
+          {"ulnar", units::kNewton, [](const DigitPoint& p) { return p.pull.slips.ulnar; }},
+          {"terminal", units::kNewton, [](const DigitPoint& p) { return p.pull.slips.terminal; }}};
 }
 
 std::vector<SweepColumn> band_columns(const LoadedDigit& loaded) {
   if (loaded.net() == nullptr) return {};
   std::vector<SweepColumn> columns{
-      {"residual_N", [](const DigitPoint& p) { return p.rest.residual; }}};
+      {"residual", units::kNewton, [](const DigitPoint& p) { return p.rest.residual; }}};
   const Net& net = loaded.net()->net().net;
   for (std::size_t k = 0; k < net.bands.size(); ++k)
-    columns.push_back({"tension_" + net.bands[k].name + "_N", [k](const DigitPoint& p) {
+    columns.push_back({"tension_" + net.bands[k].name, units::kNewton, [k](const DigitPoint& p) {
                          return p.rest.tension[static_cast<Eigen::Index>(k)];
                        }});
   return columns;
@@ -211,7 +216,7 @@ std::vector<SweepColumn> force_columns(const LoadedDigit& loaded) {
   columns.reserve(3);
   for (int k = 0; k < 3; ++k)
     columns.push_back(
-        {fmt::format("force_{}_N", kTipDirections[k]),
+        {fmt::format("force_{}", kTipDirections[k]), units::kNewton,
          [&loaded, k](const DigitPoint& p) { return force_in_tip_axes(loaded, p)[k]; }});
   return columns;
 }
@@ -219,9 +224,9 @@ std::vector<SweepColumn> force_columns(const LoadedDigit& loaded) {
 std::vector<SweepColumn> torque_columns(const TendonNames& names) {
   std::vector<SweepColumn> columns;
   for (std::size_t j = 0; j < names.coordinates.size(); ++j)
-    columns.push_back({"torque_" + names.coordinates[j] + "_N_mm", [j](const DigitPoint& p) {
-                         return 1e3 * p.pull.tau[static_cast<Eigen::Index>(j)];
-                       }});
+    columns.push_back(
+        {"torque_" + names.coordinates[j], units::kNewtonMillimetre,
+         [j](const DigitPoint& p) { return p.pull.tau[static_cast<Eigen::Index>(j)]; }});
   return columns;
 }
 
@@ -229,10 +234,10 @@ std::vector<SweepColumn> arm_columns(const TendonNames& names) {
   std::vector<SweepColumn> columns;
   for (std::size_t m = 0; m < names.muscles.size(); ++m)
     for (std::size_t j = 0; j < names.coordinates.size(); ++j)
-      columns.push_back({fmt::format("arm_{}_{}_mm", names.muscles[m], names.coordinates[j]),
-                         [m, j](const DigitPoint& p) {
-                           return 1e3 * p.pull.R(static_cast<Eigen::Index>(m),
-                                                 static_cast<Eigen::Index>(j));
+      columns.push_back({fmt::format("arm_{}_{}", names.muscles[m], names.coordinates[j]),
+                         units::kMillimetre, [m, j](const DigitPoint& p) {
+                           return p.pull.R(static_cast<Eigen::Index>(m),
+                                           static_cast<Eigen::Index>(j));
                          }});
   return columns;
 }
@@ -247,12 +252,13 @@ std::vector<SweepColumn> joined_columns(std::vector<std::vector<SweepColumn>> pa
 /// Columns of numbers behind angles and status.
 std::vector<SweepColumn> number_columns(const LoadedDigit& loaded) {
   const TendonNames& names = loaded.bones().names;
-  return joined_columns({slip_columns(loaded),
-                         band_columns(loaded),
-                         force_columns(loaded),
-                         {{"condition", [](const DigitPoint& p) { return p.tip.condition; }}},
-                         torque_columns(names),
-                         arm_columns(names)});
+  return joined_columns(
+      {slip_columns(loaded),
+       band_columns(loaded),
+       force_columns(loaded),
+       {{"condition", units::kOne, [](const DigitPoint& p) { return p.tip.condition; }}},
+       torque_columns(names),
+       arm_columns(names)});
 }
 
 /// Returns the status of the net's search; if the net is in balance, or there is no net, the status
@@ -269,22 +275,22 @@ Table rows_of(const LoadedDigit& loaded, const std::vector<const DigitPoint*>& p
   const bool net = loaded.net() != nullptr;
   // Header.
   Table table;
-  for (const SweepColumn& column : angles) table.header.push_back(column.name);
+  for (const SweepColumn& column : angles) table.header.push_back(column.name());
   table.header.emplace_back("status");
   if (net) table.header.emplace_back("snapped");
   table.header.emplace_back("trouble");
-  for (const SweepColumn& column : numbers) table.header.push_back(column.name);
+  for (const SweepColumn& column : numbers) table.header.push_back(column.name());
   // Rows.
   for (const DigitPoint* point : points) {
     std::vector<std::string> cells;
     cells.reserve(table.header.size());
     for (const SweepColumn& column : angles)
-      cells.push_back(fmt::format("{:.10g}", column.value(*point)));
+      cells.push_back(fmt::format("{:.10g}", column.printed(*point)));
     cells.push_back(status_of(loaded, *point));
     if (net) cells.emplace_back(point->snapped ? "1" : "0");
     cells.push_back(point->pull.warning);
     for (const SweepColumn& column : numbers)
-      cells.push_back(fmt::format("{:.10g}", column.value(*point)));
+      cells.push_back(fmt::format("{:.10g}", column.printed(*point)));
     table.rows.push_back(std::move(cells));
   }
   return table;
@@ -350,38 +356,42 @@ std::string text_of(const TendonSolution& solution) {
   return text;
 }
 
-OrderedJson json_of(const TendonSolution& solution) {
+Fields fields_of(const TendonSolution& solution) {
   const LoadedDigit& loaded = solution.loaded;
   const DigitPoint& point = solution.point;
   const TendonNames& names = loaded.bones().names;
-  OrderedJson json = tendon_header(loaded);
-  json["posture_deg"] = to_json(names.coordinates, point.q / kDegree);
-  add_passive(loaded.bones().skeleton, point.q, json);
-  if (loaded.net() != nullptr) add_net(loaded, point, json);
+  Fields fields = tendon_header(loaded);
+  fields.add("posture", units::kDegree, names.coordinates, point.q);
+  add_passive(loaded.bones().skeleton, point.q, fields);
+  if (loaded.net() != nullptr) add_net(loaded, point, fields);
   if (!point.pull.warning.empty())
-    for (const char* member : {"trouble", "warning"}) json[member] = point.pull.warning;
+    for (const char* member : {"trouble", "warning"}) fields.add(member, point.pull.warning);
   // Slips.
   const SlipTension& slips = point.pull.slips;
-  json["slips_N"] = {{"central", slips.central},
-                     {"radial", slips.radial},
-                     {"ulnar", slips.ulnar},
-                     {"terminal", slips.terminal}};
-  json["terminal_to_central"] = number_or_null(slip_ratio(slips));
+  fields.add("slips", units::kNewton,
+             OrderedJson{{"central", slips.central},
+                         {"radial", slips.radial},
+                         {"ulnar", slips.ulnar},
+                         {"terminal", slips.terminal}});
+  fields.add("terminal_to_central", slip_ratio(slips));
   // Torques and moment arms.
-  json["torque_N_mm"] = to_json(names.coordinates, point.pull.tau / kNewtonMillimetre);
+  fields.add("torque", units::kNewtonMillimetre, names.coordinates, point.pull.tau);
+  OrderedJson arms;
   for (std::size_t m = 0; m < names.muscles.size(); ++m)
-    json["moment_arm_mm"][names.muscles[m]] = to_json(
-        names.coordinates, point.pull.R.row(static_cast<Eigen::Index>(m)).transpose() / kMm);
+    arms[names.muscles[m]] =
+        to_json(names.coordinates, point.pull.R.row(static_cast<Eigen::Index>(m)));
+  fields.add("moment_arm", units::kMillimetre, std::move(arms));
   // Force of the tip.
-  json["force_N"] = to_json(point.tip.f_W);
-  json["force_tip_axes_N"] =
-      to_json({"proximal", "dorsal", "radial"}, force_in_tip_axes(loaded, point));
-  json["leftover_torque_N_mm"] =
-      to_json(names.coordinates, point.tip.tau_residual / kNewtonMillimetre);
-  json["condition"] = number_or_null(point.tip.condition);
-  if (const std::string note = tip_note(point.tip); !note.empty()) json["note"] = note;
-  json["warnings"] = warnings_of(solution);
-  return json;
+  fields.add("force", units::kNewton, point.tip.f_W);
+  fields.add("force_tip_axes", units::kNewton,
+             std::vector<std::string>(std::begin(kTipDirections), std::end(kTipDirections)),
+             force_in_tip_axes(loaded, point));
+  fields.add("leftover_torque", units::kNewtonMillimetre, names.coordinates,
+             point.tip.tau_residual);
+  fields.add("condition", point.tip.condition);
+  if (const std::string note = tip_note(point.tip); !note.empty()) fields.add("note", note);
+  fields.add("warnings", warnings_of(solution));
+  return fields;
 }
 
 Table table_of(const TendonSolution& solution) {
@@ -395,10 +405,10 @@ std::string text_of(const TendonSweep& sweep) {
   Table table{{"quantity", "first", "last", "min", "max"}, {}};
   for (const SweepColumn& column : columns) {
     std::vector<double> values;
-    for (const DigitPoint& point : sweep.points) values.push_back(column.value(point));
+    for (const DigitPoint& point : sweep.points) values.push_back(column.printed(point));
     if (values.empty()) continue;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    table.rows.push_back({column.name, shown(values.front(), 4), shown(values.back(), 4),
+    table.rows.push_back({column.name(), shown(values.front(), 4), shown(values.back(), 4),
                           shown(*low, 4), shown(*high, 4)});
   }
   std::string text = tendon_title(loaded);
@@ -410,19 +420,23 @@ std::string text_of(const TendonSweep& sweep) {
   return text + "\n" + titled("Over the sweep", table);
 }
 
-OrderedJson json_of(const TendonSweep& sweep) {
+Fields fields_of(const TendonSweep& sweep) {
   const LoadedDigit& loaded = sweep.loaded;
-  OrderedJson json = tendon_header(loaded);
-  const std::vector<SweepColumn> columns =
-      joined_columns({angle_columns(loaded.bones().names), number_columns(loaded)});
-  for (const DigitPoint& point : sweep.points) {
-    json["status"].push_back(status_of(loaded, point));
-    if (loaded.net() != nullptr) json["snapped"].push_back(point.snapped);
-    json["trouble"].push_back(point.pull.warning);
-    for (const SweepColumn& column : columns) json[column.name].push_back(column.value(point));
-  }
-  json["warnings"] = warnings_of(sweep);
-  return json;
+  Fields fields = tendon_header(loaded);
+  const auto add_each = [&](const std::string& key, const FieldUnit& unit, const auto& value) {
+    OrderedJson list = OrderedJson::array();
+    for (const DigitPoint& point : sweep.points) list.push_back(value(point));
+    fields.add(key, unit, std::move(list));
+  };
+  add_each("status", units::kOne, [&](const DigitPoint& p) { return status_of(loaded, p); });
+  if (loaded.net() != nullptr)
+    add_each("snapped", units::kOne, [](const DigitPoint& p) { return p.snapped; });
+  add_each("trouble", units::kOne, [](const DigitPoint& p) { return p.pull.warning; });
+  for (const SweepColumn& column :
+       joined_columns({angle_columns(loaded.bones().names), number_columns(loaded)}))
+    add_each(column.key, column.unit, column.value);
+  fields.add("warnings", warnings_of(sweep));
+  return fields;
 }
 
 Table table_of(const TendonSweep& sweep) {

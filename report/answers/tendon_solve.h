@@ -1,27 +1,25 @@
 #pragma once
 
-/// Words, JSON and tables of what tendon tensions do to a digit.
+/// Words, fields and tables of what tendon tensions do to a digit.
 
 #include <string>
 #include <vector>
 
 #include "api/tendon_solve.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
 /// Header, bands, nodes and contacts of a net, slips, joint torques, force of the tip.
 [[nodiscard]] std::string text_of(const TendonSolution& solution);
-/// Returns a solution as JSON, with units in the names of members.
-[[nodiscard]] OrderedJson json_of(const TendonSolution& solution);
+[[nodiscard]] Fields fields_of(const TendonSolution& solution);
 /// The row that a sweep has for this posture.
 [[nodiscard]] Table table_of(const TendonSolution& solution);
 
 /// First, last, least and largest slip tension, tip force and joint torque of the sweep.
 [[nodiscard]] std::string text_of(const TendonSweep& sweep);
 /// A list for each column of table_of().
-[[nodiscard]] OrderedJson json_of(const TendonSweep& sweep);
+[[nodiscard]] Fields fields_of(const TendonSweep& sweep);
 /// A row for each posture: angles, status, slips, bands, tip force, torques, moment arms.
 [[nodiscard]] Table table_of(const TendonSweep& sweep);
 

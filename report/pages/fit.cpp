@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "base/words.h"
 #include "kinematics_fit/fit_residuals.h"
+#include "kinematics_fit/trivial_prediction.h"
 #include "report/answers/fit.h"
 #include "report/answers/fitted_value.h"
 #include "report/answers/hood_rows.h"
@@ -103,14 +104,14 @@ Json ending_blocks(const FitResult& result) {
 /// @param noise  misfit in stated noises, or null
 Json error_row(const Prediction& prediction, const std::string& what, const Json& noise) {
   const ForceError& error = prediction.error;
-  const Json trivial = trivial_json(prediction);
+  const std::optional<BesideTrivial> beside = beside_trivial(prediction);
   return {prediction.experiment + seen_words(prediction),
           what,
           error.trials,
           error.rms,
           error.relative,
           error.relative_flexion,
-          trivial.is_null() ? trivial : trivial["relative_error"],
+          beside ? Json(beside->trivial.relative) : Json(nullptr),
           degrees(error.direction),
           noise,
           error.covered ? Json(100 * *error.covered) : Json(nullptr)};

@@ -142,7 +142,7 @@ OrderedJson quality_json(const MotionQuality& quality) {
   out["energy_error"] = balance ? number_or_null(balance->error) : Json();
   out["energy_turned_over"] = balance ? number_or_null(balance->turned_over) : Json();
   out["energy_balances"] = balance ? Json(balance->holds()) : Json();
-  out["limits_passed"] = limits_json(quality.limits);
+  out.update(json_of(Fields{{"limits_passed", limit_fields(quality.limits)}}, UnitSystem::kSi));
   out["restitution_ignored"] = quality.restitution;
   return out;
 }

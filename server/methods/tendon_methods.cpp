@@ -88,7 +88,9 @@ void add_tip(const LiveDigit& digit, OrderedJson& json) {
         to_json({"proximal", "dorsal", "radial"}, axes.transpose() * point.tip.f_W);
   }
   const std::vector<std::string>& joints = digit.about().bones().names.coordinates;
-  add_passive(digit.about().bones().skeleton, point.q, json);
+  Fields passive;
+  add_passive(digit.about().bones().skeleton, point.q, passive);
+  json.update(json_of(passive, UnitSystem::kPrinted));
   json["torques"] = sound ? to_json(joints, point.pull.tau) : OrderedJson();
   json["unbalanced_torques"] = sound ? to_json(joints, point.tip.tau_residual) : OrderedJson();
   json["condition"] = number_or_null(point.tip.condition);

@@ -2,6 +2,7 @@
 
 #include "report/answers/hood_rows.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "kinematics_fit/hood_rows.h"
@@ -30,7 +31,7 @@ TEST_F(HoodRowAnswer, SetsANetBesideFractionsWhereSomethingIsLeftOut) {
   EXPECT_FALSE(result.fractions->fit.inputs.net.has_value());
 
   // Rows in sample and left out, in words and numbers alike.
-  const Json json = hood_row_json(result);
+  const OrderedJson json = json_of(hood_row_fields(result), UnitSystem::kPrinted);
   ASSERT_EQ(json["rows"].size(), 2U);
   const std::vector<std::string> muscles{"EDC", "RI", "LU", "UI"};
   const double with_net =

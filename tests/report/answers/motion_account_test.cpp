@@ -39,7 +39,7 @@ TEST(MotionAccount, NamesJointsBeyondTheirLimits) {
   const std::vector<PassedLimit> limits{{"door", false, 10 * kDegree}, {"drawer", true, 0.04}};
   EXPECT_EQ(beyond_words(limits[0]), "10 deg");
   EXPECT_EQ(beyond_words(limits[1]), "40 mm");
-  const OrderedJson json = limits_json(limits);
+  const OrderedJson json = json_of(limit_fields(limits), UnitSystem::kPrinted);
   EXPECT_EQ(json[0], OrderedJson({{"joint", "door"}, {"beyond_rad", 10 * kDegree}}));
   EXPECT_EQ(json[1], OrderedJson({{"joint", "drawer"}, {"beyond_m", 0.04}}));
 }
