@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/field_names.h"
 
 namespace thenar {
 
@@ -48,10 +49,13 @@ std::string listed(const std::vector<std::string>& names) {
   return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): once, by a name that is there
 std::size_t index_of_name(const std::string& name, const std::vector<std::string>& names,
                           const std::string& kind) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const std::string of_field = name_of_field(name, names);
+  if (!of_field.empty()) return index_of_name(of_field, names, kind);
   const std::string meant = did_you_mean(name, names);
   throw InputError(fmt::format("no {} '{}'{} there are {}", kind, name, meant.empty() ? ";" : meant,
                                listed(names)));

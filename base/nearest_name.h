@@ -23,7 +23,7 @@ namespace thenar {
 /// "a, b, c", or "none".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
-/// Returns the position of `name` in `names`.
+/// Returns the position of `name` in `names`, or of the only one that has it as a field_name().
 /// @param kind  how the message calls a name: "muscle"
 /// @throws InputError "no muscle 'FPD', did you mean 'FDP'? there are FDP, FDS" if it is not there.
 [[nodiscard]] std::size_t index_of_name(const std::string& name,

@@ -203,22 +203,25 @@ int LiveMotion::coordinate_named(const std::string& name) const {
   return static_cast<int>(index_of_name(name, coordinates_, "coordinate"));
 }
 
+const ElementControl& LiveMotion::control_named(const std::string& name,
+                                                const std::string& unit) const {
+  const auto found = controls_.find(name);
+  if (found != controls_.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [known, control] : controls_)
+    if (control.unit == unit) names.push_back(known);
+  return controls_.at(names[index_of_name(name, names, unit == "N" ? "tension" : "excitation")]);
+}
+
 void LiveMotion::check_controls(const std::map<std::string, double>& values,
                                 const std::string& unit) const {
   for (const auto& [name, value] : values) {
-    const auto found = controls_.find(name);
-    if (found == controls_.end()) {
-      std::vector<std::string> names;
-      for (const auto& [known, control] : controls_)
-        if (control.unit == unit) names.push_back(known);
-      (void)index_of_name(name, names, unit == "N" ? "tension" : "excitation");
-    }
-    require(found->second.unit == unit, "'{}' {}", name,
+    const ElementControl& control = control_named(name, unit);
+    require(control.unit == unit, "'{}' {}", name,
             unit == "N" ? "contracts by itself: set its excitation"
                         : "is pulled by a given tension: set that");
-    require(value >= found->second.lower && value <= found->second.upper,
-            "'{}' must be {} to {:g} {}, got {}", name, found->second.lower, found->second.upper,
-            unit, value);
+    require(value >= control.lower && value <= control.upper, "'{}' must be {} to {:g} {}, got {}",
+            name, control.lower, control.upper, unit, value);
   }
 }
 
@@ -239,29 +242,36 @@ void LiveMotion::set(const MotionInputs& inputs) {
   check_controls(inputs.excitations, "1");
   // An effort takes the place of a target, and a target that of an effort.
   for (const auto& [name, value] : inputs.efforts)
-    require(inputs.targets.count(name) == 0, "'{}' has an effort and a target", name);
+    for (const auto& [other, target] : inputs.targets)
+      require(coordinate_named(name) != coordinate_named(other), "'{}' has an effort and a target",
+              name);
   for (const std::string& name : inputs.release) {
-    stepper_.release(coordinate_named(name));
-    efforts_.erase(name);
-    targets_.erase(name);
+    const int c = coordinate_named(name);
+    stepper_.release(c);
+    efforts_.erase(c);
+    targets_.erase(c);
   }
   for (const auto& [name, value] : inputs.efforts) {
-    stepper_.set_effort(coordinate_named(name), value);
-    efforts_[name] = value;
-    targets_.erase(name);
+    const int c = coordinate_named(name);
+    stepper_.set_effort(c, value);
+    efforts_[c] = value;
+    targets_.erase(c);
   }
   for (const auto& [name, value] : inputs.targets) {
-    stepper_.set_target(coordinate_named(name), value);
-    targets_[name] = value;
-    efforts_.erase(name);
+    const int c = coordinate_named(name);
+    stepper_.set_target(c, value);
+    targets_[c] = value;
+    efforts_.erase(c);
   }
-  for (const auto* values : {&inputs.tensions, &inputs.excitations})
-    for (const auto& [name, value] : *values) stepper_.set_control(name, value);
+  for (const auto& [name, value] : inputs.tensions)
+    stepper_.set_control(control_named(name, "N").name, value);
+  for (const auto& [name, value] : inputs.excitations)
+    stepper_.set_control(control_named(name, "1").name, value);
 }
 
 std::vector<MotionInput> LiveMotion::inputs() const {
-  const auto given = [](const std::map<std::string, double>& values, const std::string& name) {
-    const auto found = values.find(name);
+  const auto given = [](const std::map<int, double>& values, int coordinate) {
+    const auto found = values.find(coordinate);
     return found == values.end() ? std::nullopt : std::optional<double>(found->second);
   };
   std::vector<MotionInput> out;
@@ -271,10 +281,10 @@ std::vector<MotionInput> LiveMotion::inputs() const {
     const int index = static_cast<int>(c);
     const bool slides = slides_along(scene(), index);
     const double most = stepper_.largest_effort(index);
-    out.push_back({name, "effort", slides ? "N" : "N m", -most, most, given(efforts_, name)});
+    out.push_back({name, "effort", slides ? "N" : "N m", -most, most, given(efforts_, index)});
     if (stepper_.stiff_drive(index) != nullptr)
       out.push_back({name, "target", slides ? "m" : "rad", ranges[c].lower, ranges[c].upper,
-                     given(targets_, name)});
+                     given(targets_, index)});
   }
   for (const ElementControl& control : stepper_.controls())
     out.push_back({control.name, control.unit == "N" ? "tension" : "excitation", control.unit,

@@ -81,6 +81,8 @@ class LiveMotion final : public LiveTimeline {
 
  private:
   [[nodiscard]] int coordinate_named(const std::string& name) const;
+  [[nodiscard]] const ElementControl& control_named(const std::string& name,
+                                                    const std::string& unit) const;
   void check_controls(const std::map<std::string, double>& values, const std::string& unit) const;
   void check_targets(const std::map<std::string, double>& values) const;
   void keep();
@@ -103,9 +105,9 @@ class LiveMotion final : public LiveTimeline {
   ScenePicture picture_;
   mutable SceneStepper stepper_;  // asked for poses and energies, it uses its room
   std::vector<std::string> coordinates_;
-  std::map<std::string, double> efforts_, targets_;  // that are set, by coordinate
-  std::map<std::string, int> index_of_;              // of coordinates
-  std::map<std::string, ElementControl> controls_;   // what each may be set to
+  std::map<int, double> efforts_, targets_;         // that are set, by coordinate
+  std::map<std::string, int> index_of_;             // of coordinates
+  std::map<std::string, ElementControl> controls_;  // what each may be set to
   MotionHistory history_;
   PastInstant newest_;     // its room
   std::size_t shown_ = 0;  // of the history

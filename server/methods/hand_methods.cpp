@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/field_names.h"
 #include "grasp/closing/describe_grasp.h"
 #include "live/world/live_quality.h"
 #include "live/world/world_edits.h"
@@ -42,6 +43,7 @@ OrderedJson joint_list(const LiveWorld& live, std::size_t index) {
     const int leader = hand.built->leads[c].leader;
     list.push_back(
         {{"name", layout.coordinates[c]},
+         {"field", field_name(layout.coordinates[c])},
          {"value", hand.stand.q[i]},
          {"lower", number_or_null(layout.lower[i])},
          {"upper", number_or_null(layout.upper[i])},
@@ -105,8 +107,10 @@ constexpr const char* kClosingReturns =
 void add_hand_methods(MethodTable& table) {
   const SchemaMember distance{"distance", number_schema("m", 1e-6, 100), "Longest way.", false, 1};
   table.add({"hand.get", "All joints of a hand.", object_schema({hand_member()}),
-             "hand; joints: name, value [rad or m], lower, upper, slides, led_by", "{}",
-             get_joints});
+             "hand; joints: name, field (the name in structures of MATLAB, which does for it), "
+             "value [rad "
+             "or m], lower, upper, slides, led_by",
+             "{}", get_joints});
   table.add(
       {"hand.set_joints",
        "Sets joints within their limits. One that is named alone of its drive moves all joints of "

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "api/named/files.h"
+#include "base/field_names.h"
 #include "base/nearest_name.h"
 #include "live/live_motion.h"
 #include "live/recorded_digit_motion.h"
@@ -243,6 +244,7 @@ OrderedJson motion_inputs(Session& session, const Json& /*params*/, const Progre
   OrderedJson list = OrderedJson::array();
   for (const MotionInput& input : motion_of(session).inputs())
     list.push_back({{"name", input.name},
+                    {"field", field_name(input.name)},
                     {"kind", input.kind},
                     {"unit", input.unit},
                     {"lower", number_or_null(input.lower)},
@@ -333,11 +335,11 @@ void add_stepping_methods(MethodTable& table) {
              with_quality("since the start"), R"({"want": ["energy"]})", motion_state});
   table.add({"motion.set", "Sets inputs, which stay until they are set again.",
              object_schema(input_members()), "t [s]", R"({"efforts": {}})", set_motion});
-  table.add(
-      {"motion.inputs", "Names what can be set.", object_schema({}),
-       "inputs [{name, kind: effort, target, tension or excitation, unit, lower, upper, set}]; "
-       "null: no limit of its own is known, nothing is set",
-       "{}", motion_inputs});
+  table.add({"motion.inputs", "Names what can be set.", object_schema({}),
+             "inputs [{name, field (the name in structures of MATLAB, which does for it), kind: "
+             "effort, target, tension or excitation, unit, lower, upper, set}]; "
+             "null: no limit of its own is known, nothing is set",
+             "{}", motion_inputs});
 }
 
 void add_playing_methods(MethodTable& table) {

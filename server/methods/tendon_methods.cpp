@@ -2,6 +2,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/field_names.h"
 #include "base/progress_parts.h"
 #include "base/rung_names.h"
 #include "live/live_digit.h"
@@ -29,6 +30,7 @@ OrderedJson joints_json(const LiveDigit& digit) {
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const LiveJoint& joint = digit.shape().joints[i];
     OrderedJson row{{"name", joint.name},
+                    {"field", field_name(joint.name)},
                     {"value", angles[i]},
                     {"lower", number_or_null(joint.lower)},
                     {"upper", number_or_null(joint.upper)}};
@@ -207,7 +209,8 @@ Schema sweep_params() {
 
 constexpr const char* kStateWords =
     "subject, digit, built; rotation of the picture against the subject's frame; joints: name, "
-    "value, lower, upper [rad], led_by; muscles: name, tension [N], excitation or null, max_force "
+    "field (the name in structures of MATLAB, which does for it), value, lower, upper [rad], "
+    "led_by; muscles: name, tension [N], excitation or null, max_force "
     "[N], length: longer than with all joints at 0 [m], arms: joint -> moment arm, flexion and "
     "radial positive [m]; bands of a net: name, tension [N], slack; slips [N]; tip_force in the "
     "subject's frame and tip_force_axes [N]; passive_moment_Nm of joints, where they have some; "
