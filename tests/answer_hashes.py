@@ -88,7 +88,7 @@ def hash_of(program, arguments):
         if not printed and out.suffix == ".csv":
             text = "\n".join(line for line in text.splitlines() if not line.startswith("#"))
         else:
-            text = json.dumps(numbers_of(json.loads(text)))
+            text = json.dumps(numbers_of(json.loads(text)), sort_keys=True)
         return f"{hashlib.sha256(text.encode()).hexdigest()[:16]} {len(text)} exit {ran.returncode}"
 
 
