@@ -48,6 +48,12 @@ inline constexpr FieldUnit kPascal{"Pa", "Pa"};
 inline constexpr FieldUnit kJoule{"J", "J"};
 inline constexpr FieldUnit kKilogram{"kg", "kg"};
 inline constexpr FieldUnit kBit{"bit", "bit"};
+inline constexpr FieldUnit kKilogramSquareMetre{"kg_m2", "kg_m2"};
+inline constexpr FieldUnit kCubicMetre{"m3", "m3"};
+inline constexpr FieldUnit kInertiaOfDensityOne{"m5", "m5"};
+inline constexpr FieldUnit kMillimetrePerRadian{"m_per_rad", "mm_per_rad", 1, kMm};
+inline constexpr FieldUnit kNewtonPerMetre{"N_per_m", "N_per_m"};
+inline constexpr FieldUnit kNewtonPerMillimetre{"N_per_m", "N_per_mm", kMm};
 // Printed under keys of earlier versions.
 inline constexpr FieldUnit kMetrePerSecondShort{"m_per_s", "m_s"};
 inline constexpr FieldUnit kRadianPerSecondShort{"rad_per_s", "rad_s"};
@@ -56,6 +62,9 @@ inline constexpr FieldUnit kMetreBare{"m", ""};
 inline constexpr FieldUnit kRadianBare{"rad", ""};
 inline constexpr FieldUnit kMetrePerSecondBare{"m_per_s", ""};
 inline constexpr FieldUnit kRadianPerSecondBare{"rad_per_s", ""};
+inline constexpr FieldUnit kMillimetrePerSecondShort{"m_per_s", "mm_s", 1, kMm};
+inline constexpr FieldUnit kNewtonBare{"N", ""};
+inline constexpr FieldUnit kNewtonMetreBare{"N_m", ""};
 }  // namespace units
 
 /// Units in which fields are written.

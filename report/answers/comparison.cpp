@@ -280,11 +280,14 @@ std::string text_of(const HandComparison& result) {
   return text;
 }
 
-OrderedJson json_of(const HandComparison& result) {
-  OrderedJson json = ordered(comparison_node(result.comparison));
+Fields fields_of(const HandComparison& result) {
+  Fields fields;
+  const JsonNode file = comparison_node(result.comparison);
+  for (std::size_t i = 0; i < file.items.size(); ++i)
+    fields.add(file.names[i], ordered(file.items[i]));
   const std::string hand = hand_of_most_closures(result.comparison);
-  json["most_closures"] = hand.empty() ? OrderedJson() : OrderedJson(hand);
-  return json;
+  fields.add("most_closures", hand.empty() ? OrderedJson() : OrderedJson(hand));
+  return fields;
 }
 
 Table table_of(const HandComparison& result) { return cell_table(result.comparison); }

@@ -1,13 +1,12 @@
 #pragma once
 
-/// A comparison of hands as words, JSON and a table.
+/// A comparison of hands as words, fields and a table.
 
 #include <string>
 #include <vector>
 
 #include "api/compare.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
@@ -18,7 +17,7 @@ namespace thenar {
 
 /// Members as docs/data_format.md has them; null: not known; "infinite". most_closures: the hand
 /// that has more than each other beyond chance, null if none.
-[[nodiscard]] OrderedJson json_of(const HandComparison& result);
+[[nodiscard]] Fields fields_of(const HandComparison& result);
 
 /// A row for each hand on each object.
 [[nodiscard]] Table table_of(const HandComparison& result);

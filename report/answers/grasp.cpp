@@ -95,41 +95,41 @@ std::string joints_text(const GraspResult& result) {
   return joints.rows.empty() ? "" : "\n" + aligned(joints);
 }
 
-// ---- JSON
+// ---- fields
 
-OrderedJson coordinates_json(const GraspResult& result) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> coordinate_fields(const GraspResult& result) {
+  std::vector<Fields> list;
   for (const JointRow& row : joint_rows(result))
     list.push_back({{"coordinate", row.name},
                     {"kind", row.slides ? "slides" : "turns"},
-                    {"value", row.value},
+                    {"value", row.slides ? units::kMetreBare : units::kRadianBare, row.value},
                     {"stopped_by", row.stopped_by},
                     {"why", row.why}});
   return list;
 }
 
-OrderedJson contacts_json(const GraspResult& result) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> contact_fields(const GraspResult& result) {
+  std::vector<Fields> list;
   for (const HandContact& found : result.grasp.contacts) {
     const LinkSurface& surface = surface_of(result, found);
     list.push_back({{"surface", surface.name},
                     {"digit", surface.digit},
-                    {"position_m", to_json(found.contact.p)},
-                    {"normal", to_json(found.contact.n)},
+                    {"position", units::kMetre, found.contact.p},
+                    {"normal", units::kOne, found.contact.n},
                     {"friction", found.contact.friction},
-                    {"torsion_m", found.contact.torsion},
+                    {"torsion", units::kMetre, found.contact.torsion},
                     {"patch", found.contact.patch}});
   }
   return list;
 }
 
 /// The grasp matrix with what its rows and columns are.
-OrderedJson matrix_json(const GraspResult& result) {
+Fields matrix_fields(const GraspResult& result) {
   const GraspBody& object = result.setting.setup.object;
   const std::vector<Contact> contacts = contacts_without_hand(result.grasp.contacts);
   const Eigen::Matrix<double, 6, Eigen::Dynamic> G =
       grasp_matrix(contacts, object.com, object.torque_scale);
-  OrderedJson columns = OrderedJson::array();
+  std::vector<std::string> columns;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const std::string whose = fmt::format("contact {}: ", i + 1);
     columns.push_back(whose + "normal");
@@ -139,33 +139,30 @@ OrderedJson matrix_json(const GraspResult& result) {
     }
     if (contacts[i].torsion > 0) columns.push_back(whose + "torque about the normal / scale");
   }
-  const GraspMatrixMeasures measures = grasp_matrix_measures(G);
-  return {{"rows", {"fx", "fy", "fz", "tx / scale", "ty / scale", "tz / scale"}},
-          {"columns", columns},
-          {"matrix", to_json(Eigen::MatrixXd(G))},
-          {"rank", measures.rank},
-          {"least_singular_value", measures.min_singular_value},
-          {"isotropy", measures.isotropy},
-          {"volume", measures.volume},
-          {"internal_forces", measures.internal_forces}};
+  Fields fields{{"rows", OrderedJson{"fx", "fy", "fz", "tx / scale", "ty / scale", "tz / scale"}},
+                {"columns", columns},
+                {"matrix", units::kOne, G}};
+  fields.append(fields_of(grasp_matrix_measures(G)));
+  return fields;
 }
 
-OrderedJson quality_json(const Epsilon& e) {
-  OrderedJson missing;
-  if (e.has_missing_direction) missing = to_json(e.missing_direction);
-  return {{"epsilon", {{"lower", e.lower}, {"upper", e.upper}}},
+Fields quality_fields(const Epsilon& e) {
+  OrderedJson missing, missing_words;
+  if (e.has_missing_direction) {
+    missing = to_json(e.missing_direction);
+    missing_words = direction_words(e.missing_direction);
+  }
+  return {{"epsilon", Fields{{"lower", e.lower}, {"upper", e.upper}}},
           {"force_closure", e.force_closure},
           {"rank", e.rank},
           {"missing_direction", missing},
-          {"missing_direction_words", e.has_missing_direction
-                                          ? OrderedJson(direction_words(e.missing_direction))
-                                          : OrderedJson(nullptr)},
-          {"worst_wrench", to_json(e.worst_wrench)},
+          {"missing_direction_words", missing_words},
+          {"worst_wrench", units::kOne, e.worst_wrench},
           {"worst_wrench_words", direction_words(e.worst_wrench)},
           {"converged", e.converged}};
 }
 
-OrderedJson starts_json(const GraspResult& result) {
+Fields start_fields(const GraspResult& result) {
   OrderedJson outcomes = OrderedJson::object();
   for (std::size_t i = 0; i < kOutcomes.size(); ++i)
     outcomes[name_of(kOutcomes[i])] = result.outcomes[i];
@@ -176,15 +173,20 @@ OrderedJson starts_json(const GraspResult& result) {
           {"force_closures", result.closures}};
 }
 
-OrderedJson mesh_json(const WrenchSetMesh& picture) {
-  if (picture.failed > 0) return nullptr;  // unbounded, or without the origin
-  return {{"vertices_N", to_json(Eigen::MatrixXd(picture.mesh.vertices.transpose()))},
-          {"triangles", to_json(Eigen::MatrixXi(picture.mesh.triangles.transpose()))}};
-}
-
-/// Rung of the tendon paths of a human hand; null of a robot.
-OrderedJson paths_json(const NamedHand& hand) {
-  return hand.path == Path::kNone ? OrderedJson(nullptr) : OrderedJson(name_of(hand.path));
+/// The wrench set as meshes: projections onto forces and onto torques, and the slices where the
+/// others are zero; null where one is not bounded, or is without the origin.
+Fields wrench_set_fields(const GraspResult& result) {
+  const ForceSet forces = unit_forces(result.wrenches, result.request.limit);
+  const auto mesh = [&](const char* name, int first, PictureKind kind) {
+    const WrenchSetMesh picture = wrench_set_mesh(forces, {first, first + 1, first + 2}, kind);
+    if (picture.failed > 0) return Field(name, nullptr);
+    return Field(name, Fields{{"vertices", units::kNewton, picture.mesh.vertices.transpose()},
+                              {"triangles", units::kOne, picture.mesh.triangles.transpose()}});
+  };
+  return {mesh("forces", 0, PictureKind::kProjection),
+          mesh("forces_without_torque", 0, PictureKind::kSlice),
+          mesh("torques_over_reach", 3, PictureKind::kProjection),
+          mesh("torques_over_reach_without_force", 3, PictureKind::kSlice)};
 }
 
 /// -0 is no answer.
@@ -199,6 +201,17 @@ void drop_signs_of_zeros(OrderedJson& json) {
     else if (value.is_number_float() && value.get<double>() == 0)
       value = 0.0;
   }
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
+Fields without_signs_of_zeros(const Fields& fields) {
+  Fields plain;
+  for (const Field& each : fields.all()) {
+    Field& field = plain.add(each);
+    for (Fields& part : field.parts) part = without_signs_of_zeros(part);
+    drop_signs_of_zeros(field.value);
+  }
+  return plain;
 }
 
 }  // namespace
@@ -277,42 +290,46 @@ std::string text_of(const GraspResult& result) {
 
 std::string text_of(const CloseResult& result) { return text_of(result.grasp); }
 
-OrderedJson json_of(const GraspResult& result) {
+Fields fields_of(const GraspResult& result) {
   const Grasp& grasp = result.grasp;
+  const NamedHand& hand = result.setting.hand.named;
   const Pose<double>& X = grasp.approached.X_WH;
-  OrderedJson json{
+  Fields fields{
       {"world", result.setting.path},
-      {"hand", result.setting.hand.named.name},
-      {"tendon_paths", paths_json(result.setting.hand.named)},
+      {"hand", hand.name},
+      // Robots have none.
+      {"tendon_paths", hand.path == Path::kNone ? OrderedJson() : OrderedJson(name_of(hand.path))},
       {"object", result.setting.setup.object.name},
       {"outcome", grasp.outcome == GraspOutcome::kGrasped && !grasp.quality.force_closure
                       ? "touched"
                       : name_of(grasp.outcome)},
       {"explanation", explanation(result)}};
   if (grasp.outcome == GraspOutcome::kGrasped) {
-    json["centre_of_mass_m"] = to_json(result.setting.setup.object.com);
-    json["torque_scale_m"] = result.setting.setup.object.torque_scale;
-    json.update(quality_json(grasp.quality));
-    if (result.measures) json.update(measures_json(*result.measures));
-    json["robustness"] = result.robustness ? robustness_json(result) : OrderedJson(nullptr);
-    if (result.request.wrench_meshes) json["wrench_set"] = wrench_set_json(result);
-    json["contact_model"] = contact_model_of(result);
-    json["contacts"] = contacts_json(result);
-    json["grasp_matrix"] = matrix_json(result);
+    fields.add("centre_of_mass", units::kMetre, result.setting.setup.object.com);
+    fields.add("torque_scale", units::kMetre, result.setting.setup.object.torque_scale);
+    fields.append(quality_fields(grasp.quality));
+    if (result.measures) fields.append(fields_of(*result.measures));
+    if (result.robustness)
+      fields.add("robustness", robustness_fields(result));
+    else
+      fields.add("robustness", nullptr);
+    if (result.request.wrench_meshes) fields.add("wrench_set", wrench_set_fields(result));
+    fields.add("contact_model", contact_model_of(result));
+    fields.add("contacts", contact_fields(result));
+    fields.add("grasp_matrix", matrix_fields(result));
   }
-  json["hand_pose"] = {{"position_m", to_json(X.p)}, {"rotation", to_json(X.R)}};
-  json["coordinates"] = coordinates_json(result);
-  if (const auto& bones = result.setting.hand.named.skeleton; bones && grasp.closed.q.size() > 0)
-    add_passive(*bones, grasp.closed.q, json);
-  if (result.request.starts > 0) json["starts"] = starts_json(result);
-  json["warnings"] = result.warnings;
-  json["complete"] = result.complete;
-  json["cpu_s"] = result.cpu;
-  drop_signs_of_zeros(json);
-  return json;
+  fields.add("hand_pose", Fields{{"position", units::kMetre, X.p}, {"rotation", units::kOne, X.R}});
+  fields.add("coordinates", coordinate_fields(result));
+  if (const auto& bones = hand.skeleton; bones && grasp.closed.q.size() > 0)
+    add_passive(*bones, grasp.closed.q, fields);
+  if (result.request.starts > 0) fields.add("starts", start_fields(result));
+  fields.add("warnings", result.warnings);
+  fields.add("complete", result.complete);
+  fields.add("cpu", units::kSecond, result.cpu);
+  return without_signs_of_zeros(fields);
 }
 
-OrderedJson json_of(const CloseResult& result) { return json_of(result.grasp); }
+Fields fields_of(const CloseResult& result) { return fields_of(result.grasp); }
 
 Table table_of(const GraspResult& result) {
   Table table{{"surface", "digit", "x_mm", "y_mm", "z_mm", "nx", "ny", "nz", "friction",
@@ -336,17 +353,6 @@ Table table_of(const CloseResult& result) {
     table.rows.push_back(
         {row.name, row.slides ? "slides" : "turns", shown(row.value, 6), row.stopped_by, row.why});
   return table;
-}
-
-OrderedJson wrench_set_json(const GraspResult& result) {
-  const ForceSet forces = unit_forces(result.wrenches, result.request.limit);
-  const auto mesh = [&](int first, PictureKind kind) {
-    return mesh_json(wrench_set_mesh(forces, {first, first + 1, first + 2}, kind));
-  };
-  return {{"forces", mesh(0, PictureKind::kProjection)},
-          {"forces_without_torque", mesh(0, PictureKind::kSlice)},
-          {"torques_over_reach", mesh(3, PictureKind::kProjection)},
-          {"torques_over_reach_without_force", mesh(3, PictureKind::kSlice)}};
 }
 
 }  // namespace thenar

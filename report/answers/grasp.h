@@ -1,13 +1,12 @@
 #pragma once
 
-/// A grasp, or a hand that closed, as text, JSON and a table.
+/// A grasp, or a hand that closed, as text, fields and a table.
 
 #include <string>
 #include <vector>
 
 #include "api/close.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
@@ -38,17 +37,12 @@ struct JointRow {
 [[nodiscard]] std::string text_of(const GraspResult& result);
 [[nodiscard]] std::string text_of(const CloseResult& result);
 
-/// Returns a grasp as JSON, with units in the names of keys.
-[[nodiscard]] OrderedJson json_of(const GraspResult& result);
-[[nodiscard]] OrderedJson json_of(const CloseResult& result);
+[[nodiscard]] Fields fields_of(const GraspResult& result);
+[[nodiscard]] Fields fields_of(const CloseResult& result);
 
 /// The contacts: surface, digit, position, normal and friction, in the object's frame.
 [[nodiscard]] Table table_of(const GraspResult& result);
 /// The coordinates: value, and what stopped each.
 [[nodiscard]] Table table_of(const CloseResult& result);
-
-/// The wrench set as meshes, for json_of()'s member "wrench_set": projections onto forces and onto
-/// torques, and the slices where the others are zero; null where one is not bounded.
-[[nodiscard]] OrderedJson wrench_set_json(const GraspResult& result);
 
 }  // namespace thenar

@@ -1,6 +1,8 @@
 #include "report/answers/grasp_measures.h"
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,27 +15,30 @@
 namespace thenar {
 namespace {
 
-template <typename Value, typename ToJson>
-void put(OrderedJson& json, OrderedJson& reasons, const char* key, const Measured<Value>& measured,
-         const ToJson& to) {
-  json[key] = measured.value ? OrderedJson(to(*measured.value)) : OrderedJson(nullptr);
-  if (!measured.reason.empty()) reasons[key] = measured.reason;
+/// Adds a measure under a key with its unit, even where it has parts.
+/// @param to  a number or fields of the value
+template <typename Value, typename To>
+void put(Fields& fields, Fields& reasons, const std::string& key, const FieldUnit& unit,
+         const Measured<Value>& measured, const To& to) {
+  Field& field = measured.value ? fields.add(key, to(*measured.value)) : fields.add(key, nullptr);
+  field.unit = unit;
+  if (!measured.reason.empty()) reasons.add(key, unit, OrderedJson(measured.reason));
 }
 
-OrderedJson ball_json(const InscribedBall& ball) {
+Fields ball_fields(const InscribedBall& ball) {
   return {{"lower", ball.lower},
           {"upper", ball.upper},
           {"residual", ball.residual},
-          {"worst_load", to_json(ball.worst_load)},
+          {"worst_load", units::kOne, ball.worst_load},
           {"worst_load_words", direction_words(ball.worst_load)}};
 }
 
-OrderedJson stiffness_json(const GraspStiffness& stiffness) {
+Fields stiffness_fields(const GraspStiffness& stiffness) {
   return {{"least", stiffness.min_eigenvalue},
-          {"softest", to_json(stiffness.softest)},
+          {"softest", units::kOne, stiffness.softest},
           {"softest_words", direction_words(stiffness.softest)},
-          {"pad_force_N", kPadForce},
-          {"matrix", to_json(stiffness.K)}};
+          {"pad_force", units::kNewton, kPadForce},
+          {"matrix", units::kOne, stiffness.K}};
 }
 
 template <typename Value, typename Words>
@@ -78,18 +83,17 @@ void add_load_row(std::vector<MeasureRow>& rows, const std::string& name,
 }
 
 /// Puts both numbers of a load.
-void put_load(OrderedJson& json, OrderedJson& reasons, const std::string& key,
-              const std::string& unit, const Measured<SupportedLoad>& load) {
-  put(json, reasons, (key + unit).c_str(), load,
+void put_load(Fields& fields, Fields& reasons, const std::string& key, const FieldUnit& unit,
+              const Measured<SupportedLoad>& load) {
+  put(fields, reasons, key, unit, load,
       [](const SupportedLoad& found) { return found.with_structure; });
-  const bool known = load.value && load.value->active;
-  json[key + "_by_efforts" + unit] = known ? OrderedJson(*load.value->active) : OrderedJson();
+  fields.add(key + "_by_efforts", unit, load.value ? load.value->active : std::nullopt);
 }
 
-OrderedJson motion_json(const ObjectMotion& motion) {
+Fields motion_fields(const ObjectMotion& motion) {
   const Manipulability& m = motion.manipulability;
   return {{"unit", motion.unit},   {"drives", motion.drives},
-          {"rank", m.rank},        {"singular_values", to_json(motion.speeds)},
+          {"rank", m.rank},        {"singular_values", units::kOne, motion.speeds},
           {"volume", m.volume},    {"least", m.min_singular_value},
           {"isotropy", m.isotropy}};
 }
@@ -106,18 +110,14 @@ std::string mobility_words(const ObjectMotion& motion) {
 }
 
 /// Null where a miss has part in a quantile.
-OrderedJson share_json(const Robustness& found) {
-  const auto quantile = [&](double p) {
-    const double value = found.quantile(p);
-    return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
-  };
+Fields share_fields(const Robustness& found) {
   return {{"closure", found.closure},
           {"closure_lower", found.closure_lower},
           {"closure_upper", found.closure_upper},
           {"misses", found.misses},
-          {"epsilon_5_percent", quantile(0.05)},
-          {"epsilon_median", quantile(0.5)},
-          {"epsilon_95_percent", quantile(0.95)}};
+          {"epsilon_5_percent", found.quantile(0.05)},
+          {"epsilon_median", found.quantile(0.5)},
+          {"epsilon_95_percent", found.quantile(0.95)}};
 }
 
 std::string share_words(const Robustness& found) {
@@ -134,28 +134,34 @@ std::string share_words(const Robustness& found) {
 
 }  // namespace
 
-OrderedJson measures_json(const GraspMeasures& m) {
+Fields fields_of(const GraspMeasures& m) {
   const auto same = [](double value) { return value; };
-  OrderedJson json, reasons = OrderedJson::object();
-  json["volume"] = m.volume.complete ? OrderedJson(m.volume.estimate) : OrderedJson(nullptr);
-  json["volume_bounds"] = {{"lower", m.volume.lower},
-                           {"upper", std::isfinite(m.volume.upper) ? OrderedJson(m.volume.upper)
-                                                                   : OrderedJson(nullptr)}};
-  json["volume_complete"] = m.volume.complete;
-  put(json, reasons, "actuated_epsilon_N", m.actuated, ball_json);
-  put(json, reasons, "weight_N", m.weight, same);
-  put(json, reasons, "hold_N", m.hold, same);
-  put(json, reasons, "hold_actuated_N", m.hold_actuated, same);
-  put_load(json, reasons, "times_weight", "", m.times_weight);
-  put_load(json, reasons, "pull", "_N", m.pull);
-  put_load(json, reasons, "turn", "_Nm", m.turn);
-  put(json, reasons, "stiffness_N_per_m", m.stiffness, stiffness_json);
-  put(json, reasons, "manipulability", m.manipulability, motion_json);
-  if (!m.volume.complete) reasons["volume"] = "too many facets or faces";
-  json["friction_edges"] = m.edges;
-  json["true_cones"] = m.edges > 0 ? "all but epsilon, volume, robustness, wrench_set" : "all";
-  json["reasons"] = reasons;
-  return json;
+  Fields reasons;
+  Fields fields{{"volume", m.volume.complete ? OrderedJson(m.volume.estimate) : OrderedJson()},
+                {"volume_bounds", Fields{{"lower", m.volume.lower}, {"upper", m.volume.upper}}},
+                {"volume_complete", m.volume.complete}};
+  put(fields, reasons, "actuated_epsilon", units::kNewton, m.actuated, ball_fields);
+  put(fields, reasons, "weight", units::kNewton, m.weight, same);
+  put(fields, reasons, "hold", units::kNewton, m.hold, same);
+  put(fields, reasons, "hold_actuated", units::kNewton, m.hold_actuated, same);
+  put_load(fields, reasons, "times_weight", units::kOne, m.times_weight);
+  put_load(fields, reasons, "pull", units::kNewton, m.pull);
+  put_load(fields, reasons, "turn", units::kNewtonMetre, m.turn);
+  put(fields, reasons, "stiffness", units::kNewtonPerMetre, m.stiffness, stiffness_fields);
+  put(fields, reasons, "manipulability", units::kOne, m.manipulability, motion_fields);
+  if (!m.volume.complete) reasons.add("volume", "too many facets or faces");
+  fields.add("friction_edges", m.edges);
+  fields.add("true_cones", m.edges > 0 ? "all but epsilon, volume, robustness, wrench_set" : "all");
+  fields.add("reasons", std::move(reasons));
+  return fields;
+}
+
+Fields fields_of(const GraspMatrixMeasures& m) {
+  return {{"rank", m.rank},
+          {"least_singular_value", m.min_singular_value},
+          {"isotropy", m.isotropy},
+          {"volume", m.volume},
+          {"internal_forces", m.internal_forces}};
 }
 
 std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
@@ -184,19 +190,18 @@ std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
   return rows;
 }
 
-OrderedJson robustness_json(const GraspResult& result) {
+Fields robustness_fields(const GraspResult& result) {
   const RobustnessRequest& asked = result.request.robustness;
-  OrderedJson contacts = share_json(result.robustness->contacts),
-              pose = share_json(result.robustness->pose);
-  contacts["friction_sd_of_log"] = asked.contacts.friction;
-  contacts["place_sd_m"] = asked.contacts.place;
-  contacts["tilt_sd_rad"] = asked.contacts.tilt;
-  pose["place_sd_m"] = asked.place;
-  pose["turn_sd_rad"] = asked.turn;
+  Fields contacts = share_fields(result.robustness->contacts),
+         pose = share_fields(result.robustness->pose);
+  contacts.append({{"friction_sd_of_log", asked.contacts.friction},
+                   {"place_sd", units::kMetre, asked.contacts.place},
+                   {"tilt_sd", units::kRadian, asked.contacts.tilt}});
+  pose.append({{"place_sd", units::kMetre, asked.place}, {"turn_sd", units::kRadian, asked.turn}});
   return {{"draws", asked.draws},
           {"seed", result.request.seed},
-          {"contacts", contacts},
-          {"pose", pose}};
+          {"contacts", std::move(contacts)},
+          {"pose", std::move(pose)}};
 }
 
 std::vector<MeasureRow> robustness_rows(const GraspResult& result) {

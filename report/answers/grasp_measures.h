@@ -1,12 +1,13 @@
 #pragma once
 
-/// Measures of a grasp, and its robustness, as rows of words and as JSON.
+/// Measures of a grasp, and its robustness, as rows of words and as fields.
 
 #include <string>
 #include <vector>
 
 #include "api/grasp.h"
-#include "report/json.h"
+#include "grasp/quality/grasp_matrix.h"
+#include "report/fields.h"
 
 namespace thenar {
 
@@ -16,9 +17,9 @@ struct MeasureRow {
   std::string note;  // why there is none, or how it was found; may be empty
 };
 
-/// Returns measures as JSON with units in the names of keys; null where there is no value,
-/// `reasons` says why.
-[[nodiscard]] OrderedJson measures_json(const GraspMeasures& measures);
+/// Returns the measures; null where there is no value, `reasons` says why.
+[[nodiscard]] Fields fields_of(const GraspMeasures& measures);
+[[nodiscard]] Fields fields_of(const GraspMatrixMeasures& matrix);
 
 /// Returns the measures in words. The first number of a load is the load that efforts and friction
 /// support.
@@ -26,7 +27,7 @@ struct MeasureRow {
 
 /// Shares of force closure with their intervals, and quantiles of epsilon.
 /// @param result  that has GraspResult::robustness
-[[nodiscard]] OrderedJson robustness_json(const GraspResult& result);
+[[nodiscard]] Fields robustness_fields(const GraspResult& result);
 [[nodiscard]] std::vector<MeasureRow> robustness_rows(const GraspResult& result);
 
 }  // namespace thenar

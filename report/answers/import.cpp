@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,7 +23,7 @@ bool is_added(const RobotLink& link, const std::string& kind) {
   return between || (kind == name_of(RobotFileKind::kMjcf) && link.name == "world");
 }
 
-OrderedJson counts_json(const RobotSpec& robot, const std::string& kind) {
+Fields count_fields(const RobotSpec& robot, const std::string& kind) {
   const auto added = std::count_if(robot.links.begin(), robot.links.end(),
                                    [&](const RobotLink& link) { return is_added(link, kind); });
   const auto moving =
@@ -51,54 +53,56 @@ std::string effort_word(const RobotDof& dof) {
   return dof.nominal_effort ? "nominal" : "published";
 }
 
-OrderedJson dofs_json(const RobotSpec& robot) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> dof_fields(const RobotSpec& robot) {
+  std::vector<Fields> list;
   for (const RobotDof& dof : robot.dofs) {
-    OrderedJson driven = OrderedJson::array();
+    std::vector<std::string> driven;
     for (const RobotJoint& joint : robot.joints)
       if (joint.dof == dof.name) driven.push_back(joint.name);
-    list.push_back({{"name", dof.name},
-                    {"kind", name_of(dof.kind)},
-                    {"lower", dof.lower},
-                    {"upper", dof.upper},
-                    {"max_effort", dof.max_effort},
-                    {"effort_is", effort_word(dof)},
-                    {"joints", driven}});
+    const bool sliding = slides(robot, dof);
+    const FieldUnit unit = sliding ? units::kMetreBare : units::kRadianBare;
+    list.push_back(
+        {{"name", dof.name},
+         {"kind", name_of(dof.kind)},
+         {"lower", unit, dof.lower},
+         {"upper", unit, dof.upper},
+         {"max_effort", sliding ? units::kNewtonBare : units::kNewtonMetreBare, dof.max_effort},
+         {"effort_is", effort_word(dof)},
+         {"joints", driven}});
   }
   return list;
 }
 
-OrderedJson joints_json(const RobotSpec& robot) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> joint_fields(const RobotSpec& robot) {
+  std::vector<Fields> list;
   for (const RobotJoint& joint : robot.joints) {
-    OrderedJson entry{{"name", joint.name},
-                      {"kind", name_of(joint.kind)},
-                      {"parent", joint.parent},
-                      {"child", joint.child}};
-    if (joint.kind != RobotJointKind::kFixed) {
-      entry.update({{"dof", joint.dof},
-                    {"ratio", joint.ratio},
-                    {"offset", joint.offset},
-                    {"lower", joint.lower},
-                    {"upper", joint.upper}});
-    }
-    list.push_back(std::move(entry));
+    Fields& fields = list.emplace_back(Fields{{"name", joint.name},
+                                              {"kind", name_of(joint.kind)},
+                                              {"parent", joint.parent},
+                                              {"child", joint.child}});
+    if (joint.kind == RobotJointKind::kFixed) continue;
+    const FieldUnit unit = slides(joint) ? units::kMetreBare : units::kRadianBare;
+    fields.append({{"dof", joint.dof},
+                   {"ratio", joint.ratio},
+                   {"offset", unit, joint.offset},
+                   {"lower", unit, joint.lower},
+                   {"upper", unit, joint.upper}});
   }
   return list;
 }
 
-OrderedJson links_json(const RobotSpec& robot) {
+std::vector<Fields> link_fields(const RobotSpec& robot) {
   const std::vector<Pose<double>> X = link_poses(robot, {});
-  OrderedJson list = OrderedJson::array();
+  std::vector<Fields> list;
   for (std::size_t i = 0; i < robot.links.size(); ++i)
     list.push_back({{"name", robot.links[i].name},
-                    {"mass_kg", robot.links[i].mass},
+                    {"mass", units::kKilogram, robot.links[i].mass},
                     {"shapes", robot.links[i].shapes.size()},
-                    {"position_at_zero_m", to_json(X[i].p)}});
+                    {"position_at_zero", units::kMetre, X[i].p}});
   return list;
 }
 
-OrderedJson leaves_json(const RobotSpec& robot) {
+OrderedJson leaf_places(const RobotSpec& robot) {
   const std::vector<Pose<double>> X = link_poses(robot, {});
   OrderedJson positions = OrderedJson::object();
   for (const std::size_t leaf : leaf_links(robot))
@@ -106,25 +110,27 @@ OrderedJson leaves_json(const RobotSpec& robot) {
   return positions;
 }
 
-OrderedJson shapes_json(const std::vector<ShapeSpec>& specs) {
-  OrderedJson list = OrderedJson::array();
+/// @param placed  whether it tells where the shapes are
+std::vector<Fields> shape_fields(const std::vector<ShapeSpec>& specs, bool placed = false) {
+  std::vector<Fields> list;
   for (const ShapeSpec& shape : specs) {
-    OrderedJson entry{{"kind", name_of(shape.kind)}};
-    if (shape.kind == ShapeKind::kMesh) {
-      entry["triangles"] = shape.mesh.triangles.cols();
-      entry["file"] = shape.mesh_file;
-    } else {
-      entry["size_m"] = to_json(shape.size);
-    }
-    list.push_back(std::move(entry));
+    Fields& fields = list.emplace_back(Fields{{"kind", name_of(shape.kind)}});
+    if (shape.kind == ShapeKind::kMesh)
+      fields.append({{"triangles", shape.mesh.triangles.cols()}, {"file", shape.mesh_file}});
+    else
+      fields.add("size", units::kMetre, shape.size);
+    if (placed)
+      fields.append(
+          {{"position", units::kMetre, shape.X_BS.p}, {"rotation", units::kOne, shape.X_BS.R}});
   }
   return list;
 }
 
-OrderedJson mass_json(const BodySpec& body) {
+/// The mass; none where nothing states it.
+std::optional<double> stated_mass(const BodySpec& body) {
   if (body.mass) return body.mass->mass;
   if (!(body.uniform_mass > 0) && body.density > 0) return body_mass(body).mass;
-  return body.uniform_mass > 0 ? OrderedJson(body.uniform_mass) : OrderedJson(nullptr);
+  return body.uniform_mass > 0 ? std::optional(body.uniform_mass) : std::nullopt;
 }
 
 // Rounding of an inertia of a symmetric solid, over its trace [1]
@@ -151,42 +157,41 @@ std::string line_of_text(const std::string& key, const OrderedJson& value) {
                      value.is_string() ? value.get<std::string>() : rounded_text(value));
 }
 
-OrderedJson told_of(const RobotSpec& robot, const Imported& imported) {
+Fields told_of(const RobotSpec& robot, const Imported& imported) {
   double mass = 0;
   for (const RobotLink& link : robot.links) mass += link.mass;
   return {{"name", robot.name},
           {"kind", imported.kind},
-          {"counts", counts_json(robot, imported.kind)},
-          {"total_mass_kg", mass},
+          {"counts", count_fields(robot, imported.kind)},
+          {"total_mass", units::kKilogram, mass},
           {"root_link", robot.links.front().name},
-          {"leaf_link_positions_at_zero_m", leaves_json(robot)},
-          {"dofs", dofs_json(robot)},
-          {"joints", joints_json(robot)},
-          {"links", links_json(robot)},
+          {"leaf_link_positions_at_zero", units::kMetre, leaf_places(robot)},
+          {"dofs", dof_fields(robot)},
+          {"joints", joint_fields(robot)},
+          {"links", link_fields(robot)},
           {"warnings", imported.warnings}};
 }
 
-OrderedJson told_of(const BodySpec& body, const Imported& imported) {
-  OrderedJson result{{"name", body.name},
-                     {"kind", imported.kind},
-                     {"material", body.material},
-                     {"mass_kg", mass_json(body)},
-                     {"shapes", shapes_json(body.shapes)}};
-  if (body.mass) {
-    result["centre_of_mass_m"] = to_json(body.mass->com);
-    result["inertia_kg_m2"] = to_json(body.mass->inertia);
-  }
-  result["warnings"] = imported.warnings;
-  return result;
+Fields told_of(const BodySpec& body, const Imported& imported) {
+  Fields fields{{"name", body.name},
+                {"kind", imported.kind},
+                {"material", body.material},
+                {"mass", units::kKilogram, stated_mass(body)},
+                {"shapes", shape_fields(body.shapes)}};
+  if (body.mass)
+    fields.append({{"centre_of_mass", units::kMetre, body.mass->com},
+                   {"inertia", units::kKilogramSquareMetre, body.mass->inertia}});
+  fields.add("warnings", imported.warnings);
+  return fields;
 }
 
-OrderedJson told_of(const WorldSpec& world, const Imported& imported) {
-  OrderedJson hands = OrderedJson::array(), bodies = OrderedJson::array();
+Fields told_of(const WorldSpec& world, const Imported& imported) {
+  std::vector<Fields> hands, bodies;
   for (const PlacedHand& hand : world.hands)
     hands.push_back({{"name", hand.name},
                      {"file", hand.file},
-                     {"position_m", to_json(hand.X_WH.p)},
-                     {"rotation", to_json(hand.X_WH.R)},
+                     {"position", units::kMetre, hand.X_WH.p},
+                     {"rotation", units::kOne, hand.X_WH.R},
                      {"posture", hand.posture},
                      {"carrier", hand.carrier},
                      {"carrier_link", hand.carrier_link}});
@@ -195,72 +200,64 @@ OrderedJson told_of(const WorldSpec& world, const Imported& imported) {
                       {"file", body.file},
                       {"dynamic", body.dynamic},
                       {"material", body.body.material},
-                      {"mass_kg", mass_json(body.body)},
-                      {"position_m", to_json(body.X_WB.p)},
-                      {"rotation", to_json(body.X_WB.R)},
-                      {"shapes", shapes_json(body.body.shapes)}});
+                      {"mass", units::kKilogram, stated_mass(body.body)},
+                      {"position", units::kMetre, body.X_WB.p},
+                      {"rotation", units::kOne, body.X_WB.R},
+                      {"shapes", shape_fields(body.body.shapes)}});
   return {{"name", world.name},
           {"kind", imported.kind},
-          {"counts", {{"hands", world.hands.size()}, {"bodies", world.bodies.size()}}},
-          {"hands", hands},
-          {"bodies", bodies},
+          {"counts", Fields{{"hands", hands.size()}, {"bodies", bodies.size()}}},
+          {"hands", std::move(hands)},
+          {"bodies", std::move(bodies)},
           {"warnings", imported.warnings}};
 }
 
-OrderedJson told_of(const MeshContent& content, const Imported& imported) {
+Fields told_of(const MeshContent& content, const Imported& imported) {
   const MeshFacts& facts = *imported.mesh;
   const TriangleMesh& mesh = content.mesh;
   const auto of_solid = [&](const OrderedJson& value) {
     return facts.solid ? value : OrderedJson(nullptr);
   };
-  OrderedJson holes = OrderedJson::array();
+  std::vector<Fields> holes;
   for (const MeshHole& hole : facts.surface.holes)
-    holes.push_back({{"edges", hole.loop.size()}, {"centre_m", to_json(hole.centre)}});
+    holes.push_back({{"edges", hole.loop.size()}, {"centre", units::kMetre, hole.centre}});
+  const Eigen::Matrix3d inertia = without_noise(facts.unit_mass.inertia);
   return {{"name", std::filesystem::path(imported.request.file).stem()},
           {"kind", "mesh"},
           {"vertices", mesh.vertices.cols()},
           {"triangles", mesh.triangles.cols()},
           {"parts", facts.parts},
           {"watertight", facts.surface.watertight()},
-          {"holes", holes},
+          {"holes", std::move(holes)},
           {"reversed_edges", facts.surface.reversed_edges},
           {"nonmanifold_edges", facts.surface.nonmanifold_edges},
           {"degenerate_triangles", facts.surface.degenerate},
-          {"lowest_corner_m", to_json(mesh.vertices.rowwise().minCoeff())},
-          {"highest_corner_m", to_json(mesh.vertices.rowwise().maxCoeff())},
-          {"volume_m3", of_solid(facts.unit_mass.mass)},
-          {"centre_of_mass_m", of_solid(to_json(facts.unit_mass.centre))},
-          {"inertia_m5", of_solid(to_json(without_noise(facts.unit_mass.inertia)))},
+          {"lowest_corner", units::kMetre, mesh.vertices.rowwise().minCoeff()},
+          {"highest_corner", units::kMetre, mesh.vertices.rowwise().maxCoeff()},
+          {"volume", units::kCubicMetre, of_solid(facts.unit_mass.mass)},
+          {"centre_of_mass", units::kMetre, of_solid(to_json(facts.unit_mass.centre))},
+          {"inertia", units::kInertiaOfDensityOne, of_solid(to_json(inertia))},
           {"warnings", imported.warnings},
           {"holes_closed", facts.closed},
           {"repaired", facts.repaired}};
 }
 
-/// Exact shapes of a mesh file, with their places.
-OrderedJson exact_json(const std::vector<ShapeSpec>& exact) {
-  OrderedJson told = shapes_json(exact);
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    told[i]["position_m"] = to_json(exact[i].X_BS.p);
-    told[i]["rotation"] = to_json(exact[i].X_BS.R);
-  }
-  return told;
-}
-
-/// Adds the material, mass and inertia that were stated besides a mesh's file.
-void add_body(const BodySpec& body, OrderedJson& report) {
-  report["material"] = body.material;
-  report["mass_kg"] = mass_json(body);
-  if (body.mass) report["inertia_kg_m2"] = to_json(without_noise(body.mass->inertia));
+/// The material, mass and inertia that were stated besides a mesh's file.
+Fields told_besides(const BodySpec& body) {
+  Fields fields{{"material", body.material}, {"mass", units::kKilogram, stated_mass(body)}};
+  if (body.mass)
+    fields.add("inertia", units::kKilogramSquareMetre, without_noise(body.mass->inertia));
+  return fields;
 }
 
 }  // namespace
 
-OrderedJson json_of(const Imported& imported) {
-  OrderedJson told =
+Fields fields_of(const Imported& imported) {
+  Fields told =
       std::visit([&](const auto& thing) { return told_of(thing, imported); }, imported.thing);
   if (const auto* content = std::get_if<MeshContent>(&imported.thing))
-    if (!content->exact.empty()) told["exact_shapes"] = exact_json(content->exact);
-  if (imported.body) add_body(*imported.body, told);
+    if (!content->exact.empty()) told.add("exact_shapes", shape_fields(content->exact, true));
+  if (imported.body) told.append(told_besides(*imported.body));
   return told;
 }
 

@@ -5,16 +5,16 @@
 #include <string>
 
 #include "api/import.h"
-#include "report/json.h"
+#include "report/fields.h"
 
 namespace thenar {
 
 /// Numbers and short lists as lines, then what lies deeper, then the warnings.
 [[nodiscard]] std::string text_of(const Imported& imported);
-/// Returns an import as JSON. For robots: counts, mass, leaves at zero, links, joints, degrees of
+/// Fields of an import. For robots: counts, mass, leaves at zero, links, joints, degrees of
 /// freedom. For bodies: material, mass, shapes. For worlds: hands and bodies with their places. For
 /// meshes: whether they are closed and where not, box, volume, centre, and inertia about the centre
 /// at density 1, "inertia_m5" [m^5]. Always: warnings.
-[[nodiscard]] OrderedJson json_of(const Imported& imported);
+[[nodiscard]] Fields fields_of(const Imported& imported);
 
 }  // namespace thenar

@@ -1,5 +1,7 @@
 #include "report/answers/pose.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "base/units.h"
@@ -53,36 +55,38 @@ std::string jacobian_text(const TipNow& tip) {
   return titled(fmt::format("How the {} tip moves: {}", tip.digit, mobility_in_words(tip)), table);
 }
 
-OrderedJson tip_json(const TipNow& tip) {
-  OrderedJson json{{"digit", tip.digit},
-                   {"position_mm", to_json(tip.p / kMm)},
-                   {"proximal", to_json(tip.axes.col(0))},
-                   {"dorsal", to_json(tip.axes.col(1))},
-                   {"radial", to_json(tip.axes.col(2))},
-                   {"joints", tip.joints},
-                   {"jacobian_mm_per_rad", to_json(tip.J / kMm)},
-                   {"mobility", mobility_in_words(tip)}};
-  if (tip.joints.empty()) return json;
-  json["condition"] = tip.mobility.condition;
-  json["rank"] = tip.mobility.rank;
-  return json;
+Fields tip_fields(const TipNow& tip) {
+  Fields fields{{"digit", tip.digit},
+                {"position", units::kMillimetre, tip.p},
+                {"proximal", units::kOne, tip.axes.col(0)},
+                {"dorsal", units::kOne, tip.axes.col(1)},
+                {"radial", units::kOne, tip.axes.col(2)},
+                {"joints", tip.joints},
+                {"jacobian", units::kMillimetrePerRadian, tip.J},
+                {"mobility", mobility_in_words(tip)}};
+  if (tip.joints.empty()) return fields;
+  fields.add("condition", tip.mobility.condition);
+  fields.add("rank", tip.mobility.rank);
+  return fields;
 }
 
-void add_pose(const SubjectPose& pose, OrderedJson& json) {
-  json["joints"] = json["segments"] = json["tips"] = OrderedJson::array();
-  for (const JointNow& joint : pose.joints)
-    json["joints"].push_back({{"name", joint.name},
-                              {"angle_deg", joint.angle / kDegree},
-                              {"axis", to_json(joint.axis)},
-                              {"point_mm", to_json(joint.point / kMm)},
-                              {"led_by", joint.led_by}});
+Fields pose_fields(const SubjectPose& pose) {
+  std::vector<Fields> tips, segments, joints;
+  for (const TipNow& tip : pose.tips) tips.push_back(tip_fields(tip));
   for (const SegmentNow& segment : pose.segments)
-    json["segments"].push_back({{"name", segment.name},
-                                {"rotation", to_json(segment.X.R)},
-                                {"translation_mm", to_json(segment.X.p / kMm)},
-                                {"proximal_mm", to_json(segment.proximal / kMm)},
-                                {"distal_mm", to_json(segment.distal / kMm)}});
-  for (const TipNow& tip : pose.tips) json["tips"].push_back(tip_json(tip));
+    segments.push_back({{"name", segment.name},
+                        {"rotation", units::kOne, segment.X.R},
+                        {"translation", units::kMillimetre, segment.X.p},
+                        {"proximal", units::kMillimetre, segment.proximal},
+                        {"distal", units::kMillimetre, segment.distal}});
+  for (const JointNow& joint : pose.joints)
+    joints.push_back({{"name", joint.name},
+                      {"angle", units::kDegree, joint.angle},
+                      {"axis", units::kOne, joint.axis},
+                      {"point", units::kMillimetre, joint.point},
+                      {"led_by", joint.led_by}});
+  return {
+      {"tips", std::move(tips)}, {"segments", std::move(segments)}, {"joints", std::move(joints)}};
 }
 
 std::string subject_text(const SubjectPose& pose) {
@@ -130,22 +134,22 @@ std::string robot_text(const RobotPose& pose) {
   return text + titled("Tips", tips);
 }
 
-void add_pose(const RobotPose& pose, OrderedJson& json) {
-  json["joints"] = json["links"] = json["tips"] = OrderedJson::array();
-  for (const RobotJointNow& joint : pose.joints) {
-    OrderedJson entry{{"name", joint.name}, {"dof", joint.dof}};
-    entry[joint.slides ? "value_mm" : "value_deg"] = joint.value / display_unit(joint.slides);
-    entry["axis"] = to_json(joint.axis);
-    entry["point_mm"] = to_json(joint.point / kMm);
-    json["joints"].push_back(std::move(entry));
-  }
-  for (const RobotLinkNow& link : pose.links)
-    json["links"].push_back({{"name", link.name},
-                             {"rotation", to_json(link.X_BL.R)},
-                             {"position_mm", to_json(link.X_BL.p / kMm)}});
+Fields pose_fields(const RobotPose& pose) {
+  std::vector<Fields> tips, links, joints;
   for (const RobotTipNow& tip : pose.tips)
-    json["tips"].push_back(
-        {{"digit", tip.digit}, {"link", tip.link}, {"position_mm", to_json(tip.p / kMm)}});
+    tips.push_back(
+        {{"digit", tip.digit}, {"link", tip.link}, {"position", units::kMillimetre, tip.p}});
+  for (const RobotLinkNow& link : pose.links)
+    links.push_back({{"name", link.name},
+                     {"rotation", units::kOne, link.X_BL.R},
+                     {"position", units::kMillimetre, link.X_BL.p}});
+  for (const RobotJointNow& joint : pose.joints)
+    joints.push_back({{"name", joint.name},
+                      {"dof", joint.dof},
+                      {"value", joint.slides ? units::kMillimetre : units::kDegree, joint.value},
+                      {"axis", units::kOne, joint.axis},
+                      {"point", units::kMillimetre, joint.point}});
+  return {{"tips", std::move(tips)}, {"links", std::move(links)}, {"joints", std::move(joints)}};
 }
 
 /// "index_x_mm", "index_y_mm", "index_z_mm" of every place.
@@ -173,22 +177,19 @@ std::string place_text(const Poses& poses, const std::string& whose) {
   return titled(fmt::format("{}, {}", whose, counted(poses.points.size(), "posture")), table);
 }
 
-/// Members of one posture, or a list "postures".
-template <typename Poses, typename Add>
-void add_poses(const Poses& poses, const SweepAxes& axes, std::size_t asked, const Add& add,
-               OrderedJson& json) {
+/// Adds the fields of one posture, or a list "postures".
+template <typename Poses>
+void add_poses(const Poses& poses, std::size_t asked, Fields& fields) {
+  const SweepAxes axes = axes_of(poses);
   if (axes.single()) {
-    add(poses.points.front(), json);
+    fields.append(pose_fields(poses.points.front()));
     return;
   }
-  json["varied"] = axes.names;
-  json["postures"] = OrderedJson::array();
-  for (const auto& pose : poses.points) {
-    OrderedJson entry;
-    add(pose, entry);
-    json["postures"].push_back(std::move(entry));
-  }
-  if (poses.points.size() < asked) json["stopped_before"] = asked;
+  fields.add("varied", axes.names);
+  std::vector<Fields> postures;
+  for (const auto& pose : poses.points) postures.push_back(pose_fields(pose));
+  fields.add("postures", std::move(postures));
+  if (poses.points.size() < asked) fields.add("stopped_before", asked);
 }
 
 }  // namespace
@@ -256,12 +257,10 @@ std::string text_of(const SubjectPoses& poses) {
   return place_text(poses, "Tips of " + poses.subject);
 }
 
-OrderedJson json_of(const SubjectPoses& poses) {
-  OrderedJson json{{"subject", poses.subject}};
-  add_poses(
-      poses, axes_of(poses), poses.grid.postures.size(),
-      [](const SubjectPose& pose, OrderedJson& to) { add_pose(pose, to); }, json);
-  return json;
+Fields fields_of(const SubjectPoses& poses) {
+  Fields fields{{"subject", poses.subject}};
+  add_poses(poses, poses.grid.postures.size(), fields);
+  return fields;
 }
 
 Table table_of(const SubjectPoses& poses) {
@@ -285,13 +284,11 @@ std::string text_of(const RobotPoses& poses) {
                                poses.robot + ", in the base link");
 }
 
-OrderedJson json_of(const RobotPoses& poses) {
-  OrderedJson json{{"robot", poses.robot}};
-  add_poses(
-      poses, axes_of(poses), poses.asked,
-      [](const RobotPose& pose, OrderedJson& to) { add_pose(pose, to); }, json);
-  json["warnings"] = poses.warnings;
-  return json;
+Fields fields_of(const RobotPoses& poses) {
+  Fields fields{{"robot", poses.robot}};
+  add_poses(poses, poses.asked, fields);
+  fields.add("warnings", poses.warnings);
+  return fields;
 }
 
 Table table_of(const RobotPoses& poses) {

@@ -1,23 +1,22 @@
 #pragma once
 
-/// Poses of subjects and robots as words, JSON and rows.
+/// Poses of subjects and robots as words, fields and rows.
 
 #include <string>
 
 #include "api/pose.h"
-#include "report/json.h"
+#include "report/fields.h"
 #include "report/sweep_axes.h"
-#include "report/table.h"
 
 namespace thenar {
 
 [[nodiscard]] std::string text_of(const SubjectPoses& poses);
-[[nodiscard]] OrderedJson json_of(const SubjectPoses& poses);
+[[nodiscard]] Fields fields_of(const SubjectPoses& poses);
 /// A row for each posture: joints, places of tips, conditions.
 [[nodiscard]] Table table_of(const SubjectPoses& poses);
 
 [[nodiscard]] std::string text_of(const RobotPoses& poses);
-[[nodiscard]] OrderedJson json_of(const RobotPoses& poses);
+[[nodiscard]] Fields fields_of(const RobotPoses& poses);
 /// A row for each posture: joints, places of tips, or of links where there are no tips.
 [[nodiscard]] Table table_of(const RobotPoses& poses);
 

@@ -2,46 +2,33 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "report/answers/grasp_measures.h"
+
 namespace thenar {
 namespace {
 
-/// Returns a wrench without minus zeros.
-OrderedJson plain(const ScaledWrench& w) {
-  return to_json(ScaledWrench((w.array() + 0.0).matrix()));
-}
-
-/// Returns a wrench as JSON; of a planar grasp f_x, f_y and the torque.
+/// Returns a wrench without minus zeros; of a planar grasp f_x, f_y and the torque.
 OrderedJson wrench_json(const ScaledWrench& w, bool planar) {
-  return planar ? OrderedJson{w(0) + 0.0, w(1) + 0.0, w(5) + 0.0} : plain(w);
+  if (planar) return {w(0) + 0.0, w(1) + 0.0, w(5) + 0.0};
+  return to_json((w.array() + 0.0).matrix());
 }
 
-/// Null where there is none.
-OrderedJson finite(std::optional<double> value) {
-  return value && std::isfinite(*value) ? OrderedJson(*value) : OrderedJson(nullptr);
-}
-
-OrderedJson task_json(const TaskQuality& task, bool planar) {
-  const bool known = task.lower.has_value();
+Fields task_fields(const TaskQuality& task, bool planar) {
   OrderedJson forces = OrderedJson::array();
-  for (const std::optional<double>& force : task.grasp_forces) forces.push_back(finite(force));
-  return {{"margin", {{"lower", finite(task.lower)}, {"upper", finite(task.upper)}}},
-          {"squeeze_N", known ? finite(1 / *task.lower) : OrderedJson(nullptr)},
-          {"squeezes_N", forces},
-          {"worst_load", wrench_json(task.worst_load, planar)},
-          {"solved", known},
-          {"residual", task.residual}};
-}
-
-OrderedJson matrix_json(const GraspMatrixMeasures& m) {
-  return {{"rank", m.rank},
-          {"least_singular_value", m.min_singular_value},
-          {"isotropy", m.isotropy},
-          {"volume", m.volume},
-          {"internal_forces", m.internal_forces}};
+  for (const std::optional<double>& force : task.grasp_forces)
+    forces.push_back(force ? OrderedJson(*force) : OrderedJson());
+  return {
+      {"margin", Fields{{"lower", units::kOne, task.lower}, {"upper", units::kOne, task.upper}}},
+      {"squeeze", units::kNewton, task.lower ? std::optional(1 / *task.lower) : std::nullopt},
+      {"squeezes", units::kNewton, forces},
+      {"worst_load", wrench_json(task.worst_load, planar)},
+      {"solved", task.lower.has_value()},
+      {"residual", task.residual}};
 }
 
 std::string matrix_words(const GraspMatrixMeasures& m) {
@@ -124,30 +111,29 @@ std::string text_of(const ContactQuality& result) {
   return text;
 }
 
-OrderedJson json_of(const ContactQuality& result) {
+Fields fields_of(const ContactQuality& result) {
   const Epsilon& e = result.epsilon;
-  OrderedJson missing, bounds, complete, volume;
+  OrderedJson missing, bounds, complete;
   if (e.has_missing_direction) missing = wrench_json(e.missing_direction, result.planar);
   if (result.volume) {
-    const Volume& v = *result.volume;
-    if (v.complete) volume = v.estimate;
-    bounds = {{"lower", v.lower}, {"upper", v.upper}};
-    complete = v.complete;
+    bounds = {{"lower", result.volume->lower}, {"upper", result.volume->upper}};
+    complete = result.volume->complete;
   }
-  return {{"epsilon", {{"lower", e.lower + 0.0}, {"upper", e.upper + 0.0}}},
-          {"volume", volume},
+  const auto& matrix = result.grasp_matrix;
+  return {{"epsilon", Fields{{"lower", e.lower + 0.0}, {"upper", e.upper + 0.0}}},
+          {"volume", units::kOne, volume_estimate(result)},
           {"force_closure", e.force_closure},
           {"rank", e.rank},
           {"missing_direction", missing},
           {"worst_wrench", wrench_json(e.worst_wrench, result.planar)},
-          {"cpu_s", result.epsilon_cpu + result.volume_cpu},
-          {"epsilon_cpu_s", result.epsilon_cpu},
+          {"cpu", units::kSecond, result.epsilon_cpu + result.volume_cpu},
+          {"epsilon_cpu", units::kSecond, result.epsilon_cpu},
           {"volume_bounds", bounds},
           {"volume_complete", complete},
           {"converged", e.converged},
-          {"grasp_matrix",
-           result.grasp_matrix ? matrix_json(*result.grasp_matrix) : OrderedJson(nullptr)},
-          {"task", result.task ? task_json(*result.task, result.planar) : OrderedJson(nullptr)},
+          matrix ? Field("grasp_matrix", fields_of(*matrix)) : Field("grasp_matrix", nullptr),
+          result.task ? Field("task", task_fields(*result.task, result.planar))
+                      : Field("task", nullptr),
           {"planar", result.planar},
           {"file", result.contacts},
           {"warnings", result.warnings}};
@@ -161,11 +147,11 @@ Table table_of(const std::vector<ContactQuality>& results) {
   return table;
 }
 
-OrderedJson json_of(const std::vector<ContactQuality>& results) {
-  if (results.size() == 1) return json_of(results.front());
-  OrderedJson answers = OrderedJson::array();
-  for (const ContactQuality& result : results) answers.push_back(json_of(result));
-  return {{"answers", answers}};
+Fields fields_of(const std::vector<ContactQuality>& results) {
+  if (results.size() == 1) return fields_of(results.front());
+  std::vector<Fields> answers;
+  for (const ContactQuality& result : results) answers.push_back(fields_of(result));
+  return {{"answers", std::move(answers)}};
 }
 
 }  // namespace thenar

@@ -1,13 +1,12 @@
 #pragma once
 
-/// Qualities of contacts as words, JSON and a table.
+/// Qualities of contacts as words, fields and a table.
 
 #include <string>
 #include <vector>
 
 #include "api/quality.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
@@ -15,12 +14,12 @@ namespace thenar {
 [[nodiscard]] std::string text_of(const ContactQuality& result);
 
 /// Members as docs/data_format.md has them; null: not known, or there is none.
-[[nodiscard]] OrderedJson json_of(const ContactQuality& result);
+[[nodiscard]] Fields fields_of(const ContactQuality& result);
 
 /// A row for each contact set: bounds of epsilon, volume, rank, grasp matrix and task.
 [[nodiscard]] Table table_of(const std::vector<ContactQuality>& results);
 
 /// The only answer, or {"answers": [..]} of several.
-[[nodiscard]] OrderedJson json_of(const std::vector<ContactQuality>& results);
+[[nodiscard]] Fields fields_of(const std::vector<ContactQuality>& results);
 
 }  // namespace thenar

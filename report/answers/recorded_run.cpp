@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "report/table.h"
-
 namespace thenar {
 namespace {
 
@@ -25,16 +23,14 @@ std::string text_of(const RecordedRun& recorded) {
   return text;
 }
 
-OrderedJson json_of(const RecordedRun& recorded) {
-  OrderedJson inputs = OrderedJson::object();
-  for (const auto& [path, digest] : recorded.inputs) inputs[path] = digest;
+Fields fields_of(const RecordedRun& recorded) {
   return {{"file", recorded.file},
           {"command", command_line(recorded.run)},
           {"arguments", recorded.run.arguments},
           {"folder", recorded.run.folder},
           {"date", recorded.run.date},
           {"commit", recorded.run.commit},
-          {"inputs_sha256", inputs},
+          {"inputs_sha256", recorded.inputs},
           {"inputs_compared", recorded.compared},
           {"inputs_changed", recorded.changed},
           {"warnings", recorded.warnings}};

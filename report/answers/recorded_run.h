@@ -5,12 +5,12 @@
 #include <string>
 
 #include "api/named/recorded_run.h"
-#include "report/json.h"
+#include "report/fields.h"
 
 namespace thenar {
 
 /// The command line, then folder, date, commit and what has changed.
 [[nodiscard]] std::string text_of(const RecordedRun& recorded);
-[[nodiscard]] OrderedJson json_of(const RecordedRun& recorded);
+[[nodiscard]] Fields fields_of(const RecordedRun& recorded);
 
 }  // namespace thenar

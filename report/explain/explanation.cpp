@@ -1,6 +1,7 @@
 #include "report/explain/explanation.h"
 
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -69,13 +70,15 @@ std::string text_of(const ThingExplained& explained) {
   return text;
 }
 
-OrderedJson json_of(const ThingExplained& explained) {
-  OrderedJson json;
+Fields fields_of(const ThingExplained& explained) {
+  Fields fields;
   for (const Section& section : sections_of(explained)) {
-    if (!section.lines.empty()) json[section.key]["notes"] = section.lines;
-    json[section.key]["rows"] = rows_json(section.table);
+    Fields part;
+    if (!section.lines.empty()) part.add("notes", section.lines);
+    part.add("rows", rows_json(section.table));
+    fields.add(section.key, std::move(part));
   }
-  return json;
+  return fields;
 }
 
 }  // namespace thenar

@@ -1,13 +1,12 @@
 #pragma once
 
-/// An explanation as sections of lines and a table, for people and as JSON alike.
+/// An explanation as sections of lines and a table, for people and as fields alike.
 
 #include <string>
 #include <vector>
 
 #include "api/explain.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
@@ -36,6 +35,6 @@ using Explanation = std::vector<Section>;
 [[nodiscard]] Explanation explain(const RobotSpec& robot);
 
 [[nodiscard]] std::string text_of(const ThingExplained& explained);
-[[nodiscard]] OrderedJson json_of(const ThingExplained& explained);
+[[nodiscard]] Fields fields_of(const ThingExplained& explained);
 
 }  // namespace thenar

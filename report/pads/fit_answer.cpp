@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -71,23 +72,22 @@ std::optional<double> finer_factor(const FittedPad& fitted, std::size_t i) {
   return std::exp(fitted.fit.estimates[i].mesh_shift);
 }
 
-OrderedJson constants_json(const FittedPad& fitted) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> constant_fields(const FittedPad& fitted) {
+  std::vector<Fields> list;
   for (std::size_t i = 0; i < fitted.fit.estimates.size(); ++i) {
     const ConstantEstimate& each = fitted.fit.estimates[i];
     const FreeConstant& free = fitted.problem.constants[i];
     const DisplayUnit unit = display_unit(free.constant.kind);
-    const std::optional<double> finer = finer_factor(fitted, i);
     list.push_back({{"constant", constant_name(fitted, i)},
                     {"unit", unit.name},
                     {"start", start_of(fitted, i) * unit.per_si},
                     {"value", each.value * unit.per_si},
-                    {"sd_factor", number_or_null(std::exp(each.sd))},
-                    {"sd_factor_by_data", number_or_null(std::exp(each.sd_by_data))},
-                    {"prior_factor", free.prior_factor ? Json(*free.prior_factor) : Json()},
+                    {"sd_factor", std::exp(each.sd)},
+                    {"sd_factor_by_data", std::exp(each.sd_by_data)},
+                    {"prior_factor", units::kOne, free.prior_factor},
                     {"determined", each.determined},
                     {"at_bound", each.at_bound},
-                    {"finer_cells_factor", finer ? Json(*finer) : Json()}});
+                    {"finer_cells_factor", units::kOne, finer_factor(fitted, i)}});
   }
   return list;
 }
@@ -102,31 +102,32 @@ void for_data(const FittedPad& fitted, const Add& add) {
   }
 }
 
-OrderedJson data_json(const FittedPad& fitted) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> data_fields(const FittedPad& fitted) {
+  std::vector<Fields> list;
   for_data(fitted, [&](const PressRecord& record, const PressDatum& datum,
                        const PressPrediction& pad, const DisplayUnit& unit) {
-    list.push_back({{"press", record.name},
-                    {"load", load_words(record, datum)},
-                    {"quantity", quantity_words(datum)},
-                    {"unit", unit.name},
-                    {"measured", datum.value * unit.per_si},
-                    {"sd", datum.sd * unit.per_si},
-                    {"predicted", pad.value * unit.per_si},
-                    {"finer_cells", pad.finer ? Json(*pad.finer * unit.per_si) : Json()},
-                    {"source", datum.source}});
+    list.push_back(
+        {{"press", record.name},
+         {"load", load_words(record, datum)},
+         {"quantity", quantity_words(datum)},
+         {"unit", unit.name},
+         {"measured", datum.value * unit.per_si},
+         {"sd", datum.sd * unit.per_si},
+         {"predicted", pad.value * unit.per_si},
+         {"finer_cells", pad.finer ? OrderedJson(*pad.finer * unit.per_si) : OrderedJson()},
+         {"source", datum.source}});
   });
   return list;
 }
 
-OrderedJson curves_json(const FittedPad& fitted) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> curve_fields(const FittedPad& fitted) {
+  std::vector<Fields> list;
   for (std::size_t i = 0; i < fitted.curves.size(); ++i) {
-    OrderedJson points = OrderedJson::array();
+    std::vector<Fields> points;
     for (const PressPoint& point : fitted.curves[i].points)
-      points.push_back({{"depth_mm", point.indentation / kMm},
-                        {"force_N", point.force},
-                        {"area_mm2", point.area / kSquareMm}});
+      points.push_back({{"depth", units::kMillimetre, point.indentation},
+                        {"force", units::kNewton, point.force},
+                        {"area", units::kSquareMillimetre, point.area}});
     list.push_back({{"press", fitted.problem.records[i].name}, {"points", std::move(points)}});
   }
   return list;
@@ -228,25 +229,24 @@ std::string text_of(const FittedPad& fitted) {
   return text + constants_note(fitted);
 }
 
-OrderedJson json_of(const FittedPad& fitted) {
+Fields fields_of(const FittedPad& fitted) {
   const PadFitResult& fit = fitted.fit;
-  OrderedJson json{{"pad", fitted.pad.spec.name},
-                   {"presses", fitted.data.path},
-                   {"title", fitted.data.title},
-                   {"search", convergence_word(fit.solution)},
-                   {"message", fit.solution.message},
-                   {"evaluations", fit.solution.evaluations},
-                   {"seconds", fit.solution.seconds},
-                   {"misfit", fit.misfit},
-                   {"degrees_of_freedom", fit.degrees_of_freedom},
-                   {"constants", constants_json(fitted)},
-                   {"correlations", all_known(fitted) ? to_json(fit.correlations) : Json()},
-                   {"data", data_json(fitted)},
-                   {"curves", curves_json(fitted)},
-                   {"assumed", assumed_words(fitted.spec)},
-                   {"sources", fitted.data.own_sources},
-                   {"warnings", fitted.warnings}};
-  return json;
+  return {{"pad", fitted.pad.spec.name},
+          {"presses", fitted.data.path},
+          {"title", fitted.data.title},
+          {"search", convergence_word(fit.solution)},
+          {"message", fit.solution.message},
+          {"evaluations", fit.solution.evaluations},
+          {"seconds", fit.solution.seconds},
+          {"misfit", fit.misfit},
+          {"degrees_of_freedom", fit.degrees_of_freedom},
+          {"constants", constant_fields(fitted)},
+          {"correlations", all_known(fitted) ? to_json(fit.correlations) : Json()},
+          {"data", data_fields(fitted)},
+          {"curves", curve_fields(fitted)},
+          {"assumed", assumed_words(fitted.spec)},
+          {"sources", fitted.data.own_sources},
+          {"warnings", fitted.warnings}};
 }
 
 FileDigests files_of(const FittedPad& fitted) {

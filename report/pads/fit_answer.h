@@ -1,19 +1,19 @@
 #pragma once
 
-/// A pad that was fitted to measured presses, as text, JSON, a table and a page.
+/// A pad that was fitted to measured presses, as text, fields, a table and a page.
 
 #include <string>
 
 #include "api/pads/fit_pad.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
 /// Constants, data beside predictions, correlations, and how the search ended.
 [[nodiscard]] std::string text_of(const FittedPad& fitted);
-/// Returns the fit as JSON, with curves of the fitted pad and the meaning of citation keys.
-[[nodiscard]] OrderedJson json_of(const FittedPad& fitted);
+/// Fields of the fit, with curves of the fitted pad and the meaning of citation keys. Constants and
+/// data are in the unit that stands beside each.
+[[nodiscard]] Fields fields_of(const FittedPad& fitted);
 /// A row for each constant.
 [[nodiscard]] Table table_of(const FittedPad& fitted);
 /// Returns the page of a fit: its tables, force by depth and area by force of the fitted pad with

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/units.h"
+#include "report/pads/press_answer.h"
 
 namespace thenar {
 namespace {
@@ -52,57 +53,55 @@ OrderedJson errors_json(const CalibratedLaws& laws) {
 }
 
 /// Constants by their keys in files of laws.
-OrderedJson constants_json(const CalibratedLaws& laws) {
+Fields constant_fields(const CalibratedLaws& laws) {
   const PowerLawConstants& power = laws.power;
   const SoftFingerConstants& finger = laws.soft_finger;
   const FoundationConstants& bed = laws.foundation;
-  return {{"power_law",
-           {{"force_N", power.force},
-            {"depth_exponent", power.depth_exponent},
-            {"patch_m", power.patch},
-            {"patch_exponent", power.patch_exponent},
-            {"torsion", power.torsion},
-            {"shear_Pa", power.shear}}},
-          {"soft_finger",
-           {{"force_N", finger.force},
-            {"depth_exponent", finger.depth_exponent},
-            {"radius_exponent", finger.radius_exponent},
-            {"patch_m", finger.patch},
-            {"patch_exponent", finger.patch_exponent},
-            {"patch_radius", finger.patch_radius},
-            {"aspect", finger.aspect},
-            {"torsion", finger.torsion},
-            {"shear_Pa", finger.shear}}},
-          {"elastic_foundation",
-           {{"modulus_Pa", bed.modulus},
-            {"exponent", bed.exponent},
-            {"stiffening", bed.stiffening},
-            {"surround", bed.surround},
-            {"spread", bed.spread},
-            {"thickness_m", bed.thickness},
-            {"shear_Pa", bed.shear}}}};
+  return {{"power_law", Fields{{"force", units::kNewton, power.force},
+                               {"depth_exponent", power.depth_exponent},
+                               {"patch", units::kMetre, power.patch},
+                               {"patch_exponent", power.patch_exponent},
+                               {"torsion", power.torsion},
+                               {"shear", units::kPascal, power.shear}}},
+          {"soft_finger", Fields{{"force", units::kNewton, finger.force},
+                                 {"depth_exponent", finger.depth_exponent},
+                                 {"radius_exponent", finger.radius_exponent},
+                                 {"patch", units::kMetre, finger.patch},
+                                 {"patch_exponent", finger.patch_exponent},
+                                 {"patch_radius", finger.patch_radius},
+                                 {"aspect", finger.aspect},
+                                 {"torsion", finger.torsion},
+                                 {"shear", units::kPascal, finger.shear}}},
+          {"elastic_foundation", Fields{{"modulus", units::kPascal, bed.modulus},
+                                        {"exponent", bed.exponent},
+                                        {"stiffening", bed.stiffening},
+                                        {"surround", bed.surround},
+                                        {"spread", bed.spread},
+                                        {"thickness", units::kMetre, bed.thickness},
+                                        {"shear", units::kPascal, bed.shear}}}};
 }
 
-OrderedJson presses_json(const PadLaws& found) {
-  OrderedJson list = OrderedJson::array();
+std::vector<Fields> press_fields(const PadLaws& found) {
+  std::vector<Fields> list;
   for (const LawPress& press : found.presses) {
     const MeasuredPress& by = press.elements;
-    OrderedJson each{{"press", by.trial},
-                     {"fitted", press.fitted},
-                     {"depth_mm", by.depth / kMm},
-                     {"gap_radius_mm", internal::radius_of(by.gap).radius / kMm},
-                     {"force_N", by.force},
-                     {"force_error", by.force_error},
-                     {"area_mm2", by.area / kSquareMm},
-                     {"aspect", by.aspect},
-                     {"arm_mm", by.arm / kMm},
-                     {"shear_N_per_mm", by.shear * kMm}};
+    Fields each{{"press", by.trial},
+                {"fitted", press.fitted},
+                {"depth", units::kMillimetre, by.depth},
+                {"gap_radius", units::kMillimetre, internal::radius_of(by.gap).radius},
+                {"force", units::kNewton, by.force},
+                {"force_error", by.force_error},
+                {"area", units::kSquareMillimetre, by.area},
+                {"aspect", by.aspect},
+                {"arm", units::kMillimetre, by.arm},
+                {"shear", units::kNewtonPerMillimetre, by.shear}};
     if (press.laws)
-      each["laws"] = {{"power_law_N", press.laws->power},
-                      {"soft_finger_N", press.laws->soft_finger},
-                      {"foundation_bed_N", press.laws->bed},
-                      {"foundation_bed_area_mm2", press.laws->bed_area / kSquareMm},
-                      {"foundation_bed_arm_mm", press.laws->bed_arm / kMm}};
+      each.add("laws",
+               Fields{{"power_law", units::kNewton, press.laws->power},
+                      {"soft_finger", units::kNewton, press.laws->soft_finger},
+                      {"foundation_bed", units::kNewton, press.laws->bed},
+                      {"foundation_bed_area", units::kSquareMillimetre, press.laws->bed_area},
+                      {"foundation_bed_arm", units::kMillimetre, press.laws->bed_arm}});
     list.push_back(std::move(each));
   }
   return list;
@@ -188,25 +187,25 @@ std::string text_of(const PadLaws& found) {
   return text + titled("Errors", table_of(found)) + errors_note();
 }
 
-OrderedJson json_of(const PadLaws& found) {
+Fields fields_of(const PadLaws& found) {
   const LawCalibration& calibration = found.calibration;
-  OrderedJson json{{"pad", found.pad.spec.name},
-                   {"pad_file", found.pad.path},
-                   {"pad_digest", calibration.laws.pad_digest},
-                   {"status", name_of(calibration.status)},
-                   {"message", calibration.message},
-                   {"press_s", found.press_s},
-                   {"fit_s", found.fit_s},
-                   {"depths_mm", depths_mm(found)},
-                   {"fitted", count_of(found, true)},
-                   {"checked", count_of(found, false)},
-                   {"errors", found.has_laws() ? errors_json(calibration.laws) : OrderedJson()},
-                   {"laws", found.has_laws() ? constants_json(calibration.laws) : OrderedJson()},
-                   {"presses", presses_json(found)},
-                   {"failures", calibration.failures},
-                   {"assumed", assumed_words(found.pad.spec)},
-                   {"warnings", found.warnings}};
-  return json;
+  return {
+      {"pad", found.pad.spec.name},
+      {"pad_file", found.pad.path},
+      {"pad_digest", calibration.laws.pad_digest},
+      {"status", name_of(calibration.status)},
+      {"message", calibration.message},
+      {"press", units::kSecond, found.press_s},
+      {"fit", units::kSecond, found.fit_s},
+      {"depths", units::kMillimetre, found.depths},
+      {"fitted", count_of(found, true)},
+      {"checked", count_of(found, false)},
+      {"errors", found.has_laws() ? errors_json(calibration.laws) : OrderedJson()},
+      found.has_laws() ? Field("laws", constant_fields(calibration.laws)) : Field("laws", nullptr),
+      {"presses", press_fields(found)},
+      {"failures", calibration.failures},
+      {"assumed", assumed_words(found.pad.spec)},
+      {"warnings", found.warnings}};
 }
 
 FileDigests files_of(const PadLaws& found) { return found.pad.spec.files; }

@@ -1,19 +1,18 @@
 #pragma once
 
-/// Reduced laws of a pad that were calibrated, as text, JSON, a table and a page.
+/// Reduced laws of a pad that were calibrated, as text, fields, a table and a page.
 
 #include <string>
 
 #include "api/pads/calibrate_pad.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
 /// Errors of each law, presses with what laws say of them, and how the calibration ended.
 [[nodiscard]] std::string text_of(const PadLaws& found);
-/// Returns the calibration as JSON, with the constants of the laws.
-[[nodiscard]] OrderedJson json_of(const PadLaws& found);
+/// Fields of the calibration, with the constants of the laws.
+[[nodiscard]] Fields fields_of(const PadLaws& found);
 /// Two rows for each law: root of the mean square and worst of its errors [%]. None without laws.
 [[nodiscard]] Table table_of(const PadLaws& found);
 /// Returns the page of a calibration: its tables, and the force of laws over that of the elements.

@@ -1,9 +1,11 @@
 #include "report/pads/press_answer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "base/numbers.h"
 #include "base/units.h"
 
 namespace thenar {
@@ -39,52 +41,54 @@ std::string rate_words(const PressedPad& pressed) {
   return words;
 }
 
-OrderedJson instant_json(const PressInstant& now) {
+Fields instant_fields(const PressInstant& now) {
   return {{"phase", name_of(now.phase)},
-          {"time_s", now.time},
-          {"depth_mm", now.depth / kMm},
-          {"force_N", now.force},
-          {"push_N", to_json(now.push)},
-          {"area_mm2", now.area / kSquareMm},
+          {"time", units::kSecond, now.time},
+          {"depth", units::kMillimetre, now.depth},
+          {"force", units::kNewton, now.force},
+          {"push", units::kNewton, now.push},
+          {"area", units::kSquareMillimetre, now.area},
           {"stick", now.stick},
-          {"largest_pressure_kPa", now.pressure / kKilopascal},
+          {"largest_pressure", units::kKilopascal, now.pressure},
           {"force_error", now.force_error},
-          {"penetration_mm", now.penetration / kMm},
+          {"penetration", units::kMillimetre, now.penetration},
           {"elements", now.elements},
           {"iterations", now.iterations},
-          {"cpu_s", now.cpu}};
+          {"cpu", units::kSecond, now.cpu}};
 }
 
 /// Nodes that touch.
-OrderedJson patch_json(const PressedSkin& skin) {
-  OrderedJson nodes = OrderedJson::array();
+std::vector<Fields> patch_fields(const PressedSkin& skin) {
+  std::vector<Fields> nodes;
   for (Eigen::Index k = 0; k < skin.pressure.size(); ++k) {
     const SkinContact contact = skin.contact[static_cast<std::size_t>(k)];
     if (contact == SkinContact::kFree) continue;
-    nodes.push_back({{"place_mm", to_json((skin.places.col(k) / kMm).eval())},
-                     {"at_rest_mm", to_json((skin.at_rest.col(k) / kMm).eval())},
-                     {"normal_N", skin.normal[k]},
-                     {"pressure_kPa", skin.pressure[k] / kKilopascal},
+    nodes.push_back({{"place", units::kMillimetre, skin.places.col(k)},
+                     {"at_rest", units::kMillimetre, skin.at_rest.col(k)},
+                     {"normal", units::kNewton, skin.normal[k]},
+                     {"pressure", units::kKilopascal, skin.pressure[k]},
                      {"contact", word_of(contact)}});
   }
   return nodes;
 }
 
-OrderedJson rungs_json(const std::vector<PressRung>& rungs) {
-  OrderedJson list = OrderedJson::array();
-  for (const PressRung& rung : rungs)
+std::vector<Fields> rung_fields(const std::vector<PressRung>& rungs) {
+  std::vector<Fields> list;
+  for (const PressRung& rung : rungs) {
+    const bool solved = rung.failure.empty();
     list.push_back({{"element", rung.element},
                     {"mesh", rung.mesh},
                     {"elements", rung.elements},
-                    {"force_N", rung.failure.empty() ? Json(rung.force) : Json()},
-                    {"error", rung.failure.empty() ? Json(rung.error) : Json()},
-                    {"area_mm2", rung.area ? Json(*rung.area / kSquareMm) : Json()},
-                    {"torsion_mm", rung.torsion ? Json(*rung.torsion / kMm) : Json()},
-                    {"cpu_s", rung.cpu > 0 ? Json(rung.cpu) : Json()},
+                    {"force", units::kNewton, solved ? rung.force : kNaN},
+                    {"error", units::kOne, solved ? rung.error : kNaN},
+                    {"area", units::kSquareMillimetre, rung.area},
+                    {"torsion", units::kMillimetre, rung.torsion},
+                    {"cpu", units::kSecond, rung.cpu > 0 ? rung.cpu : kNaN},
                     {"finest", rung.finest},
                     {"reduced", rung.reduced},
                     {"note", rung.note},
                     {"failure", rung.failure}});
+  }
   return list;
 }
 
@@ -94,8 +98,7 @@ std::string ending_words(const PressedPad& pressed) {
   return fmt::format(
       "{} elements; estimated error of the force {:.2g} %; the object at most {:.2g} um inside "
       "faces of the skin\n{} iterations, CPU {:.3g} s\n",
-      last.elements, 100 * last.force_error, 1e6 * last.penetration, last.iterations,
-      pressed.cpu);
+      last.elements, 100 * last.force_error, 1e6 * last.penetration, last.iterations, pressed.cpu);
 }
 
 }  // namespace
@@ -158,30 +161,31 @@ std::string text_of(const PressedPad& pressed) {
   return text + ending_words(pressed);
 }
 
-OrderedJson json_of(const PressedPad& pressed) {
+Fields fields_of(const PressedPad& pressed) {
   const PressRequest& request = pressed.request;
-  OrderedJson json{{"pad", pressed.pad.spec.name},
-                   {"object", pressed.object.name},
-                   {"angle_deg", degrees(request.angle)},
-                   {"turn_deg", degrees(request.turn)},
-                   {"friction", request.friction},
-                   {"rate_mm_s", request.rate ? Json(*request.rate / kMm) : Json()},
-                   {"hold_s", request.hold},
-                   {"law", pressed.pad.spec.pulp.law},
-                   {"element", name_of(pressed.pad.model.element)},
-                   {"assumed", assumed_words(pressed.pad.spec)},
-                   {"status", name_of(pressed.status)},
-                   {"message", pressed.message}};
+  Fields fields{{"pad", pressed.pad.spec.name},
+                {"object", pressed.object.name},
+                {"angle", units::kDegree, request.angle},
+                {"turn", units::kDegree, request.turn},
+                {"friction", request.friction},
+                {"rate", units::kMillimetrePerSecondShort, request.rate},
+                {"hold", units::kSecond, request.hold},
+                {"law", pressed.pad.spec.pulp.law},
+                {"element", name_of(pressed.pad.model.element)},
+                {"assumed", assumed_words(pressed.pad.spec)},
+                {"status", name_of(pressed.status)},
+                {"message", pressed.message}};
   // The last instant by itself, then all of them.
-  if (!pressed.instants.empty()) json.update(instant_json(pressed.instants.back()));
-  json["object_place_mm"] = to_json((pressed.X_PO.p / kMm).eval());
-  json["along"] = to_json(pressed.touch.along);
-  json["instants"] = OrderedJson::array();
-  for (const PressInstant& now : pressed.instants) json["instants"].push_back(instant_json(now));
-  json["patch"] = patch_json(pressed.skin);
-  if (!pressed.rungs.empty()) json["rungs"] = rungs_json(pressed.rungs);
-  json["warnings"] = pressed.warnings;
-  return json;
+  if (!pressed.instants.empty()) fields.append(instant_fields(pressed.instants.back()));
+  fields.add("object_place", units::kMillimetre, pressed.X_PO.p);
+  fields.add("along", units::kOne, pressed.touch.along);
+  std::vector<Fields> instants;
+  for (const PressInstant& now : pressed.instants) instants.push_back(instant_fields(now));
+  fields.add("instants", std::move(instants));
+  fields.add("patch", patch_fields(pressed.skin));
+  if (!pressed.rungs.empty()) fields.add("rungs", rung_fields(pressed.rungs));
+  fields.add("warnings", pressed.warnings);
+  return fields;
 }
 
 FileDigests files_of(const PressedPad& pressed) {

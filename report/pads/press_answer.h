@@ -1,13 +1,12 @@
 #pragma once
 
-/// A pad that was pressed, as text, JSON, a table and a page.
+/// A pad that was pressed, as text, fields, a table and a page.
 
 #include <string>
 
 #include "api/pads/press_pad.h"
 #include "base/provenance.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 
 namespace thenar {
 
@@ -16,8 +15,8 @@ inline constexpr double kKilopascal = 1e3;  // A kilopascal [Pa]
 
 /// Returns a press as text: pad, object, every instant, the rungs, and the accuracy.
 [[nodiscard]] std::string text_of(const PressedPad& pressed);
-/// Returns a press as JSON, with the nodes of the patch: places, pressure, stick.
-[[nodiscard]] OrderedJson json_of(const PressedPad& pressed);
+/// Fields of a press, with the nodes of the patch: places, pressure, stick.
+[[nodiscard]] Fields fields_of(const PressedPad& pressed);
 /// A row for each instant.
 [[nodiscard]] Table table_of(const PressedPad& pressed);
 /// The deformed pad in space, its pressure and stick from below, force over depth, area over force,

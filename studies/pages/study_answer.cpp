@@ -1,5 +1,7 @@
 #include "studies/pages/study_answer.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "base/units.h"
@@ -8,21 +10,23 @@
 namespace thenar {
 namespace {
 
-Json scores_json(const TaskScores& tasks) {
-  return {{"direction_deg", degrees(tasks.direction)},
-          {"direction_sd_deg", degrees(tasks.direction_sd)},
-          {"torque_Nm", tasks.torque},
-          {"torque_sd_Nm", tasks.torque_sd},
-          {"explained", tasks.explained}};
+// Keys stand in alphabetic order, as in earlier versions.
+
+Fields score_fields(const TaskScores& tasks) {
+  return {{"direction", units::kDegree, tasks.direction},
+          {"direction_sd", units::kDegree, tasks.direction_sd},
+          {"explained", tasks.explained},
+          {"torque", units::kNewtonMetre, tasks.torque},
+          {"torque_sd", units::kNewtonMetre, tasks.torque_sd}};
 }
 
-Json types_json(const ThumbFit& fit, DigitDirection toward) {
-  Json list = Json::array();
+std::vector<Fields> type_fields(const ThumbFit& fit, DigitDirection toward) {
+  std::vector<Fields> list;
   for (const TypeProbability& each : fit.types)
-    list.push_back({{"type", describe_type(each.type, toward)},
-                    {"prior", each.prior},
+    list.push_back({{"mcse", each.mcse},
                     {"posterior", each.posterior},
-                    {"mcse", each.mcse}});
+                    {"prior", each.prior},
+                    {"type", describe_type(each.type, toward)}});
   return list;
 }
 
@@ -53,63 +57,69 @@ Table type_table(const ThumbStudy& study) {
   return table;
 }
 
-Json fit_json(const ThumbFit& fit, DigitDirection toward) {
+Fields fit_fields(const ThumbFit& fit, DigitDirection toward) {
   const TendonDigit& digit = fit.run.posterior->problem().digit();
-  Json out{{"axes", fit.settings.skewed ? "skewed" : "orthogonal"},
-           {"arms", fit.settings.arms == Arms::kFixed ? "known" : "free"},
-           {"noise", fit.settings.noise},
-           {"postures", fit.settings.postures},
-           {"skewness", fit.settings.skewness},
-           {"tasks_fitted", fit.settings.with_tasks},
-           {"prior_width", fit.settings.prior_width},
-           {"converged", fit.converged()},
-           {"reasons", fit.run.convergence.warnings},
-           {"pulls_direction_deg", degrees(fit.direction)},
-           {"pulls_direction_sd_deg", degrees(fit.direction_sd)},
-           {"pulls_off_truth", fit.relative_error},
-           {"tasks", scores_json(fit.tasks)},
-           {"elpd", fit.left_out.elpd},
-           {"elpd_se", fit.left_out.se},
-           {"modes", fit.run.modes.size()}};
-  if (!fit.types.empty()) out["types"] = types_json(fit, toward);
+  Fields fields{{"arms", fit.settings.arms == Arms::kFixed ? "known" : "free"},
+                {"axes", fit.settings.skewed ? "skewed" : "orthogonal"},
+                {"converged", fit.converged()},
+                {"elpd", fit.left_out.elpd},
+                {"elpd_se", fit.left_out.se}};
+  std::vector<Fields> learnt;
   for (const LearntNumber& number : fit.learnt)
-    out["learnt"].push_back({{"name", number.name},
-                             {"meaning", meaning_of(number.name, digit)},
-                             {"unit", number.unit},
-                             {"mean", number.mean},
-                             {"sd", number.sd},
-                             {"prior_sd", number.prior_sd},
-                             {"truth", number.truth ? Json(*number.truth) : Json(nullptr)}});
-  return out;
+    learnt.push_back({{"mean", number.mean},
+                      {"meaning", meaning_of(number.name, digit)},
+                      {"name", number.name},
+                      {"prior_sd", number.prior_sd},
+                      {"sd", number.sd},
+                      {"truth", units::kOne, number.truth},
+                      {"unit", number.unit}});
+  if (!learnt.empty()) fields.add("learnt", std::move(learnt));
+  fields.append({{"modes", fit.run.modes.size()},
+                 {"noise", fit.settings.noise},
+                 {"postures", fit.settings.postures},
+                 {"prior_width", fit.settings.prior_width},
+                 {"pulls_direction", units::kDegree, fit.direction},
+                 {"pulls_direction_sd", units::kDegree, fit.direction_sd},
+                 {"pulls_off_truth", fit.relative_error},
+                 {"reasons", fit.run.convergence.warnings},
+                 {"skewness", fit.settings.skewness},
+                 {"tasks", score_fields(fit.tasks)},
+                 {"tasks_fitted", fit.settings.with_tasks}});
+  if (!fit.types.empty()) fields.add("types", type_fields(fit, toward));
+  return fields;
 }
 
-Json study_json(const ThumbStudy& study, const std::optional<ThumbCalibration>& calibration) {
-  Json out{{"complete", study.complete}, {"fits", Json::array()}, {"not_fitted", Json::array()}};
-  for (const ThumbFit& fit : study.fits)
-    out["fits"].push_back(fit_json(fit, study.criteria.toward));
-  for (const ThumbReference& reference : study.references)
-    out["not_fitted"].push_back({{"noise", reference.noise},
-                                 {"skewness", reference.skewness},
-                                 {"start_pulls_direction_deg", degrees(reference.direction)},
-                                 {"start_tasks", scores_json(reference.start)},
-                                 {"truth_tasks", scores_json(reference.truth)}});
-  if (!calibration) return out;
-  Json& judged = out["calibration"];
-  judged = {{"simulations", calibration->rank.cols()},
-            {"not_converged", calibration->not_converged},
-            {"covered_90", calibration->covered},
-            {"reasons", calibration->judged.warnings}};
-  for (const ParameterCalibration& parameter : calibration->judged.parameters)
-    judged["parameters"].push_back({{"name", parameter.name},
-                                    {"band_p", parameter.band_p},
-                                    {"chi_square_p", parameter.chi_square_p}});
-  return out;
+Fields calibration_fields(const ThumbCalibration& calibration) {
+  Fields fields{{"covered_90", calibration.covered}, {"not_converged", calibration.not_converged}};
+  std::vector<Fields> parameters;
+  for (const ParameterCalibration& parameter : calibration.judged.parameters)
+    parameters.push_back({{"band_p", parameter.band_p},
+                          {"chi_square_p", parameter.chi_square_p},
+                          {"name", parameter.name}});
+  if (!parameters.empty()) fields.add("parameters", std::move(parameters));
+  fields.append(
+      {{"reasons", calibration.judged.warnings}, {"simulations", calibration.rank.cols()}});
+  return fields;
 }
 
 }  // namespace
 
-OrderedJson json_of(const ThumbStudyResult& result) {
-  return OrderedJson(study_json(result.study, result.calibration));
+Fields fields_of(const ThumbStudyResult& result) {
+  const ThumbStudy& study = result.study;
+  Fields fields;
+  if (result.calibration) fields.add("calibration", calibration_fields(*result.calibration));
+  std::vector<Fields> fits, references;
+  for (const ThumbFit& fit : study.fits) fits.push_back(fit_fields(fit, study.criteria.toward));
+  for (const ThumbReference& reference : study.references)
+    references.push_back({{"noise", reference.noise},
+                          {"skewness", reference.skewness},
+                          {"start_pulls_direction", units::kDegree, reference.direction},
+                          {"start_tasks", score_fields(reference.start)},
+                          {"truth_tasks", score_fields(reference.truth)}});
+  fields.append({{"complete", study.complete},
+                 {"fits", std::move(fits)},
+                 {"not_fitted", std::move(references)}});
+  return fields;
 }
 
 Table table_of(const ThumbStudyResult& result) {

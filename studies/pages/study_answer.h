@@ -1,11 +1,10 @@
 #pragma once
 
-/// A study of made-up thumbs as words, JSON and rows.
+/// A study of made-up thumbs as words, fields and rows.
 
 #include <string>
 
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 #include "studies/questions/study.h"
 
 namespace thenar {
@@ -14,7 +13,7 @@ namespace thenar {
 [[nodiscard]] std::string text_of(const ThumbStudyResult& result);
 
 /// Fits with what each learnt, thumbs that were not fitted, and the calibration if there is one.
-[[nodiscard]] OrderedJson json_of(const ThumbStudyResult& result);
+[[nodiscard]] Fields fields_of(const ThumbStudyResult& result);
 
 /// One row for each fit: errors of directions and forces, of tasks, elpd, modes, R-hat.
 [[nodiscard]] Table table_of(const ThumbStudyResult& result);

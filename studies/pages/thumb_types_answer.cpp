@@ -1,5 +1,7 @@
 #include "studies/pages/thumb_types_answer.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "base/units.h"
@@ -8,46 +10,48 @@
 namespace thenar {
 namespace {
 
-Json interval_json(int count, int draws) {
+// Keys stand in alphabetic order, as in earlier versions.
+
+OrderedJson interval_json(int count, int draws) {
   const ConfidenceInterval interval = wilson_interval(count, draws);
-  return Json::array({interval.lower, interval.upper});
+  return OrderedJson::array({interval.lower, interval.upper});
 }
 
-Json row_json(const DhRow& row) {
-  return {{"theta_deg", degrees(row.theta)},
-          {"d_mm", 1e3 * row.d},
-          {"a_mm", 1e3 * row.a},
-          {"alpha_deg", degrees(row.alpha)}};
+Fields row_fields(const DhRow& row) {
+  return {{"a", units::kMillimetre, row.a},
+          {"alpha", units::kDegree, row.alpha},
+          {"d", units::kMillimetre, row.d},
+          {"theta", units::kDegree, row.theta}};
 }
 
-Json type_json(const ThumbTypes& types, const ThumbTypeShare& share) {
-  Json out{{"type", share.type.index() + 1},
-           {"meaning", describe_type(share.type, types.variability.second.toward)},
-           {"draws", share.count},
-           {"share", static_cast<double>(share.count) / types.draws},
-           {"interval_95", interval_json(share.count, types.draws)},
-           {"dh", Json::array()}};
+Fields type_fields(const ThumbTypes& types, const ThumbTypeShare& share) {
+  std::vector<Fields> rows;
   for (std::size_t i = 0; i < share.rows.size(); ++i)
-    out["dh"].push_back({{"joint", types.variability.axes[i].joint},
-                         {"mean", row_json(share.rows[i].mean)},
-                         {"sd", row_json(share.rows[i].sd)}});
-  return out;
+    rows.push_back({{"joint", types.variability.axes[i].joint},
+                    {"mean", row_fields(share.rows[i].mean)},
+                    {"sd", row_fields(share.rows[i].sd)}});
+  return {{"dh", std::move(rows)},
+          {"draws", share.count},
+          {"interval_95", interval_json(share.count, types.draws)},
+          {"meaning", describe_type(share.type, types.variability.second.toward)},
+          {"share", static_cast<double>(share.count) / types.draws},
+          {"type", share.type.index() + 1}};
 }
 
-Json axis_json(const AxisVariability& axis) {
-  return {{"joint", axis.joint},
-          {"along_mm", 1e3 * axis.along},
-          {"along_sd_mm", 1e3 * axis.along_sd},
-          {"across_sd_mm", 1e3 * axis.across_sd},
-          {"tilt_sd_deg", degrees(axis.tilt_sd)},
+Fields axis_fields(const AxisVariability& axis) {
+  return {{"across_sd", units::kMillimetre, axis.across_sd},
+          {"along", units::kMillimetre, axis.along},
+          {"along_sd", units::kMillimetre, axis.along_sd},
+          {"assumed", axis.assumed},
+          {"joint", axis.joint},
           {"source", axis.source},
-          {"assumed", axis.assumed}};
+          {"tilt_sd", units::kDegree, axis.tilt_sd}};
 }
 
-Json order_json(const ThumbTypes& types) {
+Fields order_fields(const ThumbTypes& types) {
   return {{"draws", types.flexion_distal},
-          {"share", static_cast<double>(types.flexion_distal) / types.draws},
           {"interval_95", interval_json(types.flexion_distal, types.draws)},
+          {"share", static_cast<double>(types.flexion_distal) / types.draws},
           {"share_by_places", types.flexion_distal_by_places},
           {"share_published", kPublishedFlexionDistal},
           {"source", "SantosValeroCuevas2006"}};
@@ -58,22 +62,30 @@ std::string plus_minus(double mean, double sd) { return shown(mean, 1) + " +- " 
 
 }  // namespace
 
-OrderedJson json_of(const ThumbTypesResult& result) {
+Fields fields_of(const ThumbTypesResult& result) {
   const ThumbTypes& types = result.types;
-  Json out{{"draws", types.draws}, {"seed", result.seed}, {"complete", types.complete}};
-  for (const AxisVariability& axis : types.variability.axes)
-    out["distribution"].push_back(axis_json(axis));
-  if (types.draws == 0) return OrderedJson(out);
-  // The order at the MCP joint, the four types, and the ways of all common normals.
-  out["mcp_flexion_distal"] = order_json(types);
-  for (const ThumbTypeShare& share : types.types) out["types"].push_back(type_json(types, share));
+  Fields fields{{"complete", types.complete}};
+  std::vector<Fields> axes, shares, normals;
+  for (const AxisVariability& axis : types.variability.axes) axes.push_back(axis_fields(axis));
+  if (!axes.empty()) fields.add("distribution", std::move(axes));
+  fields.add("draws", types.draws);
+  if (types.draws == 0) {
+    fields.add("seed", result.seed);
+    return fields;
+  }
+  // The order at the MCP joint, the ways of all common normals, and the four types.
+  fields.add("mcp_flexion_distal", order_fields(types));
   for (const NormalShares& normal : types.normals)
-    out["normals"].push_back({{"first", normal.first},
-                              {"second", normal.second},
-                              {"distal", normal.toward[0]},
-                              {"dorsal", normal.toward[1]},
-                              {"radial", normal.toward[2]}});
-  return OrderedJson(out);
+    normals.push_back({{"distal", normal.toward[0]},
+                       {"dorsal", normal.toward[1]},
+                       {"first", normal.first},
+                       {"radial", normal.toward[2]},
+                       {"second", normal.second}});
+  if (!normals.empty()) fields.add("normals", std::move(normals));
+  fields.add("seed", result.seed);
+  for (const ThumbTypeShare& share : types.types) shares.push_back(type_fields(types, share));
+  fields.add("types", std::move(shares));
+  return fields;
 }
 
 Table share_table(const ThumbTypesResult& result) {

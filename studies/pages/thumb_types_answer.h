@@ -1,11 +1,10 @@
 #pragma once
 
-/// Types of thumbs as words, JSON and rows.
+/// Types of thumbs as words, fields and rows.
 
 #include <string>
 
-#include "report/json.h"
-#include "report/table.h"
+#include "report/fields.h"
 #include "studies/questions/study.h"
 
 namespace thenar {
@@ -14,7 +13,7 @@ namespace thenar {
 /// and the Denavit-Hartenberg parameters of each type.
 [[nodiscard]] std::string text_of(const ThumbTypesResult& result);
 
-[[nodiscard]] OrderedJson json_of(const ThumbTypesResult& result);
+[[nodiscard]] Fields fields_of(const ThumbTypesResult& result);
 
 /// One row for each type and axis: mean and sd of theta, d, a and alpha.
 [[nodiscard]] Table table_of(const ThumbTypesResult& result);

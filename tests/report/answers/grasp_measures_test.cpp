@@ -22,7 +22,7 @@ TEST(GraspMeasureRows, PutsWhatEffortsSupportFirst) {
   const MeasureRow row = row_of(measures, "supports a pull along z");
   EXPECT_EQ(row.value, "46.5 N");
   EXPECT_EQ(row.note.find("by efforts and friction; 714.5 N with rigid structure"), 0U) << row.note;
-  const OrderedJson json = measures_json(measures);
+  const OrderedJson json = json_of(measures);
   EXPECT_EQ(json["pull_N"], 714.5);
   EXPECT_EQ(json["pull_by_efforts_N"], 46.5);
 }
@@ -41,7 +41,7 @@ TEST(GraspMeasureRows, SaysWhyThereIsNoValue) {
   const MeasureRow row = row_of(measures, "supports a pull along z");
   EXPECT_EQ(row.value, "no value");
   EXPECT_EQ(row.note, measures.pull.reason);
-  const OrderedJson json = measures_json(measures);
+  const OrderedJson json = json_of(measures);
   EXPECT_TRUE(json["pull_N"].is_null());
   EXPECT_TRUE(json["pull_by_efforts_N"].is_null());
   EXPECT_EQ(json["reasons"]["pull_N"], measures.pull.reason);
