@@ -6,7 +6,7 @@ CloseResult close_in_world(const CloseRequest& request, const Progress& progress
   GraspRequest grasp;
   grasp.world = request.world;
   grasp.approach = false;
-  return {grasp_in_world(grasp, progress)};
+  return {measure_grasp(grasp, progress)};
 }
 
 }  // namespace thenar

@@ -17,8 +17,8 @@ struct CloseResult {
 };
 
 /// Closes the hand of a world without approaching the object, and measures the grasp if the object
-/// is touched: grasp_in_world() with GraspRequest::approach false.
-/// @throws InputError, DataError, Stopped as grasp_in_world()
+/// is touched: measure_grasp() with GraspRequest::approach false.
+/// @throws InputError, DataError, Stopped as measure_grasp()
 [[nodiscard]] CloseResult close_in_world(const CloseRequest& request,
                                          const Progress& progress = {});
 

@@ -252,7 +252,7 @@ Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) 
 
 /// Compares hands and objects of a result where an earlier run has not, and keeps it in the file.
 Comparison go_on(const CompareRequest& request, CompareOptions options, const JsonNode& inputs,
-                 const HandComparison& of, const std::vector<ComparedHand>& hands,
+                 const CompareResult& of, const std::vector<ComparedHand>& hands,
                  const Progress& progress) {
   KeptComparison kept;
   std::optional<FileLock> lock;  // another comparison would drop our cells, and we its
@@ -282,8 +282,8 @@ Comparison go_on(const CompareRequest& request, CompareOptions options, const Js
 
 }  // namespace
 
-HandComparison compare_hands(const CompareRequest& request, const Progress& progress) {
-  HandComparison result;
+CompareResult compare_hands(const CompareRequest& request, const Progress& progress) {
+  CompareResult result;
   result.file = request.file;
   result.objects = objects_of(request);
   // Objects without a material get the default; hands warn of it.

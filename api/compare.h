@@ -41,7 +41,7 @@ struct CompareRequest {
 
 /// A comparison with the hands and objects that were compared. Stopped: comparison.complete is
 /// false, and its cells are whole as far as they go.
-struct HandComparison {
+struct CompareResult {
   Comparison comparison;
   std::vector<NamedHand> hands;               // human ones drawn finer than they touch
   std::vector<BodySpec> objects;              // unscaled
@@ -61,7 +61,7 @@ struct HandComparison {
 /// meshes included, and of the program itself, which holds the built-in hand and the materials.
 /// @throws InputError for names that are not known (with the nearest), for a file of another
 ///         comparison or in use, and as compare(); DataError where a file is wrong or damaged.
-[[nodiscard]] HandComparison compare_hands(const CompareRequest& request,
-                                           const Progress& progress = {});
+[[nodiscard]] CompareResult compare_hands(const CompareRequest& request,
+                                          const Progress& progress = {});
 
 }  // namespace thenar

@@ -227,7 +227,7 @@ FitInputs read_fit_inputs(const FitSources& sources) {
   return inputs;
 }
 
-FitResult fit_forces(const FitRequest& request, const Progress& progress) {
+FitResult fit_digit(const FitRequest& request, const Progress& progress) {
   // The fit, kept at once: leaving out takes longer.
   if (!request.output.empty()) require_result_path(request.output);
   SolveOptions options;

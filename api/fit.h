@@ -89,7 +89,7 @@ void require_fit_path(const std::optional<Path>& path);
 
 /// Fits, writes the result file, and cross-validates.
 /// @throws InputError or DataError as the readers and builders do.
-[[nodiscard]] FitResult fit_forces(const FitRequest& request, const Progress& progress = {});
+[[nodiscard]] FitResult fit_digit(const FitRequest& request, const Progress& progress = {});
 
 /// "posture", "tendon" or "specimen". @throws InputError naming these for anything else.
 [[nodiscard]] LeaveOut leave_out_named(const std::string& name);

@@ -273,7 +273,7 @@ std::string torque_warning(const Hand& hand, const Grasp& grasp) {
 
 void add_measures(GraspResult& result, ProgressParts& schedule) {
   if (result.grasp.outcome != GraspOutcome::kGrasped) return;
-  result.measures = measure_grasp(result, schedule.next(kMeasuresTime));
+  result.measures = grasp_measures_of(result, schedule.next(kMeasuresTime));
   const int draws = result.request.robustness.draws;
   if (draws > 0) result.robustness = robustness_of(result, schedule.next(kDrawTime * draws));
 }
@@ -282,7 +282,7 @@ void add_measures(GraspResult& result, ProgressParts& schedule) {
 
 int GraspResult::started() const { return std::accumulate(outcomes.begin(), outcomes.end(), 0); }
 
-GraspResult grasp_in_world(const GraspRequest& request, const Progress& progress) {
+GraspResult measure_grasp(const GraspRequest& request, const Progress& progress) {
   check_request(request);
   ProgressParts schedule(progress, seconds_of(request));
   GraspResult result{};

@@ -85,8 +85,7 @@ struct GraspResult {
 /// @throws InputError where a number is out of range, something is not to be found, the hand has no
 ///         surface or begins in something, or a mounted hand is to start at random; DataError of
 ///         files; Stopped where it is stopped before the first grasp.
-[[nodiscard]] GraspResult grasp_in_world(const GraspRequest& request,
-                                         const Progress& progress = {});
+[[nodiscard]] GraspResult measure_grasp(const GraspRequest& request, const Progress& progress = {});
 
 /// Returns assumptions made about the hand of a result, and doubts about its grasp.
 [[nodiscard]] std::vector<std::string> grasp_warnings(const GraspResult& result);

@@ -182,7 +182,7 @@ Measured<ObjectMotion> manipulability_of(const Asked& asked) {
 
 }  // namespace
 
-GraspMeasures measure_grasp(const GraspResult& result, const Progress& progress) {
+GraspMeasures grasp_measures_of(const GraspResult& result, const Progress& progress) {
   const Grasp& grasp = result.grasp;
   const GraspBody& object = result.setting.setup.object;
   const HeldObject hand{*result.collision_hand.hand, grasp.closed.q, grasp.contacts,

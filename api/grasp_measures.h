@@ -51,6 +51,7 @@ inline constexpr double kPadForce = 1;  // on every contact, for the stiffness o
 /// result's wrenches. Pads are springs of pad_stiffness() under kPadForce.
 /// @param result  whose grasp has contacts: GraspOutcome::kGrasped
 /// @throws Stopped where progress says stop
-[[nodiscard]] GraspMeasures measure_grasp(const GraspResult& result, const Progress& progress = {});
+[[nodiscard]] GraspMeasures grasp_measures_of(const GraspResult& result,
+                                              const Progress& progress = {});
 
 }  // namespace thenar

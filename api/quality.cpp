@@ -59,7 +59,8 @@ std::vector<int> regions_of(const ContactFile& file) {
   return contact_regions(contacts);
 }
 
-WrenchSet cones_of(const ContactFile& file, const Contact& contact, const QualityRequest& request) {
+WrenchSet cones_of(const ContactFile& file, const Contact& contact,
+                   const ContactQualityRequest& request) {
   if (file.planar) return planar_wrench_set({contact}, file.centre_of_mass, file.torque_scale);
   WrenchSet set = wrench_set({contact}, file.centre_of_mass, file.torque_scale);
   if (request.edges == 0) return set;
@@ -68,7 +69,7 @@ WrenchSet cones_of(const ContactFile& file, const Contact& contact, const Qualit
 }
 
 /// Wrenches of a file: its cones or their pyramids, and generators where they are given.
-WrenchSet wrenches_of(const ContactFile& file, const QualityRequest& request) {
+WrenchSet wrenches_of(const ContactFile& file, const ContactQualityRequest& request) {
   const std::vector<int> region = regions_of(file);
   const std::vector<Contact> contacts = contacts_of(file);
   WrenchSet set;
@@ -88,7 +89,8 @@ double seconds_since(std::clock_t start) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-Epsilon epsilon_of(const WrenchSet& set, const ContactFile& file, const QualityRequest& request) {
+Epsilon epsilon_of(const WrenchSet& set, const ContactFile& file,
+                   const ContactQualityRequest& request) {
   if (file.planar) return planar_epsilon(set, request.norm);
   EpsilonOptions wanted;
   wanted.limit = request.norm;
@@ -101,7 +103,7 @@ Epsilon epsilon_of(const WrenchSet& set, const ContactFile& file, const QualityR
 }
 
 std::optional<Volume> volume_of(const WrenchSet& set, const ContactFile& file,
-                                const QualityRequest& request) {
+                                const ContactQualityRequest& request) {
   if (!request.volume || file.planar) return {};
   VolumeOptions options;
   options.limit = request.norm;
@@ -179,7 +181,7 @@ TaskMargin margin_of_axes(const ForceSet& forces, const std::vector<ScaledWrench
 }
 
 std::optional<TaskQuality> task_of(const WrenchSet& set, const ContactFile& file,
-                                   const QualityRequest& request) {
+                                   const ContactQualityRequest& request) {
   if (file.task.kind == FileTask::Kind::kNone) return {};
   const bool each = file.task.kind == FileTask::Kind::kLoads;
   std::vector<ScaledWrench> loads = file.task.loads;
@@ -204,7 +206,7 @@ std::optional<TaskQuality> task_of(const WrenchSet& set, const ContactFile& file
   return task;
 }
 
-ContactFile read_contacts(const QualityRequest& request) {
+ContactFile read_contacts(const ContactQualityRequest& request) {
   if (!request.text.empty()) return parse_contacts(request.contacts, request.text, request.line);
   // A name, unless it can only be a file.
   std::string file = request.contacts;
@@ -218,7 +220,7 @@ ContactFile read_contacts(const QualityRequest& request) {
 
 }  // namespace
 
-void require_valid(const QualityRequest& request) {
+void require_valid(const ContactQualityRequest& request) {
   require(request.gap > 0, "wanted a gap above 0, got {}", request.gap);
   require(request.edges == 0 || (request.edges >= 3 && request.edges <= kMaxPyramidEdges),
           "wanted pyramids of 3 to {} edges, got {}", kMaxPyramidEdges, request.edges);
@@ -226,12 +228,12 @@ void require_valid(const QualityRequest& request) {
           "a first edge is of pyramids: say how many edges they have{}", "");
 }
 
-ContactQuality contact_quality(const QualityRequest& request) {
+ContactQualityResult measure_contacts(const ContactQualityRequest& request) {
   require_valid(request);
   const ContactFile file = read_contacts(request);
   require(!file.planar || request.edges == 0, "pyramids are of cones in space, not in a {}",
           "plane");
-  ContactQuality found;
+  ContactQualityResult found;
   found.contacts = file.path;
   found.count = file.contacts.size();
   found.torque_scale = file.torque_scale;

@@ -16,7 +16,7 @@
 namespace thenar {
 
 /// Options of a question for grasp quality: the contacts and the measures.
-struct QualityRequest {
+struct ContactQualityRequest {
   std::string contacts;             // a file, or the name of one of contacts/
   std::string text;                 // the contacts themselves (JSON); empty: read from the file
   int line = 1;                     // number of the first line of `text`, for messages
@@ -41,7 +41,7 @@ struct TaskQuality {
 };
 
 /// Qualities of a contact set.
-struct ContactQuality {
+struct ContactQualityResult {
   std::string contacts;  // file that was read
   std::size_t count = 0;
   double torque_scale = 0;  // by which torques are divided [m]
@@ -56,12 +56,12 @@ struct ContactQuality {
 
 /// Checks all that does not depend on the contacts.
 /// @throws InputError for a gap that is not positive, or edges out of their range.
-void require_valid(const QualityRequest& request);
+void require_valid(const ContactQualityRequest& request);
 
 /// Reads contacts and computes their epsilon, volume, grasp matrix and task margin.
 /// @throws InputError as require_valid(), or if there are no such contacts; DataError where the
 /// file is
 ///         wrong.
-[[nodiscard]] ContactQuality contact_quality(const QualityRequest& request);
+[[nodiscard]] ContactQualityResult measure_contacts(const ContactQualityRequest& request);
 
 }  // namespace thenar

@@ -31,7 +31,7 @@ void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
 }
 
 /// The excitation asked for; adds its file to the sources.
-Excitation excitation_of(const MotionRequest& request, const std::vector<std::string>& muscles,
+Excitation excitation_of(const DigitMotionRequest& request, const std::vector<std::string>& muscles,
                          std::vector<SourceText>& sources) {
   require(request.excitation.empty() || request.excitation_file.empty(),
           "wanted excitations of muscles or a file of them, got both");
@@ -102,8 +102,8 @@ void add_rungs(const TendonOptions& rungs, PassiveMoments passive, ResultFile& f
 
 /// The rung of muscles asked for; else rigid tendons where the subject states the fibre lengths of
 /// all, else bounds, with a warning.
-Muscle muscle_rung(const MotionRequest& request, const Subject& subject, const TendonDigit& digit,
-                   std::vector<std::string>& warnings) {
+Muscle muscle_rung(const DigitMotionRequest& request, const Subject& subject,
+                   const TendonDigit& digit, std::vector<std::string>& warnings) {
   if (request.muscle) return *request.muscle;
   const std::string without = muscle_without_fibre(subject, digit);
   if (without.empty()) return Muscle::kRigidTendon;
@@ -120,14 +120,14 @@ Muscle muscle_rung(const MotionRequest& request, const Subject& subject, const T
 
 }  // namespace
 
-SimulatedMotion simulate_digit(const MotionRequest& request, const Progress& progress) {
+DigitMotionResult simulate_digit(const DigitMotionRequest& request, const Progress& progress) {
   // The digit at its start.
   DigitCase at = build_digit(request.digit, Hood::kFractions);
   require(at.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}'; it cannot move",
           at.digit, at.subject.name, at.map);
   set_slack(request.tendon_slack, at.subject);
-  SimulatedMotion motion{at.subject.name, at.digit,    at.tendons, {},
-                         at.sources,      at.warnings, at.rungs,   at.passive};
+  DigitMotionResult motion{at.subject.name, at.digit,    at.tendons, {},
+                           at.sources,      at.warnings, at.rungs,   at.passive};
   const TendonDigit& digit = at.bones();
   const std::vector<std::string>& muscles = digit.names.muscles;
   require(!muscles.empty(), "no muscle of subject '{}' crosses a free joint of this digit",
@@ -152,7 +152,7 @@ SimulatedMotion simulate_digit(const MotionRequest& request, const Progress& pro
   return motion;
 }
 
-void write_motion(const SimulatedMotion& motion, const std::string& path, const RunRecord& run) {
+void write_motion(const DigitMotionResult& motion, const std::string& path, const RunRecord& run) {
   const Trajectory& t = motion.trajectory;
   ResultFile file;
   file.add("format", kMotionFormat);

@@ -17,7 +17,7 @@
 namespace thenar {
 
 /// Options of a digit's motion: the digit, its excitations and its physics.
-struct MotionRequest {
+struct DigitMotionRequest {
   DigitRequest digit;                          // hood absent: fixed force fractions
   std::map<std::string, double> excitation;    // muscle -> 0..1 from the start on; others are 0;
                                                // needed unless a file or gravity moves the digit
@@ -35,7 +35,7 @@ struct MotionRequest {
 };
 
 /// A digit in motion.
-struct [[nodiscard]] SimulatedMotion {
+struct [[nodiscard]] DigitMotionResult {
   std::string subject, digit;                   // names
   std::shared_ptr<const DigitTendons> tendons;  // what moved; never null
   Trajectory trajectory;                        // read trajectory.status first
@@ -47,8 +47,8 @@ struct [[nodiscard]] SimulatedMotion {
 
 /// Simulates the digit from rest at request.digit.posture; all activations start at 0.
 /// @throws InputError or DataError saying what is unknown or missing.
-[[nodiscard]] SimulatedMotion simulate_digit(const MotionRequest& request,
-                                             const Progress& progress = {});
+[[nodiscard]] DigitMotionResult simulate_digit(const DigitMotionRequest& request,
+                                               const Progress& progress = {});
 
 /// Format name in files of motions, and the entries of explain() that they keep as rungs.
 inline constexpr const char* kMotionFormat = "thenar motion 1";
@@ -57,7 +57,7 @@ inline constexpr std::size_t kPathLadder = 2, kHoodLadder = 3;
 /// Writes all instants as HDF5, dimensions labelled as xarray expects, with the rungs of the digit,
 /// the texts and hashes of all sources and the record of the run; read_motion() reads it.
 /// @throws InputError if the file cannot be written.
-void write_motion(const SimulatedMotion& motion, const std::string& path,
+void write_motion(const DigitMotionResult& motion, const std::string& path,
                   const RunRecord& run = {});
 
 /// "done", "stopped", "stuck", "no progress" or "energy does not balance".

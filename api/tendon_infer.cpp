@@ -43,7 +43,7 @@ std::vector<BandEnds> ends_of(const Net& net, const std::vector<std::string>& ba
 }
 
 /// Reads the three files, and puts what they are into the answer.
-InferenceCase read_case(const InferNetRequest& request, NetInference& answer) {
+InferenceCase read_case(const InferNetRequest& request, InferNetResult& answer) {
   // Files.
   const SourceText forces = read_source(experiment_file(request.experiment, request.data)),
                    person = subject_source(request.subject, request.data),
@@ -83,7 +83,7 @@ std::vector<ProposedTest> proposed(const std::vector<RankedTest>& ranked,
 }
 
 void infer_by_selection(const InferenceCase& at, int propose, const Progress& progress,
-                        NetInference& answer) {
+                        InferNetResult& answer) {
   BandFitter fitter(at.candidate, at.records);
   FittedNets tried(fitter);
   (void)select_bands(tried, {}, progress);
@@ -102,7 +102,7 @@ void infer_by_selection(const InferenceCase& at, int propose, const Progress& pr
 }
 
 void infer_by_search(const InferenceCase& at, const InferNetRequest& request,
-                     const Progress& progress, NetInference& answer) {
+                     const Progress& progress, InferNetResult& answer) {
   std::mt19937 random(request.seed);
   NetSearchOptions options;
   options.noise = at.noise;
@@ -122,7 +122,7 @@ std::string with_freed(std::string settings, const std::vector<std::string>& glo
 }
 
 /// The fit with all bands, and the bands in question.
-BandProblems free_problems(const InferNetRequest& request, NetInference& answer) {
+BandProblems free_problems(const InferNetRequest& request, InferNetResult& answer) {
   FitSources sources;
   sources.experiments = {request.experiment};
   sources.subject = request.subject;
@@ -174,7 +174,7 @@ std::vector<std::string> doubts_of(const BandPosterior& posterior) {
   return doubts;
 }
 
-void infer_free(const InferNetRequest& request, const Progress& progress, NetInference& answer) {
+void infer_free(const InferNetRequest& request, const Progress& progress, InferNetResult& answer) {
   require_field("method", request.method == InferMethod::kSparse,
                 "the method explore holds slack lengths and paths, which were to be free");
   require_fit_path(request.path);
@@ -236,8 +236,8 @@ std::string name_of(InferMethod method) {
   return method == InferMethod::kSparse ? "sparse" : "explore";
 }
 
-NetInference infer_net(const InferNetRequest& request, const Progress& progress) {
-  NetInference answer;
+InferNetResult infer_net(const InferNetRequest& request, const Progress& progress) {
+  InferNetResult answer;
   answer.method = request.method;
   answer.seed = request.seed;
   progress(0, "tests");

@@ -9,8 +9,8 @@
 
 #include "base/fidelity.h"
 #include "base/progress.h"
-#include "kinematics_fit/bands/rank_trials.h"
 #include "base/provenance.h"
+#include "kinematics_fit/bands/rank_trials.h"
 #include "tendons/topology/search_nets.h"
 
 namespace thenar {
@@ -72,7 +72,7 @@ struct FreeInference {
 };
 
 /// Result of an inference.
-struct [[nodiscard]] NetInference {
+struct [[nodiscard]] InferNetResult {
   std::string experiment, subject, net;  // names
   InferMethod method = InferMethod::kSparse;
   unsigned seed = 1;
@@ -93,6 +93,7 @@ struct [[nodiscard]] NetInference {
 /// in question gets a probability, all that is free averaged out, and trials are ranked by what
 /// they are expected to tell.
 /// @throws InputError or DataError saying what is unknown, missing or wrong.
-[[nodiscard]] NetInference infer_net(const InferNetRequest& request, const Progress& progress = {});
+[[nodiscard]] InferNetResult infer_net(const InferNetRequest& request,
+                                       const Progress& progress = {});
 
 }  // namespace thenar

@@ -22,7 +22,7 @@ LoadedDigit loaded_digit(const TendonRequest& request) {
 
 }  // namespace
 
-TendonSolution solve_tendons(const TendonRequest& request, const Progress& progress) {
+TendonSolveResult solve_tendons(const TendonRequest& request, const Progress& progress) {
   require(request.digit.vary.empty(), "wanted one posture, got {} joints that vary",
           request.digit.vary.size());
   LoadedDigit loaded = loaded_digit(request);
@@ -32,8 +32,8 @@ TendonSolution solve_tendons(const TendonRequest& request, const Progress& progr
   return {std::move(loaded), std::move(points.front())};
 }
 
-TendonSweep sweep_tendons(const TendonRequest& request, const Progress& progress) {
-  TendonSweep sweep{loaded_digit(request), {}};
+TendonSweepResult sweep_tendons(const TendonRequest& request, const Progress& progress) {
+  TendonSweepResult sweep{loaded_digit(request), {}};
   const PostureGrid& grid = sweep.loaded.grid;
   const auto count = static_cast<double>(grid.postures.size());
   for (std::size_t begin = 0; begin < grid.postures.size() && !progress.stop(); begin += grid.row) {

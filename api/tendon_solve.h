@@ -37,13 +37,13 @@ struct LoadedDigit {
 };
 
 /// The answer at one posture.
-struct [[nodiscard]] TendonSolution {
+struct [[nodiscard]] TendonSolveResult {
   LoadedDigit loaded;
   DigitPoint point;  // read point.pull.status first: trusted()
 };
 
 /// The answers at a grid of postures, each the one that solve_tendons() gives.
-struct [[nodiscard]] TendonSweep {
+struct [[nodiscard]] TendonSweepResult {
   LoadedDigit loaded;
   std::vector<DigitPoint> points;  // in the order of loaded.grid.postures; fewer if stopped
   bool stopped = false;            // on request; holds all up to then
@@ -51,13 +51,13 @@ struct [[nodiscard]] TendonSweep {
 
 /// Solves the digit at request.digit.posture; `vary` must be empty.
 /// @throws InputError or DataError saying what is unknown or missing.
-[[nodiscard]] TendonSolution solve_tendons(const TendonRequest& request,
-                                           const Progress& progress = {});
+[[nodiscard]] TendonSolveResult solve_tendons(const TendonRequest& request,
+                                              const Progress& progress = {});
 
 /// Solves the digit over the postures of request.digit.vary, row by row.
 /// @throws InputError or DataError saying what is unknown or missing.
-[[nodiscard]] TendonSweep sweep_tendons(const TendonRequest& request,
-                                        const Progress& progress = {});
+[[nodiscard]] TendonSweepResult sweep_tendons(const TendonRequest& request,
+                                              const Progress& progress = {});
 
 /// Force of the tip along its own proximal, dorsal and radial directions [N] (3).
 [[nodiscard]] Eigen::Vector3d force_in_tip_axes(const LoadedDigit& loaded, const DigitPoint& point);

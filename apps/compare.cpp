@@ -26,7 +26,7 @@ struct CompareArguments {
 };
 
 /// Returns a sentence about what is kept when the command is stopped.
-std::string kept_words(const CompareRequest& request, const HandComparison& result) {
+std::string kept_words(const CompareRequest& request, const CompareResult& result) {
   if (request.file.empty()) return "without -o FILE.json nothing is kept";
   if (result.hands.size() < request.hands.size()) return "nothing new was compared";
   return fmt::format("{} of {} pairs are kept in '{}', the same command goes on",
@@ -53,7 +53,7 @@ void run_compare(const CompareArguments& options) {
   const Progress progress = terminal_progress(
       request.file.empty() ? "without -o FILE.json nothing is kept"
                            : fmt::format("finished pairs are kept in '{}'", request.file));
-  const HandComparison result = compare_hands(request, progress);
+  const CompareResult result = compare_hands(request, progress);
   if (!result.comparison.complete)
     throw Stopped("stopped; " + kept_words(request, result) +
                   (options.outputs.page() ? "; the page is drawn when all is compared" : ""));

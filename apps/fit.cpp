@@ -62,7 +62,7 @@ void fit_best(FitArguments& options) {
     request.leave_out.push_back(leave_out_named(name));
   request.output = options.outputs.one(".h5");
   request.run = this_run();
-  const FitResult result = fit_forces(request, terminal_progress());
+  const FitResult result = fit_digit(request, terminal_progress());
   for (const std::string& file : options.outputs.with_ending({".toml"}))
     write_file(file, result.fit.inputs.settings.text);
   print_warnings(result.warnings);

@@ -31,7 +31,7 @@ void run_grasp(GraspArguments& options) {
   GraspRequest& request = options.request;
   request.world.pictures = options.outputs.page();
   request.limit = options.norm == "l1" ? ForceNorm::kL1 : ForceNorm::kLinf;
-  const GraspResult found = grasp_in_world(request, terminal_progress());
+  const GraspResult found = measure_grasp(request, terminal_progress());
   deliver(options.outputs, found);
   if (!options.save.empty()) save_world(grasped_world(found), options.save);
   if (!found.complete) throw Stopped("stopped: this is what was found by then");

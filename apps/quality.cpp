@@ -26,7 +26,7 @@ namespace {
 
 struct QualityArguments {
   std::vector<std::string> contacts;
-  QualityRequest request;
+  ContactQualityRequest request;
   std::string norm = "l1";
   double first_edge_deg = 0;
   Outputs outputs;
@@ -35,11 +35,11 @@ struct QualityArguments {
 std::string json_line(const OrderedJson& json) { return json_text(json, -1) + "\n"; }
 
 /// Prints the last answer, so that each is there as soon as it is known.
-void print_last(const std::vector<ContactQuality>& answers, const Outputs& outputs) {
+void print_last(const std::vector<ContactQualityResult>& answers, const Outputs& outputs) {
   if (outputs.json)
     print_answer(json_line(json_of(answers.back())));
   else if (outputs.csv) {
-    const std::string rows = csv(table_of(std::vector<ContactQuality>{answers.back()}));
+    const std::string rows = csv(table_of(std::vector<ContactQualityResult>{answers.back()}));
     print_answer(answers.size() == 1 ? rows : rows.substr(rows.find('\n') + 1));
   } else
     print_answer(text_of(answers.back()));
@@ -47,9 +47,9 @@ void print_last(const std::vector<ContactQuality>& answers, const Outputs& outpu
 }
 
 /// Writes all answers so far: Ctrl-C leaves what is done.
-void write_answers(const std::vector<ContactQuality>& answers, const Outputs& outputs) {
+void write_answers(const std::vector<ContactQualityResult>& answers, const Outputs& outputs) {
   std::string lines;
-  for (const ContactQuality& answer : answers) lines += json_line(json_of(answer));
+  for (const ContactQualityResult& answer : answers) lines += json_line(json_of(answer));
   for (const std::string& path : outputs.with_ending({".jsonl"})) write_file(path, lines);
   for (const std::string& path : outputs.with_ending({".json"}))
     write_json_file(json_of(answers), path, files_of(answers));
@@ -59,14 +59,14 @@ void write_answers(const std::vector<ContactQuality>& answers, const Outputs& ou
 
 /// Answers lines of standard input as they come, a line of JSON each; a broken one with its error,
 /// so that answers stay beside their questions. @return whether all could be answered
-bool answer_stream(QualityRequest request) {
+bool answer_stream(ContactQualityRequest request) {
   bool all = true;
   request.contacts = "stdin";
   for (request.line = 1; std::getline(std::cin, request.text); ++request.line) {
     if (request.text.find_first_not_of(" \t\r") == std::string::npos) continue;
     OrderedJson line;
     try {
-      line = json_of(contact_quality(request));
+      line = json_of(measure_contacts(request));
     } catch (const Error& error) {
       line = {{"error", error.what()}};
       fmt::print(stderr, "thenar: {}\n", error.what());
@@ -82,12 +82,12 @@ bool answer_stream(QualityRequest request) {
 /// File by file, so that a broken one does not hinder others. @return whether all could be answered
 bool answer_files(const QualityArguments& options) {
   bool all = true;
-  std::vector<ContactQuality> answers;
-  QualityRequest request = options.request;
+  std::vector<ContactQualityResult> answers;
+  ContactQualityRequest request = options.request;
   for (const std::string& contacts : options.contacts) {
     request.contacts = contacts;
     try {
-      answers.push_back(contact_quality(request));
+      answers.push_back(measure_contacts(request));
       print_last(answers, options.outputs);
       write_answers(answers, options.outputs);
     } catch (const Error& error) {

@@ -101,14 +101,14 @@ void simulate_and_deliver(const SceneRequest& request, const Outputs& outputs) {
   if (!file.empty()) require_result_path(file);
   const Progress progress = terminal_progress();
   if (request.vary.empty()) {
-    const SimulatedScene scene = run_scene(request, progress);
+    const SceneResult scene = simulate_scene(request, progress);
     print_warnings(warnings_of(scene));
     if (!file.empty()) write_scene_run(scene, file, this_run());
     deliver(outputs, scene);
     tell_outcome(scene, scene.run.status == SceneStatus::kStopped, outputs);
     return;
   }
-  const std::optional<SceneSweep> sweep = vary_scene(request, progress);
+  const std::optional<SceneSweepResult> sweep = sweep_scene(request, progress);
   if (!sweep) return;  // another process of mpirun has the answer
   if (sweep->runs.empty()) tell_if_stopped(0, sweep->asked, "run");
   print_warnings(warnings_of(*sweep));
@@ -129,7 +129,7 @@ void compare_and_deliver(const SceneRequest& request, const std::vector<std::str
 }
 
 struct SimulateArguments {
-  MotionRequest request;
+  DigitMotionRequest request;
   std::map<std::string, double> slack_mm;  // muscle -> slack length of its tendon [mm]
   double sample_ms = 5;
   SceneArguments scene;
@@ -143,7 +143,7 @@ void run_simulate(SimulateArguments options) {
   const std::string file = options.outputs.one(".h5");
   if (!file.empty()) require_result_path(file);
 
-  const SimulatedMotion motion = simulate_digit(options.request, terminal_progress());
+  const DigitMotionResult motion = simulate_digit(options.request, terminal_progress());
   print_warnings(warnings_of(motion));
   if (!file.empty()) write_motion(motion, file, this_run());
   deliver(options.outputs, motion);
@@ -181,7 +181,7 @@ void simulate_scene_of(const CLI::App& command, const SimulateArguments& options
   simulate_and_deliver(request, options.outputs);
 }
 
-void add_excitation_options(CLI::App& command, MotionRequest& request) {
+void add_excitation_options(CLI::App& command, DigitMotionRequest& request) {
   add_named_numbers(command, "--excitation", request.excitation, "MUSCLE=0..1",
                     "MUSCLE=0..1 ..., from the start on; others are 0");
   command.add_option("--excitation-file", request.excitation_file,
@@ -189,7 +189,7 @@ void add_excitation_options(CLI::App& command, MotionRequest& request) {
 }
 
 void add_physics_options(CLI::App& command, SimulateArguments& options) {
-  MotionRequest& request = options.request;
+  DigitMotionRequest& request = options.request;
   command.add_option_function<std::string>(
       "--muscle", [&request](const std::string& name) { request.muscle = muscle_named(name); },
       "Muscles: " + listed(muscle_names()) +

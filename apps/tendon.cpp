@@ -35,14 +35,14 @@ struct InferArguments {
 void require_accepted(const std::string& refusal) { require(refusal.empty(), "{}", refusal); }
 
 void run_solve(const TendonArguments& options) {
-  const TendonSolution solution = solve_tendons(options.request, terminal_progress());
+  const TendonSolveResult solution = solve_tendons(options.request, terminal_progress());
   print_warnings(warnings_of(solution));
   deliver(options.outputs, solution);
   require_accepted(refusal_of(solution));
 }
 
 void run_sweep(const TendonArguments& options) {
-  const TendonSweep sweep = sweep_tendons(options.request, terminal_progress());
+  const TendonSweepResult sweep = sweep_tendons(options.request, terminal_progress());
   if (sweep.points.empty()) throw Stopped("stopped before the first posture was done");
   print_warnings(warnings_of(sweep));
   // A table goes to the screen unless a file is written; people then read the summary.
@@ -57,7 +57,7 @@ void run_sweep(const TendonArguments& options) {
 
 void run_infer(InferArguments options) {
   options.request.method = infer_method_named(options.method);
-  const NetInference inference = infer_net(options.request, terminal_progress());
+  const InferNetResult inference = infer_net(options.request, terminal_progress());
   require_accepted(refusal_of(inference));
   print_warnings(inference.warnings);
   deliver(options.outputs, inference);

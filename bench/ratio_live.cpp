@@ -89,7 +89,7 @@ Row ratio_pad_laws() {
   request.points = 1;
   request.depth = 1e-3;
   request.object.name = "sphere";
-  const PressedPad pressed = press_pad(request);
+  const PressResult pressed = press_pad(request);
   Progress laws_alone;
   laws_alone.stop_requested = [] { return true; };
   Duel duel{"five laws of a pad: its elements", {}, {}, 1, 0, 0};

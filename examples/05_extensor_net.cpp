@@ -21,7 +21,7 @@ int main() {
   request.tension = {{"EDC", 2.9}, {"LU", 0.4}};
 
   // The net comes to rest, starting from the straight finger.
-  const thenar::TendonSolution answer = thenar::solve_tendons(request);
+  const thenar::TendonSolveResult answer = thenar::solve_tendons(request);
   const thenar::TendonTorque& rest = answer.point.pull;
   std::printf("trusted: %s\n", thenar::trusted(rest.status) ? "yes" : "no");
   std::printf("slips: central %.2f N, radial %.2f N, ulnar %.2f N, terminal %.2f N\n",

@@ -16,13 +16,13 @@
 int main() {
   // A tenth of the motor units of FDP and a twentieth of those of EDC, from rest, for 0.3 s;
   // muscles depend on length and velocity, tendons are rigid.
-  thenar::MotionRequest request;
+  thenar::DigitMotionRequest request;
   request.digit.subject = "an_chao_index";
   request.digit.passive = thenar::PassiveMoments::kOff;  // as far as its stops
   request.excitation = {{"FDP", 0.1}, {"EDC", 0.05}};
   request.seconds = 0.3;
   request.sample = 0.05;
-  const thenar::SimulatedMotion answer = thenar::simulate_digit(request);
+  const thenar::DigitMotionResult answer = thenar::simulate_digit(request);
   const thenar::Trajectory& motion = answer.trajectory;
 
   std::printf("time_ms  MCP_deg  PIP_deg  DIP_deg\n");

@@ -13,7 +13,7 @@ int main() {
   thenar::FitRequest request;
   request.sources.subject = "an_chao_middle";
   request.sources.experiments = {"synek2019_H01"};
-  const thenar::Fit fit = thenar::fit_forces(request).fit;
+  const thenar::Fit fit = thenar::fit_digit(request).fit;
   std::printf("%s: %d parameters\n", thenar::name_of(fit.solution.status).c_str(),
               static_cast<int>(fit.solution.z.size()));
 

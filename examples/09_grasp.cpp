@@ -15,7 +15,7 @@ int main() {
   request.world.hand = "barrett";
 
   // Goes along the palm until it touches, closes, finds the contacts, and measures.
-  const thenar::GraspResult result = thenar::grasp_in_world(request);
+  const thenar::GraspResult result = thenar::measure_grasp(request);
   const thenar::Epsilon& quality = result.grasp.quality;
   std::printf("%s, %zu contacts\n", thenar::name_of(result.grasp.outcome).c_str(),
               result.grasp.contacts.size());

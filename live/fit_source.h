@@ -31,7 +31,7 @@ struct FitSource {
 /// Most draws of which axes are shown.
 inline constexpr int kShownDraws = 200;
 
-/// Reads a result of a fit (.h5) or a posterior (.nc). Forces are those that fit_forces() and
+/// Reads a result of a fit (.h5) or a posterior (.nc). Forces are those that fit_digit() and
 /// predict_by_draws() predict of what was fitted.
 /// @throws InputError if it is something else; DataError if it is damaged.
 [[nodiscard]] FitSource read_fit_source(const std::string& path);

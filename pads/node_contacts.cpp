@@ -44,7 +44,7 @@ Matrix3Xd normal_forces(const PressIterate& at) {
   return at.gaps.spread(push);
 }
 
-IterateTurn measure_contacts(PressIterate& at, const Matrix3Xd& u, PressOutcome& out) {
+IterateTurn judge_iterate(PressIterate& at, const Matrix3Xd& u, PressOutcome& out) {
   find_contacts(at);
   at.measure(normal_forces(at), out);
   if (at.is_solved(out)) {

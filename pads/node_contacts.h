@@ -23,8 +23,8 @@ enum class IterateTurn { kStep, kMoved, kEnded };
 /// Finds contacts and measures what is out of balance: ends what is solved, and moves an object
 /// that seeks a force to where it touches.
 /// @param u  displacements of all nodes [m] (3, nodes)
-[[nodiscard]] IterateTurn measure_contacts(PressIterate& at, const Eigen::Matrix3Xd& u,
-                                           PressOutcome& out);
+[[nodiscard]] IterateTurn judge_iterate(PressIterate& at, const Eigen::Matrix3Xd& u,
+                                        PressOutcome& out);
 
 /// Part of the slope of contact forces that a factor takes: a node's own, less the friction that a
 /// normal force brings, which is not symmetric [N/m] (3, 3).

@@ -109,7 +109,7 @@ PressOutcome press_by_cones(PressIterate& at) {
     if (!at.respond(has_factor ? ElementAsk::kForce : ElementAsk::kStiffness, dx, u, out))
       return out;
     if (at.stiffness.empty()) at.find_stiffness(has_factor ? tangent.values() : at.tissue.values);
-    const IterateTurn turn = measure_contacts(at, u, out);
+    const IterateTurn turn = judge_iterate(at, u, out);
     if (turn == IterateTurn::kEnded) return out;
     if (turn == IterateTurn::kMoved) continue;
     // An older tangent serves while the residual falls well.

@@ -81,7 +81,7 @@ PressOutcome press_by_newton(PressIterate& at) {
     if (!at.respond(keeps ? ElementAsk::kForce : ElementAsk::kStiffness, dx, u, out)) return out;
     if (out.iterations == 0) at.find_stiffness(at.tissue.values);
     const std::vector<int> touched = contact_states(at);
-    const IterateTurn turn = measure_contacts(at, u, out);
+    const IterateTurn turn = judge_iterate(at, u, out);
     if (turn == IterateTurn::kEnded) return out;
     if (turn == IterateTurn::kMoved) continue;
     // Renew a kept tangent where contacts have changed or the residual falls too slowly.

@@ -56,7 +56,7 @@ template <typename Request, typename Result>
                                      const RequestTable<Request>& table,
                                      Result (*ask)(const Request&, const Progress&),
                                      std::string example, std::string command,
-                                     Pace pace = Pace::kAtOnce) {
+                                     QuestionPace pace = QuestionPace::kAtOnce) {
   return {std::move(name),
           std::move(about),
           table.params(),

@@ -28,7 +28,7 @@ struct Answer {
 };
 
 /// How long a question takes at most.
-enum class Pace {
+enum class QuestionPace {
   kAtOnce,  // one posture, one set of contacts: some milliseconds
   kLasts    // seconds to hours
 };
@@ -40,7 +40,7 @@ struct Question {
   std::vector<Param> params;  // of the request
   std::string example;        // a request as JSON, which tests ask
   std::string command;        // that asks it: "tip-force"
-  Pace pace = Pace::kAtOnce;
+  QuestionPace pace = QuestionPace::kAtOnce;
   /// @param request  keys bear units
   /// @param data  folder of data where the request names none; empty: the usual ones
   /// @throws InputError with the field, DataError, Stopped

@@ -55,6 +55,7 @@ inline constexpr FieldUnit kMillimetrePerRadian{"m_per_rad", "mm_per_rad", 1, kM
 inline constexpr FieldUnit kNewtonPerMetre{"N_per_m", "N_per_m"};
 inline constexpr FieldUnit kNewtonPerMillimetre{"N_per_m", "N_per_mm", kMm};
 // Printed under keys of earlier versions.
+inline constexpr FieldUnit kMeasuredSeconds{"", "", 1, 1, true};  // as kCpuSecond
 inline constexpr FieldUnit kMetrePerSecondShort{"m_per_s", "m_s"};
 inline constexpr FieldUnit kRadianPerSecondShort{"rad_per_s", "rad_s"};
 inline constexpr FieldUnit kDegreePerSecondShort{"rad_per_s", "deg_s", 1, thenar::kDegree};

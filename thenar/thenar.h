@@ -328,3 +328,5 @@
 #include "live/live_digit.h"
 #include "live/live_fit.h"
 #include "live/live_picture.h"
+
+#include "thenar/deprecated.h"

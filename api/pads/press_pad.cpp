@@ -67,7 +67,7 @@ void check_numbers(const PressRequest& request) {
 
 /// Refuses pins and wires: no mesh with as many cells as are allowed resolves their patch.
 /// @throws InputError
-void check_object(const PressedPad& out) {
+void check_object(const PressResult& out) {
   const Eigen::Vector3d along = out.touch.X_PO.R.transpose() * out.touch.along;
   const Eigen::Vector3d sizes = out.object.shape->bounds().sizes();
   const double thinnest = kMinSizeRatio * out.pad.spec.length;
@@ -82,7 +82,7 @@ void check_object(const PressedPad& out) {
 /// Goes the way of a request and keeps what each step gave.
 class PressRun {
  public:
-  PressRun(PressedPad& out, const Progress& progress)
+  PressRun(PressResult& out, const Progress& progress)
       : out_(out),
         progress_(progress),
         rate_(out.request.rate),
@@ -99,7 +99,7 @@ class PressRun {
 
  private:
   /// Returns the model of the pad; without a rate it has no relaxation, as history costs time.
-  static PadModel model_of(const PressedPad& out) {
+  static PadModel model_of(const PressResult& out) {
     PadModel model = out.pad.model;
     if (!out.request.rate)
       for (Tissue& tissue : model.tissues) tissue.relaxation.clear();
@@ -257,7 +257,7 @@ class PressRun {
     }
   }
 
-  PressedPad& out_;
+  PressResult& out_;
   const Progress& progress_;
   std::optional<double> rate_;
   double began_ = thread_seconds();
@@ -265,7 +265,7 @@ class PressRun {
   PadPress press_;
 };
 
-void add_warnings(PressedPad& out) {
+void add_warnings(PressResult& out) {
   if (const std::string assumed = assumption_of(out.pad.spec); !assumed.empty())
     out.warnings.push_back(assumed);
   if (!out.rungs.empty())
@@ -298,22 +298,22 @@ void add_warnings(PressedPad& out) {
 
 std::string name_of(PressPhase phase) { return phase == PressPhase::kWay ? "way" : "hold"; }
 
-bool PressedPad::relaxes() const {
+bool PressResult::relaxes() const {
   return request.rate.value_or(0) > 0 &&
          std::any_of(pad.model.tissues.begin(), pad.model.tissues.end(),
                      [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
 }
 
-const PressInstant* PressedPad::end_of_way() const {
+const PressInstant* PressResult::end_of_way() const {
   const PressInstant* last = nullptr;
   for (const PressInstant& now : instants)
     if (now.phase == PressPhase::kWay) last = &now;
   return last;
 }
 
-PressedPad press_pad(const PressRequest& request, const Progress& progress) {
+PressResult press_pad(const PressRequest& request, const Progress& progress) {
   check_numbers(request);
-  PressedPad out;
+  PressResult out;
   out.request = request;
   out.pad = open_pad(request.pad);
   out.object = open_press_object(request.object, out.pad.spec.length);

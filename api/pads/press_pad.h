@@ -57,7 +57,7 @@ struct PressInstant {
 };
 
 /// Result of press_pad().
-struct [[nodiscard]] PressedPad {
+struct [[nodiscard]] PressResult {
   PressRequest request;
   NamedPad pad;
   PressObject object;
@@ -86,6 +86,6 @@ struct [[nodiscard]] PressedPad {
 /// was solved before.
 /// @throws InputError where a number is out of range, or not one of force and depth is given, or
 /// something is not to be found; DataError of files.
-[[nodiscard]] PressedPad press_pad(const PressRequest& request, const Progress& progress = {});
+[[nodiscard]] PressResult press_pad(const PressRequest& request, const Progress& progress = {});
 
 }  // namespace thenar

@@ -27,7 +27,7 @@ struct LawsFound {
   std::string missing;
 };
 
-LawsFound find_laws(const PressedPad& pressed) {
+LawsFound find_laws(const PressResult& pressed) {
   const PadRequest& asked = pressed.request.pad;
   const std::string& name = pressed.pad.spec.name;
   if (!asked.law.empty() || asked.exponent)
@@ -75,7 +75,7 @@ PressRung law_rung(const std::string& name, const std::string& failure) {
 }
 
 /// The hard point, which has either the force that is asked for and no patch, or no force.
-PressRung hard_point(const PressedPad& pressed) {
+PressRung hard_point(const PressResult& pressed) {
   PressRung rung =
       law_rung("hard point", pressed.request.force
                                  ? "rigid: any force at depth 0, area 0; none at this depth"
@@ -85,7 +85,7 @@ PressRung hard_point(const PressedPad& pressed) {
 }
 
 /// Every reduced law at a depth, from the simplest on.
-std::vector<PressRung> law_rungs(const PressedPad& pressed, double depth) {
+std::vector<PressRung> law_rungs(const PressResult& pressed, double depth) {
   std::vector<PressRung> rungs{hard_point(pressed)};
   const LawsFound found = find_laws(pressed);
   if (!found.laws) {
@@ -152,7 +152,7 @@ std::vector<RungTrial> all_trials(double asked) {
   return trials;
 }
 
-PressRung try_rung(const PressedPad& pressed, const RungTrial& trial, double depth,
+PressRung try_rung(const PressResult& pressed, const RungTrial& trial, double depth,
                    const Progress& progress) {
   // The pad without relaxation, on the trial's mesh.
   PadModel model = pressed.pad.model;
@@ -188,12 +188,12 @@ PressRung try_rung(const PressedPad& pressed, const RungTrial& trial, double dep
 
 }  // namespace
 
-std::string doubt_of_laws(const PressedPad& pressed) {
+std::string doubt_of_laws(const PressResult& pressed) {
   const LawsFound found = find_laws(pressed);
   return found.laws ? version_doubt(*found.laws, pressed.pad.spec) : "";
 }
 
-std::vector<PressRung> compare_rungs(const PressedPad& pressed, const Progress& progress) {
+std::vector<PressRung> compare_rungs(const PressResult& pressed, const Progress& progress) {
   const PressInstant* end = pressed.end_of_way();
   const double depth = end != nullptr ? end->depth : 0;
   const std::vector<RungTrial> trials = all_trials(pressed.request.force_error);

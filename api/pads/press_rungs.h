@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-struct PressedPad;
+struct PressResult;
 
 /// A press by a reduced law, or by one kind of element on one mesh, at once and without friction.
 struct PressRung {
@@ -39,11 +39,11 @@ struct PressRung {
 /// those below its own error mean nothing. A press that fails says why. Stopped: those that were
 /// done.
 /// @param pressed  its way was solved
-[[nodiscard]] std::vector<PressRung> compare_rungs(const PressedPad& pressed,
+[[nodiscard]] std::vector<PressRung> compare_rungs(const PressResult& pressed,
                                                    const Progress& progress = {});
 
 /// A warning where the laws that compare_rungs() takes were fitted to another version of the pad;
 /// "" if they fit, or there are none.
-[[nodiscard]] std::string doubt_of_laws(const PressedPad& pressed);
+[[nodiscard]] std::string doubt_of_laws(const PressResult& pressed);
 
 }  // namespace thenar

@@ -17,7 +17,7 @@ namespace {
 /// Relative cost of a rung, for the progress of the whole comparison.
 double weight_of(const std::string& rung) { return rung == "elements" ? 10 : 1; }
 
-bool was_solved(const SimulatedScene& scene) {
+bool was_solved(const SceneResult& scene) {
   return scene.run.status == SceneStatus::kDone && scene.run.cost.unsolved == 0;
 }
 
@@ -44,8 +44,8 @@ std::vector<std::pair<int, int>> pads_of(const std::vector<RungRun>& runs) {
 }
 
 /// Errors of a run against the finest, up to the last instant that both have.
-RungError error_of(const RungComparison& comparison, const SimulatedScene& scene) {
-  const SimulatedScene& finest = comparison.runs[comparison.finest].scene;
+RungError error_of(const RungComparison& comparison, const SceneResult& scene) {
+  const SceneResult& finest = comparison.runs[comparison.finest].scene;
   const std::vector<SceneSample>&ours = scene.run.samples, &theirs = finest.run.samples;
   RungError out;
   double off = 0, all = 0;
@@ -110,13 +110,13 @@ RungComparison compare_rungs(const SceneRequest& request, const std::vector<std:
   RungComparison out;
   out.asked = rungs.size();
   // Rungs side by side; those that were stopped are left out.
-  std::vector<std::optional<SimulatedScene>> scenes(rungs.size());
+  std::vector<std::optional<SceneResult>> scenes(rungs.size());
   std::vector<ParallelTask> tasks;
   for (std::size_t i = 0; i < rungs.size(); ++i)
     tasks.push_back({weight_of(rungs[i]), [&, i](const Progress& own) {
                        SceneRequest one = request;
                        one.pads = rungs[i];
-                       SimulatedScene scene = run_scene(one, own);
+                       SceneResult scene = simulate_scene(one, own);
                        if (scene.run.status != SceneStatus::kStopped) scenes[i] = std::move(scene);
                      }});
   run_tasks(std::move(tasks), progress);

@@ -32,8 +32,8 @@ struct PadLoad {
 
 struct RungRun {
   std::string rung;
-  SimulatedScene scene;  // read scene.run.status first
-  RungError error;       // 0 of the finest
+  SceneResult scene;  // read scene.run.status first
+  RungError error;    // 0 of the finest
 };
 
 struct [[nodiscard]] RungComparison {
@@ -54,7 +54,7 @@ struct [[nodiscard]] RungComparison {
 /// Stopped: runs that are done are kept, and that which had begun is not.
 /// @param request  `pads` and `vary` empty
 /// @param rungs    of pad_rung_names(), two or more
-/// @throws InputError as run_scene(), or if a rung is unknown or asked for twice.
+/// @throws InputError as simulate_scene(), or if a rung is unknown or asked for twice.
 [[nodiscard]] RungComparison compare_rungs(const SceneRequest& request,
                                            const std::vector<std::string>& rungs,
                                            const Progress& progress = {});

@@ -102,10 +102,10 @@ SceneRun simulate_by_method(const MovingScene& scene, const SceneOptions& option
 }
 
 /// Simulates, unless that was done, and measures a scene with some numbers changed.
-SimulatedScene simulated(const RequestedScene& read,
-                         const std::vector<std::pair<std::string, double>>& numbers,
-                         const Progress& progress, std::optional<SceneRun> done = {}) {
-  SimulatedScene out;
+SceneResult simulated(const RequestedScene& read,
+                      const std::vector<std::pair<std::string, double>>& numbers,
+                      const Progress& progress, std::optional<SceneRun> done = {}) {
+  SceneResult out;
   out.name = read.spec.name;
   out.description = read.spec.description;
   out.camera = read.spec.camera;
@@ -174,7 +174,7 @@ class SharedProgress {
 
 }  // namespace
 
-bool has_contact_problems(const SimulatedScene& scene) {
+bool has_contact_problems(const SceneResult& scene) {
   const SteppingMethod method = scene.built->options.method;
   return method == SteppingMethod::kEvents || method == SteppingMethod::kTimeStepping;
 }
@@ -235,7 +235,7 @@ RequestedScene open_requested_scene(const SceneRequest& request) {
   return read;
 }
 
-SimulatedScene run_scene(const SceneRequest& request, const Progress& progress) {
+SceneResult simulate_scene(const SceneRequest& request, const Progress& progress) {
   require(request.vary.empty(), "wanted one run, got numbers that vary");
   return simulated(open_requested_scene(request), {}, progress);
 }
@@ -243,7 +243,7 @@ SimulatedScene run_scene(const SceneRequest& request, const Progress& progress) 
 namespace {
 
 /// Runs of a sweep; what is absent was not made here, or not begun.
-using SweptRuns = std::vector<std::optional<SimulatedScene>>;
+using SweptRuns = std::vector<std::optional<SceneResult>>;
 
 /// Puts the runs of all processes together on the first. Only motions are sent: each process has
 /// read the scene, and measures are made again.
@@ -264,12 +264,12 @@ void gather_runs(const RequestedScene& read, const std::vector<SceneVariation>& 
 }
 
 /// Sweeps a scene on all processes together; an exception on one process is thrown on all of them.
-SceneSweep sweep_together(const SceneRequest& request, const Progress& progress,
-                          const Communicator& ranks) {
+SceneSweepResult sweep_together(const SceneRequest& request, const Progress& progress,
+                                const Communicator& ranks) {
   const auto rank = static_cast<std::size_t>(ranks.rank());
   const auto size = static_cast<std::size_t>(ranks.size());
   RequestedScene read;
-  SceneSweep sweep;
+  SceneSweepResult sweep;
   SweptRuns runs;
   std::vector<std::string> packed;
   collective_call(ranks, [&] {
@@ -298,22 +298,22 @@ SceneSweep sweep_together(const SceneRequest& request, const Progress& progress,
     });
   });
   if (size > 1) gather_runs(read, request.vary, ranks, std::move(packed), runs);
-  for (std::optional<SimulatedScene>& run : runs)
+  for (std::optional<SceneResult>& run : runs)
     if (run) sweep.runs.push_back(std::move(*run));
   return sweep;
 }
 
 }  // namespace
 
-std::optional<SceneSweep> vary_scene(const SceneRequest& request, const Progress& progress) {
-  std::optional<SceneSweep> sweep;
+std::optional<SceneSweepResult> sweep_scene(const SceneRequest& request, const Progress& progress) {
+  std::optional<SceneSweepResult> sweep;
   std::exception_ptr failure;
   {
     const std::unique_ptr<Communicator> ranks = world_communicator();
     Progress told = progress;
     if (ranks->rank() > 0) told.report = nullptr;
     try {
-      SceneSweep found = sweep_together(request, told, *ranks);
+      SceneSweepResult found = sweep_together(request, told, *ranks);
       if (ranks->rank() == 0) sweep = std::move(found);
     } catch (const std::exception&) {
       if (ranks->rank() == 0) failure = std::current_exception();
@@ -367,7 +367,7 @@ std::vector<std::string> entry_names(const Mechanism& mechanism, bool positions)
 }
 
 /// Positions, speeds, poses and energies of every instant.
-void add_instants(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
+void add_instants(const SceneResult& scene, const std::string& group, ResultFile& file) {
   const std::vector<SceneSample>& samples = scene.run.samples;
   const std::vector<std::vector<Pose<double>>>& X = scene.measures.X_WB;
   const auto count = static_cast<Eigen::Index>(samples.size());
@@ -401,7 +401,7 @@ void add_instants(const SimulatedScene& scene, const std::string& group, ResultF
 }
 
 /// States of elements, and what muscles do at every instant.
-void add_elements(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
+void add_elements(const SceneResult& scene, const std::string& group, ResultFile& file) {
   const std::vector<SceneSample>& samples = scene.run.samples;
   if (samples.front().z.size() == 0) return;
   const auto count = static_cast<Eigen::Index>(samples.size());
@@ -423,7 +423,7 @@ void add_elements(const SimulatedScene& scene, const std::string& group, ResultF
 }
 
 /// Contacts of all instants, one below the other.
-void add_contacts(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
+void add_contacts(const SceneResult& scene, const std::string& group, ResultFile& file) {
   std::vector<std::vector<double>> rows;
   for (std::size_t i = 0; i < scene.run.samples.size(); ++i)
     for (const ContactSample& c : scene.run.samples[i].contacts)
@@ -457,7 +457,7 @@ void add_contacts(const SimulatedScene& scene, const std::string& group, ResultF
 }
 
 /// Energy that does not balance, and joints that went beyond their limits.
-void add_account(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
+void add_account(const SceneResult& scene, const std::string& group, ResultFile& file) {
   if (const std::optional<FlowBalance>& worst = scene.measures.worst;
       worst && std::isfinite(worst->share())) {
     file.add(group + "energy_error", worst->error, "J");
@@ -482,7 +482,7 @@ void add_account(const SimulatedScene& scene, const std::string& group, ResultFi
 }
 
 /// Adds the outcome of a run: status, cost, energies and slip of pairs.
-void add_outcome(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
+void add_outcome(const SceneResult& scene, const std::string& group, ResultFile& file) {
   const SceneCost& cost = scene.run.cost;
   file.add(group + "status", name_of(scene.run.status));
   if (!scene.run.reason.empty()) file.add(group + "reason", scene.run.reason);
@@ -508,7 +508,7 @@ void add_outcome(const SimulatedScene& scene, const std::string& group, ResultFi
 }
 
 /// Adds the names and settings that all runs of a scene share.
-void add_names(const SimulatedScene& scene, ResultFile& file) {
+void add_names(const SceneResult& scene, ResultFile& file) {
   const Mechanism& mechanism = scene.built->scene.mechanism;
   file.add("format", kSceneRunFormat);
   file.add("scene", scene.name);
@@ -530,7 +530,7 @@ void add_names(const SimulatedScene& scene, ResultFile& file) {
 
 }  // namespace
 
-void write_scene_run(const SimulatedScene& scene, const std::string& path, const RunRecord& run) {
+void write_scene_run(const SceneResult& scene, const std::string& path, const RunRecord& run) {
   ResultFile file;
   add_names(scene, file);
   add_instants(scene, "", file);
@@ -541,7 +541,8 @@ void write_scene_run(const SimulatedScene& scene, const std::string& path, const
   write_result(file, path);
 }
 
-void write_scene_sweep(const SceneSweep& sweep, const std::string& path, const RunRecord& run) {
+void write_scene_sweep(const SceneSweepResult& sweep, const std::string& path,
+                       const RunRecord& run) {
   require(!sweep.runs.empty(), "no run was made: nothing to write");
   ResultFile file;
   add_names(sweep.runs.front(), file);
@@ -551,7 +552,7 @@ void write_scene_sweep(const SceneSweep& sweep, const std::string& path, const R
   Eigen::MatrixXd values(static_cast<Eigen::Index>(sweep.runs.size()),
                          static_cast<Eigen::Index>(varied.size()));
   for (std::size_t i = 0; i < sweep.runs.size(); ++i) {
-    const SimulatedScene& scene = sweep.runs[i];
+    const SceneResult& scene = sweep.runs[i];
     for (std::size_t k = 0; k < varied.size(); ++k)
       values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = scene.varied[k].second;
     const std::string group = fmt::format("runs/{}/", i + 1);

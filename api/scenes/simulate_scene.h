@@ -10,10 +10,10 @@
 
 #include "base/fidelity.h"
 #include "base/progress.h"
+#include "base/provenance.h"
 #include "base/run_record.h"
 #include "dynamics/scene/build_scene.h"
 #include "dynamics/scene/measure_run.h"
-#include "base/provenance.h"
 
 namespace thenar {
 
@@ -45,7 +45,7 @@ struct SceneRequest {
 };
 
 /// A scene that was simulated.
-struct [[nodiscard]] SimulatedScene {
+struct [[nodiscard]] SceneResult {
   std::string name, description;
   std::optional<Camera> camera;
   std::shared_ptr<const BuiltScene> built;  // what moved, and what was assumed; never null
@@ -59,14 +59,14 @@ struct [[nodiscard]] SimulatedScene {
 
 /// Returns true if the scene's method solves contact problems; contacts as springs have no
 /// residual.
-[[nodiscard]] bool has_contact_problems(const SimulatedScene& scene);
+[[nodiscard]] bool has_contact_problems(const SceneResult& scene);
 
 /// Runs of one scene.
-struct [[nodiscard]] SceneSweep {
+struct [[nodiscard]] SceneSweepResult {
   std::string name;
   std::vector<SceneVariation> vary;
-  std::vector<SimulatedScene> runs;  // the last number varies fastest; those that ran
-  std::size_t asked = 0;             // runs
+  std::vector<SceneResult> runs;  // the last number varies fastest; those that ran
+  std::size_t asked = 0;          // runs
   FileDigests files;
 };
 
@@ -105,17 +105,18 @@ struct RequestedScene {
 
 /// Simulates one run of a scene; `request.vary` must be empty.
 /// @throws InputError or DataError saying what is unknown or wrong.
-[[nodiscard]] SimulatedScene run_scene(const SceneRequest& request, const Progress& progress = {});
+[[nodiscard]] SceneResult simulate_scene(const SceneRequest& request,
+                                         const Progress& progress = {});
 
 /// Simulates a run for each combination of the numbers that vary, several at once; each run is the
 /// same to the bit as by itself. Stopped: runs that have begun are kept up to there.
 ///
 /// Started by mpirun, all processes simulate together, each with its threads, and only the first
 /// has the answer, the same as without: the others have nothing. Call it once in a program.
-/// @throws as run_scene(), or if there would be more than kMostRuns; where several processes fail,
-/// the first throws.
-[[nodiscard]] std::optional<SceneSweep> vary_scene(const SceneRequest& request,
-                                                   const Progress& progress = {});
+/// @throws as simulate_scene(), or if there would be more than kMostRuns; where several processes
+/// fail, the first throws.
+[[nodiscard]] std::optional<SceneSweepResult> sweep_scene(const SceneRequest& request,
+                                                          const Progress& progress = {});
 inline constexpr std::size_t kMostRuns = 10000;
 
 /// Format name in files of scene runs.
@@ -124,8 +125,8 @@ inline constexpr const char* kSceneRunFormat = "thenar scene run 1";
 /// Writes all instants as HDF5, dimensions labelled as xarray expects, with the texts and hashes of
 /// all sources and the record of the run; of a sweep a summary of all runs, and each in a group.
 /// @throws InputError if the file cannot be written.
-void write_scene_run(const SimulatedScene& scene, const std::string& path,
-                     const RunRecord& run = {});
-void write_scene_sweep(const SceneSweep& sweep, const std::string& path, const RunRecord& run = {});
+void write_scene_run(const SceneResult& scene, const std::string& path, const RunRecord& run = {});
+void write_scene_sweep(const SceneSweepResult& sweep, const std::string& path,
+                       const RunRecord& run = {});
 
 }  // namespace thenar

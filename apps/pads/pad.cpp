@@ -74,7 +74,7 @@ void run_press(PressArguments options) {
   if (options.depth_mm) request.depth = kMm * *options.depth_mm;
   if (options.rate_mm_s) request.rate = kMm * *options.rate_mm_s;
   if (options.radius_mm) request.object.radius = kMm * *options.radius_mm;
-  const PressedPad pressed = press_pad(request, terminal_progress());
+  const PressResult pressed = press_pad(request, terminal_progress());
   print_warnings(pressed.warnings);
   deliver(options.outputs, pressed);
   const std::string refusal = refusal_of(pressed);

@@ -20,7 +20,7 @@ namespace thenar {
 ///   reason:    letters
 ///
 /// There is no version and no order of bytes: what is written is to be read by the same program on
-/// the same kind of machine, at once: processes of one sweep do so (vary_scene()). Files of runs
+/// the same kind of machine, at once: processes of one sweep do so (sweep_scene()). Files of runs
 /// are HDF5 (write_scene_run()).
 [[nodiscard]] std::string bytes_of(const SceneRun& run);
 

@@ -53,8 +53,4 @@ struct GraspSetup {
 ///         exactly one is dynamic.
 [[nodiscard]] GraspSetup build_setup(const WorldSpec& world, const std::string& object = "");
 
-/// Names of before 0.2.
-using Scene [[deprecated("GraspSetup")]] = GraspSetup;
-using SceneBody [[deprecated("GraspBody")]] = GraspBody;
-
 }  // namespace thenar

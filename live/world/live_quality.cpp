@@ -43,7 +43,7 @@ std::vector<std::string> deep_overlaps(const LiveMeeting& meeting) {
   return warnings;
 }
 
-/// The world as grasp_in_world() has it.
+/// The world as measure_grasp() has it.
 WorldCase case_of(const LiveWorld& live, const LiveMeeting& meeting) {
   const WorldState& state = live.state();
   WorldCase setting;
@@ -152,7 +152,7 @@ GraspResult measured_grasp(const LiveWorld& live, const LivePair& pair,
                            const LiveQualityRequest& request, const Progress& progress) {
   GraspResult result = standing_grasp(live, pair, request);
   if (result.grasp.outcome == GraspOutcome::kGrasped)
-    result.measures = measure_grasp(result, progress);
+    result.measures = grasp_measures_of(result, progress);
   return result;
 }
 

@@ -32,7 +32,7 @@ struct LiveQualityRequest {
   ForceNorm norm = ForceNorm::kL1;  // how forces of all contacts are limited together
 };
 
-/// The grasp as it stands, as grasp_in_world() gives one that it found: with contacts, wrenches and
+/// The grasp as it stands, as measure_grasp() gives one that it found: with contacts, wrenches and
 /// epsilon, without measures. GraspOutcome::kEmpty where nothing touches. Postures that closing
 /// left tell what stopped their joints.
 /// @throws InputError as contacts_of(), or for a tolerance that is not positive
@@ -58,7 +58,7 @@ enum class WrenchLimits {
                                             const std::array<int, 3>& axes, PictureKind kind,
                                             WrenchLimits limits, int pieces);
 
-/// standing_grasp() with measure_grasp(): what `thenar grasp` says of it.
+/// standing_grasp() with grasp_measures_of(): what `thenar grasp` says of it.
 /// @throws as standing_grasp(); Stopped
 [[nodiscard]] GraspResult measured_grasp(const LiveWorld& live, const LivePair& pair,
                                          const LiveQualityRequest& request = {},

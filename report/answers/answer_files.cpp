@@ -41,7 +41,7 @@ FileDigests files_of_thing(const std::string& path, const Thing& thing) {
 
 FileDigests files_of(const GraspResult& result) { return result.setting.files; }
 FileDigests files_of(const CloseResult& result) { return files_of(result.grasp); }
-FileDigests files_of(const HandComparison& result) { return result.files; }
+FileDigests files_of(const CompareResult& result) { return result.files; }
 
 FileDigests files_of(const ThingExplained& explained) {
   FileDigests files = files_of_thing(explained.path, explained.thing);
@@ -60,9 +60,9 @@ FileDigests files_of(const Imported& imported) {
                 file_at(imported.request.file));
 }
 
-FileDigests files_of(const std::vector<ContactQuality>& results) {
+FileDigests files_of(const std::vector<ContactQualityResult>& results) {
   FileDigests files;
-  for (const ContactQuality& result : results) files.merge(file_at(result.contacts));
+  for (const ContactQualityResult& result : results) files.merge(file_at(result.contacts));
   return files;
 }
 
@@ -71,14 +71,16 @@ FileDigests files_of(const SubjectPoses& poses) { return source_digests(poses.so
 FileDigests files_of(const FeasibleForceResult& answer) { return source_digests(answer.sources); }
 FileDigests files_of(const TipForceResult& answer) { return source_digests(answer.sources); }
 FileDigests files_of(const MomentArmResult& answer) { return source_digests(answer.sources); }
-FileDigests files_of(const SimulatedMotion& motion) { return source_digests(motion.sources); }
-FileDigests files_of(const SimulatedScene& scene) { return scene.files; }
-FileDigests files_of(const SceneSweep& sweep) { return sweep.files; }
-FileDigests files_of(const TendonSolution& solution) {
+FileDigests files_of(const DigitMotionResult& motion) { return source_digests(motion.sources); }
+FileDigests files_of(const SceneResult& scene) { return scene.files; }
+FileDigests files_of(const SceneSweepResult& sweep) { return sweep.files; }
+FileDigests files_of(const TendonSolveResult& solution) {
   return source_digests(solution.loaded.sources);
 }
-FileDigests files_of(const TendonSweep& sweep) { return source_digests(sweep.loaded.sources); }
-FileDigests files_of(const NetInference& inference) { return source_digests(inference.sources); }
+FileDigests files_of(const TendonSweepResult& sweep) {
+  return source_digests(sweep.loaded.sources);
+}
+FileDigests files_of(const InferNetResult& inference) { return source_digests(inference.sources); }
 
 FileDigests files_of(const FitResult& result) {
   return source_digests(sources_of(result.fit.inputs));

@@ -255,7 +255,7 @@ std::string reading_words(const Comparison& comparison) {
       comparison.normalise_size ? "scaled with the reach of the hand" : "in their own size");
 }
 
-std::string text_of(const HandComparison& result) {
+std::string text_of(const CompareResult& result) {
   const Comparison& comparison = result.comparison;
   std::string text;
   for (const std::string& warning : comparison.warnings)
@@ -280,7 +280,7 @@ std::string text_of(const HandComparison& result) {
   return text;
 }
 
-Fields fields_of(const HandComparison& result) {
+Fields fields_of(const CompareResult& result) {
   Fields fields;
   const JsonNode file = comparison_node(result.comparison);
   for (std::size_t i = 0; i < file.items.size(); ++i)
@@ -290,6 +290,6 @@ Fields fields_of(const HandComparison& result) {
   return fields;
 }
 
-Table table_of(const HandComparison& result) { return cell_table(result.comparison); }
+Table table_of(const CompareResult& result) { return cell_table(result.comparison); }
 
 }  // namespace thenar

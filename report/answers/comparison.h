@@ -13,14 +13,14 @@ namespace thenar {
 /// Returns the comparison as text: grasps of the objects by each hand, outcomes of approaches where
 /// nothing closed, abilities of hands without an object, and warnings. Loads follow the same rule
 /// as on the page.
-[[nodiscard]] std::string text_of(const HandComparison& result);
+[[nodiscard]] std::string text_of(const CompareResult& result);
 
 /// Members as docs/data_format.md has them; null: not known; "infinite". most_closures: the hand
 /// that has more than each other beyond chance, null if none.
-[[nodiscard]] Fields fields_of(const HandComparison& result);
+[[nodiscard]] Fields fields_of(const CompareResult& result);
 
 /// A row for each hand on each object.
-[[nodiscard]] Table table_of(const HandComparison& result);
+[[nodiscard]] Table table_of(const CompareResult& result);
 
 /// A line for each version of the human hand that is compared: what it adds to
 /// the one before.

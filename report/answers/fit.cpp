@@ -314,7 +314,7 @@ Fields fields_of(const FitResult& result) {
                 {"message", fit.solution.message},
                 {"cost", fit.solution.cost},
                 {"evaluations", fit.solution.evaluations},
-                {"seconds", fit.solution.seconds},
+                {"seconds", units::kMeasuredSeconds, fit.solution.seconds},
                 {"free_coordinates", fit.problem.size()},
                 {"effective_parameters", fit.covariance.effective_parameters},
                 {"fidelity", describe(fit.problem.digit().fidelity)},

@@ -325,7 +325,7 @@ Fields fields_of(const GraspResult& result) {
   if (result.request.starts > 0) fields.add("starts", start_fields(result));
   fields.add("warnings", result.warnings);
   fields.add("complete", result.complete);
-  fields.add("cpu", units::kSecond, result.cpu);
+  fields.add("cpu", units::kCpuSecond, result.cpu);
   return without_signs_of_zeros(fields);
 }
 

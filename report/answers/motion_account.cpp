@@ -47,16 +47,16 @@ std::vector<Fields> limit_fields(const std::vector<PassedLimit>& limits) {
   return list;
 }
 
-std::vector<PassedLimit> limits_passed(const SimulatedScene& scene) {
+std::vector<PassedLimit> limits_passed(const SceneResult& scene) {
   return passed_limits(scene.built->scene.mechanism, scene.run.cost.beyond);
 }
 
-double restitution_ignored(const SimulatedScene& scene) {
+double restitution_ignored(const SceneResult& scene) {
   const bool bounces = scene.built->options.method != SteppingMethod::kTimeStepping;
   return bounces ? 0 : largest_restitution(scene.built->scene);
 }
 
-Table account_table(const SimulatedScene& scene) {
+Table account_table(const SceneResult& scene) {
   Table table{{"measure", "value"}, {}};
   const auto add = [&](const std::string& name, const std::string& value) {
     table.rows.push_back({name, value});

@@ -23,12 +23,12 @@ namespace thenar {
 [[nodiscard]] std::vector<Fields> limit_fields(const std::vector<PassedLimit>& limits);
 
 /// Joints of a run that went beyond their limits.
-[[nodiscard]] std::vector<PassedLimit> limits_passed(const SimulatedScene& scene);
+[[nodiscard]] std::vector<PassedLimit> limits_passed(const SceneResult& scene);
 
 /// The largest restitution that a scene states and that its method leaves out [1]; 0: none.
-[[nodiscard]] double restitution_ignored(const SimulatedScene& scene);
+[[nodiscard]] double restitution_ignored(const SceneResult& scene);
 
 /// A row for each measure of how far a run is to be believed.
-[[nodiscard]] Table account_table(const SimulatedScene& scene);
+[[nodiscard]] Table account_table(const SceneResult& scene);
 
 }  // namespace thenar

@@ -193,7 +193,7 @@ Fields convergence_fields(const PosteriorRun& run) {
           {"draws", run.draws.draws()},
           {"warm_up", run.draws.warm_up},
           {"complete", run.draws.complete},
-          {"seconds", run.draws.seconds},
+          {"seconds", units::kMeasuredSeconds, run.draws.seconds},
           {"target_acceptance", run.settings.run.sampler.target_acceptance},
           {"abandoned_target_acceptances", run.abandoned},
           {"converged", c.warnings.empty()},

@@ -69,12 +69,12 @@ std::string cell(std::optional<double> value) {
   return value && std::isfinite(*value) ? fmt::format("{:.9g}", *value + 0.0) : "-";
 }
 
-std::optional<double> volume_estimate(const ContactQuality& result) {
+std::optional<double> volume_estimate(const ContactQualityResult& result) {
   if (!result.volume || !result.volume->complete) return {};
   return result.volume->estimate;
 }
 
-std::vector<std::string> quality_row(const ContactQuality& result) {
+std::vector<std::string> quality_row(const ContactQualityResult& result) {
   const Epsilon& e = result.epsilon;
   std::vector<std::string> row{
       result.contacts, std::to_string(result.count),  e.force_closure ? "yes" : "no", cell(e.lower),
@@ -90,7 +90,7 @@ std::vector<std::string> quality_row(const ContactQuality& result) {
 
 }  // namespace
 
-std::string text_of(const ContactQuality& result) {
+std::string text_of(const ContactQualityResult& result) {
   const Epsilon& e = result.epsilon;
   std::string text = fmt::format("{}: {} contacts, torques divided by {} m\n", result.contacts,
                                  result.count, shown(result.torque_scale));
@@ -111,7 +111,7 @@ std::string text_of(const ContactQuality& result) {
   return text;
 }
 
-Fields fields_of(const ContactQuality& result) {
+Fields fields_of(const ContactQualityResult& result) {
   const Epsilon& e = result.epsilon;
   OrderedJson missing, bounds, complete;
   if (e.has_missing_direction) missing = wrench_json(e.missing_direction, result.planar);
@@ -126,8 +126,8 @@ Fields fields_of(const ContactQuality& result) {
           {"rank", e.rank},
           {"missing_direction", missing},
           {"worst_wrench", wrench_json(e.worst_wrench, result.planar)},
-          {"cpu", units::kSecond, result.epsilon_cpu + result.volume_cpu},
-          {"epsilon_cpu", units::kSecond, result.epsilon_cpu},
+          {"cpu", units::kCpuSecond, result.epsilon_cpu + result.volume_cpu},
+          {"epsilon_cpu", units::kCpuSecond, result.epsilon_cpu},
           {"volume_bounds", bounds},
           {"volume_complete", complete},
           {"converged", e.converged},
@@ -139,18 +139,18 @@ Fields fields_of(const ContactQuality& result) {
           {"warnings", result.warnings}};
 }
 
-Table table_of(const std::vector<ContactQuality>& results) {
+Table table_of(const std::vector<ContactQualityResult>& results) {
   Table table{{"contacts", "count", "force_closure", "epsilon_lower", "epsilon_upper", "volume",
                "rank", "least_singular_value", "isotropy", "internal_forces", "squeeze_N"},
               {}};
-  for (const ContactQuality& result : results) table.rows.push_back(quality_row(result));
+  for (const ContactQualityResult& result : results) table.rows.push_back(quality_row(result));
   return table;
 }
 
-Fields fields_of(const std::vector<ContactQuality>& results) {
+Fields fields_of(const std::vector<ContactQualityResult>& results) {
   if (results.size() == 1) return fields_of(results.front());
   std::vector<Fields> answers;
-  for (const ContactQuality& result : results) answers.push_back(fields_of(result));
+  for (const ContactQualityResult& result : results) answers.push_back(fields_of(result));
   return {{"answers", std::move(answers)}};
 }
 

@@ -62,7 +62,7 @@ std::vector<Fields> snap_fields(const Trajectory& t) {
 }
 
 /// The state at the last instant.
-Fields end_state(const SimulatedMotion& motion) {
+Fields end_state(const DigitMotionResult& motion) {
   const Trajectory& t = motion.trajectory;
   const Eigen::Index last = t.time.size() - 1;
   Fields fields{
@@ -80,7 +80,7 @@ Fields end_state(const SimulatedMotion& motion) {
 
 }  // namespace
 
-std::string text_of(const SimulatedMotion& motion) {
+std::string text_of(const DigitMotionResult& motion) {
   const Trajectory& t = motion.trajectory;
   const Eigen::Index last = t.time.size() - 1;
   std::string text =
@@ -104,7 +104,7 @@ std::string text_of(const SimulatedMotion& motion) {
   return text + fmt::format("{} steps to a tolerance of {:.2g}\n", t.counts.steps, t.tolerance);
 }
 
-Fields fields_of(const SimulatedMotion& motion) {
+Fields fields_of(const DigitMotionResult& motion) {
   const Trajectory& t = motion.trajectory;
   const Eigen::Index last = t.time.size() - 1;
   return {{"subject", motion.subject},
@@ -129,7 +129,7 @@ Fields fields_of(const SimulatedMotion& motion) {
           {"net_evaluations", t.effort}};
 }
 
-Table table_of(const SimulatedMotion& motion) {
+Table table_of(const DigitMotionResult& motion) {
   const TrajectoryTable numbers = trajectory_table(motion.trajectory);
   Table table{numbers.columns, {}};
   for (Eigen::Index i = 0; i < numbers.values.rows(); ++i) {
@@ -141,7 +141,7 @@ Table table_of(const SimulatedMotion& motion) {
   return table;
 }
 
-std::vector<std::string> warnings_of(const SimulatedMotion& motion) {
+std::vector<std::string> warnings_of(const DigitMotionResult& motion) {
   std::vector<std::string> warnings = motion.warnings;
   const Trajectory& t = motion.trajectory;
   const bool told = !refusal_of(motion).empty() && t.status != MotionStatus::kUnbalanced;
@@ -149,7 +149,7 @@ std::vector<std::string> warnings_of(const SimulatedMotion& motion) {
   return warnings;
 }
 
-std::string refusal_of(const SimulatedMotion& motion) {
+std::string refusal_of(const DigitMotionResult& motion) {
   const Trajectory& t = motion.trajectory;
   switch (t.status) {
     case MotionStatus::kCompleted:

@@ -11,17 +11,17 @@
 namespace thenar {
 
 /// Joints and muscles at the start, the end and their extremes, the tip, and the energy account.
-[[nodiscard]] std::string text_of(const SimulatedMotion& motion);
+[[nodiscard]] std::string text_of(const DigitMotionResult& motion);
 /// The state at the end, and the energy account; `drift` is null where it is not known.
-[[nodiscard]] Fields fields_of(const SimulatedMotion& motion);
+[[nodiscard]] Fields fields_of(const DigitMotionResult& motion);
 /// A row for each instant: angles, speeds, excitations, activations, tensions, excursions, slips,
 /// tip, energies. Columns: trajectory_table().
-[[nodiscard]] Table table_of(const SimulatedMotion& motion);
+[[nodiscard]] Table table_of(const DigitMotionResult& motion);
 
 /// Returns warnings about a motion and its start, one sentence each.
-[[nodiscard]] std::vector<std::string> warnings_of(const SimulatedMotion& motion);
+[[nodiscard]] std::vector<std::string> warnings_of(const DigitMotionResult& motion);
 /// Returns the reason why the motion must not be used: it did not reach its end, or its energy does
 /// not balance; empty if it may. A motion that was stopped on request may be used.
-[[nodiscard]] std::string refusal_of(const SimulatedMotion& motion);
+[[nodiscard]] std::string refusal_of(const DigitMotionResult& motion);
 
 }  // namespace thenar

@@ -19,34 +19,34 @@ namespace {
 
 constexpr double kWarnedPenetration = 1e-3;  // Penetration beyond which a warning is given [m]
 
-std::string body_name(const SimulatedScene& scene, int body) {
+std::string body_name(const SceneResult& scene, int body) {
   return scene.built->scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
 }
 
 /// Centre of mass of a body at an instant [m].
-Eigen::Vector3d centre(const SimulatedScene& scene, std::size_t instant, std::size_t body) {
+Eigen::Vector3d centre(const SceneResult& scene, std::size_t instant, std::size_t body) {
   return scene.measures.X_WB[instant][body] * scene.built->scene.mechanism.bodies[body].mass.com;
 }
 
 /// Angle by which a body has turned since the start [rad].
-double turn(const SimulatedScene& scene, std::size_t body) {
+double turn(const SceneResult& scene, std::size_t body) {
   const auto& X = scene.measures.X_WB;
   return Eigen::AngleAxisd(X.back()[body].R * X.front()[body].R.transpose()).angle();
 }
 
-double largest_slip(const SimulatedScene& scene) {
+double largest_slip(const SceneResult& scene) {
   double slip = 0;
   for (const PairMeasure& pair : scene.measures.pairs) slip = std::max(slip, pair.slip);
   return slip;
 }
 
-double simulated_seconds(const SimulatedScene& scene) { return scene.run.samples.back().t; }
+double simulated_seconds(const SceneResult& scene) { return scene.run.samples.back().t; }
 
-double cpu_per_second(const SimulatedScene& scene) {
+double cpu_per_second(const SceneResult& scene) {
   return scene.run.cost.cpu_seconds / simulated_seconds(scene);
 }
 
-Table body_table(const SimulatedScene& scene) {
+Table body_table(const SceneResult& scene) {
   Table table{{"body", "x_mm", "y_mm", "z_mm", "moved_mm", "turned_deg", "speed_m_s", "spin_rad_s"},
               {}};
   const std::size_t last = scene.run.samples.size() - 1;
@@ -68,7 +68,7 @@ const char* mode_word(const PairMeasure& pair) {
                                             : "slides";
 }
 
-Table pair_table(const SimulatedScene& scene) {
+Table pair_table(const SceneResult& scene) {
   Table table{{"pair", "slip_mm", "first_s", "last_s", "largest_force_N", "end_force_N", "end"},
               {}};
   for (const PairMeasure& pair : scene.measures.pairs)
@@ -81,7 +81,7 @@ Table pair_table(const SimulatedScene& scene) {
 bool is_pad(const PairMeasure& pair) { return pair.area > 0; }
 
 /// Patches of pads at the end.
-Table patch_table(const SimulatedScene& scene) {
+Table patch_table(const SceneResult& scene) {
   Table table{{"pad", "area_mm2", "force_N", "sticks_%", "torsion_Nmm"}, {}};
   for (const PairMeasure& pair : scene.measures.pairs)
     if (is_pad(pair))
@@ -91,7 +91,7 @@ Table patch_table(const SimulatedScene& scene) {
   return table;
 }
 
-std::vector<Fields> body_fields(const SimulatedScene& scene) {
+std::vector<Fields> body_fields(const SceneResult& scene) {
   std::vector<Fields> list;
   const std::size_t last = scene.run.samples.size() - 1;
   for (const std::size_t body : scene.measures.moving) {
@@ -118,7 +118,7 @@ bool slides_along(const Mechanism& mechanism, int coordinate) {
   return false;
 }
 
-std::vector<Fields> coordinate_fields(const SimulatedScene& scene) {
+std::vector<Fields> coordinate_fields(const SceneResult& scene) {
   std::vector<Fields> list;
   const Mechanism& mechanism = scene.built->scene.mechanism;
   const MechanismLayout layout = layout_of(mechanism);
@@ -137,7 +137,7 @@ std::vector<Fields> coordinate_fields(const SimulatedScene& scene) {
 
 /// Passive moments of the joints of human hands at the end, by coordinate [N m]; null: none has
 /// any. Their lines are springs of the mechanism, their ends are in the elements that stop joints.
-OrderedJson passive_moments(const SimulatedScene& scene) {
+OrderedJson passive_moments(const SceneResult& scene) {
   OrderedJson json;
   const Mechanism& mechanism = scene.built->scene.mechanism;
   const MechanismLayout layout = layout_of(mechanism);
@@ -163,7 +163,7 @@ OrderedJson passive_moments(const SimulatedScene& scene) {
   return json;
 }
 
-std::vector<Fields> pair_fields(const SimulatedScene& scene) {
+std::vector<Fields> pair_fields(const SceneResult& scene) {
   std::vector<Fields> list;
   for (const PairMeasure& pair : scene.measures.pairs) {
     Fields& fields = list.emplace_back(Fields{
@@ -184,7 +184,7 @@ std::vector<Fields> pair_fields(const SimulatedScene& scene) {
 }
 
 /// Muscles of human hands that pull at some instant.
-Table muscle_table(const SimulatedScene& scene) {
+Table muscle_table(const SceneResult& scene) {
   Table table{{"muscle", "tension_N", "largest_N", "activation"}, {}};
   for (const PullMeasure& muscle : scene.measures.pulls.muscles) {
     if (!muscle.contracts && muscle.tension.isZero(0)) continue;
@@ -195,7 +195,7 @@ Table muscle_table(const SimulatedScene& scene) {
   return table;
 }
 
-std::vector<Fields> muscle_fields(const SimulatedScene& scene) {
+std::vector<Fields> muscle_fields(const SceneResult& scene) {
   std::vector<Fields> list;
   for (const PullMeasure& muscle : scene.measures.pulls.muscles) {
     Fields& fields =
@@ -218,12 +218,12 @@ OrderedJson energy_json(const ContactStep::Energy& energy) {
 }
 
 /// The worst residual of its contact problems.
-std::string residual_words(const SimulatedScene& scene) {
+std::string residual_words(const SceneResult& scene) {
   return has_contact_problems(scene) ? fmt::format("{:.2g}", scene.run.cost.worst_residual) : "n/a";
 }
 
 /// Energy losses [J]; null if they are unknown.
-OrderedJson losses_json(const SimulatedScene& scene) {
+OrderedJson losses_json(const SceneResult& scene) {
   if (!scene.measures.balance) return nullptr;
   const FlowBalance& balance = *scene.measures.balance;
   return {
@@ -231,7 +231,7 @@ OrderedJson losses_json(const SimulatedScene& scene) {
 }
 
 /// Status, energy and cost of a run.
-Fields outcome_fields(const SimulatedScene& scene) {
+Fields outcome_fields(const SceneResult& scene) {
   const SceneCost& cost = scene.run.cost;
   const std::string& reason = scene.run.reason;
   const std::optional<FlowBalance>& worst = scene.measures.worst;
@@ -260,23 +260,23 @@ Fields outcome_fields(const SimulatedScene& scene) {
           {"coarse_steps", cost.coarse},
           {"worst_residual", has_contact_problems(scene) ? cost.worst_residual : kNaN},
           {"asleep", units::kSecond, cost.asleep},
-          {"cpu_s_per_simulated_s", cpu_per_second(scene)}};
+          {"cpu_s_per_simulated_s", units::kMeasuredSeconds, cpu_per_second(scene)}};
 }
 
 }  // namespace
 
-std::string method_of(const SimulatedScene& scene) {
+std::string method_of(const SceneResult& scene) {
   return stepping_names()[static_cast<std::size_t>(scene.built->options.method)];
 }
 
-std::string varied_words(const SimulatedScene& scene) {
+std::string varied_words(const SceneResult& scene) {
   std::vector<std::string> words;
   for (const auto& [name, value] : scene.varied)
     words.push_back(fmt::format("{} {:g}", name, value));
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-std::string text_of(const SimulatedScene& scene) {
+std::string text_of(const SceneResult& scene) {
   const SceneCost& cost = scene.run.cost;
   const ContactStep::Energy &start = scene.run.samples.front().energy,
                             &end = scene.run.samples.back().energy;
@@ -302,7 +302,7 @@ std::string text_of(const SimulatedScene& scene) {
   return text + fmt::format("CPU {:.3g} ms a simulated second\n", 1e3 * cpu_per_second(scene));
 }
 
-Fields fields_of(const SimulatedScene& scene) {
+Fields fields_of(const SceneResult& scene) {
   Fields fields{{"scene", scene.name},
                 {"description", scene.description},
                 {"method", method_of(scene)},
@@ -321,7 +321,7 @@ Fields fields_of(const SimulatedScene& scene) {
   return fields;
 }
 
-Table table_of(const SimulatedScene& scene) {
+Table table_of(const SceneResult& scene) {
   const std::vector<std::size_t> moving = scene.measures.moving;
   Table table{{"time_s", "kinetic_J", "weight_J", "springs_J", "contacts"}, {}};
   for (const std::size_t body : moving)
@@ -343,14 +343,14 @@ Table table_of(const SimulatedScene& scene) {
   return table;
 }
 
-std::string text_of(const SceneSweep& sweep) {
+std::string text_of(const SceneSweepResult& sweep) {
   return fmt::format("{}: {} of {} runs\n\n", sweep.name, sweep.runs.size(), sweep.asked) +
          aligned(table_of(sweep));
 }
 
-Fields fields_of(const SceneSweep& sweep) {
+Fields fields_of(const SceneSweepResult& sweep) {
   std::vector<Fields> runs;
-  for (const SimulatedScene& scene : sweep.runs) {
+  for (const SceneResult& scene : sweep.runs) {
     Fields varied;
     for (const auto& [name, value] : scene.varied) varied.add(name, value);
     Fields& run = runs.emplace_back(Fields{{"varied", std::move(varied)}});
@@ -364,14 +364,14 @@ Fields fields_of(const SceneSweep& sweep) {
           {"warnings", warnings_of(sweep)}};
 }
 
-Table table_of(const SceneSweep& sweep) {
+Table table_of(const SceneSweepResult& sweep) {
   Table table;
   for (const SceneVariation& each : sweep.vary) table.header.push_back(each.name);
   for (const char* column :
        {"status", "simulated_s", "largest_slip_mm", "penetration_mm", "end_energy_mJ",
         "dissipated_mJ", "energy_error_%", "limits_passed", "worst_residual", "cpu_ms_per_s"})
     table.header.emplace_back(column);
-  for (const SimulatedScene& scene : sweep.runs) {
+  for (const SceneResult& scene : sweep.runs) {
     std::vector<std::string> cells;
     for (const auto& [name, value] : scene.varied) cells.push_back(fmt::format("{:.6g}", value));
     cells.push_back(name_of(scene.run.status));
@@ -389,7 +389,7 @@ Table table_of(const SceneSweep& sweep) {
   return table;
 }
 
-std::vector<std::string> warnings_of(const SimulatedScene& scene) {
+std::vector<std::string> warnings_of(const SceneResult& scene) {
   std::vector<std::string> warnings = scene.built->warnings;
   const std::vector<std::string>& pulls = scene.measures.pulls.warnings;
   warnings.insert(warnings.end(), pulls.begin(), pulls.end());
@@ -422,16 +422,16 @@ std::vector<std::string> warnings_of(const SimulatedScene& scene) {
   return warnings;
 }
 
-std::vector<std::string> warnings_of(const SceneSweep& sweep) {
+std::vector<std::string> warnings_of(const SceneSweepResult& sweep) {
   std::vector<std::string> all;
-  for (const SimulatedScene& run : sweep.runs)
+  for (const SceneResult& run : sweep.runs)
     for (std::string& warning : warnings_of(run))
       if (std::find(all.begin(), all.end(), warning) == all.end())
         all.push_back(std::move(warning));
   return all;
 }
 
-std::string refusal_of(const SimulatedScene& scene) {
+std::string refusal_of(const SceneResult& scene) {
   const SceneCost& cost = scene.run.cost;
   if (scene.run.status == SceneStatus::kNotFinite)
     return fmt::format("the motion is not finite after {:.6g} s: do not use it",
@@ -449,8 +449,8 @@ std::string refusal_of(const SimulatedScene& scene) {
   return fmt::format("{}: do not use this motion", fmt::join(reasons, "; "));
 }
 
-std::string refusal_of(const SceneSweep& sweep) {
-  for (const SimulatedScene& scene : sweep.runs)
+std::string refusal_of(const SceneSweepResult& sweep) {
+  for (const SceneResult& scene : sweep.runs)
     if (const std::string refusal = refusal_of(scene); !refusal.empty())
       return fmt::format("at {}: {}", varied_words(scene), refusal);
   return "";

@@ -11,29 +11,29 @@
 namespace thenar {
 
 /// Bodies at the end, pairs that touched, energy, and how the run went.
-[[nodiscard]] std::string text_of(const SimulatedScene& scene);
-[[nodiscard]] Fields fields_of(const SimulatedScene& scene);
+[[nodiscard]] std::string text_of(const SceneResult& scene);
+[[nodiscard]] Fields fields_of(const SceneResult& scene);
 /// A row for each instant: energies, places of all bodies that move, contacts.
-[[nodiscard]] Table table_of(const SimulatedScene& scene);
+[[nodiscard]] Table table_of(const SceneResult& scene);
 
 /// A row for each run: the numbers that vary, the largest slip, penetration, energy, cost.
-[[nodiscard]] std::string text_of(const SceneSweep& sweep);
-[[nodiscard]] Fields fields_of(const SceneSweep& sweep);
-[[nodiscard]] Table table_of(const SceneSweep& sweep);
+[[nodiscard]] std::string text_of(const SceneSweepResult& sweep);
+[[nodiscard]] Fields fields_of(const SceneSweepResult& sweep);
+[[nodiscard]] Table table_of(const SceneSweepResult& sweep);
 
 /// Returns warnings about a run, one sentence each.
-[[nodiscard]] std::vector<std::string> warnings_of(const SimulatedScene& scene);
-[[nodiscard]] std::vector<std::string> warnings_of(const SceneSweep& sweep);
+[[nodiscard]] std::vector<std::string> warnings_of(const SceneResult& scene);
+[[nodiscard]] std::vector<std::string> warnings_of(const SceneSweepResult& sweep);
 /// Returns the reason why a run must not be used: contacts that were not solved, energy that does
 /// not balance, or positions that are not finite; empty if it may. A run that was stopped on
 /// request may be used.
-[[nodiscard]] std::string refusal_of(const SimulatedScene& scene);
-[[nodiscard]] std::string refusal_of(const SceneSweep& sweep);
+[[nodiscard]] std::string refusal_of(const SceneResult& scene);
+[[nodiscard]] std::string refusal_of(const SceneSweepResult& sweep);
 
 /// "events", "time-stepping" ..
-[[nodiscard]] std::string method_of(const SimulatedScene& scene);
+[[nodiscard]] std::string method_of(const SceneResult& scene);
 
 /// "friction 0.5, step 0.001": the numbers of a run that are not as in the file.
-[[nodiscard]] std::string varied_words(const SimulatedScene& scene);
+[[nodiscard]] std::string varied_words(const SceneResult& scene);
 
 }  // namespace thenar

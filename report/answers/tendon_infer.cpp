@@ -20,7 +20,7 @@ std::string change_words(double value) {
   return std::isfinite(value) ? fmt::format("{:+.1f}", value) : "-";
 }
 
-Table belief_table(const NetInference& inference) {
+Table belief_table(const InferNetResult& inference) {
   Table table{{"band", "from", "to", "exists", "probability", "log_Bayes_factor", "chi2_without",
                "parameters_with", "tension_N", "slack_mm", "prior_sd_mm"},
               {}};
@@ -108,7 +108,7 @@ std::string next_in_words(const FreeInference& free) {
 
 namespace {
 
-std::string text_of_free(const NetInference& inference) {
+std::string text_of_free(const InferNetResult& inference) {
   const FreeInference& free = *inference.free;
   std::string text =
       fmt::format("Which bands of net {} do the forces of {} need, with {} free? (subject {})\n\n",
@@ -127,7 +127,7 @@ std::string text_of_free(const NetInference& inference) {
   return text + titled("Measure next. " + next_in_words(free), next);
 }
 
-Fields fields_of_free(const NetInference& inference) {
+Fields fields_of_free(const InferNetResult& inference) {
   const FreeInference& free = *inference.free;
   const BandPosterior& posterior = free.posterior;
   // Bands, sets that were kept, and trials.
@@ -175,7 +175,7 @@ Fields fields_of_free(const NetInference& inference) {
           {"warnings", inference.warnings}};
 }
 
-Table table_of_free(const NetInference& inference) {
+Table table_of_free(const InferNetResult& inference) {
   Table table{
       {"band", "from", "to", "verdict", "probability", "probability_error", "log_bayes_factor",
        "tension_N", "slack_mm", "slack_sd_mm", "slack_prior_sd_mm", "doubtful"},
@@ -213,7 +213,7 @@ std::string evidence_words(double evidence) {
   return evidence > 0 ? "no net without it" : "no net with it";
 }
 
-Table band_verdict_table(const NetInference& inference) {
+Table band_verdict_table(const InferNetResult& inference) {
   Table table{{"band", "from", "to", "exists", "evidence", "stiffness_EA_N", "sd_of_log_EA"}, {}};
   for (std::size_t k = 0; k < inference.inferred.verdicts.size(); ++k) {
     const BandVerdict& band = inference.inferred.verdicts[k];
@@ -227,7 +227,7 @@ Table band_verdict_table(const NetInference& inference) {
 
 }  // namespace
 
-std::vector<std::string> fit_in_words(const NetInference& inference) {
+std::vector<std::string> fit_in_words(const InferNetResult& inference) {
   const InferredNet& net = inference.inferred;
   std::vector<std::string> lines{
       fmt::format("Forces: {} components, of the trials in which a muscle pulls the hood.",
@@ -247,7 +247,7 @@ std::vector<std::string> fit_in_words(const NetInference& inference) {
   return lines;
 }
 
-std::string next_in_words(const NetInference& inference) {
+std::string next_in_words(const InferNetResult& inference) {
   const bool tells =
       !inference.next.empty() && inference.next.front().disagreement >= NetSearchOptions().enough;
   return tells ? "Tests on which the nets that fit disagree most; disagreement is the mean squared "
@@ -268,7 +268,7 @@ std::vector<std::string> groups_in_words(const InferredNet& inferred) {
   return lines;
 }
 
-std::string text_of(const NetInference& inference) {
+std::string text_of(const InferNetResult& inference) {
   if (inference.free) return text_of_free(inference);
   std::string text = fmt::format("Which bands of net {} do the forces of {} need? (subject {})\n\n",
                                  inference.net, inference.experiment, inference.subject);
@@ -286,7 +286,7 @@ std::string text_of(const NetInference& inference) {
   return text + titled("Measure next. " + next_in_words(inference), next);
 }
 
-Fields fields_of(const NetInference& inference) {
+Fields fields_of(const InferNetResult& inference) {
   if (inference.free) return fields_of_free(inference);
   const InferredNet& net = inference.inferred;
   std::vector<Fields> bands, groups, next;
@@ -330,7 +330,7 @@ Fields fields_of(const NetInference& inference) {
       {"warnings", inference.warnings}};
 }
 
-Table table_of(const NetInference& inference) {
+Table table_of(const InferNetResult& inference) {
   if (inference.free) return table_of_free(inference);
   Table table{{"band", "from", "to", "verdict", "evidence", "EA_N", "sd_of_log_EA", "converged"},
               {}};
@@ -344,7 +344,7 @@ Table table_of(const NetInference& inference) {
   return table;
 }
 
-std::string refusal_of(const NetInference& inference) {
+std::string refusal_of(const InferNetResult& inference) {
   if (inference.free ? inference.free->posterior.found : inference.inferred.found) return "";
   return fmt::format("no set of bands of net {} carries the loads of {}", inference.net,
                      inference.experiment);

@@ -17,22 +17,22 @@ namespace thenar {
 
 /// Returns an inference as text: the fit of the best net to the forces, the verdict on every band,
 /// the bands that cannot be told apart, and the next measurements.
-[[nodiscard]] std::string text_of(const NetInference& inference);
+[[nodiscard]] std::string text_of(const InferNetResult& inference);
 /// Returns an inference as fields; evidence, sd_of_log_EA, log_bayes_factor, chi2_without and
 /// effective_parameters_with are null where they are infinite, EA where the data do not decide it.
-[[nodiscard]] Fields fields_of(const NetInference& inference);
+[[nodiscard]] Fields fields_of(const InferNetResult& inference);
 /// A row for each candidate band.
-[[nodiscard]] Table table_of(const NetInference& inference);
+[[nodiscard]] Table table_of(const InferNetResult& inference);
 
 /// Returns the errors of the best net, a sentence each.
-[[nodiscard]] std::vector<std::string> fit_in_words(const NetInference& inference);
+[[nodiscard]] std::vector<std::string> fit_in_words(const InferNetResult& inference);
 /// Returns the expected information of the proposed tests, in one sentence.
-[[nodiscard]] std::string next_in_words(const NetInference& inference);
+[[nodiscard]] std::string next_in_words(const InferNetResult& inference);
 /// Bands that the data want some of, but not which, a sentence each.
 [[nodiscard]] std::vector<std::string> groups_in_words(const InferredNet& inferred);
 
 /// Returns the reason why there is no answer; empty if there is one.
-[[nodiscard]] std::string refusal_of(const NetInference& inference);
+[[nodiscard]] std::string refusal_of(const InferNetResult& inference);
 
 // The same where slack lengths, paths and the like are free.
 

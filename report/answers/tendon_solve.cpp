@@ -329,7 +329,7 @@ std::string tip_note(const TipForce& tip) {
       tip.condition);
 }
 
-std::string text_of(const TendonSolution& solution) {
+std::string text_of(const TendonSolveResult& solution) {
   const LoadedDigit& loaded = solution.loaded;
   const DigitPoint& point = solution.point;
   const TendonNames& names = loaded.bones().names;
@@ -356,7 +356,7 @@ std::string text_of(const TendonSolution& solution) {
   return text;
 }
 
-Fields fields_of(const TendonSolution& solution) {
+Fields fields_of(const TendonSolveResult& solution) {
   const LoadedDigit& loaded = solution.loaded;
   const DigitPoint& point = solution.point;
   const TendonNames& names = loaded.bones().names;
@@ -394,11 +394,11 @@ Fields fields_of(const TendonSolution& solution) {
   return fields;
 }
 
-Table table_of(const TendonSolution& solution) {
+Table table_of(const TendonSolveResult& solution) {
   return rows_of(solution.loaded, {&solution.point});
 }
 
-std::string text_of(const TendonSweep& sweep) {
+std::string text_of(const TendonSweepResult& sweep) {
   const LoadedDigit& loaded = sweep.loaded;
   const std::vector<SweepColumn> columns = joined_columns(
       {slip_columns(loaded), force_columns(loaded), torque_columns(loaded.bones().names)});
@@ -420,7 +420,7 @@ std::string text_of(const TendonSweep& sweep) {
   return text + "\n" + titled("Over the sweep", table);
 }
 
-Fields fields_of(const TendonSweep& sweep) {
+Fields fields_of(const TendonSweepResult& sweep) {
   const LoadedDigit& loaded = sweep.loaded;
   Fields fields = tendon_header(loaded);
   const auto add_each = [&](const std::string& key, const FieldUnit& unit, const auto& value) {
@@ -439,13 +439,13 @@ Fields fields_of(const TendonSweep& sweep) {
   return fields;
 }
 
-Table table_of(const TendonSweep& sweep) {
+Table table_of(const TendonSweepResult& sweep) {
   std::vector<const DigitPoint*> points;
   for (const DigitPoint& point : sweep.points) points.push_back(&point);
   return rows_of(sweep.loaded, points);
 }
 
-std::vector<std::string> warnings_of(const TendonSolution& solution) {
+std::vector<std::string> warnings_of(const TendonSolveResult& solution) {
   std::vector<std::string> warnings = solution.loaded.warnings;
   const TendonTorque& pull = solution.point.pull;
   if (solution.point.snapped)
@@ -457,7 +457,7 @@ std::vector<std::string> warnings_of(const TendonSolution& solution) {
   return warnings;
 }
 
-std::vector<std::string> warnings_of(const TendonSweep& sweep) {
+std::vector<std::string> warnings_of(const TendonSweepResult& sweep) {
   const LoadedDigit& loaded = sweep.loaded;
   std::vector<std::string> warnings = loaded.warnings;
   // Singular postures: how many, and the first.
@@ -489,14 +489,14 @@ std::vector<std::string> warnings_of(const TendonSweep& sweep) {
   return warnings;
 }
 
-std::string refusal_of(const TendonSolution& solution) {
+std::string refusal_of(const TendonSolveResult& solution) {
   const TendonTorque& pull = solution.point.pull;
   if (trusted(pull.status)) return "";
   return fmt::format("the tendons are not to be trusted here ({}): {}", name_of(pull.status),
                      pull.warning);
 }
 
-std::string refusal_of(const TendonSweep& sweep) {
+std::string refusal_of(const TendonSweepResult& sweep) {
   const auto refused = [](const DigitPoint& p) { return !trusted(p.pull.status); };
   const auto first = std::find_if(sweep.points.begin(), sweep.points.end(), refused);
   if (first == sweep.points.end()) return "";

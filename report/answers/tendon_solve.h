@@ -11,26 +11,26 @@
 namespace thenar {
 
 /// Header, bands, nodes and contacts of a net, slips, joint torques, force of the tip.
-[[nodiscard]] std::string text_of(const TendonSolution& solution);
-[[nodiscard]] Fields fields_of(const TendonSolution& solution);
+[[nodiscard]] std::string text_of(const TendonSolveResult& solution);
+[[nodiscard]] Fields fields_of(const TendonSolveResult& solution);
 /// The row that a sweep has for this posture.
-[[nodiscard]] Table table_of(const TendonSolution& solution);
+[[nodiscard]] Table table_of(const TendonSolveResult& solution);
 
 /// First, last, least and largest slip tension, tip force and joint torque of the sweep.
-[[nodiscard]] std::string text_of(const TendonSweep& sweep);
+[[nodiscard]] std::string text_of(const TendonSweepResult& sweep);
 /// A list for each column of table_of().
-[[nodiscard]] Fields fields_of(const TendonSweep& sweep);
+[[nodiscard]] Fields fields_of(const TendonSweepResult& sweep);
 /// A row for each posture: angles, status, slips, bands, tip force, torques, moment arms.
-[[nodiscard]] Table table_of(const TendonSweep& sweep);
+[[nodiscard]] Table table_of(const TendonSweepResult& sweep);
 
 /// Returns warnings about the answer and the model of the digit, one sentence each.
-[[nodiscard]] std::vector<std::string> warnings_of(const TendonSolution& solution);
-[[nodiscard]] std::vector<std::string> warnings_of(const TendonSweep& sweep);
+[[nodiscard]] std::vector<std::string> warnings_of(const TendonSolveResult& solution);
+[[nodiscard]] std::vector<std::string> warnings_of(const TendonSweepResult& sweep);
 
 /// Returns the reason why the answer must not be used: tendons that are not to be trusted; empty if
 /// it may.
-[[nodiscard]] std::string refusal_of(const TendonSolution& solution);
-[[nodiscard]] std::string refusal_of(const TendonSweep& sweep);
+[[nodiscard]] std::string refusal_of(const TendonSolveResult& solution);
+[[nodiscard]] std::string refusal_of(const TendonSweepResult& sweep);
 
 /// Returns a warning about the force of a pinned tip; may be empty.
 [[nodiscard]] std::string tip_note(const TipForce& tip);

@@ -237,7 +237,7 @@ Fields fields_of(const FittedPad& fitted) {
           {"search", convergence_word(fit.solution)},
           {"message", fit.solution.message},
           {"evaluations", fit.solution.evaluations},
-          {"seconds", fit.solution.seconds},
+          {"seconds", units::kMeasuredSeconds, fit.solution.seconds},
           {"misfit", fit.misfit},
           {"degrees_of_freedom", fit.degrees_of_freedom},
           {"constants", constant_fields(fitted)},

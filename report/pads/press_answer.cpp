@@ -31,7 +31,7 @@ std::string with_article(const std::string& object) {
   return (first == "edge" ? "an " : "a ") + object;
 }
 
-std::string rate_words(const PressedPad& pressed) {
+std::string rate_words(const PressResult& pressed) {
   const PressRequest& request = pressed.request;
   if (!request.rate) return "at once: nothing relaxes";
   if (*request.rate == 0) return "so slowly that all relaxes";
@@ -54,7 +54,7 @@ Fields instant_fields(const PressInstant& now) {
           {"penetration", units::kMillimetre, now.penetration},
           {"elements", now.elements},
           {"iterations", now.iterations},
-          {"cpu", units::kSecond, now.cpu}};
+          {"cpu", units::kCpuSecond, now.cpu}};
 }
 
 /// Nodes that touch.
@@ -83,7 +83,7 @@ std::vector<Fields> rung_fields(const std::vector<PressRung>& rungs) {
                     {"error", units::kOne, solved ? rung.error : kNaN},
                     {"area", units::kSquareMillimetre, rung.area},
                     {"torsion", units::kMillimetre, rung.torsion},
-                    {"cpu", units::kSecond, rung.cpu > 0 ? rung.cpu : kNaN},
+                    {"cpu", units::kCpuSecond, rung.cpu > 0 ? rung.cpu : kNaN},
                     {"finest", rung.finest},
                     {"reduced", rung.reduced},
                     {"note", rung.note},
@@ -92,7 +92,7 @@ std::vector<Fields> rung_fields(const std::vector<PressRung>& rungs) {
   return list;
 }
 
-std::string ending_words(const PressedPad& pressed) {
+std::string ending_words(const PressResult& pressed) {
   if (pressed.instants.empty()) return "";
   const PressInstant& last = pressed.instants.back();
   return fmt::format(
@@ -103,7 +103,7 @@ std::string ending_words(const PressedPad& pressed) {
 
 }  // namespace
 
-std::string title_of(const PressedPad& pressed) {
+std::string title_of(const PressResult& pressed) {
   const PressInstant* end = pressed.end_of_way();
   const std::string what =
       fmt::format("{} under {}", pressed.pad.spec.name, with_article(pressed.object.name));
@@ -112,7 +112,7 @@ std::string title_of(const PressedPad& pressed) {
              : fmt::format("{}: {:.4g} N at {:.4g} mm", what, end->force, end->depth / kMm);
 }
 
-std::string conditions_of(const PressedPad& pressed) {
+std::string conditions_of(const PressResult& pressed) {
   const PressRequest& request = pressed.request;
   std::string words = fmt::format("angle {:g} deg, friction {:g}, {}; {}, {}",
                                   degrees(request.angle), request.friction, rate_words(pressed),
@@ -122,7 +122,7 @@ std::string conditions_of(const PressedPad& pressed) {
   return words;
 }
 
-Table table_of(const PressedPad& pressed) {
+Table table_of(const PressResult& pressed) {
   Table table{{"phase", "time_s", "depth_mm", "force_N", "area_mm2", "stick",
                "largest_pressure_kPa", "force_error", "elements", "cpu_s"},
               {}};
@@ -134,7 +134,7 @@ Table table_of(const PressedPad& pressed) {
   return table;
 }
 
-Table rung_table(const PressedPad& pressed) {
+Table rung_table(const PressResult& pressed) {
   Table table{{"element", "mesh", "elements", "force_N", "error", "area_mm2", "torsion_mm", "cpu_s",
                "note"},
               {}};
@@ -152,7 +152,7 @@ Table rung_table(const PressedPad& pressed) {
   return table;
 }
 
-std::string text_of(const PressedPad& pressed) {
+std::string text_of(const PressResult& pressed) {
   std::string text = fmt::format("{}\n{}\n\n", title_of(pressed), conditions_of(pressed));
   text += titled("From the touch on", table_of(pressed));
   if (!pressed.rungs.empty())
@@ -161,7 +161,7 @@ std::string text_of(const PressedPad& pressed) {
   return text + ending_words(pressed);
 }
 
-Fields fields_of(const PressedPad& pressed) {
+Fields fields_of(const PressResult& pressed) {
   const PressRequest& request = pressed.request;
   Fields fields{{"pad", pressed.pad.spec.name},
                 {"object", pressed.object.name},
@@ -188,14 +188,14 @@ Fields fields_of(const PressedPad& pressed) {
   return fields;
 }
 
-FileDigests files_of(const PressedPad& pressed) {
+FileDigests files_of(const PressResult& pressed) {
   FileDigests files = pressed.pad.spec.files;
   FileDigests more = pressed.object.files;
   files.merge(more);
   return files;
 }
 
-std::string refusal_of(const PressedPad& pressed) {
+std::string refusal_of(const PressResult& pressed) {
   if (pressed.status == Status::kSolved || pressed.status == Status::kStopped) return "";
   const std::string got =
       pressed.instants.empty()

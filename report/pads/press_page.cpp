@@ -88,17 +88,17 @@ Json smooth_item(const TriangleMesh& mesh, std::vector<MeshColor> colors, MeshTa
   return mesh_item(meshes.add(mesh, {-1, std::move(colors)}), {});
 }
 
-double largest_pressure(const PressedPad& pressed) {
+double largest_pressure(const PressResult& pressed) {
   return pressed.skin.pressure.size() > 0 ? pressed.skin.pressure.maxCoeff() : 0;
 }
 
-Json pressure_scale(const PressedPad& pressed) {
+Json pressure_scale(const PressResult& pressed) {
   return {
       {"label", "pressure [kPa]"}, {"low", 0}, {"high", largest_pressure(pressed) / kKilopascal}};
 }
 
 /// The pad with its bone below the object, palm up, seen from the side and a little from above.
-Json pad_scene(const PressedPad& pressed, MeshTable& meshes) {
+Json pad_scene(const PressResult& pressed, MeshTable& meshes) {
   const PressedSkin& skin = pressed.skin;
   Json layers = Json::array();
   layers.push_back(
@@ -160,7 +160,7 @@ std::vector<MeshColor> stick_colors(const PressedSkin& skin) {
 }
 
 /// Two maps of the patch from where the object comes, distal up.
-Json patch_maps(const PressedPad& pressed, MeshTable& meshes) {
+Json patch_maps(const PressResult& pressed, MeshTable& meshes) {
   const PressedSkin skin = near_patch(pressed.skin);
   const TriangleMesh mesh = triangles_of(skin);
   const auto map = [&](const std::string& caption, std::vector<MeshColor> colors) {
@@ -186,7 +186,7 @@ Json patch_maps(const PressedPad& pressed, MeshTable& meshes) {
 
 /// A curve over the instants of some phases.
 template <typename X, typename Y>
-Json press_curve(const PressedPad& pressed, const std::string& name,
+Json press_curve(const PressResult& pressed, const std::string& name,
                  const std::vector<PressPhase>& phases, const X& x, const Y& y) {
   Json xs = Json::array(), ys = Json::array();
   for (const PressInstant& now : pressed.instants)
@@ -201,7 +201,7 @@ double depth_of(const PressInstant& now) { return now.depth / kMm; }
 double force_of(const PressInstant& now) { return now.force; }
 double area_of(const PressInstant& now) { return now.area / kSquareMm; }
 
-Json curve_section(const PressedPad& pressed) {
+Json curve_section(const PressResult& pressed) {
   const std::vector<PressPhase> way{PressPhase::kWay};
   const std::string name = pressed.pad.spec.name;
   Json force = lines_block("Force over depth", "depth [mm]", "force [N]",
@@ -227,7 +227,7 @@ Json curve_section(const PressedPad& pressed) {
 }
 
 /// Force over time; while the object stands still also over the logarithm of time.
-Json relaxation_section(const PressedPad& pressed) {
+Json relaxation_section(const PressResult& pressed) {
   const std::vector<PressPhase> both{PressPhase::kWay, PressPhase::kHold};
   const auto time = [](const PressInstant& now) { return now.time; };
   Json charts = Json::array(
@@ -247,7 +247,7 @@ Json relaxation_section(const PressedPad& pressed) {
   return section("relaxation", "Relaxation", "", Json::array({row_block(std::move(charts))}));
 }
 
-Json rung_section(const PressedPad& pressed) {
+Json rung_section(const PressResult& pressed) {
   // One series for each law, for each element on even meshes, and for meshes that refine.
   std::map<std::string, Json> series;
   for (const PressRung& rung : pressed.rungs) {
@@ -285,7 +285,7 @@ Json rung_section(const PressedPad& pressed) {
       std::move(blocks));
 }
 
-Json press_banner(const PressedPad& pressed) {
+Json press_banner(const PressResult& pressed) {
   return pad_banner(
       refusal_of(pressed), pressed.warnings, "The press ended early",
       pressed.status == Status::kStopped ? "The press was stopped" : "All steps were solved");
@@ -293,7 +293,7 @@ Json press_banner(const PressedPad& pressed) {
 
 }  // namespace
 
-Json page_of(const PressedPad& pressed) {
+Json page_of(const PressResult& pressed) {
   MeshTable meshes;
   Json blocks = Json::array({press_banner(pressed)});
   if (pressed.skin.places.cols() > 0) {

@@ -172,7 +172,7 @@ Json compare_page(const Comparison& comparison, const std::vector<BodySpec>& obj
   return sections;
 }
 
-Json page_of(const HandComparison& result, const Progress& progress) {
+Json page_of(const CompareResult& result, const Progress& progress) {
   std::vector<ComparePicture> pictures;
   for (const NamedHand& hand : result.hands)
     pictures.push_back({hand.name, hand.hand, hand.patches});

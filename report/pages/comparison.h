@@ -29,7 +29,7 @@ struct ComparePicture {
 
 /// The page of a comparison: the best grasps drawn, every number, and what the numbers depend on.
 /// @param progress  hears of pictures; what a stop leaves is no page
-[[nodiscard]] Json page_of(const HandComparison& result, const Progress& progress = {});
+[[nodiscard]] Json page_of(const CompareResult& result, const Progress& progress = {});
 
 /// Every hand by itself, with its joints where closing begins: a look at what is compared.
 [[nodiscard]] Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshes);

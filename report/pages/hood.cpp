@@ -66,7 +66,7 @@ Json time_charts(const std::vector<HoodComparison>& comparisons) {
 
 }  // namespace
 
-Json hood_page(const TendonSweep& sweep, const std::vector<HoodComparison>& comparisons,
+Json hood_page(const TendonSweepResult& sweep, const std::vector<HoodComparison>& comparisons,
                MeshTable& meshes) {
   Json blocks = net_scenes(sweep, 2, meshes);
   for (const Json& block : slip_charts(sweep)) blocks.push_back(block);

@@ -55,7 +55,7 @@ Eigen::Vector3d dorsal_axis(const TendonDigit& digit) {
   return up;
 }
 
-Json scene(const SimulatedMotion& motion, MeshTable& meshes) {
+Json scene(const DigitMotionResult& motion, MeshTable& meshes) {
   constexpr Index kMaxInstants = 48;  // Most instants that are drawn
   const TendonDigit& digit = motion.tendons->digit();
   const Trajectory& trajectory = motion.trajectory;
@@ -86,7 +86,7 @@ Json scene(const SimulatedMotion& motion, MeshTable& meshes) {
           {"layers", layers}};
 }
 
-Json motion_section(const SimulatedMotion& motion, MeshTable& meshes) {
+Json motion_section(const DigitMotionResult& motion, MeshTable& meshes) {
   const Trajectory& t = motion.trajectory;
   Json blocks =
       Json::array({scene(motion, meshes),
@@ -131,7 +131,7 @@ Json energy_section(const Trajectory& t) {
 
 }  // namespace
 
-Json page_of(const SimulatedMotion& motion) {
+Json page_of(const DigitMotionResult& motion) {
   const Trajectory& t = motion.trajectory;
   MeshTable meshes;
   Json sections =

@@ -38,7 +38,7 @@ const char* color_of_owner(std::size_t index) {
 /// Instants of still pictures: even steps of what is half time and half way, the longest that any
 /// body's centre has gone, so that pictures are close where much happens.
 /// @param played  instants that the view has
-std::vector<double> still_times(const SimulatedScene& scene, const std::vector<Index>& played) {
+std::vector<double> still_times(const SceneResult& scene, const std::vector<Index>& played) {
   const std::vector<SceneSample>& samples = scene.run.samples;
   const std::vector<MechanismBody>& bodies = scene.built->scene.mechanism.bodies;
   // Way up to each instant that is played.
@@ -74,7 +74,7 @@ std::vector<double> still_times(const SimulatedScene& scene, const std::vector<I
 /// Data of a run for the scene view.
 class SceneFilm {
  public:
-  SceneFilm(const SimulatedScene& scene, MeshTable& meshes)
+  SceneFilm(const SceneResult& scene, MeshTable& meshes)
       : scene_(scene), mechanism_(scene.built->scene.mechanism) {
     for (const MechanismBody& body : mechanism_.bodies)
       meshes_.push_back(body.solid && !body.solid->visual.empty()
@@ -201,7 +201,7 @@ class SceneFilm {
     }
   }
 
-  const SimulatedScene& scene_;
+  const SceneResult& scene_;
   const Mechanism& mechanism_;
   std::vector<std::string> meshes_;  // of each body; empty: it has none
   std::map<std::string, std::string> colors_;
@@ -212,7 +212,7 @@ class SceneFilm {
 /// A chart of quantities over time.
 class TimeChart {
  public:
-  explicit TimeChart(const SimulatedScene& scene)
+  explicit TimeChart(const SceneResult& scene)
       : scene_(scene), instants_(spread(static_cast<Index>(scene.run.samples.size()), 2000)) {
     for (const Index i : instants_)
       time_.push_back(scene.run.samples[static_cast<std::size_t>(i)].t);
@@ -234,13 +234,13 @@ class TimeChart {
   [[nodiscard]] bool empty() const { return series_.empty(); }
 
  private:
-  const SimulatedScene& scene_;
+  const SceneResult& scene_;
   std::vector<Index> instants_;
   Json time_ = Json::array();
   Json series_ = Json::array();
 };
 
-Json energy_chart(const SimulatedScene& scene) {
+Json energy_chart(const SceneResult& scene) {
   TimeChart chart(scene);
   const auto energy = [&](std::size_t i) { return scene.run.samples[i].energy; };
   const double weight = energy(0).weight;
@@ -253,7 +253,7 @@ Json energy_chart(const SimulatedScene& scene) {
 }
 
 /// Places of the bodies that move, a chart for each direction.
-Json place_charts(const SimulatedScene& scene) {
+Json place_charts(const SceneResult& scene) {
   const Mechanism& mechanism = scene.built->scene.mechanism;
   Json blocks = Json::array();
   for (Index axis = 0; axis < 3; ++axis) {
@@ -270,7 +270,7 @@ Json place_charts(const SimulatedScene& scene) {
   return blocks;
 }
 
-Json force_chart(const SimulatedScene& scene) {
+Json force_chart(const SceneResult& scene) {
   TimeChart chart(scene);
   const std::vector<MechanismBody>& bodies = scene.built->scene.mechanism.bodies;
   for (const PairMeasure& pair : scene.measures.pairs)
@@ -287,7 +287,7 @@ Json force_chart(const SimulatedScene& scene) {
 }
 
 /// Tensions of muscles that pull, and activations of those that contract.
-Json muscle_charts(const SimulatedScene& scene) {
+Json muscle_charts(const SceneResult& scene) {
   TimeChart tensions(scene), activations(scene);
   for (const PullMeasure& muscle : scene.measures.pulls.muscles) {
     if (muscle.tension.maxCoeff() > 0)
@@ -307,11 +307,11 @@ Json muscle_charts(const SimulatedScene& scene) {
 
 }  // namespace
 
-Json film_of(const SimulatedScene& scene, Index instants, MeshTable& meshes) {
+Json film_of(const SceneResult& scene, Index instants, MeshTable& meshes) {
   return SceneFilm(scene, meshes).block(instants);
 }
 
-Json run_banner(const SimulatedScene& scene) {
+Json run_banner(const SceneResult& scene) {
   const std::string refusal = refusal_of(scene);
   if (!refusal.empty())
     return {{"type", "banner"},
@@ -331,7 +331,7 @@ Json run_banner(const SimulatedScene& scene) {
           {"reasons", warnings}};
 }
 
-Json opening_of(const SimulatedScene& scene) {
+Json opening_of(const SceneResult& scene) {
   // Who touches at the end, with the force of each pair.
   const std::vector<MechanismBody>& bodies = scene.built->scene.mechanism.bodies;
   std::vector<std::string> touching;
@@ -350,7 +350,7 @@ Json opening_of(const SimulatedScene& scene) {
                                 : "The motion is not to be used: " + refusal_of(scene) + ".");
 }
 
-Json page_of(const SimulatedScene& scene) {
+Json page_of(const SceneResult& scene) {
   MeshTable meshes;
   Json blocks = Json::array({run_banner(scene)});
   blocks.push_back(film_of(scene, kMaxPlayed, meshes));
@@ -375,7 +375,7 @@ Json page_of(const SimulatedScene& scene) {
           {"sections", std::move(sections)}};
 }
 
-Json page_of(const SceneSweep& sweep) {
+Json page_of(const SceneSweepResult& sweep) {
   return {{"title", fmt::format("Scene {}, {} runs", sweep.name, sweep.runs.size())},
           {"sections",
            Json::array({section("runs", "Runs", "",

@@ -10,17 +10,17 @@ namespace thenar {
 
 /// The scene in space, to be played, contact forces as arrows; energies, places and forces over
 /// time.
-[[nodiscard]] Json page_of(const SimulatedScene& scene);
+[[nodiscard]] Json page_of(const SceneResult& scene);
 
 /// The scene in space alone, to be played, with still pictures below; for pages of several scenes.
 /// @param meshes    gets those that it shows
 /// @param instants  that it plays, at most
-[[nodiscard]] Json film_of(const SimulatedScene& scene, Eigen::Index instants, MeshTable& meshes);
+[[nodiscard]] Json film_of(const SceneResult& scene, Eigen::Index instants, MeshTable& meshes);
 
 /// Returns a banner with the reliability of the run, and its assumptions.
-[[nodiscard]] Json run_banner(const SimulatedScene& scene);
+[[nodiscard]] Json run_banner(const SceneResult& scene);
 
 /// Slip, penetration and energy of all runs.
-[[nodiscard]] Json page_of(const SceneSweep& sweep);
+[[nodiscard]] Json page_of(const SceneSweepResult& sweep);
 
 }  // namespace thenar

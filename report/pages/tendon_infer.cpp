@@ -9,7 +9,7 @@
 namespace thenar {
 namespace {
 
-Json verdict_block(const NetInference& inference) {
+Json verdict_block(const InferNetResult& inference) {
   Json rows = Json::array();
   for (std::size_t k = 0; k < inference.inferred.verdicts.size(); ++k) {
     const BandVerdict& band = inference.inferred.verdicts[k];
@@ -42,14 +42,14 @@ Json verdict_block(const NetInference& inference) {
   return table;
 }
 
-Json next_block(const NetInference& inference) {
+Json next_block(const InferNetResult& inference) {
   Json rows = Json::array();
   for (const ProposedTest& test : inference.next) rows.push_back({test.name, test.disagreement});
   return table_block("What to measure next. " + next_in_words(inference),
                      {{"posture and tensions", "N"}, {"disagreement", "", 2}}, rows);
 }
 
-Json belief_block(const NetInference& inference) {
+Json belief_block(const InferNetResult& inference) {
   Json rows = Json::array();
   for (std::size_t k = 0; k < inference.free->posterior.bands.size(); ++k) {
     const BandBelief& band = inference.free->posterior.bands[k];
@@ -102,7 +102,7 @@ Json doubts_block(const std::vector<std::string>& warnings) {
 
 }  // namespace
 
-Json page_of(const NetInference& inference) {
+Json page_of(const InferNetResult& inference) {
   Json provenance = provenance_json(inference.sources, inference.fidelity);
   provenance["method"] =
       inference.method == InferMethod::kSparse

@@ -16,14 +16,14 @@
 namespace thenar {
 namespace {
 
-const TendonNames& names_of(const TendonSweep& sweep) { return sweep.loaded.bones().names; }
+const TendonNames& names_of(const TendonSweepResult& sweep) { return sweep.loaded.bones().names; }
 
-std::string coordinate_name(const TendonSweep& sweep, int coordinate) {
+std::string coordinate_name(const TendonSweepResult& sweep, int coordinate) {
   return names_of(sweep).coordinates[static_cast<std::size_t>(coordinate)];
 }
 
 /// "PIP3 = 30" of the coordinates given [deg].
-std::string angles(const TendonSweep& sweep, const DigitPoint& point,
+std::string angles(const TendonSweepResult& sweep, const DigitPoint& point,
                    const std::vector<int>& coordinates) {
   std::string text;
   for (const int c : coordinates)
@@ -33,7 +33,7 @@ std::string angles(const TendonSweep& sweep, const DigitPoint& point,
 }
 
 /// All coordinates that are not zero.
-std::string posture(const TendonSweep& sweep, const DigitPoint& point) {
+std::string posture(const TendonSweepResult& sweep, const DigitPoint& point) {
   std::vector<int> bent;
   for (int c = 0; c < point.q.size(); ++c)
     if (point.q[c] != 0) bent.push_back(c);
@@ -41,7 +41,7 @@ std::string posture(const TendonSweep& sweep, const DigitPoint& point) {
 }
 
 /// Returns a title that distinguishes a point from the others.
-std::string title(const TendonSweep& sweep, const DigitPoint& point) {
+std::string title(const TendonSweepResult& sweep, const DigitPoint& point) {
   return sweep.points.size() > 1 ? angles(sweep, point, sweep.loaded.grid.varied)
                                  : posture(sweep, point);
 }
@@ -49,7 +49,7 @@ std::string title(const TendonSweep& sweep, const DigitPoint& point) {
 /// One line for every row of the sweep, its name that of the row if there are several; null is a
 /// gap.
 template <typename Value>
-void add_series(const TendonSweep& sweep, const std::string& name, const Value& value,
+void add_series(const TendonSweepResult& sweep, const std::string& name, const Value& value,
                 Json& series) {
   const int along = sweep.loaded.grid.varied.back();
   const std::vector<int> others(sweep.loaded.grid.varied.begin(),
@@ -69,7 +69,7 @@ void add_series(const TendonSweep& sweep, const std::string& name, const Value& 
   }
 }
 
-Json chart(const TendonSweep& sweep, const std::string& caption, const std::string& y_label,
+Json chart(const TendonSweepResult& sweep, const std::string& caption, const std::string& y_label,
            Json series) {
   return lines_block(caption, coordinate_name(sweep, sweep.loaded.grid.varied.back()) + " [deg]",
                      y_label, std::move(series));
@@ -95,7 +95,7 @@ double round_up(double value) {
 
 /// A scene of the net at a posture.
 struct NetPicture {
-  const TendonSweep& sweep;
+  const TendonSweepResult& sweep;
   const NetTendons& net;
   std::optional<Subject> subject;  // whose skin is drawn
   double highest;                  // tension of the scale [N]
@@ -135,7 +135,7 @@ std::string positive_sense(const std::string& coordinate) {
   return abducts ? "abduction towards radial" : "flexion";
 }
 
-Json arm_charts(const TendonSweep& sweep) {
+Json arm_charts(const TendonSweepResult& sweep) {
   Json charts = Json::array();
   const std::vector<std::string>& muscles = names_of(sweep).muscles;
   for (int c = 0; c < sweep.points.front().q.size(); ++c) {
@@ -153,7 +153,7 @@ Json arm_charts(const TendonSweep& sweep) {
   return charts;
 }
 
-Json tip_chart(const TendonSweep& sweep) {
+Json tip_chart(const TendonSweepResult& sweep) {
   const TendonModel<double>& model = sweep.loaded.bones().model;
   const char* const names[] = {"proximal", "dorsal", "radial"};
   Json series = Json::array();
@@ -176,7 +176,8 @@ Json tip_chart(const TendonSweep& sweep) {
 double above_rounding(double tension) { return tension < 1e-6 ? 0 : tension; }
 
 /// Bands by posture.
-Json band_table(const TendonSweep& sweep, const Net& net, const std::vector<std::size_t>& shown) {
+Json band_table(const TendonSweepResult& sweep, const Net& net,
+                const std::vector<std::size_t>& shown) {
   std::vector<BlockColumn> columns{{"band", "", -1}, {"from", "", -1}, {"to", "", -1}};
   for (const std::size_t i : shown) columns.push_back({title(sweep, sweep.points[i]), "N", 3});
   Json rows = Json::array();
@@ -194,7 +195,7 @@ Json band_table(const TendonSweep& sweep, const Net& net, const std::vector<std:
 }
 
 /// Returns a line about postures where the sweep is not to be trusted; empty if there are none.
-std::string trouble_line(const TendonSweep& sweep) {
+std::string trouble_line(const TendonSweepResult& sweep) {
   const auto troubled = [](const DigitPoint& point) { return !point.pull.warning.empty(); };
   const auto first = std::find_if(sweep.points.begin(), sweep.points.end(), troubled);
   if (first == sweep.points.end()) return "";
@@ -203,7 +204,7 @@ std::string trouble_line(const TendonSweep& sweep) {
                      title(sweep, *first), first->pull.warning);
 }
 
-Json net_section(const TendonSweep& sweep, const NetTendons& net, MeshTable& meshes) {
+Json net_section(const TendonSweepResult& sweep, const NetTendons& net, MeshTable& meshes) {
   Json blocks = net_scenes(sweep, 4, meshes);
   if (sweep.loaded.grid.row > 1)
     for (const Json& block : slip_charts(sweep)) blocks.push_back(block);
@@ -218,7 +219,7 @@ Json net_section(const TendonSweep& sweep, const NetTendons& net, MeshTable& mes
       blocks);
 }
 
-Json sections_of(const TendonSweep& sweep, MeshTable& meshes) {
+Json sections_of(const TendonSweepResult& sweep, MeshTable& meshes) {
   Json sections = Json::array();
   const std::string warning = trouble_line(sweep);
   if (!warning.empty())
@@ -242,7 +243,7 @@ Json sections_of(const TendonSweep& sweep, MeshTable& meshes) {
 
 }  // namespace
 
-Json net_scenes(const TendonSweep& sweep, std::size_t most, MeshTable& meshes) {
+Json net_scenes(const TendonSweepResult& sweep, std::size_t most, MeshTable& meshes) {
   const NetTendons* net = sweep.loaded.net();
   if (net == nullptr) return Json::array();
   const std::vector<std::size_t> shown = shown_points(sweep.points.size(), most);
@@ -265,7 +266,7 @@ Json net_scenes(const TendonSweep& sweep, std::size_t most, MeshTable& meshes) {
   return rows;
 }
 
-Json slip_charts(const TendonSweep& sweep) {
+Json slip_charts(const TendonSweepResult& sweep) {
   Json ratio = Json::array(), slips = Json::array();
   add_series(
       sweep, "",
@@ -288,7 +289,7 @@ Json slip_charts(const TendonSweep& sweep) {
                    chart(sweep, "Tension of the slips", "tension [N]", slips)}))});
 }
 
-Json page_of(const TendonSweep& sweep) {
+Json page_of(const TendonSweepResult& sweep) {
   const LoadedDigit& loaded = sweep.loaded;
   Json provenance = provenance_json(loaded.sources, loaded.bones().fidelity);
   provenance["tensions"] = tensions_in_words(loaded) + " N";
@@ -302,8 +303,8 @@ Json page_of(const TendonSweep& sweep) {
           {"meshes", meshes.json()}};
 }
 
-Json page_of(const TendonSolution& solution) {
-  return page_of(TendonSweep{solution.loaded, {solution.point}});
+Json page_of(const TendonSolveResult& solution) {
+  return page_of(TendonSweepResult{solution.loaded, {solution.point}});
 }
 
 }  // namespace thenar

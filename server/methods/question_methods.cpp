@@ -84,7 +84,7 @@ std::vector<std::string> question_names() {
 
 void add_question_methods(MethodTable& table) {
   for (const Question& question : questions())
-    if (question.pace == Pace::kAtOnce) table.add(ask_method(question));
+    if (question.pace == QuestionPace::kAtOnce) table.add(ask_method(question));
   table.add({"job.start",
              "Asks a question beside the session, which goes on meanwhile; it reads files, never "
              "the live world.",

@@ -114,7 +114,7 @@ Json provenance_of(const DemoResult& demo, double seconds) {
                                   inputs.population_subject};
   for (const auto* experiments : {&inputs.specimen.experiments, &inputs.unseen})
     sources.insert(sources.end(), experiments->begin(), experiments->end());
-  for (const SimulatedScene* scene : {&demo.motion.glass, &demo.motion.thumb})
+  for (const SceneResult* scene : {&demo.motion.glass, &demo.motion.thumb})
     sources.insert(sources.end(), scene->sources.begin(), scene->sources.end());
   Json out = provenance_json(sources, demo.specimens.front().fit.problem.digit().fidelity);
   out["seed"] = fmt::format("{}", SolveOptions{}.seed);

@@ -40,13 +40,13 @@ struct Finding {
 [[nodiscard]] Finding thumb_recovery_finding(const ThumbRecoveryResult& result);
 /// Returns the findings about a wine glass, about a thumb on a mug, and about the accuracy of
 /// steps.
-[[nodiscard]] Finding glass_finding(const SimulatedScene& glass);
+[[nodiscard]] Finding glass_finding(const SceneResult& glass);
 [[nodiscard]] Finding thumb_mug_finding(const DemoMotion& motion);
 [[nodiscard]] Finding stepping_finding(const std::vector<WorkPoint>& points);
 /// Returns the finding about the comparison of hands in grasping.
 [[nodiscard]] Finding hands_finding(const Comparison& comparison);
 /// Returns the findings about a pad under an object, and about the cost of pad models.
-[[nodiscard]] Finding pad_finding(const PressedPad& pressed);
+[[nodiscard]] Finding pad_finding(const PressResult& pressed);
 [[nodiscard]] Finding pencil_finding(const RungComparison& pencil);
 
 }  // namespace thenar

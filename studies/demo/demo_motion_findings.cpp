@@ -50,7 +50,7 @@ std::vector<HandScore> scores_of(const Comparison& comparison) {
 
 }  // namespace
 
-Finding glass_finding(const SimulatedScene& glass) {
+Finding glass_finding(const SceneResult& glass) {
   const Mechanism& mechanism = glass.built->scene.mechanism;
   const auto body = static_cast<std::size_t>(body_named(mechanism, "glass"));
   const Eigen::Vector3d com = mechanism.bodies[body].mass.com;
@@ -126,7 +126,7 @@ Finding hands_finding(const Comparison& comparison) {
                   shares, widest, widest_hand)};
 }
 
-Finding pad_finding(const PressedPad& pressed) {
+Finding pad_finding(const PressResult& pressed) {
   const PressInstant* end = pressed.end_of_way();
   // The most accurate model that costs less than a millisecond.
   const PressRung* cheap = nullptr;

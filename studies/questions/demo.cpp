@@ -165,7 +165,7 @@ std::optional<DemoPosterior> sample_one(const SampledPosterior& of, const StudyI
 }
 
 /// Hands that grasp.
-HandComparison compare_some_hands(const DemoRequest& request, const Progress& progress) {
+CompareResult compare_some_hands(const DemoRequest& request, const Progress& progress) {
   CompareRequest compare;
   compare.hands = {"human:skewed", "barrett", "shadow", "parallel_jaw"};
   compare.objects = {"sphere_70", "cube_50"};
@@ -176,7 +176,7 @@ HandComparison compare_some_hands(const DemoRequest& request, const Progress& pr
 }
 
 /// The default finger pad under a ball, by elements and by every cheaper model.
-PressedPad press_some_pad(const DemoRequest& request, const Progress& progress) {
+PressResult press_some_pad(const DemoRequest& request, const Progress& progress) {
   PressRequest press;
   press.object.name = "sphere";
   press.pad.data = request.data;

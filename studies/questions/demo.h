@@ -40,7 +40,7 @@ struct DemoPosterior {
 
 /// The extensor hood of the middle finger while it bends, DIP by two thirds of PIP.
 struct DemoHood {
-  TendonSweep sweep;
+  TendonSweepResult sweep;
   std::vector<HoodComparison> rungs;  // every rung of hood beside each experiment
 };
 
@@ -54,8 +54,8 @@ struct DemoThumb {
 
 /// Scenes in motion.
 struct DemoMotion {
-  SimulatedScene glass;                 // figure 3 of [Miller2005]: data/scenes/wine_glass.toml
-  SimulatedScene thumb, thumb_on_pins;  // its figure 8: thumb_mug.toml, whose joints give or do not
+  SceneResult glass;                 // figure 3 of [Miller2005]: data/scenes/wine_glass.toml
+  SceneResult thumb, thumb_on_pins;  // its figure 8: thumb_mug.toml, whose joints give or do not
   std::vector<PadState> pad, pad_on_pins;  // the thumb's against the mug
   std::vector<WorkPoint> work;             // on ball_on_ball.toml; errors of the ball's place [m]
 };
@@ -70,8 +70,8 @@ struct DemoResult {
   DemoHood hood;
   std::vector<DemoThumb> thumbs;
   DemoMotion motion;
-  HandComparison hands;            // a human and three robot hands on two objects
-  PressedPad pad;                  // under a ball
+  CompareResult hands;             // a human and three robot hands on two objects
+  PressResult pad;                 // under a ball
   RungComparison pencil;           // pinched by pads, on every rung
   std::vector<std::string> files;  // that were written
   bool stopped = false;            // by request: parts are missing, no fit was written

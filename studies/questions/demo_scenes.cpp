@@ -12,7 +12,7 @@ namespace {
 // Times of the scenes on one core of 2.5 GHz [s]
 constexpr double kGlassTime = 0.3, kThumbTime = 1, kThumbOnPinsTime = 0.5, kBallTime = 0.7;
 
-std::vector<PadState> thumb_pad_on_mug(const SimulatedScene& scene) {
+std::vector<PadState> thumb_pad_on_mug(const SceneResult& scene) {
   const Mechanism& mechanism = scene.built->scene.mechanism;
   const Subject& subject = default_human();
   const Eigen::Vector3d pad =
@@ -54,14 +54,14 @@ std::vector<ParallelTask> demo_scene_tasks(const std::string& data, const std::o
   thumb.scene = "thumb_mug";
   pinned = thumb;
   pinned.on_pins = true;
-  const auto run = [](const SceneRequest& request, SimulatedScene& into) {
-    return [request, &into](const Progress& progress) { into = run_scene(request, progress); };
+  const auto run = [](const SceneRequest& request, SceneResult& into) {
+    return [request, &into](const Progress& progress) { into = simulate_scene(request, progress); };
   };
   // The thumb's pad is measured where its motion is whole.
-  const auto run_thumb = [](const SceneRequest& request, SimulatedScene& into,
+  const auto run_thumb = [](const SceneRequest& request, SceneResult& into,
                             std::vector<PadState>& pad) {
     return [request, &into, &pad](const Progress& progress) {
-      into = run_scene(request, progress);
+      into = simulate_scene(request, progress);
       if (!progress.stop()) pad = thumb_pad_on_mug(into);
     };
   };

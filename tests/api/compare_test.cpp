@@ -25,7 +25,7 @@ CompareRequest jaws_on_ball() {
 }
 
 TEST(CompareHands, OwnsHandsAndObjectsAndSaysWhatItDependsOn) {
-  const HandComparison result = compare_hands(jaws_on_ball());
+  const CompareResult result = compare_hands(jaws_on_ball());
   EXPECT_TRUE(result.comparison.complete);
   ASSERT_EQ(result.comparison.cells.size(), 1U);
   EXPECT_EQ(result.comparison.cells[0].approaches, 2);
@@ -59,8 +59,8 @@ TEST_F(CompareHandsFile, OneJawBringsTheBallToTheFixedOne) {
 TEST_F(CompareHandsFile, IsGoneOnWithByTheSameRequestOnly) {
   CompareRequest request = jaws_on_ball();
   request.file = path("a.json");
-  const HandComparison first = compare_hands(request);
-  const HandComparison again = compare_hands(request);
+  const CompareResult first = compare_hands(request);
+  const CompareResult again = compare_hands(request);
   EXPECT_EQ(again.comparison.cells.at(0).outcomes, first.comparison.cells.at(0).outcomes);
   request.seed = 2;
   EXPECT_THROW((void)compare_hands(request), InputError);

@@ -56,7 +56,7 @@ TEST_F(FitQuestion, WritesItsFileWithTheRunAndPredictsWhatItHasSeen) {
   request.output = path("fit.h5");
   request.leave_out = {LeaveOut::kTendon};
   request.run = {{"fit", "synek2019_H01"}, "/work", "", "2001-09-09T01:46:40Z"};
-  const FitResult result = fit_forces(request);
+  const FitResult result = fit_digit(request);
   ASSERT_EQ(result.in_sample.size(), 1U);
   ASSERT_EQ(result.left_out.size(), 1U);
   EXPECT_FALSE(result.stopped);
@@ -71,9 +71,9 @@ TEST_F(FitQuestion, WritesItsFileWithTheRunAndPredictsWhatItHasSeen) {
 TEST_F(FitQuestion, ComparesWithPublishedSubjects) {
   FitRequest request;
   request.sources = sources();
-  EXPECT_TRUE(fit_forces(request).published.empty());
+  EXPECT_TRUE(fit_digit(request).published.empty());
   request.leave_out = {LeaveOut::kPosture};
-  const FitResult result = fit_forces(request);
+  const FitResult result = fit_digit(request);
   ASSERT_EQ(result.published.size(), 2U);  // of all subjects in data/, two have a middle finger
   EXPECT_EQ(result.published[0].name, "synek2019_middle");
   EXPECT_TRUE(result.published[0].prediction.calibrated_on_specimen);
@@ -90,7 +90,7 @@ TEST_F(FitQuestion, WarnsOfForcesThatItMisses) {
   FitRequest request;
   request.sources = sources();
   const auto misses = [&] {
-    const FitResult result = fit_forces(request);
+    const FitResult result = fit_digit(request);
     const auto told = [&](const std::string& words) {
       return std::any_of(result.warnings.begin(), result.warnings.end(), [&](const auto& warning) {
         return warning.find(words) != std::string::npos;
@@ -129,7 +129,7 @@ TEST_F(FitQuestion, FitsRowsOfActivationsAlone) {
   std::ofstream(path("rows.toml")) << text;
   request.sources.experiments = {path("rows.toml")};
   request.output = path("fit.h5");
-  const FitResult result = fit_forces(request);
+  const FitResult result = fit_digit(request);
   EXPECT_EQ(result.fit.solution.status, Status::kSolved);
   EXPECT_EQ(result.in_sample.at(0).error.trials, 0);
   EXPECT_EQ(result.misfits.at(0).numbers, 3);
@@ -140,7 +140,7 @@ TEST_F(FitQuestion, FitsRowsOfActivationsAlone) {
             path("rows.toml") +
                 ": wanted trials, whose forces could be predicted, got rows of activations alone");
   request.leave_out = {LeaveOut::kPosture};
-  EXPECT_EQ(message_of([&] { (void)fit_forces(request); }),
+  EXPECT_EQ(message_of([&] { (void)fit_digit(request); }),
             "to leave one posture out, wanted trials, got rows of activations alone");
 }
 
@@ -150,7 +150,7 @@ TEST_F(FitQuestion, NamesATrialThatDoesNotGoWithTheOthers) {
   request.sources = sources();
   const auto odd = [&] {
     std::string told;
-    for (const std::string& warning : fit_forces(request).warnings)
+    for (const std::string& warning : fit_digit(request).warnings)
       if (warning.find("what all other trials tell of them") != std::string::npos) told += warning;
     return told;
   };
@@ -171,7 +171,7 @@ TEST_F(FitQuestion, StopsWithTheBestPointSoFar) {
   request.leave_out = {LeaveOut::kPosture};
   Progress progress;
   progress.stop_requested = [] { return true; };
-  const FitResult result = fit_forces(request, progress);
+  const FitResult result = fit_digit(request, progress);
   EXPECT_TRUE(result.stopped);
   EXPECT_TRUE(result.left_out.empty());
 }
@@ -180,7 +180,7 @@ TEST_F(FitQuestion, StopsWithTheBestPointSoFar) {
 TEST_F(FitQuestion, FittedDigitIsTheSubjectsWhereNothingMoved) {
   FitRequest request;
   request.sources = sources();
-  FitResult result = fit_forces(request);
+  FitResult result = fit_digit(request);
   result.fit.solution.z.setZero();
   const TendonDigit digit = fitted_digit(result.fit, 0);
   const TendonDigit& before = result.fit.problem.digit();

@@ -16,7 +16,7 @@ TEST(MeasureGrasp, KeepsTheOrderOfItsMeasures) {
   GraspRequest request;
   request.world.world = "barrett_bobbin";
   request.world.data = kData;
-  const GraspMeasures measures = *grasp_in_world(request).measures;
+  const GraspMeasures measures = *measure_grasp(request).measures;
   for (const auto* load : {&measures.times_weight, &measures.pull, &measures.turn}) {
     ASSERT_TRUE(load->value);
     ASSERT_TRUE(load->value->active);
@@ -34,7 +34,7 @@ TEST(MeasureGrasp, WeighsTheObject) {
   GraspRequest request;
   request.world.world = "barrett_bobbin";
   request.world.data = kData;
-  const GraspMeasures measures = *grasp_in_world(request).measures;
+  const GraspMeasures measures = *measure_grasp(request).measures;
   EXPECT_NEAR(*measures.weight.value, 0.07 * 9.81, 1e-9);
   EXPECT_FALSE(measures.stiffness.value);  // plastic on wood has no soft layer
   EXPECT_FALSE(measures.stiffness.reason.empty());

@@ -27,7 +27,7 @@ GraspRequest bobbin() {
 }
 
 TEST(GraspInWorld, OwnsWhatItFound) {
-  GraspResult found = grasp_in_world(bobbin());
+  GraspResult found = measure_grasp(bobbin());
   const GraspResult copy = found;
   found = GraspResult{};  // its hand lives on in the copy
   EXPECT_TRUE(copy.complete);
@@ -40,7 +40,7 @@ TEST(GraspInWorld, OwnsWhatItFound) {
 }
 
 TEST(GraspInWorld, SavesTheHandWhereItEnded) {
-  const GraspResult found = grasp_in_world(bobbin());
+  const GraspResult found = measure_grasp(bobbin());
   const WorldSpec world = grasped_world(found);
   ASSERT_EQ(world.hands.size(), 1U);
   EXPECT_TRUE(world.hands[0].X_WH.p.isApprox(found.grasp.approached.X_WH.p));
@@ -54,7 +54,7 @@ TEST(GraspInWorld, CountsEveryStart) {
   request.starts = 2;
   request.world.hand = "parallel_jaw";  // not of this world
   try {
-    const GraspResult found = grasp_in_world(request);
+    const GraspResult found = measure_grasp(request);
     EXPECT_EQ(found.started(), 2);
     EXPECT_GE(found.best, 0);
   } catch (const InputError&) {  // both starts may begin in something
@@ -77,7 +77,7 @@ class GraspOffThePalm : public TemporaryFolder {
     GraspRequest request;
     request.world.world = path("world.toml");
     request.world.data = kData;
-    return grasp_in_world(request);
+    return measure_grasp(request);
   }
 };
 
@@ -114,7 +114,7 @@ TEST(GraspInWorld, RefusesNumbersOutOfRange) {
   const auto refused = [](auto change) {
     GraspRequest request = bobbin();
     change(request);
-    EXPECT_THROW((void)grasp_in_world(request), InputError);
+    EXPECT_THROW((void)measure_grasp(request), InputError);
   };
   refused([](GraspRequest& r) { r.tolerance = 0; });
   refused([](GraspRequest& r) { r.approach_distance = 0; });
@@ -127,7 +127,7 @@ TEST(GraspInWorld, RefusesNumbersOutOfRange) {
 TEST(GraspInWorld, StopsBeforeTheFirstGraspWithNothing) {
   Progress progress;
   progress.stop_requested = [] { return true; };
-  EXPECT_ANY_THROW((void)grasp_in_world(bobbin(), progress));
+  EXPECT_ANY_THROW((void)measure_grasp(bobbin(), progress));
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ GraspResult grasp_of(const std::string& folder, const std::string& hand) {
   GraspRequest request;
   request.world.world = folder + "/world.toml";
   request.world.data = kData;
-  return grasp_in_world(request);
+  return measure_grasp(request);
 }
 
 class MadeUpHands : public TemporaryFolder {};

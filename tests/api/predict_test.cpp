@@ -23,7 +23,7 @@ TEST_F(PredictQuestion, PredictsAsTheFitDoesAndAStrangerLessSurely) {
   FitRequest fit;
   fit.sources = sources();
   fit.output = path("fit.h5");
-  const FitResult fitted = fit_forces(fit);
+  const FitResult fitted = fit_digit(fit);
   PredictRequest request;
   request.fit = fit.output;
   request.data = THENAR_DATA_DIR;

@@ -13,8 +13,8 @@ namespace thenar {
 namespace {
 
 /// Two fingers of friction 0.5 that press along x, at the distance of the torque scale.
-QualityRequest pinch(const std::string& more) {
-  QualityRequest request;
+ContactQualityRequest pinch(const std::string& more) {
+  ContactQualityRequest request;
   request.contacts = "pinch";
   request.text = R"({"centre_of_mass": [0, 0, 0], "torque_scale": 1, "contacts": [
     {"position": [-1, 0, 0], "normal": [1, 0, 0], "friction": 0.5},
@@ -24,8 +24,8 @@ QualityRequest pinch(const std::string& more) {
 }
 
 // Nothing stops a turn about the line between two hard points.
-TEST(ContactQuality, OfTwoHardPointsLacksOneDirection) {
-  const ContactQuality found = contact_quality(pinch(""));
+TEST(ContactQualityResult, OfTwoHardPointsLacksOneDirection) {
+  const ContactQualityResult found = measure_contacts(pinch(""));
   EXPECT_FALSE(found.epsilon.force_closure);
   EXPECT_EQ(found.epsilon.rank, 5);
   EXPECT_EQ(found.grasp_matrix->internal_forces, 1);
@@ -33,26 +33,26 @@ TEST(ContactQuality, OfTwoHardPointsLacksOneDirection) {
 }
 
 // A pull of 1 N across takes 2 mu N = 1: a sum of normal forces of 1 / mu.
-TEST(ContactQuality, FindsTheLeastGraspForceOfATask) {
-  const ContactQuality found =
-      contact_quality(pinch(R"(, "task": {"loads": [[0, 1, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0]]})"));
+TEST(ContactQualityResult, FindsTheLeastGraspForceOfATask) {
+  const ContactQualityResult found =
+      measure_contacts(pinch(R"(, "task": {"loads": [[0, 1, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0]]})"));
   ASSERT_TRUE(found.task.has_value());
   EXPECT_NEAR(found.task->grasp_forces[0].value(), 2, 1e-7);
   EXPECT_TRUE(std::isinf(found.task->grasp_forces[1].value()));
   EXPECT_EQ(found.task->lower, 0);
 }
 
-TEST(ContactQuality, TakesContactsByName) {
-  QualityRequest request;
+TEST(ContactQualityResult, TakesContactsByName) {
+  ContactQualityRequest request;
   request.contacts = "two_soft_fingers";
   request.data = THENAR_DATA_DIR;
-  EXPECT_TRUE(contact_quality(request).epsilon.force_closure);
+  EXPECT_TRUE(measure_contacts(request).epsilon.force_closure);
 }
 
-TEST(ContactQuality, RefusesPyramidsOfTwoEdges) {
-  QualityRequest request = pinch("");
+TEST(ContactQualityResult, RefusesPyramidsOfTwoEdges) {
+  ContactQualityRequest request = pinch("");
   request.edges = 2;
-  EXPECT_EQ(message_of<InputError>([&] { (void)contact_quality(request); }),
+  EXPECT_EQ(message_of<InputError>([&] { (void)measure_contacts(request); }),
             "wanted pyramids of 3 to 1000 edges, got 2");
 }
 

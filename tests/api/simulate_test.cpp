@@ -18,8 +18,8 @@ namespace {
 
 class SimulateDigit : public TemporaryFolder {};
 
-MotionRequest index_finger() {
-  MotionRequest request;
+DigitMotionRequest index_finger() {
+  DigitMotionRequest request;
   request.digit.subject = kData + "/subjects/an_chao_index.toml";
   request.excitation = {{"FDP", 0.2}};
   request.muscle = Muscle::kBounds;
@@ -30,7 +30,7 @@ MotionRequest index_finger() {
 // (0.5 + 1.5 a) a' / (0.2 - a) = 1 / 15 ms, integrated; FDP pulls with a times 4.79 cm^2 x
 // 30 N/cm^2.
 TEST_F(SimulateDigit, FollowsTheIntegralOfActivation) {
-  const SimulatedMotion motion = simulate_digit(index_finger());
+  const DigitMotionResult motion = simulate_digit(index_finger());
   const Trajectory& t = motion.trajectory;
   ASSERT_EQ(t.status, MotionStatus::kCompleted);
   const Eigen::Index last = t.time.size() - 1, fdp = 2;
@@ -42,11 +42,11 @@ TEST_F(SimulateDigit, FollowsTheIntegralOfActivation) {
 
 // Only lines of a net can drift from their lengths.
 TEST_F(SimulateDigit, MeasuresDriftOfNetsOnly) {
-  MotionRequest request = index_finger();
+  DigitMotionRequest request = index_finger();
   EXPECT_FALSE(simulate_digit(request).trajectory.drift.has_value());
   request.digit.net = "chao_an";
   request.excitation = {{"EDC", 0.1}, {"FDP", 0.1}};
-  const SimulatedMotion motion = simulate_digit(request);
+  const DigitMotionResult motion = simulate_digit(request);
   ASSERT_TRUE(motion.trajectory.drift.has_value());
   EXPECT_LT(*motion.trajectory.drift, 1e-4);  // [m]
   EXPECT_EQ(motion.sources.size(), 2U);       // subject and net
@@ -54,12 +54,12 @@ TEST_F(SimulateDigit, MeasuresDriftOfNetsOnly) {
 
 // No thumb muscle of human_hand states a fibre length; all of an_chao_index do.
 TEST_F(SimulateDigit, PullsByBoundsWhereNoFibresAreStated) {
-  MotionRequest request;
+  DigitMotionRequest request;
   request.digit.subject = kData + "/subjects/human_hand.toml";
   request.digit.digit = "thumb";
   request.excitation = {{"EPL", 0.1}};
   request.seconds = 0.01;
-  const SimulatedMotion motion = simulate_digit(request);
+  const DigitMotionResult motion = simulate_digit(request);
   EXPECT_EQ(motion.trajectory.fidelity.muscle, Muscle::kBounds);
   EXPECT_NE(fmt::format("{}", fmt::join(motion.warnings, "; ")).find("states no 'fibre_length_mm'"),
             std::string::npos);
@@ -70,7 +70,7 @@ TEST_F(SimulateDigit, PullsByBoundsWhereNoFibresAreStated) {
 
 // Without passive moments nothing but weight moves it, the other way if gravity is turned round.
 TEST_F(SimulateDigit, FallsWithoutExcitation) {
-  MotionRequest request = index_finger();
+  DigitMotionRequest request = index_finger();
   request.excitation.clear();
   request.digit.passive = PassiveMoments::kOff;
   request.seconds = 0.005;
@@ -87,7 +87,7 @@ TEST_F(SimulateDigit, FallsWithoutExcitation) {
 }
 
 TEST_F(SimulateDigit, WantsOneKindOfExcitation) {
-  MotionRequest request = index_finger();
+  DigitMotionRequest request = index_finger();
   request.excitation_file = "e.csv";
   EXPECT_NE(message_of([&] { (void)simulate_digit(request); }).find("got both"), std::string::npos);
   request.excitation.clear();
@@ -96,7 +96,7 @@ TEST_F(SimulateDigit, WantsOneKindOfExcitation) {
 }
 
 TEST_F(SimulateDigit, RefusesATendonWithoutLength) {
-  MotionRequest request = index_finger();
+  DigitMotionRequest request = index_finger();
   request.tendon_slack = {{"FDP", 0}};
   EXPECT_EQ(message_of([&] { (void)simulate_digit(request); }),
             "wanted a slack length > 0 of 'FDP', got 0 mm");
@@ -109,7 +109,7 @@ TEST_F(SimulateDigit, StopsOnRequest) {
 }
 
 TEST_F(SimulateDigit, IsWrittenWithItsRun) {
-  const SimulatedMotion motion = simulate_digit(index_finger());
+  const DigitMotionResult motion = simulate_digit(index_finger());
   RunRecord run{{"simulate", "my hand.toml"}, "/tmp", "0123", "2026-01-31T12:00:00Z"};
   write_motion(motion, path("motion.h5"), run);
   const ResultFile file = read_result(path("motion.h5"));

@@ -37,7 +37,7 @@ TEST(InferNet, GuessesTheNameOfAnExperiment) {
 TEST(InferNet, JudgesEveryBandAndProposesTests) {
   InferNetRequest request = measured_finger();
   request.propose = 2;
-  const NetInference inference = infer_net(request);
+  const InferNetResult inference = infer_net(request);
   ASSERT_TRUE(inference.inferred.found);
   EXPECT_FALSE(inference.stopped);
   EXPECT_EQ(inference.experiment, "synek2019_H01");
@@ -77,7 +77,7 @@ TEST(InferNet, GivesProbabilitiesWithSlackLengthsFree) {
   request.bands = {"triangular"};
   request.propose = 2;
   request.sets.evidence.draws = 8;
-  const NetInference inference = infer_net(request);
+  const InferNetResult inference = infer_net(request);
   ASSERT_TRUE(inference.free && inference.free->posterior.found);
   EXPECT_EQ(inference.ends.size(), 1U);
   EXPECT_EQ(inference.sources.size(), 4U);  // settings too

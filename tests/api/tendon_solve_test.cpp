@@ -22,7 +22,7 @@ TendonRequest bent_finger(Hood hood) {
 
 // Virtual work: the torque of the tendons is that of the tip's force and what is left of it.
 TEST(SolveTendons, BalancesTorques) {
-  const TendonSolution solution = solve_tendons(bent_finger(Hood::kSeparate));
+  const TendonSolveResult solution = solve_tendons(bent_finger(Hood::kSeparate));
   const TipStatics statics = tip_statics(solution.loaded.bones(), solution.point.q);
   EXPECT_TRUE(
       matrix_near(statics.J.transpose() * solution.point.tip.f_W + solution.point.tip.tau_residual,
@@ -30,7 +30,7 @@ TEST(SolveTendons, BalancesTorques) {
 }
 
 TEST(SolveTendons, TurnsTheForceIntoTheTipsAxes) {
-  const TendonSolution solution = solve_tendons(bent_finger(Hood::kFractions));
+  const TendonSolveResult solution = solve_tendons(bent_finger(Hood::kFractions));
   EXPECT_NEAR(force_in_tip_axes(solution.loaded, solution.point).norm(),
               solution.point.tip.f_W.norm(), 1e-12);
 }
@@ -53,9 +53,9 @@ TEST(SolveTendons, RefusesATipMap) {
 TEST(SweepTendons, AgreesWithSolve) {
   for (const Hood hood : {Hood::kSeparate, Hood::kFractions, Hood::kFloatingNet}) {
     TendonRequest request = bent_finger(hood);
-    const TendonSolution solution = solve_tendons(request);
+    const TendonSolveResult solution = solve_tendons(request);
     request.digit.vary = {{"PIP3", 0.5, 0.5, 1}};
-    const TendonSweep sweep = sweep_tendons(request);
+    const TendonSweepResult sweep = sweep_tendons(request);
     ASSERT_EQ(sweep.points.size(), 1U);
     EXPECT_FALSE(sweep.stopped);
     EXPECT_TRUE(matrix_near(sweep.points[0].pull.tau, solution.point.pull.tau, 1e-12));
@@ -72,7 +72,7 @@ TEST(SweepTendons, GoesRowByRowAndReportsTheWhole) {
     EXPECT_LE(fraction, 1);
     last = fraction;
   };
-  const TendonSweep sweep = sweep_tendons(request, progress);
+  const TendonSweepResult sweep = sweep_tendons(request, progress);
   EXPECT_EQ(sweep.loaded.grid.row, 4U);
   ASSERT_EQ(sweep.points.size(), 8U);
   for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(sweep.points[i].q, sweep.loaded.grid.postures[i]);
@@ -83,7 +83,7 @@ TEST(SweepTendons, StopsWithThePosturesThatAreDone) {
   request.digit.vary = {{"MCP3_FE", 0, 0.2, 0.2}, {"PIP3", 0, 0.3, 0.1}};
   Progress progress;
   progress.stop_requested = [] { return true; };
-  const TendonSweep sweep = sweep_tendons(request, progress);
+  const TendonSweepResult sweep = sweep_tendons(request, progress);
   EXPECT_TRUE(sweep.stopped);
   EXPECT_LT(sweep.points.size(), 8U);
 }

@@ -77,7 +77,7 @@ class ValidateResults : public TemporaryFolder {
 };
 
 TEST_F(ValidateResults, MotionsWithAnyArrayChangedAreRefused) {
-  MotionRequest request;
+  DigitMotionRequest request;
   request.digit.subject = kData + "/subjects/an_chao_index.toml";
   request.excitation = {{"FDP", 0.2}};
   request.seconds = 0.02;
@@ -92,7 +92,7 @@ TEST_F(ValidateResults, RunsOfScenesWithAnyArrayChangedAreRefused) {
   request.scene = "wine_glass";
   request.data = kData;
   request.seconds = 0.02;
-  const SimulatedScene run = run_scene(request);
+  const SceneResult run = simulate_scene(request);
   write_scene_run(run, path("run.h5"));
   EXPECT_TRUE(validate(things_for({path("run.h5")}, "")).valid());
   EXPECT_THAT(
@@ -107,7 +107,7 @@ TEST_F(ValidateResults, SweepsWithAnyArrayChangedAreRefused) {
   request.data = kData;
   request.seconds = 0.02;
   request.vary = {{"mass/ball", 0.1, 0.2, 2}};
-  const std::optional<SceneSweep> sweep = vary_scene(request);
+  const std::optional<SceneSweepResult> sweep = sweep_scene(request);
   ASSERT_TRUE(sweep.has_value());
   write_scene_sweep(*sweep, path("sweep.h5"));
   EXPECT_TRUE(validate(things_for({path("sweep.h5")}, "")).valid());

@@ -36,7 +36,7 @@ DigitRequest middle(std::optional<Hood> hood, Path path = Path::kViaPoint) {
 const std::map<std::string, double> kBent{{"MCP3_FE", 0.3}, {"PIP3", 0.5}, {"DIP3", 0.2}};
 const std::map<std::string, double> kPull{{"EDC", 2.9}, {"LU", 0.4}, {"FDP", 5}};
 
-TendonSolution solved(const std::optional<Hood>& hood) {
+TendonSolveResult solved(const std::optional<Hood>& hood) {
   TendonRequest request;
   request.digit = middle(hood);
   request.digit.posture.named = kBent;

@@ -41,7 +41,7 @@ class LiveFitFile : public sample::SmallFit {
     for (const std::string& name : experiments)
       request.sources.experiments.push_back(kData + "/experiments/" + name + ".toml");
     request.output = path("fit.h5");
-    return fit_forces(request);
+    return fit_digit(request);
   }
   [[nodiscard]] PosteriorResult drawn() const {
     SampleRequest request;

@@ -351,7 +351,7 @@ TEST(LiveMotion, StepsAreThoseOfSimulatedScenes) {
     request.method = "time-stepping";
     request.step = motion.live_time().step;
     request.seconds = 0.2;
-    const SimulatedScene wanted = run_scene(request);
+    const SceneResult wanted = simulate_scene(request);
     const MotionQuality quality = motion.step(std::lround(0.2 / motion.live_time().step), {});
     EXPECT_EQ(motion.shown().state.q, wanted.run.samples.back().q);
     EXPECT_EQ(motion.shown().state.v, wanted.run.samples.back().v);

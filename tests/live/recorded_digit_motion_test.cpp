@@ -22,8 +22,8 @@ namespace {
 
 using testing::HasSubstr;
 
-MotionRequest flexing_index(const std::string& net = "") {
-  MotionRequest request;
+DigitMotionRequest flexing_index(const std::string& net = "") {
+  DigitMotionRequest request;
   request.digit.subject = kData + "/subjects/an_chao_index.toml";
   request.digit.net = net;
   request.excitation = {{"FDP", 0.2}, {"EDC", 0.1}};
@@ -47,8 +47,8 @@ std::vector<double> numbers_of(const LiveInstant& instant) {
 
 class RecordedDigitFile : public TemporaryFolder {
  protected:
-  SimulatedMotion record(const MotionRequest& request) const {
-    SimulatedMotion motion = simulate_digit(request);
+  DigitMotionResult record(const DigitMotionRequest& request) const {
+    DigitMotionResult motion = simulate_digit(request);
     write_motion(motion, path("motion.h5"));
     return motion;
   }
@@ -66,12 +66,12 @@ class RecordedDigitFile : public TemporaryFolder {
 TEST_F(RecordedDigitFile, ShowsWhatALiveDigitShows) {
   for (const std::string net : {"", "chao_an"}) {
     SCOPED_TRACE("net '" + net + "'");
-    MotionRequest request = flexing_index(net);
+    DigitMotionRequest request = flexing_index(net);
     // Far from limits, at which a live digit would end.
     request.digit.posture.named = {{"MCP2_FE", 0.4}, {"PIP2", 0.4}, {"DIP2", 0.4}};
     request.seconds = 0.012;
     request.sample = 1e-3;
-    const SimulatedMotion motion = record(request);
+    const DigitMotionResult motion = record(request);
     const Trajectory& t = motion.trajectory;
     RecordedDigitMotion recorded(read());
     DigitRequest same = request.digit;
@@ -98,7 +98,7 @@ TEST_F(RecordedDigitFile, ShowsWhatALiveDigitShows) {
 }
 
 TEST_F(RecordedDigitFile, TellsTheNumbersOfTheMotion) {
-  const SimulatedMotion motion = record(flexing_index());
+  const DigitMotionResult motion = record(flexing_index());
   const Trajectory& t = motion.trajectory;
   RecordedDigitMotion recorded(read());
   EXPECT_EQ(recorded.live_time().duration, 0.04);
@@ -127,9 +127,9 @@ TEST_F(RecordedDigitFile, TellsTheNumbersOfTheMotion) {
 }
 
 TEST_F(RecordedDigitFile, BuildsFrozenJointsAgain) {
-  MotionRequest request = flexing_index();
+  DigitMotionRequest request = flexing_index();
   request.digit.frozen.named = {{"PIP2", 30 * kDegree}};
-  const SimulatedMotion motion = record(request);
+  const DigitMotionResult motion = record(request);
   const RecordedDigit got = read();
   EXPECT_EQ(got.tendons->digit().names.coordinates, motion.trajectory.joints);
   EXPECT_THAT(trouble_with([](ResultFile& file) {

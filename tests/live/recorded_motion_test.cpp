@@ -22,12 +22,12 @@ using testing::HasSubstr;
 class RecordedRunFile : public TemporaryFolder {
  protected:
   /// Simulates a scene for a while and writes the run.
-  SimulatedScene record(const std::string& scene, double seconds, const std::string& file) const {
+  SceneResult record(const std::string& scene, double seconds, const std::string& file) const {
     SceneRequest request;
     request.scene = scene;
     request.data = kData;
     request.seconds = seconds;
-    SimulatedScene run = run_scene(request);
+    SceneResult run = simulate_scene(request);
     write_scene_run(run, path(file));
     return run;
   }
@@ -45,7 +45,7 @@ class RecordedRunFile : public TemporaryFolder {
 TEST_F(RecordedRunFile, HoldsTheInstantsOfTheRun) {
   for (const char* scene : {"pinch", "wine_glass", "loose_joint"}) {
     SCOPED_TRACE(scene);
-    const SimulatedScene run = record(scene, 0.05, "run.h5");
+    const SceneResult run = record(scene, 0.05, "run.h5");
     const RecordedScene got = read("run.h5");
     EXPECT_EQ(got.name, scene);
     ASSERT_EQ(got.samples.size(), run.run.samples.size());
@@ -79,7 +79,7 @@ TEST_F(RecordedRunFile, HoldsTheLimitsThatJointsWentBeyond) {
   request.scene = "pinch";
   request.data = kData;
   request.seconds = 0.01;
-  SimulatedScene run = run_scene(request);
+  SceneResult run = simulate_scene(request);
   run.run.cost.beyond[0] = 0.25;
   write_scene_run(run, path("limits.h5"));
   const RecordedScene got = read("limits.h5");
@@ -106,7 +106,7 @@ TEST_F(RecordedRunFile, IsBuiltAgainOnThePathsOfItsRun) {
   request.data = kData;
   request.seconds = 0.05;
   request.path = Path::kWrapped;
-  write_scene_run(run_scene(request), path("run.h5"));
+  write_scene_run(simulate_scene(request), path("run.h5"));
   EXPECT_EQ(read("run.h5").path, Path::kWrapped);
 }
 
@@ -128,7 +128,7 @@ TEST_F(RecordedRunFile, HandsTakeThePathsThatAreAskedForUnlessTheyNameOthers) {
 
 // Half way between two instants of a fall a body is half way between their places.
 TEST_F(RecordedRunFile, ShowsWhatIsBetweenInstants) {
-  const SimulatedScene run = record("falling_ball", 0.1, "run.h5");
+  const SceneResult run = record("falling_ball", 0.1, "run.h5");
   RecordedMotion motion(read("run.h5"));
   const double a = run.run.samples[3].t, b = run.run.samples[4].t;
   std::vector<double> heights;
@@ -147,7 +147,7 @@ TEST_F(RecordedRunFile, ShowsWhatIsBetweenInstants) {
 
 // A free fall between instants: speed -g t, and as much kinetic energy as weight has lost.
 TEST_F(RecordedRunFile, SpeedsAndEnergiesGoOnBetweenInstants) {
-  const SimulatedScene run = record("falling_ball", 0.1, "run.h5");
+  const SceneResult run = record("falling_ball", 0.1, "run.h5");
   RecordedMotion motion(read("run.h5"));
   const double a = run.run.samples[3].t, b = run.run.samples[4].t;
   const TimelineState start = motion.state({false, false, false, true, false});

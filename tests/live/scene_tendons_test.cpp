@@ -123,7 +123,7 @@ class RecordedTendons : public TemporaryFolder {};
 TEST_F(RecordedTendons, PullAsInTheRun) {
   SceneRequest request = closing_hand();
   request.seconds = 0.06;
-  const SimulatedScene run = run_scene(request);
+  const SceneResult run = simulate_scene(request);
   write_scene_run(run, path("run.h5"));
   RecordedMotion motion(read_scene_run(path("run.h5"), kData));
   const std::size_t line = line_called(motion.shape(), "FDP2").line;

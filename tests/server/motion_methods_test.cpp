@@ -191,7 +191,7 @@ TEST_F(MotionMethods, FramesOfHandsWithTendonsAreSmall) {
 }
 
 TEST_F(MotionMethods, RecordedMotionsOfDigitsAreShown) {
-  MotionRequest request;
+  DigitMotionRequest request;
   request.digit.subject = kData + "/subjects/an_chao_index.toml";
   request.excitation = {{"FDP", 0.2}};
   request.muscle = Muscle::kBounds;

@@ -142,7 +142,7 @@ TEST_F(FitMethods, TellTrialsAndMoveToOne) {
   FitRequest request;
   request.sources = sources();
   request.output = path("fit.h5");
-  (void)fit_forces(request);
+  (void)fit_digit(request);
   EXPECT_THAT(refusal("fit.state", "{}"), HasSubstr("call fit.open"));
   const OrderedJson state = call("fit.open", Json{{"file", path("fit.h5")}});
   EXPECT_EQ(state["kind"], "fit");

@@ -148,7 +148,7 @@ TEST(GraspMethods, AnswerAsTheCommandDoes) {
     GraspRequest request;
     request.world.world = world;
     request.world.data = kData;
-    OrderedJson told = json_of(grasp_in_world(request));
+    OrderedJson told = json_of(measure_grasp(request));
     OrderedJson found = client.ask("grasp.measure");
     told.erase("cpu_s");
     EXPECT_EQ(closed["outcome"], "grasped");

@@ -51,7 +51,7 @@ relaxation_time_s = [0.1]
 TEST(PressPad, ToADepthAndToItsForceAreTheSame) {
   PressRequest request = quick();
   request.depth = 1.2e-3;
-  const PressedPad deep = press_pad(request);
+  const PressResult deep = press_pad(request);
   ASSERT_EQ(deep.status, Status::kSolved) << deep.message;
   ASSERT_EQ(deep.instants.size(), 3U);
   for (int k = 1; k <= 3; ++k)
@@ -59,10 +59,10 @@ TEST(PressPad, ToADepthAndToItsForceAreTheSame) {
   // On a mesh that does not refine, as its last one is another by another way. It feels the object
   // before it touches.
   request.force_error = 1e3;
-  const PressedPad coarse = press_pad(request);
+  const PressResult coarse = press_pad(request);
   request.depth.reset();
   request.force = coarse.instants.back().force;
-  const PressedPad forced = press_pad(request);
+  const PressResult forced = press_pad(request);
   ASSERT_EQ(forced.status, Status::kSolved) << forced.message;
   EXPECT_NEAR(forced.instants.back().force, *request.force, 1e-8);
   EXPECT_EQ(forced.instants.back().elements, coarse.instants.back().elements);
@@ -76,7 +76,7 @@ TEST(PressPad, ForcesOfAnySizeAreReached) {
   double deep = -HUGE_VAL;
   for (const double force : {1e-4, 1e-2, 1.0}) {
     request.force = force;
-    const PressedPad pressed = press_pad(request);
+    const PressResult pressed = press_pad(request);
     ASSERT_EQ(pressed.status, Status::kSolved) << force << ' ' << pressed.message;
     ASSERT_EQ(pressed.instants.size(), 3U);
     for (int k = 1; k <= 3; ++k)
@@ -90,7 +90,7 @@ TEST(PressPad, ForcesOfAnySizeAreReached) {
 TEST(PressPad, ForcesRiseFasterThanHertzAsTheBoneComesNear) {
   PressRequest request = quick();
   request.depth = 1.5e-3;
-  const PressedPad pressed = press_pad(request);
+  const PressResult pressed = press_pad(request);
   ASSERT_EQ(pressed.instants.size(), 3U);
   const std::vector<PressInstant>& at = pressed.instants;
   EXPECT_GT(at[2].force, std::pow(3, 1.5) * at[0].force);
@@ -109,7 +109,7 @@ TEST(PressPad, WithFrictionSticksSomewhere) {
   PressRequest request = quick();
   request.depth = 1e-3;
   request.friction = 0.6;
-  const PressedPad pressed = press_pad(request);
+  const PressResult pressed = press_pad(request);
   ASSERT_EQ(pressed.status, Status::kSolved) << pressed.message;
   EXPECT_GT(pressed.instants.back().stick, 0.1);
   EXPECT_LE(pressed.instants.back().stick, 1);
@@ -119,7 +119,7 @@ TEST(PressPad, AtAnAngleTouchesTheTip) {
   PressRequest request = quick();
   request.depth = 0.8e-3;
   request.angle = radians(30);
-  const PressedPad pressed = press_pad(request);
+  const PressResult pressed = press_pad(request);
   ASSERT_EQ(pressed.status, Status::kSolved) << pressed.message;
   // Without friction a plane pushes along its normal, and at its patch, which is distal.
   EXPECT_NEAR(pressed.instants.back().push.norm(), pressed.instants.back().force, 1e-9);
@@ -136,7 +136,7 @@ TEST_F(RelaxingPad, RelaxesToItsShareAfterAFastPress) {
   fast.rate = 10;  // 1 mm in 0.1 ms
   fast.hold = 0.2;
   fast.hold_points = 5;
-  const PressedPad pressed = press_pad(fast);
+  const PressResult pressed = press_pad(fast);
   ASSERT_EQ(pressed.status, Status::kSolved) << pressed.message;
   ASSERT_EQ(pressed.instants.size(), 8U);
   EXPECT_TRUE(pressed.relaxes());
@@ -152,9 +152,9 @@ TEST_F(RelaxingPad, RelaxesToItsShareAfterAFastPress) {
 
 TEST_F(RelaxingPad, SlowlyIsHalfOfAtOnce) {
   PressRequest slow = request();
-  const PressedPad at_once = press_pad(slow);
+  const PressResult at_once = press_pad(slow);
   slow.rate = 0;
-  const PressedPad slowly = press_pad(slow);
+  const PressResult slowly = press_pad(slow);
   ASSERT_EQ(slowly.status, Status::kSolved) << slowly.message;
   EXPECT_NEAR(slowly.instants.back().force / at_once.instants.back().force, 0.5, 0.005);
   EXPECT_FALSE(slowly.relaxes());
@@ -166,7 +166,7 @@ TEST_F(RelaxingPad, AForceIsReachedAtTheRate) {
   timed.force = 0.3;
   timed.rate = 10e-3;
   timed.points = 6;
-  const PressedPad pressed = press_pad(timed);
+  const PressResult pressed = press_pad(timed);
   ASSERT_EQ(pressed.status, Status::kSolved) << pressed.message;
   for (const PressInstant& now : pressed.instants)
     EXPECT_NEAR(now.time * 10e-3 / now.depth, 1, 0.1) << now.depth;
@@ -184,7 +184,7 @@ TEST(PressPad, KeepsWhatItHadWhereAStepFails) {
   request.depth = 9e-3;  // through the bone
   request.points = 6;
   request.force_error = 0.6;
-  const PressedPad pressed = press_pad(request);
+  const PressResult pressed = press_pad(request);
   EXPECT_NE(pressed.status, Status::kSolved);
   EXPECT_FALSE(pressed.message.empty());
   EXPECT_GE(pressed.instants.size(), 1U);
@@ -208,7 +208,7 @@ TEST(PressPad, StopsWithinAStep) {
     refused += stop ? 1 : 0;
     return stop;
   };
-  const PressedPad pressed = press_pad(request, progress);
+  const PressResult pressed = press_pad(request, progress);
   EXPECT_EQ(pressed.status, Status::kStopped);
   EXPECT_TRUE(pressed.message.empty());
   EXPECT_EQ(refused, 1);
@@ -224,7 +224,7 @@ TEST_F(RelaxingPad, ComparesRungsAgainstTheFinest) {
   compared.depth = 0.5e-3;
   compared.points = 1;
   compared.rungs = true;
-  const PressedPad pressed = press_pad(compared);
+  const PressResult pressed = press_pad(compared);
   ASSERT_FALSE(pressed.rungs.empty());
   EXPECT_TRUE(pressed.rungs.back().finest);
   EXPECT_EQ(pressed.rungs.back().error, 0);
@@ -251,7 +251,7 @@ TEST_F(RelaxingPad, ComparesRungsAgainstTheFinest) {
 }
 
 /// Rungs up to the first elements.
-std::vector<PressRung> laws_of(const PressedPad& pressed) {
+std::vector<PressRung> laws_of(const PressResult& pressed) {
   Progress progress;
   progress.stop_requested = [] { return true; };
   return compare_rungs(pressed, progress);
@@ -264,7 +264,7 @@ TEST(PressPad, ComparesTheLawsOfItsPad) {
   request.points = 1;
   request.object.name = "sphere";
   request.friction = 0.5;
-  PressedPad pressed = press_pad(request);
+  PressResult pressed = press_pad(request);
   ASSERT_EQ(pressed.status, Status::kSolved) << pressed.message;
   const std::vector<PressRung> rungs = laws_of(pressed);
   ASSERT_EQ(rungs.size(), 5U);

@@ -52,7 +52,7 @@ TEST(CompareRungs, IsEachRunByItself) {
   request.scene = kData + "/scenes/pencil_pinch.toml";
   request.seconds = 0.06;
   request.pads = "foundation";
-  const SimulatedScene alone = run_scene(request);
+  const SceneResult alone = simulate_scene(request);
   EXPECT_EQ(alone.run.samples.back().q, pencil.runs[1].scene.run.samples.back().q);
   EXPECT_EQ(pencil.finest, 1u);
 }

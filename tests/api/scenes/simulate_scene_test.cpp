@@ -15,8 +15,8 @@ namespace {
 using Eigen::Vector3d;
 
 /// Force of one body on another at an instant.
-Vector3d force_between(const SimulatedScene& scene, const SceneSample& sample,
-                       const std::string& on, const std::string& by) {
+Vector3d force_between(const SceneResult& scene, const SceneSample& sample, const std::string& on,
+                       const std::string& by) {
   const auto& bodies = scene.built->scene.mechanism.bodies;
   Vector3d sum(0, 0, 0);
   for (const ContactSample& contact : sample.contacts) {
@@ -31,7 +31,7 @@ Vector3d force_between(const SimulatedScene& scene, const SceneSample& sample,
 TEST(SimulateScene, AFingerOfElementsDrawsACoinAgainstTheFrictionOfATable) {
   SceneRequest request;
   request.scene = kData + "/scenes/coin_draw.toml";
-  const SimulatedScene scene = run_scene(request);
+  const SceneResult scene = simulate_scene(request);
   ASSERT_EQ(scene.run.status, SceneStatus::kDone);
   EXPECT_EQ(scene.run.cost.unsolved, 0);
   // While the finger goes at 50 mm/s, and its pad has yielded.

@@ -34,7 +34,7 @@ GraspResult command_answer(const std::string& world, bool approach = true) {
   request.world.world = world;
   request.world.data = kData;
   request.approach = approach;
-  return grasp_in_world(request);
+  return measure_grasp(request);
 }
 
 void expect_same_epsilon(const Epsilon& a, const Epsilon& b) {

@@ -10,7 +10,7 @@ namespace thenar {
 namespace {
 
 /// One hand on two objects: one closure of two, whose load efforts bear in part, and none.
-HandComparison sample() {
+CompareResult sample() {
   HandOnObject ball;
   ball.hand = "jaw";
   ball.object = "ball";
@@ -27,7 +27,7 @@ HandComparison sample() {
   card.object = "card";
   card.approaches = 2;
   card.outcomes[static_cast<std::size_t>(GraspOutcome::kMissed)] = 2;
-  HandComparison result;
+  CompareResult result;
   result.comparison.tasks = {"force-closure", "pull"};
   result.comparison.cells = {ball, card};
   result.comparison.warnings = {"an effort is a guess"};
@@ -53,7 +53,7 @@ TEST(ComparisonAnswer, TellsHowApproachesEndedWhereNothingClosed) {
 }
 
 TEST(ComparisonAnswer, NamesAHandOfMostClosuresOnlyBeyondChance) {
-  HandComparison result = sample();
+  CompareResult result = sample();
   result.comparison.complete = true;
   result.comparison.hands = {"jaw", "claw"};
   result.comparison.cells[0].closures = 20;
@@ -63,7 +63,7 @@ TEST(ComparisonAnswer, NamesAHandOfMostClosuresOnlyBeyondChance) {
   claw.approaches = 40;
   for (const auto& [closures, named] : {std::pair(14, false), std::pair(10, true)}) {
     claw.closures = closures;
-    HandComparison both = result;
+    CompareResult both = result;
     both.comparison.cells.push_back(claw);
     const std::string text = text_of(both);
     EXPECT_EQ(text.find("jaw has more force closures than each other") != text.npos, named) << text;
@@ -74,7 +74,7 @@ TEST(ComparisonAnswer, NamesAHandOfMostClosuresOnlyBeyondChance) {
 
 // A count of types without a pinch would tell of the starts that were drawn, not of the hand.
 TEST(ComparisonAnswer, CountsGraspTypesOfHandsThatPinchedOnly) {
-  HandComparison result = sample();
+  CompareResult result = sample();
   HandAbilities hand;
   hand.hand = "jaw";
   hand.types = {"power, pad, thumb and 2 digits", "power, palm, 2 digits"};

@@ -19,7 +19,7 @@ using FitAnswer = sample::SmallFit;
 TEST_F(FitAnswer, SaysTheSameInWordsAndNumbers) {
   FitRequest request;
   request.sources = sources();
-  const FitResult result = fit_forces(request);
+  const FitResult result = fit_digit(request);
   const OrderedJson json = json_of(result);
   EXPECT_EQ(json["status"], "converged");
   EXPECT_EQ(json["free_coordinates"], result.fit.problem.size());
@@ -44,7 +44,7 @@ TEST_F(FitAnswer, SaysTheSameInWordsAndNumbers) {
 TEST_F(FitAnswer, TellsCoordinatesInTheirUnits) {
   FitRequest request;
   request.sources = sources();
-  const FitResult result = fit_forces(request);
+  const FitResult result = fit_digit(request);
   const FittedValues values = fitted_values(result.fit, 0);
   const std::vector<Parameter>& all = result.fit.problem.parameters().all;
   int compared = 0;
@@ -76,7 +76,7 @@ TEST_F(FitAnswer, TellsNoErrorOfRowsOfActivations) {
          "activation_sd = 0.1\nforce_N = [-1, -1, 0]\n";
   std::ofstream(path("rows.toml")) << text;
   request.sources.experiments = {path("rows.toml")};
-  const FitResult result = fit_forces(request);
+  const FitResult result = fit_digit(request);
   EXPECT_NE(text_of(result).find("in sample: 1 row of activations"), std::string::npos);
   EXPECT_TRUE(OrderedJson::parse(json_of(result).dump())["in_sample"][0]["rms_error_N"].is_null());
 }
@@ -84,7 +84,7 @@ TEST_F(FitAnswer, TellsNoErrorOfRowsOfActivations) {
 TEST_F(FitAnswer, ComplainsOfAFitThatHasNotConverged) {
   FitRequest request;
   request.sources = sources();
-  FitResult result = fit_forces(request);
+  FitResult result = fit_digit(request);
   EXPECT_EQ(fit_complaint(result, false), "");
   result.fit.solution.status = Status::kStalled;
   result.fit.solution.newton_step = 0.54;
@@ -112,7 +112,7 @@ TEST_F(FitAnswer, PutsArmsThatNobodyCanKnowBeforeTilts) {
   request.sources.subject = path("planar.toml");
   request.sources.experiments = {path("trials.toml")};
   request.sources.settings = path("arms.toml");
-  const std::string text = text_of(fit_forces(request));
+  const std::string text = text_of(fit_digit(request));
   const std::size_t deep = text.find("; all arms of FDP shift alike"),
                     superficial = text.find("; all arms of FDS shift alike"),
                     tilts = text.find("only tilt or shift joint axes");
@@ -136,7 +136,7 @@ TEST_F(FitAnswer, SaysThatSettingsWidenTheNoise) {
     request.sources.subject = path("planar.toml");
     request.sources.experiments = {path("trials.toml")};
     request.sources.settings = path("arms.toml");
-    const std::string text = text_of(fit_forces(request));
+    const std::string text = text_of(fit_digit(request));
     EXPECT_NE(text.find("times the stated noise"), std::string::npos) << text;
     EXPECT_EQ(text.find("and what the model is said to miss") != std::string::npos, widened)
         << text;

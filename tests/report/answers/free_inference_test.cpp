@@ -13,8 +13,8 @@ namespace thenar {
 namespace {
 
 /// A band that exists, one that is slack throughout, and one without which no net holds.
-NetInference three_beliefs() {
-  NetInference inference;
+InferNetResult three_beliefs() {
+  InferNetResult inference;
   inference.experiment = "E1";
   inference.subject = "S1";
   inference.net = "hood";
@@ -98,7 +98,7 @@ TEST(FreeInferenceAnswer, HasARowABand) {
 }
 
 TEST(FreeInferenceAnswer, RefusesWhereNoSetCarriesTheLoads) {
-  NetInference inference = three_beliefs();
+  InferNetResult inference = three_beliefs();
   EXPECT_EQ(refusal_of(inference), "");
   inference.free->posterior.found = false;
   EXPECT_EQ(refusal_of(inference), "no set of bands of net hood carries the loads of E1");

@@ -13,7 +13,7 @@ GraspResult bobbin() {
   GraspRequest request;
   request.world.world = "barrett_bobbin";
   request.world.data = kData;
-  return grasp_in_world(request);
+  return measure_grasp(request);
 }
 
 TEST(GraspAnswer, TellsTheSameGraspInThreeWays) {

@@ -17,7 +17,7 @@ using HoodRowAnswer = sample::SmallFit;
 TEST_F(HoodRowAnswer, SetsANetBesideFractionsWhereSomethingIsLeftOut) {
   FitRequest request;
   request.sources = sources();
-  EXPECT_EQ(hood_row_text(fit_forces(request)), "");
+  EXPECT_EQ(hood_row_text(fit_digit(request)), "");
 
   // The net's own settings: none of its numbers moves.
   std::ofstream(path("cell.toml")) << "source = 'Synek2019'\n"
@@ -26,7 +26,7 @@ TEST_F(HoodRowAnswer, SetsANetBesideFractionsWhereSomethingIsLeftOut) {
   request.sources.settings = path("cell.toml");
   request.sources.net = "extensor_hood";
   request.leave_out = {LeaveOut::kPosture};
-  const FitResult result = fit_forces(request);
+  const FitResult result = fit_digit(request);
   ASSERT_TRUE(result.fractions.has_value());
   EXPECT_FALSE(result.fractions->fit.inputs.net.has_value());
 

@@ -10,8 +10,8 @@ namespace thenar {
 namespace {
 
 /// A set that lacks a direction, with a task of which one load has no answer.
-ContactQuality short_of_one_direction() {
-  ContactQuality result;
+ContactQualityResult short_of_one_direction() {
+  ContactQualityResult result;
   result.contacts = "a.json";
   result.count = 2;
   result.torque_scale = 0.1;
@@ -51,10 +51,10 @@ TEST(QualityAnswer, HasDashesInTables) {
 }
 
 TEST(QualityAnswer, OfOneSetIsItselfAndOfSeveralAList) {
-  EXPECT_EQ(json_of(std::vector<ContactQuality>{short_of_one_direction()}),
+  EXPECT_EQ(json_of(std::vector<ContactQualityResult>{short_of_one_direction()}),
             json_of(short_of_one_direction()));
-  EXPECT_EQ(json_of(std::vector<ContactQuality>{short_of_one_direction(),
-                                                short_of_one_direction()})["answers"]
+  EXPECT_EQ(json_of(std::vector<ContactQualityResult>{short_of_one_direction(),
+                                                      short_of_one_direction()})["answers"]
                 .size(),
             2U);
 }

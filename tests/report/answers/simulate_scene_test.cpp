@@ -16,22 +16,22 @@ namespace {
 
 using testing::HasSubstr;
 
-SimulatedScene pinched() {
+SceneResult pinched() {
   SceneRequest request;
   request.scene = kData + "/scenes/pinch.toml";
   request.seconds = 0.1;
-  return run_scene(request);
+  return simulate_scene(request);
 }
 
 TEST(SceneAnswer, MayBeUsedWhereAllContactsWereSolved) {
-  const SimulatedScene scene = pinched();
+  const SceneResult scene = pinched();
   EXPECT_EQ(refusal_of(scene), "");
   EXPECT_THAT(text_of(scene), HasSubstr("pinch: done after 0.1 s"));
   EXPECT_EQ(json_of(scene)["status"], "done");
 }
 
 TEST(SceneAnswer, IsRefusedWhereContactsWereNotSolved) {
-  SimulatedScene scene = pinched();
+  SceneResult scene = pinched();
   scene.run.status = SceneStatus::kUnsolved;
   scene.run.cost.unsolved = 3;
   scene.run.cost.worst_residual = 0.25;
@@ -44,7 +44,7 @@ TEST(SceneAnswer, IsRefusedWhereContactsWereNotSolved) {
 }
 
 TEST(SceneAnswer, IsRefusedWhereTheIntegratorGaveUp) {
-  SimulatedScene scene = pinched();
+  SceneResult scene = pinched();
   scene.run.status = SceneStatus::kFailed;
   scene.run.reason = "at 0.1 s no step is short enough";
   EXPECT_EQ(refusal_of(scene), "at 0.1 s no step is short enough: do not use this motion");
@@ -56,7 +56,7 @@ TEST(SceneAnswer, IsRefusedWhereTheIntegratorGaveUp) {
 using SceneFile = TemporaryFolder;
 
 TEST_F(SceneFile, HasTheReasonOfAFailure) {
-  SimulatedScene scene = pinched();
+  SceneResult scene = pinched();
   write_scene_run(scene, path("run.h5"), {});
   EXPECT_EQ(read_result(path("run.h5")).texts.count("reason"), 0U);
   scene.run.status = SceneStatus::kFailed;
@@ -76,8 +76,8 @@ TEST(SceneAnswer, HasAResidualWhereContactProblemsWerePosed) {
   for (const std::string& method : stepping_names()) {
     SCOPED_TRACE(method);
     request.method = method;
-    const SceneSweep sweep = *vary_scene(request);
-    const SimulatedScene& scene = sweep.runs.front();
+    const SceneSweepResult sweep = *sweep_scene(request);
+    const SceneResult& scene = sweep.runs.front();
     const bool has = method == "events" || method == "time-stepping";
     EXPECT_EQ(json_of(scene)["worst_residual"].is_number(), has);
     EXPECT_EQ(json_of(scene)["worst_residual"].is_null(), !has);
@@ -96,7 +96,7 @@ TEST(SceneAnswer, ByAllMethodsHoldsThePinch) {
   for (const std::string& method : stepping_names()) {
     SCOPED_TRACE(method);
     request.method = method;
-    const SimulatedScene scene = run_scene(request);
+    const SceneResult scene = simulate_scene(request);
     EXPECT_EQ(refusal_of(scene), "");
     EXPECT_EQ(json_of(scene)["method"], method);
     EXPECT_LT(json_of(scene)["largest_slip_m"], 1.1e-4);  // 0.1 s at the transition speed
@@ -108,7 +108,7 @@ TEST(SceneAnswer, OfASweepNamesTheRunThatIsRefused) {
   request.scene = kData + "/scenes/pinch.toml";
   request.seconds = 0.05;
   request.vary = {{"friction", 0.4, 0.8, 3}};
-  SceneSweep sweep = *vary_scene(request);
+  SceneSweepResult sweep = *sweep_scene(request);
   EXPECT_EQ(refusal_of(sweep), "");
   sweep.runs[1].run.cost.unsolved = 1;
   EXPECT_THAT(refusal_of(sweep), HasSubstr("at friction 0.6: 1 of "));
@@ -120,7 +120,7 @@ TEST(SceneAnswer, WarnsOfDeepPenetration) {
   SceneRequest request;
   request.scene = kData + "/scenes/pinch.toml";
   request.seconds = 0.05;
-  SimulatedScene scene = run_scene(request);
+  SceneResult scene = simulate_scene(request);
   EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
   scene.run.cost.deepest = 2e-3;
   EXPECT_THAT(warnings_of(scene), testing::ElementsAre(HasSubstr("up to 2 mm inside each other")));

@@ -10,8 +10,8 @@ namespace thenar {
 namespace {
 
 /// One joint that turns by a right angle in 0.5 s, pulled by one muscle.
-SimulatedMotion quarter_turn() {
-  SimulatedMotion motion;
+DigitMotionResult quarter_turn() {
+  DigitMotionResult motion;
   motion.subject = "rod";
   motion.digit = "index";
   Trajectory& t = motion.trajectory;
@@ -38,7 +38,7 @@ TEST(MotionAnswer, HasDegreesAndMillimetres) {
 }
 
 TEST(MotionAnswer, DoesNotKnowADriftThatNothingMeasures) {
-  SimulatedMotion motion = quarter_turn();
+  DigitMotionResult motion = quarter_turn();
   EXPECT_TRUE(json_of(motion)["drift_mm"].is_null());
   EXPECT_NE(text_of(motion).find("from the length of its tendon: -\n"), std::string::npos);
   motion.trajectory.drift = 2e-5;
@@ -60,7 +60,7 @@ TEST(MotionAnswer, HasARowAnInstant) {
 }
 
 TEST(MotionAnswer, RefusesMotionsThatDidNotGetToTheirEnd) {
-  SimulatedMotion motion = quarter_turn();
+  DigitMotionResult motion = quarter_turn();
   motion.trajectory.warning = "why";
   EXPECT_EQ(refusal_of(motion), "");
   EXPECT_EQ(warnings_of(motion), std::vector<std::string>{"why"});

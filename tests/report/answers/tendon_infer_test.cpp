@@ -10,9 +10,9 @@ namespace thenar {
 namespace {
 
 /// A band that the forces need, one whose stiffness they leave open, and one that is not there.
-NetInference three_bands() {
+InferNetResult three_bands() {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  NetInference inference;
+  InferNetResult inference;
   inference.experiment = "E1";
   inference.net = "hood";
   inference.inferred.found = true;
@@ -50,14 +50,14 @@ TEST(InferenceAnswer, NamesBandsThatCannotBeToldApart) {
 }
 
 TEST(InferenceAnswer, SaysWhetherATestWouldTell) {
-  NetInference inference = three_bands();
+  InferNetResult inference = three_bands();
   EXPECT_NE(next_in_words(inference).find("disagree most"), std::string::npos);
   inference.next[0].disagreement = 0.01;
   EXPECT_NE(next_in_words(inference).find("No test of this rig"), std::string::npos);
 }
 
 TEST(InferenceAnswer, RefusesWhereNoNetCarriesTheLoads) {
-  NetInference inference = three_bands();
+  InferNetResult inference = three_bands();
   EXPECT_EQ(refusal_of(inference), "");
   inference.inferred.found = false;
   EXPECT_EQ(refusal_of(inference), "no set of bands of net hood carries the loads of E1");

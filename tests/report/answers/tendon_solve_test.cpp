@@ -19,7 +19,7 @@ TendonRequest netted_finger() {
 }
 
 TEST(TendonAnswer, HasUnitsAndNames) {
-  const TendonSolution solution = solve_tendons(netted_finger());
+  const TendonSolveResult solution = solve_tendons(netted_finger());
   const OrderedJson json = json_of(solution);
   EXPECT_EQ(json["net"], "chao_an");
   EXPECT_EQ(json["tension_N"]["EDC"], 2.9);
@@ -32,14 +32,14 @@ TEST(TendonAnswer, HasUnitsAndNames) {
 
 // 1 N mm is 1e-3 N m.
 TEST(TendonAnswer, GivesTorquesInNewtonMillimetres) {
-  TendonSolution solution = solve_tendons(netted_finger());
+  TendonSolveResult solution = solve_tendons(netted_finger());
   solution.point.pull.tau.setConstant(0.25);
   const OrderedJson json = json_of(solution);
   for (const auto& torque : json["torque_N_mm"]) EXPECT_NEAR(torque.get<double>(), 250, 1e-9);
 }
 
 TEST(TendonAnswer, SaysZeroOfASlackBand) {
-  TendonSolution solution = solve_tendons(netted_finger());
+  TendonSolveResult solution = solve_tendons(netted_finger());
   solution.point.rest.tension.setConstant(2.1e-12);
   solution.point.pull.slips = {2.1e-12, 0, 0, 1};
   const std::string text = text_of(solution);
@@ -54,7 +54,7 @@ TEST(TendonAnswer, SaysZeroOfASlackBand) {
 }
 
 TEST(TendonAnswer, RefusesTendonsThatAreNotToBeTrusted) {
-  TendonSolution solution = solve_tendons(netted_finger());
+  TendonSolveResult solution = solve_tendons(netted_finger());
   EXPECT_EQ(refusal_of(solution), "");
   solution.point.pull.status = TendonStatus::kUnbalanced;
   solution.point.pull.warning = "too far";
@@ -65,7 +65,7 @@ TEST(TendonAnswer, RefusesTendonsThatAreNotToBeTrusted) {
 TEST(TendonAnswer, HasOneTableForAllForms) {
   TendonRequest request = netted_finger();
   request.digit.vary = {{"PIP3", 0, 0.2, 0.1}};
-  const TendonSweep sweep = sweep_tendons(request);
+  const TendonSweepResult sweep = sweep_tendons(request);
   const Table table = table_of(sweep);
   ASSERT_EQ(table.rows.size(), 3U);
   const OrderedJson json = json_of(sweep);

@@ -14,8 +14,8 @@ namespace {
 using testing::HasSubstr;
 
 /// Rough and quick.
-const PressedPad& pressed() {
-  static const PressedPad done = [] {
+const PressResult& pressed() {
+  static const PressResult done = [] {
     PressRequest request;
     request.pad.pad = kData + "/pads/index_pad.toml";
     request.depth = 1e-3;
@@ -58,7 +58,7 @@ TEST(PressAnswer, HasOneTableForAllForms) {
 
 TEST(PressAnswer, SaysWhereAPressEndedEarly) {
   EXPECT_EQ(refusal_of(pressed()), "");
-  PressedPad failed = pressed();
+  PressResult failed = pressed();
   failed.status = Status::kLimit;
   failed.message = "too many iterations";
   failed.instants.resize(1);
@@ -74,7 +74,7 @@ TEST(PressAnswer, SaysWhereAPressEndedEarly) {
 }
 
 TEST(PressAnswer, TellsRungsOnceTheyAreThere) {
-  PressedPad compared = pressed();
+  PressResult compared = pressed();
   compared.rungs = {
       {"Q1", "144 even cells", false, 144, 0.3, 0.25, 0.1, false, "", false, {}, {}, ""},
       {"F-bar",
@@ -125,7 +125,7 @@ TEST(PressPage, ShowsPadMapsCurvesAndRelaxation) {
 }
 
 TEST(PressPage, OfNothingThatWasSolvedSaysSo) {
-  PressedPad failed = pressed();
+  PressResult failed = pressed();
   failed.instants.clear();
   failed.status = Status::kLimit;
   failed.skin = {};

@@ -12,19 +12,19 @@ namespace thenar {
 namespace {
 
 /// A pinch of 0.1 s with eleven instants.
-SimulatedScene pinched(const char* method = "") {
+SceneResult pinched(const char* method = "") {
   SceneRequest request;
   request.scene = kData + "/scenes/pinch.toml";
   request.seconds = 0.1;
   request.sample = 0.01;
   request.method = method;
-  return run_scene(request);
+  return simulate_scene(request);
 }
 
 // Half time and half way: a jump at the sixth of eleven instants is half of all. The shares there
 // are 0, 0.05 .. 0.2, 0.75 .. 1, and those of stills 0, 1/7 .. 1.
 TEST(ScenePage, HasOneStillOfAJump) {
-  SimulatedScene scene = pinched();
+  SceneResult scene = pinched();
   auto& X = scene.measures.X_WB;
   ASSERT_EQ(X.size(), 11U);
   for (std::size_t i = 1; i < X.size(); ++i) {
@@ -41,7 +41,7 @@ TEST(ScenePage, HasOneStillOfAJump) {
 
 // Steady motion: as many as there may be, about evenly spaced.
 TEST(ScenePage, HasEightStillsOfASteadyMotion) {
-  SimulatedScene scene = pinched();
+  SceneResult scene = pinched();
   auto& X = scene.measures.X_WB;
   for (std::size_t i = 1; i < X.size(); ++i) {
     X[i] = X[0];
@@ -58,14 +58,14 @@ TEST(ScenePage, SaysHowFarTheMotionIsToBeBelieved) {
   for (const char* words :
        {"energy error", "turned over", "dissipated by", "deepest overlap", "joint limits passed"})
     EXPECT_NE(page_of(pinched("time-stepping")).dump().find(words), std::string::npos) << words;
-  SimulatedScene scene = pinched("time-stepping");
+  SceneResult scene = pinched("time-stepping");
   scene.measures.worst->error = scene.measures.worst->turned_over = 1;
   EXPECT_NE(page_of(scene)["sections"][0]["blocks"][0].dump().find("energy does not balance"),
             std::string::npos);
 }
 
 TEST(ScenePage, ToldResidualsAreOfContactProblems) {
-  const auto title = [](const SimulatedScene& scene) {
+  const auto title = [](const SceneResult& scene) {
     return page_of(scene)["sections"][0]["blocks"][0]["title"].get<std::string>();
   };
   EXPECT_EQ(title(pinched("events")).rfind("All contact problems were solved", 0), 0U);

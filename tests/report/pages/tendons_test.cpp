@@ -9,8 +9,8 @@
 namespace thenar {
 namespace {
 
-SimulatedMotion short_motion() {
-  MotionRequest request;
+DigitMotionResult short_motion() {
+  DigitMotionRequest request;
   request.digit.subject = THENAR_DATA_DIR "/subjects/an_chao_index.toml";
   request.excitation = {{"FDP", 0.1}};
   request.seconds = 0.1;
@@ -62,7 +62,7 @@ TEST(TendonPage, RecordsSubjectAndNet) {
 }
 
 TEST(InferencePage, BeginsWithDoubts) {
-  NetInference inference;
+  InferNetResult inference;
   inference.inferred.found = true;
   inference.inferred.verdicts = {{"central", Verdict::kYes, 9, true, 500, 0.2, true}};
   inference.ends = {{"a", "b"}};
@@ -73,7 +73,7 @@ TEST(InferencePage, BeginsWithDoubts) {
 }
 
 TEST(InferencePage, ShowsProbabilitiesWhereSomethingIsFree) {
-  NetInference inference;
+  InferNetResult inference;
   inference.ends = {{"a", "b"}};
   FreeInference free;
   free.freed = {"slack"};
