@@ -172,11 +172,7 @@ std::optional<FractionsFit> fit_fractions(const FitRequest& request, const FitIn
 }  // namespace
 
 LeaveOut leave_out_named(const std::string& name) {
-  if (name == "posture") return LeaveOut::kPosture;
-  if (name == "tendon") return LeaveOut::kTendon;
-  if (name == "specimen") return LeaveOut::kSpecimen;
-  throw InputError(
-      fmt::format("cannot leave out a '{}'; wanted posture, tendon or specimen", name));
+  return value_in(kLeaveOutNames, name, "part to leave out");
 }
 
 std::string experiment_file(const std::string& name_or_path, const std::string& data) {

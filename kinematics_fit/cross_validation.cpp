@@ -64,11 +64,7 @@ void predict_fold(const FitProblem& rest, const Eigen::VectorXd& z, LeaveOut wha
 
 }  // namespace
 
-std::string name_of(LeaveOut what) {
-  constexpr std::array kLeaveOutNames{"leave one posture out", "leave one tendon out",
-                                      "leave one specimen out"};
-  return kLeaveOutNames[static_cast<std::size_t>(what)];
-}
+std::string name_of(LeaveOut what) { return "leave one " + name_in(kLeaveOutNames, what) + " out"; }
 
 CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
                                const SolveOptions& options, const PrepareFold& prepare) {

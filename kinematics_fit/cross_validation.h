@@ -6,12 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "kinematics_fit/prediction.h"
 
 namespace thenar {
 
 /// Kind of trials that a fold leaves out.
 enum class LeaveOut { kPosture, kTendon, kSpecimen };
+inline constexpr std::array kLeaveOutNames{EnumName{LeaveOut::kPosture, "posture"},
+                                           EnumName{LeaveOut::kTendon, "tendon"},
+                                           EnumName{LeaveOut::kSpecimen, "specimen"}};
 
 [[nodiscard]] std::string name_of(LeaveOut what);
 

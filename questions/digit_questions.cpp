@@ -2,6 +2,7 @@
 
 #include "api/feasible_force.h"
 #include "api/moment_arms.h"
+#include "api/tendon_solve.h"
 #include "api/tip_force.h"
 #include "questions/digit_params.h"
 #include "questions/make_question.h"
@@ -9,8 +10,10 @@
 #include "report/answers/answer_files.h"
 #include "report/answers/feasible_force.h"
 #include "report/answers/moment_arms.h"
+#include "report/answers/tendon_solve.h"
 #include "report/answers/tip_force.h"
 #include "report/pages/digit_page.h"
+#include "report/pages/tendons.h"
 
 namespace thenar::internal {
 namespace {
@@ -93,6 +96,16 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
   return table;
 }
 
+RequestTable<TendonRequest> tension_params() {
+  RequestTable<TendonRequest> table;
+  table.include(tendon_params("net"), &TendonRequest::digit);
+  table
+      .add("tension", units::kNewton, map_schema(number_schema("", 0, kMaxTension)),
+           &TendonRequest::tension, "Tensions of muscles; others are slack.")
+      .member.required = true;
+  return table;
+}
+
 MomentArmResult compute_arms(const DigitRequest& request, const Progress& progress) {
   return compute_moment_arms(request, progress);
 }
@@ -116,6 +129,17 @@ void add_digit_questions(std::vector<Question>& all) {
                                   "PIP2": 45, "DIP2": 10}, "frame": "tip",
                                   "direction": [0, -1, 0]})",
                               "feasible-force"));
+  all.push_back(make_question("tendons", "Bands, slips, torques and tip force of a digit.",
+                              tension_params(), solve_tendons,
+                              R"({"subject": "an_chao_index", "net": "chao_an", "posture_deg":
+                                  {"MCP2_FE": 20, "PIP2": 30}, "tension_N": {"EDC": 2.9}})",
+                              "tendon solve"));
+  all.push_back(make_question("tendon_sweep", "The same over postures.", tension_params(),
+                              sweep_tendons,
+                              R"({"subject": "synek2019_middle", "tension_N": {"EDC": 2.9},
+                                  "vary_deg": [{"joint": "PIP3", "from": 0, "to": 20,
+                                  "step": 10}]})",
+                              "tendon sweep"));
 }
 
 }  // namespace thenar::internal

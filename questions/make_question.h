@@ -26,7 +26,24 @@ THENAR_HAS(HasPage, page_of);
 THENAR_HAS(HasFiles, files_of);
 THENAR_HAS(HasRefusal, refusal_of);
 #undef THENAR_HAS
+template <typename Result>
+auto outcome_in(const Result& result, int) -> decltype(result.outcome) {
+  return result.outcome;
+}
+template <typename Result>
+int outcome_in(const Result&, long) {
+  return 0;
+}
 }  // namespace internal
+
+/// How the work on a result ended.
+template <typename Result>
+[[nodiscard]] Outcome outcome_of(const Result& result) {
+  if constexpr (std::is_class_v<decltype(internal::outcome_in(result, 0))>)
+    return internal::outcome_in(result, 0);
+  else
+    return {};
+}
 
 /// An answer with what the overloads of report/ make of a result: fields_of (or json_of) and
 /// text_of, and table_of, page_of, files_of and refusal_of where they exist.
@@ -67,7 +84,7 @@ template <typename Request, typename Result>
             if (!data.empty() && !json.contains("data")) json["data"] = data;
             const Request request = table.read(json);
             const auto result = std::make_shared<const Result>(ask(request, progress));
-            Answer answer = answer_of(result, result->outcome);
+            Answer answer = answer_of(result, outcome_of(*result));
             answer.request = table.write(request);
             return answer;
           }};

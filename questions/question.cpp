@@ -9,6 +9,9 @@ const std::vector<Question>& questions() {
   static const std::vector<Question> kAll = [] {
     std::vector<Question> all;
     internal::add_digit_questions(all);
+    internal::add_fit_questions(all);
+    internal::add_contact_questions(all);
+    internal::add_motion_questions(all);
     return all;
   }();
   return kAll;

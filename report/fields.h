@@ -41,7 +41,11 @@ inline constexpr FieldUnit kNewtonPerDegree{"N_per_rad", "N_per_deg", thenar::kD
 inline constexpr FieldUnit kNewtonMetrePerDegree{"N_m_per_rad", "Nm_per_deg", thenar::kDegree};
 inline constexpr FieldUnit kSecond{"s", "s"};
 inline constexpr FieldUnit kCpuSecond{"s", "s", 1, 1, true};  // processor time of a computation
+inline constexpr FieldUnit kMillisecond{"s", "ms", 1, 1e-3};
 inline constexpr FieldUnit kMetrePerSecond{"m_per_s", "m_per_s"};
+inline constexpr FieldUnit kMetrePerSquareSecond{"m_per_s2", "m_per_s2"};
+inline constexpr FieldUnit kJointDamping{"N_m_s_per_rad", "N_m_s_per_rad"};
+inline constexpr FieldUnit kPercent{"", "percent", 100};
 inline constexpr FieldUnit kMillimetrePerSecond{"m_per_s", "mm_per_s", 1, kMm};
 inline constexpr FieldUnit kKilopascal{"Pa", "kPa", 1, 1e3};
 inline constexpr FieldUnit kPascal{"Pa", "Pa"};

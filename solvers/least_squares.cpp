@@ -14,16 +14,6 @@
 namespace thenar {
 namespace {
 
-struct MethodName {
-  LeastSquaresMethod method;
-  const char* name;
-};
-constexpr std::array kLeastSquaresMethods{
-    MethodName{LeastSquaresMethod::kCeres, "ceres"},
-    MethodName{LeastSquaresMethod::kNloptLocal, "nlopt"},
-    MethodName{LeastSquaresMethod::kNloptGlobal, "nlopt-global"},
-    MethodName{LeastSquaresMethod::kIpopt, "ipopt"}};
-
 Solution dispatch(const LeastSquares& problem, const Eigen::VectorXd& start,
                   const SolveOptions& options) {
   switch (options.method) {
@@ -405,17 +395,10 @@ Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
 }
 
 LeastSquaresMethod least_squares_method(const std::string& name) {
-  for (const MethodName& known : kLeastSquaresMethods)
-    if (name == known.name) return known.method;
-  throw InputError(
-      fmt::format("no fit method '{}'; there are ceres, nlopt, nlopt-global, ipopt", name));
+  return value_in(kLeastSquaresMethodNames, name, "fit method");
 }
 
-std::string name_of(LeastSquaresMethod method) {
-  for (const MethodName& known : kLeastSquaresMethods)
-    if (method == known.method) return known.name;
-  return {};
-}
+std::string name_of(LeastSquaresMethod method) { return name_in(kLeastSquaresMethodNames, method); }
 
 std::string convergence_word(const Solution& solution) {
   if (solution.failed) return "failed";

@@ -2,12 +2,14 @@
 
 /// min 1/2 |r(z)|^2 within bounds, by one of several solvers, with a certificate.
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "base/progress.h"
 #include "solvers/arrow_factor.h"
 #include "solvers/status.h"
@@ -71,6 +73,11 @@ enum class LeastSquaresMethod {
   kNloptGlobal,  // controlled random search, polished by BOBYQA: without derivatives
   kIpopt         // interior point, Gauss-Newton Hessian; needs the Jacobian; keeps constraints
 };
+inline constexpr std::array kLeastSquaresMethodNames{
+    EnumName{LeastSquaresMethod::kCeres, "ceres"},
+    EnumName{LeastSquaresMethod::kNloptLocal, "nlopt"},
+    EnumName{LeastSquaresMethod::kNloptGlobal, "nlopt-global"},
+    EnumName{LeastSquaresMethod::kIpopt, "ipopt"}};
 
 struct SolveOptions {
   LeastSquaresMethod method = LeastSquaresMethod::kCeres;

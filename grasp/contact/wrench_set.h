@@ -2,10 +2,12 @@
 
 /// Wrench sets of contacts: the wrenches that they make within their true (round) friction cones.
 
+#include <array>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "base/spatial.h"
 #include "grasp/contact/contact.h"
 
@@ -40,6 +42,8 @@ enum class ForceNorm {
   kLinf  // the normal force of each patch, summed over its points, is at most 1: the Minkowski sum
          // over patches of conv({0} + caps)
 };
+inline constexpr std::array kForceNormNames{EnumName{ForceNorm::kL1, "l1"},
+                                            EnumName{ForceNorm::kLinf, "linf"}};
 
 /// Wrench caps of contacts about a centre, torques divided by `torque_scale`; contacts of one
 /// region (contact_regions()) share a number. The number of points into which a patch is cut

@@ -10,13 +10,6 @@ namespace {
 
 constexpr long kMaxStreamSteps = 1L << 32;  // Most steps that 32 bits can distinguish
 
-constexpr std::array<std::pair<SamplingMethod, const char*>, 5> kNames{
-    {{SamplingMethod::kAdaptiveMetropolis, "adaptive-metropolis"},
-     {SamplingMethod::kDreamZs, "dream-zs"},
-     {SamplingMethod::kStretchMove, "stretch"},
-     {SamplingMethod::kHmc, "hmc"},
-     {SamplingMethod::kNuts, "nuts"}}};
-
 void check_sampler(const Eigen::MatrixXd& starts, const SamplerOptions& options) {
   // Starts.
   const Eigen::Index n = starts.rows();
@@ -68,18 +61,9 @@ std::uint32_t internal::stream_step(long step) {
 }
 
 SamplingMethod sampling_method(const std::string& name) {
-  for (const auto& [method, known] : kNames)
-    if (name == known) return method;
-  throw InputError(
-      "sampling method must be adaptive-metropolis, dream-zs, stretch, hmc or nuts, "
-      "got " +
-      name);
+  return value_in(kSamplingMethodNames, name, "sampling method");
 }
 
-std::string name_of(SamplingMethod method) {
-  for (const auto& [known, name] : kNames)
-    if (method == known) return name;
-  throw InputError("no such sampling method");
-}
+std::string name_of(SamplingMethod method) { return name_in(kSamplingMethodNames, method); }
 
 }  // namespace thenar

@@ -3,6 +3,7 @@
 /// Ask/tell interface of Markov chain samplers: a sampler asks for densities at points and is told
 /// them, so that many chains share one batch evaluation.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "sampling/methods/state_bytes.h"
 #include "sampling/methods/target.h"
 
@@ -76,6 +78,11 @@ enum class SamplingMethod {
   kHmc,                 // Hamiltonian, jittered length
   kNuts                 // no U-turn, multinomial
 };
+inline constexpr std::array kSamplingMethodNames{
+    EnumName{SamplingMethod::kAdaptiveMetropolis, "adaptive-metropolis"},
+    EnumName{SamplingMethod::kDreamZs, "dream-zs"},
+    EnumName{SamplingMethod::kStretchMove, "stretch"}, EnumName{SamplingMethod::kHmc, "hmc"},
+    EnumName{SamplingMethod::kNuts, "nuts"}};
 
 enum class Metric { kDiagonal, kDense };
 

@@ -192,7 +192,7 @@ TEST_F(FitQuestion, FittedDigitIsTheSubjectsWhereNothingMoved) {
 TEST(LeaveOutNamed, KnowsThreeNames) {
   EXPECT_EQ(leave_out_named("tendon"), LeaveOut::kTendon);
   EXPECT_EQ(message_of([] { (void)leave_out_named("hand"); }),
-            "cannot leave out a 'hand'; wanted posture, tendon or specimen");
+            "no part to leave out 'hand'; there are posture, tendon, specimen");
 }
 
 }  // namespace

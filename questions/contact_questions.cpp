@@ -1,0 +1,152 @@
+// What contacts and grasps withstand: contact sets, grasps in worlds, hands compared.
+
+#include "api/compare.h"
+#include "api/grasp.h"
+#include "api/quality.h"
+#include "questions/digit_params.h"
+#include "questions/make_question.h"
+#include "questions/question_rows.h"
+#include "report/answers/answer_files.h"
+#include "report/answers/comparison.h"
+#include "report/answers/grasp.h"
+#include "report/answers/quality.h"
+#include "report/pages/comparison.h"
+#include "report/pages/grasp.h"
+
+namespace thenar::internal {
+namespace {
+
+constexpr std::size_t kMaxContactText = 1'000'000;  // Bytes of a contact set in a request
+
+RequestTable<ContactQualityRequest> contact_params() {
+  using Request = ContactQualityRequest;
+  RequestTable<Request> table;
+  table
+      .add("contacts", text_schema(), &Request::contacts,
+           "Contact set: a file (JSON), or a name of contacts/.")
+      .option = "contacts";
+  table
+      .add("text", content_schema(kMaxContactText), &Request::text,
+           "The contact set itself (JSON), in place of a file.")
+      .option.clear();
+  table.add("edges", integer_schema(0, 1000), &Request::edges,
+            "Friction pyramids of so many edges, 3 to 1000, in place of cones; 0: the true cones. "
+            "Soft fingers get double pyramids with poles at their torsion.");
+  table.add("first_edge", units::kDegree, number_schema(""), &Request::first_edge,
+            "Angle of the pyramids' first edges about the normals.");
+  table.add_word("norm", kForceNormNames, &Request::norm,
+                 "l1: normal forces sum up to 1; linf: those of each patch sum up to 1 at most.");
+  table.add("gap", number_schema(""), &Request::gap,
+            "Largest certified upper - lower of epsilon, in units of normal force.");
+  table
+      .add("volume", flag_schema(), &Request::volume,
+           "Whether the volume is computed, which takes 80 to 5,000 times as long as epsilon.")
+      .option = "!--no-volume";
+  add_data(table, &Request::data);
+  return table;
+}
+
+RequestTable<WorldRequest> world_params() {
+  RequestTable<WorldRequest> table;
+  Param& world = table.add("world", text_schema(), &WorldRequest::world,
+                           "A world: its name, or its file (TOML).");
+  world.option = "world";
+  world.member.required = true;
+  table.add("hand", text_schema(), &WorldRequest::hand, "Which hand, where there are several.");
+  table.add("object", text_schema(), &WorldRequest::object,
+            "Which object, where there are several.");
+  table.add_word("passive", kPassiveNames, &WorldRequest::passive,
+                 "Passive moments of human joints, where the subject states some.");
+  add_path(table, &WorldRequest::path);
+  add_data(table, &WorldRequest::data);
+  return table;
+}
+
+RequestTable<GraspRequest> grasp_params() {
+  using Request = GraspRequest;
+  RequestTable<Request> table;
+  table.include(world_params(), &Request::world);
+  table
+      .add("approach", flag_schema(), &Request::approach,
+           "Approaches along the palm's direction first (default), or closes where the hand is.")
+      .option = "--approach,!--no-approach";
+  table
+      .add("approach_distance", units::kMetre, number_schema("", 0), &Request::approach_distance,
+           "Farthest approach.")
+      .option = "--approach-distance,--way";
+  table
+      .add("starts", integer_schema(0, 1e6), &Request::starts,
+           "Best of so many random pregrasps, drawn as in comparisons; 0: the world's own; the "
+           "hand may then be any hand by name.")
+      .option = "--random";
+  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
+            "Seed of random starts and of robustness.");
+  RequestTable<RobustnessRequest> robustness;
+  robustness.add("robustness", integer_schema(0, 1e6), &RobustnessRequest::draws,
+                 "Draws of uncertain friction, contacts and pose of the object; 0: none.");
+  table.include(robustness, &Request::robustness);
+  table.add_word("norm", kForceNormNames, &Request::limit,
+                 "Limit of contact forces: l1 their sum, linf each of them.");
+  table
+      .add("tolerance", number_schema(""), &Request::tolerance,
+           "Largest difference of the certified bounds of epsilon, also of robustness.")
+      .option = "--tolerance,--gap";
+  table.add("edges", integer_schema(0, 100), &Request::edges,
+            "Friction pyramids of so many edges in epsilon, volume, robustness and wrench sets; 0: "
+            "cones, as all other measures have.");
+  table
+      .add("wrench_meshes", flag_schema(), &Request::wrench_meshes,
+           "With JSON, also the wrench set as meshes: projected and cut.")
+      .option = "--wrenches";
+  return table;
+}
+
+RequestTable<CompareRequest> compare_params() {
+  using Request = CompareRequest;
+  const Schema names = list_schema(text_schema(), 1, 100);
+  RequestTable<Request> table;
+  table.add("hands", names, &Request::hands,
+            "human:orthogonal, human:skewed, human:soft, human:tendons; names of robots/; or "
+            "files.");
+  table.add("objects", names, &Request::objects, "Names of objects/, or files.");
+  table.add("tasks", names, &Request::tasks, "Some of force-closure, hold-weight, pull, turn.");
+  table.add("approaches", integer_schema(1, 1e6), &Request::approaches,
+            "Random approaches of each hand to each object.");
+  table.add("best", integer_schema(0, 1e6), &Request::best,
+            "Grasps of each pair whose loads are computed.");
+  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Of the random approaches.");
+  table.add("threads", integer_schema(0, 1000), &Request::threads,
+            "0: as many as there are processors; the answer is the same with any number.");
+  table.add("normalise_size", flag_schema(), &Request::normalise_size,
+            "Scales objects by the reach of the digits over the first hand's.");
+  add_path(table, &Request::path);
+  table.add("materials", text_schema(), &Request::materials,
+            "File of materials and friction of your own (TOML), over the built-in table.");
+  add_data(table, &Request::data);
+  Param& output = table.add("output", saved_file_schema(), &Request::file,
+                            "File (.json) that is written after every pair; one that is there is "
+                            "gone on with.");
+  output.option.clear();
+  return table;
+}
+
+ContactQualityResult measure(const ContactQualityRequest& request, const Progress& /*progress*/) {
+  return measure_contacts(request);
+}
+
+}  // namespace
+
+void add_contact_questions(std::vector<Question>& all) {
+  all.push_back(
+      make_question("contacts", "How large a wrench, from whatever direction, contacts bear.",
+                    contact_params(), measure, R"({"contacts": "two_soft_fingers"})", "quality"));
+  all.push_back(make_question(
+      "grasp", "Puts the hand of a world on its object and measures the grasp.", grasp_params(),
+      measure_grasp, R"({"world": "jaw_box"})", "grasp", QuestionPace::kLasts));
+  all.push_back(make_question(
+      "compare", "Hands on the same objects and tasks.", compare_params(), compare_hands,
+      R"({"hands": ["barrett", "parallel_jaw"], "objects": ["sphere_70"], "approaches": 2})",
+      "compare", QuestionPace::kLasts));
+}
+
+}  // namespace thenar::internal

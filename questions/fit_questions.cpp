@@ -1,0 +1,232 @@
+// What measured forces say of a digit: fits, predictions, posteriors, bands of a hood.
+
+#include "api/fit.h"
+#include "api/posterior.h"
+#include "api/predict.h"
+#include "api/tendon_infer.h"
+#include "base/error.h"
+#include "questions/digit_params.h"
+#include "questions/make_question.h"
+#include "questions/question_rows.h"
+#include "report/answers/answer_files.h"
+#include "report/answers/fit.h"
+#include "report/answers/posterior.h"
+#include "report/answers/prediction.h"
+#include "report/answers/tendon_infer.h"
+#include "report/pages/fit.h"
+#include "report/pages/posterior.h"
+#include "report/pages/prediction.h"
+#include "report/pages/tendons.h"
+
+namespace thenar::internal {
+namespace {
+
+constexpr std::size_t kMaxNames = 1000;  // Entries of a list of names in a request
+
+constexpr std::array kInferMethodNames{EnumName{InferMethod::kSparse, "sparse"},
+                                       EnumName{InferMethod::kExplore, "explore"}};
+
+Schema names_schema() { return list_schema(text_schema(), 0, kMaxNames); }
+
+/// Tendon paths of a fit: via, straight between via points; its force model has no others.
+template <typename Request>
+void add_fit_path(RequestTable<Request>& table, std::optional<Path> Request::*member) {
+  table.add_word("path", kPathNames, member,
+                 "Tendon paths: via, straight between via points; a fit has no others.");
+}
+
+template <typename Request>
+void add_experiments(RequestTable<Request>& table, std::vector<std::string> Request::*member) {
+  Param& experiments =
+      table.add("experiments", names_schema(), member, "Experiments: names, or files (TOML).");
+  experiments.option = "experiments";
+  experiments.member.required = true;
+}
+
+RequestTable<FitSources> source_params() {
+  RequestTable<FitSources> table;
+  add_experiments(table, &FitSources::experiments);
+  table
+      .add("subject", text_schema(), &FitSources::subject,
+           "Subject to start from: its name, or its file (TOML).")
+      .member.required = true;
+  table.add("settings", text_schema(), &FitSources::settings,
+            "Which parameters move: name or file; built in for the digit if left out.");
+  table.add("net", text_schema(), &FitSources::net,
+            "Extensor net in place of the subject's hood: name or file.");
+  table
+      .add("also_free", names_schema(), &FitSources::also_free,
+           "Also frees the parameters matching these globs.")
+      .option = "--free";
+  table.add("scale", word_schema({"subject", "outside"}), &FitSources::scale,
+            "Size of the digit before parameters act: the subject's own, or by what each "
+            "experiment states in [outside].");
+  add_fit_path(table, &FitSources::path);
+  add_data(table, &FitSources::data);
+  return table;
+}
+
+template <typename Request>
+void add_output(RequestTable<Request>& table, std::string Request::*member,
+                const std::string& about) {
+  table.add("output", saved_file_schema(), member, about).option.clear();
+}
+
+RequestTable<FitRequest> fit_params() {
+  using Request = FitRequest;
+  RequestTable<Request> table;
+  table.include(source_params(), &Request::sources);
+  table.add_word("method", kLeastSquaresMethodNames, &Request::method,
+                 "ceres, ipopt: by derivatives; nlopt, nlopt-global: without.");
+  Param leave_out{{"leave_out", list_schema(word_schema(names_in(kLeaveOutNames)), 0, 3),
+                   "Also leaves out one posture, tendon or specimen at a time."},
+                  units::kOne,
+                  "--cross-validate"};
+  table.add(
+      leave_out,
+      [](Request& request, const Json& value) {
+        request.leave_out.clear();
+        for (const Json& each : value)
+          request.leave_out.push_back(leave_out_named(each.get<std::string>()));
+      },
+      [](const Request& request) {
+        Json list;
+        for (const LeaveOut each : request.leave_out) list.push_back(name_in(kLeaveOutNames, each));
+        return list;
+      });
+  table.add("choose_settings", flag_schema(), &Request::choose_settings,
+            "Chooses among the [[choose]] rows of the settings by left-out postures and specimens; "
+            "what is left out then chooses in every fold anew.");
+  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Of the global search.");
+  table.add("max_evaluations", integer_schema(0, 1e9), &Request::max_evaluations,
+            "0: the method's own limit.");
+  add_output(table, &Request::output, "File of the result (.h5).");
+  return table;
+}
+
+RequestTable<PredictRequest> predict_params() {
+  using Request = PredictRequest;
+  RequestTable<Request> table;
+  Param& fit = table.add("fit", text_schema(), &Request::fit, "File of a fit (.h5).");
+  fit.option = "fit";
+  fit.member.required = true;
+  add_experiments(table, &Request::experiments);
+  table.add("population", flag_schema(), &Request::population,
+            "Predicts a fitted specimen as if it had never been seen.");
+  add_fit_path(table, &Request::path);
+  add_data(table, &Request::data);
+  return table;
+}
+
+RequestTable<SampleRequest> posterior_params() {
+  using Request = SampleRequest;
+  RequestTable<Request> table;
+  table.include(source_params(), &Request::sources);
+  table.add_word("method", kSamplingMethodNames, &Request::method, "Sampler.").option = "--sampler";
+  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Of the chains.");
+  table.add("chains", integer_schema(1, 1e4), &Request::chains,
+            "Independent chains, or ensembles.");
+  table.add("walkers", integer_schema(0, 1e4), &Request::walkers,
+            "Chains of one ensemble; 0: as the sampler needs.");
+  table.add("target_acceptance", number_schema("", 0.05, 0.999), &Request::target_acceptance,
+            "Of nuts and hmc: higher takes smaller steps, against divergent ones.");
+  table.add("max_depth", integer_schema(1, 30), &Request::max_depth,
+            "Of trees of nuts: 2^depth steps at most.");
+  table.add("warm_up", integer_schema(0, 1e9), &Request::warm_up,
+            "Steps that adapt and are thrown away.");
+  table.add("draws", integer_schema(0, 1e9), &Request::draws,
+            "Draws of each chain; 0: 1000, of stretch 100, doubled up to twice where the chains do "
+            "not agree yet and more may help.");
+  table.add("thin", integer_schema(0, 1e6), &Request::thin, "Steps a draw; 0: 1, of stretch 10.");
+  table.add("temperatures", integer_schema(1, 100), &Request::temperatures,
+            "Rungs of parallel tempering; 1: none.");
+  table
+      .add("min_beta", number_schema("", 0, 1), &Request::min_beta,
+           "Power of the likelihood on the hottest rung.")
+      .option = "--least-temper";
+  table.add("swap_every", integer_schema(1, 1e6), &Request::swap_every,
+            "Steps between swaps of temperatures.");
+  table.add("mode_starts", integer_schema(0, 1e6), &Request::mode_starts,
+            "Starts of the search for modes; 0: 16, or 4 among more than 1000 coordinates.");
+  table
+      .add("checkpoint_every", units::kSecond, number_schema("", 0), &Request::checkpoint_every,
+           "Between checkpoints: what a kill may cost.")
+      .option = "--checkpoint-every-s";
+  table.add("threads", integer_schema(0, 1000), &Request::threads,
+            "0: as many as there are processors.");
+  table.add("fixed_noise", flag_schema(), &Request::fixed_noise, "Believes the stated noise.");
+  table.add("fresh", flag_schema(), &Request::fresh, "Forgets an interrupted run of this output.");
+  table
+      .add("retry_acceptances", list_schema(number_schema("", 0.05, 0.999), 0, 10),
+           &Request::retry_acceptances,
+           "Target acceptances at which chains begin anew whose trajectories diverge.")
+      .option.clear();
+  add_output(table, &Request::output, "File of the draws (.nc).");
+  return table;
+}
+
+RequestTable<InferNetRequest> infer_params() {
+  using Request = InferNetRequest;
+  RequestTable<Request> table;
+  Param& experiment = table.add("experiment", text_schema(), &Request::experiment,
+                                "An experiment: its name, or its file (TOML).");
+  experiment.option = "experiment";
+  experiment.member.required = true;
+  table.add("subject", text_schema(), &Request::subject, "A subject: its name, or its file (TOML).")
+      .member.required = true;
+  table.add("net", text_schema(), &Request::net,
+            "Net of all bands that may exist: name or file (TOML).");
+  add_path(table, &Request::path);
+  table.add_word("method", kInferMethodNames, &Request::method,
+                 "sparse: all bands at once, at a price; explore: a search among nets.");
+  table.add("propose", integer_schema(0, 1000), &Request::propose, "Tests to propose, at most.");
+  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
+            "Of the search, and of what `free` samples.");
+  table.add("free", names_schema(), &Request::free,
+            "slack, paths, stiffness or globs of parameters: what may explain the forces in place "
+            "of a band; bands then get probabilities.");
+  table.add("bands", names_schema(), &Request::bands,
+            "With `free`: bands in question, globs; all if left out.");
+  table.add("settings", text_schema(), &Request::settings,
+            "With `free`: settings with all priors; name or file.");
+  RequestTable<BandPosteriorOptions> sets;
+  sets.add("sweeps", integer_schema(1, 1e6), &BandPosteriorOptions::sweeps,
+           "With `free` and more than 7 bands: how often the sampling asks for each.");
+  table.include(sets, &Request::sets);
+  add_data(table, &Request::data);
+  return table;
+}
+
+PredictResult predict(const PredictRequest& request, const Progress& /*progress*/) {
+  return predict_forces(request);
+}
+
+/// One process asks: it has the answer.
+PosteriorResult sample(const SampleRequest& request, const Progress& progress) {
+  require_field("output", !request.output.empty(), "wanted a file for the draws (.nc), got none");
+  return sample_fit(request, progress).value();
+}
+
+}  // namespace
+
+void add_fit_questions(std::vector<Question>& all) {
+  all.push_back(
+      make_question("fit", "Fits a digit to measured fingertip forces.", fit_params(), fit_digit,
+                    R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle"})", "fit",
+                    QuestionPace::kLasts));
+  all.push_back(make_question("predict", "Forces of an experiment by a fit.", predict_params(),
+                              predict, R"({"fit": "fit.h5", "experiments": ["synek2019_B01"]})",
+                              "predict"));
+  all.push_back(make_question(
+      "posterior", "Draws of all parameters that priors and measured forces allow.",
+      posterior_params(), sample,
+      R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle", "chains": 2,
+          "warm_up": 50, "draws": 50, "output": "posterior.nc"})",
+      "fit --method mcmc", QuestionPace::kLasts));
+  all.push_back(make_question("bands", "Which bands of a hood measured fingertip forces ask for.",
+                              infer_params(), infer_net,
+                              R"({"experiment": "synek2019_H01", "subject": "synek2019_middle"})",
+                              "tendon infer", QuestionPace::kLasts));
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,191 @@
+// What moves and gives way: a digit whose muscles are excited, scenes of bodies and hands, pads
+// under objects.
+
+#include "api/pads/press_pad.h"
+#include "api/scenes/simulate_scene.h"
+#include "api/simulate.h"
+#include "base/error.h"
+#include "questions/digit_params.h"
+#include "questions/make_question.h"
+#include "questions/question_rows.h"
+#include "report/answers/answer_files.h"
+#include "report/answers/simulate.h"
+#include "report/answers/simulate_scene.h"
+#include "report/pads/press_answer.h"
+#include "report/pages/scene_run.h"
+#include "report/pages/tendons.h"
+
+namespace thenar::internal {
+namespace {
+
+RequestTable<DigitMotionRequest> digit_motion_params() {
+  using Request = DigitMotionRequest;
+  RequestTable<Request> table;
+  table.include(tendon_params("fractions"), &Request::digit);
+  table.add("excitation", map_schema(number_schema("", 0, 1)), &Request::excitation,
+            "Excitations of muscles, 0 to 1, from the start on; others are 0.");
+  table.add("excitation_file", text_schema(), &Request::excitation_file,
+            "CSV time_s,MUSCLE,...: straight lines between its rows.");
+  table.add_word("muscle", kMuscleNames, &Request::muscle,
+                 "Muscles: rigid-tendon if left out, bounds where the subject states no fibre "
+                 "lengths.");
+  table.add("tendon_slack", units::kMillimetre, map_schema(number_schema("", 0)),
+            &Request::tendon_slack, "Slack lengths of tendons, for elastic ones.");
+  table.add("damping", units::kJointDamping, number_schema("", 0), &Request::damping,
+            "Of joints whose subject gives none.");
+  table.add("blend", number_schema("", 0), &Request::blend,
+            "Strain over which the bands of a net go from slack to taut.");
+  table.add("gravity", units::kMetrePerSquareSecond, vector_schema(""), &Request::gravity,
+            "Free fall in the subject's frame.");
+  table.add("seconds", number_schema("", 0), &Request::seconds, "How long.");
+  table
+      .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
+           "Between the instants kept.")
+      .option = "--sample-ms";
+  table.add("tolerance", number_schema("", 0), &Request::tolerance, "Relative error of one step.");
+  return table;
+}
+
+RequestTable<SceneRequest> scene_params() {
+  using Request = SceneRequest;
+  RequestTable<Request> table;
+  Param& scene = table.add("scene", text_schema(), &Request::scene,
+                           "A scene of bodies and hands: its name, or its file (TOML).");
+  scene.option = "scene";
+  scene.member.required = true;
+  table.add("method", text_schema(), &Request::method,
+            "Stepping: " + listed(stepping_names()) + "; as the scene says if left out.");
+  table.add(
+      "pads", text_schema(), &Request::pads,
+      "Rung of all its pads: " + listed(pad_rung_names()) + "; as the scene says if left out.");
+  add_path(table, &Request::path);
+  table.add("on_pins", flag_schema(), &Request::on_pins,
+            "Without its compliant joints: no joint gives.");
+  table.add("seconds", number_schema("", 0), &Request::seconds,
+            "How long; as the scene says if left out.");
+  table
+      .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
+           "Between the instants kept; as the scene says if left out.")
+      .option = "--sample-ms";
+  table
+      .add("step", units::kMillisecond, number_schema("", 0), &Request::step,
+           "Every step, by time-stepping.")
+      .option = "--step-ms";
+  table.add("tolerance", number_schema("", 0), &Request::tolerance,
+            "Error of one step, in m and rad.");
+  add_data(table, &Request::data);
+  return table;
+}
+
+RequestTable<SceneRequest> sweep_params() {
+  using Request = SceneRequest;
+  RequestTable<Request> table = scene_params();
+  const Schema range = object_schema({{"name", text_schema(), "Which number.", true},
+                                      {"from", number_schema(""), "First value.", true},
+                                      {"to", number_schema(""), "Last value.", true},
+                                      {"count", integer_schema(1, kMostRuns), "Values.", true}});
+  Param vary{{"vary", list_schema(range, 1, 20),
+              "Numbers that differ from run to run: friction, mass/BODY [kg], force/NAME [N], "
+              "drive/NAME [N, N m], step [s], longest [s], tolerance; a run for each combination."},
+             units::kOne};
+  vary.member.required = true;
+  table.add(
+      vary,
+      [](Request& request, const Json& value) {
+        request.vary.clear();
+        for (const Json& each : value)
+          request.vary.push_back({each["name"].get<std::string>(), each["from"].get<double>(),
+                                  each["to"].get<double>(), each["count"].get<int>()});
+      },
+      [](const Request& request) {
+        Json list;
+        for (const SceneVariation& each : request.vary)
+          list.push_back(
+              {{"name", each.name}, {"from", each.from}, {"to", each.to}, {"count", each.count}});
+        return list;
+      });
+  return table;
+}
+
+RequestTable<PressRequest> press_params() {
+  using Request = PressRequest;
+  RequestTable<PressObjectRequest> object;
+  object.add("object", text_schema(), &PressObjectRequest::name,
+             "What presses: " + listed(press_object_names()) + ", or a mesh file.");
+  object.add("radius", units::kMillimetre, number_schema("", 0), &PressObjectRequest::radius,
+             "Of sphere and cylinder (10 mm if left out), of an edge's rounding (0.5 mm).");
+  object.add("scale", number_schema("", 0), &PressObjectRequest::scale,
+             "Of a mesh: metres per unit of its file.");
+  RequestTable<PadRequest> pad;
+  pad.add("pad", text_schema(), &PadRequest::pad, "A pad: its name, or its file (TOML).");
+  pad.add("law", text_schema(), &PadRequest::law,
+          "Of its tissues: " + listed(tissue_law_names()) + "; as its file says if left out.");
+  pad.add("exponent", number_schema(""), &PadRequest::exponent,
+          "Of the laws ogden and veronda-westmann.");
+  pad.add("element", text_schema(), &PadRequest::element,
+          listed(pad_element_names()) + "; as its file says if left out.");
+  add_data(pad, &PadRequest::data);
+  RequestTable<Request> table;
+  table.include(object, &Request::object);
+  table.add("force", units::kNewton, number_schema(""), &Request::force,
+            "Presses until this force.");
+  table.add("depth", units::kMillimetre, number_schema(""), &Request::depth,
+            "Presses to this depth from the touch on.");
+  table.add("angle", units::kDegree, number_schema(""), &Request::angle,
+            "Of the pad to the object, the finger's proximal end lifted, -60 to 60 deg.");
+  table.add("turn", units::kDegree, number_schema(""), &Request::turn,
+            "Of the object about its way into the pad.");
+  table.add("rate", units::kMillimetrePerSecond, number_schema("", 0), &Request::rate,
+            "Of the object; 0: so slowly that all relaxes; if left out, at once: nothing relaxes.");
+  table.add("hold", units::kSecond, number_schema("", 0), &Request::hold,
+            "Then stands still for so long.");
+  table.add("friction", number_schema("", 0), &Request::friction, "Of the skin on the object.");
+  table.include(pad, &Request::pad);
+  table
+      .add("force_error", units::kPercent, number_schema("", 0), &Request::force_error,
+           "Estimated error of the force below which the mesh is not refined.")
+      .option = "--error";
+  table.add("max_elements", integer_schema(1, 1e7), &Request::max_elements,
+            "A mesh with so many elements is not refined any more.");
+  table.add("points", integer_schema(1, 10000), &Request::points, "Of the curves.");
+  table.add("hold_points", integer_schema(1, 10000), &Request::hold_points,
+            "Of the curves while it stands still.");
+  table
+      .add("rungs", flag_schema(), &Request::rungs,
+           "Also compares reduced laws, elements and meshes: error over time; takes minutes.")
+      .option = "--chart";
+  return table;
+}
+
+/// One process asks: it has the answer.
+SceneSweepResult sweep(const SceneRequest& request, const Progress& progress) {
+  return sweep_scene(request, progress).value();
+}
+
+SceneResult simulate(const SceneRequest& request, const Progress& progress) {
+  return simulate_scene(request, progress);
+}
+
+}  // namespace
+
+void add_motion_questions(std::vector<Question>& all) {
+  all.push_back(make_question("digit_motion", "How a digit moves when its muscles are excited.",
+                              digit_motion_params(), simulate_digit,
+                              R"({"subject": "an_chao_index", "excitation": {"FDP": 0.1},
+                                  "seconds": 0.05})",
+                              "simulate", QuestionPace::kLasts));
+  all.push_back(make_question("scene", "How a scene of bodies and hands moves.", scene_params(),
+                              simulate, R"({"scene": "incline_slide", "seconds": 0.1})", "simulate",
+                              QuestionPace::kLasts));
+  all.push_back(make_question(
+      "scene_sweep", "How a scene moves when numbers of it vary.", sweep_params(), sweep,
+      R"({"scene": "incline_slide", "seconds": 0.1, "vary": [{"name": "friction", "from": 0.1,
+          "to": 0.3, "count": 2}]})",
+      "simulate --vary", QuestionPace::kLasts));
+  all.push_back(make_question("press", "Force, area, pressure and stick of a pad under an object.",
+                              press_params(), press_pad,
+                              R"({"depth_mm": 0.5, "points": 2, "max_elements": 500})", "pad press",
+                              QuestionPace::kLasts));
+}
+
+}  // namespace thenar::internal
