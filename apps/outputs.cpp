@@ -51,11 +51,8 @@ void add_run(AnyJson& json, const FileDigests& files) {
   const RunRecord& run = this_run();
   if (run.arguments.empty() || !json.is_object()) return;
   AnyJson& provenance = json["provenance"];
-  provenance["command"] = command_line(run);
-  if (!run.request.empty()) provenance["request"] = run.request;
-  provenance["folder"] = run.folder;
-  provenance["date"] = run.date;
-  if (!run.commit.empty()) provenance["commit"] = run.commit;
+  for (const auto& [name, text] : texts_of(run))
+    if (!text.empty()) provenance[name] = text;
   provenance["thenar"] = versions().at("thenar");
   for (const auto& [path, digest] : files) provenance[path] = "sha256 " + digest;
 }

@@ -15,7 +15,9 @@
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
+#include "apps/terminal.h"
 #include "base/error.h"
+#include "questions/request_file.h"
 #include "report/answers/recorded_run.h"
 
 namespace thenar {
@@ -70,8 +72,23 @@ RecordedRun on_its_paths(RecordedRun recorded, bool takes_path) {
   return recorded;
 }
 
+/// Asks again what a program or a client of a server had asked.
+void ask_again(const RecordedRun& recorded, const Outputs& outputs) {
+  OrderedJson request = OrderedJson::parse(recorded.run.request, nullptr, false);
+  require(request.is_object() && request.contains("question") && request["question"].is_string(),
+          "'{}' records no request that can be read", recorded.file);
+  const Question& question = question_named(request["question"].get<std::string>());
+  request.erase("question");
+  fmt::print(stderr, "{}", request_text(question.name, request));
+  deliver(outputs, question.ask(Json(request), "", terminal_progress("what is done is kept")));
+}
+
 void run_rerun(const RerunArguments& options, const CLI::App& app) {
   const RecordedRun written = read_recorded_run(options.file);
+  if (written.run.arguments.empty()) {
+    if (options.print) return deliver(options.outputs, written);
+    return ask_again(written, options.outputs);
+  }
   std::vector<std::string> commands;
   for (const CLI::App* each : app.get_subcommands({})) commands.push_back(each->get_name());
   require_repeatable(written, commands);

@@ -39,6 +39,24 @@ RunRecord record_of_run(const std::vector<std::string>& arguments) {
   return {arguments, folder.string(), source_commit(), utc(time_of_run())};
 }
 
+std::map<std::string, std::string> texts_of(const RunRecord& record) {
+  if (record.arguments.empty() && record.request.empty()) return {};
+  std::map<std::string, std::string> texts{
+      {"folder", record.folder}, {"date", record.date}, {"commit", record.commit}};
+  if (!record.arguments.empty()) texts["command"] = command_line(record);
+  if (!record.request.empty()) texts["request"] = record.request;
+  return texts;
+}
+
+RunRecord record_of_texts(const std::map<std::string, std::string>& texts) {
+  const auto text = [&](const std::string& name) {
+    const auto found = texts.find(name);
+    return found == texts.end() ? "" : found->second;
+  };
+  return {arguments_of(text("command")), text("folder"), text("commit"), text("date"),
+          text("request")};
+}
+
 std::string command_line(const RunRecord& record) {
   std::string line = "thenar";
   for (const std::string& argument : record.arguments) line += " " + shell_word(argument);

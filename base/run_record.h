@@ -2,6 +2,7 @@
 
 /// Record of the run of the command that wrote a file: its arguments, folder, sources and time.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,13 @@ struct RunRecord {
 /// @throws InputError if SOURCE_DATE_EPOCH is no whole number of seconds.
 /// Source: reproducible-builds.org/specs/source-date-epoch.
 [[nodiscard]] RunRecord record_of_run(const std::vector<std::string>& arguments);
+
+/// The record as files hold it, texts by name: command, folder, date, commit, request. A record
+/// of nothing has none.
+[[nodiscard]] std::map<std::string, std::string> texts_of(const RunRecord& record);
+/// The record of such texts; those that are not there are empty.
+/// @throws InputError as arguments_of()
+[[nodiscard]] RunRecord record_of_texts(const std::map<std::string, std::string>& texts);
 
 /// The arguments as a line for a shell: "thenar fit 'my hand.toml'".
 [[nodiscard]] std::string command_line(const RunRecord& record);

@@ -271,18 +271,15 @@ void add_provenance(const Fit& fit, ResultFile& file) {
   file.add("provenance/fidelity", describe(fit.problem.digit().fidelity));
   file.add("provenance/method", name_of(fit.method));
   file.add("provenance/seed", fit.seed, "1");
-  if (fit.run.arguments.empty()) return;
-  file.add("provenance/command", command_line(fit.run));
-  file.add("provenance/folder", fit.run.folder);
-  file.add("provenance/date", fit.run.date);
-  file.add("provenance/commit", fit.run.commit);
+  for (const auto& [name, text] : texts_of(fit.run)) file.add("provenance/" + name, text);
 }
 
 /// The record of the run; empty where the file has none.
 RunRecord run_of(const ResultFile& file) {
-  if (file.texts.count("provenance/command") == 0) return {};
-  return {arguments_of(file.text("provenance/command")), file.text("provenance/folder"),
-          file.text("provenance/commit"), file.text("provenance/date")};
+  std::map<std::string, std::string> texts;
+  for (const char* const name : {"command", "folder", "date", "commit", "request"})
+    texts[name] = file.text_or_none(fmt::format("provenance/{}", name));
+  return record_of_texts(texts);
 }
 
 /// A solution that ended as the word of convergence_word() says; all else is empty.

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/run_record.h"
 #include "questions/question.h"
 
 namespace thenar {
@@ -26,6 +27,14 @@ THENAR_HAS(HasPage, page_of);
 THENAR_HAS(HasFiles, files_of);
 THENAR_HAS(HasRefusal, refusal_of);
 #undef THENAR_HAS
+
+template <typename Request, typename = void>
+struct HasRun : std::false_type {};
+template <typename Request>
+struct HasRun<Request, std::void_t<decltype(std::declval<Request&>().run)>> : std::true_type {};
+
+/// The record of a run that no command line began, for files that it writes.
+[[nodiscard]] RunRecord run_of_request(const std::string& question, const OrderedJson& request);
 template <typename Result>
 auto outcome_in(const Result& result, int) -> decltype(result.outcome) {
   return result.outcome;
@@ -69,20 +78,22 @@ template <typename Result>
 /// A question of a request and a result; its `outcome` says how it ended.
 /// @param example  a request as JSON
 template <typename Request, typename Result>
-[[nodiscard]] Question make_question(std::string name, std::string about,
+[[nodiscard]] Question make_question(const std::string& name, std::string about,
                                      const RequestTable<Request>& table,
                                      Result (*ask)(const Request&, const Progress&),
                                      std::string example, std::string command,
                                      QuestionPace pace = QuestionPace::kAtOnce) {
-  return {std::move(name),
+  return {name,
           std::move(about),
           table.params(),
           std::move(example),
           std::move(command),
           pace,
-          [table, ask](Json json, const std::string& data, const Progress& progress) {
+          [name, table, ask](Json json, const std::string& data, const Progress& progress) {
             if (!data.empty() && !json.contains("data")) json["data"] = data;
-            const Request request = table.read(json);
+            Request request = table.read(json);
+            if constexpr (internal::HasRun<Request>::value)
+              request.run = internal::run_of_request(name, table.write(request));
             const auto result = std::make_shared<const Result>(ask(request, progress));
             Answer answer = answer_of(result, outcome_of(*result));
             answer.request = table.write(request);

@@ -1,9 +1,18 @@
 #include "questions/question.h"
 
 #include "base/nearest_name.h"
+#include "questions/make_question.h"
 #include "questions/question_rows.h"
 
 namespace thenar {
+
+RunRecord internal::run_of_request(const std::string& question, const OrderedJson& request) {
+  RunRecord run = record_of_run({});
+  OrderedJson record{{"question", question}};
+  record.update(request);
+  run.request = json_text(record, -1);
+  return run;
+}
 
 const std::vector<Question>& questions() {
   static const std::vector<Question> kAll = [] {

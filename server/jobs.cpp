@@ -215,6 +215,11 @@ void Jobs::on_end(std::function<void(int id)> told) {
   told_ = std::move(told);
 }
 
+bool Jobs::writes(int id) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return job(id)->request.contains("output");
+}
+
 EndedJob Jobs::run_held(int id, const std::optional<long>& stopped_at) {
   std::shared_ptr<Job> job;
   {

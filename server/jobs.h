@@ -74,6 +74,8 @@ class Jobs {
   void end();
   /// Lets jobs wait until run_held() runs them, as a replay does.
   void hold() { held_ = true; }
+  /// Returns whether a job writes a file.
+  [[nodiscard]] bool writes(int id);
   /// Runs a job that waits, on this thread. @param stopped_at  as of EndedJob
   EndedJob run_held(int id, const std::optional<long>& stopped_at);
 

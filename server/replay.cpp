@@ -38,14 +38,24 @@ LoggedRequest logged(const EndedJob& job) {
 
 namespace {
 
+/// The job of a line that says that it ended. @throws InputError if it names none
+int ended_job(const LoggedRequest& line) {
+  const bool has_id = line.params.is_object() && line.params.contains("job") &&
+                      line.params["job"].is_number_integer();
+  require(has_id, "wanted the id of a job that ended, got none");
+  return line.params["job"].get<int>();
+}
+
+/// Whether what a line says would write a file.
+bool would_write(const LoggedRequest& line, const MethodTable& table, Session& session) {
+  if (line.method == kJobEnd) return session.jobs().writes(ended_job(line));
+  return table.has(line.method) && table.at(line.method).writes == MethodWrites::kFiles;
+}
+
 /// Executes one line of a log again. @throws InputError for a job that was not started
 LoggedRequest execute_again(const LoggedRequest& then, const MethodTable& table, Session& session) {
-  if (then.method == kJobEnd) {
-    const bool has_id = then.params.is_object() && then.params.contains("job") &&
-                        then.params["job"].is_number_integer();
-    require(has_id, "wanted the id of a job that ended, got none");
-    return logged(session.jobs().run_held(then.params["job"].get<int>(), then.stopped_at));
-  }
+  if (then.method == kJobEnd)
+    return logged(session.jobs().run_held(ended_job(then), then.stopped_at));
   RpcRequest request;
   request.method = then.method;
   request.params = then.params;
@@ -65,9 +75,7 @@ ReplayResult replay(const std::vector<LoggedRequest>& log, const MethodTable& ta
   for (std::size_t line = 1; line <= log.size() && !result.differs; ++line) {
     const LoggedRequest& then = log[line - 1];
     // Files are written for those alone who said so.
-    const bool would_write =
-        table.has(then.method) && table.at(then.method).writes == MethodWrites::kFiles;
-    if (would_write && writes == ReplayWrites::kSkipped) {
+    if (writes == ReplayWrites::kSkipped && would_write(then, table, session)) {
       ++result.skipped;
       continue;
     }

@@ -20,13 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using TextMembers = std::map<std::string, std::vector<std::string>>;
-
-std::string first_text(const TextMembers& members, const std::string& name) {
-  const auto found = members.find(name);
-  return found == members.end() || found->second.empty() ? "" : found->second.front();
-}
-
 /// The JSON of a page, between the tags of its script.
 std::string page_data(const std::string& path) {
   const std::string text = read_source(path).text;
@@ -41,20 +34,16 @@ std::string page_data(const std::string& path) {
 /// Provenance as pages and JSON answers have it: inputs by path, "sha256 0123..".
 void add_json_record(const std::string& path, const std::string& text, RecordedRun& out) {
   const JsonNode file = parse_json(path, text);
-  TextMembers members;  // not of the runs before it, which a comparison has, too
+  std::map<std::string, std::string> texts;  // not of the runs before it, which a comparison has
   if (const JsonNode* provenance = file.find("provenance"))
     for (std::size_t i = 0; i < provenance->names.size(); ++i)
       if (provenance->items[i].kind == JsonKind::kText)
-        members[provenance->names[i]] = {provenance->items[i].text};
-  out.run.arguments = arguments_of(first_text(members, "command"));
-  out.run.folder = first_text(members, "folder");
-  out.run.date = first_text(members, "date");
-  out.run.commit = first_text(members, "commit");
-  out.version = first_text(members, "thenar");
+        texts[provenance->names[i]] = provenance->items[i].text;
+  out.run = record_of_texts(texts);
+  out.version = texts["thenar"];
   const std::string start = "sha256 ";
-  for (const auto& [name, texts] : members)
-    if (texts.size() == 1 && texts.front().compare(0, start.size(), start) == 0)
-      out.inputs[name] = texts.front().substr(start.size());
+  for (const auto& [name, value] : texts)
+    if (value.compare(0, start.size(), start) == 0) out.inputs[name] = value.substr(start.size());
 }
 
 /// Adds inputs of results that store texts by key: the content of an input stands beside its path.
@@ -70,21 +59,27 @@ void add_inputs(const std::map<std::string, std::string>& texts, const std::stri
   }
 }
 
+/// The record of texts whose names begin with `before`.
+RunRecord record_with(const std::map<std::string, std::string>& texts, const std::string& before) {
+  std::map<std::string, std::string> record;
+  for (const auto& [name, text] : texts)
+    if (name.rfind(before, 0) == 0) record[name.substr(before.size())] = text;
+  return record_of_texts(record);
+}
+
 void add_result_record(const std::string& path, RecordedRun& out) {
   std::map<std::string, std::string> texts;
   for (const auto& [key, list] : read_result(path).texts)
     if (list.size() == 1) texts[key] = list.front();
   add_inputs(texts, "/", out);
-  out.run = {arguments_of(texts["provenance/command"]), texts["provenance/folder"],
-             texts["provenance/commit"], texts["provenance/date"]};
+  out.run = record_with(texts, "provenance/");
   out.version = texts["provenance/versions/thenar"];
 }
 
 void add_posterior_record(const std::string& path, RecordedRun& out) {
   std::map<std::string, std::string> texts = read_inference(path).attributes;
   add_inputs(texts, "_", out);
-  out.run = {arguments_of(texts["run_command"]), texts["run_folder"], texts["run_commit"],
-             texts["run_date"]};
+  out.run = record_with(texts, "run_");
   out.version = texts["version_thenar"];
 }
 
@@ -136,7 +131,7 @@ RecordedRun read_recorded_run(const std::string& path) {
   if (file.kind == "fit" || file.kind == "motion" || file.kind == "scene run")
     add_result_record(path, out);
   if (file.kind == "posterior") add_posterior_record(path, out);
-  require(!out.run.arguments.empty(),
+  require(!out.run.arguments.empty() || !out.run.request.empty(),
           "'{}' records no command: wanted a page, a JSON file of -o, a fit, a posterior, a motion "
           "or a run of a scene that a command of thenar wrote",
           path);

@@ -15,11 +15,7 @@ void add_origin(const std::vector<SourceText>& sources, const RunRecord& run, Re
     file.add(key + "/sha256", sha256(source.text));
   }
   for (const auto& [name, version] : versions()) file.add("provenance/versions/" + name, version);
-  if (run.arguments.empty()) return;
-  file.add("provenance/command", command_line(run));
-  file.add("provenance/folder", run.folder);
-  file.add("provenance/date", run.date);
-  file.add("provenance/commit", run.commit);
+  for (const auto& [name, text] : texts_of(run)) file.add("provenance/" + name, text);
 }
 
 }  // namespace thenar

@@ -448,8 +448,8 @@ JsonNode next_provenance(const JsonNode& before, const RunRecord& run, const Fil
   if (last.kind == JsonKind::kObject) earlier.items.push_back(last);
   // This one.
   JsonNode next;
-  next.set("command", command_line(run)).set("folder", run.folder).set("date", run.date);
-  if (!run.commit.empty()) next.set("commit", run.commit);
+  for (const auto& [name, text] : texts_of(run))
+    if (!text.empty()) next.set(name, text);
   next.set("thenar", versions().at("thenar"));
   for (const auto& [path, digest] : files) next.set(path, kFileMark + digest);
   if (!earlier.items.empty()) next.set(kEarlierRuns, earlier);

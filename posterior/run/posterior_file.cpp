@@ -65,17 +65,15 @@ void add_settings(const PosteriorSettings& settings, Attributes& to) {
 }
 
 void add_record(const RunRecord& run, Attributes& to) {
-  if (run.arguments.empty()) return;
-  to["run_command"] = command_line(run);
-  to["run_folder"] = run.folder;
-  to["run_date"] = run.date;
-  to["run_commit"] = run.commit;
+  for (const auto& [name, text] : texts_of(run)) to["run_" + name] = text;
 }
 
 RunRecord record_of(const AttributeReader& given) {
-  if (!given.has("run_command")) return {};
-  return {arguments_of(given.text("run_command")), given.text("run_folder"),
-          given.text("run_commit"), given.text("run_date")};
+  std::map<std::string, std::string> texts;
+  for (const char* const name : {"command", "folder", "date", "commit", "request"})
+    if (const std::string key = fmt::format("run_{}", name); given.has(key))
+      texts[name] = given.text(key);
+  return record_of_texts(texts);
 }
 
 FitInputs inputs_of(const AttributeReader& given) {

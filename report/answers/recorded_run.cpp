@@ -16,8 +16,9 @@ std::string input_words(const RecordedRun& recorded) {
 
 std::string text_of(const RecordedRun& recorded) {
   const RunRecord& run = recorded.run;
-  std::string text = fmt::format("{}\n  in {}\n  on {}, by commit {}\n", command_line(run),
-                                 or_dash(run.folder), or_dash(run.date), or_dash(run.commit));
+  const std::string what = run.arguments.empty() ? run.request : command_line(run);
+  std::string text = fmt::format("{}\n  in {}\n  on {}, by commit {}\n", what, or_dash(run.folder),
+                                 or_dash(run.date), or_dash(run.commit));
   text += fmt::format("  inputs: {}\n", input_words(recorded));
   for (const std::string& warning : recorded.warnings) text += "  warning: " + warning + "\n";
   return text;
