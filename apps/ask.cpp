@@ -3,11 +3,11 @@
 //
 // Asks what a file says, or prints a file to fill in.
 
-#include "base/file_io.h"
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
 #include "apps/terminal.h"
+#include "base/file_io.h"
 #include "base/nearest_name.h"
 #include "questions/request_file.h"
 

@@ -9,8 +9,10 @@
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
+#include "apps/request_options.h"
 #include "apps/terminal.h"
 #include "base/progress_parts.h"
+#include "questions/question_params.h"
 #include "report/answers/grasp.h"
 #include "report/pages/grasp.h"
 
@@ -18,13 +20,14 @@ namespace thenar {
 namespace {
 
 struct CloseArguments {
-  CloseRequest request;
+  Json request = Json::object();
   Outputs outputs;
 };
 
-void run_close(CloseArguments& options) {
-  options.request.world.pictures = options.outputs.page();
-  const CloseResult found = close_in_world(options.request, terminal_progress());
+void run_close(const CloseArguments& options) {
+  CloseRequest request{world_params().read(options.request)};
+  request.world.pictures = options.outputs.page();
+  const CloseResult found = close_in_world(request, terminal_progress());
   deliver(options.outputs, found);
   if (!found.grasp.complete) throw Stopped("stopped: this is what was found by then");
 }
@@ -35,7 +38,7 @@ void add_close(CLI::App& app) {
   auto options = std::make_shared<CloseArguments>();
   CLI::App* command =
       app.add_subcommand("close", "Close the hand of a world where it stands; say what stopped it");
-  add_world_options(*command, options->request.world);
+  add_request_options(*command, world_params().params(), options->request);
   add_output_options(*command, options->outputs, {true, true, true});
   add_examples(*command, {"close arm_cube", "close arm_cube --csv"});
   command->callback([options] { run_close(*options); });

@@ -11,9 +11,11 @@
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
+#include "apps/request_options.h"
 #include "apps/terminal.h"
 #include "base/error.h"
 #include "base/progress_parts.h"
+#include "questions/question_params.h"
 #include "report/answers/comparison.h"
 #include "report/pages/comparison.h"
 
@@ -21,7 +23,7 @@ namespace thenar {
 namespace {
 
 struct CompareArguments {
-  CompareRequest request;
+  Json request = Json::object();
   Outputs outputs;
 };
 
@@ -47,7 +49,8 @@ Outputs without_json(Outputs outputs) {
 }
 
 void run_compare(const CompareArguments& options) {
-  CompareRequest request = options.request;
+  CompareRequest request = compare_params().read(options.request);
+  set_request("compare", compare_params().write(request));
   request.file = options.outputs.one(".json");
   request.run = this_run();
   const Progress progress = terminal_progress(
@@ -64,34 +67,10 @@ void run_compare(const CompareArguments& options) {
 
 void add_compare(CLI::App& app) {
   auto options = std::make_shared<CompareArguments>();  // lives as long as the callback
-  CompareRequest& request = options->request;
   CLI::App* command = app.add_subcommand("compare", "Hands on the same objects and tasks");
-  command
-      ->add_option(
-          "--hands", request.hands,
-          "human:orthogonal, human:skewed, human:soft, human:tendons; names of DATA/robots; or "
-          "files; with commas between")
-      ->delimiter(',');
-  command->add_option("--objects", request.objects, "Names of DATA/objects, or files")
-      ->delimiter(',');
-  command->add_option("--tasks", request.tasks, "Some of force-closure, hold-weight, pull, turn")
-      ->delimiter(',');
-  command
-      ->add_option("--approaches", request.approaches,
-                   "Random approaches of each hand to each object")
-      ->check(at_least(1));
-  command->add_option("--best", request.best, "Grasps of each pair whose loads are computed")
-      ->check(at_least(0));
-  command->add_option("--seed", request.seed, "Of the random approaches");
-  command
-      ->add_option("--threads", request.threads,
-                   "0: as many as there are processors; the answer is the same with any number")
-      ->check(at_least(0));
-  command->add_flag("--normalise-size", request.normalise_size,
-                    "Scale objects by the reach of the digits over the first hand's");
-  add_hand_path_option(*command, request.path);
-  add_materials_option(*command, request.materials);
-  add_data_option(*command, request.data);
+  add_request_options(*command, compare_params().params(), options->request);
+  for (const char* const list : {"--hands", "--objects", "--tasks"})
+    command->get_option(list)->delimiter(',');
   add_output_options(*command, options->outputs, {true, true, true, {}});
   command->footer(
       "-o FILE.json is written after every pair of a hand and an object; the same command goes on "

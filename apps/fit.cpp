@@ -15,11 +15,13 @@
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
+#include "apps/request_options.h"
 #include "apps/terminal.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
 #include "base/progress_parts.h"
+#include "questions/question_params.h"
 #include "report/answers/fit.h"
 #include "report/answers/posterior.h"
 #include "report/pages/fit.h"
@@ -31,10 +33,8 @@ namespace {
 constexpr const char* kSampling = "mcmc";
 
 struct FitArguments {
-  std::string method = "ceres", sampler = "nuts";
-  std::vector<std::string> leave_out;
-  FitRequest fit;
-  SampleRequest chains;
+  std::string method = "ceres";
+  Json fit = Json::object(), chains = Json::object();  // what is typed
   bool allow_unconverged = false, no_retry = false;
   Outputs outputs;
 };
@@ -55,11 +55,9 @@ void require_endings(const Outputs& outputs, bool sampling) {
 }
 
 void fit_best(FitArguments& options) {
-  FitRequest& request = options.fit;
-  request.method = least_squares_method(options.method);
-  request.leave_out.clear();
-  for (const std::string& name : options.leave_out)
-    request.leave_out.push_back(leave_out_named(name));
+  options.fit["method"] = options.method;
+  FitRequest request = fit_params().read(options.fit);
+  set_request("fit", fit_params().write(request));
   request.output = options.outputs.one(".h5");
   request.run = this_run();
   const FitResult result = fit_digit(request, terminal_progress());
@@ -91,15 +89,16 @@ void require_complete(const PosteriorResult& result) {
 }
 
 void sample_posterior_of(FitArguments& options) {
-  require(!options.fit.choose_settings,
+  require(!options.fit.contains("choose_settings"),
           "--choose-settings is for fits; sample with the settings that a fit has chosen");
-  require(options.leave_out.empty(),
+  require(!options.fit.contains("leave_out"),
           "--cross-validate is for fits; a posterior's file says how well it would predict each "
           "trial unseen (`thenar posterior summary`)");
-  SampleRequest& request = options.chains;
-  request.sources = options.fit.sources;
-  request.method = sampling_method(options.sampler);
-  request.seed = options.fit.seed;
+  // What fits and posteriors have in common is typed once.
+  options.fit.erase("max_evaluations");
+  options.chains.update(options.fit);
+  SampleRequest request = posterior_params().read(options.chains);
+  set_request("posterior", posterior_params().write(request));
   request.keep_unconverged = !options.allow_unconverged;
   if (options.no_retry) request.retry_acceptances.clear();
   request.output = options.outputs.one(".nc");
@@ -129,53 +128,26 @@ void run_fit(FitArguments& options) {
     fit_best(options);
 }
 
+/// The parameters that another list does not have, beside the method.
+std::vector<Param> others(std::vector<Param> params, const std::vector<Param>& known) {
+  params.erase(std::remove_if(params.begin(), params.end(),
+                              [&](const Param& param) {
+                                return param.member.name != "method" &&
+                                       std::any_of(known.begin(), known.end(), [&](const Param& k) {
+                                         return k.member.name == param.member.name;
+                                       });
+                              }),
+               params.end());
+  return params;
+}
+
 void add_chain_options(CLI::App& command, FitArguments& options) {
-  const std::string group = "With --method mcmc";
-  SampleRequest& chains = options.chains;
-  const auto add = [&](const char* name, auto& value, const char* text) {
-    return command.add_option(name, value, text)->group(group);
-  };
-  add("--sampler", options.sampler, "nuts|hmc|adaptive-metropolis|dream-zs|stretch");
-  add("--chains", chains.chains, "Independent chains, or ensembles")->check(CLI::PositiveNumber);
-  add("--walkers", chains.walkers, "Chains of one ensemble (0: as the sampler needs)")
-      ->check(CLI::NonNegativeNumber);
-  add("--target-acceptance", chains.target_acceptance,
-      "Of nuts and hmc: higher takes smaller steps, against divergent ones")
-      ->check(CLI::Range(0.05, 0.999));
-  add("--max-depth", chains.max_depth, "Of trees of nuts: 2^depth steps at most")
-      ->check(CLI::Range(1, 30));
-  add("--warm-up", chains.warm_up, "Steps that adapt and are thrown away")
-      ->check(CLI::NonNegativeNumber);
-  add("--draws", chains.draws,
-      "Draws of each chain (1000, of stretch 100; doubled up to twice where the chains do "
-      "not agree yet and more may help)")
-      ->check(CLI::PositiveNumber)
-      ->default_str("");
-  add("--thin", chains.thin, "Steps a draw (1, of stretch 10)")
-      ->check(CLI::PositiveNumber)
-      ->default_str("");
-  add("--temperatures", chains.temperatures, "Rungs of parallel tempering (1: none)")
-      ->check(CLI::PositiveNumber);
-  add("--least-temper", chains.min_beta, "Power of the likelihood on the hottest rung")
-      ->check(CLI::Range(0.0, 1.0));
-  add("--swap-every", chains.swap_every, "Steps between swaps of temperatures")
-      ->check(CLI::PositiveNumber);
-  add("--mode-starts", chains.mode_starts,
-      "Starts of the search for modes (0: 16, or 4 among more than 1000 coordinates)")
-      ->check(CLI::NonNegativeNumber);
-  add("--checkpoint-every-s", chains.checkpoint_every,
-      "Seconds between checkpoints: what a kill may cost")
-      ->check(CLI::NonNegativeNumber);
-  add("--threads", chains.threads, "0: as many as there are processors")
-      ->check(CLI::NonNegativeNumber);
-  const auto flag = [&](const char* name, bool& value, const char* text) {
-    command.add_flag(name, value, text)->group(group);
-  };
-  flag("--fixed-noise", chains.fixed_noise, "Believe the stated noise");
-  flag("--no-retry", options.no_retry,
-       "Keep chains whose trajectories diverge, rather than begin anew with smaller steps (at "
-       "target acceptances of 0.95 and 0.99)");
-  flag("--fresh", chains.fresh, "Forget an interrupted run of this output");
+  CLI::Option_group* const group = command.add_option_group("With --method mcmc");
+  add_request_options(*group, others(posterior_params().params(), fit_params().params()),
+                      options.chains);
+  group->add_flag("--no-retry", options.no_retry,
+                  "Keep chains whose trajectories diverge, rather than begin anew with smaller "
+                  "steps (at target acceptances of 0.95 and 0.99)");
 }
 
 }  // namespace
@@ -183,49 +155,16 @@ void add_chain_options(CLI::App& command, FitArguments& options) {
 void add_fit(CLI::App& app) {
   auto options = std::make_shared<FitArguments>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("fit", "Fit a digit to measured fingertip forces");
-  FitSources& sources = options->fit.sources;
-  command->add_option("experiments", sources.experiments, "Experiments: names, or files (TOML)")
-      ->required()
-      ->default_str("");
-  command
-      ->add_option("--subject", sources.subject,
-                   "Subject to start from: its name, or its file (TOML)")
-      ->required();
+  std::vector<Param> params = fit_params().params();
+  for (Param& param : params)
+    if (param.member.name == "method") param.option.clear();
+  add_request_options(*command, params, options->fit);
   command->add_option(
       "--method", options->method,
       "ceres, ipopt: by derivatives; nlopt, nlopt-global: without; mcmc: draws from "
       "the posterior instead of one best point");
-  command->add_option("--settings", sources.settings,
-                      "Which parameters move: name or file (built in for the digit if left out; "
-                      "`thenar explain SUBJECT` lists them)");
-  command
-      ->add_option("--net", sources.net,
-                   "Extensor net in place of the subject's hood: name or file (none). With "
-                   "--cross-validate the same fit with the hood's fractions stands beside it")
-      ->default_str("");
-  command
-      ->add_option("--free", sources.also_free,
-                   "Also free the parameters matching these globs (none)")
-      ->default_str("");
-  command
-      ->add_option("--cross-validate", options->leave_out,
-                   "Also leave out one posture|tendon|specimen at a time (nothing)")
-      ->default_str("");
-  command->add_option("--scale", sources.scale,
-                      "Size of the digit before parameters act: the subject's own, or by what "
-                      "each experiment states in [outside]: subject|outside");
-  command->add_flag("--choose-settings", options->fit.choose_settings,
-                    "Choose among the [[choose]] rows of the settings by left-out postures and "
-                    "specimens; --cross-validate then chooses in every fold anew. -o FILE.toml "
-                    "keeps what was chosen");
-  command->add_option("--seed", options->fit.seed, "Of the global search, or of the chains");
-  command
-      ->add_option("--max-evaluations", options->fit.max_evaluations, "0: the method's own limit")
-      ->check(CLI::NonNegativeNumber);
   command->add_flag("--allow-unconverged", options->allow_unconverged,
                     "Exit without error though the fit or the chains have not converged");
-  add_fit_path_option(*command, sources.path);
-  add_data_option(*command, sources.data);
   add_output_options(*command, options->outputs, {true, true, true, {".h5", ".nc", ".toml"}});
   add_chain_options(*command, *options);
   add_examples(

@@ -150,7 +150,8 @@ std::string option_field(const std::vector<Param>& params, const std::string& fi
   return field;
 }
 
-/// Asks, and delivers. Errors name the option of the parameter that is wrong.
+}  // namespace
+
 void ask_and_deliver(const TypedQuestion& typed) {
   const Question& question = *typed.question;
   try {
@@ -162,8 +163,6 @@ void ask_and_deliver(const TypedQuestion& typed) {
     throw InputError(error.what(), option_field(question.params, error.field()));
   }
 }
-
-}  // namespace
 
 void add_request_options(CLI::App& command, const std::vector<Param>& params, Json& request) {
   for (const Param& param : params)

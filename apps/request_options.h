@@ -34,6 +34,9 @@ struct TypedQuestion {
   Outputs outputs;
 };
 
+/// Asks, and delivers. @throws as Question::ask, errors by the option that is wrong
+void ask_and_deliver(const TypedQuestion& typed);
+
 /// Adds a command with the options of its question.
 /// @return what is typed, and the command, for options that it has besides
 std::pair<CLI::App*, std::shared_ptr<TypedQuestion>> add_question_command(

@@ -5,6 +5,7 @@
 #include "api/quality.h"
 #include "questions/digit_params.h"
 #include "questions/make_question.h"
+#include "questions/question_params.h"
 #include "questions/question_rows.h"
 #include "report/answers/answer_files.h"
 #include "report/answers/comparison.h"
@@ -13,7 +14,7 @@
 #include "report/pages/comparison.h"
 #include "report/pages/grasp.h"
 
-namespace thenar::internal {
+namespace thenar {
 namespace {
 
 constexpr std::size_t kMaxContactText = 1'000'000;  // Bytes of a contact set in a request
@@ -45,6 +46,12 @@ RequestTable<ContactQualityRequest> contact_params() {
   add_data(table, &Request::data);
   return table;
 }
+
+ContactQualityResult measure(const ContactQualityRequest& request, const Progress& /*progress*/) {
+  return measure_contacts(request);
+}
+
+}  // namespace
 
 RequestTable<WorldRequest> world_params() {
   RequestTable<WorldRequest> table;
@@ -130,13 +137,7 @@ RequestTable<CompareRequest> compare_params() {
   return table;
 }
 
-ContactQualityResult measure(const ContactQualityRequest& request, const Progress& /*progress*/) {
-  return measure_contacts(request);
-}
-
-}  // namespace
-
-void add_contact_questions(std::vector<Question>& all) {
+void internal::add_contact_questions(std::vector<Question>& all) {
   all.push_back(
       make_question("contacts", "How large a wrench, from whatever direction, contacts bear.",
                     contact_params(), measure, R"({"contacts": "two_soft_fingers"})", "quality"));
@@ -149,4 +150,4 @@ void add_contact_questions(std::vector<Question>& all) {
       "compare", QuestionPace::kLasts));
 }
 
-}  // namespace thenar::internal
+}  // namespace thenar

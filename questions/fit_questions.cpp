@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "questions/digit_params.h"
 #include "questions/make_question.h"
+#include "questions/question_params.h"
 #include "questions/question_rows.h"
 #include "report/answers/answer_files.h"
 #include "report/answers/fit.h"
@@ -18,7 +19,7 @@
 #include "report/pages/prediction.h"
 #include "report/pages/tendons.h"
 
-namespace thenar::internal {
+namespace thenar {
 namespace {
 
 constexpr std::size_t kMaxNames = 1000;  // Entries of a list of names in a request
@@ -72,6 +73,64 @@ void add_output(RequestTable<Request>& table, std::string Request::*member,
   table.add("output", saved_file_schema(), member, about).option.clear();
 }
 
+RequestTable<PredictRequest> predict_params() {
+  using Request = PredictRequest;
+  RequestTable<Request> table;
+  Param& fit = table.add("fit", text_schema(), &Request::fit, "File of a fit (.h5).");
+  fit.option = "fit";
+  fit.member.required = true;
+  add_experiments(table, &Request::experiments);
+  table.add("population", flag_schema(), &Request::population,
+            "Predicts a fitted specimen as if it had never been seen.");
+  add_fit_path(table, &Request::path);
+  add_data(table, &Request::data);
+  return table;
+}
+
+RequestTable<InferNetRequest> infer_params() {
+  using Request = InferNetRequest;
+  RequestTable<Request> table;
+  Param& experiment = table.add("experiment", text_schema(), &Request::experiment,
+                                "An experiment: its name, or its file (TOML).");
+  experiment.option = "experiment";
+  experiment.member.required = true;
+  table.add("subject", text_schema(), &Request::subject, "A subject: its name, or its file (TOML).")
+      .member.required = true;
+  table.add("net", text_schema(), &Request::net,
+            "Net of all bands that may exist: name or file (TOML).");
+  add_path(table, &Request::path);
+  table.add_word("method", kInferMethodNames, &Request::method,
+                 "sparse: all bands at once, at a price; explore: a search among nets.");
+  table.add("propose", integer_schema(0, 1000), &Request::propose, "Tests to propose, at most.");
+  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
+            "Of the search, and of what `free` samples.");
+  table.add("free", names_schema(), &Request::free,
+            "slack, paths, stiffness or globs of parameters: what may explain the forces in place "
+            "of a band; bands then get probabilities.");
+  table.add("bands", names_schema(), &Request::bands,
+            "With `free`: bands in question, globs; all if left out.");
+  table.add("settings", text_schema(), &Request::settings,
+            "With `free`: settings with all priors; name or file.");
+  RequestTable<BandPosteriorOptions> sets;
+  sets.add("sweeps", integer_schema(1, 1e6), &BandPosteriorOptions::sweeps,
+           "With `free` and more than 7 bands: how often the sampling asks for each.");
+  table.include(sets, &Request::sets);
+  add_data(table, &Request::data);
+  return table;
+}
+
+PredictResult predict(const PredictRequest& request, const Progress& /*progress*/) {
+  return predict_forces(request);
+}
+
+/// One process asks: it has the answer.
+PosteriorResult sample(const SampleRequest& request, const Progress& progress) {
+  require_field("output", !request.output.empty(), "wanted a file for the draws (.nc), got none");
+  return sample_fit(request, progress).value();
+}
+
+}  // namespace
+
 RequestTable<FitRequest> fit_params() {
   using Request = FitRequest;
   RequestTable<Request> table;
@@ -101,20 +160,6 @@ RequestTable<FitRequest> fit_params() {
   table.add("max_evaluations", integer_schema(0, 1e9), &Request::max_evaluations,
             "0: the method's own limit.");
   add_output(table, &Request::output, "File of the result (.h5).");
-  return table;
-}
-
-RequestTable<PredictRequest> predict_params() {
-  using Request = PredictRequest;
-  RequestTable<Request> table;
-  Param& fit = table.add("fit", text_schema(), &Request::fit, "File of a fit (.h5).");
-  fit.option = "fit";
-  fit.member.required = true;
-  add_experiments(table, &Request::experiments);
-  table.add("population", flag_schema(), &Request::population,
-            "Predicts a fitted specimen as if it had never been seen.");
-  add_fit_path(table, &Request::path);
-  add_data(table, &Request::data);
   return table;
 }
 
@@ -165,51 +210,7 @@ RequestTable<SampleRequest> posterior_params() {
   return table;
 }
 
-RequestTable<InferNetRequest> infer_params() {
-  using Request = InferNetRequest;
-  RequestTable<Request> table;
-  Param& experiment = table.add("experiment", text_schema(), &Request::experiment,
-                                "An experiment: its name, or its file (TOML).");
-  experiment.option = "experiment";
-  experiment.member.required = true;
-  table.add("subject", text_schema(), &Request::subject, "A subject: its name, or its file (TOML).")
-      .member.required = true;
-  table.add("net", text_schema(), &Request::net,
-            "Net of all bands that may exist: name or file (TOML).");
-  add_path(table, &Request::path);
-  table.add_word("method", kInferMethodNames, &Request::method,
-                 "sparse: all bands at once, at a price; explore: a search among nets.");
-  table.add("propose", integer_schema(0, 1000), &Request::propose, "Tests to propose, at most.");
-  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
-            "Of the search, and of what `free` samples.");
-  table.add("free", names_schema(), &Request::free,
-            "slack, paths, stiffness or globs of parameters: what may explain the forces in place "
-            "of a band; bands then get probabilities.");
-  table.add("bands", names_schema(), &Request::bands,
-            "With `free`: bands in question, globs; all if left out.");
-  table.add("settings", text_schema(), &Request::settings,
-            "With `free`: settings with all priors; name or file.");
-  RequestTable<BandPosteriorOptions> sets;
-  sets.add("sweeps", integer_schema(1, 1e6), &BandPosteriorOptions::sweeps,
-           "With `free` and more than 7 bands: how often the sampling asks for each.");
-  table.include(sets, &Request::sets);
-  add_data(table, &Request::data);
-  return table;
-}
-
-PredictResult predict(const PredictRequest& request, const Progress& /*progress*/) {
-  return predict_forces(request);
-}
-
-/// One process asks: it has the answer.
-PosteriorResult sample(const SampleRequest& request, const Progress& progress) {
-  require_field("output", !request.output.empty(), "wanted a file for the draws (.nc), got none");
-  return sample_fit(request, progress).value();
-}
-
-}  // namespace
-
-void add_fit_questions(std::vector<Question>& all) {
+void internal::add_fit_questions(std::vector<Question>& all) {
   all.push_back(
       make_question("fit", "Fits a digit to measured fingertip forces.", fit_params(), fit_digit,
                     R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle"})", "fit",
@@ -229,4 +230,4 @@ void add_fit_questions(std::vector<Question>& all) {
                               "tendon infer", QuestionPace::kLasts));
 }
 
-}  // namespace thenar::internal
+}  // namespace thenar

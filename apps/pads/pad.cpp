@@ -17,10 +17,10 @@
 #include "api/named/data_folders.h"
 #include "api/pads/calibrate_pad.h"
 #include "api/pads/fit_pad.h"
-#include "api/pads/press_pad.h"
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
+#include "apps/request_options.h"
 #include "apps/terminal.h"
 #include "base/error.h"
 #include "base/file_io.h"
@@ -29,19 +29,9 @@
 #include "base/units.h"
 #include "report/pads/fit_answer.h"
 #include "report/pads/laws_answer.h"
-#include "report/pads/press_answer.h"
 
 namespace thenar {
 namespace {
-
-/// Numbers as people type them.
-struct PressArguments {
-  PressRequest request;
-  double angle_deg = 0, turn_deg = 0;
-  std::optional<double> depth_mm, rate_mm_s, radius_mm;
-  double error_percent = 5;
-  Outputs outputs;
-};
 
 /// An output must not overwrite what it comes from.
 void require_other_file(const std::string& output, const std::string& input) {
@@ -64,77 +54,6 @@ std::string deliver_with_file(Outputs outputs, const Result& found, const std::s
   print_warnings(found.warnings);
   deliver(outputs, found);
   return file.empty() || is_written ? "" : fmt::format("; '{}' was not written", file);
-}
-
-void run_press(PressArguments options) {
-  PressRequest& request = options.request;
-  request.angle = radians(options.angle_deg);
-  request.turn = radians(options.turn_deg);
-  request.force_error = 0.01 * options.error_percent;
-  if (options.depth_mm) request.depth = kMm * *options.depth_mm;
-  if (options.rate_mm_s) request.rate = kMm * *options.rate_mm_s;
-  if (options.radius_mm) request.object.radius = kMm * *options.radius_mm;
-  const PressResult pressed = press_pad(request, terminal_progress());
-  print_warnings(pressed.warnings);
-  deliver(options.outputs, pressed);
-  const std::string refusal = refusal_of(pressed);
-  require(refusal.empty(), "{}", refusal);
-  if (pressed.status == Status::kStopped) throw Stopped("stopped: this is what was done by then");
-}
-
-/// Adds options for the object that presses, and for its way into the pad.
-void add_object_options(CLI::App& command, PressArguments& options) {
-  PressRequest& request = options.request;
-  command.add_option("--object", request.object.name,
-                     "What presses: " + listed(press_object_names()) + ", or a mesh file");
-  command.add_option("--radius", options.radius_mm,
-                     "Of sphere and cylinder (10 if left out), of an edge's rounding (0.5) [mm]");
-  command.add_option("--scale", request.object.scale, "Of a mesh: metres per unit of its file");
-  command.add_option("--force", request.force, "Press until this force [N]");
-  command.add_option("--depth", options.depth_mm, "Press to this depth from the touch on [mm]");
-  command.add_option("--angle", options.angle_deg,
-                     "Of the pad to the object, the finger's proximal end lifted [deg], -60 to 60");
-  command.add_option("--turn", options.turn_deg, "Of the object about its way into the pad [deg]");
-  command.add_option("--rate", options.rate_mm_s,
-                     "Of the object [mm/s]; 0: so slowly that all relaxes; if left out, at once: "
-                     "nothing relaxes");
-  command.add_option("--hold", request.hold, "Then stand still for so long [s]");
-  command.add_option("--friction", request.friction, "Of the skin on the object");
-}
-
-/// Adds options for the materials of the pad, and for the solver.
-void add_model_options(CLI::App& command, PressArguments& options) {
-  PressRequest& request = options.request;
-  command.add_option("--pad", request.pad.pad, "A pad: its name, or its file (TOML)");
-  command.add_option(
-      "--law", request.pad.law,
-      "Of its tissues: " + listed(tissue_law_names()) + "; as its file says if left out");
-  command.add_option("--exponent", request.pad.exponent, "Of the laws ogden and veronda-westmann");
-  command.add_option("--element", request.pad.element,
-                     listed(pad_element_names()) + "; as its file says if left out");
-  command.add_option("--error", options.error_percent,
-                     "Estimated error of the force below which the mesh is not refined [%]");
-  command.add_option("--max-elements", request.max_elements,
-                     "A mesh with so many elements is not refined any more");
-  command.add_option("--points", request.points, "Of the curves");
-  command.add_option("--hold-points", request.hold_points, "Of the curves while it stands still");
-  command.add_flag(
-      "--chart", request.rungs,
-      "Also compare reduced laws, elements and meshes: error over time; takes minutes");
-  add_data_option(command, request.pad.data);
-}
-
-void add_press(CLI::App& pad) {
-  auto options = std::make_shared<PressArguments>();  // lives as long as the callback
-  CLI::App* command =
-      pad.add_subcommand("press", "Force, area, pressure and stick under a rigid object");
-  add_object_options(*command, *options);
-  add_model_options(*command, *options);
-  add_output_options(*command, options->outputs, {true, true, true});
-  add_examples(*command, {"pad press --force 1 -o pad.html",
-                          "pad press --object sphere --radius 5 --depth 1.5 --angle 30",
-                          "pad press --depth 1 --rate 10 --hold 5 --csv"});
-  command->callback([options] { run_press(*options); });
 }
 
 struct PadFitArguments {
@@ -236,7 +155,12 @@ void add_pad(CLI::App& app) {
       "pad",
       "A finger pad by itself: pressed by an object, fitted to measured presses, reduced to laws");
   command->require_subcommand(1);
-  add_press(*command);
+  add_question_command(*command, {"press",
+                                  "press",
+                                  {true, true, true},
+                                  {"pad press --force 1 -o pad.html",
+                                   "pad press --object sphere --radius 5 --depth 1.5 --angle 30",
+                                   "pad press --depth 1 --rate 10 --hold 5 --csv"}});
   add_pad_fit(*command);
   add_pad_laws(*command);
 }
