@@ -157,7 +157,7 @@ void add_fit(CLI::App& app) {
   CLI::App* command = app.add_subcommand("fit", "Fit a digit to measured fingertip forces");
   std::vector<Param> params = fit_params().params();
   for (Param& param : params)
-    if (param.member.name == "method") param.option.clear();
+    if (param.member.name == "method") param.option = "";
   add_request_options(*command, params, options->fit);
   command->add_option(
       "--method", options->method,

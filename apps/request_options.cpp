@@ -97,14 +97,18 @@ std::string shown_default(const Param& param) {
 std::string help_of(const Param& param, const Schema& schema) {
   std::string text = param.member.about;
   if (!text.empty() && text.back() == '.') text.pop_back();
-  const auto unit_of = [&](const Schema& of) {
-    return of.unit.empty() ? "" : fmt::format(" [{}]", of.unit);
-  };
-  if (schema.kind == Kind::kMap)
-    return fmt::format("NAME=number{} ...: {}", unit_of(*schema.each), text);
-  if (schema.kind == Kind::kText && !schema.words.empty())
-    return fmt::format("{}: {}", fmt::join(schema.words, "|"), text);
-  return text + unit_of(schema);
+  const std::string& unit = schema.each ? schema.each->unit : schema.unit;
+  if (!unit.empty()) text += fmt::format(" [{}]", unit);
+  if (schema.words.empty()) return text;
+  return fmt::format("{}: {}", fmt::join(schema.words, "|"), text);
+}
+
+/// What is typed, as the help calls it.
+std::string type_of(const Schema& schema) {
+  if (schema.kind == Kind::kNumber) return "NUMBER";
+  if (schema.kind == Kind::kInteger) return "INTEGER";
+  if (schema.kind == Kind::kMap) return "NAME=NUMBER";
+  return "TEXT";
 }
 
 /// Adds the option of one parameter.
@@ -113,16 +117,16 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
   const Schema schema = param.schema_in(UnitSystem::kPrinted);
   const std::string help = help_of(param, schema);
   if (schema.kind == Kind::kFlag) {
-    const bool inverse = param.option.front() == '!';
+    const bool inverse = param.option->front() == '!';
     command.add_flag_callback(
-        param.option.substr(inverse ? 1 : 0), [&request, key, inverse] { request[key] = !inverse; },
-        help);
+        param.option->substr(inverse ? 1 : 0),
+        [&request, key, inverse] { request[key] = !inverse; }, help);
     return;
   }
   CLI::Option* option = nullptr;
   if (schema.kind == Kind::kList || schema.kind == Kind::kMap) {
     option = command.add_option_function<std::vector<std::string>>(
-        param.option,
+        *param.option,
         [&request, key, schema](const std::vector<std::string>& texts) {
           request[key] =
               schema.kind == Kind::kMap ? typed_map(schema, texts) : typed_list(schema, texts);
@@ -132,21 +136,22 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
       option->expected(static_cast<int>(schema.most));
   } else {
     option = command.add_option_function<std::string>(
-        param.option,
+        *param.option,
         [&request, key, schema](const std::string& text) {
           request[key] =
               schema.kind == Kind::kText ? Json(text) : typed_number(schema, text, what_is(schema));
         },
         help);
   }
-  option->default_str(shown_default(param));
+  option->default_str(shown_default(param))->type_name(type_of(schema));
   if (param.member.required) option->required();
 }
 
 /// The name of the option of a parameter, as errors name fields.
 std::string option_field(const std::vector<Param>& params, const std::string& field) {
   for (const Param& param : params)
-    if (param.member.name == field && param.option.size() > 2) return param.option.substr(2);
+    if (param.member.name == field && param.option && param.option->size() > 2)
+      return param.option->substr(2);
   return field;
 }
 
@@ -166,7 +171,7 @@ void ask_and_deliver(const TypedQuestion& typed) {
 
 void add_request_options(CLI::App& command, const std::vector<Param>& params, Json& request) {
   for (const Param& param : params)
-    if (!param.option.empty()) add_option(command, param, request);
+    if (param.option && !param.option->empty()) add_option(command, param, request);
 }
 
 std::pair<CLI::App*, std::shared_ptr<TypedQuestion>> add_question_command(

@@ -29,7 +29,7 @@ RequestTable<ContactQualityRequest> contact_params() {
   table
       .add("text", content_schema(kMaxContactText), &Request::text,
            "The contact set itself (JSON), in place of a file.")
-      .option.clear();
+      .option = "";
   table.add("edges", integer_schema(0, 1000), &Request::edges,
             "Friction pyramids of so many edges, 3 to 1000, in place of cones; 0: the true cones. "
             "Soft fingers get double pyramids with poles at their torsion.");
@@ -133,7 +133,7 @@ RequestTable<CompareRequest> compare_params() {
   Param& output = table.add("output", saved_file_schema(), &Request::file,
                             "File (.json) that is written after every pair; one that is there is "
                             "gone on with.");
-  output.option.clear();
+  output.option = "";
   return table;
 }
 

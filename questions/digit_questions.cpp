@@ -59,7 +59,7 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
   using Request = FeasibleForceRequest;
   RequestTable<Request> table;
   table.include(linear_digit_params(), &Request::digit);
-  table.add_word("load", kTipLoadNames, &Request::load, "What is asked for.").option.clear();
+  table.add_word("load", kTipLoadNames, &Request::load, "What is asked for.").option = "";
   table.add("direction", vector_schema(""), &Request::direction,
             "x y z of the wanted force, or of the axis of the wanted moment; the whole set if left "
             "out.");

@@ -70,7 +70,7 @@ RequestTable<FitSources> source_params() {
 template <typename Request>
 void add_output(RequestTable<Request>& table, std::string Request::*member,
                 const std::string& about) {
-  table.add("output", saved_file_schema(), member, about).option.clear();
+  table.add("output", saved_file_schema(), member, about).option = "";
 }
 
 RequestTable<PredictRequest> predict_params() {
@@ -205,7 +205,7 @@ RequestTable<SampleRequest> posterior_params() {
       .add("retry_acceptances", list_schema(number_schema("", 0.05, 0.999), 0, 10),
            &Request::retry_acceptances,
            "Target acceptances at which chains begin anew whose trajectories diverge.")
-      .option.clear();
+      .option = "";
   add_output(table, &Request::output, "File of the draws (.nc).");
   return table;
 }

@@ -37,7 +37,7 @@ std::string unit_words(std::string key) {
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
 Schema with_unit(Schema schema, const FieldUnit& unit, UnitSystem system) {
-  if (*unit.si == '\0') return schema;
+  if (*unit.printed == '\0') return schema;
   if (schema.each) {
     schema.each = std::make_shared<Schema>(with_unit(*schema.each, unit, system));
   } else if (schema.kind == Schema::Kind::kNumber) {

@@ -29,8 +29,8 @@ enum class ParamScope {
 struct Param {
   SchemaMember member;  // its key without a unit, its values in SI
   FieldUnit unit;       // of all its numbers
-  std::string option =
-      {};  // of commands: "--hold-length", "subject" for a plain argument; "": none
+  // Of commands: "--hold-length", "subject" for a plain argument; "": none; absent: by its key.
+  std::optional<std::string> option = {};
   ParamScope scope = ParamScope::kAnywhere;
   bool is_twin = false;  // of the parameter before it, in another unit
 
@@ -84,7 +84,7 @@ class RequestTable {
 
   /// Adds a parameter. @param get  its value in SI; null: left out
   Param& add(Param param, Setter set, Getter get) {
-    if (param.option.empty()) param.option = option_of(param.member.name);
+    if (!param.option) param.option = option_of(param.member.name);
     param.member.usual = get(Request());
     params_.push_back(std::move(param));
     setters_.push_back(std::move(set));

@@ -1,6 +1,7 @@
 // Every question of the table by its example: C++, SI and printed JSON are the same numbers.
 
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 
 #include "questions/question.h"
 #include "questions/request_file.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
@@ -27,7 +29,20 @@ const std::vector<Ending>& endings() {
                                             {"_m2", "_mm2", 1e-6},
                                             {"_Pa", "_kPa", 1e3},
                                             {"_rad", "_deg", M_PI / 180},
-                                            {"_m", "_mm", 1e-3}};
+                                            {"_m", "_mm", 1e-3},
+                                            {"_m_per_rad", "_mm_per_rad", 1e-3},
+                                            {"_N_per_m", "_N_per_mm", 1e3},
+                                            // Keys of earlier versions.
+                                            {"_m_per_s", "_m_s", 1},
+                                            {"_m_per_s", "_mm_s", 1e-3},
+                                            {"_rad_per_s", "_rad_s", 1},
+                                            {"_rad_per_s", "_deg_s", M_PI / 180},
+                                            {"_N_m", "", 1},
+                                            {"_m_per_s", "", 1},
+                                            {"_rad_per_s", "", 1},
+                                            {"_m", "", 1},
+                                            {"_rad", "", 1},
+                                            {"_N", "", 1}};
   return kEndings;
 }
 
@@ -47,7 +62,10 @@ double size_of(const std::string& si, const std::string& printed) {
   return 0;
 }
 
-bool is_cpu(const std::string& key) { return ends(key, "cpu_s"); }
+/// A time that a computation took, which is not in replies.
+bool is_cpu(const std::string& key) {
+  return ends(key, "cpu_s") || key == "seconds" || key == "cpu_s_per_simulated_s";
+}
 
 /// Compares what is printed with SI, by 4e-16 relative. @return how many numbers have a unit that
 /// is printed otherwise
@@ -83,9 +101,22 @@ int compare(const OrderedJson& si, const OrderedJson& printed, double size,
   return scaled;
 }
 
-class EveryQuestion : public testing::TestWithParam<std::size_t> {
+class EveryQuestion : public TemporaryFolder, public testing::WithParamInterface<std::size_t> {
  protected:
+  /// In a folder of its own, with the fit that the example of predictions names.
+  void SetUp() override {
+    std::filesystem::current_path(folder_);
+    if (question().name != "predict") return;
+    Json fit = Json::parse(question_named("fit").example);
+    fit["output"] = "fit.h5";
+    (void)question_named("fit").ask(fit, THENAR_DATA_DIR, {});
+  }
+  void TearDown() override { std::filesystem::current_path(before_); }
+
   [[nodiscard]] const Question& question() const { return questions()[GetParam()]; }
+
+ private:
+  const std::filesystem::path before_ = std::filesystem::current_path();
 };
 
 TEST_P(EveryQuestion, PrintsTheNumbersThatItHasInSi) {
