@@ -121,8 +121,7 @@ ReadComponents read_force_axes(TomlTable& table, Experiment& experiment) {
 }
 
 Pulley read_protocol(TomlTable& table, Experiment& experiment) {
-  experiment.hold = table.choice("hold", {"rigid", "pinned"}) == "rigid" ? TipConstraint::kRigid
-                                                                         : TipConstraint::kPinned;
+  experiment.hold = table.choice("hold", kTipConstraintNames);
   Pulley pulley;
   pulley.gravity =
       table.number_or(Dimension::kAcceleration, "gravity", pulley.gravity, Range::kPositive);

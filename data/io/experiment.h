@@ -2,12 +2,15 @@
 
 /// Experiments: measured fingertip forces under known tendon loads, to which fits are made.
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include "base/enum_names.h"
 
 namespace thenar {
 
@@ -16,6 +19,8 @@ enum class TipConstraint {
   kPinned,  // a point contact: three forces, no moment
   kRigid    // clamped to the load cell: force and moment
 };
+inline constexpr std::array kTipConstraintNames{EnumName{TipConstraint::kPinned, "pinned"},
+                                                EnumName{TipConstraint::kRigid, "rigid"}};
 
 /// Course of tendons from the mount on which a digit stands to the muscles.
 enum class TendonExit {
