@@ -29,7 +29,7 @@ MAY_SEE = {
     "data/io/robot": ["base", "solvers", "geometry", "data/io", "data/io/mesh", "data/io/graspit"],
     "data/io/world": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit", "data/io/robot", "data/io/pad", "pad_laws"],
     "data/io/scene": ["base", "geometry", "data/io", "data/io/mesh", "data/io/pad", "data/io/world", "pad_laws"],
-    "hand": ["base", "geometry", "data/io"],
+    "hand": ["base", "geometry", "data/io", "data/io/robot/drive_coupling.h"],
     "hand/skin": ["base", "geometry", "data/io", "hand"],
     "pad_laws": ["base", "solvers", "geometry", "geometry/collision"],
     "pads": ["base", "solvers", "solvers/sparse", "contact", "geometry", "geometry/collision", "pad_laws",

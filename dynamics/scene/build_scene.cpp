@@ -267,7 +267,7 @@ class SceneBuilder {
             name));
       // Clutches and springs of driven motors are not modelled.
       for (const RobotDof& dof : robot.dofs)
-        if (dof.name == coordinate.name && dof.kind != RobotDofKind::kRigid && is_driven(name))
+        if (dof.name == coordinate.name && dof.kind != DriveCoupling::kRigid && is_driven(name))
           built_.warnings.push_back(fmt::format(
               "motor '{}' moves its joints rigidly: its clutch or springs are left out", name));
     }

@@ -57,8 +57,8 @@ RobotSpec robot_of(const LadderPair& pair) {
     const bool closes =
         pair.motors.empty() || std::count(pair.motors.begin(), pair.motors.end(), dof.name) > 0;
     if (!closes) dof.speed = 0;
-    if (closes) dof.kind = RobotDofKind::kRigid;  // clutches stay shut
-    dof.backdrivable = dof.speed != 0;            // what nothing drives is locked
+    if (closes) dof.kind = DriveCoupling::kRigid;  // clutches stay shut
+    dof.backdrivable = dof.speed != 0;             // what nothing drives is locked
   }
   return robot;
 }

@@ -249,7 +249,7 @@ constexpr double kLimitTolerance = 1e-6;  // Largest excess over a joint's limit
 
 /// Checks that a joint that follows its motor along a curve stays within its limits everywhere.
 void check_curve(const RobotJoint& joint, const RobotDof& dof) {
-  require(dof.kind == RobotDofKind::kRigid,
+  require(dof.kind == DriveCoupling::kRigid,
           "joint '{}' follows '{}' along a curve: wanted a rigid "
           "degree of freedom",
           joint.name, dof.name);

@@ -12,6 +12,7 @@
 
 #include "base/provenance.h"
 #include "base/spatial.h"
+#include "data/io/robot/drive_coupling.h"
 #include "geometry/shape_spec.h"
 
 namespace thenar {
@@ -56,17 +57,10 @@ struct RobotJoint {
   double rest = 0;                // [rad] or [m]
 };
 
-/// Coupling of the joints that one motor drives.
-enum class RobotDofKind {
-  kRigid,      // gears: if one joint is blocked, all are
-  kBreakaway,  // a clutch: a joint blocked beyond `breakaway` stops, those farther out go on
-  kCompliant   // springs or an adaptive linkage: a blocked joint stops, all others go on
-};
-
 /// A degree of freedom: a motor.
 struct RobotDof {
   std::string name;
-  RobotDofKind kind = RobotDofKind::kRigid;
+  DriveCoupling kind = DriveCoupling::kRigid;
   double lower = 0;             // [rad] or [m]
   double upper = 0;             // [rad] or [m]
   double speed = 0;             // in closing, relative to others; negative: closes downwards [1]

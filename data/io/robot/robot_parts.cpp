@@ -153,11 +153,7 @@ RobotDof read_robot_dof(TomlTable& table) {
   RobotDof dof;
   dof.name = table.text("name");
   // Kind of coupling.
-  const std::string kind =
-      table.has("kind") ? table.choice("kind", {"rigid", "breakaway", "compliant"}) : "rigid";
-  dof.kind = kind == "rigid"       ? RobotDofKind::kRigid
-             : kind == "breakaway" ? RobotDofKind::kBreakaway
-                                   : RobotDofKind::kCompliant;
+  if (table.has("kind")) dof.kind = table.choice("kind", kDriveCouplingNames);
   // Numbers in the units of its joints.
   const bool slides = table.has(Dimension::kLength, "range");
   const Measures& in = slides ? kSlidingMeasures : kTurningMeasures;
