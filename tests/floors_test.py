@@ -73,7 +73,8 @@ MAY_SEE |= {
     "grasp/compare": GRASP + ["grasp/contact", "grasp/limits", "grasp/quality", "grasp/closing"],
 }
 MAY_SEE |= {
-    "dynamics/mechanism": ["base", "geometry", "data/io", "data/io/robot", "data/io/world", "hand"],
+    "dynamics/mechanism": ["base", "geometry", "data/io", "data/io/robot", "data/io/world", "data/io/scene/joint_kind.h",
+                           "hand"],
 }
 MECHANISMS = MAY_SEE["dynamics/mechanism"] + ["dynamics/mechanism"]
 MAY_SEE |= {

@@ -61,9 +61,9 @@ Section explain_scene_bodies(const SceneSpec& scene) {
   section.table.header = {"name", "joint", "on", "material", "mass", "x_mm", "y_mm", "z_mm"};
   for (const SceneBodySpec& body : scene.bodies)
     section.table.rows.push_back(
-        row({{body.placed.body.name, scene_joint_names()[static_cast<std::size_t>(body.joint.kind)],
+        row({{body.placed.body.name, name_in(kJointKindNames, body.joint.kind),
               or_dash(body.joint.parent), or_dash(body.placed.body.material),
-              body.joint.kind == SceneJointKind::kWeld ? "-" : mass_of(body.placed.body)},
+              body.joint.kind == JointKind::kWeld ? "-" : mass_of(body.placed.body)},
              cells(Eigen::Vector3d(body.placed.X_WB.p / kMm), 1)}));
   return section;
 }

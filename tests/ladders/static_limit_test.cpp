@@ -203,11 +203,11 @@ class StaticLimit : public testing::TestWithParam<LadderPair> {
     SceneHandSpec hand;
     hand.placed.name = "hand";
     hand.placed.X_WH = closed_->X_WH;
-    hand.joint.kind = SceneJointKind::kWeld;
+    hand.joint.kind = JointKind::kWeld;
     spec.hands.push_back(hand);
     SceneBodySpec body;
     body.placed = object_;
-    body.joint.kind = SceneJointKind::kWeld;
+    body.joint.kind = JointKind::kWeld;
     spec.bodies.push_back(body);
     spec.apart.push_back({{"hand", "hand"}});
     SceneFrictionSpec all;
