@@ -71,6 +71,10 @@ struct JointAxis {
 
 /// Shapes of wrapping surfaces.
 enum class SurfaceShape { kCylinder, kSphere, kEllipsoid, kCapsule, kTorus };
+inline constexpr std::array kSurfaceShapeNames{
+    EnumName{SurfaceShape::kCylinder, "cylinder"}, EnumName{SurfaceShape::kSphere, "sphere"},
+    EnumName{SurfaceShape::kEllipsoid, "ellipsoid"}, EnumName{SurfaceShape::kCapsule, "capsule"},
+    EnumName{SurfaceShape::kTorus, "torus"}};
 
 /// A surface of a bone or a pulley, over which tendons slide. In its own frame:
 ///   cylinder   radius size[0] about z, endless; size[1] half length, for drawing only
