@@ -440,9 +440,9 @@ class SceneBuilder {
   void set_options() {
     const SteppingSpec& stepping = spec_.stepping;
     SceneOptions& options = built_.options;
-    options.method = static_cast<SteppingMethod>(at_line(spec_.path, stepping.line, [&] {
-      return index_of_name(stepping.method, stepping_names(), "method");
-    }));
+    options.method = at_line(spec_.path, stepping.line, [&] {
+      return value_in(kSteppingMethodNames, stepping.method, "method");
+    });
     // Lengths of steps and samples, or the defaults.
     options.seconds = stepping.duration;
     options.sample = stepping.sample;
@@ -463,9 +463,9 @@ class SceneBuilder {
     out.layer = stepping.layer.value_or(out.layer);
     out.transition = stepping.transition.value_or(out.transition);
     if (stepping.friction_ramp.empty()) return;
-    out.ramp = static_cast<FrictionRamp>(at_line(spec_.path, stepping.line, [&] {
-      return index_of_name(stepping.friction_ramp, friction_ramp_names(), "friction ramp");
-    }));
+    out.ramp = at_line(spec_.path, stepping.line, [&] {
+      return value_in(kFrictionRampNames, stepping.friction_ramp, "friction ramp");
+    });
   }
 
   const SceneSpec& spec_;
