@@ -294,11 +294,6 @@ class WorldBuilder {
 
 }  // namespace
 
-const std::vector<std::string>& world_drive_names() {
-  static const std::vector<std::string> names{"hold", "tendons", "none"};
-  return names;
-}
-
 BuiltScene build_world_scene(const WorldSpec& world, const std::string& data, WorldDrives drives) {
   return WorldBuilder(world, data, drives).build();
 }
