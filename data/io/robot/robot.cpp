@@ -13,18 +13,6 @@
 
 namespace thenar {
 
-std::string name_of(RobotJointKind kind) {
-  switch (kind) {
-    case RobotJointKind::kFixed:
-      return "fixed";
-    case RobotJointKind::kRevolute:
-      return "revolute";
-    case RobotJointKind::kPrismatic:
-      break;
-  }
-  return "prismatic";
-}
-
 bool take_effort_of_speed(RobotDof& dof) {
   if (dof.effort_up == dof.effort_down || dof.speed == 0) return false;
   dof.max_effort = dof.speed > 0 ? dof.effort_up : dof.effort_down;

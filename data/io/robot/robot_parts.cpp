@@ -33,17 +33,10 @@ void read_range(TomlTable& table, Dimension dimension, double& lower, double& up
   upper = range[1];
 }
 
-RobotJointKind read_kind(TomlTable& table) {
-  if (!table.has("kind")) return RobotJointKind::kRevolute;
-  const std::string kind = table.choice("kind", {"fixed", "revolute", "prismatic"});
-  if (kind == "fixed") return RobotJointKind::kFixed;
-  return kind == "revolute" ? RobotJointKind::kRevolute : RobotJointKind::kPrismatic;
-}
-
 /// Reads the keys that [[joint]] and a row of [[dh_chain]] share.
 void read_drive(TomlTable& table, RobotJoint& joint) {
   // What it moves, and which motor drives it.
-  joint.kind = read_kind(table);
+  if (table.has("kind")) joint.kind = table.choice("kind", kRobotJointKindNames);
   joint.child = table.text("child");
   joint.dof = table.text_or("dof", "");
   joint.ratio = table.number_or(Dimension::kNumber, "ratio", 1);
