@@ -77,9 +77,7 @@ std::optional<ForceSite> read_site(TomlTable& table, const std::optional<ForceSi
     if (table.has("at_fraction")) table.fail("wanted 'at_mm' or 'at_fraction', got both", "at");
     site.point = table.vector(Dimension::kLength, "at");
   }
-  if (table.has("tendons_leave") &&
-      table.choice("tendons_leave", {"crossing", "along_bone"}) == "along_bone")
-    site.leave = TendonExit::kAlongBone;
+  if (table.has("tendons_leave")) site.leave = table.choice("tendons_leave", kTendonExitNames);
   return site;
 }
 

@@ -27,6 +27,8 @@ enum class TendonExit {
   kCrossing,  // straight on from where they cross the joint next to the mount
   kAlongBone  // turned along the bone by the mount, proximal
 };
+inline constexpr std::array kTendonExitNames{EnumName{TendonExit::kCrossing, "crossing"},
+                                             EnumName{TendonExit::kAlongBone, "along_bone"}};
 
 /// Place of a load cell that does not hold the tip.
 struct ForceSite {

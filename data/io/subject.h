@@ -120,6 +120,9 @@ struct MuscleUnit {
 
 /// Lateral band of the hood that a muscle feeds.
 enum class HoodSide { kRadial, kUlnar, kBoth };
+inline constexpr std::array kHoodSideNames{EnumName{HoodSide::kRadial, "radial"},
+                                           EnumName{HoodSide::kUlnar, "ulnar"},
+                                           EnumName{HoodSide::kBoth, "both"}};
 
 /// Share of a muscle in the extensor hood: of its tension t, `into_hood * t` enters the hood,
 /// `to_central` of this goes to the central slip and the rest to the lateral band(s).
