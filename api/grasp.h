@@ -46,11 +46,6 @@ struct GraspRobustness {
   Robustness pose;      // the object moved and turned: approached, closed and touched anew
 };
 
-/// Outcomes in the order of GraspResult::outcomes.
-inline constexpr std::array<GraspOutcome, 6> kOutcomes{
-    GraspOutcome::kGrasped, GraspOutcome::kOverlaps, GraspOutcome::kMissed,
-    GraspOutcome::kBlocked, GraspOutcome::kTooLong,  GraspOutcome::kEmpty};
-
 /// The best grasp of all starts, with its measures.
 struct GraspResult {
   GraspRequest request;

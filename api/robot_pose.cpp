@@ -101,7 +101,7 @@ class RobotPosture {
 
   void set(const RobotJoint& joint, double value) {
     const RobotDof* dof = dof_named(robot_, joint.dof);
-    if (dof == nullptr || dof->kind != RobotDofKind::kRigid)
+    if (dof == nullptr || dof->kind != DriveCoupling::kRigid)
       joints_[joint.name] = value;  // it may part from the others of its motor
     else
       move(*dof, motor_of(joint, *dof, value));

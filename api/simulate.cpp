@@ -88,7 +88,7 @@ void add_rungs(const TendonOptions& rungs, PassiveMoments passive, ResultFile& f
   file.add("rungs/path", words[kPathLadder].rung);
   file.add("rungs/hood", words[kHoodLadder].rung);
   file.add("rungs/wrist", rungs.wrist_mode == WristMode::kFree ? "free" : "welded");
-  file.add("rungs/passive", passive == PassiveMoments::kOn ? "on" : "off");
+  file.add("rungs/passive", name_in(kPassiveNames, passive));
   if (rungs.frozen.empty()) return;
   std::vector<std::string> joints;
   Eigen::VectorXd angles(static_cast<Eigen::Index>(rungs.frozen.size()));

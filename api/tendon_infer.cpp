@@ -217,12 +217,6 @@ std::vector<std::string> doubts_of(const InferredNet& inferred) {
 
 }  // namespace
 
-InferMethod infer_method_named(const std::string& name) {
-  require(name == "sparse" || name == "explore", "method must be sparse or explore, got '{}'",
-          name);
-  return name == "sparse" ? InferMethod::kSparse : InferMethod::kExplore;
-}
-
 std::vector<std::string> freed_by(const std::string& word) {
   if (word == "slack") return {"net/*/slack"};
   if (word == "stiffness") return {"net/*stiffness"};
@@ -230,10 +224,6 @@ std::vector<std::string> freed_by(const std::string& word) {
   require(word.find('/') != std::string::npos,
           "free must be slack, paths, stiffness, or a glob on names of parameters, got '{}'", word);
   return {word};
-}
-
-std::string name_of(InferMethod method) {
-  return method == InferMethod::kSparse ? "sparse" : "explore";
 }
 
 InferNetResult infer_net(const InferNetRequest& request, const Progress& progress) {

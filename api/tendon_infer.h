@@ -3,10 +3,12 @@
 /// Inference of an extensor net from measured fingertip forces: bands that the forces require,
 /// exclude or leave open, and the best next measurements.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "base/fidelity.h"
 #include "base/progress.h"
 #include "base/provenance.h"
@@ -20,10 +22,15 @@ enum class InferMethod {
   kSparse,  // all candidate bands at once, at a price: select_bands()
   kExplore  // a population of nets that change by single bands: search_nets()
 };
-
+inline constexpr std::array kInferMethodNames{EnumName{InferMethod::kSparse, "sparse"},
+                                              EnumName{InferMethod::kExplore, "explore"}};
 /// @throws InputError unless the name is "sparse" or "explore".
-[[nodiscard]] InferMethod infer_method_named(const std::string& name);
-[[nodiscard]] std::string name_of(InferMethod method);
+[[nodiscard]] inline InferMethod infer_method_named(const std::string& name) {
+  return value_in(kInferMethodNames, name, "method");
+}
+[[nodiscard]] inline std::string name_of(InferMethod method) {
+  return name_in(kInferMethodNames, method);
+}
 
 /// Options of an inference: the forces, the subject and the candidate bands.
 struct InferNetRequest {

@@ -41,7 +41,7 @@ TipForceResult compute_tip_force(const TipForceRequest& request, const Progress&
           "wanted a hold length above 0, up to {:.4g} mm, got {:.6g} mm", 1e3 * kMaxHoldLength,
           1e3 * request.hold_length);
   const DigitCase digit = build_digit(request.digit, TendonOptions().hood);
-  require_field("hold", digit.map.empty() || request.hold == TipHold::kPinned,
+  require_field("hold", digit.map.empty() || request.hold == TipConstraint::kPinned,
                 "tip map '{}' gives forces whatever the hold, got a rigid one", digit.map);
   TipForceResult answer{begin_digit_result(digit), request, tensions(digit, request.tension), {}};
   const Eigen::VectorXd limits =
@@ -56,8 +56,9 @@ TipForceResult compute_tip_force(const TipForceRequest& request, const Progress&
     point.tip_axes = at.tip_axes;
     point.tip = at.tip;
     point.planar = at.plane_normal.has_value();
-    request.hold == TipHold::kRigid ? clamp_tip(at, answer.tension, request.hold_length, point)
-                                    : pin(at, answer.tension, point);
+    request.hold == TipConstraint::kRigid
+        ? clamp_tip(at, answer.tension, request.hold_length, point)
+        : pin(at, answer.tension, point);
     answer.points.push_back(std::move(point));
     return at.warnings;
   };

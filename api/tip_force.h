@@ -2,7 +2,6 @@
 
 /// The force of a fingertip under given tendon tensions.
 
-#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,25 +10,16 @@
 #include <Eigen/Core>
 
 #include "api/named/digit_result.h"
-#include "base/enum_names.h"
+#include "data/io/experiment.h"
 #include "tendons/forces/tip_wrench.h"
 
 namespace thenar {
-
-/// Constraint on the tip.
-enum class TipHold {
-  kPinned,  // a point: it takes a force and no moment
-  kRigid    // a clamp: it takes a force and a moment
-};
-
-inline constexpr std::array kTipHoldNames{EnumName{TipHold::kPinned, "pinned"},
-                                          EnumName{TipHold::kRigid, "rigid"}};
 
 /// Options of a tip force: a digit and the tensions of its tendons.
 struct TipForceRequest {
   DigitRequest digit;
   std::map<std::string, double> tension;           // of each muscle [N]; others are slack
-  TipHold hold = TipHold::kPinned;                 //
+  TipConstraint hold = TipConstraint::kPinned;     //
   double hold_length = TipWrenchOptions().length;  // weighs moments of a rigid hold [m]
 };
 

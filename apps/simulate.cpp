@@ -78,8 +78,9 @@ SceneVariation parse_scene_variation(const std::string& text) {
 
 /// --method, --pads, --step-ms, --vary
 void add_scene_options(CLI::App& command, SceneArguments& options) {
-  command.add_option("--method", options.method,
-                     "Of a scene: " + listed(stepping_names()) + "; as the scene says if left out");
+  command.add_option(
+      "--method", options.method,
+      "Of a scene: " + listed(names_in(kSteppingMethodNames)) + "; as the scene says if left out");
   command.add_option("--pads", options.pads,
                      "Of a scene: the rung of all its pads, " + listed(pad_rung_names()) +
                          "; as the scene says if left out. Several: a run on each, compared");

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cstddef>
+
 #include "base/fidelity.h"
 
 #include "base/error.h"
@@ -6,64 +9,82 @@ namespace thenar {
 namespace {
 
 /// A rung and the assumption it makes.
+template <typename Rung>
 struct Words {
+  Rung rung;
   const char* name;
   const char* assumes;
 };
 
-constexpr Words kMotion[] = {
-    {"posed", "forces are not asked for: bones are where the joint angles put them"},
-    {"static", "inertia and damping do not matter: all forces balance at every instant"},
-    {"dynamic", "bones are rigid bodies with the masses stated"}};
-constexpr Words kJoint[] = {
-    {"hinge axes", "a joint turns about an axis fixed in its parent bone, and yields no other way"},
-    {"compliant joints", "ligaments are springs that let a joint yield under load"}};
-constexpr Words kPath[] = {
-    {"no tendons", "no tendon acts"},
-    {"constant moment arms", "moment arms do not change with the posture"},
-    {"via points", "tendons run straight between points fixed in bones, and never lift off them"},
-    {"fitted paths", "moment arms follow the posture as they were measured"},
-    {"wrapped paths", "tendons slide over smooth surfaces along the shortest way"}};
-constexpr Words kHood[] = {
-    {"separate tendons", "no extensor tendon passes force to another"},
-    {"fixed force fractions", "the hood splits tensions in fixed parts, whatever the load"},
-    {"floating net", "bands of the hood are strings that find their own balance"}};
-constexpr Words kMuscle[] = {
-    {"force bounds", "a muscle pulls with any force from 0 to F0, whatever its length"},
-    {"rigid-tendon Hill", "force depends on fibre length and speed; tendons do not stretch"},
-    {"elastic tendon", "fibre and tendon share the length by their stiffness"}};
-constexpr Words kContact[] = {
-    {"no contact", "the hand touches nothing but what a question holds its tips to"},
-    {"hard point", "a contact is one point that carries force but no moment"},
-    {"soft finger", "a contact is a point that also resists twisting, within a friction limit"},
-    {"elastic foundation", "each spot of the pad is a spring of its own"},
-    {"finite-element pad", "the pad is a continuum of the material stated"}};
+constexpr Words<Motion> kMotion[] = {
+    {Motion::kPosed, "posed",
+     "forces are not asked for: bones are where the joint angles put them"},
+    {Motion::kStatic, "static",
+     "inertia and damping do not matter: all forces balance at every instant"},
+    {Motion::kDynamic, "dynamic", "bones are rigid bodies with the masses stated"}};
+constexpr Words<Joint> kJoint[] = {
+    {Joint::kHinge, "hinge axes",
+     "a joint turns about an axis fixed in its parent bone, and yields no other way"},
+    {Joint::kCompliant, "compliant joints",
+     "ligaments are springs that let a joint yield under load"}};
+constexpr Words<Path> kPath[] = {
+    {Path::kNone, "no tendons", "no tendon acts"},
+    {Path::kConstant, "constant moment arms", "moment arms do not change with the posture"},
+    {Path::kViaPoint, "via points",
+     "tendons run straight between points fixed in bones, and never lift off them"},
+    {Path::kFitted, "fitted paths", "moment arms follow the posture as they were measured"},
+    {Path::kWrapped, "wrapped paths", "tendons slide over smooth surfaces along the shortest way"}};
+constexpr Words<Hood> kHood[] = {
+    {Hood::kSeparate, "separate tendons", "no extensor tendon passes force to another"},
+    {Hood::kFractions, "fixed force fractions",
+     "the hood splits tensions in fixed parts, whatever the load"},
+    {Hood::kFloatingNet, "floating net",
+     "bands of the hood are strings that find their own balance"}};
+constexpr Words<Muscle> kMuscle[] = {
+    {Muscle::kBounds, "force bounds",
+     "a muscle pulls with any force from 0 to F0, whatever its length"},
+    {Muscle::kRigidTendon, "rigid-tendon Hill",
+     "force depends on fibre length and speed; tendons do not stretch"},
+    {Muscle::kElasticTendon, "elastic tendon",
+     "fibre and tendon share the length by their stiffness"}};
+constexpr Words<ContactModel> kContact[] = {
+    {ContactModel::kNone, "no contact",
+     "the hand touches nothing but what a question holds its tips to"},
+    {ContactModel::kHardPoint, "hard point",
+     "a contact is one point that carries force but no moment"},
+    {ContactModel::kSoftFinger, "soft finger",
+     "a contact is a point that also resists twisting, within a friction limit"},
+    {ContactModel::kElasticFoundation, "elastic foundation",
+     "each spot of the pad is a spring of its own"},
+    {ContactModel::kFiniteElement, "finite-element pad",
+     "the pad is a continuum of the material stated"}};
 
-using Names = const Words*;  // of the rungs of one ladder
-
-template <typename Rung>
-const char* name(Names names, Rung rung) {
-  return names[static_cast<std::size_t>(rung)].name;
+template <typename Rung, std::size_t size>
+const Words<Rung>& words_of(const Words<Rung> (&ladder)[size], Rung rung) {
+  return *std::find_if(ladder, ladder + size,
+                       [&](const Words<Rung>& each) { return each.rung == rung; });
 }
 
-template <typename Rung>
-void require_rung(Names names, Rung have, Rung need, const std::string& question) {
+template <typename Rung, std::size_t size>
+void require_rung(const Words<Rung> (&ladder)[size], Rung have, Rung need,
+                  const std::string& question) {
   require(have >= need, "{} needs '{}', but the model was built with '{}'", question,
-          name(names, need), name(names, have));
+          words_of(ladder, need).name, words_of(ladder, have).name);
 }
 
 }  // namespace
 
 std::string describe(const Fidelity& f) {
-  return fmt::format("{}, {}, {}, {}, {}, {}", name(kMotion, f.motion), name(kJoint, f.joint),
-                     name(kPath, f.path), name(kHood, f.hood), name(kMuscle, f.muscle),
-                     name(kContact, f.contact));
+  return fmt::format("{}, {}, {}, {}, {}, {}", words_of(kMotion, f.motion).name,
+                     words_of(kJoint, f.joint).name, words_of(kPath, f.path).name,
+                     words_of(kHood, f.hood).name, words_of(kMuscle, f.muscle).name,
+                     words_of(kContact, f.contact).name);
 }
 
 std::vector<RungWords> explain(const Fidelity& f) {
   std::vector<RungWords> words;
-  const auto add = [&](const char* ladder, Names rungs, auto rung) {
-    const Words& is = rungs[static_cast<std::size_t>(rung)];
+  const auto add = [&](const char* ladder, const auto& rungs, auto rung) {
+    const auto& is = words_of(rungs, rung);
     words.push_back({ladder, is.name, is.assumes});
   };
   add("motion", kMotion, f.motion);

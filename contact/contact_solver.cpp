@@ -1,7 +1,5 @@
 #include "contact/contact_solver.h"
 
-#include <array>
-
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/random_stream.h"
@@ -43,11 +41,6 @@ enum class Damped { kNo, kYes };
 constexpr double kLeastDamping = 0.3, kMostDamping = 10;  // stiffness over the residual [1]
 
 }  // namespace
-
-std::string name_of(ContactMethod method) {
-  constexpr std::array kNames{"automatic", "Newton", "Gauss-Seidel", "interior point", "pyramid"};
-  return kNames[static_cast<std::size_t>(method)];
-}
 
 /// Everything that a solve needs. The runs below go on from f, and are true at the goal.
 struct ContactSolver::Workspace {

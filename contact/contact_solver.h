@@ -2,11 +2,13 @@
 
 /// Impulses that answer a contact problem, by several methods behind one call.
 
+#include <array>
 #include <memory>
 #include <string>
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "contact/contact_problem.h"
 #include "solvers/status.h"
 
@@ -20,9 +22,14 @@ enum class ContactMethod {
   kInteriorPoint,  // interior points, last digits by Newton; has no use for a warm start
   kPyramid         // Lemke's algorithm on friction pyramids; has no use for a warm start
 };
-
-/// "automatic", "Newton", "Gauss-Seidel", "interior point" or "pyramid".
-[[nodiscard]] std::string name_of(ContactMethod method);
+inline constexpr std::array kContactMethodNames{
+    EnumName{ContactMethod::kAutomatic, "automatic"}, EnumName{ContactMethod::kNewton, "Newton"},
+    EnumName{ContactMethod::kGaussSeidel, "Gauss-Seidel"},
+    EnumName{ContactMethod::kInteriorPoint, "interior point"},
+    EnumName{ContactMethod::kPyramid, "pyramid"}};
+[[nodiscard]] inline std::string name_of(ContactMethod method) {
+  return name_in(kContactMethodNames, method);
+}
 
 struct ContactSolverOptions {
   ContactMethod method = ContactMethod::kAutomatic;

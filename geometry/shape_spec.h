@@ -2,9 +2,10 @@
 
 /// Shapes as plain data, as files state them.
 
+#include <array>
 #include <string>
-#include <vector>
 
+#include "base/enum_names.h"
 #include "base/spatial.h"
 #include "geometry/triangle_mesh.h"
 
@@ -21,6 +22,16 @@ enum class ShapeKind {
   kSuperellipsoid,
   kMesh
 };
+/// Names as in data files.
+inline constexpr std::array kShapeKindNames{EnumName{ShapeKind::kSphere, "sphere"},
+                                            EnumName{ShapeKind::kBox, "box"},
+                                            EnumName{ShapeKind::kCylinder, "cylinder"},
+                                            EnumName{ShapeKind::kCapsule, "capsule"},
+                                            EnumName{ShapeKind::kTaperedCapsule, "tapered capsule"},
+                                            EnumName{ShapeKind::kEllipsoid, "ellipsoid"},
+                                            EnumName{ShapeKind::kSuperellipsoid, "superellipsoid"},
+                                            EnumName{ShapeKind::kMesh, "mesh"}};
+[[nodiscard]] inline std::string name_of(ShapeKind kind) { return name_in(kShapeKindNames, kind); }
 
 /// One shape, placed in the frame of its body. In its own frame, centred at the origin:
 ///   sphere          radius size[0]
@@ -41,18 +52,5 @@ struct ShapeSpec {
   double mesh_scale = 1;            // [m] per unit of the file, already applied to `mesh`
   Pose<double> X_BS;                // the shape's frame in its body's
 };
-
-/// All names as in data files, in the order of ShapeKind.
-[[nodiscard]] inline const std::vector<std::string>& shape_names() {
-  static const std::vector<std::string> names{
-      "sphere",          "box",       "cylinder",       "capsule",
-      "tapered capsule", "ellipsoid", "superellipsoid", "mesh"};
-  return names;
-}
-
-/// "sphere", "tapered capsule"... as in data files.
-[[nodiscard]] inline std::string name_of(ShapeKind kind) {
-  return shape_names()[static_cast<std::size_t>(kind)];
-}
 
 }  // namespace thenar

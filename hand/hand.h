@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "base/spatial.h"
+#include "data/io/robot/drive_coupling.h"
 #include "geometry/solid.h"
 
 namespace thenar {
@@ -52,13 +53,6 @@ struct AppliedTorque {
   Eigen::MatrixXd B;                                 // d tau/du there (coordinates, actuators)
   ActuationStatus status = ActuationStatus::kExact;  // never kLinearised
   std::string warning{};
-};
-
-/// Motion of a drive's other coordinates when a contact blocks one of them.
-enum class DriveCoupling {
-  kRigid,      // all stop
-  kBreakaway,  // coordinates farther from the base keep moving, the others stop
-  kCompliant   // all others keep moving
 };
 
 /// A coordinate that a drive moves.

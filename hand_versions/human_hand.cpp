@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/nearest_name.h"
 #include "data/io/net_description.h"
 #include "hand/skin/hand_anatomy.h"
 #include "hand_versions/closing_synergy.h"
@@ -200,12 +200,17 @@ void put_pads(const HandAnatomy& anatomy, std::vector<LinkSurface>& surfaces) {
         surface.material = "fingertip";
 }
 
-/// Place of a version in human_versions(), by its name or its old one; -1: it is none.
-int find_version(const std::string& name) {
-  const std::vector<std::string>& names = human_versions();
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (name == names[i] || name == fmt::format("tier{}", i + 1)) return static_cast<int>(i);
-  return -1;
+constexpr std::array kOldVersionNames{EnumName{HumanVersion::kOrthogonalThumb, "tier1"},
+                                      EnumName{HumanVersion::kSkewedThumb, "tier2"},
+                                      EnumName{HumanVersion::kSoftPads, "tier3"},
+                                      EnumName{HumanVersion::kTendonNet, "tier4"}};
+
+/// The version by its name or its old one; empty: it is none.
+std::optional<HumanVersion> find_version(const std::string& name) {
+  for (const auto& table : {kHumanVersionNames, kOldVersionNames})
+    for (const auto& [version, word] : table)
+      if (name == word) return version;
+  return {};
 }
 
 }  // namespace
@@ -269,18 +274,11 @@ HumanTendons human_tendons(const Subject& subject, Hood extensors,
   return out;
 }
 
-const std::vector<std::string>& human_versions() {
-  static const std::vector<std::string> names{"orthogonal", "skewed", "soft", "tendons"};
-  return names;
-}
-
-bool is_human_version(const std::string& name) { return find_version(name) >= 0; }
+bool is_human_version(const std::string& name) { return find_version(name).has_value(); }
 
 HumanVersion human_version(const std::string& name) {
-  const int found = find_version(name);
-  require(found >= 0, "no version '{}' of the human hand{}; there are {}", name,
-          did_you_mean(name, human_versions()), listed(human_versions()));
-  return static_cast<HumanVersion>(found);
+  const std::optional<HumanVersion> found = find_version(name);
+  return found ? *found : value_in(kHumanVersionNames, name, "version of the human hand");
 }
 
 const Subject& default_human() {

@@ -2,12 +2,14 @@
 
 /// The human hand in four versions, each richer by one thing.
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "base/fidelity.h"
 #include "data/io/subject.h"
 #include "hand/hand.h"
@@ -25,6 +27,10 @@ enum class HumanVersion {
   kSoftPads,         // and pads that resist twisting
   kTendonNet         // and tendons in place of motors, the extensors through a floating net
 };
+inline constexpr std::array kHumanVersionNames{
+    EnumName{HumanVersion::kOrthogonalThumb, "orthogonal"},
+    EnumName{HumanVersion::kSkewedThumb, "skewed"}, EnumName{HumanVersion::kSoftPads, "soft"},
+    EnumName{HumanVersion::kTendonNet, "tendons"}};
 
 /// Surfaces with which the hand touches.
 enum class Cover {
@@ -79,9 +85,6 @@ struct HumanTendons {
 /// @throws InputError as build_tendon_digit() and muscle_forces().
 [[nodiscard]] HumanTendons human_tendons(const Subject& subject, Hood extensors,
                                          const HumanHandOptions& options = {});
-
-/// Names of the versions, in the order of HumanVersion: "orthogonal", "skewed", "soft", "tendons".
-[[nodiscard]] const std::vector<std::string>& human_versions();
 
 /// Returns whether a word names a version, by its name or its old one.
 [[nodiscard]] bool is_human_version(const std::string& name);

@@ -8,12 +8,14 @@
 /// stays the same (meshes, names, limits) stands in LiveShape; what moves stands in LiveInstant, in
 /// the same order, so that an instant is small enough to be sent at every frame.
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "base/spatial.h"
 #include "geometry/solid.h"
 
@@ -21,6 +23,10 @@ namespace thenar {
 
 /// Role of a body, which determines its colour and the actions on it.
 enum class LiveRole { kLink, kNail, kBone, kObject, kObstacle };
+inline constexpr std::array kLiveRoleNames{
+    EnumName{LiveRole::kLink, "link"}, EnumName{LiveRole::kNail, "nail"},
+    EnumName{LiveRole::kBone, "bone"}, EnumName{LiveRole::kObject, "object"},
+    EnumName{LiveRole::kObstacle, "obstacle"}};
 
 /// A rigid body with its surface.
 struct LiveBody {
@@ -56,6 +62,13 @@ struct LiveLine {
 
 /// Quantity that an arrow shows.
 enum class LiveArrowKind { kForce, kMoment, kAxis, kMeasured, kPredicted, kDisturbance };
+inline constexpr std::array kLiveArrowKindNames{
+    EnumName{LiveArrowKind::kForce, "force"},
+    EnumName{LiveArrowKind::kMoment, "moment"},
+    EnumName{LiveArrowKind::kAxis, "axis"},
+    EnumName{LiveArrowKind::kMeasured, "measured"},
+    EnumName{LiveArrowKind::kPredicted, "predicted"},
+    EnumName{LiveArrowKind::kDisturbance, "disturbance"}};
 
 /// An arrow that is there at every instant; without length it is not drawn.
 struct LiveArrow {

@@ -43,7 +43,7 @@ MotionSource scene_motion(const SceneRequest& request) {
   if (options.method != SteppingMethod::kTimeStepping)
     out.warnings.push_back(fmt::format(
         "the scene asks for '{}': live it takes steps of {:g} ms, in which nothing bounces",
-        stepping_names()[static_cast<std::size_t>(options.method)], 1e3 * options.step));
+        name_in(kSteppingMethodNames, options.method), 1e3 * options.step));
   if (has_pads_of_elements(read.spec, request))
     out.warnings.emplace_back(
         "pads of finite elements: where they touch, single steps take tenths of a second; other "

@@ -1,26 +1,10 @@
 #include "pads/build_pad.h"
 
-#include <array>
-
 #include "base/error.h"
-#include "base/nearest_name.h"
 #include "geometry/solid.h"
 
 namespace thenar {
 namespace {
-
-constexpr std::array kTissueLaws{TissueLaw::kNeoHookean, TissueLaw::kOgden,
-                                 TissueLaw::kVerondaWestmann};
-constexpr std::array kHexElements{HexElement::kDisplacement, HexElement::kMeanDilatation,
-                                  HexElement::kCentroidDilatation, HexElement::kQuadratic};
-
-/// Returns the enumerator of `kinds` with this name.
-template <typename Kinds>
-auto kind_named(const std::string& name, const Kinds& kinds, const std::string& what) {
-  std::vector<std::string> names;
-  for (const auto kind : kinds) names.push_back(name_of(kind));
-  return kinds[index_of_name(name, names, what)];
-}
 
 Tissue build_tissue(const PadTissueSpec& spec, const std::string& name) {
   Tissue tissue;
@@ -42,11 +26,11 @@ Tissue build_tissue(const PadTissueSpec& spec, const std::string& name) {
 }  // namespace
 
 TissueLaw tissue_law_named(const std::string& name) {
-  return kind_named(name, kTissueLaws, "law of tissue");
+  return value_in(kTissueLawNames, name, "law of tissue");
 }
 
 HexElement pad_element_named(const std::string& name) {
-  return kind_named(name, kHexElements, "element");
+  return value_in(kHexElementNames, name, "element");
 }
 
 PadModel build_pad(const PadSpec& spec) {

@@ -345,11 +345,6 @@ void check_problem(const PadFitProblem& problem) {
 
 }  // namespace
 
-std::string name_of(PressQuantity quantity) {
-  constexpr std::array kNames{"indentation", "force", "area"};
-  return kNames[static_cast<std::size_t>(quantity)];
-}
-
 double predicted(const PressDatum& datum, const std::vector<PressPoint>& points) {
   const double value = quantity_of(datum.quantity, points.at(static_cast<std::size_t>(datum.load)));
   if (!datum.over) return value;

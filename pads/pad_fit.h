@@ -2,12 +2,14 @@
 
 /// Constants of a pad from measured presses, with what the data leave open.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "base/progress.h"
 #include "pads/pad_constants.h"
 #include "pads/press_curve.h"
@@ -16,9 +18,12 @@
 namespace thenar {
 
 enum class PressQuantity { kIndentation, kForce, kArea };  // [m], [N], [m^2]
-
-/// "indentation", "force", "area".
-[[nodiscard]] std::string name_of(PressQuantity quantity);
+inline constexpr std::array kPressQuantityNames{
+    EnumName{PressQuantity::kIndentation, "indentation"}, EnumName{PressQuantity::kForce, "force"},
+    EnumName{PressQuantity::kArea, "area"}};
+[[nodiscard]] inline std::string name_of(PressQuantity quantity) {
+  return name_in(kPressQuantityNames, quantity);
+}
 
 /// A measured number.
 struct PressDatum {

@@ -132,11 +132,6 @@ void principal_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
 
 }  // namespace
 
-std::string name_of(TissueLaw law) {
-  constexpr std::array kNames{"neo-hookean", "ogden", "veronda-westmann"};
-  return kNames[static_cast<std::size_t>(law)];
-}
-
 double bulk_modulus(const Tissue& tissue) {
   const double nu = tissue.poisson_ratio;
   return 2 * tissue.shear_modulus * (1 + nu) / (3 * (1 - 2 * nu));

@@ -2,11 +2,13 @@
 
 /// Laws of soft tissue at finite strain: nearly incompressible, hyperelastic, relaxing.
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "pad_laws/exponential_memory.h"
 
 namespace thenar {
@@ -17,9 +19,10 @@ namespace thenar {
 ///   Veronda-Westmann W = mu/k (exp(k (I1 - 3)) - 1) - mu/2 (I2 - 3)
 /// with shear modulus mu at rest; I1, I2 of Fbar Fbar'.
 enum class TissueLaw { kNeoHookean, kOgden, kVerondaWestmann };
-
-/// "neo-hookean", "ogden", "veronda-westmann".
-[[nodiscard]] std::string name_of(TissueLaw law);
+inline constexpr std::array kTissueLawNames{
+    EnumName{TissueLaw::kNeoHookean, "neo-hookean"}, EnumName{TissueLaw::kOgden, "ogden"},
+    EnumName{TissueLaw::kVerondaWestmann, "veronda-westmann"}};
+[[nodiscard]] inline std::string name_of(TissueLaw law) { return name_in(kTissueLawNames, law); }
 
 /// A tissue. Its volumetric energy is  U(J) = K/4 (J^2 - 1 - 2 ln J),  with bulk modulus
 /// K = 2 mu (1 + nu) / (3 (1 - 2 nu)); it does not relax.

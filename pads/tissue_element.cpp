@@ -417,11 +417,6 @@ Eigen::Vector4d linear_pressure_of(HexElement kind, const ElementShape& shape, c
 
 }  // namespace
 
-std::string name_of(HexElement kind) {
-  constexpr std::array kNames{"Q1", "Q1P0", "F-bar", "Q2P1"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
-
 int nodes_of(HexElement kind) { return kind == HexElement::kQuadratic ? 27 : 8; }
 int points_of(HexElement kind) { return nodes_of(kind); }
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "pads/tissue.h"
 
 namespace thenar {
@@ -20,9 +21,12 @@ enum class HexElement {
                         // parallelepipeds is F of the centre [DeSouzaNeto1996]
   kQuadratic            // Q2P1: 27 nodes, 27 Gauss points, J is linear within [SussmanBathe1987]
 };
-
-/// "Q1", "Q1P0", "F-bar", "Q2P1".
-[[nodiscard]] std::string name_of(HexElement kind);
+inline constexpr std::array kHexElementNames{
+    EnumName{HexElement::kDisplacement, "Q1"}, EnumName{HexElement::kMeanDilatation, "Q1P0"},
+    EnumName{HexElement::kCentroidDilatation, "F-bar"}, EnumName{HexElement::kQuadratic, "Q2P1"}};
+[[nodiscard]] inline std::string name_of(HexElement kind) {
+  return name_in(kHexElementNames, kind);
+}
 /// 8 or 27.
 [[nodiscard]] int nodes_of(HexElement kind);
 /// Gauss points of the isochoric part, 8 or 27.

@@ -31,7 +31,7 @@ RequestTable<TipForceRequest> tip_force_params() {
       .add("tension", units::kNewton, map_schema(number_schema("", 0, kMaxTension)),
            &TipForceRequest::tension, "Tensions of muscles; others are slack.")
       .member.required = true;
-  table.add_word("hold", kTipHoldNames, &TipForceRequest::hold,
+  table.add_word("hold", kTipConstraintNames, &TipForceRequest::hold,
                  "pinned: no moment; rigid: clamped.");
   table.add("hold_length", units::kMillimetre, number_schema(""), &TipForceRequest::hold_length,
             "How the norm of a rigid hold weighs moments.");

@@ -24,9 +24,6 @@ namespace {
 
 constexpr std::size_t kMaxNames = 1000;  // Entries of a list of names in a request
 
-constexpr std::array kInferMethodNames{EnumName{InferMethod::kSparse, "sparse"},
-                                       EnumName{InferMethod::kExplore, "explore"}};
-
 Schema names_schema() { return list_schema(text_schema(), 0, kMaxNames); }
 
 /// Tendon paths of a fit: via, straight between via points; its force model has no others.

@@ -53,8 +53,9 @@ RequestTable<SceneRequest> scene_params() {
                            "A scene of bodies and hands: its name, or its file (TOML).");
   scene.option = "scene";
   scene.member.required = true;
-  table.add("method", text_schema(), &Request::method,
-            "Stepping: " + listed(stepping_names()) + "; as the scene says if left out.");
+  table.add(
+      "method", text_schema(), &Request::method,
+      "Stepping: " + listed(names_in(kSteppingMethodNames)) + "; as the scene says if left out.");
   table.add(
       "pads", text_schema(), &Request::pads,
       "Rung of all its pads: " + listed(pad_rung_names()) + "; as the scene says if left out.");

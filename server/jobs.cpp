@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/enum_names.h"
 #include "base/error.h"
 #include "base/progress_parts.h"
 #include "base/stop_scope.h"
@@ -25,11 +24,6 @@ using JobClock = std::chrono::steady_clock;
 constexpr int kJobNice = 10;  // Priority of jobs behind the session's thread
 constexpr std::size_t kMaxResultBytes = 32UL << 20U;  // of JSON, as a reply holds
 
-constexpr std::array kJobStageNames{
-    EnumName{JobStage::kWaiting, "waiting"}, EnumName{JobStage::kRunning, "running"},
-    EnumName{JobStage::kDone, "done"}, EnumName{JobStage::kStopped, "stopped"},
-    EnumName{JobStage::kFailed, "failed"}};
-
 bool has_ended(JobStage stage) {
   return stage != JobStage::kWaiting && stage != JobStage::kRunning;
 }
@@ -40,8 +34,6 @@ void yield_to_clients() {
 }
 
 }  // namespace
-
-std::string name_of(JobStage stage) { return name_in(kJobStageNames, stage); }
 
 struct Jobs::Job {
   int id = 0;

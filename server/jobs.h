@@ -3,6 +3,7 @@
 /// Questions that are answered beside the session: each runs on a thread of its own, after those
 /// before it, while the session serves its clients.
 
+#include <array>
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
@@ -14,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "report/json.h"
 
 namespace thenar {
@@ -22,8 +24,11 @@ struct Question;
 
 /// Stages of a job.
 enum class JobStage { kWaiting, kRunning, kDone, kStopped, kFailed };
-/// "waiting", "running", "done", "stopped", "failed"
-[[nodiscard]] std::string name_of(JobStage stage);
+inline constexpr std::array kJobStageNames{
+    EnumName{JobStage::kWaiting, "waiting"}, EnumName{JobStage::kRunning, "running"},
+    EnumName{JobStage::kDone, "done"}, EnumName{JobStage::kStopped, "stopped"},
+    EnumName{JobStage::kFailed, "failed"}};
+[[nodiscard]] inline std::string name_of(JobStage stage) { return name_in(kJobStageNames, stage); }
 
 /// What a client hears of a job.
 struct JobState {

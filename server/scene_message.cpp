@@ -11,23 +11,12 @@
 namespace thenar {
 namespace {
 
-const char* name_of(LiveRole role) {
-  constexpr std::array<const char*, 5> kNames{"link", "nail", "bone", "object", "obstacle"};
-  return kNames.at(static_cast<std::size_t>(role));
-}
-
-const char* name_of(LiveArrowKind kind) {
-  constexpr std::array<const char*, 6> kNames{"force",    "moment",    "axis",
-                                              "measured", "predicted", "disturbance"};
-  return kNames.at(static_cast<std::size_t>(kind));
-}
-
 OrderedJson body_json(const LiveBody& body, MeshStore& meshes) {
   return {{"name", body.name},
           {"owner", body.owner},
           {"digit", body.digit},
           {"material", body.material},
-          {"role", name_of(body.role)},
+          {"role", name_in(kLiveRoleNames, body.role)},
           {"movable", body.movable},
           {"mesh", body.mesh == nullptr ? OrderedJson() : OrderedJson(meshes.add(body.mesh))},
           {"crease", body.crease}};
@@ -90,7 +79,8 @@ OrderedJson scene_message(const LiveShape& shape, unsigned long revision, const 
     out["lines"].push_back(
         {{"name", line.name}, {"owner", line.owner}, {"band", line.band}, {"points", line.points}});
   for (const LiveArrow& arrow : shape.arrows)
-    out["arrows"].push_back({{"name", arrow.name}, {"kind", name_of(arrow.kind)}});
+    out["arrows"].push_back(
+        {{"name", arrow.name}, {"kind", name_in(kLiveArrowKindNames, arrow.kind)}});
   for (const LiveCloud& cloud : shape.clouds) out["clouds"].push_back(cloud_json(cloud));
   return out;
 }

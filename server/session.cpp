@@ -6,11 +6,6 @@
 
 namespace thenar {
 
-const std::vector<std::string>& live_mode_names() {
-  static const std::vector<std::string> names{"world", "motion", "tendons", "fit"};
-  return names;
-}
-
 std::string Session::what_is(LiveMode mode) {
   switch (mode) {
     case LiveMode::kWorld:

@@ -6,8 +6,8 @@
 #include <array>
 #include <memory>
 #include <string>
-#include <vector>
 
+#include "base/enum_names.h"
 #include "base/error.h"
 #include "live/live_picture.h"
 #include "server/jobs.h"
@@ -18,9 +18,9 @@ namespace thenar {
 
 /// Kinds of models that a session may show.
 enum class LiveMode { kWorld, kMotion, kTendons, kFit };
-
-/// "world", "motion", "tendons", "fit", in the order of LiveMode.
-[[nodiscard]] const std::vector<std::string>& live_mode_names();
+inline constexpr std::array kLiveModeNames{
+    EnumName{LiveMode::kWorld, "world"}, EnumName{LiveMode::kMotion, "motion"},
+    EnumName{LiveMode::kTendons, "tendons"}, EnumName{LiveMode::kFit, "fit"}};
 
 /// Folders from which a session reads files, and to which it writes them.
 struct SessionPlaces {
@@ -36,7 +36,7 @@ class Session {
   [[nodiscard]] const SessionPlaces& places() const { return places_; }
   [[nodiscard]] LiveMode mode() const { return mode_; }
   /// "world"
-  [[nodiscard]] const std::string& mode_name() const { return live_mode_names()[place_of(mode_)]; }
+  [[nodiscard]] std::string mode_name() const { return name_in(kLiveModeNames, mode_); }
   /// Replaces the model of a mode, and shows it. A motion that is shown no longer pauses.
   void open(LiveMode mode, std::shared_ptr<LiveModel> model);
   /// Shows a model that is open. @throws InputError if there is none in that mode.
@@ -77,7 +77,7 @@ class Session {
   MeshStore meshes_;
   SessionLog log_;
   Jobs jobs_;
-  std::array<std::shared_ptr<LiveModel>, 4> models_{};
+  std::array<std::shared_ptr<LiveModel>, kLiveModeNames.size()> models_{};
   LiveMode mode_ = LiveMode::kWorld;
   unsigned long switches_ = 0;  // of what is shown; with the model's own changes the revision
 };

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
+
 namespace thenar {
 
 /// A result says more beside it: a `message`, residuals, a certificate.
@@ -20,12 +22,11 @@ enum class Status {
   kStopped,     // the caller asked to stop
   kStalled      // the method ended without an answer whose certificate holds
 };
-
-/// "solved", "infeasible", "unbounded", "limit", "stopped" or "stalled".
-[[nodiscard]] inline std::string name_of(Status status) {
-  constexpr std::array kNames{"solved", "infeasible", "unbounded", "limit", "stopped", "stalled"};
-  return kNames[static_cast<std::size_t>(status)];
-}
+inline constexpr std::array kStatusNames{
+    EnumName{Status::kSolved, "solved"},       EnumName{Status::kInfeasible, "infeasible"},
+    EnumName{Status::kUnbounded, "unbounded"}, EnumName{Status::kLimit, "limit"},
+    EnumName{Status::kStopped, "stopped"},     EnumName{Status::kStalled, "stalled"}};
+[[nodiscard]] inline std::string name_of(Status status) { return name_in(kStatusNames, status); }
 
 /// How the work on a question ended.
 struct Outcome {

@@ -29,7 +29,7 @@ MAY_SEE = {
     "data/io/robot": ["base", "solvers", "geometry", "data/io", "data/io/mesh", "data/io/graspit"],
     "data/io/world": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit", "data/io/robot", "data/io/pad", "pad_laws"],
     "data/io/scene": ["base", "geometry", "data/io", "data/io/mesh", "data/io/pad", "data/io/world", "pad_laws"],
-    "hand": ["base", "geometry", "data/io"],
+    "hand": ["base", "geometry", "data/io", "data/io/robot/drive_coupling.h"],
     "hand/skin": ["base", "geometry", "data/io", "hand"],
     "pad_laws": ["base", "solvers", "geometry", "geometry/collision"],
     "pads": ["base", "solvers", "solvers/sparse", "contact", "geometry", "geometry/collision", "pad_laws",
@@ -73,7 +73,8 @@ MAY_SEE |= {
     "grasp/compare": GRASP + ["grasp/contact", "grasp/limits", "grasp/quality", "grasp/closing"],
 }
 MAY_SEE |= {
-    "dynamics/mechanism": ["base", "geometry", "data/io", "data/io/robot", "data/io/world", "hand"],
+    "dynamics/mechanism": ["base", "geometry", "data/io", "data/io/robot", "data/io/world", "data/io/scene/joint_kind.h",
+                           "hand"],
 }
 MECHANISMS = MAY_SEE["dynamics/mechanism"] + ["dynamics/mechanism"]
 MAY_SEE |= {

@@ -19,6 +19,7 @@
 namespace thenar {
 
 using DigitSweep [[deprecated("DigitResult")]] = DigitResult;
+using TipHold [[deprecated("TipConstraint")]] = TipConstraint;
 using TipForceAnswer [[deprecated("TipForceResult")]] = TipForceResult;
 using FeasibleForceAnswer [[deprecated("FeasibleForceResult")]] = FeasibleForceResult;
 using MomentArmAnswer [[deprecated("MomentArmResult")]] = MomentArmResult;

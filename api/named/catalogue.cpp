@@ -1,6 +1,7 @@
 #include "api/named/catalogue.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -55,12 +56,13 @@ void add_files(const ThingKind& kind, const std::vector<std::string>& places, Ca
 
 /// The built-in human hand in its versions, as hand_by_name() knows them.
 void add_human_hands(Catalogue& out) {
-  const std::vector<std::string> titles{
-      "Human hand, thumb axes at right angles", "Human hand, thumb axes as measured",
-      "Human hand, axes as measured, soft pads", "Human hand, moved by tendons with extensor nets"};
-  for (std::size_t v = 0; v < human_versions().size(); ++v)
-    out.entries.push_back(
-        {"hand", "human:" + human_versions()[v], v < titles.size() ? titles[v] : "", "", ""});
+  constexpr std::array kTitles{
+      EnumName{HumanVersion::kOrthogonalThumb, "Human hand, thumb axes at right angles"},
+      EnumName{HumanVersion::kSkewedThumb, "Human hand, thumb axes as measured"},
+      EnumName{HumanVersion::kSoftPads, "Human hand, axes as measured, soft pads"},
+      EnumName{HumanVersion::kTendonNet, "Human hand, moved by tendons with extensor nets"}};
+  for (const auto& [version, title] : kTitles)
+    out.entries.push_back({"hand", "human:" + name_in(kHumanVersionNames, version), title, "", ""});
 }
 
 std::string limits_of(double lower, double upper, bool slides) {

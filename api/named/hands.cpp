@@ -83,7 +83,7 @@ HandSource file_source(const std::string& file, const std::string& version,
 
 /// The version by its name of today; "" stays.
 std::string current_version(const std::string& version) {
-  return version.empty() ? "" : human_versions()[static_cast<std::size_t>(human_version(version))];
+  return version.empty() ? "" : name_in(kHumanVersionNames, human_version(version));
 }
 
 constexpr const char* kPassiveOff = "passive-off";
@@ -142,8 +142,8 @@ HandSource find_source(const std::string& name, const HandName& parts,
     if (const std::string whose = name.substr(0, colon); whose == kHuman || is_file(whose))
       (void)human_version(name.substr(colon + 1));
   std::vector<std::string> known = names_in(places, "robots");
-  for (const std::string& each : human_versions())
-    known.push_back(std::string(kHuman) + ":" + each);
+  for (const auto& [each, word] : kHumanVersionNames)
+    known.push_back(std::string(kHuman) + ":" + word);
   throw InputError(fmt::format("there is no hand '{}'{}; there are {}, and files; {}", name,
                                did_you_mean(name, known), fmt::join(known, ", "),
                                places_words(places)));

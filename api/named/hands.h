@@ -32,7 +32,7 @@ struct NamedHand {
 struct HandSource {
   bool human = false;   // of a subject; else a robot
   std::string file;     // empty: the built-in human
-  std::string version;  // of a human hand: one of human_versions()
+  std::string version;  // of a human hand: one of kHumanVersionNames
   std::string path;     // of its tendons: "via", "fitted" or "wrapped"; empty: default_path()
   PassiveMoments passive = PassiveMoments::kOn;  // of its joints
 };

@@ -296,8 +296,6 @@ void add_warnings(PressResult& out) {
 
 }  // namespace
 
-std::string name_of(PressPhase phase) { return phase == PressPhase::kWay ? "way" : "hold"; }
-
 bool PressResult::relaxes() const {
   return request.rate.value_or(0) > 0 &&
          std::any_of(pad.model.tissues.begin(), pad.model.tissues.end(),

@@ -2,6 +2,7 @@
 
 /// A finger pad pressed by a rigid object: force, contact area, pressure, stick and time.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "api/named/pads.h"
 #include "api/pads/press_object.h"
 #include "api/pads/press_rungs.h"
+#include "base/enum_names.h"
 #include "base/progress.h"
 #include "pads/press_surface.h"
 
@@ -36,8 +38,11 @@ struct PressRequest {
 
 /// Phase of the object's motion.
 enum class PressPhase { kWay, kHold };
-/// "way" or "hold".
-[[nodiscard]] std::string name_of(PressPhase phase);
+inline constexpr std::array kPressPhaseNames{EnumName{PressPhase::kWay, "way"},
+                                             EnumName{PressPhase::kHold, "hold"}};
+[[nodiscard]] inline std::string name_of(PressPhase phase) {
+  return name_in(kPressPhaseNames, phase);
+}
 
 /// A press at one instant.
 struct PressInstant {

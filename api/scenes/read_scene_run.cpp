@@ -186,7 +186,8 @@ class RunReader {
       contact.force = force.row(k);
       contact.torsion = torsion(k);
       contact.gap = gap(k);
-      contact.mode = static_cast<ContactMode>(index(mode(k), 3, "contact_mode"));
+      contact.mode =
+          kContactModeNames[index(mode(k), kContactModeNames.size(), "contact_mode")].value;
       contact.area = area(k);
       contact.stick = stick(k);
       const auto samples = static_cast<double>(out_.samples.size());

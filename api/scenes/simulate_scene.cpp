@@ -223,8 +223,7 @@ RequestedScene open_requested_scene(const SceneRequest& request) {
   read.open = open_scene(read.spec, request.data, request.path);
   SceneOptions& options = read.open.built.options;
   if (!request.method.empty())
-    options.method =
-        static_cast<SteppingMethod>(index_of_name(request.method, stepping_names(), "method"));
+    options.method = value_in(kSteppingMethodNames, request.method, "method");
   options.seconds = request.seconds.value_or(options.seconds);
   options.sample = request.sample.value_or(options.sample);
   options.step = request.step.value_or(options.step);
@@ -523,8 +522,8 @@ void add_names(const SceneResult& scene, ResultFile& file) {
   for (const PullMeasure& muscle : scene.measures.pulls.muscles) muscles.push_back(muscle.name);
   if (!muscles.empty()) file.add("name/muscle", muscles);
   file.add("name/energy_part", std::vector<std::string>{"kinetic", "weight", "springs"});
-  file.add("name/contact_mode", std::vector<std::string>{"open", "stick", "slide"});
-  file.add("method", stepping_names()[static_cast<std::size_t>(scene.built->options.method)]);
+  file.add("name/contact_mode", names_in(kContactModeNames));
+  file.add("method", name_in(kSteppingMethodNames, scene.built->options.method));
   file.add("rungs/path", asked_paths(scene.path));
 }
 

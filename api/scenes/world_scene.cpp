@@ -105,7 +105,7 @@ class WorldBuilder {
   void add_body(const PlacedBody& body) {
     SceneBodySpec out;
     out.placed = body;
-    out.joint.kind = body.dynamic ? SceneJointKind::kFree : SceneJointKind::kWeld;
+    out.joint.kind = body.dynamic ? JointKind::kFree : JointKind::kWeld;
     if (body.dynamic) weigh(out.placed.body);
     spec_.bodies.push_back(std::move(out));
   }
@@ -150,7 +150,7 @@ class WorldBuilder {
   void add_hand(const PlacedHand& placed) {
     SceneHandSpec out;
     out.placed = placed;
-    out.joint.kind = SceneJointKind::kWeld;
+    out.joint.kind = JointKind::kWeld;
     // Express a mount on a carrier as a weld to its link.
     if (!placed.carrier.empty()) {
       out.joint.parent = placed.carrier + "/" + placed.carrier_link;
@@ -293,11 +293,6 @@ class WorldBuilder {
 };
 
 }  // namespace
-
-const std::vector<std::string>& world_drive_names() {
-  static const std::vector<std::string> names{"hold", "tendons", "none"};
-  return names;
-}
 
 BuiltScene build_world_scene(const WorldSpec& world, const std::string& data, WorldDrives drives) {
   return WorldBuilder(world, data, drives).build();

@@ -2,9 +2,10 @@
 
 /// A world as it stands, as a scene that moves.
 
+#include <array>
 #include <string>
-#include <vector>
 
+#include "base/enum_names.h"
 #include "data/io/world/world.h"
 #include "dynamics/scene/build_scene.h"
 
@@ -16,9 +17,9 @@ enum class WorldDrives {
   kTendons,  // the same of robots; muscles of human hands pull, at first without tension
   kNone      // nothing: efforts are given from outside
 };
-
-/// "hold", "tendons", "none".
-[[nodiscard]] const std::vector<std::string>& world_drive_names();
+inline constexpr std::array kWorldDrivesNames{EnumName{WorldDrives::kHold, "hold"},
+                                              EnumName{WorldDrives::kTendons, "tendons"},
+                                              EnumName{WorldDrives::kNone, "none"}};
 
 /// Builds a scene at the present state of a world: obstacles and hands are welded to the world or
 /// to what carries them, objects are free, steps have a fixed length.

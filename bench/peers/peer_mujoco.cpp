@@ -64,7 +64,8 @@ class SceneWriter {
     if (is_scalar(joint.kind))
       text += fmt::format(
           "<joint name=\"j{}\" type=\"{}\" pos=\"{}\" axis=\"{}\" damping=\"{:.17g}\"/>", i,
-          name_of(joint.kind), three(joint.X_BM.p), three(joint.X_BM.R.col(2)), joint.damping);
+          name_in(kJointKindNames, joint.kind), three(joint.X_BM.p), three(joint.X_BM.R.col(2)),
+          joint.damping);
     for (const ShapeSpec& shape : shapes_of(body)) text += geom(shape);
     return text + children(static_cast<int>(i)) + "</body>";
   }

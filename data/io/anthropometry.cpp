@@ -13,8 +13,7 @@ namespace {
 SimpleJoint read_joint(TomlTable& table) {
   SimpleJoint joint;
   joint.name = table.text("name");
-  joint.axis = table.choice("axis", {"flexion", "abduction"}) == "flexion" ? SimpleAxis::kFlexion
-                                                                           : SimpleAxis::kAbduction;
+  joint.axis = table.choice("axis", kSimpleAxisNames);
   // Range of motion, with its bounds in order.
   const std::vector<double> range = table.numbers(Dimension::kAngle, "range", 2);
   if (range[0] > range[1])

@@ -2,15 +2,19 @@
 
 /// Hand proportions: bones and joints as fractions of the length and breadth of a hand.
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "data/io/subject.h"
 
 namespace thenar {
 
 /// Axis about which a joint of a simple, orthogonal hand turns.
 enum class SimpleAxis { kFlexion, kAbduction };
+inline constexpr std::array kSimpleAxisNames{EnumName{SimpleAxis::kFlexion, "flexion"},
+                                             EnumName{SimpleAxis::kAbduction, "abduction"}};
 
 /// A joint in front of a segment.
 struct SimpleJoint {

@@ -1,17 +1,11 @@
 #include "data/io/axis_variability.h"
 
-#include <algorithm>
-#include <array>
-
 #include "base/error.h"
 #include "data/io/toml_node.h"
 #include "data/io/toml_table.h"
 
 namespace thenar {
 namespace {
-
-constexpr std::array<DigitDirection, 3> kDigitDirections{
-    DigitDirection::kDistal, DigitDirection::kDorsal, DigitDirection::kRadial};
 
 AxisVariability read_axis_variability(TomlTable& table) {
   AxisVariability axis;
@@ -38,26 +32,12 @@ NormalQuestion read_question(TomlTable& table) {
   NormalQuestion question;
   question.first = table.text("first");
   question.second = table.text("second");
-  const std::string toward = table.choice("toward", {"distal", "dorsal", "radial"});
-  question.toward = *std::find_if(kDigitDirections.begin(), kDigitDirections.end(),
-                                  [&](DigitDirection one) { return name_of(one) == toward; });
+  question.toward = table.choice("toward", kDigitDirectionNames);
   table.done();
   return question;
 }
 
 }  // namespace
-
-std::string name_of(DigitDirection direction) {
-  switch (direction) {
-    case DigitDirection::kDistal:
-      return "distal";
-    case DigitDirection::kDorsal:
-      return "dorsal";
-    case DigitDirection::kRadial:
-      return "radial";
-  }
-  return "";
-}
 
 DigitVariability read_variability(const std::string& path) {
   return parse_variability(read_text_file(path), path);

@@ -2,8 +2,11 @@
 
 /// Variability of a digit's joint axes between people.
 
+#include <array>
 #include <string>
 #include <vector>
+
+#include "base/enum_names.h"
 
 namespace thenar {
 
@@ -25,6 +28,12 @@ struct AxisVariability {
 
 /// Direction in a digit's reference posture.
 enum class DigitDirection { kDistal, kDorsal, kRadial };
+inline constexpr std::array kDigitDirectionNames{EnumName{DigitDirection::kDistal, "distal"},
+                                                 EnumName{DigitDirection::kDorsal, "dorsal"},
+                                                 EnumName{DigitDirection::kRadial, "radial"}};
+[[nodiscard]] inline std::string name_of(DigitDirection direction) {
+  return name_in(kDigitDirectionNames, direction);
+}
 
 /// A question about the common normal from one axis to another: does it point that way?
 struct NormalQuestion {
@@ -45,8 +54,5 @@ struct DigitVariability {
 [[nodiscard]] DigitVariability parse_variability(const std::string& text, const std::string& path);
 
 [[nodiscard]] DigitVariability read_variability(const std::string& path);
-
-/// "distal", "dorsal" or "radial".
-[[nodiscard]] std::string name_of(DigitDirection direction);
 
 }  // namespace thenar

@@ -77,9 +77,7 @@ std::optional<ForceSite> read_site(TomlTable& table, const std::optional<ForceSi
     if (table.has("at_fraction")) table.fail("wanted 'at_mm' or 'at_fraction', got both", "at");
     site.point = table.vector(Dimension::kLength, "at");
   }
-  if (table.has("tendons_leave") &&
-      table.choice("tendons_leave", {"crossing", "along_bone"}) == "along_bone")
-    site.leave = TendonExit::kAlongBone;
+  if (table.has("tendons_leave")) site.leave = table.choice("tendons_leave", kTendonExitNames);
   return site;
 }
 
@@ -121,8 +119,7 @@ ReadComponents read_force_axes(TomlTable& table, Experiment& experiment) {
 }
 
 Pulley read_protocol(TomlTable& table, Experiment& experiment) {
-  experiment.hold = table.choice("hold", {"rigid", "pinned"}) == "rigid" ? TipConstraint::kRigid
-                                                                         : TipConstraint::kPinned;
+  experiment.hold = table.choice("hold", kTipConstraintNames);
   Pulley pulley;
   pulley.gravity =
       table.number_or(Dimension::kAcceleration, "gravity", pulley.gravity, Range::kPositive);

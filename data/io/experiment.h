@@ -2,12 +2,15 @@
 
 /// Experiments: measured fingertip forces under known tendon loads, to which fits are made.
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include "base/enum_names.h"
 
 namespace thenar {
 
@@ -16,12 +19,16 @@ enum class TipConstraint {
   kPinned,  // a point contact: three forces, no moment
   kRigid    // clamped to the load cell: force and moment
 };
+inline constexpr std::array kTipConstraintNames{EnumName{TipConstraint::kPinned, "pinned"},
+                                                EnumName{TipConstraint::kRigid, "rigid"}};
 
 /// Course of tendons from the mount on which a digit stands to the muscles.
 enum class TendonExit {
   kCrossing,  // straight on from where they cross the joint next to the mount
   kAlongBone  // turned along the bone by the mount, proximal
 };
+inline constexpr std::array kTendonExitNames{EnumName{TendonExit::kCrossing, "crossing"},
+                                             EnumName{TendonExit::kAlongBone, "along_bone"}};
 
 /// Place of a load cell that does not hold the tip.
 struct ForceSite {

@@ -32,44 +32,6 @@ bool has_list(const TomlNode& top, const std::string& key) {
 
 }  // namespace
 
-std::string name_of(FileKind kind) {
-  switch (kind) {
-    case FileKind::kSubject:
-      return "subject";
-    case FileKind::kExperiment:
-      return "experiment";
-    case FileKind::kFitSettings:
-      return "fit settings";
-    case FileKind::kProportions:
-      return "proportions";
-    case FileKind::kAxisVariability:
-      return "variability of axes";
-    case FileKind::kPinchLosses:
-      return "losses of pinch";
-    case FileKind::kNet:
-      return "net";
-    case FileKind::kResult:
-      return "result";
-    case FileKind::kObject:
-      return "object";
-    case FileKind::kWorld:
-      return "world";
-    case FileKind::kMaterials:
-      return "materials";
-    case FileKind::kRobot:
-      return "robot";
-    case FileKind::kScene:
-      return "scene";
-    case FileKind::kPad:
-      return "pad";
-    case FileKind::kPadLaws:
-      return "laws of a pad";
-    case FileKind::kPadPresses:
-      return "presses of a pad";
-  }
-  return "";
-}
-
 FileKind find_file_kind(const std::string& path) {
   // HDF5 by its first bytes, TOML by keys that only one kind has.
   if (has_hdf5_start(path)) return FileKind::kResult;

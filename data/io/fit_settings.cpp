@@ -43,11 +43,8 @@ ParameterRule read_rule(TomlTable& table) {
   rule.optional = table.has("optional") && table.choice("optional", {"yes", "no"}) == "yes";
   // Free, fixed or tied.
   if (table.has("state")) {
-    const std::string state = table.choice("state", {"free", "fixed", "tied"});
-    rule.state = state == "free"    ? ParameterState::kFree
-                 : state == "fixed" ? ParameterState::kFixed
-                                    : ParameterState::kTied;
-    if (state == "tied") read_tie(table, rule);
+    rule.state = table.choice("state", kParameterStateNames);
+    if (rule.state == ParameterState::kTied) read_tie(table, rule);
   }
   // Prior and bounds, all of one dimension.
   bool seen = false;

@@ -2,17 +2,22 @@
 
 /// Fit settings: which parameters a fit may move, how far, and their priors.
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "data/io/units.h"
 
 namespace thenar {
 
 /// State of a parameter in a fit.
 enum class ParameterState { kFree, kFixed, kTied };
+inline constexpr std::array kParameterStateNames{EnumName{ParameterState::kFree, "free"},
+                                                 EnumName{ParameterState::kFixed, "fixed"},
+                                                 EnumName{ParameterState::kTied, "tied"}};
 
 /// Rule for every parameter whose name matches; later rules win. Numbers are SI; the reader
 /// converts them from the unit of the key.

@@ -1,6 +1,5 @@
 #include "data/io/net_description.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "data/io/subject_parts.h"
@@ -13,14 +12,6 @@ using internal::names_of;
 using internal::new_name;
 using internal::reference;
 
-const std::vector<std::string> kBones{"metacarpal", "proximal", "middle", "distal"};
-const std::vector<std::string> kJoints{"MCP", "PIP", "DIP"};
-
-BoneRole read_bone(TomlTable& table, const std::string& key) {
-  const std::string name = table.choice(key, kBones);
-  return static_cast<BoneRole>(std::find(kBones.begin(), kBones.end(), name) - kBones.begin());
-}
-
 /// Fraction of a bone's length, at most one length beyond either end: farther off lie other bones.
 double read_along(TomlTable& table) {
   const double along = table.number(Dimension::kNumber, "along");
@@ -31,7 +22,7 @@ double read_along(TomlTable& table) {
 
 NetPlace read_place(TomlTable& table) {
   NetPlace place;
-  place.bone = read_bone(table, "bone");
+  place.bone = table.choice("bone", kBoneRoleNames);
   place.along = read_along(table);
   place.angle = table.number_or(Dimension::kAngle, "angle", 0);
   place.height = table.number(Dimension::kLength, "height", Range::kNotNegative);
@@ -58,21 +49,18 @@ TomlTable needed_table(TomlTable& top, const std::string& key) {
 void read_reference(TomlTable& top, NetDescription& net) {
   // Bone lengths and heights of the reference finger.
   TomlTable bones = needed_table(top, "bone_lengths");
-  for (std::size_t b = 0; b < kBones.size(); ++b)
-    net.bone_length[static_cast<BoneRole>(b)] =
-        bones.number(Dimension::kLength, kBones[b], Range::kPositive);
+  for (const auto& [bone, name] : kBoneRoleNames)
+    net.bone_length[bone] = bones.number(Dimension::kLength, name, Range::kPositive);
   bones.done();
   TomlTable heights = needed_table(top, "extensor_heights");
-  for (std::size_t j = 0; j < kJoints.size(); ++j)
-    net.height[static_cast<FingerJoint>(j)] =
-        heights.number(Dimension::kLength, kJoints[j], Range::kPositive);
+  for (const auto& [joint, name] : kFingerJointNames)
+    net.height[joint] = heights.number(Dimension::kLength, name, Range::kPositive);
   heights.done();
   // Strands whose moment arms give the heights in a subject.
   std::optional<TomlTable> strands = top.table("height_strands");
   if (!strands) return;
-  for (std::size_t j = 0; j < kJoints.size(); ++j)
-    if (strands->has(kJoints[j]))
-      net.height_strands[static_cast<FingerJoint>(j)] = strands->texts(kJoints[j]);
+  for (const auto& [joint, name] : kFingerJointNames)
+    if (strands->has(name)) net.height_strands[joint] = strands->texts(name);
   strands->done();
 }
 
@@ -81,11 +69,9 @@ NetSurface read_surface(TomlTable& table, const NetDescription& net) {
   // Name and shape.
   surface.name = new_name(table, names_of(net.surfaces));
   const std::string shape = table.choice("shape", {"sphere", "cylinder", "capsule"});
-  surface.shape = shape == "sphere"     ? SurfaceShape::kSphere
-                  : shape == "cylinder" ? SurfaceShape::kCylinder
-                                        : SurfaceShape::kCapsule;
+  surface.shape = value_in(kSurfaceShapeNames, shape, "shape");
   // Place on its bone, and sizes.
-  surface.center.bone = read_bone(table, "bone");
+  surface.center.bone = table.choice("bone", kBoneRoleNames);
   surface.center.along = read_along(table);
   surface.center.angle = table.number_or(Dimension::kAngle, "angle", 0);
   surface.center.height = table.number_or(Dimension::kLength, "height", 0, Range::kNotNegative);
@@ -183,7 +169,7 @@ NetMusclePlan read_muscle(TomlTable& table, const NetDescription& net) {
     if (other.role == muscle.role)
       table.fail(fmt::format("[[muscle]] '{}' is given twice", muscle.role), "role");
   muscle.names = table.texts("names");
-  muscle.exit = read_bone(table, "exit");
+  muscle.exit = table.choice("exit", kBoneRoleNames);
   muscle.optional = table.has("optional") && table.choice("optional", {"yes", "no"}) == "yes";
   muscle.hood_share = table.has("hood_share") && table.choice("hood_share", {"yes", "no"}) == "yes";
   // Shares of the tension that enter the net, at most all of it.

@@ -6,20 +6,28 @@
 /// be laid on any finger: along bones as fractions of their lengths, across them as fractions of
 /// the heights of the extensor over the joints. Lines of bones run between joint centres.
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "data/io/subject.h"
 
 namespace thenar {
 
 /// Bones of a finger, from the palm outwards.
 enum class BoneRole { kMetacarpal, kProximal, kMiddle, kDistal };
+inline constexpr std::array kBoneRoleNames{
+    EnumName{BoneRole::kMetacarpal, "metacarpal"}, EnumName{BoneRole::kProximal, "proximal"},
+    EnumName{BoneRole::kMiddle, "middle"}, EnumName{BoneRole::kDistal, "distal"}};
 
 /// Joints between the bones.
 enum class FingerJoint { kMcp, kPip, kDip };
+inline constexpr std::array kFingerJointNames{EnumName{FingerJoint::kMcp, "MCP"},
+                                              EnumName{FingerJoint::kPip, "PIP"},
+                                              EnumName{FingerJoint::kDip, "DIP"}};
 
 /// A place on a bone.
 struct NetPlace {

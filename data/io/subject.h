@@ -71,6 +71,10 @@ struct JointAxis {
 
 /// Shapes of wrapping surfaces.
 enum class SurfaceShape { kCylinder, kSphere, kEllipsoid, kCapsule, kTorus };
+inline constexpr std::array kSurfaceShapeNames{
+    EnumName{SurfaceShape::kCylinder, "cylinder"}, EnumName{SurfaceShape::kSphere, "sphere"},
+    EnumName{SurfaceShape::kEllipsoid, "ellipsoid"}, EnumName{SurfaceShape::kCapsule, "capsule"},
+    EnumName{SurfaceShape::kTorus, "torus"}};
 
 /// A surface of a bone or a pulley, over which tendons slide. In its own frame:
 ///   cylinder   radius size[0] about z, endless; size[1] half length, for drawing only
@@ -116,6 +120,9 @@ struct MuscleUnit {
 
 /// Lateral band of the hood that a muscle feeds.
 enum class HoodSide { kRadial, kUlnar, kBoth };
+inline constexpr std::array kHoodSideNames{EnumName{HoodSide::kRadial, "radial"},
+                                           EnumName{HoodSide::kUlnar, "ulnar"},
+                                           EnumName{HoodSide::kBoth, "both"}};
 
 /// Share of a muscle in the extensor hood: of its tension t, `into_hood * t` enters the hood,
 /// `to_central` of this goes to the central slip and the rest to the lateral band(s).

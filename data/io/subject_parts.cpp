@@ -48,10 +48,7 @@ constexpr double kPerpendicularCosine = 0.05;
 HoodBranch read_branch(TomlTable& table, const SubjectDraft& draft) {
   HoodBranch branch;
   branch.muscle = reference(table, "muscle", "muscle", names_of(draft.subject.muscles));
-  const std::string side = table.choice("side", {"radial", "ulnar", "both"});
-  branch.side = side == "radial"  ? HoodSide::kRadial
-                : side == "ulnar" ? HoodSide::kUlnar
-                                  : HoodSide::kBoth;
+  branch.side = table.choice("side", kHoodSideNames);
   branch.into_hood = table.number_or(Dimension::kNumber, "into_hood", 1, Range::kFraction);
   branch.to_central = table.number_or(Dimension::kNumber, "to_central", 0.5, Range::kFraction);
   table.done();

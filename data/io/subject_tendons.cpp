@@ -227,15 +227,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-SurfaceShape read_shape(TomlTable& table) {
-  const std::string shape =
-      table.choice("shape", {"cylinder", "sphere", "ellipsoid", "capsule", "torus"});
-  if (shape == "cylinder") return SurfaceShape::kCylinder;
-  if (shape == "sphere") return SurfaceShape::kSphere;
-  if (shape == "ellipsoid") return SurfaceShape::kEllipsoid;
-  return shape == "capsule" ? SurfaceShape::kCapsule : SurfaceShape::kTorus;
-}
-
 Vector3d read_size(TomlTable& table, SurfaceShape shape) {
   const auto positive = [&](const char* key) {
     return table.number(Dimension::kLength, key, Range::kPositive);
@@ -276,7 +267,7 @@ Surface read_surface(TomlTable& table, const SubjectDraft& draft) {
   surface.name = new_name(table, names_of(draft.subject.surfaces));
   surface.segment = segment_reference(table, "segment", draft);
   // Shape and sizes, then pose.
-  surface.shape = read_shape(table);
+  surface.shape = table.choice("shape", kSurfaceShapeNames);
   surface.size = read_size(table, surface.shape);
   // A ring narrower than its tube has no hole.
   if (surface.shape == SurfaceShape::kTorus && surface.size[1] <= surface.size[0])

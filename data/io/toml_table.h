@@ -6,6 +6,8 @@
 /// `point_mm`, `point_cm` or `point_m`. A number needs a citation: a `source` key in its table or
 /// in one around it. Every getter notes its key, so that done() can refuse keys that nobody knows.
 
+#include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,6 +16,7 @@
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "base/error.h"
 #include "data/io/toml_node.h"
 #include "data/io/units.h"
@@ -75,6 +78,11 @@ class TomlTable {
   [[nodiscard]] std::string text(const std::string& key);
   [[nodiscard]] std::string text_or(const std::string& key, const std::string& fallback);
   [[nodiscard]] std::string choice(const std::string& key, const std::vector<std::string>& of);
+  /// The value of a word in a table of names.
+  template <typename Enum, std::size_t size>
+  [[nodiscard]] Enum choice(const std::string& key, const std::array<EnumName<Enum>, size>& of) {
+    return value_in(of, choice(key, names_in(of)), key);
+  }
   [[nodiscard]] std::vector<std::string> texts(const std::string& key);
 
   /// Quantities in SI; `base` is the key without its unit.

@@ -55,7 +55,7 @@ Eigen::Matrix3d axis_frame(BushingWay way) {
 
 void check_hinge(const Mechanism& mechanism, const MechanismJoint& hinge) {
   require(hinge.kind == JointKind::kHinge, "joint '{}' is a {}: only hinges give", hinge.name,
-          name_of(hinge.kind));
+          name_in(kJointKindNames, hinge.kind));
   const auto shares = std::count_if(
       mechanism.joints.begin(), mechanism.joints.end(), [&](const MechanismJoint& joint) {
         return is_scalar(joint.kind) && joint.coordinate == hinge.coordinate;

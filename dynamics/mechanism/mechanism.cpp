@@ -69,11 +69,6 @@ void check_names(const Mechanism& mechanism) {
 
 }  // namespace
 
-std::string name_of(JointKind kind) {
-  static const std::vector<std::string> names{"weld", "hinge", "slide", "ball", "free"};
-  return names[static_cast<std::size_t>(kind)];
-}
-
 MechanismLayout layout_of(const Mechanism& mechanism) {
   MechanismLayout layout;
   layout.coordinate_q.assign(mechanism.coordinates.size(), -1);

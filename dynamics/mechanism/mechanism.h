@@ -10,22 +10,12 @@
 #include <Eigen/Core>
 
 #include "base/spatial.h"
+#include "data/io/scene/joint_kind.h"
 #include "data/io/world/world.h"
 #include "geometry/solid.h"
 
 namespace thenar {
 
-/// Motion of a body relative to its parent.
-enum class JointKind {
-  kWeld,   // not at all
-  kHinge,  // turns about z of the joint's frames
-  kSlide,  // slides along z of the joint's frames
-  kBall,   // turns about any axis through the origins of the joint's frames
-  kFree    // moves without constraint
-};
-
-/// "weld", "hinge", "slide", "ball", "free".
-[[nodiscard]] std::string name_of(JointKind kind);
 /// Returns true if a joint has one value: hinges and slides.
 [[nodiscard]] inline bool is_scalar(JointKind kind) {
   return kind == JointKind::kHinge || kind == JointKind::kSlide;

@@ -35,16 +35,16 @@ Pose<double> motion_along_z(JointKind kind, double value) {
 void put_on_joint(const SceneJointSpec& spec, const std::string& name, const Pose<double>& X_WB,
                   Mechanism& part) {
   MechanismJoint& joint = part.joints.front();
-  joint.kind = static_cast<JointKind>(spec.kind);
+  joint.kind = spec.kind;
   // A free body hangs on its centre of mass.
-  if (spec.kind == SceneJointKind::kFree) {
+  if (spec.kind == JointKind::kFree) {
     joint.X_PF = {};
     joint.X_BM.p = part.bodies.front().mass.com;
     return;
   }
   // Frame A of the joint, z along its axis; F is turned back by the start, where the part stands.
   Pose<double> A = X_WB;
-  if (spec.kind != SceneJointKind::kWeld) A = {Eigen::Matrix3d::Identity(), spec.point};
+  if (spec.kind != JointKind::kWeld) A = {Eigen::Matrix3d::Identity(), spec.point};
   if (is_scalar(joint.kind)) {
     const Tangents sides = tangents(spec.axis);
     A.R << sides.e1, sides.e2, spec.axis;
@@ -162,7 +162,7 @@ class SceneBuilder {
       part.velocity = body.velocity;
       PlacedBody placed = body.placed;
       // A body that is welded to a parent moves with the parent.
-      placed.dynamic = body.joint.kind != SceneJointKind::kWeld || !body.joint.parent.empty();
+      placed.dynamic = body.joint.kind != JointKind::kWeld || !body.joint.parent.empty();
       part.mechanism = body_mechanism(placed, spec_.materials);
       put_on_joint(body.joint, part.name, placed.X_WB, part.mechanism);
       part.X_WB = {placed.X_WB};
@@ -267,7 +267,7 @@ class SceneBuilder {
             name));
       // Clutches and springs of driven motors are not modelled.
       for (const RobotDof& dof : robot.dofs)
-        if (dof.name == coordinate.name && dof.kind != RobotDofKind::kRigid && is_driven(name))
+        if (dof.name == coordinate.name && dof.kind != DriveCoupling::kRigid && is_driven(name))
           built_.warnings.push_back(fmt::format(
               "motor '{}' moves its joints rigidly: its clutch or springs are left out", name));
     }
@@ -358,9 +358,9 @@ class SceneBuilder {
         scene.q[layout.coordinate_q[coordinate]] = part.u[c];
         scene.v[layout.coordinate_v[coordinate]] = part.u_dot[c];
       }
-      if (part.joint.kind == SceneJointKind::kBall)
+      if (part.joint.kind == JointKind::kBall)
         scene.v.segment<3>(layout.first_v[body]) = part.joint.spin;
-      if (part.joint.kind == SceneJointKind::kFree) set_free(static_cast<int>(body), part.velocity);
+      if (part.joint.kind == JointKind::kFree) set_free(static_cast<int>(body), part.velocity);
       body += part.mechanism.bodies.size();
     }
   }
@@ -440,9 +440,9 @@ class SceneBuilder {
   void set_options() {
     const SteppingSpec& stepping = spec_.stepping;
     SceneOptions& options = built_.options;
-    options.method = static_cast<SteppingMethod>(at_line(spec_.path, stepping.line, [&] {
-      return index_of_name(stepping.method, stepping_names(), "method");
-    }));
+    options.method = at_line(spec_.path, stepping.line, [&] {
+      return value_in(kSteppingMethodNames, stepping.method, "method");
+    });
     // Lengths of steps and samples, or the defaults.
     options.seconds = stepping.duration;
     options.sample = stepping.sample;
@@ -463,9 +463,9 @@ class SceneBuilder {
     out.layer = stepping.layer.value_or(out.layer);
     out.transition = stepping.transition.value_or(out.transition);
     if (stepping.friction_ramp.empty()) return;
-    out.ramp = static_cast<FrictionRamp>(at_line(spec_.path, stepping.line, [&] {
-      return index_of_name(stepping.friction_ramp, friction_ramp_names(), "friction ramp");
-    }));
+    out.ramp = at_line(spec_.path, stepping.line, [&] {
+      return value_in(kFrictionRampNames, stepping.friction_ramp, "friction ramp");
+    });
   }
 
   const SceneSpec& spec_;

@@ -2,8 +2,11 @@
 
 /// Compliance of contacts that are springs rather than constraints.
 
+#include <array>
 #include <string>
 #include <vector>
+
+#include "base/enum_names.h"
 
 namespace thenar {
 
@@ -13,9 +16,8 @@ enum class FrictionRamp {
   kQuintic,  // 10 s^3 - 15 s^4 + 6 s^5, then 1: that of Simbody [Sherman2011]
   kLinear    // s, then 1
 };
-
-/// "quintic", "linear".
-[[nodiscard]] const std::vector<std::string>& friction_ramp_names();
+inline constexpr std::array kFrictionRampNames{EnumName{FrictionRamp::kQuintic, "quintic"},
+                                               EnumName{FrictionRamp::kLinear, "linear"}};
 
 /// Laws of compliant contact, in terms of a depth d of two bodies and its rate d':
 ///   balls on balls and on boxes  (4/3) modulus sqrt(R) d^1.5 (1 + 1.5 dissipation d')

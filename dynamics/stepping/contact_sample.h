@@ -2,7 +2,11 @@
 
 /// Contacts at an instant, as runs keep them.
 
+#include <array>
+
 #include <Eigen/Core>
+
+#include "base/enum_names.h"
 
 namespace thenar {
 
@@ -12,6 +16,10 @@ enum class ContactMode {
   kStick,  // it neither opens nor slips
   kSlide   // it slips
 };
+/// In the order of the numbers in files.
+inline constexpr std::array kContactModeNames{EnumName{ContactMode::kOpen, "open"},
+                                              EnumName{ContactMode::kStick, "stick"},
+                                              EnumName{ContactMode::kSlide, "slide"}};
 
 /// One contact at an instant: a point, or the patch of a pad.
 struct ContactSample {

@@ -77,7 +77,8 @@ int free_joint(const Mechanism& mechanism, int body) {
   const MechanismJoint& joint = mechanism.joints.at(static_cast<std::size_t>(body));
   require(joint.kind == JointKind::kFree && joint.parent < 0,
           "body '{}' hangs on a {} joint: its pose follows from coordinates",
-          mechanism.bodies[static_cast<std::size_t>(body)].name, name_of(joint.kind));
+          mechanism.bodies[static_cast<std::size_t>(body)].name,
+          name_in(kJointKindNames, joint.kind));
   return layout_of(mechanism).first_q[static_cast<std::size_t>(body)];
 }
 

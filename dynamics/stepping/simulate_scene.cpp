@@ -83,23 +83,6 @@ void run_fixed(const MovingScene& scene, const SceneOptions& options, const Prog
 
 }  // namespace
 
-const std::vector<std::string>& stepping_names() {
-  static const std::vector<std::string> names{"events", "time-stepping", "compliant-simbody",
-                                              "compliant-sundials"};
-  return names;
-}
-
-const std::vector<std::string>& friction_ramp_names() {
-  static const std::vector<std::string> names{"quintic", "linear"};
-  return names;
-}
-
-std::string name_of(SceneStatus status) {
-  static const std::vector<std::string> names{"done",       "stopped", "unsolved",
-                                              "not finite", "failed",  "energy does not balance"};
-  return names[static_cast<std::size_t>(status)];
-}
-
 void check_scene_options(const SceneOptions& options) {
   require(options.seconds > 0 && std::isfinite(options.seconds), "wanted seconds above 0, got {}",
           options.seconds);
@@ -115,8 +98,7 @@ SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options,
   check_scene_options(options);
   require(
       options.method == SteppingMethod::kEvents || options.method == SteppingMethod::kTimeStepping,
-      "wanted events or time-stepping, got {}",
-      stepping_names()[static_cast<std::size_t>(options.method)]);
+      "wanted events or time-stepping, got {}", name_in(kSteppingMethodNames, options.method));
   // Run by the method, in which a stop may end a step half way.
   const double start = thread_seconds();
   SceneRun run;

@@ -2,11 +2,13 @@
 
 /// Scenes from a start to an end.
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "base/progress.h"
 #include "dynamics/stepping/contact_compliance.h"
 #include "dynamics/stepping/contact_step.h"
@@ -20,9 +22,11 @@ enum class SteppingMethod {
   kCompliantSimbody,  // springs for contacts, all by Simbody: see dynamics/compliant/
   kCompliantSundials  // springs for contacts, by our own machine and CVODE: the same
 };
-
-/// "events", "time-stepping", "compliant-simbody", "compliant-sundials".
-[[nodiscard]] const std::vector<std::string>& stepping_names();
+inline constexpr std::array kSteppingMethodNames{
+    EnumName{SteppingMethod::kEvents, "events"},
+    EnumName{SteppingMethod::kTimeStepping, "time-stepping"},
+    EnumName{SteppingMethod::kCompliantSimbody, "compliant-simbody"},
+    EnumName{SteppingMethod::kCompliantSundials, "compliant-sundials"}};
 
 struct SceneOptions {
   SteppingMethod method = SteppingMethod::kEvents;
@@ -65,9 +69,16 @@ enum class SceneStatus {
   kFailed,     // the integrator could not go on, see `reason`; all before that is kept
   kUnbalanced  // at the end, but its energy does not balance: FlowBalance::holds()
 };
-
-/// "done", "stopped", "unsolved", "not finite", "failed", "energy does not balance".
-[[nodiscard]] std::string name_of(SceneStatus status);
+inline constexpr std::array kSceneStatusNames{
+    EnumName{SceneStatus::kDone, "done"},
+    EnumName{SceneStatus::kStopped, "stopped"},
+    EnumName{SceneStatus::kUnsolved, "unsolved"},
+    EnumName{SceneStatus::kNotFinite, "not finite"},
+    EnumName{SceneStatus::kFailed, "failed"},
+    EnumName{SceneStatus::kUnbalanced, "energy does not balance"}};
+[[nodiscard]] inline std::string name_of(SceneStatus status) {
+  return name_in(kSceneStatusNames, status);
+}
 
 /// Cost of a run, and its accuracy.
 struct SceneCost {

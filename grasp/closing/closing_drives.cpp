@@ -20,22 +20,6 @@ std::vector<Drive> drives_of(const HandLayout& layout) {
 
 }  // namespace
 
-std::string name_of(StoppedBy stop) {
-  switch (stop) {
-    case StoppedBy::kNothing:
-      return "free";
-    case StoppedBy::kLimit:
-      return "limit";
-    case StoppedBy::kContact:
-      return "contact";
-    case StoppedBy::kCoupling:
-      return "coupling";
-    case StoppedBy::kNoDrive:
-      break;
-  }
-  return "no drive";
-}
-
 ClosingDrives::ClosingDrives(const HandLayout& layout)
     : drives_(drives_of(layout)),
       rates_(Eigen::VectorXd::Zero(layout.lower.size())),

@@ -2,20 +2,24 @@
 
 /// State of closing: rates of the coordinates, and what stopped them.
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "hand/hand.h"
 
 namespace thenar {
 
 /// Reason why a coordinate does not move (any more).
 enum class StoppedBy { kNothing, kLimit, kContact, kCoupling, kNoDrive };
-
-/// "free", "limit", "contact", "coupling", "no drive".
-[[nodiscard]] std::string name_of(StoppedBy stop);
+inline constexpr std::array kStoppedByNames{
+    EnumName{StoppedBy::kNothing, "free"}, EnumName{StoppedBy::kLimit, "limit"},
+    EnumName{StoppedBy::kContact, "contact"}, EnumName{StoppedBy::kCoupling, "coupling"},
+    EnumName{StoppedBy::kNoDrive, "no drive"}};
+[[nodiscard]] inline std::string name_of(StoppedBy stop) { return name_in(kStoppedByNames, stop); }
 
 /// Drives that run at their speeds until their coordinates are stopped. In a layout without drives
 /// every coordinate moves upwards by itself at speed 1.

@@ -85,24 +85,6 @@ void add_patch(std::vector<ContactPatch>& patches, ContactPatch patch, const Col
 
 }  // namespace
 
-std::string name_of(GraspOutcome outcome) {
-  switch (outcome) {
-    case GraspOutcome::kGrasped:
-      return "grasped";
-    case GraspOutcome::kOverlaps:
-      return "overlaps";
-    case GraspOutcome::kMissed:
-      return "missed";
-    case GraspOutcome::kBlocked:
-      return "blocked";
-    case GraspOutcome::kTooLong:
-      return "too long";
-    case GraspOutcome::kEmpty:
-      break;
-  }
-  return "empty";
-}
-
 double max_stand_off(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
                      const GraspBody& object) {
   const PalmApproach& approach = hand.hand->layout().approach;

@@ -2,9 +2,11 @@
 
 /// A whole grasp: approach, closing, contacts, quality.
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "grasp/closing/approach.h"
 #include "grasp/closing/close_hand.h"
 #include "grasp/closing/collision_hand.h"
@@ -35,9 +37,13 @@ enum class GraspOutcome {
   kTooLong,   // closing exceeded its step limit
   kEmpty      // the closed hand does not touch the object
 };
-
-/// "grasped", "overlaps", "missed", "blocked", "too long", "empty".
-[[nodiscard]] std::string name_of(GraspOutcome outcome);
+inline constexpr std::array kGraspOutcomeNames{
+    EnumName{GraspOutcome::kGrasped, "grasped"},  EnumName{GraspOutcome::kOverlaps, "overlaps"},
+    EnumName{GraspOutcome::kMissed, "missed"},    EnumName{GraspOutcome::kBlocked, "blocked"},
+    EnumName{GraspOutcome::kTooLong, "too long"}, EnumName{GraspOutcome::kEmpty, "empty"}};
+[[nodiscard]] inline std::string name_of(GraspOutcome outcome) {
+  return name_in(kGraspOutcomeNames, outcome);
+}
 
 /// Result of grasp().
 struct [[nodiscard]] Grasp {

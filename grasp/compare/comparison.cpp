@@ -1,7 +1,6 @@
 #include "grasp/compare/comparison.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,8 +11,6 @@
 
 namespace thenar {
 namespace {
-
-constexpr std::array<const char*, 4> kTasks{"force-closure", "hold-weight", "pull", "turn"};
 
 /// Finds the largest load of a task over some grasps.
 /// @param loads  member of BestGrasp that holds the loads
@@ -32,15 +29,6 @@ LoadFound largest(const std::vector<BestGrasp>& grasps,
 }
 
 }  // namespace
-
-std::string name_of(GraspTask task) { return kTasks[static_cast<std::size_t>(task)]; }
-
-GraspTask grasp_task(const std::string& name) {
-  const auto* const found = std::find(kTasks.begin(), kTasks.end(), name);
-  require(found != kTasks.end(),
-          "there is no task '{}'; there are force-closure, hold-weight, pull, turn", name);
-  return static_cast<GraspTask>(found - kTasks.begin());
-}
 
 std::string load_key(GraspTask task) {
   switch (task) {

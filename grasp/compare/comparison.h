@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "base/fidelity.h"
 #include "base/progress.h"
 #include "data/io/world/world.h"
@@ -48,10 +49,15 @@ enum class GraspTask {
   kPull,          // [N] along its z axis, either way
   kTurn           // [N m] about its z axis, either way
 };
-
-/// "force-closure", "hold-weight", "pull", "turn"; grasp_task() @throws InputError listing them.
-[[nodiscard]] std::string name_of(GraspTask task);
-[[nodiscard]] GraspTask grasp_task(const std::string& name);
+inline constexpr std::array kGraspTaskNames{EnumName{GraspTask::kForceClosure, "force-closure"},
+                                            EnumName{GraspTask::kHoldWeight, "hold-weight"},
+                                            EnumName{GraspTask::kPull, "pull"},
+                                            EnumName{GraspTask::kTurn, "turn"}};
+[[nodiscard]] inline std::string name_of(GraspTask task) { return name_in(kGraspTaskNames, task); }
+/// @throws InputError listing the names.
+[[nodiscard]] inline GraspTask grasp_task(const std::string& name) {
+  return value_in(kGraspTaskNames, name, "task");
+}
 
 /// A task with the unit of its load, as columns and members are called: "hold_weights", "pull_N",
 /// "turn_Nm"; "force_closure" has none.

@@ -230,8 +230,8 @@ BestGrasp best_of(const JsonNode& json, int approaches) {
 
 JsonNode cell_node(const HandOnObject& cell) {
   JsonNode outcomes(JsonKind::kObject), grasps(JsonKind::kArray);
-  for (std::size_t i = 0; i < cell.outcomes.size(); ++i)
-    outcomes.set(name_of(static_cast<GraspOutcome>(i)), cell.outcomes[i]);
+  for (const auto& [outcome, name] : kGraspOutcomeNames)
+    outcomes.set(name, cell.outcomes[static_cast<std::size_t>(outcome)]);
   for (const BestGrasp& best : cell.best) grasps.items.push_back(best_node(best));
   JsonNode out;
   out.set("hand", cell.hand)
@@ -255,15 +255,15 @@ JsonNode cell_node(const HandOnObject& cell) {
 void read_counts(const JsonNode& json, HandOnObject& cell) {
   cell.approaches = whole(member(json, "approaches"), "approaches", 1, kMaxApproaches);
   int ended = 0;
-  for (std::size_t i = 0; i < cell.outcomes.size(); ++i) {
-    const std::string name = name_of(static_cast<GraspOutcome>(i));
-    cell.outcomes[i] =
-        whole(member(member(json, "outcomes"), name), name, 0, cell.approaches - ended);
-    ended += cell.outcomes[i];
+  for (const auto& [outcome, name] : kGraspOutcomeNames) {
+    int& count = cell.outcomes[static_cast<std::size_t>(outcome)];
+    count = whole(member(member(json, "outcomes"), name), name, 0, cell.approaches - ended);
+    ended += count;
   }
   cell.closures = whole(member(json, "closures"), "closures", 0, cell.approaches);
   // Older files lack it.
-  const int others = std::max(0, cell.outcomes[0] - cell.closures);
+  const int others =
+      std::max(0, cell.outcomes[static_cast<std::size_t>(GraspOutcome::kGrasped)] - cell.closures);
   if (const JsonNode* two = json.find("held_between_two"))
     cell.between_two = whole(*two, "held_between_two", 0, others);
   int typed = 0;

@@ -42,15 +42,10 @@ struct AngleInterval {
     if (joint.curve.empty())  // otherwise check_robot() has compared it with its motor's range
       narrow((joint.lower - joint.offset) / ratio, (joint.upper - joint.offset) / ratio);
     if (dof == nullptr) return;
-    const double gear = dof->kind == RobotDofKind::kRigid ? 1 : joint.ratio;
+    const double gear = dof->kind == DriveCoupling::kRigid ? 1 : joint.ratio;
     narrow(gear * dof->lower, gear * dof->upper);
   }
 };
-
-DriveCoupling coupled(RobotDofKind kind) {
-  if (kind == RobotDofKind::kRigid) return DriveCoupling::kRigid;
-  return kind == RobotDofKind::kBreakaway ? DriveCoupling::kBreakaway : DriveCoupling::kCompliant;
-}
 
 std::shared_ptr<const Solid> surface_of(const std::string& link,
                                         const std::vector<ShapeSpec>& shapes) {
@@ -117,7 +112,7 @@ void RobotHand::add_coordinates(const RobotSpec& robot) {
     // Rigid degrees of freedom share one coordinate; other joints have their own.
     const RobotDof* dof =
         mover.dof < 0 ? nullptr : &robot.dofs[static_cast<std::size_t>(mover.dof)];
-    const bool rigid = dof != nullptr && dof->kind == RobotDofKind::kRigid;
+    const bool rigid = dof != nullptr && dof->kind == DriveCoupling::kRigid;
     mover.shared = rigid;
     if (rigid) mover.ratio = joint.ratio;
     mover.coordinate = rigid ? shared[static_cast<std::size_t>(mover.dof)] : -1;
@@ -146,8 +141,8 @@ void RobotHand::add_drives(const RobotSpec& robot) {
   std::vector<double> max_effort;
   for (int d = 0; d < dofs_; ++d) {
     const RobotDof& dof = robot.dofs[static_cast<std::size_t>(d)];
-    const bool rigid = dof.kind == RobotDofKind::kRigid;
-    Drive drive{dof.name, coupled(dof.kind), {}, dof.speed, dof.breakaway, dof.backdrivable};
+    const bool rigid = dof.kind == DriveCoupling::kRigid;
+    Drive drive{dof.name, dof.kind, {}, dof.speed, dof.breakaway, dof.backdrivable};
     // A rigid drive moves its one coordinate, others each joint by its ratio.
     for (const Mover& mover : movers_)
       if (mover.dof == d && (!rigid || drive.moves.empty()))

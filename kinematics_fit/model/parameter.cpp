@@ -192,60 +192,6 @@ class Lister {
 
 }  // namespace
 
-std::string name_of(ParameterKind kind) {
-  switch (kind) {
-    case ParameterKind::kAxisDirection:
-      return "axis/direction";
-    case ParameterKind::kAxisPoint:
-      return "axis/point";
-    case ParameterKind::kPathPoint:
-      return "path";
-    case ParameterKind::kArm:
-      return "arm";
-    case ParameterKind::kHoodEntry:
-      return "hood/into";
-    case ParameterKind::kHoodCentral:
-      return "hood/central";
-    case ParameterKind::kHoodSlope:
-      return "hood/slope";
-    case ParameterKind::kFriction:
-      return "friction";
-    case ParameterKind::kLength:
-      return "length";
-    case ParameterKind::kTip:
-      return "tip";
-    case ParameterKind::kSensorTilt:
-      return "sensor";
-    case ParameterKind::kAngle:
-      return "angle";
-    case ParameterKind::kPostureAngle:
-      return "angle/posture";
-    case ParameterKind::kOutOfPlane:
-      return "hold/out_of_plane";
-    case ParameterKind::kGain:
-      return "gain";
-    case ParameterKind::kTipForce:
-      return "force";
-    case ParameterKind::kPostureForce:
-      return "force/posture";
-    case ParameterKind::kNetStiffness:
-      return "net/stiffness";
-    case ParameterKind::kNetSlack:
-      return "net/slack";
-    case ParameterKind::kNetPlace:
-      return "net/place";
-    case ParameterKind::kNetRadius:
-      return "net/radius";
-    case ParameterKind::kNetEntry:
-      return "net/into";
-    case ParameterKind::kNetCentral:
-      return "net/central";
-    case ParameterKind::kNetSlope:
-      return "net/slope";
-  }
-  return {};
-}
-
 std::string display_unit(const Parameter& parameter) {
   switch (parameter.kind) {
     case ParameterKind::kAxisDirection:

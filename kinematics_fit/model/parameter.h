@@ -2,9 +2,11 @@
 
 /// Named parameters of a digit that a fit may move, with default priors.
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "tendons/tendon_model.h"
 
 namespace thenar {
@@ -40,6 +42,34 @@ enum class ParameterKind {
                    // pulls: shift of the logit                                         [1]
   kNetSlope        // net/<muscle>/slope: of the logit of `central`, by MCP flexion     [1/rad]
 };
+inline constexpr std::array kParameterKindNames{
+    EnumName{ParameterKind::kAxisDirection, "axis/direction"},
+    EnumName{ParameterKind::kAxisPoint, "axis/point"},
+    EnumName{ParameterKind::kPathPoint, "path"},
+    EnumName{ParameterKind::kArm, "arm"},
+    EnumName{ParameterKind::kHoodEntry, "hood/into"},
+    EnumName{ParameterKind::kHoodCentral, "hood/central"},
+    EnumName{ParameterKind::kHoodSlope, "hood/slope"},
+    EnumName{ParameterKind::kFriction, "friction"},
+    EnumName{ParameterKind::kLength, "length"},
+    EnumName{ParameterKind::kTip, "tip"},
+    EnumName{ParameterKind::kSensorTilt, "sensor"},
+    EnumName{ParameterKind::kAngle, "angle"},
+    EnumName{ParameterKind::kPostureAngle, "angle/posture"},
+    EnumName{ParameterKind::kOutOfPlane, "hold/out_of_plane"},
+    EnumName{ParameterKind::kGain, "gain"},
+    EnumName{ParameterKind::kTipForce, "force"},
+    EnumName{ParameterKind::kPostureForce, "force/posture"},
+    EnumName{ParameterKind::kNetStiffness, "net/stiffness"},
+    EnumName{ParameterKind::kNetSlack, "net/slack"},
+    EnumName{ParameterKind::kNetPlace, "net/place"},
+    EnumName{ParameterKind::kNetRadius, "net/radius"},
+    EnumName{ParameterKind::kNetEntry, "net/into"},
+    EnumName{ParameterKind::kNetCentral, "net/central"},
+    EnumName{ParameterKind::kNetSlope, "net/slope"}};
+[[nodiscard]] inline std::string name_of(ParameterKind kind) {
+  return name_in(kParameterKindNames, kind);
+}
 
 /// One parameter. Its value is `mean` before the fit.
 struct Parameter {
@@ -54,9 +84,6 @@ struct Parameter {
   double lower = 0;       // bounds [SI]
   double upper = 0;
 };
-
-/// Name of a kind: "axis/direction", "arm", "hood/into".
-[[nodiscard]] std::string name_of(ParameterKind kind);
 
 /// Unit in which people read and write the parameter: "mm", "deg", "1" or "1/rad".
 [[nodiscard]] std::string display_unit(const Parameter& parameter);

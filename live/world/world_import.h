@@ -2,9 +2,11 @@
 
 /// Files that a person drops into a live world: objects, obstacles, hands.
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "live/world/world_edits.h"
 
 namespace thenar {
@@ -17,6 +19,9 @@ struct DroppedFile {
 
 /// Role in which imported files are added to a world.
 enum class DroppedAs { kObject, kObstacle, kHand };
+inline constexpr std::array kDroppedAsNames{EnumName{DroppedAs::kObject, "object"},
+                                            EnumName{DroppedAs::kObstacle, "obstacle"},
+                                            EnumName{DroppedAs::kHand, "hand"}};
 
 /// A body that was read from a file of any format, mended, all of it in memory.
 struct ImportedBody {

@@ -17,14 +17,21 @@ namespace thenar {
 namespace {
 
 /// Descriptions of the versions of a human hand, as build_human_hand() makes them.
-constexpr std::array<const char*, 4> kVersions{
-    "hard contacts; axes of the thumb at right angles; every joint has a strength of its own",
-    "hard contacts; axes of the thumb skewed as measured; every joint has a strength of its own",
-    "soft pads, whose contacts also resist twisting; axes of the thumb skewed as measured; every "
-    "joint has a strength of its own",
-    "soft pads, whose contacts also resist twisting; axes of the thumb skewed as measured; tendons "
-    "in place of strengths: joints share muscles through the net, and the hand closes as its "
-    "flexors run in"};
+constexpr std::array kVersionWords{
+    EnumName{
+        HumanVersion::kOrthogonalThumb,
+        "hard contacts; axes of the thumb at right angles; every joint has a strength of its own"},
+    EnumName{HumanVersion::kSkewedThumb,
+             "hard contacts; axes of the thumb skewed as measured; every joint has a strength of "
+             "its own"},
+    EnumName{HumanVersion::kSoftPads,
+             "soft pads, whose contacts also resist twisting; axes of the thumb skewed as "
+             "measured; every joint has a strength of its own"},
+    EnumName{
+        HumanVersion::kTendonNet,
+        "soft pads, whose contacts also resist twisting; axes of the thumb skewed as measured; "
+        "tendons in place of strengths: joints share muscles through the net, and the hand closes "
+        "as its flexors run in"}};
 
 constexpr const char* kEpsilon = "epsilon";  // as BestGrasp::reasons has it
 
@@ -175,11 +182,11 @@ OrderedJson ordered(const JsonNode& node) {  // NOLINT(misc-no-recursion): as de
 
 std::vector<std::string> version_lines(const Comparison& comparison) {
   std::vector<std::string> lines;
-  for (std::size_t version = 0; version < kVersions.size(); ++version) {
-    const std::string ending = ":" + human_versions()[version];
+  for (const auto& [version, words] : kVersionWords) {
+    const std::string ending = ":" + name_in(kHumanVersionNames, version);
     for (const std::string& hand : comparison.hands)
       if (version_of_hand(hand).rfind(ending, 0) == 0)
-        lines.push_back(fmt::format("{}: {}.", hand, kVersions[version]));
+        lines.push_back(fmt::format("{}: {}.", hand, words));
   }
   return lines;
 }
@@ -209,9 +216,8 @@ std::string unknown_words(const HandOnObject& cell, const std::vector<std::strin
 
 std::string outcome_words(const HandOnObject& cell) {
   std::vector<std::pair<int, std::string>> ways;
-  for (std::size_t i = 0; i < cell.outcomes.size(); ++i) {
-    const auto outcome = static_cast<GraspOutcome>(i);
-    int count = cell.outcomes[i];
+  for (const auto& [outcome, name] : kGraspOutcomeNames) {
+    int count = cell.outcomes[static_cast<std::size_t>(outcome)];
     if (outcome == GraspOutcome::kGrasped) count -= cell.closures + cell.between_two;
     if (count > 0) ways.emplace_back(count, words_of(outcome));
   }

@@ -62,9 +62,9 @@ std::string measures_text(const std::vector<MeasureRow>& rows) {
 
 std::string starts_text(const GraspResult& result) {
   std::vector<std::string> parts;
-  for (std::size_t i = 0; i < kOutcomes.size(); ++i)
-    if (result.outcomes[i] > 0)
-      parts.push_back(fmt::format("{} {}", result.outcomes[i], name_of(kOutcomes[i])));
+  for (const auto& [outcome, name] : kGraspOutcomeNames)
+    if (const int count = result.outcomes[static_cast<std::size_t>(outcome)]; count > 0)
+      parts.push_back(fmt::format("{} {}", count, name));
   return line("random starts",
               fmt::format("{} of seed {}: {}; {} with force closure", result.started(),
                           result.request.seed, fmt::join(parts, ", "), result.closures));
@@ -164,8 +164,8 @@ Fields quality_fields(const Epsilon& e) {
 
 Fields start_fields(const GraspResult& result) {
   OrderedJson outcomes = OrderedJson::object();
-  for (std::size_t i = 0; i < kOutcomes.size(); ++i)
-    outcomes[name_of(kOutcomes[i])] = result.outcomes[i];
+  for (const auto& [outcome, name] : kGraspOutcomeNames)
+    outcomes[name] = result.outcomes[static_cast<std::size_t>(outcome)];
   return {{"count", result.started()},
           {"seed", result.request.seed},
           {"best", result.best},

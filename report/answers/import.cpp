@@ -36,18 +36,6 @@ Fields count_fields(const RobotSpec& robot, const std::string& kind) {
           {"dofs", robot.dofs.size()}};
 }
 
-std::string name_of(RobotDofKind kind) {
-  switch (kind) {
-    case RobotDofKind::kRigid:
-      return "rigid";
-    case RobotDofKind::kBreakaway:
-      return "breakaway";
-    case RobotDofKind::kCompliant:
-      break;
-  }
-  return "compliant";
-}
-
 std::string effort_word(const RobotDof& dof) {
   if (!(dof.max_effort > 0)) return "unknown";
   return dof.nominal_effort ? "nominal" : "published";
@@ -63,7 +51,7 @@ std::vector<Fields> dof_fields(const RobotSpec& robot) {
     const FieldUnit unit = sliding ? units::kMetreBare : units::kRadianBare;
     list.push_back(
         {{"name", dof.name},
-         {"kind", name_of(dof.kind)},
+         {"kind", name_in(kDriveCouplingNames, dof.kind)},
          {"lower", unit, dof.lower},
          {"upper", unit, dof.upper},
          {"max_effort", sliding ? units::kNewtonBare : units::kNewtonMetreBare, dof.max_effort},

@@ -266,7 +266,7 @@ Fields outcome_fields(const SceneResult& scene) {
 }  // namespace
 
 std::string method_of(const SceneResult& scene) {
-  return stepping_names()[static_cast<std::size_t>(scene.built->options.method)];
+  return name_in(kSteppingMethodNames, scene.built->options.method);
 }
 
 std::string varied_words(const SceneResult& scene) {

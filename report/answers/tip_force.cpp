@@ -9,7 +9,7 @@
 namespace thenar {
 namespace {
 
-std::string hold_name(TipHold hold) { return name_in(kTipHoldNames, hold); }
+std::string hold_name(TipConstraint hold) { return name_in(kTipConstraintNames, hold); }
 
 void add_point(const TipForceResult& answer, const TipForcePoint& point, Fields& fields) {
   const DigitResult& about = answer;
@@ -24,7 +24,7 @@ void add_point(const TipForceResult& answer, const TipForcePoint& point, Fields&
     fields.add("force_tip_axes", units::kNewton,
                std::vector<std::string>{"proximal", "dorsal", "radial"}, force_along_tip(point));
   fields.add("magnitude", units::kNewton, point.force.norm());
-  if (answer.request.hold == TipHold::kRigid)
+  if (answer.request.hold == TipConstraint::kRigid)
     fields.add("moment", units::kNewtonMillimetre, point.moment);
   if (about.map.empty()) {
     fields.add("leftover_torque", units::kNewtonMillimetre, about.rows, point.residual);
@@ -53,7 +53,7 @@ std::string one_posture(const TipForceResult& answer, const TipForcePoint& point
       bones ? fmt::format("Force of the tip on the world, hold {}", hold_name(answer.request.hold))
             : "Force of the tip on the world",
       force);
-  if (answer.request.hold == TipHold::kRigid)
+  if (answer.request.hold == TipConstraint::kRigid)
     text += titled("Moment of the tip on the world, about the tip, world axes",
                    {{"x_N_mm", "y_N_mm", "z_N_mm"}, {cells(point.moment / kNewtonMillimetre, 3)}});
   // A map's first rows are forces, balanced exactly; the rest are moments the tip must pass on.
@@ -116,7 +116,7 @@ std::string note_of(const TipForceResult& answer, const TipForcePoint& point) {
     note += (note.empty() || more.empty() ? "" : "; ") + more;
   };
   if (point.planar)
-    add(answer.request.hold == TipHold::kRigid
+    add(answer.request.hold == TipConstraint::kRigid
             ? "all axes are parallel: forces across the plane of flexion, and moments but the one "
               "about its normal, meet no joint and are not told (0)"
             : "all axes are parallel: forces across the plane of flexion meet no joint and are not "
@@ -140,7 +140,7 @@ Fields fields_of(const TipForceResult& answer) {
 
 Table table_of(const TipForceResult& answer) {
   const DigitResult& about = answer;
-  const bool bones = about.map.empty(), rigid = answer.request.hold == TipHold::kRigid;
+  const bool bones = about.map.empty(), rigid = answer.request.hold == TipConstraint::kRigid;
   Table table{joint_header(about), {}};
   const auto add = [&](const std::vector<std::string>& names) {
     table.header.insert(table.header.end(), names.begin(), names.end());

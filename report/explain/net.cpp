@@ -10,15 +10,10 @@
 namespace thenar {
 namespace {
 
-std::string word(BoneRole bone) {
-  constexpr const char* kWords[] = {"metacarpal", "proximal", "middle", "distal"};
-  return kWords[static_cast<std::size_t>(bone)];
-}
-
 /// The cells of a place: bone, part of its length, angle about it, height.
 std::vector<std::string> cells_of(const NetPlace& place) {
-  return {word(place.bone), shown(place.along, 3), shown(place.angle / kDegree, 1),
-          shown(place.height / kMm, 2)};
+  return {name_in(kBoneRoleNames, place.bone), shown(place.along, 3),
+          shown(place.angle / kDegree, 1), shown(place.height / kMm, 2)};
 }
 
 std::string list_or_dash(const std::vector<std::string>& names) {
@@ -37,13 +32,11 @@ Section explain_header(const NetDescription& net) {
       net.description, "source " + net.source,
       "stated on one reference finger; laid on a subject's by the lengths of its bones "
       "and the heights of its extensor"};
-  constexpr const char* kJoints[] = {"MCP", "PIP", "DIP"};
   for (const auto& [bone, length] : net.bone_length)
-    section.table.rows.push_back({word(bone) + " bone", shown(length / kMm, 2)});
+    section.table.rows.push_back({name_in(kBoneRoleNames, bone) + " bone", shown(length / kMm, 2)});
   for (const auto& [joint, height] : net.height)
     section.table.rows.push_back(
-        {std::string("height over ") + kJoints[static_cast<std::size_t>(joint)],
-         shown(height / kMm, 2)});
+        {"height over " + name_in(kFingerJointNames, joint), shown(height / kMm, 2)});
   return section;
 }
 
@@ -94,7 +87,6 @@ Section explain_muscles(const NetDescription& net) {
 }
 
 Section explain_surfaces(const NetDescription& net) {
-  constexpr const char* kShapes[] = {"sphere", "cylinder", "capsule"};
   Section section{"surfaces",
                   "Surfaces",
                   {},
@@ -103,11 +95,8 @@ Section explain_surfaces(const NetDescription& net) {
                    {}}};
   for (const NetSurface& surface : net.surfaces) {
     const bool sphere = surface.shape == SurfaceShape::kSphere;
-    const char* shape = sphere                                     ? kShapes[0]
-                        : surface.shape == SurfaceShape::kCylinder ? kShapes[1]
-                                                                   : kShapes[2];
     section.table.rows.push_back(
-        row({{surface.name, shape},
+        row({{surface.name, name_in(kSurfaceShapeNames, surface.shape)},
              cells_of(surface.center),
              {shown(surface.radius / kMm, 2), sphere ? "-" : shown(surface.half_length / kMm, 2),
               sphere           ? "-"

@@ -61,9 +61,9 @@ Section explain_scene_bodies(const SceneSpec& scene) {
   section.table.header = {"name", "joint", "on", "material", "mass", "x_mm", "y_mm", "z_mm"};
   for (const SceneBodySpec& body : scene.bodies)
     section.table.rows.push_back(
-        row({{body.placed.body.name, scene_joint_names()[static_cast<std::size_t>(body.joint.kind)],
+        row({{body.placed.body.name, name_in(kJointKindNames, body.joint.kind),
               or_dash(body.joint.parent), or_dash(body.placed.body.material),
-              body.joint.kind == SceneJointKind::kWeld ? "-" : mass_of(body.placed.body)},
+              body.joint.kind == JointKind::kWeld ? "-" : mass_of(body.placed.body)},
              cells(Eigen::Vector3d(body.placed.X_WB.p / kMm), 1)}));
   return section;
 }
@@ -132,11 +132,6 @@ std::string in_units(double value, bool slides) {
   return slides ? shown(value / kMm, 1) + " mm" : shown(value / kDegree, 1) + " deg";
 }
 
-std::string motor_word(RobotDofKind kind) {
-  constexpr const char* kWords[] = {"rigid", "breakaway", "compliant"};
-  return kWords[static_cast<std::size_t>(kind)];
-}
-
 /// "j2b x 0.600 + 17.2 deg": the ratio and the offset of a joint to its motor, where it has some.
 std::string driven_words(const RobotJoint& joint) {
   std::string words = joint.name;
@@ -156,9 +151,10 @@ Section explain_motors(const RobotSpec& robot) {
     const bool sliding = slides(robot, dof);
     const std::string effort = shown(dof.max_effort, 2) + (sliding ? " N" : " Nm") +
                                (dof.nominal_effort ? " (nominal)" : "");
-    section.table.rows.push_back({dof.name, motor_word(dof.kind), in_units(dof.lower, sliding),
-                                  in_units(dof.upper, sliding), shown(dof.speed, 2),
-                                  dof.max_effort > 0 ? effort : "-", listed(joints)});
+    section.table.rows.push_back({dof.name, name_in(kDriveCouplingNames, dof.kind),
+                                  in_units(dof.lower, sliding), in_units(dof.upper, sliding),
+                                  shown(dof.speed, 2), dof.max_effort > 0 ? effort : "-",
+                                  listed(joints)});
   }
   return section;
 }

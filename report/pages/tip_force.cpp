@@ -41,7 +41,7 @@ Json tip_charts(const TipForceResult& answer) {
                                            })}),
                    curve_chart(axes, "Joint torque left over, that no load of the tip balances",
                                "torque [N mm]", torque)});
-  if (answer.request.hold == TipHold::kRigid)
+  if (answer.request.hold == TipConstraint::kRigid)
     charts.push_back(
         curve_chart(axes, "Moment of the tip on the world, world axes", "moment [N mm]", moment));
   return paired(charts);
@@ -77,8 +77,8 @@ Json page_of(const TipForceResult& answer) {
   const std::string words = fmt::format(
       "Tensions: {}. The tip is {}; the force is what the tip does to the world.",
       tension_words(answer),
-      answer.request.hold == TipHold::kRigid ? "clamped, so that it also bears a moment"
-                                             : "pinned by a point, which bears no moment");
+      answer.request.hold == TipConstraint::kRigid ? "clamped, so that it also bears a moment"
+                                                   : "pinned by a point, which bears no moment");
   Json blocks = Json::array();
   MeshTable meshes;
   if (const Json scene = tip_scene(answer, meshes); !scene.is_null()) blocks.push_back(scene);

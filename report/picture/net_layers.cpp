@@ -15,22 +15,6 @@ Json line(const std::vector<Eigen::Vector3d>& points) {
   return {{"kind", "line"}, {"positions", positions}};
 }
 
-std::string shape_name(SurfaceShape shape) {
-  switch (shape) {
-    case SurfaceShape::kCylinder:
-      return "cylinder";
-    case SurfaceShape::kSphere:
-      return "sphere";
-    case SurfaceShape::kEllipsoid:
-      return "ellipsoid";
-    case SurfaceShape::kCapsule:
-      return "capsule";
-    case SurfaceShape::kTorus:
-      return "torus";
-  }
-  return "";
-}
-
 }  // namespace
 
 Json finger_layer(const NetTendons& tendons, const TreeState<double>& state) {
@@ -55,7 +39,7 @@ Json surface_layer(const NetTendons& tendons, const TreeState<double>& state) {
   for (const BoneSurface& surface : tendons.net().net.surfaces) {
     const Pose<double> X = surface_pose(surface, state);
     items.push_back({{"kind", "surface"},
-                     {"shape", shape_name(surface.shape)},
+                     {"shape", name_in(kSurfaceShapeNames, surface.shape)},
                      {"size", numbers3(1e3 * surface.size)},
                      {"center", in_mm(X.p)},
                      {"axes", {numbers3(X.R.col(0)), numbers3(X.R.col(1)), numbers3(X.R.col(2))}}});

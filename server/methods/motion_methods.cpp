@@ -76,7 +76,6 @@ bool has_inputs(const Json& params) {
 // Replies.
 
 OrderedJson contact_json(const ContactSample& contact, const std::vector<std::string>& names) {
-  static const char* const kModes[] = {"open", "stick", "slide"};
   OrderedJson out;
   out["a"] = names[static_cast<std::size_t>(contact.a)];
   out["b"] = names[static_cast<std::size_t>(contact.b)];
@@ -85,7 +84,7 @@ OrderedJson contact_json(const ContactSample& contact, const std::vector<std::st
   out["force"] = to_json(contact.force);
   out["torsion"] = contact.torsion;
   out["gap"] = contact.gap;
-  out["mode"] = kModes[static_cast<std::size_t>(contact.mode)];
+  out["mode"] = name_in(kContactModeNames, contact.mode);
   return out;
 }
 
@@ -186,9 +185,8 @@ MotionSource source_of(const Session& session, const Json& params) {
     require(!params.contains("pads"), "a world has no pads that deform: open a scene with [[pad]]");
     const std::string drives = params.value("drives", "hold");
     const auto& world = session.model<LiveWorld>(LiveMode::kWorld);
-    return world_motion(
-        spec_of(world.state()), data,
-        static_cast<WorldDrives>(index_of_name(drives, world_drive_names(), "drives")), step);
+    return world_motion(spec_of(world.state()), data, value_in(kWorldDrivesNames, drives, "drives"),
+                        step);
   }
   require(!params.contains("drives"), "'drives' are of a world: a scene has its own");
   SceneRequest request;
@@ -309,7 +307,7 @@ void add_opening_methods(MethodTable& table) {
                             step_member(),
                             {"pads", word_schema(pad_rung_names()),
                              "Rung of all pads of the scene; left out: as the scene says."},
-                            {"drives", word_schema(world_drive_names()),
+                            {"drives", word_schema(names_in(kWorldDrivesNames)),
                              "What moves the hands of a world: drives that hold them where they "
                              "stand (hold, if left out), tendons of human hands, or nothing."}}),
              opened, R"({"scene": "pinch", "step": 0.002})", open_motion});

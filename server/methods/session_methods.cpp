@@ -1,7 +1,5 @@
 // session.*, catalogue.* and picture.*: the session itself, names, and what is shown as data.
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -62,9 +60,7 @@ OrderedJson redo(Session& session, const Json& /*params*/, const Progress& /*pro
 }
 
 OrderedJson show_mode(Session& session, const Json& params, const Progress& /*progress*/) {
-  const auto& names = live_mode_names();
-  const auto found = std::find(names.begin(), names.end(), params["mode"].get<std::string>());
-  session.show(static_cast<LiveMode>(found - names.begin()));
+  session.show(value_in(kLiveModeNames, params["mode"].get<std::string>(), "mode"));
   return {{"mode", session.mode_name()}};
 }
 
@@ -151,9 +147,10 @@ void add_session_methods(MethodTable& table) {
              "did: what was undone", "{}", undo});
   table.add({"session.redo", "Does again what was undone last.", object_schema({}),
              "did: what was done again", "{}", redo});
-  table.add({"session.mode", "Shows the world, the motion, the digit or the fit that is open.",
-             object_schema({{"mode", word_schema(live_mode_names()), "Which.", true, nullptr}}),
-             "mode", R"({"mode": "world"})", show_mode});
+  table.add(
+      {"session.mode", "Shows the world, the motion, the digit or the fit that is open.",
+       object_schema({{"mode", word_schema(names_in(kLiveModeNames)), "Which.", true, nullptr}}),
+       "mode", R"({"mode": "world"})", show_mode});
   table.add({"session.log", "Gives all requests so far, as thenar serve --replay takes them.",
              object_schema({}),
              "log: lines of JSON, each with client, request and the SHA-256 of its reply", "{}",

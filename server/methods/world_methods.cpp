@@ -112,10 +112,7 @@ OrderedJson import(Session& session, const Json& params, const Progress& progres
   for (const Json& file : params["files"])
     files.push_back(
         {file["name"].get<std::string>(), from_base64(file["data"].get_ref<const std::string&>())});
-  const std::string as = params["as"].get<std::string>();
-  const DroppedAs kind = as == "hand"     ? DroppedAs::kHand
-                         : as == "object" ? DroppedAs::kObject
-                                          : DroppedAs::kObstacle;
+  const DroppedAs kind = value_in(kDroppedAsNames, params["as"].get<std::string>(), "role");
   return added_json(
       import_dropped(open_live_world(session), files, kind, progress, text_param(params, "units")));
 }
@@ -190,7 +187,7 @@ void add_thing_rows(MethodTable& table) {
        "Adds what was dropped, at the origin or beside what stands there: a robot with its meshes, "
        "an object, a mesh.",
        object_schema({{"files", list_schema(file, 1, kDroppedFiles), "All files.", true},
-                      {"as", word_schema({"object", "obstacle", "hand"}), "What it is.", true},
+                      {"as", word_schema(names_in(kDroppedAsNames)), "What it is.", true},
                       {"units", word_schema({"m", "cm", "mm", "in"}),
                        "Of the numbers of a mesh; m if left out."}}),
        "name: under which it stands; warnings: what was assumed, mended or left out",

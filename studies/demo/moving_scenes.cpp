@@ -43,7 +43,7 @@ Json pad_section(const DemoMotion& motion) {
 /// One line of the chart and its rows of the table.
 Json work_series(const std::vector<WorkPoint>& points, SteppingMethod method, Json& rows) {
   Json cpu = Json::array(), error = Json::array(), hints = Json::array();
-  const std::string& name = stepping_names()[static_cast<std::size_t>(method)];
+  const std::string name = name_in(kSteppingMethodNames, method);
   for (const WorkPoint& point : points) {
     if (point.method != method) continue;
     const bool events = method == SteppingMethod::kEvents;

@@ -114,8 +114,8 @@ std::string experiment_text(const Experiment& experiment) {
       "[protocol]\nhold = \"{}\"\n\n[force]\nsegment = \"{}\"\n"
       "components = [\"proximal\", \"dorsal\", \"radial\"]\n",
       experiment.name, experiment.specimen, experiment.species, experiment.description,
-      experiment.digit, experiment.source,
-      experiment.hold == TipConstraint::kPinned ? "pinned" : "rigid", experiment.force_segment);
+      experiment.digit, experiment.source, name_in(kTipConstraintNames, experiment.hold),
+      experiment.force_segment);
   // Postures, trials and rows of activations.
   for (const PostureRecord& posture : experiment.postures)
     text += fmt::format("\n[[posture]]\nname = \"{}\"\nangles_rad = {}\n", posture.name,

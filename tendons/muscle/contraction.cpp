@@ -151,13 +151,11 @@ const MuscleUnit& unit(const Subject& subject, const std::string& name) {
   return *found;
 }
 
-std::string rung_word(Muscle rung) { return muscle_names()[static_cast<std::size_t>(rung)]; }
-
 /// "; 'bounds' does without", if a key is first needed by this rung.
 std::string lower_rung(Muscle rung) {
   if (rung == Muscle::kBounds) return "";
   return fmt::format("; '{}' does without",
-                     rung_word(static_cast<Muscle>(static_cast<int>(rung) - 1)));
+                     name_in(kMuscleNames, static_cast<Muscle>(static_cast<int>(rung) - 1)));
 }
 
 }  // namespace
@@ -196,7 +194,7 @@ std::vector<Musculotendon> musculotendons(const Subject& subject, const TendonDi
     const MuscleUnit& muscle = unit(subject, name);
     const auto require_key = [&](bool known, const char* key, Muscle first) {
       require(known, "muscle '{}' of subject '{}' needs '{}' to pull as '{}'{}", name, subject.name,
-              key, rung_word(rung), lower_rung(first));
+              key, name_in(kMuscleNames, rung), lower_rung(first));
     };
     // Each rung needs the keys of the one below.
     require_key(muscle.max_force.has_value(), "max_force_N", Muscle::kBounds);

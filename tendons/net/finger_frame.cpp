@@ -15,7 +15,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kMcp = 0, kPip = 1, kDip = 2;
-constexpr std::array<const char*, 3> kJointNames{"MCP", "PIP", "DIP"};
 // Least cosine to the flexion direction of a flexing joint, see tendon_model.cpp [1]
 constexpr double kFlexionCosine = 0.7071;
 
@@ -121,7 +120,8 @@ class FrameBuilder {
     require(run.has_value(),
             "net '{}' needs the extensor's run over the {} of the {}: strand '{}' of subject '{}' "
             "has no points on both sides of it",
-            net_.name, kJointNames[j], tip_digit_->name, extensor_->name, subject_.name);
+            net_.name, name_in(kFingerJointNames, static_cast<FingerJoint>(j)), tip_digit_->name,
+            extensor_->name, subject_.name);
     return *run;
   }
 

@@ -195,10 +195,6 @@ std::vector<BandGroup> groups_of(FittedNets& tried, const InferredNet& found, do
 
 }  // namespace
 
-std::string to_string(Verdict verdict) {
-  return verdict == Verdict::kYes ? "yes" : verdict == Verdict::kNo ? "no" : "undecided";
-}
-
 InferredNet assess_bands(FittedNets& tried, const AssessOptions& options,
                          const Progress& progress) {
   InferredNet out;

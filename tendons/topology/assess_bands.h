@@ -2,19 +2,25 @@
 
 /// Verdict of the data on each band, and topologies that they cannot tell apart.
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "base/progress.h"
 #include "tendons/topology/fitted_nets.h"
 
 namespace thenar {
 
 enum class Verdict { kYes, kNo, kUndecided };
-
-[[nodiscard]] std::string to_string(Verdict verdict);
+inline constexpr std::array kVerdictNames{EnumName{Verdict::kYes, "yes"},
+                                          EnumName{Verdict::kNo, "no"},
+                                          EnumName{Verdict::kUndecided, "undecided"}};
+[[nodiscard]] inline std::string to_string(Verdict verdict) {
+  return name_in(kVerdictNames, verdict);
+}
 
 /// Verdict on one candidate.
 struct BandVerdict {

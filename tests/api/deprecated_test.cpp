@@ -12,6 +12,7 @@ namespace thenar {
 namespace {
 
 TEST(Deprecated, TypesAreThoseOfToday) {
+  EXPECT_TRUE((std::is_same_v<TipHold, TipConstraint>));
   EXPECT_TRUE((std::is_same_v<TipForceAnswer, TipForceResult>));
   EXPECT_TRUE((std::is_same_v<FeasibleForceAnswer, FeasibleForceResult>));
   EXPECT_TRUE((std::is_same_v<MomentArmAnswer, MomentArmResult>));

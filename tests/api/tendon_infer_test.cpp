@@ -25,7 +25,7 @@ TEST(InferNet, NamesItsMethods) {
   for (const InferMethod method : {InferMethod::kSparse, InferMethod::kExplore})
     EXPECT_EQ(infer_method_named(name_of(method)), method);
   EXPECT_EQ(message_of([] { (void)infer_method_named("sparce"); }),
-            "method must be sparse or explore, got 'sparce'");
+            "no method 'sparce', did you mean 'sparse'? there are sparse, explore");
 }
 
 TEST(InferNet, GuessesTheNameOfAnExperiment) {

@@ -99,13 +99,13 @@ TEST(AskTipForce, RefusesAHoldOfAMap) {
   request.digit = {};
   request.digit.subject = "valero_cuevas_index";
   request.digit.data = kData;
-  request.hold = TipHold::kRigid;
+  request.hold = TipConstraint::kRigid;
   EXPECT_NE(message_of([&] { (void)compute_tip_force(request); }).find("got a rigid one"),
             std::string::npos);
 }
 
 /// A finger without abduction: all its axes are parallel.
-TipForceRequest planar_index_finger(TipHold hold) {
+TipForceRequest planar_index_finger(TipConstraint hold) {
   TipForceRequest request;
   request.digit.subject = "an_chao_index";
   request.digit.data = kData;
@@ -119,7 +119,7 @@ TipForceRequest planar_index_finger(TipHold hold) {
 // What a degree changes is what differences of the force itself say, and the plane is no
 // singularity.
 TEST(AskTipForce, KnowsThePlaneOfParallelAxes) {
-  for (const TipHold hold : {TipHold::kPinned, TipHold::kRigid}) {
+  for (const TipConstraint hold : {TipConstraint::kPinned, TipConstraint::kRigid}) {
     TipForceRequest request = planar_index_finger(hold);
     const TipForcePoint at = compute_tip_force(request).points.front();
     EXPECT_TRUE(at.planar);

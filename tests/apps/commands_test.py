@@ -747,7 +747,7 @@ class Tendon(Near):
 
     def test_inference_names_an_unknown_method(self):
         self.assertEqual(complaint("tendon", "infer", H01, "--subject", SYNEK, "--method", "guess"),
-                         "thenar: method must be sparse or explore, got 'guess'")
+                         "thenar: no method 'guess'; there are sparse, explore")
 
 
 class Validate(Near):

@@ -210,7 +210,7 @@ TEST(ExperimentErrors, PostureGivenTwice) {
 
 TEST(ExperimentErrors, BadHold) {
   EXPECT_EQ(experiment_refusal("rigid", "loose"),
-            "e.toml:6: wanted 'hold' to be one of rigid, pinned, got 'loose'");
+            "e.toml:6: wanted 'hold' to be one of pinned, rigid, got 'loose'");
 }
 
 TEST(ExperimentErrors, NoSource) {

@@ -51,7 +51,7 @@ inline RobotJoint hinge(const std::string& name, const std::string& parent,
   return joint;
 }
 
-inline RobotDof motor(const std::string& name, RobotDofKind kind, double speed = 1) {
+inline RobotDof motor(const std::string& name, DriveCoupling kind, double speed = 1) {
   RobotDof dof;
   dof.name = name;
   dof.kind = kind;
@@ -61,7 +61,7 @@ inline RobotDof motor(const std::string& name, RobotDofKind kind, double speed =
 }
 
 /// Two phalanges along x that flex about z towards y, the outer one half as fast.
-inline RobotSpec finger(RobotDofKind kind) {
+inline RobotSpec finger(DriveCoupling kind) {
   RobotSpec robot;
   robot.name = "finger";
   robot.links = {{}, phalanx("proximal", "finger"), phalanx("distal", "finger")};
@@ -85,7 +85,7 @@ inline RobotSpec pincer(double gap) {
     joint.X_PJ.R = rotation_about<double>(Eigen::Vector3d::UnitZ(), kPi / 2);
     joint.axis = {0, 0, side};
     robot.joints.push_back(joint);
-    robot.dofs.push_back(motor(name, RobotDofKind::kRigid));
+    robot.dofs.push_back(motor(name, DriveCoupling::kRigid));
   }
   robot.approach.direction = {0, 1, 0};
   return robot;

@@ -38,7 +38,7 @@ inline RobotSpec four_bars(double off) {
         shape(ShapeKind::kBox, {0.02, 0.012, 0.06}, {0, -side * 0.018, 0.03}));
     add(name + "bar", "base", {off, side * 0.013, 0.061}, side, along);
   }
-  robot.dofs = {motor("motor", RobotDofKind::kRigid)};
+  robot.dofs = {motor("motor", DriveCoupling::kRigid)};
   robot.dofs[0].upper = 0.8;
   return robot;
 }

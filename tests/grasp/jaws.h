@@ -24,7 +24,7 @@ inline RobotSpec sliding_jaws(const ShapeSpec& left, const ShapeSpec& right,
     joint.upper = 0.05;
     robot.joints.push_back(joint);
   }
-  robot.dofs = {motor("motor", RobotDofKind::kRigid, 0.01)};
+  robot.dofs = {motor("motor", DriveCoupling::kRigid, 0.01)};
   robot.dofs[0].upper = 0.05;
   return robot;
 }

@@ -264,7 +264,7 @@ TEST(HumanHand, RefusesTendonsWhereThereAreNone) {
   EXPECT_EQ(human_version("soft"), HumanVersion::kSoftPads);
   EXPECT_EQ(human_version("tier3"), HumanVersion::kSoftPads);  // its old name
   EXPECT_EQ(message_of([] { (void)human_version("tier5"); }),
-            "no version 'tier5' of the human hand; there are orthogonal, skewed, soft, tendons");
+            "no version of the human hand 'tier5'; there are orthogonal, skewed, soft, tendons");
 }
 
 // -- Strength and closing ---------------------------------------------------------------------

@@ -57,8 +57,8 @@ RobotSpec robot_of(const LadderPair& pair) {
     const bool closes =
         pair.motors.empty() || std::count(pair.motors.begin(), pair.motors.end(), dof.name) > 0;
     if (!closes) dof.speed = 0;
-    if (closes) dof.kind = RobotDofKind::kRigid;  // clutches stay shut
-    dof.backdrivable = dof.speed != 0;            // what nothing drives is locked
+    if (closes) dof.kind = DriveCoupling::kRigid;  // clutches stay shut
+    dof.backdrivable = dof.speed != 0;             // what nothing drives is locked
   }
   return robot;
 }
@@ -203,11 +203,11 @@ class StaticLimit : public testing::TestWithParam<LadderPair> {
     SceneHandSpec hand;
     hand.placed.name = "hand";
     hand.placed.X_WH = closed_->X_WH;
-    hand.joint.kind = SceneJointKind::kWeld;
+    hand.joint.kind = JointKind::kWeld;
     spec.hands.push_back(hand);
     SceneBodySpec body;
     body.placed = object_;
-    body.joint.kind = SceneJointKind::kWeld;
+    body.joint.kind = JointKind::kWeld;
     spec.bodies.push_back(body);
     spec.apart.push_back({{"hand", "hand"}});
     SceneFrictionSpec all;

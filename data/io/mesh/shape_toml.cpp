@@ -143,9 +143,7 @@ Pose<double> read_pose_keys(TomlTable& table) {
 
 ShapeSpec read_shape_table(TomlTable& table, const std::string& path) {
   ShapeSpec shape;
-  const std::vector<std::string>& names = shape_names();
-  const std::string kind = table.choice("kind", names);
-  shape.kind = static_cast<ShapeKind>(std::find(names.begin(), names.end(), kind) - names.begin());
+  shape.kind = table.choice("kind", kShapeKindNames);
   shape.X_BS = read_pose_keys(table);
   // Mesh, sizes and exponents, as far as the kind has them.
   if (shape.kind == ShapeKind::kMesh) read_mesh_keys(table, path, shape);

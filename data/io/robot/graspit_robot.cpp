@@ -140,10 +140,10 @@ class GraspitTranslation {
     // The kind of coupling.
     const std::string type = node.attribute("type").as_string("r");
     if (type == "b") {
-      dof.kind = RobotDofKind::kBreakaway;
+      dof.kind = DriveCoupling::kBreakaway;
       dof.breakaway = number(node, "breakAwayTorque", 0);
     } else if (type == "c") {
-      dof.kind = RobotDofKind::kCompliant;
+      dof.kind = DriveCoupling::kCompliant;
     } else if (type != "r") {
       file_.fail(node, fmt::format(R"(wanted <dof type="r", "b" or "c">, got '{}')", type));
     }

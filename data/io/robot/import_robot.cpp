@@ -97,20 +97,6 @@ bool is_grave(const std::string& warning) {
 
 bool names_missing_part(const std::string& warning) { return holds(warning, "MISSING"); }
 
-std::string name_of(RobotFileKind kind) {
-  switch (kind) {
-    case RobotFileKind::kToml:
-      return "thenar TOML";
-    case RobotFileKind::kUrdf:
-      return "URDF";
-    case RobotFileKind::kMjcf:
-      return "MJCF";
-    case RobotFileKind::kGraspit:
-      return "GraspIt! XML";
-  }
-  return "";
-}
-
 RobotFileKind find_robot_kind(const std::string& path) {
   const std::string text = read_text_file(path);
   const std::string ending = std::filesystem::path(path).extension();

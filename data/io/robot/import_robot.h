@@ -2,18 +2,23 @@
 
 /// Reads robots from files of any kind.
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "data/io/robot/robot.h"
 
 namespace thenar {
 
 /// Kind of a robot file.
 enum class RobotFileKind { kToml, kUrdf, kMjcf, kGraspit };
-
-/// "thenar TOML", "URDF", "MJCF", "GraspIt! XML".
-[[nodiscard]] std::string name_of(RobotFileKind kind);
+inline constexpr std::array kRobotFileKindNames{
+    EnumName{RobotFileKind::kToml, "thenar TOML"}, EnumName{RobotFileKind::kUrdf, "URDF"},
+    EnumName{RobotFileKind::kMjcf, "MJCF"}, EnumName{RobotFileKind::kGraspit, "GraspIt! XML"}};
+[[nodiscard]] inline std::string name_of(RobotFileKind kind) {
+  return name_in(kRobotFileKindNames, kind);
+}
 
 /// Finds the kind of a robot file by its content: <mujoco>; <robot> with <link> or <joint> children
 /// for URDF, with <palm>, <chain> or <dof> for GraspIt!; otherwise TOML.

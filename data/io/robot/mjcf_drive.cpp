@@ -338,7 +338,7 @@ class MjcfDrive {
     RobotDof shared;
     shared.name = tendon;
     while (find_dof(robot_, shared.name) != nullptr) shared.name += " tendon";
-    shared.kind = RobotDofKind::kCompliant;
+    shared.kind = DriveCoupling::kCompliant;
     shared.speed = 1;
     efforts_[shared.name] = actuator.effort;
     shared.lower = -std::numeric_limits<double>::infinity();

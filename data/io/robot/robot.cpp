@@ -13,18 +13,6 @@
 
 namespace thenar {
 
-std::string name_of(RobotJointKind kind) {
-  switch (kind) {
-    case RobotJointKind::kFixed:
-      return "fixed";
-    case RobotJointKind::kRevolute:
-      return "revolute";
-    case RobotJointKind::kPrismatic:
-      break;
-  }
-  return "prismatic";
-}
-
 bool take_effort_of_speed(RobotDof& dof) {
   if (dof.effort_up == dof.effort_down || dof.speed == 0) return false;
   dof.max_effort = dof.speed > 0 ? dof.effort_up : dof.effort_down;
@@ -249,7 +237,7 @@ constexpr double kLimitTolerance = 1e-6;  // Largest excess over a joint's limit
 
 /// Checks that a joint that follows its motor along a curve stays within its limits everywhere.
 void check_curve(const RobotJoint& joint, const RobotDof& dof) {
-  require(dof.kind == RobotDofKind::kRigid,
+  require(dof.kind == DriveCoupling::kRigid,
           "joint '{}' follows '{}' along a curve: wanted a rigid "
           "degree of freedom",
           joint.name, dof.name);

@@ -2,6 +2,7 @@
 
 /// Robots as plain data: links, joints, and degrees of freedom apart from joints.
 
+#include <array>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,8 +11,10 @@
 
 #include <Eigen/Core>
 
+#include "base/enum_names.h"
 #include "base/provenance.h"
 #include "base/spatial.h"
+#include "data/io/robot/drive_coupling.h"
 #include "geometry/shape_spec.h"
 
 namespace thenar {
@@ -29,9 +32,12 @@ struct RobotLink {
 
 /// Kinds of joints.
 enum class RobotJointKind { kFixed, kRevolute, kPrismatic };
-
-/// "fixed", "revolute", "prismatic".
-[[nodiscard]] std::string name_of(RobotJointKind kind);
+inline constexpr std::array kRobotJointKindNames{EnumName{RobotJointKind::kFixed, "fixed"},
+                                                 EnumName{RobotJointKind::kRevolute, "revolute"},
+                                                 EnumName{RobotJointKind::kPrismatic, "prismatic"}};
+[[nodiscard]] inline std::string name_of(RobotJointKind kind) {
+  return name_in(kRobotJointKindNames, kind);
+}
 
 /// A joint. Its value is offset + ratio * u + curve[0] * u^2 + curve[1] * u^3 + .., u its degree of
 /// freedom, and the pose of the child in the parent X_PJ * motion(axis, value) * X_JC. Limits are
@@ -56,17 +62,10 @@ struct RobotJoint {
   double rest = 0;                // [rad] or [m]
 };
 
-/// Coupling of the joints that one motor drives.
-enum class RobotDofKind {
-  kRigid,      // gears: if one joint is blocked, all are
-  kBreakaway,  // a clutch: a joint blocked beyond `breakaway` stops, those farther out go on
-  kCompliant   // springs or an adaptive linkage: a blocked joint stops, all others go on
-};
-
 /// A degree of freedom: a motor.
 struct RobotDof {
   std::string name;
-  RobotDofKind kind = RobotDofKind::kRigid;
+  DriveCoupling kind = DriveCoupling::kRigid;
   double lower = 0;             // [rad] or [m]
   double upper = 0;             // [rad] or [m]
   double speed = 0;             // in closing, relative to others; negative: closes downwards [1]

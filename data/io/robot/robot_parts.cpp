@@ -33,17 +33,10 @@ void read_range(TomlTable& table, Dimension dimension, double& lower, double& up
   upper = range[1];
 }
 
-RobotJointKind read_kind(TomlTable& table) {
-  if (!table.has("kind")) return RobotJointKind::kRevolute;
-  const std::string kind = table.choice("kind", {"fixed", "revolute", "prismatic"});
-  if (kind == "fixed") return RobotJointKind::kFixed;
-  return kind == "revolute" ? RobotJointKind::kRevolute : RobotJointKind::kPrismatic;
-}
-
 /// Reads the keys that [[joint]] and a row of [[dh_chain]] share.
 void read_drive(TomlTable& table, RobotJoint& joint) {
   // What it moves, and which motor drives it.
-  joint.kind = read_kind(table);
+  if (table.has("kind")) joint.kind = table.choice("kind", kRobotJointKindNames);
   joint.child = table.text("child");
   joint.dof = table.text_or("dof", "");
   joint.ratio = table.number_or(Dimension::kNumber, "ratio", 1);
@@ -153,11 +146,7 @@ RobotDof read_robot_dof(TomlTable& table) {
   RobotDof dof;
   dof.name = table.text("name");
   // Kind of coupling.
-  const std::string kind =
-      table.has("kind") ? table.choice("kind", {"rigid", "breakaway", "compliant"}) : "rigid";
-  dof.kind = kind == "rigid"       ? RobotDofKind::kRigid
-             : kind == "breakaway" ? RobotDofKind::kBreakaway
-                                   : RobotDofKind::kCompliant;
+  if (table.has("kind")) dof.kind = table.choice("kind", kDriveCouplingNames);
   // Numbers in the units of its joints.
   const bool slides = table.has(Dimension::kLength, "range");
   const Measures& in = slides ? kSlidingMeasures : kTurningMeasures;

@@ -106,11 +106,6 @@ std::string joint_lines(const RobotJoint& joint) {
   return text;
 }
 
-const char* kind_name(RobotDofKind kind) {
-  if (kind == RobotDofKind::kRigid) return "rigid";
-  return kind == RobotDofKind::kBreakaway ? "breakaway" : "compliant";
-}
-
 /// A `speed` that is guessed is marked as such; where no way of closing is stated it is a `rate`.
 std::string speed_line(const RobotDof& dof, bool closing_stated, bool closing_guessed) {
   std::string text;
@@ -124,7 +119,7 @@ std::string speed_line(const RobotDof& dof, bool closing_stated, bool closing_gu
 std::string dof_lines(const RobotDof& dof, const RobotDof& stated, const Units& in,
                       const std::string& speed) {
   std::string text = "\n[[dof]]\nname = " + toml_quoted(dof.name) + "\n";
-  add(text, fmt::format("kind = \"{}\"", kind_name(dof.kind)));
+  add(text, fmt::format("kind = \"{}\"", name_in(kDriveCouplingNames, dof.kind)));
   add(text,
       fmt::format("range{} = {}", in.value, toml_list(std::vector<double>{dof.lower, dof.upper})));
   text += speed;

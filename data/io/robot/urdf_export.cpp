@@ -123,10 +123,9 @@ class Export {
     name_unsaid_of_links();
     name_unsaid_of_motors();
     for (const RobotDof& dof : robot_.dofs)
-      if (dof.kind != RobotDofKind::kRigid)
-        out_.warnings.push_back(fmt::format(
-            "URDF has no {} couplings: '{}' is written as rigid",
-            dof.kind == RobotDofKind::kBreakaway ? "breakaway" : "compliant", dof.name));
+      if (dof.kind != DriveCoupling::kRigid)
+        out_.warnings.push_back(fmt::format("URDF has no {} couplings: '{}' is written as rigid",
+                                            name_in(kDriveCouplingNames, dof.kind), dof.name));
     for (const RobotJoint& joint : robot_.joints)
       if (!joint.curve.empty())
         out_.warnings.push_back(

@@ -18,7 +18,7 @@ SceneBodySpec read_scene_body(TomlTable& table, const SceneSpec& scene) {
   SceneBodySpec body;
   body.line = table.line();
   body.placed = internal::read_placed_body(table, scene.path, scene.materials);
-  body.joint = internal::read_scene_joint(table, SceneJointKind::kFree);
+  body.joint = internal::read_scene_joint(table, JointKind::kFree);
   body.velocity = internal::read_scene_velocity(table, body.joint.kind);
   table.done();
   return body;
@@ -49,7 +49,7 @@ SceneHandSpec read_scene_hand(TomlTable& table, const SceneSpec& scene) {
   if (table.has("passive")) hand.passive = table.choice("passive", {"on", "off"}) == "on";
   hand.placed.X_WH = read_pose_keys(table);
   hand.placed.posture = internal::read_posture(table);
-  hand.joint = internal::read_scene_joint(table, SceneJointKind::kWeld);
+  hand.joint = internal::read_scene_joint(table, JointKind::kWeld);
   hand.velocity = internal::read_scene_velocity(table, hand.joint.kind);
   table.done();
   return hand;

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "base/error.h"
+#include "data/io/scene/joint_kind.h"
 #include "data/io/scene/scene_bushing.h"
 #include "data/io/scene/scene_compliance.h"
 #include "data/io/scene/scene_pad.h"
@@ -18,15 +19,10 @@
 
 namespace thenar {
 
-/// Joint between a body, or the base of a hand, and its parent.
-enum class SceneJointKind { kWeld, kHinge, kSlide, kBall, kFree };
-
-/// "weld", "hinge", "slide", "ball", "free", in the order of SceneJointKind.
-[[nodiscard]] const std::vector<std::string>& scene_joint_names();
-
-/// A joint at the start: its axis and point in world, where the body then is.
+/// A joint between a body, or the base of a hand, and its parent at the start: its axis and point
+/// in world, where the body then is.
 struct SceneJointSpec {
-  SceneJointKind kind = SceneJointKind::kFree;
+  JointKind kind = JointKind::kFree;
   std::string parent;              // body, or "HAND/LINK"; empty: the world
   Eigen::Vector3d axis{0, 0, 1};   // of hinge and slide: unit (3)
   Eigen::Vector3d point{0, 0, 0};  // on the axis of a hinge, centre of a ball joint [m] (3)

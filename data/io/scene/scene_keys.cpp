@@ -1,19 +1,11 @@
 #include "data/io/scene/scene_keys.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
 #include "data/io/world/world_keys.h"
 
-namespace thenar {
-
-const std::vector<std::string>& scene_joint_names() {
-  static const std::vector<std::string> names{"weld", "hinge", "slide", "ball", "free"};
-  return names;
-}
-
-namespace internal {
+namespace thenar::internal {
 namespace {
 
 /// Dimensions of the quantities of a coordinate.
@@ -50,7 +42,7 @@ std::vector<std::string> read_between(TomlTable& table) {
 
 /// Reads the keys of a hinge or slide beside its axis.
 void read_coordinate(TomlTable& table, SceneJointSpec& joint) {
-  const CoordinateUnits units = units_of_coordinate(joint.kind == SceneJointKind::kHinge);
+  const CoordinateUnits units = units_of_coordinate(joint.kind == JointKind::kHinge);
   joint.start = table.number_or(units.value, "start", 0);
   joint.speed = table.number_or(units.speed, "speed", 0);
   if (table.has(units.value, "range")) {
@@ -72,38 +64,34 @@ void read_coordinate(TomlTable& table, SceneJointSpec& joint) {
 
 }  // namespace
 
-SceneJointSpec read_scene_joint(TomlTable& owner, SceneJointKind kind) {
+SceneJointSpec read_scene_joint(TomlTable& owner, JointKind kind) {
   SceneJointSpec joint;
   joint.kind = kind;
   joint.line = owner.line();
   std::optional<TomlTable> table = owner.table("joint");
   if (!table) return joint;
   joint.line = table->line();
-  const std::vector<std::string>& names = scene_joint_names();
-  const std::string word = table->choice("kind", names);
-  joint.kind =
-      static_cast<SceneJointKind>(std::find(names.begin(), names.end(), word) - names.begin());
+  joint.kind = table->choice("kind", kJointKindNames);
   joint.parent = table->text_or("parent", "");
-  if (joint.kind == SceneJointKind::kFree && !joint.parent.empty())
+  if (joint.kind == JointKind::kFree && !joint.parent.empty())
     table->fail("what is free has no parent", "parent");
   // Each kind has keys of its own.
-  const bool moves_along_axis =
-      joint.kind == SceneJointKind::kHinge || joint.kind == SceneJointKind::kSlide;
+  const bool moves_along_axis = joint.kind == JointKind::kHinge || joint.kind == JointKind::kSlide;
   if (moves_along_axis) joint.axis = table->direction("axis");
-  if (joint.kind == SceneJointKind::kHinge || joint.kind == SceneJointKind::kBall)
+  if (joint.kind == JointKind::kHinge || joint.kind == JointKind::kBall)
     joint.point = table->vector(Dimension::kLength, "point");
   if (moves_along_axis) read_coordinate(*table, joint);
-  if (joint.kind == SceneJointKind::kBall)
+  if (joint.kind == JointKind::kBall)
     joint.spin = table->vector_or(Dimension::kAngularSpeed, "angular_velocity", joint.spin);
   table->done();
   return joint;
 }
 
-SceneVelocity read_scene_velocity(TomlTable& owner, SceneJointKind kind) {
+SceneVelocity read_scene_velocity(TomlTable& owner, JointKind kind) {
   SceneVelocity velocity;
   for (const auto& [dimension, key] : {std::pair{Dimension::kSpeed, "velocity"},
                                        std::pair{Dimension::kAngularSpeed, "angular_velocity"}})
-    if (owner.has(dimension, key) && kind != SceneJointKind::kFree)
+    if (owner.has(dimension, key) && kind != JointKind::kFree)
       owner.fail(fmt::format("only what is free has '{}': give its joint a speed", key), key);
   velocity.linear = owner.vector_or(Dimension::kSpeed, "velocity", velocity.linear);
   velocity.angular =
@@ -242,5 +230,4 @@ SteppingSpec read_stepping(TomlTable& table) {
   return stepping;
 }
 
-}  // namespace internal
-}  // namespace thenar
+}  // namespace thenar::internal

@@ -8,9 +8,9 @@
 namespace thenar::internal {
 
 /// [body.joint] or [hand.joint]. @param kind  where it is not stated
-[[nodiscard]] SceneJointSpec read_scene_joint(TomlTable& owner, SceneJointKind kind);
+[[nodiscard]] SceneJointSpec read_scene_joint(TomlTable& owner, JointKind kind);
 /// `velocity` and `angular_velocity`, which only what is free may have.
-[[nodiscard]] SceneVelocity read_scene_velocity(TomlTable& owner, SceneJointKind kind);
+[[nodiscard]] SceneVelocity read_scene_velocity(TomlTable& owner, JointKind kind);
 [[nodiscard]] SceneForceSpec read_scene_force(TomlTable& table);
 /// @param folder  of the scene
 [[nodiscard]] SceneDriveSpec read_scene_drive(TomlTable& table, const std::string& folder);

@@ -39,7 +39,7 @@ class PostureReader {
       // A breakaway motor has a flag for each joint.
       std::vector<double> values(joints.size(), q);
       bool broken = false;
-      if (with_flags && dof.kind == RobotDofKind::kBreakaway)
+      if (with_flags && dof.kind == DriveCoupling::kBreakaway)
         for (double& value : values)
           if (!read_flag(value, broken)) return {};
       // Joints that broke away have values of their own.

@@ -117,11 +117,11 @@ TEST_F(GraspitRobot, ReadsMotors) {
                                "<link>link.xml</link><link>link.xml</link></chain>"
                                "<approachDirection><referenceLocation>0 0 20</referenceLocation>"
                                "<direction>0 3 4</direction></approachDirection>");
-  EXPECT_EQ(robot.dofs[0].kind, RobotDofKind::kRigid);
+  EXPECT_EQ(robot.dofs[0].kind, DriveCoupling::kRigid);
   EXPECT_NEAR(robot.dofs[0].max_effort, 5, kGraspitRounding);
   EXPECT_TRUE(robot.dofs[0].nominal_effort);
   EXPECT_TRUE(robot.dofs[0].backdrivable);  // the format does not say
-  EXPECT_EQ(robot.dofs[1].kind, RobotDofKind::kBreakaway);
+  EXPECT_EQ(robot.dofs[1].kind, DriveCoupling::kBreakaway);
   EXPECT_EQ(robot.dofs[1].breakaway, 0.5);
   EXPECT_EQ(robot.dofs[1].speed, 1.5);
   EXPECT_TRUE(matrix_near(robot.approach.point, Eigen::Vector3d(0, 0, 0.02), kGraspitRounding));

@@ -221,7 +221,7 @@ TEST_F(Mjcf, CouplesJointsByEqualities) {
            "<equality><joint joint1='2' joint2='1' polycoef='0.1 2 0 0 0'/>"
            "<joint joint1='3' joint2='2' polycoef='0.2 0.5 0 0 0'/></equality>");
   ASSERT_THAT(names(robot.dofs), ElementsAre("1"));
-  EXPECT_EQ(robot.dofs[0].kind, RobotDofKind::kRigid);
+  EXPECT_EQ(robot.dofs[0].kind, DriveCoupling::kRigid);
   EXPECT_EQ(robot.joints[1].ratio, 2);
   EXPECT_EQ(robot.joints[1].offset, 0.1);
   EXPECT_DOUBLE_EQ(robot.joints[2].ratio, 1);
@@ -240,7 +240,7 @@ TEST_F(Mjcf, SharesATendonAsEqualSpringsWould) {
       "</actuator>");
   ASSERT_THAT(names(robot.dofs), ElementsAre("1", "t"));
   EXPECT_EQ(robot.dofs[0].max_effort, 3);
-  EXPECT_EQ(robot.dofs[1].kind, RobotDofKind::kCompliant);
+  EXPECT_EQ(robot.dofs[1].kind, DriveCoupling::kCompliant);
   EXPECT_EQ(robot.dofs[1].max_effort, 4);
   EXPECT_NEAR(robot.dofs[1].upper, kPi, kMjcfRounding);
   EXPECT_EQ(robot.joints[1].dof, "t");

@@ -1,5 +1,7 @@
 // Tests for data/io/robot/robot_toml.cpp and robot_toml_read.cpp.
 
+#include <map>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -124,16 +126,20 @@ TEST(RobotToml, KeepsEveryBit) {
   }
 }
 
-constexpr int kSizes[] = {1, 3, 2, 2, 3, 3, 3, 0};  // of each kind of shape
+/// Numbers of sizes of each kind of shape.
+const std::map<ShapeKind, int> kSizes{{ShapeKind::kSphere, 1},         {ShapeKind::kBox, 3},
+                                      {ShapeKind::kCylinder, 2},       {ShapeKind::kCapsule, 2},
+                                      {ShapeKind::kTaperedCapsule, 3}, {ShapeKind::kEllipsoid, 3},
+                                      {ShapeKind::kSuperellipsoid, 3}, {ShapeKind::kMesh, 0}};
 
 TEST(RobotToml, KeepsEveryKindOfShape) {
   RobotSpec robot = sample::small_robot();
   std::mt19937 rng(5);
-  for (std::size_t kind = 0; kind < shape_names().size(); ++kind) {
+  for (const auto& [kind, sizes] : kSizes) {
     ShapeSpec shape;
-    shape.kind = static_cast<ShapeKind>(kind);
+    shape.kind = kind;
     shape.X_BS = sample::random_pose(rng);
-    for (int i = 0; i < kSizes[kind]; ++i) shape.size[i] = 0.1 / (i + 3);
+    for (int i = 0; i < sizes; ++i) shape.size[i] = 0.1 / (i + 3);
     if (shape.kind == ShapeKind::kSuperellipsoid) shape.exponents << 0.3, 1.0 / 3;
     robot.links[1].shapes.push_back(shape);
   }

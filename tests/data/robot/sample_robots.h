@@ -60,8 +60,8 @@ inline RobotSpec small_robot(unsigned seed = 1) {
   robot.links[1].digit = robot.links[2].digit = robot.links[4].digit = "finger 1";
   robot.links[3].material = "rubber";
   robot.dofs.resize(2);
-  robot.dofs[0] = {"curl", RobotDofKind::kBreakaway, -0.1, 1.9, 1, 2.5, 0.5, 0, true, false, {}};
-  robot.dofs[1] = {"slide", RobotDofKind::kRigid, -0.0, 0.05, -1, 80, 0, 0, true, false, {}};
+  robot.dofs[0] = {"curl", DriveCoupling::kBreakaway, -0.1, 1.9, 1, 2.5, 0.5, 0, true, false, {}};
+  robot.dofs[1] = {"slide", DriveCoupling::kRigid, -0.0, 0.05, -1, 80, 0, 0, true, false, {}};
   using Kind = RobotJointKind;
   robot.joints = {random_joint(rng, "J1", Kind::kRevolute),
                   random_joint(rng, "J2", Kind::kRevolute),

@@ -216,7 +216,7 @@ TEST_F(UrdfExport, WritesAllOrNothingOnAFullDisk) {
 TEST_F(UrdfExport, SaysWhatUrdfCannot) {
   std::mt19937 rng(3);
   RobotSpec robot = geared_robot(rng);
-  robot.dofs[0].kind = RobotDofKind::kBreakaway;
+  robot.dofs[0].kind = DriveCoupling::kBreakaway;
   robot.joints[1].stiffness = 2;
   const UrdfText urdf = robot_urdf(robot, "");
   EXPECT_THAT(urdf.warnings, Contains(HasSubstr("no breakaway couplings: 'm0'")));

@@ -116,7 +116,7 @@ TEST(Scene, JointsAreReadInSi) {
   const SceneSpec scene = parsed(kScene);
   ASSERT_EQ(scene.bodies.size(), 3U);
   const SceneJointSpec& joint = scene.bodies[1].joint;
-  EXPECT_EQ(joint.kind, SceneJointKind::kHinge);
+  EXPECT_EQ(joint.kind, JointKind::kHinge);
   EXPECT_EQ(joint.parent, "frame");
   EXPECT_TRUE(matrix_near(joint.axis, Eigen::Vector3d(0, 0, 1), 1e-15));
   EXPECT_TRUE(matrix_near(joint.point, Eigen::Vector3d(0.03, 0, 0), 1e-15));
@@ -132,8 +132,8 @@ TEST(Scene, JointsAreReadInSi) {
 
 TEST(Scene, BodiesAreFreeIfNothingElseIsSaid) {
   const SceneSpec scene = parsed(kScene);
-  EXPECT_EQ(scene.bodies[0].joint.kind, SceneJointKind::kWeld);
-  EXPECT_EQ(scene.bodies[2].joint.kind, SceneJointKind::kFree);
+  EXPECT_EQ(scene.bodies[0].joint.kind, JointKind::kWeld);
+  EXPECT_EQ(scene.bodies[2].joint.kind, JointKind::kFree);
   EXPECT_TRUE(matrix_near(scene.bodies[2].velocity.linear, Eigen::Vector3d(1, 2, 3), 0));
   EXPECT_NEAR(scene.bodies[2].velocity.angular.x(), kPi, 1e-15);
   EXPECT_TRUE(matrix_near(scene.gravity, Eigen::Vector3d(0, 0, -1.62), 0));
@@ -143,7 +143,7 @@ TEST(Scene, HandsStandOnJoints) {
   const SceneHandSpec hand = parsed(kScene).hands.at(0);
   EXPECT_EQ(hand.placed.name, "jaw");
   EXPECT_DOUBLE_EQ(hand.placed.posture.at("opening"), 0.04);
-  EXPECT_EQ(hand.joint.kind, SceneJointKind::kSlide);
+  EXPECT_EQ(hand.joint.kind, JointKind::kSlide);
   EXPECT_DOUBLE_EQ(hand.joint.start, 0.005);
   EXPECT_DOUBLE_EQ(hand.joint.speed, 0.02);
   // A hand of which nothing is said is fixed.
@@ -151,7 +151,7 @@ TEST(Scene, HandsStandOnJoints) {
       parsed(
           with("joint = {kind = \"slide\", axis = [0, 0, 1], start_mm = 5, speed_mm_s = 20}\n", ""))
           .hands.at(0);
-  EXPECT_EQ(fixed.joint.kind, SceneJointKind::kWeld);
+  EXPECT_EQ(fixed.joint.kind, JointKind::kWeld);
 }
 
 TEST(Scene, ForcesAndDrivesAreRead) {

@@ -53,7 +53,7 @@ class MechanismDraw {
     for (int i = 0; i < bodies; ++i) {
       MechanismJoint joint;
       joint.name = "j" + std::to_string(i);
-      joint.kind = static_cast<JointKind>(whole(0, 4));
+      joint.kind = kJointKindNames[static_cast<std::size_t>(whole(0, 4))].value;
       joint.parent = whole(-1, i - 1);
       joint.X_PF = frame(0.05);
       joint.X_BM = frame(0.05);

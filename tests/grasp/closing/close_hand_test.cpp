@@ -33,7 +33,7 @@ const GraspSetup kFar = sample::setup({sample::placed("ball", kBall, {0, 0, 1})}
 // from the knuckle, has the sine (R + r) / D.
 TEST(CloseHand, StopsAPhalanxWhereItTouchesABall) {
   const Eigen::Vector3d centre(0.025, 0.02, 0);
-  const ClosedHand closed = close(sample::finger(RobotDofKind::kRigid),
+  const ClosedHand closed = close(sample::finger(DriveCoupling::kRigid),
                                   sample::setup({sample::placed("ball", kBall, centre)}));
   const double D = centre.norm();
   const double tangent = std::atan2(centre.y(), centre.x()) - std::asin((0.01 + kRadius) / D);
@@ -46,7 +46,7 @@ TEST(CloseHand, StopsAPhalanxWhereItTouchesABall) {
 }
 
 TEST(CloseHand, RunsToItsLimitsWhereNothingIsInTheWay) {
-  const ClosedHand closed = close(sample::finger(RobotDofKind::kBreakaway), kFar);
+  const ClosedHand closed = close(sample::finger(DriveCoupling::kBreakaway), kFar);
   ASSERT_TRUE(closed.finished);
   EXPECT_DOUBLE_EQ(closed.q[0], kPi / 2);
   EXPECT_DOUBLE_EQ(closed.q[1], kPi / 4);
@@ -57,8 +57,8 @@ TEST(CloseHand, RunsToItsLimitsWhereNothingIsInTheWay) {
 // limit.
 TEST(CloseHand, LetsTheOuterLinkGoOnBehindAClutch) {
   const GraspSetup ball = sample::setup({sample::placed("ball", kBall, {0.025, 0.02, 0})});
-  const ClosedHand rigid = close(sample::finger(RobotDofKind::kRigid), ball);
-  const ClosedHand clutch = close(sample::finger(RobotDofKind::kBreakaway), ball);
+  const ClosedHand rigid = close(sample::finger(DriveCoupling::kRigid), ball);
+  const ClosedHand clutch = close(sample::finger(DriveCoupling::kBreakaway), ball);
   ASSERT_EQ(rigid.q.size(), 1);
   ASSERT_EQ(clutch.q.size(), 2);
   EXPECT_NEAR(clutch.q[0], rigid.q[0], 1e-2);
@@ -69,7 +69,7 @@ TEST(CloseHand, LetsTheOuterLinkGoOnBehindAClutch) {
 // A distal link that touches stops the proximal one too, clutch or not: it would be pushed in.
 TEST(CloseHand, StopsAllThatMoveALinkThatTouches) {
   const GraspSetup ball = sample::setup({sample::placed("ball", kBall, {0.085, 0.03, 0})});
-  const ClosedHand closed = close(sample::finger(RobotDofKind::kBreakaway), ball);
+  const ClosedHand closed = close(sample::finger(DriveCoupling::kBreakaway), ball);
   EXPECT_EQ(closed.stopped[0], StoppedBy::kContact);
   EXPECT_EQ(closed.stopped[1], StoppedBy::kContact);
   EXPECT_DOUBLE_EQ(closed.q[1], closed.q[0] / 2);
@@ -139,14 +139,14 @@ TEST(CloseHand, PassesThroughItselfIfToldSo) {
 
 TEST(CloseHand, DoesNotPassAPaperThinPlate) {
   const ShapeSpec plate = sample::shape(ShapeKind::kBox, {0.1, 1e-5, 0.1});
-  const ClosedHand closed = close(sample::finger(RobotDofKind::kRigid),
+  const ClosedHand closed = close(sample::finger(DriveCoupling::kRigid),
                                   sample::setup({sample::placed("plate", plate, {0.09, 0.02, 0})}));
   EXPECT_EQ(closed.stopped[0], StoppedBy::kContact);
   EXPECT_LT(closed.q[0], 0.3);
 }
 
 TEST(CloseHand, TellsWhatOverlapsAtTheStartAndDoesNotMove) {
-  const ClosedHand closed = close(sample::finger(RobotDofKind::kRigid),
+  const ClosedHand closed = close(sample::finger(DriveCoupling::kRigid),
                                   sample::setup({sample::placed("ball", kBall, {0.02, 0.01, 0})}));
   ASSERT_EQ(closed.overlaps.size(), 1u);
   EXPECT_EQ(closed.overlaps[0].surface, "proximal");
@@ -167,7 +167,7 @@ TEST(OpenPosture, IsTheLimitThatClosingComesFrom) {
 }
 
 TEST(CloseHand, RefusesPosturesOutOfRange) {
-  const RobotHand hand(sample::finger(RobotDofKind::kRigid));
+  const RobotHand hand(sample::finger(DriveCoupling::kRigid));
   EXPECT_THAT(message_of([&] {
                 (void)close_hand(collision_hand(hand), {}, Eigen::VectorXd::Constant(1, 7), kFar);
               }),

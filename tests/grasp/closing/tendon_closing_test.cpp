@@ -40,7 +40,7 @@ class TendonFinger final : public Hand {
   const std::vector<LinkSurface>& surfaces() const override { return bones_.surfaces(); }
 
  private:
-  RobotHand bones_{sample::finger(RobotDofKind::kCompliant)};
+  RobotHand bones_{sample::finger(DriveCoupling::kCompliant)};
 };
 
 const ClosingTensions kPull{Eigen::VectorXd::Ones(1), Eigen::Vector2d(kStiff0, kStiff1), 0.02};

@@ -235,10 +235,10 @@ TEST(GraspType, NamesWhatTouches) {
 // Tip of two links l = 50 mm, angles a in [0, pi/2] and b = a' in [0, pi/2] apart: area
 // integral l^2 sin b da db = l^2 pi / 2.
 TEST(Workspace, OfAPlanarFingerHasItsArea) {
-  RobotSpec robot = sample::finger(RobotDofKind::kRigid);
+  RobotSpec robot = sample::finger(DriveCoupling::kRigid);
   robot.joints[1].dof = "second";
   robot.joints[1].ratio = 1;
-  robot.dofs.push_back(sample::motor("second", RobotDofKind::kRigid));
+  robot.dofs.push_back(sample::motor("second", DriveCoupling::kRigid));
   const RobotHand hand(robot);
   std::mt19937 random(1);
   const DigitAbility finger = workspaces(hand, 40000, 2e-3, random).digits.front();

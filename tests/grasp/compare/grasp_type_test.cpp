@@ -22,7 +22,7 @@ RobotSpec hand_of(const std::vector<std::string>& digits) {
     robot.joints.push_back(sample::hinge(digit + " 1", "palm", inner, {0, 0, 0}, digit, 1));
     robot.joints.push_back(
         sample::hinge(digit + " 2", inner, outer, {sample::kLength, 0, 0}, digit, 1));
-    robot.dofs.push_back(sample::motor(digit, RobotDofKind::kRigid));
+    robot.dofs.push_back(sample::motor(digit, DriveCoupling::kRigid));
   }
   return robot;
 }

@@ -51,7 +51,7 @@ TEST(TipForces, AreUnknownWhereTheEffortIs) {
 // The outer joint moves by half and gets 2 u, at 58 mm; worms bear the inner one. Both joints move
 // the tip on the same line while the finger is straight.
 TEST(TipForces, OfABreakawayFingerAreThoseOfItsOuterJoint) {
-  RobotSpec robot = sample::finger(RobotDofKind::kBreakaway);
+  RobotSpec robot = sample::finger(DriveCoupling::kBreakaway);
   robot.dofs[0].max_effort = 0.3;
   robot.dofs[0].breakaway = 0.1;
   robot.dofs[0].backdrivable = false;
@@ -62,11 +62,11 @@ TEST(TipForces, OfABreakawayFingerAreThoseOfItsOuterJoint) {
 
 /// Two hinges in series, each with a motor of its own.
 RobotSpec two_hinges(double inner, double outer) {
-  RobotSpec robot = sample::finger(RobotDofKind::kRigid);
+  RobotSpec robot = sample::finger(DriveCoupling::kRigid);
   robot.joints[1].dof = "distal";
   robot.joints[1].ratio = 1;
-  robot.dofs = {sample::motor("proximal", RobotDofKind::kRigid),
-                sample::motor("distal", RobotDofKind::kRigid)};
+  robot.dofs = {sample::motor("proximal", DriveCoupling::kRigid),
+                sample::motor("distal", DriveCoupling::kRigid)};
   robot.joints[0].dof = "proximal";
   robot.dofs[0].max_effort = inner;
   robot.dofs[1].max_effort = outer;
@@ -98,14 +98,14 @@ TEST(TipForces, OfJawsOfOneMotorShareItsEffort) {
 
 /// Two links of one tendon on a third of its own motor, which is strong: 1 : 0.5 : 0.5.
 RobotSpec tendon_finger(double effort) {
-  RobotSpec robot = sample::finger(RobotDofKind::kCompliant);
+  RobotSpec robot = sample::finger(DriveCoupling::kCompliant);
   robot.links.push_back(sample::phalanx("tip", "finger"));
   robot.joints[0].dof = "root";
   robot.joints[1].dof = "tendon";
   robot.joints.push_back(
       sample::hinge("outer", "distal", "tip", {sample::kLength, 0, 0}, "tendon", 0.5));
-  robot.dofs = {sample::motor("root", RobotDofKind::kRigid),
-                sample::motor("tendon", RobotDofKind::kCompliant)};
+  robot.dofs = {sample::motor("root", DriveCoupling::kRigid),
+                sample::motor("tendon", DriveCoupling::kCompliant)};
   robot.dofs[0].max_effort = 1000;
   robot.dofs[1].max_effort = effort;
   robot.dofs[1].upper = kPi;

@@ -15,10 +15,10 @@ constexpr double kReachOfTip = sample::kLength + sample::kRadius;  // of the tip
 
 /// Two hinges that turn each by itself, by up to 90 degrees.
 RobotSpec planar_arm() {
-  RobotSpec robot = sample::finger(RobotDofKind::kRigid);
+  RobotSpec robot = sample::finger(DriveCoupling::kRigid);
   robot.joints[1].dof = "second";
   robot.joints[1].ratio = 1;
-  robot.dofs.push_back(sample::motor("second", RobotDofKind::kRigid));
+  robot.dofs.push_back(sample::motor("second", DriveCoupling::kRigid));
   return robot;
 }
 
@@ -39,7 +39,7 @@ RobotSpec telescope() {
   robot.joints[2].axis = {1, 0, 0};
   robot.joints[2].upper = 0.06;
   for (const RobotJoint& joint : robot.joints) {
-    robot.dofs.push_back(sample::motor(joint.name, RobotDofKind::kRigid));
+    robot.dofs.push_back(sample::motor(joint.name, DriveCoupling::kRigid));
     robot.dofs.back().upper = joint.upper;
   }
   return robot;
@@ -63,7 +63,7 @@ TEST(Workspace, OfAPlanarArmHasItsAreaWithinItsError) {
 
 // Two joints on one motor: the tip bends along a curve, which spans a plane and fills none of it.
 TEST(Workspace, OfOneMotorIsACurve) {
-  EXPECT_EQ(space_of(sample::finger(RobotDofKind::kRigid), 3000, 5e-3).dimension, 1);
+  EXPECT_EQ(space_of(sample::finger(DriveCoupling::kRigid), 3000, 5e-3).dimension, 1);
 }
 
 /// A hinge at the end of a twist about the link, both symmetric about straight.

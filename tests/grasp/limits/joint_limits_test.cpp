@@ -121,7 +121,7 @@ TEST_F(Pincer, NominalEffortsAreUnknown) {
 /// The outer joint moves by half.
 class TwoPhalanges : public testing::Test {
  protected:
-  [[nodiscard]] static RobotSpec spec(RobotDofKind kind, bool worm) {
+  [[nodiscard]] static RobotSpec spec(DriveCoupling kind, bool worm) {
     RobotSpec robot = sample::finger(kind);
     robot.links[0].shapes = {sample::shape(ShapeKind::kBox, {0.1, 0.01, 0.1}, {0, 0.1, 0})};
     robot.dofs[0].max_effort = kEffort;
@@ -150,7 +150,7 @@ class TwoPhalanges : public testing::Test {
 
 // The outer joint gets u / r = 0.6 N m: 20 N at 30 mm, which the worm of the inner one bears.
 TEST_F(TwoPhalanges, OfABreakawayPressWithTheMotorOnTheOuterJoint) {
-  const RobotSpec worm = spec(RobotDofKind::kBreakaway, true);
+  const RobotSpec worm = spec(DriveCoupling::kBreakaway, true);
   EXPECT_NEAR(friction_across(worm, 0, false), kLimitFriction * 2 * 20, kSolvedReaction);
   EXPECT_NEAR(friction_across(worm, 0, true), kLimitFriction * 2 * 20,
               kSolvedReaction);  // the clutch costs the same
@@ -158,13 +158,13 @@ TEST_F(TwoPhalanges, OfABreakawayPressWithTheMotorOnTheOuterJoint) {
 
 // Parted, the inner joint keeps 0.15 N m of its clutch, 5 N at 30 mm; the outer one has all of u.
 TEST_F(TwoPhalanges, OfABreakawayKeepTheClutchesTorque) {
-  EXPECT_NEAR(friction_across(spec(RobotDofKind::kBreakaway, true), 0.2, true),
+  EXPECT_NEAR(friction_across(spec(DriveCoupling::kBreakaway, true), 0.2, true),
               kLimitFriction * 2 * 25, kSolvedReaction);
 }
 
 // Without the worm the knuckle has 0.15 N m of its clutch for the outer phalanx, 80 mm out.
 TEST_F(TwoPhalanges, WithoutAWormNeedTheClutch) {
-  const RobotSpec contacts_without_hand = spec(RobotDofKind::kBreakaway, false);
+  const RobotSpec contacts_without_hand = spec(DriveCoupling::kBreakaway, false);
   EXPECT_NEAR(friction_across(contacts_without_hand, 0, false), kLimitFriction * 2 * 0.15 / 0.08,
               kSolvedReaction);
 }
@@ -172,7 +172,7 @@ TEST_F(TwoPhalanges, WithoutAWormNeedTheClutch) {
 // Springs share u by r / (r'r) = (0.8, 0.4): 2 N at 60 mm of the outer phalanx, then
 // (0.24 - 2 * 0.11) / 0.03 N are left for the inner one.
 TEST_F(TwoPhalanges, OfOneMotorByRatioPressTogether) {
-  const RobotHand hand(spec(RobotDofKind::kCompliant, false));
+  const RobotHand hand(spec(DriveCoupling::kCompliant, false));
   const std::vector<HandContact> contacts{{{{0.03, 0, 0}, {0, 1, 0}, 0, 0}, 1, 0},
                                           {{{0.11, 0, 0}, {0, 1, 0}, 0, 0}, 2, 0}};
   EXPECT_NEAR(most(forces_of(hand, Vector2d(0, 0), contacts), Vector3d::UnitY()), 2 + 2.0 / 3,

@@ -199,7 +199,7 @@ TEST(RobotHand, PullsJointsToTheRestOfTheirSprings) {
     joint.lower = -3;
     joint.upper = 3;
   }
-  spec.dofs[0].kind = RobotDofKind::kRigid;
+  spec.dofs[0].kind = DriveCoupling::kRigid;
   spec.joints[1].stiffness = 0.6;
   spec.joints[1].rest = 0.5;
   spec.joints[1].offset = 0.2;

@@ -73,7 +73,7 @@ TEST(SceneAnswer, HasAResidualWhereContactProblemsWerePosed) {
   request.scene = kData + "/scenes/pinch.toml";
   request.seconds = 0.05;
   request.vary = {{"friction", 0.8, 0.8, 1}};
-  for (const std::string& method : stepping_names()) {
+  for (const std::string& method : names_in(kSteppingMethodNames)) {
     SCOPED_TRACE(method);
     request.method = method;
     const SceneSweepResult sweep = *sweep_scene(request);
@@ -93,7 +93,7 @@ TEST(SceneAnswer, ByAllMethodsHoldsThePinch) {
   SceneRequest request;
   request.scene = kData + "/scenes/pinch.toml";
   request.seconds = 0.1;
-  for (const std::string& method : stepping_names()) {
+  for (const std::string& method : names_in(kSteppingMethodNames)) {
     SCOPED_TRACE(method);
     request.method = method;
     const SceneResult scene = simulate_scene(request);
