@@ -26,7 +26,7 @@ void run_close(CloseArguments& options) {
   options.request.world.pictures = options.outputs.page();
   const CloseResult found = close_in_world(options.request, terminal_progress());
   deliver(options.outputs, found);
-  if (!found.grasp.complete) throw Stopped("stopped: this is what was found by then");
+  if (found.outcome.stopped()) throw Stopped("stopped: this is what was found by then");
 }
 
 }  // namespace

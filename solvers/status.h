@@ -33,6 +33,8 @@ struct Outcome {
   std::size_t done = 0, asked = 0;    // of its parts
   std::string part = "part";          // what these count: "posture"
   std::vector<std::string> warnings;  // assumptions and doubts
+
+  [[nodiscard]] bool stopped() const { return status == Status::kStopped; }
 };
 
 /// Returns whether a method ended without an answer and without a proof that there is none.
