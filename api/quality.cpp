@@ -240,8 +240,7 @@ ContactQualityResult measure_contacts(const ContactQualityRequest& request) {
   found.torque_scale = file.torque_scale;
   found.planar = file.planar;
   found.outcome.warnings = file.warnings;
-  for (std::string& warning : contact_warnings(file))
-    found.outcome.warnings.push_back(std::move(warning));
+  found.outcome.warn(contact_warnings(file));
   // Epsilon with the making of the wrenches, then the volume, each with its processor time.
   const std::clock_t start = std::clock();
   const WrenchSet set = wrenches_of(file, request);

@@ -65,11 +65,11 @@ void fit_best(FitArguments& options) {
   const FitResult result = fit_digit(request, terminal_progress());
   for (const std::string& file : options.outputs.with_ending({".toml"}))
     write_file(file, result.fit.inputs.settings.text);
-  print_warnings(result.warnings);
+  print_warnings(result.outcome.warnings);
   deliver(options.outputs, result);
   require(!result.fit.solution.failed, "the fit failed: {}; the file holds the best point found",
           result.fit.solution.message);
-  if (result.stopped) throw Stopped("stopped; the file holds the best point so far");
+  if (result.outcome.stopped()) throw Stopped("stopped; the file holds the best point so far");
   const std::string complaint = fit_complaint(result, options.allow_unconverged);
   if (complaint.empty()) return;
   if (!options.allow_unconverged) throw Error(complaint);

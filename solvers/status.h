@@ -35,6 +35,10 @@ struct Outcome {
   std::vector<std::string> warnings;  // assumptions and doubts
 
   [[nodiscard]] bool stopped() const { return status == Status::kStopped; }
+  /// Adds warnings behind the others.
+  void warn(const std::vector<std::string>& more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  }
 };
 
 /// Returns whether a method ended without an answer and without a proof that there is none.

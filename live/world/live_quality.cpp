@@ -116,8 +116,7 @@ GraspResult standing_grasp(const LiveWorld& live, const LivePair& pair,
   if (!grasp.contacts.empty()) grasp.quality = epsilon(result.wrenches, options);
   result.start = {grasp.approached.X_WH, grasp.closed.q, 0};
   result.outcome.warnings = grasp_warnings(result);
-  for (std::string& deep : deep_overlaps(meeting))
-    result.outcome.warnings.push_back(std::move(deep));
+  result.outcome.warn(deep_overlaps(meeting));
   return result;
 }
 
