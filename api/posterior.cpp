@@ -144,7 +144,13 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
   require_fit_path(request.path);
   require_kind(request.posterior, {"posterior"});
   PosteriorPrediction out{
-      {request.posterior, {}, {}, {}, {}, {}, checksum_warnings(request.posterior)},
+      {{request.posterior, request.experiments, request.population, request.data, request.path},
+       {},
+       {},
+       {},
+       {},
+       {},
+       {}},
       {request.posterior, read_posterior(request.posterior), {}, {}}};
   const PosteriorRun& run = out.posterior.run;
   const FitProblem& problem = run.posterior->problem();
@@ -152,24 +158,22 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
   result.inputs = run.inputs;
   result.fitted_by = run.run;
   result.fidelity = problem.digit().fidelity;
-  for (std::string& warning : path_cautions(run.inputs))
-    result.warnings.push_back(std::move(warning));
+  result.outcome.warn(checksum_warnings(request.posterior));
+  result.outcome.warn(path_cautions(run.inputs));
   const long kept = run.draws.chains() * run.draws.draws();
   if (kept < request.draws)
-    result.warnings.push_back(fmt::format(
+    result.outcome.warnings.push_back(fmt::format(
         "the posterior has {} draws, fewer than the {} that were asked for: all of them predict",
         kept, request.draws));
   for (const std::string& name : request.experiments) {
     const SourceText source = read_source(experiment_file(name, request.data));
     const Experiment experiment = read_trials(source);
-    for (const std::string& warning : prediction_warnings(problem, experiment))
-      result.warnings.push_back(warning);
+    result.outcome.warn(prediction_warnings(problem, experiment));
     const int fitted = find_specimen(problem, experiment.specimen);
     const PredictedBy by = predicted_by(fitted, request.population);
     Prediction prediction = summarise(predict_draws(
         run, experiment, by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen, request.draws));
-    for (std::string& warning : unsteady_force_warnings(prediction))
-      result.warnings.push_back(std::move(warning));
+    result.outcome.warn(unsteady_force_warnings(prediction));
     result.sources.push_back(source);
     result.experiments.push_back(
         {experiment, beside_trivial_forces(std::move(prediction), experiment, problem, by), by});

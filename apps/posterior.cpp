@@ -54,7 +54,7 @@ void plot(const PosteriorArguments& options) {
 
 void predict(const PosteriorArguments& options) {
   const PosteriorPrediction result = predict_by_draws(options.request);
-  print_warnings(result.predicted.warnings);
+  print_warnings(result.predicted.outcome.warnings);
   deliver(options.outputs, result);
   warn_of(result.posterior.run, options.allow_unconverged);
 }

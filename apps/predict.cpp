@@ -23,7 +23,7 @@ struct PredictArguments {
 
 void run_predict(const PredictArguments& options) {
   const PredictResult result = predict_forces(options.request);
-  print_warnings(result.warnings);
+  print_warnings(result.outcome.warnings);
   deliver(options.outputs, result);
 }
 
