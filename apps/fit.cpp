@@ -84,10 +84,10 @@ void require_complete(const PosteriorResult& result) {
   if (run.draws.draws() == 0)
     throw Stopped(fmt::format(
         "stopped before the first draw; '{}' holds the state: the same command goes on", folder));
-  if (!run.draws.complete)
+  if (result.outcome.stopped())
     throw Stopped(fmt::format(
         "stopped; '{}' holds the {} draws so far, '{}' the state: the same command goes on",
-        result.file, run.draws.draws(), folder));
+        result.request.output, result.outcome.done, folder));
 }
 
 void sample_posterior_of(FitArguments& options) {
@@ -110,7 +110,7 @@ void sample_posterior_of(FitArguments& options) {
   if (result->run.draws.draws() > 0) deliver(options.outputs, *result);
   std::fflush(stdout);
   require_complete(*result);
-  print_warnings(result->warnings);
+  print_warnings(result->outcome.warnings);
   print_warnings(noise_cautions(*result));
   print_warnings(convergence_cautions(result->run));
   const std::string complaint = convergence_complaint(result->run, options.allow_unconverged);
