@@ -144,10 +144,10 @@ void run_simulate(SimulateArguments options) {
   if (!file.empty()) require_result_path(file);
 
   const DigitMotionResult motion = simulate_digit(options.request, terminal_progress());
-  print_warnings(warnings_of(motion));
+  print_warnings(motion.outcome.warnings);
   if (!file.empty()) write_motion(motion, file, this_run());
   deliver(options.outputs, motion);
-  tell_outcome(motion, motion.trajectory.status == MotionStatus::kStopped, options.outputs);
+  tell_outcome(motion, motion.outcome.stopped(), options.outputs);
 }
 
 /// Refuses options that only the other kind of subject has.
