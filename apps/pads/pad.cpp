@@ -75,11 +75,11 @@ void run_press(PressArguments options) {
   if (options.rate_mm_s) request.rate = kMm * *options.rate_mm_s;
   if (options.radius_mm) request.object.radius = kMm * *options.radius_mm;
   const PressResult pressed = press_pad(request, terminal_progress());
-  print_warnings(pressed.warnings);
+  print_warnings(pressed.outcome.warnings);
   deliver(options.outputs, pressed);
   const std::string refusal = refusal_of(pressed);
   require(refusal.empty(), "{}", refusal);
-  if (pressed.status == Status::kStopped) throw Stopped("stopped: this is what was done by then");
+  if (pressed.outcome.stopped()) throw Stopped("stopped: this is what was done by then");
 }
 
 /// Adds options for the object that presses, and for its way into the pad.
