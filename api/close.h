@@ -13,6 +13,8 @@ struct CloseRequest {
 
 /// The hand where it came to rest.
 struct CloseResult {
+  CloseRequest request;
+  Outcome outcome;    // of the grasp
   GraspResult grasp;  // without an approach; its grasp.closed has what stopped every coordinate
 };
 

@@ -284,7 +284,8 @@ Comparison go_on(const CompareRequest& request, CompareOptions options, const Js
 
 CompareResult compare_hands(const CompareRequest& request, const Progress& progress) {
   CompareResult result;
-  result.file = request.file;
+  result.request = request;
+  result.outcome = {Status::kStopped, 0, request.hands.size() * request.objects.size(), "pair", {}};
   result.objects = objects_of(request);
   // Objects without a material get the default; hands warn of it.
   std::vector<std::string> without_material;
@@ -307,6 +308,9 @@ CompareResult compare_hands(const CompareRequest& request, const Progress& progr
   for (const NamedHand& hand : result.hands) require_materials(hand, materials);
   result.comparison = go_on(request, options_of(request, materials), inputs, result,
                             compared_hands(result.hands, without_material), progress);
+  if (result.comparison.complete) result.outcome.status = Status::kSolved;
+  result.outcome.done = result.comparison.cells.size();
+  result.outcome.warnings = result.comparison.warnings;
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include "base/provenance.h"
 #include "base/run_record.h"
 #include "grasp/compare/comparison.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -39,9 +40,11 @@ struct CompareRequest {
   RunRecord run;                // that the file records, if it has arguments
 };
 
-/// A comparison with the hands and objects that were compared. Stopped: comparison.complete is
-/// false, and its cells are whole as far as they go.
+/// A comparison with the hands and objects that were compared. Stopped: its cells are whole as far
+/// as they go.
 struct CompareResult {
+  CompareRequest request;
+  Outcome outcome;  // done: pairs of a hand and an object
   Comparison comparison;
   std::vector<NamedHand> hands;               // human ones drawn finer than they touch
   std::vector<BodySpec> objects;              // unscaled
@@ -49,7 +52,6 @@ struct CompareResult {
                                               // its SHA-256 as it was read,
                                               // "fcl" -> its version
   FileDigests files;                          // of all hands and objects
-  std::string file;                           // of the request
 };
 
 /// Compares hands on objects, by 20 random approaches of each hand to each object unless told

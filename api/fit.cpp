@@ -233,27 +233,21 @@ FitResult fit_digit(const FitRequest& request, const Progress& progress) {
   options.progress = progress;
   const FitInputs asked = read_fit_inputs(request.sources);
   const Preparation prepared = prepare(request, asked, options);
-  FitResult result{run_fit(prepared.inputs, options), {}, {}, {}};
+  FitResult result{request, {}, run_fit(prepared.inputs, options), {}, {}};
   result.chosen = prepared.chosen;
   result.fit.run = request.run;
   const Fit& fit = result.fit;
   result.misfits = misfits(fit.problem, fit.solution.z, fit.covariance);
-  result.warnings = subject_doubts(parse_subject(fit.inputs.subject.text, fit.inputs.subject.path));
-  for (std::string& warning : fit.problem.warnings()) result.warnings.push_back(std::move(warning));
-  for (std::string& warning : misfit_warnings(result))
-    result.warnings.push_back(std::move(warning));
-  for (std::string& warning :
-       describe(fit.problem, odd_trials(fit.problem, fit.solution.z, fit.covariance)))
-    result.warnings.push_back(std::move(warning));
-  for (std::string& warning : noise_warnings(result)) result.warnings.push_back(std::move(warning));
-  for (std::string& warning :
-       describe(find_axis_doubts(fit.problem, fit.solution.z, fit.covariance)))
-    result.warnings.push_back(std::move(warning));
-  for (std::string& warning : net_warnings(fit)) result.warnings.push_back(std::move(warning));
-  for (std::string& warning : stray_warnings(fit.covariance))
-    result.warnings.push_back(std::move(warning));
-  for (std::string& warning : path_cautions(fit.inputs))
-    result.warnings.push_back(std::move(warning));
+  Outcome& outcome = result.outcome;
+  outcome.warn(subject_doubts(parse_subject(fit.inputs.subject.text, fit.inputs.subject.path)));
+  outcome.warn(fit.problem.warnings());
+  outcome.warn(misfit_warnings(result));
+  outcome.warn(describe(fit.problem, odd_trials(fit.problem, fit.solution.z, fit.covariance)));
+  outcome.warn(noise_warnings(result));
+  outcome.warn(describe(find_axis_doubts(fit.problem, fit.solution.z, fit.covariance)));
+  outcome.warn(net_warnings(fit));
+  outcome.warn(stray_warnings(fit.covariance));
+  outcome.warn(path_cautions(fit.inputs));
   if (!request.output.empty()) write_fit(result.fit, request.output);
 
   // What it predicts, and what fits predict that have not seen it.
@@ -263,13 +257,16 @@ FitResult fit_digit(const FitRequest& request, const Progress& progress) {
   result.fold_choices = std::move(left_out.choices);
   for (const CrossValidation& validation : result.left_out)
     for (const Prediction& prediction : validation.experiments)
-      for (std::string& warning : unsteady_force_warnings(prediction))
-        result.warnings.push_back(name_of(validation.what) + " left out: " + warning);
+      for (const std::string& warning : unsteady_force_warnings(prediction))
+        outcome.warnings.push_back(name_of(validation.what) + " left out: " + warning);
   if (!result.left_out.empty()) {
     result.published = published_predictions(result.fit, request.sources.data);
     result.fractions = fit_fractions(request, asked, options);
   }
-  result.stopped = progress.stop();
+  outcome.status = progress.stop()            ? Status::kStopped
+                   : fit.solution.converged() ? Status::kSolved
+                   : fit.solution.failed      ? Status::kStalled
+                                              : fit.solution.status;
   return result;
 }
 

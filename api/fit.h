@@ -13,6 +13,7 @@
 #include "kinematics_fit/fit.h"
 #include "kinematics_fit/misfit.h"
 #include "kinematics_fit/trivial_prediction.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -49,13 +50,13 @@ struct FractionsFit {
 };
 
 struct FitResult {
+  FitRequest request;
+  Outcome outcome;  // stopped: the fit is the best point so far. Warnings: of the experiments, the
+                    // subject, misfits that are beyond chance, and estimates beyond 3 prior sds
   Fit fit;
   std::vector<Prediction> in_sample;      // of each experiment, by its specimen's own parameters,
                                           // with predictive sds
   std::vector<CrossValidation> left_out;  // in the order of the request; fewer if stopped
-  std::vector<std::string> warnings;      // of the experiments, the subject, misfits that are
-                                          // beyond chance, and estimates beyond 3 prior sds
-  bool stopped = false;                   // by request; the fit is the best point so far
   std::vector<Misfit> misfits = {};       // of each experiment
   std::optional<ChosenSettings> chosen = {};  // where that was asked for
   std::vector<FoldChoice> fold_choices = {};  // of the folds of left_out, in their order

@@ -299,11 +299,14 @@ GraspResult measure_grasp(const GraspRequest& request, const Progress& progress)
   try {
     add_measures(result, schedule);
   } catch (const Stopped&) {
-    result.complete = false;
+    result.outcome.status = Status::kStopped;
   }
-  if (request.starts > 0 && result.started() < request.starts) result.complete = false;
+  result.outcome.part = "start";
+  result.outcome.done = static_cast<std::size_t>(result.started());
+  result.outcome.asked = static_cast<std::size_t>(std::max(1, request.starts));
+  if (result.outcome.done < result.outcome.asked) result.outcome.status = Status::kStopped;
   result.cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  result.warnings = grasp_warnings(result);
+  result.outcome.warnings = grasp_warnings(result);
   return result;
 }
 

@@ -14,6 +14,7 @@
 #include "grasp/closing/grasp.h"
 #include "grasp/compare/pregrasp.h"
 #include "grasp/quality/robustness.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -49,6 +50,7 @@ struct GraspRobustness {
 /// The best grasp of all starts, with its measures.
 struct GraspResult {
   GraspRequest request;
+  Outcome outcome;                            // done: starts; stopped also while it measures
   WorldCase setting;                          // the world, its hand and its scene
   CollisionHand collision_hand;               // collision model of the hand of `setting`
   Grasp grasp;                                // the best of all starts
@@ -59,9 +61,7 @@ struct GraspResult {
   Pregrasp start;                             // where the best grasp began
   std::optional<GraspMeasures> measures;      // none: no grasp, or stopped before
   std::optional<GraspRobustness> robustness;  // none: not asked, or stopped before
-  std::vector<std::string> warnings;          // assumptions and omissions
   double cpu = 0;                             // processor time, measures included [s]
-  bool complete = true;                       // false: stopped; the rest is what was found by then
 
   [[nodiscard]] int started() const;
 };

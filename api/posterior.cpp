@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -79,13 +80,30 @@ PosteriorRun sample(const FitInputs& inputs, const PosteriorSettings& settings,
 }
 
 /// Writes the draws, on the first rank, and removes the saved state of a finished run.
-void keep(const PosteriorResult& result, const SampleRequest& request) {
+void keep(const PosteriorResult& result) {
   const PosteriorRun& run = result.run;
   if (run.draws.draws() == 0) return;
-  write_posterior(run, result.file);
+  write_posterior(run, result.request.output);
   // Chains that have not converged may be asked for more draws.
-  if (run.draws.complete && (run.convergence.warnings.empty() || !request.keep_unconverged))
+  if (run.draws.complete && (run.convergence.warnings.empty() || !result.request.keep_unconverged))
     forget_run(run.settings.run.folder);
+}
+
+/// Returns a result without warnings, files and summary.
+PosteriorResult result_of(const SampleRequest& request, PosteriorRun run) {
+  Outcome outcome;
+  if (!run.convergence.warnings.empty()) outcome.status = Status::kStalled;
+  if (!run.draws.complete) outcome.status = Status::kStopped;
+  outcome.done = static_cast<std::size_t>(run.draws.draws());
+  outcome.asked = static_cast<std::size_t>(run.settings.run.draws);
+  outcome.part = "draw";
+  return {request, std::move(outcome), std::move(run), {}};
+}
+
+PosteriorResult opened(const std::string& path) {
+  SampleRequest request;
+  request.output = path;
+  return result_of(request, read_posterior(path));
 }
 
 /// Draws samples on all ranks together; an exception on one rank is thrown on all of them.
@@ -100,12 +118,12 @@ PosteriorResult sample_together(const SampleRequest& request, const Progress& pr
     if (ranks.rank() == 0) require_result_path(request.output);
     if (ranks.rank() == 0 && request.fresh) forget_run(settings.run.folder);
   });
-  PosteriorResult result{request.output, sample(inputs, settings, ranks), {}, {}};
+  PosteriorResult result = result_of(request, sample(inputs, settings, ranks));
   result.files = source_digests(sources_of(inputs));
-  result.warnings = path_cautions(inputs);
+  result.outcome.warn(path_cautions(inputs));
   result.run.run = request.run;
   collective_call(ranks, [&] {
-    if (ranks.rank() == 0) keep(result, request);
+    if (ranks.rank() == 0) keep(result);
   });
   return result;
 }
@@ -131,10 +149,10 @@ std::optional<PosteriorResult> sample_fit(const SampleRequest& request, const Pr
 
 PosteriorResult open_posterior(const std::string& path) {
   require_kind(path, {"posterior"});
-  PosteriorResult result{path, read_posterior(path), {}, checksum_warnings(path)};
+  PosteriorResult result = opened(path);
+  result.outcome.warn(checksum_warnings(path));
   result.files = digests_of({path});
-  for (std::string& warning : path_cautions(result.run.inputs))
-    result.warnings.push_back(std::move(warning));
+  result.outcome.warn(path_cautions(result.run.inputs));
   result.summary = summarise_posterior(result.run);
   return result;
 }
@@ -143,37 +161,37 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
   require(!request.experiments.empty(), "wanted at least one experiment to predict");
   require_fit_path(request.path);
   require_kind(request.posterior, {"posterior"});
-  PosteriorPrediction out{
-      {request.posterior, {}, {}, {}, {}, {}, checksum_warnings(request.posterior)},
-      {request.posterior, read_posterior(request.posterior), {}, {}}};
+  PosteriorPrediction out{request, {}, {}, opened(request.posterior)};
   const PosteriorRun& run = out.posterior.run;
   const FitProblem& problem = run.posterior->problem();
   PredictResult& result = out.predicted;
+  result.request = {request.posterior, request.experiments, request.population, request.data,
+                    request.path};
   result.inputs = run.inputs;
   result.fitted_by = run.run;
   result.fidelity = problem.digit().fidelity;
-  for (std::string& warning : path_cautions(run.inputs))
-    result.warnings.push_back(std::move(warning));
+  result.outcome.warn(checksum_warnings(request.posterior));
+  result.outcome.warn(path_cautions(run.inputs));
   const long kept = run.draws.chains() * run.draws.draws();
   if (kept < request.draws)
-    result.warnings.push_back(fmt::format(
+    result.outcome.warnings.push_back(fmt::format(
         "the posterior has {} draws, fewer than the {} that were asked for: all of them predict",
         kept, request.draws));
   for (const std::string& name : request.experiments) {
     const SourceText source = read_source(experiment_file(name, request.data));
     const Experiment experiment = read_trials(source);
-    for (const std::string& warning : prediction_warnings(problem, experiment))
-      result.warnings.push_back(warning);
+    result.outcome.warn(prediction_warnings(problem, experiment));
     const int fitted = find_specimen(problem, experiment.specimen);
     const PredictedBy by = predicted_by(fitted, request.population);
     Prediction prediction = summarise(predict_draws(
         run, experiment, by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen, request.draws));
-    for (std::string& warning : unsteady_force_warnings(prediction))
-      result.warnings.push_back(std::move(warning));
+    result.outcome.warn(unsteady_force_warnings(prediction));
     result.sources.push_back(source);
     result.experiments.push_back(
         {experiment, beside_trivial_forces(std::move(prediction), experiment, problem, by), by});
   }
+  out.outcome = result.outcome;
+  if (!run.convergence.warnings.empty()) out.outcome.status = Status::kStalled;
   return out;
 }
 

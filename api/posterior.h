@@ -45,10 +45,10 @@ struct SampleRequest {
 
 /// A posterior with everything that is said of it.
 struct PosteriorResult {
-  std::string file;                         // that holds it
+  SampleRequest request;                    // of one that was opened `output` alone
+  Outcome outcome;                          // done: draws of each chain; stalled: not converged
   PosteriorRun run;                         // no draws: stopped before the first
   std::optional<PosteriorSummary> summary;  // absent without draws
-  std::vector<std::string> warnings;        // of the file
   std::size_t rows = 20;                    // parameters that words list, the best known first
   FileDigests files = {};                   // that were sampled, or the posterior that was opened
 };
@@ -75,6 +75,8 @@ struct PosteriorPredictRequest {
 
 /// Predictions of posterior draws, with the posterior.
 struct PosteriorPrediction {
+  PosteriorPredictRequest request;
+  Outcome outcome;            // of `predicted`; stalled: by chains that have not converged
   PredictResult predicted;    // means of the draws
   PosteriorResult posterior;  // without a summary
 };

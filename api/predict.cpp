@@ -14,13 +14,12 @@ namespace {
 
 /// Returns an answer without its experiments.
 PredictResult answer_of(const PredictRequest& request, const Fit& fit) {
-  PredictResult result{request.fit, fit.inputs, fit.run, fit.problem.digit().fidelity, {}, {}, {}};
-  result.warnings = checksum_warnings(request.fit);
+  PredictResult result{request, {}, fit.inputs, fit.run, fit.problem.digit().fidelity, {}, {}};
+  result.outcome.warn(checksum_warnings(request.fit));
   if (fit.solution.status != Status::kSolved)
-    result.warnings.push_back(fmt::format("the fit in '{}' did not converge: {}", request.fit,
-                                          convergence_word(fit.solution)));
-  for (std::string& warning : path_cautions(fit.inputs))
-    result.warnings.push_back(std::move(warning));
+    result.outcome.warnings.push_back(fmt::format("the fit in '{}' did not converge: {}",
+                                                  request.fit, convergence_word(fit.solution)));
+  result.outcome.warn(path_cautions(fit.inputs));
   return result;
 }
 
@@ -71,15 +70,13 @@ PredictResult predict_forces(const PredictRequest& request) {
   for (const std::string& name : request.experiments) {
     const SourceText source = read_source(experiment_file(name, request.data));
     const Experiment experiment = read_trials(source);
-    for (const std::string& warning : prediction_warnings(fit.problem, experiment))
-      result.warnings.push_back(warning);
+    result.outcome.warn(prediction_warnings(fit.problem, experiment));
     const int fitted = find_specimen(fit.problem, experiment.specimen);
     const PredictedBy by = predicted_by(fitted, request.population);
     Prediction prediction =
         predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
                            by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen);
-    for (std::string& warning : unsteady_force_warnings(prediction))
-      result.warnings.push_back(std::move(warning));
+    result.outcome.warn(unsteady_force_warnings(prediction));
     result.sources.push_back(source);
     result.experiments.push_back(
         {experiment, beside_trivial_forces(std::move(prediction), experiment, fit.problem, by),

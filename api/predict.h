@@ -10,6 +10,7 @@
 #include "base/run_record.h"
 #include "kinematics_fit/fit.h"
 #include "kinematics_fit/prediction.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -37,13 +38,13 @@ struct PredictedExperiment {
 };
 
 struct PredictResult {
-  std::string file;                 // that predicted
+  PredictRequest request;           // of draws its fit is the posterior
+  Outcome outcome;                  // warnings: of the fit and of each experiment
   FitInputs inputs;                 // of the fit
   RunRecord fitted_by;              // the run that wrote the file; empty in older files
   Fidelity fidelity;                // of the digit
   std::vector<SourceText> sources;  // of the experiments
   std::vector<PredictedExperiment> experiments;
-  std::vector<std::string> warnings;  // of the fit and of each experiment
 };
 
 /// Predicts every experiment by a fit, and compares with what was measured.

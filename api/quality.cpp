@@ -234,12 +234,13 @@ ContactQualityResult measure_contacts(const ContactQualityRequest& request) {
   require(!file.planar || request.edges == 0, "pyramids are of cones in space, not in a {}",
           "plane");
   ContactQualityResult found;
+  found.request = request;
   found.contacts = file.path;
   found.count = file.contacts.size();
   found.torque_scale = file.torque_scale;
   found.planar = file.planar;
-  found.warnings = file.warnings;
-  for (const std::string& warning : contact_warnings(file)) found.warnings.push_back(warning);
+  found.outcome.warnings = file.warnings;
+  found.outcome.warn(contact_warnings(file));
   // Epsilon with the making of the wrenches, then the volume, each with its processor time.
   const std::clock_t start = std::clock();
   const WrenchSet set = wrenches_of(file, request);

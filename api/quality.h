@@ -42,6 +42,8 @@ struct TaskQuality {
 
 /// Qualities of a contact set.
 struct ContactQualityResult {
+  ContactQualityRequest request;
+  Outcome outcome;       // warnings: keys ignored, normals made unit, what looks like a mistake
   std::string contacts;  // file that was read
   std::size_t count = 0;
   double torque_scale = 0;  // by which torques are divided [m]
@@ -51,7 +53,6 @@ struct ContactQualityResult {
   std::optional<GraspMatrixMeasures> grasp_matrix;  // none where a contact has its own wrenches
   std::optional<TaskQuality> task;                  // none: the file has no task
   double epsilon_cpu = 0, volume_cpu = 0;  // processor time; the first with making the wrenches [s]
-  std::vector<std::string> warnings;  // keys ignored, normals made unit, what looks like a mistake
 };
 
 /// Checks all that does not depend on the contacts.

@@ -118,6 +118,19 @@ Muscle muscle_rung(const DigitMotionRequest& request, const Subject& subject,
   return Muscle::kBounds;
 }
 
+Status status_of(MotionStatus status) {
+  switch (status) {
+    case MotionStatus::kCompleted:
+      return Status::kSolved;
+    case MotionStatus::kStopped:
+      return Status::kStopped;
+    case MotionStatus::kLimit:
+      return Status::kLimit;
+    default:
+      return Status::kStalled;
+  }
+}
+
 }  // namespace
 
 DigitMotionResult simulate_digit(const DigitMotionRequest& request, const Progress& progress) {
@@ -126,8 +139,9 @@ DigitMotionResult simulate_digit(const DigitMotionRequest& request, const Progre
   require(at.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}'; it cannot move",
           at.digit, at.subject.name, at.map);
   set_slack(request.tendon_slack, at.subject);
-  DigitMotionResult motion{at.subject.name, at.digit,    at.tendons, {},
-                           at.sources,      at.warnings, at.rungs,   at.passive};
+  DigitMotionResult motion{request, {},         at.subject.name, at.digit,  at.tendons,
+                           {},      at.sources, at.rungs,        at.passive};
+  motion.outcome.warn(at.warnings);
   const TendonDigit& digit = at.bones();
   const std::vector<std::string>& muscles = digit.names.muscles;
   require(!muscles.empty(), "no muscle of subject '{}' crosses a free joint of this digit",
@@ -136,7 +150,7 @@ DigitMotionResult simulate_digit(const DigitMotionRequest& request, const Progre
                           {},
                           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()))};
   // The physics.
-  const Muscle rung = muscle_rung(request, at.subject, digit, motion.warnings);
+  const Muscle rung = muscle_rung(request, at.subject, digit, motion.outcome.warnings);
   const auto contraction = build_contraction(musculotendons(at.subject, digit, rung), rung);
   MotionModel model{*motion.tendons, *contraction};
   model.gravity = request.gravity;
@@ -149,7 +163,17 @@ DigitMotionResult simulate_digit(const DigitMotionRequest& request, const Progre
   options.progress = progress;
   const Excitation excitation = excitation_of(request, muscles, motion.sources);
   motion.trajectory = simulate(model, excitation, start, options);
+  motion.outcome.status = status_of(motion.trajectory.status);
+  motion.outcome.warn(motion_warnings(motion.trajectory));
   return motion;
+}
+
+std::vector<std::string> motion_warnings(const Trajectory& trajectory) {
+  const bool ended = trajectory.status == MotionStatus::kCompleted ||
+                     trajectory.status == MotionStatus::kStopped ||
+                     trajectory.status == MotionStatus::kUnbalanced;
+  if (trajectory.warning.empty() || !ended) return {};
+  return {trajectory.warning};
 }
 
 void write_motion(const DigitMotionResult& motion, const std::string& path, const RunRecord& run) {

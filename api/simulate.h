@@ -12,6 +12,7 @@
 #include "api/named/digits.h"
 #include "base/progress.h"
 #include "base/run_record.h"
+#include "solvers/status.h"
 #include "tendons/muscle/simulate.h"
 
 namespace thenar {
@@ -36,12 +37,13 @@ struct DigitMotionRequest {
 
 /// A digit in motion.
 struct [[nodiscard]] DigitMotionResult {
-  std::string subject, digit;                   // names
+  DigitMotionRequest request;
+  Outcome outcome;             // stalled or limit: do not use it, see trajectory.status
+  std::string subject, digit;  // names
   std::shared_ptr<const DigitTendons> tendons;  // what moved; never null
-  Trajectory trajectory;                        // read trajectory.status first
-  std::vector<SourceText> sources;              // subject, net, excitation file
-  std::vector<std::string> warnings;  // of the start: limits, tendons too close to a joint
-  TendonOptions rungs{};              // by which `tendons` were built
+  Trajectory trajectory;
+  std::vector<SourceText> sources;               // subject, net, excitation file
+  TendonOptions rungs{};                         // by which `tendons` were built
   PassiveMoments passive = PassiveMoments::kOn;  // as asked for
 };
 
@@ -49,6 +51,9 @@ struct [[nodiscard]] DigitMotionResult {
 /// @throws InputError or DataError saying what is unknown or missing.
 [[nodiscard]] DigitMotionResult simulate_digit(const DigitMotionRequest& request,
                                                const Progress& progress = {});
+
+/// Returns what a motion warns of, unless that is the reason why it must not be used.
+[[nodiscard]] std::vector<std::string> motion_warnings(const Trajectory& trajectory);
 
 /// Format name in files of motions, and the entries of explain() that they keep as rungs.
 inline constexpr const char* kMotionFormat = "thenar motion 1";

@@ -46,8 +46,7 @@ TipForceResult compute_tip_force(const TipForceRequest& request, const Progress&
   TipForceResult answer{begin_digit_result(digit), request, tensions(digit, request.tension), {}};
   const Eigen::VectorXd limits =
       digit.map.empty() ? digit.bones().max_tension : digit_at(digit, {}).statics.max_tension;
-  for (std::string& warning : overload_warnings(answer.muscles, limits, answer.tension))
-    answer.outcome.warnings.push_back(std::move(warning));
+  answer.outcome.warn(overload_warnings(answer.muscles, limits, answer.tension));
 
   const auto ask = [&](const Eigen::VectorXd& q) {
     const DigitAtPosture at = digit_at(digit, q);

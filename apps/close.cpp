@@ -29,7 +29,7 @@ void run_close(const CloseArguments& options) {
   request.world.pictures = options.outputs.page();
   const CloseResult found = close_in_world(request, terminal_progress());
   deliver(options.outputs, found);
-  if (!found.grasp.complete) throw Stopped("stopped: this is what was found by then");
+  if (found.outcome.stopped()) throw Stopped("stopped: this is what was found by then");
 }
 
 }  // namespace

@@ -28,12 +28,12 @@ struct CompareArguments {
 };
 
 /// Returns a sentence about what is kept when the command is stopped.
-std::string kept_words(const CompareRequest& request, const CompareResult& result) {
+std::string kept_words(const CompareResult& result) {
+  const CompareRequest& request = result.request;
   if (request.file.empty()) return "without -o FILE.json nothing is kept";
   if (result.hands.size() < request.hands.size()) return "nothing new was compared";
   return fmt::format("{} of {} pairs are kept in '{}', the same command goes on",
-                     result.comparison.cells.size(), request.hands.size() * request.objects.size(),
-                     request.file);
+                     result.outcome.done, result.outcome.asked, request.file);
 }
 
 /// The files to write when all is compared: the JSON is written on the way.
@@ -57,8 +57,8 @@ void run_compare(const CompareArguments& options) {
       request.file.empty() ? "without -o FILE.json nothing is kept"
                            : fmt::format("finished pairs are kept in '{}'", request.file));
   const CompareResult result = compare_hands(request, progress);
-  if (!result.comparison.complete)
-    throw Stopped("stopped; " + kept_words(request, result) +
+  if (result.outcome.stopped())
+    throw Stopped("stopped; " + kept_words(result) +
                   (options.outputs.page() ? "; the page is drawn when all is compared" : ""));
   deliver(without_json(options.outputs), result);
 }

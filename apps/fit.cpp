@@ -63,11 +63,11 @@ void fit_best(FitArguments& options) {
   const FitResult result = fit_digit(request, terminal_progress());
   for (const std::string& file : options.outputs.with_ending({".toml"}))
     write_file(file, result.fit.inputs.settings.text);
-  print_warnings(result.warnings);
+  print_warnings(result.outcome.warnings);
   deliver(options.outputs, result);
   require(!result.fit.solution.failed, "the fit failed: {}; the file holds the best point found",
           result.fit.solution.message);
-  if (result.stopped) throw Stopped("stopped; the file holds the best point so far");
+  if (result.outcome.stopped()) throw Stopped("stopped; the file holds the best point so far");
   const std::string complaint = fit_complaint(result, options.allow_unconverged);
   if (complaint.empty()) return;
   if (!options.allow_unconverged) throw Error(complaint);
@@ -82,10 +82,10 @@ void require_complete(const PosteriorResult& result) {
   if (run.draws.draws() == 0)
     throw Stopped(fmt::format(
         "stopped before the first draw; '{}' holds the state: the same command goes on", folder));
-  if (!run.draws.complete)
+  if (result.outcome.stopped())
     throw Stopped(fmt::format(
         "stopped; '{}' holds the {} draws so far, '{}' the state: the same command goes on",
-        result.file, run.draws.draws(), folder));
+        result.request.output, result.outcome.done, folder));
 }
 
 void sample_posterior_of(FitArguments& options) {
@@ -109,7 +109,7 @@ void sample_posterior_of(FitArguments& options) {
   if (result->run.draws.draws() > 0) deliver(options.outputs, *result);
   std::fflush(stdout);
   require_complete(*result);
-  print_warnings(result->warnings);
+  print_warnings(result->outcome.warnings);
   print_warnings(noise_cautions(*result));
   print_warnings(convergence_cautions(result->run));
   const std::string complaint = convergence_complaint(result->run, options.allow_unconverged);

@@ -36,7 +36,7 @@ void run_grasp(const GraspArguments& options) {
   const GraspResult found = measure_grasp(request, terminal_progress());
   deliver(options.outputs, found);
   if (!options.save.empty()) save_world(grasped_world(found), options.save);
-  if (!found.complete) throw Stopped("stopped: this is what was found by then");
+  if (found.outcome.stopped()) throw Stopped("stopped: this is what was found by then");
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ void warn_of(const PosteriorRun& run, bool allowed) {
 void summary(const PosteriorArguments& options) {
   PosteriorResult result = open_posterior(options.request.posterior);
   result.rows = options.rows;
-  print_warnings(result.warnings);
+  print_warnings(result.outcome.warnings);
   print_warnings(noise_cautions(result));
   deliver(options.outputs, result);
   warn_of(result.run, options.allow_unconverged);
@@ -44,7 +44,7 @@ void summary(const PosteriorArguments& options) {
 void plot(const PosteriorArguments& options) {
   require(options.outputs.page(), "wanted a page to write: -o P.html");
   const PosteriorResult result = open_posterior(options.request.posterior);
-  print_warnings(result.warnings);
+  print_warnings(result.outcome.warnings);
   print_warnings(noise_cautions(result));
   for (const std::string& path : options.outputs.with_ending({".html"}))
     write_page(page_of(result), path, files_of(result));
@@ -54,7 +54,7 @@ void plot(const PosteriorArguments& options) {
 
 void predict(const PosteriorArguments& options) {
   const PosteriorPrediction result = predict_by_draws(options.request);
-  print_warnings(result.predicted.warnings);
+  print_warnings(result.outcome.warnings);
   deliver(options.outputs, result);
   warn_of(result.posterior.run, options.allow_unconverged);
 }

@@ -103,19 +103,19 @@ void simulate_and_deliver(const SceneRequest& request, const Outputs& outputs) {
   const Progress progress = terminal_progress();
   if (request.vary.empty()) {
     const SceneResult scene = simulate_scene(request, progress);
-    print_warnings(warnings_of(scene));
+    print_warnings(scene.outcome.warnings);
     if (!file.empty()) write_scene_run(scene, file, this_run());
     deliver(outputs, scene);
-    tell_outcome(scene, scene.run.status == SceneStatus::kStopped, outputs);
+    tell_outcome(scene, scene.outcome.stopped(), outputs);
     return;
   }
   const std::optional<SceneSweepResult> sweep = sweep_scene(request, progress);
   if (!sweep) return;  // another process of mpirun has the answer
-  if (sweep->runs.empty()) tell_if_stopped(0, sweep->asked, "run");
-  print_warnings(warnings_of(*sweep));
+  if (sweep->runs.empty()) tell_if_stopped(0, sweep->outcome.asked, "run");
+  print_warnings(sweep->outcome.warnings);
   if (!file.empty()) write_scene_sweep(*sweep, file, this_run());
   deliver(outputs, *sweep);
-  tell_outcome(*sweep, progress.stop(), outputs);
+  tell_outcome(*sweep, sweep->outcome.stopped(), outputs);
 }
 
 /// Compares rungs of pads, delivers, and refuses as the other answers of `simulate` do.
@@ -145,10 +145,10 @@ void run_simulate(SimulateArguments options) {
   if (!file.empty()) require_result_path(file);
 
   const DigitMotionResult motion = simulate_digit(options.request, terminal_progress());
-  print_warnings(warnings_of(motion));
+  print_warnings(motion.outcome.warnings);
   if (!file.empty()) write_motion(motion, file, this_run());
   deliver(options.outputs, motion);
-  tell_outcome(motion, motion.trajectory.status == MotionStatus::kStopped, options.outputs);
+  tell_outcome(motion, motion.outcome.stopped(), options.outputs);
 }
 
 /// Refuses options that only the other kind of subject has.

@@ -34,6 +34,12 @@ struct Outcome {
   std::size_t done = 0, asked = 0;    // of its parts
   std::string part = "part";          // what these count: "posture"
   std::vector<std::string> warnings;  // assumptions and doubts
+
+  [[nodiscard]] bool stopped() const { return status == Status::kStopped; }
+  /// Adds warnings behind the others.
+  void warn(const std::vector<std::string>& more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  }
 };
 
 /// Returns whether a method ended without an answer and without a proof that there is none.

@@ -138,14 +138,14 @@ class PressRun {
   /// One step. @returns whether the press goes on
   bool step(const PressGoal& goal, PressPhase phase, double fraction) {
     if (progress_.stop()) {
-      out_.status = Status::kStopped;
+      out_.outcome.status = Status::kStopped;
       return false;
     }
     progress_(fraction, phase == PressPhase::kWay ? "pressing" : "standing still");
     const PadPressResult result = press_.step(goal);
     if (result.solved.status != Status::kSolved) {
-      out_.status = result.solved.status;
-      if (out_.status != Status::kStopped) out_.message = result.solved.message;
+      out_.outcome.status = result.solved.status;
+      if (out_.outcome.status != Status::kStopped) out_.message = result.solved.message;
       return false;
     }
     if (std::isfinite(goal.time)) time_ += goal.time;
@@ -267,19 +267,20 @@ class PressRun {
 
 void add_warnings(PressResult& out) {
   if (const std::string assumed = assumption_of(out.pad.spec); !assumed.empty())
-    out.warnings.push_back(assumed);
+    out.outcome.warnings.push_back(assumed);
   if (!out.rungs.empty())
-    if (const std::string doubt = doubt_of_laws(out); !doubt.empty()) out.warnings.push_back(doubt);
+    if (const std::string doubt = doubt_of_laws(out); !doubt.empty())
+      out.outcome.warnings.push_back(doubt);
   if (out.instants.empty()) return;
   const PressInstant& last = out.instants.back();
-  if (out.status == Status::kSolved && last.force_error > out.request.force_error)
-    out.warnings.push_back(fmt::format(
+  if (out.outcome.status == Status::kSolved && last.force_error > out.request.force_error)
+    out.outcome.warnings.push_back(fmt::format(
         "the estimated error of the force is {:.2g} %, above the {:.2g} % asked for: {}",
         100 * last.force_error, 100 * out.request.force_error,
         out.pad.model.element == HexElement::kQuadratic ? "quadratic elements are not refined"
                                                         : "the mesh has all elements it may have"));
   if (last.penetration > kDeepInFaces)
-    out.warnings.push_back(
+    out.outcome.warnings.push_back(
         fmt::format("between nodes the object is up to {:.2g} mm inside the skin: it is small "
                     "against the elements",
                     last.penetration / kMm));
@@ -289,7 +290,7 @@ void add_warnings(PressResult& out) {
     if (now.phase == PressPhase::kWay && out.request.rate.value_or(0) > 0)
       off = std::max(off, std::abs(now.time * *out.request.rate / now.depth - 1));
   if (off > kOffTime)
-    out.warnings.push_back(fmt::format(
+    out.outcome.warnings.push_back(fmt::format(
         "on the way to the force the time is up to {:.2g} % off the depth over the rate",
         100 * off));
 }
@@ -321,10 +322,14 @@ PressResult press_pad(const PressRequest& request, const Progress& progress) {
   ProgressParts parts(progress, request.rungs ? 5 : 1);
   const Progress of_way = parts.next(1);
   PressRun(out, of_way).run();
-  if (request.rungs && out.status == Status::kSolved) {
+  if (request.rungs && out.outcome.status == Status::kSolved) {
     out.rungs = compare_rungs(out, parts.next(4));
-    if (progress.stop()) out.status = Status::kStopped;
+    if (progress.stop()) out.outcome.status = Status::kStopped;
   }
+  out.outcome.part = "step";
+  out.outcome.done = out.instants.size();
+  out.outcome.asked =
+      static_cast<std::size_t>(request.points + (request.hold > 0 ? request.hold_points : 0));
   add_warnings(out);
   return out;
 }

@@ -13,6 +13,7 @@
 #include "base/enum_names.h"
 #include "base/progress.h"
 #include "pads/press_surface.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -64,6 +65,7 @@ struct PressInstant {
 /// Result of press_pad().
 struct [[nodiscard]] PressResult {
   PressRequest request;
+  Outcome outcome;  // done: steps; its status is that of the step that failed, if one did
   NamedPad pad;
   PressObject object;
   PadTouch touch;                      // where it began
@@ -71,9 +73,7 @@ struct [[nodiscard]] PressResult {
   std::vector<PressInstant> instants;  // those that were solved
   PressedSkin skin;                    // at the last of them
   std::vector<PressRung> rungs;        // if asked
-  Status status = Status::kSolved;     // kStopped: asked to stop; otherwise of the step that failed
   std::string message;                 // why it failed; empty: it did not
-  std::vector<std::string> warnings;   // assumptions and doubts
   double cpu = 0;                      // processor time of the press, without rungs [s]
 
   [[nodiscard]] bool relaxes() const;                    // whether time counts

@@ -17,6 +17,7 @@
 #include "api/named/result_origin.h"
 #include "api/named/things.h"
 #include "api/named/worlds.h"
+#include "api/scenes/scene_account.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/parallel_for.h"
@@ -101,6 +102,11 @@ SceneRun simulate_by_method(const MovingScene& scene, const SceneOptions& option
   return simulate_scene(scene, options, progress);
 }
 
+Status status_of(const SceneResult& scene) {
+  if (scene.run.status == SceneStatus::kStopped) return Status::kStopped;
+  return refusal_of(scene).empty() ? Status::kSolved : Status::kStalled;
+}
+
 /// Simulates, unless that was done, and measures a scene with some numbers changed.
 SceneResult simulated(const RequestedScene& read,
                       const std::vector<std::pair<std::string, double>>& numbers,
@@ -112,13 +118,15 @@ SceneResult simulated(const RequestedScene& read,
   out.sources = read.open.sources;
   out.files = read.open.files;
   out.varied = numbers;
-  out.path = read.path;
+  out.request = read.request;
   // Change the numbers in a copy, since runs share what was read.
   auto built = std::make_shared<BuiltScene>(read.open.built);
   for (const auto& [name, value] : numbers) set_number(*built, name, value);
   out.run = done ? std::move(*done) : simulate_by_method(built->scene, built->options, progress);
   out.measures = measure_run(built->scene, out.run);
   out.built = std::move(built);
+  out.outcome.status = status_of(out);
+  out.outcome.warnings = scene_warnings(out);
   return out;
 }
 
@@ -212,7 +220,7 @@ OpenScene open_scene(const SceneSpec& scene, const std::string& data,
 }
 
 RequestedScene open_requested_scene(const SceneRequest& request) {
-  RequestedScene read{read_scene(scene_file(request)), {}, request.path};
+  RequestedScene read{read_scene(scene_file(request)), {}, request};
   if (request.on_pins) read.spec.compliances.clear();
   if (!request.pads.empty()) {
     (void)index_of_name(request.pads, pad_rung_names(), "rung of pads");
@@ -262,6 +270,21 @@ void gather_runs(const RequestedScene& read, const std::vector<SceneVariation>& 
   });
 }
 
+/// Fills in the outcome of a sweep from those of its runs; each warning is told once.
+void tell_outcome(bool stopped, SceneSweepResult& sweep) {
+  Outcome& outcome = sweep.outcome;
+  outcome.part = "run";
+  outcome.done = sweep.runs.size();
+  for (const SceneResult& run : sweep.runs) {
+    if (run.outcome.status == Status::kStalled) outcome.status = Status::kStalled;
+    for (const std::string& warning : run.outcome.warnings)
+      if (std::find(outcome.warnings.begin(), outcome.warnings.end(), warning) ==
+          outcome.warnings.end())
+        outcome.warnings.push_back(warning);
+  }
+  if (stopped) outcome.status = Status::kStopped;
+}
+
 /// Sweeps a scene on all processes together; an exception on one process is thrown on all of them.
 SceneSweepResult sweep_together(const SceneRequest& request, const Progress& progress,
                                 const Communicator& ranks) {
@@ -274,20 +297,20 @@ SceneSweepResult sweep_together(const SceneRequest& request, const Progress& pro
   collective_call(ranks, [&] {
     read = open_requested_scene(request);
     sweep.name = read.spec.name;
-    sweep.vary = request.vary;
+    sweep.request = request;
     sweep.files = read.open.files;
-    sweep.asked = count_runs(request.vary);
+    sweep.outcome.asked = count_runs(request.vary);
     // Impossible values are refused before any work.
-    for (std::size_t i = 0; i < sweep.asked; ++i) {
+    for (std::size_t i = 0; i < sweep.outcome.asked; ++i) {
       BuiltScene trial = read.open.built;
       for (const auto& [name, value] : numbers_of(request.vary, i)) set_number(trial, name, value);
     }
   });
   collective_call(ranks, [&] {
-    runs.resize(sweep.asked);
-    packed.resize(sweep.asked);
+    runs.resize(sweep.outcome.asked);
+    packed.resize(sweep.outcome.asked);
     // Each process runs every size-th scene, and packs its motions for the first.
-    const std::size_t mine = (sweep.asked + size - 1 - rank) / size;
+    const std::size_t mine = (sweep.outcome.asked + size - 1 - rank) / size;
     SharedProgress shared(progress, std::max<std::size_t>(1, mine));
     parallel_for(mine, [&](std::size_t k) {
       const std::size_t i = rank + k * size;
@@ -299,6 +322,7 @@ SceneSweepResult sweep_together(const SceneRequest& request, const Progress& pro
   if (size > 1) gather_runs(read, request.vary, ranks, std::move(packed), runs);
   for (std::optional<SceneResult>& run : runs)
     if (run) sweep.runs.push_back(std::move(*run));
+  tell_outcome(progress.stop(), sweep);
   return sweep;
 }
 
@@ -524,7 +548,7 @@ void add_names(const SceneResult& scene, ResultFile& file) {
   file.add("name/energy_part", std::vector<std::string>{"kinetic", "weight", "springs"});
   file.add("name/contact_mode", names_in(kContactModeNames));
   file.add("method", name_in(kSteppingMethodNames, scene.built->options.method));
-  file.add("rungs/path", asked_paths(scene.path));
+  file.add("rungs/path", asked_paths(scene.request.path));
 }
 
 }  // namespace
@@ -546,7 +570,7 @@ void write_scene_sweep(const SceneSweepResult& sweep, const std::string& path,
   ResultFile file;
   add_names(sweep.runs.front(), file);
   std::vector<std::string> varied;
-  for (const SceneVariation& each : sweep.vary) varied.push_back(each.name);
+  for (const SceneVariation& each : sweep.request.vary) varied.push_back(each.name);
   file.add("varied", varied);
   Eigen::MatrixXd values(static_cast<Eigen::Index>(sweep.runs.size()),
                          static_cast<Eigen::Index>(varied.size()));

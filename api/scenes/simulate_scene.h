@@ -14,6 +14,7 @@
 #include "base/run_record.h"
 #include "dynamics/scene/build_scene.h"
 #include "dynamics/scene/measure_run.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -46,12 +47,13 @@ struct SceneRequest {
 
 /// A scene that was simulated.
 struct [[nodiscard]] SceneResult {
+  SceneRequest request;
+  Outcome outcome;  // stalled: not to be used, see run.status
   std::string name, description;
   std::optional<Camera> camera;
   std::shared_ptr<const BuiltScene> built;  // what moved, and what was assumed; never null
   std::vector<std::pair<std::string, double>> varied;  // numbers that are not as in the file
-  std::optional<Path> path;                            // as of the request
-  SceneRun run;                                        // read run.status first
+  SceneRun run;
   RunMeasures measures;
   std::vector<SourceText> sources;  // scene, hands, objects, materials; meshes are in `files` only
   FileDigests files;                // all that was read
@@ -63,10 +65,10 @@ struct [[nodiscard]] SceneResult {
 
 /// Runs of one scene.
 struct [[nodiscard]] SceneSweepResult {
+  SceneRequest request;
+  Outcome outcome;  // stalled: a run is
   std::string name;
-  std::vector<SceneVariation> vary;
   std::vector<SceneResult> runs;  // the last number varies fastest; those that ran
-  std::size_t asked = 0;          // runs
   FileDigests files;
 };
 
@@ -89,7 +91,7 @@ struct OpenScene {
 struct RequestedScene {
   SceneSpec spec;
   OpenScene open;
-  std::optional<Path> path = {};  // as of the request
+  SceneRequest request;
 };
 /// Reads and opens the scene that is asked for, with the method, pads and times of the request.
 /// @throws as open_scene(), or InputError where the request names what is not there.

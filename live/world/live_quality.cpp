@@ -115,8 +115,8 @@ GraspResult standing_grasp(const LiveWorld& live, const LivePair& pair,
   options.gap = request.tolerance;
   if (!grasp.contacts.empty()) grasp.quality = epsilon(result.wrenches, options);
   result.start = {grasp.approached.X_WH, grasp.closed.q, 0};
-  result.warnings = grasp_warnings(result);
-  for (std::string& deep : deep_overlaps(meeting)) result.warnings.push_back(std::move(deep));
+  result.outcome.warnings = grasp_warnings(result);
+  result.outcome.warn(deep_overlaps(meeting));
   return result;
 }
 

@@ -87,7 +87,7 @@ FileDigests files_of(const FitResult& result) {
 }
 
 FileDigests files_of(const PredictResult& result) {
-  return joined(source_digests(result.sources), file_at(result.file));
+  return joined(source_digests(result.sources), file_at(result.request.fit));
 }
 
 FileDigests files_of(const PosteriorResult& result) { return result.files; }

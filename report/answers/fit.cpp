@@ -318,7 +318,7 @@ Fields fields_of(const FitResult& result) {
                 {"free_coordinates", fit.problem.size()},
                 {"effective_parameters", fit.covariance.effective_parameters},
                 {"fidelity", describe(fit.problem.digit().fidelity)},
-                {"warnings", result.warnings}};
+                {"warnings", result.outcome.warnings}};
   if (fit.solution.status == Status::kSolved) fields.add("learnt", learnt_fields(fit));
   fields.add_some("in_sample", in_sample_fields(result));
   std::vector<Fields> scales, folds, published;

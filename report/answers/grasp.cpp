@@ -270,7 +270,7 @@ std::string text_of(const GraspResult& result) {
   std::string text = fmt::format("{} and {}: {}\n", result.setting.hand.named.name,
                                  result.setting.setup.object.name, explanation(result));
   // What makes it the answer to another question stands before the numbers.
-  std::vector<std::string> warnings = folded(result.warnings);
+  std::vector<std::string> warnings = folded(result.outcome.warnings);
   const auto light = std::stable_partition(warnings.begin(), warnings.end(), is_grave);
   const auto add_warning = [&](const std::string& warning) {
     text += fmt::format("warning: {}\n", warning);
@@ -323,8 +323,8 @@ Fields fields_of(const GraspResult& result) {
   if (const auto& bones = hand.skeleton; bones && grasp.closed.q.size() > 0)
     add_passive(*bones, grasp.closed.q, fields);
   if (result.request.starts > 0) fields.add("starts", start_fields(result));
-  fields.add("warnings", result.warnings);
-  fields.add("complete", result.complete);
+  fields.add("warnings", result.outcome.warnings);
+  fields.add("complete", !result.outcome.stopped());
   fields.add("cpu", units::kCpuSecond, result.cpu);
   return without_signs_of_zeros(fields);
 }

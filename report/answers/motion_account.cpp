@@ -1,7 +1,5 @@
 #include "report/answers/motion_account.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -27,33 +25,12 @@ std::string limits_words(const std::vector<PassedLimit>& limits) {
 
 }  // namespace
 
-std::string energy_error_words(const FlowBalance& balance) {
-  return fmt::format("{:.3g} mJ {} by {:.6g} s, {:.2g} % of {:.4g} mJ turned over",
-                     1e3 * std::abs(balance.error),
-                     balance.error < 0 ? "made of nothing" : "lost to nothing", balance.t,
-                     100 * balance.share(), 1e3 * balance.turned_over);
-}
-
-std::string beyond_words(const PassedLimit& limit) {
-  return limit.slides ? fmt::format("{:.3g} mm", limit.beyond / kMm)
-                      : fmt::format("{:.3g} deg", limit.beyond / kDegree);
-}
-
 std::vector<Fields> limit_fields(const std::vector<PassedLimit>& limits) {
   std::vector<Fields> list;
   for (const PassedLimit& limit : limits)
     list.push_back({{"joint", limit.joint},
                     {"beyond", limit.slides ? units::kMetre : units::kRadian, limit.beyond}});
   return list;
-}
-
-std::vector<PassedLimit> limits_passed(const SceneResult& scene) {
-  return passed_limits(scene.built->scene.mechanism, scene.run.cost.beyond);
-}
-
-double restitution_ignored(const SceneResult& scene) {
-  const bool bounces = scene.built->options.method != SteppingMethod::kTimeStepping;
-  return bounces ? 0 : largest_restitution(scene.built->scene);
 }
 
 Table account_table(const SceneResult& scene) {

@@ -107,7 +107,7 @@ std::string text_of(const ContactQualityResult& result) {
        wrench_words(e.worst_wrench, result.planar));
   if (result.grasp_matrix) line("grasp matrix", matrix_words(*result.grasp_matrix));
   if (result.task) line("task", task_words(*result.task, result.planar));
-  for (const std::string& warning : result.warnings) line("warning", warning);
+  for (const std::string& warning : result.outcome.warnings) line("warning", warning);
   return text;
 }
 
@@ -136,7 +136,7 @@ Fields fields_of(const ContactQualityResult& result) {
                       : Field("task", nullptr),
           {"planar", result.planar},
           {"file", result.contacts},
-          {"warnings", result.warnings}};
+          {"warnings", result.outcome.warnings}};
 }
 
 Table table_of(const std::vector<ContactQualityResult>& results) {

@@ -141,14 +141,6 @@ Table table_of(const DigitMotionResult& motion) {
   return table;
 }
 
-std::vector<std::string> warnings_of(const DigitMotionResult& motion) {
-  std::vector<std::string> warnings = motion.warnings;
-  const Trajectory& t = motion.trajectory;
-  const bool told = !refusal_of(motion).empty() && t.status != MotionStatus::kUnbalanced;
-  if (!t.warning.empty() && !told) warnings.push_back(t.warning);
-  return warnings;
-}
-
 std::string refusal_of(const DigitMotionResult& motion) {
   const Trajectory& t = motion.trajectory;
   switch (t.status) {

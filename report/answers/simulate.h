@@ -3,7 +3,6 @@
 /// Words, fields and tables of a digit in motion.
 
 #include <string>
-#include <vector>
 
 #include "api/simulate.h"
 #include "report/fields.h"
@@ -18,8 +17,6 @@ namespace thenar {
 /// tip, energies. Columns: trajectory_table().
 [[nodiscard]] Table table_of(const DigitMotionResult& motion);
 
-/// Returns warnings about a motion and its start, one sentence each.
-[[nodiscard]] std::vector<std::string> warnings_of(const DigitMotionResult& motion);
 /// Returns the reason why the motion must not be used: it did not reach its end, or its energy does
 /// not balance; empty if it may. A motion that was stopped on request may be used.
 [[nodiscard]] std::string refusal_of(const DigitMotionResult& motion);

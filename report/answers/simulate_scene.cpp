@@ -17,8 +17,6 @@
 namespace thenar {
 namespace {
 
-constexpr double kWarnedPenetration = 1e-3;  // Penetration beyond which a warning is given [m]
-
 std::string body_name(const SceneResult& scene, int body) {
   return scene.built->scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
 }
@@ -314,10 +312,10 @@ Fields fields_of(const SceneResult& scene) {
     fields.add("passive_moment", units::kNewtonMetre, std::move(passive));
   fields.add("pairs", pair_fields(scene));
   if (!scene.measures.pulls.muscles.empty()) {
-    fields.add("tendon_paths", asked_paths(scene.path));
+    fields.add("tendon_paths", asked_paths(scene.request.path));
     fields.add("muscles", muscle_fields(scene));
   }
-  fields.add("warnings", warnings_of(scene));
+  fields.add("warnings", scene.outcome.warnings);
   return fields;
 }
 
@@ -344,7 +342,7 @@ Table table_of(const SceneResult& scene) {
 }
 
 std::string text_of(const SceneSweepResult& sweep) {
-  return fmt::format("{}: {} of {} runs\n\n", sweep.name, sweep.runs.size(), sweep.asked) +
+  return fmt::format("{}: {} of {} runs\n\n", sweep.name, sweep.outcome.done, sweep.outcome.asked) +
          aligned(table_of(sweep));
 }
 
@@ -359,14 +357,14 @@ Fields fields_of(const SceneSweepResult& sweep) {
     run.add("pairs", pair_fields(scene));
   }
   return {{"scene", sweep.name},
-          {"asked", sweep.asked},
+          {"asked", sweep.outcome.asked},
           {"runs", std::move(runs)},
-          {"warnings", warnings_of(sweep)}};
+          {"warnings", sweep.outcome.warnings}};
 }
 
 Table table_of(const SceneSweepResult& sweep) {
   Table table;
-  for (const SceneVariation& each : sweep.vary) table.header.push_back(each.name);
+  for (const SceneVariation& each : sweep.request.vary) table.header.push_back(each.name);
   for (const char* column :
        {"status", "simulated_s", "largest_slip_mm", "penetration_mm", "end_energy_mJ",
         "dissipated_mJ", "energy_error_%", "limits_passed", "worst_residual", "cpu_ms_per_s"})
@@ -387,66 +385,6 @@ Table table_of(const SceneSweepResult& sweep) {
     table.rows.push_back(std::move(cells));
   }
   return table;
-}
-
-std::vector<std::string> warnings_of(const SceneResult& scene) {
-  std::vector<std::string> warnings = scene.built->warnings;
-  const std::vector<std::string>& pulls = scene.measures.pulls.warnings;
-  warnings.insert(warnings.end(), pulls.begin(), pulls.end());
-  if (scene.run.cost.passed > 0)
-    warnings.push_back(fmt::format(
-        "events followed each other without end {} times: fixed steps went on by 1 ms each time, "
-        "without an estimate of their error",
-        scene.run.cost.passed));
-  if (scene.run.cost.leaps > 0)
-    warnings.push_back(
-        fmt::format("in {} steps surfaces moved so fast that they may have gone through each other",
-                    scene.run.cost.leaps));
-  if (scene.run.cost.deepest > kWarnedPenetration && has_contact_problems(scene))
-    warnings.push_back(fmt::format(
-        "surfaces were up to {:.3g} mm inside each other: forces there are not to be trusted, "
-        "shorter steps may help",
-        1e3 * scene.run.cost.deepest));
-  for (const PassedLimit& limit : limits_passed(scene))
-    warnings.push_back(
-        fmt::format("joint '{}' went {} beyond its limit", limit.joint, beyond_words(limit)));
-  if (const double restitution = restitution_ignored(scene); restitution > 0)
-    warnings.push_back(
-        fmt::format("restitution of up to {:.3g} is left out: nothing bounces in steps of a fixed "
-                    "length, events let it",
-                    restitution));
-  if (scene.run.cost.coarse > 0)
-    warnings.push_back(
-        fmt::format("{} steps missed the tolerance, though they were as short as can be (1 ns)",
-                    scene.run.cost.coarse));
-  return warnings;
-}
-
-std::vector<std::string> warnings_of(const SceneSweepResult& sweep) {
-  std::vector<std::string> all;
-  for (const SceneResult& run : sweep.runs)
-    for (std::string& warning : warnings_of(run))
-      if (std::find(all.begin(), all.end(), warning) == all.end())
-        all.push_back(std::move(warning));
-  return all;
-}
-
-std::string refusal_of(const SceneResult& scene) {
-  const SceneCost& cost = scene.run.cost;
-  if (scene.run.status == SceneStatus::kNotFinite)
-    return fmt::format("the motion is not finite after {:.6g} s: do not use it",
-                       simulated_seconds(scene));
-  if (scene.run.status == SceneStatus::kFailed)
-    return fmt::format("{}: do not use this motion", scene.run.reason);
-  std::vector<std::string> reasons;
-  if (scene.measures.worst && !scene.measures.worst->holds())
-    reasons.push_back("energy does not balance, " + energy_error_words(*scene.measures.worst));
-  if (cost.unsolved > 0)
-    reasons.push_back(fmt::format(
-        "{} of {} contact problems or force elements were not solved (worst residual {:.2g})",
-        cost.unsolved, cost.substeps + cost.impacts, cost.worst_residual));
-  if (reasons.empty()) return "";
-  return fmt::format("{}: do not use this motion", fmt::join(reasons, "; "));
 }
 
 std::string refusal_of(const SceneSweepResult& sweep) {

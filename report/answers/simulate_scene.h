@@ -3,9 +3,8 @@
 /// Words, fields and tables of scenes that were simulated.
 
 #include <string>
-#include <vector>
 
-#include "api/scenes/simulate_scene.h"
+#include "api/scenes/scene_account.h"
 #include "report/fields.h"
 
 namespace thenar {
@@ -21,13 +20,7 @@ namespace thenar {
 [[nodiscard]] Fields fields_of(const SceneSweepResult& sweep);
 [[nodiscard]] Table table_of(const SceneSweepResult& sweep);
 
-/// Returns warnings about a run, one sentence each.
-[[nodiscard]] std::vector<std::string> warnings_of(const SceneResult& scene);
-[[nodiscard]] std::vector<std::string> warnings_of(const SceneSweepResult& sweep);
-/// Returns the reason why a run must not be used: contacts that were not solved, energy that does
-/// not balance, or positions that are not finite; empty if it may. A run that was stopped on
-/// request may be used.
-[[nodiscard]] std::string refusal_of(const SceneResult& scene);
+/// Returns the reason why a run of a sweep must not be used; empty if all may.
 [[nodiscard]] std::string refusal_of(const SceneSweepResult& sweep);
 
 /// "events", "time-stepping" ..

@@ -173,7 +173,7 @@ Fields fields_of(const PressResult& pressed) {
                 {"law", pressed.pad.spec.pulp.law},
                 {"element", name_of(pressed.pad.model.element)},
                 {"assumed", assumed_words(pressed.pad.spec)},
-                {"status", name_of(pressed.status)},
+                {"status", name_of(pressed.outcome.status)},
                 {"message", pressed.message}};
   // The last instant by itself, then all of them.
   if (!pressed.instants.empty()) fields.append(instant_fields(pressed.instants.back()));
@@ -184,7 +184,7 @@ Fields fields_of(const PressResult& pressed) {
   fields.add("instants", std::move(instants));
   fields.add("patch", patch_fields(pressed.skin));
   if (!pressed.rungs.empty()) fields.add("rungs", rung_fields(pressed.rungs));
-  fields.add("warnings", pressed.warnings);
+  fields.add("warnings", pressed.outcome.warnings);
   return fields;
 }
 
@@ -196,14 +196,14 @@ FileDigests files_of(const PressResult& pressed) {
 }
 
 std::string refusal_of(const PressResult& pressed) {
-  if (pressed.status == Status::kSolved || pressed.status == Status::kStopped) return "";
+  if (pressed.outcome.status == Status::kSolved || pressed.outcome.stopped()) return "";
   const std::string got =
       pressed.instants.empty()
           ? "no step was solved"
           : fmt::format("it got to {:.4g} N at {:.4g} mm", pressed.instants.back().force,
                         pressed.instants.back().depth / kMm);
-  return fmt::format("the press ended early ({}: {}); {}", name_of(pressed.status), pressed.message,
-                     got);
+  return fmt::format("the press ended early ({}: {}); {}", name_of(pressed.outcome.status),
+                     pressed.message, got);
 }
 
 }  // namespace thenar

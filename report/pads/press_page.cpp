@@ -286,9 +286,8 @@ Json rung_section(const PressResult& pressed) {
 }
 
 Json press_banner(const PressResult& pressed) {
-  return pad_banner(
-      refusal_of(pressed), pressed.warnings, "The press ended early",
-      pressed.status == Status::kStopped ? "The press was stopped" : "All steps were solved");
+  return pad_banner(refusal_of(pressed), pressed.outcome.warnings, "The press ended early",
+                    pressed.outcome.stopped() ? "The press was stopped" : "All steps were solved");
 }
 
 }  // namespace

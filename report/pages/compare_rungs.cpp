@@ -185,7 +185,7 @@ std::vector<std::string> warnings_of(const RungComparison& comparison) {
   std::vector<std::string> all = comparison.runs.front().scene.built->warnings;
   for (const RungRun& run : comparison.runs) {
     // Of building it what the first had not, and all of the run.
-    for (const std::string& warning : warnings_of(run.scene))
+    for (const std::string& warning : run.scene.outcome.warnings)
       if (std::find(all.begin(), all.end(), warning) == all.end())
         all.push_back(fmt::format("on {}: {}", run.rung, warning));
     if (const std::string refusal = refusal_of(run.scene); !refusal.empty())

@@ -92,12 +92,12 @@ Json ending_banner(const FitResult& result) {
 /// Returns the banners about the ending of the fit and its warnings.
 Json ending_blocks(const FitResult& result) {
   Json blocks = Json::array({ending_banner(result)});
-  if (!result.warnings.empty())
+  if (!result.outcome.warnings.empty())
     blocks.push_back({{"type", "banner"},
                       {"ok", false},
                       {"caution", true},
                       {"title", "Before trusting the predictions"},
-                      {"reasons", result.warnings}});
+                      {"reasons", result.outcome.warnings}});
   return blocks;
 }
 

@@ -27,7 +27,8 @@ Json outcome_banner(const GraspResult& result) {
   const Grasp& grasp = result.grasp;
   const bool ok = grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure;
   std::vector<std::string> grave;
-  std::copy_if(result.warnings.begin(), result.warnings.end(), std::back_inserter(grave), is_grave);
+  std::copy_if(result.outcome.warnings.begin(), result.outcome.warnings.end(),
+               std::back_inserter(grave), is_grave);
   return {{"type", "banner"},
           {"ok", ok && grave.empty()},
           {"title", outcome_words(grasp)},
@@ -58,7 +59,7 @@ Json picture_section(const GraspResult& result, MeshTable& meshes) {
 
 Json warning_section(const GraspResult& result) {
   Json rows = Json::array();
-  for (const std::string& warning : result.warnings) rows.push_back(Json::array({warning}));
+  for (const std::string& warning : result.outcome.warnings) rows.push_back(Json::array({warning}));
   return section(
       "warnings", "Assumptions", "",
       Json::array({table_block("What was assumed of the hand and its object, or left out.",
@@ -159,7 +160,7 @@ Json sections_of(const GraspResult& result, MeshTable& meshes) {
   if (grasped) sections.push_back(wrench_section(result, meshes));
   if (grasped) sections.push_back(contact_section(result));
   if (!result.grasp.closed.stopped.empty()) sections.push_back(joint_section(result));
-  if (!result.warnings.empty()) sections.push_back(warning_section(result));
+  if (!result.outcome.warnings.empty()) sections.push_back(warning_section(result));
   return sections;
 }
 

@@ -172,18 +172,18 @@ Json page_of(const PredictResult& result) {
         fmt::format("{:.3f} ({})", each.prediction.error.relative, each.prediction.experiment));
   }
   Json sections = prediction_sections(result);
-  if (!result.warnings.empty())
+  if (!result.outcome.warnings.empty())
     sections[0]["blocks"].insert(sections[0]["blocks"].begin(),
                                  Json{{"type", "banner"},
                                       {"ok", false},
                                       {"caution", true},
                                       {"title", "Before trusting the predictions"},
-                                      {"reasons", result.warnings}});
+                                      {"reasons", result.outcome.warnings}});
   return {{"title", "thenar: predicted fingertip forces"},
-          {"subtitle", "by " + result.file},
+          {"subtitle", "by " + result.request.fit},
           {"opening",
            opening_json(
-               "Which fingertip forces follow from " + result.file + "?",
+               "Which fingertip forces follow from " + result.request.fit + "?",
                fmt::format("{} trials were predicted and put beside what was measured.", trials),
                fmt::format("The relative error is {}.", fmt::join(errors, ", ")))},
           {"provenance",

@@ -318,7 +318,7 @@ Json run_banner(const SceneResult& scene) {
             {"ok", false},
             {"title", "Do not use this motion"},
             {"reasons", Json::array({refusal})}};
-  const std::vector<std::string> warnings = warnings_of(scene);
+  const std::vector<std::string>& warnings = scene.outcome.warnings;
   const std::string solved =
       has_contact_problems(scene)
           ? fmt::format("All contact problems were solved; worst residual {:.2g}",

@@ -89,7 +89,7 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
   out["rank"] = result.grasp.quality.rank;
   out["centre_of_mass"] = to_json(object.X_WB * object.com);
   out["torque_scale"] = object.torque_scale;
-  out["warnings"] = result.warnings;
+  out["warnings"] = result.outcome.warnings;
   return out;
 }
 

@@ -26,7 +26,7 @@ CompareRequest jaws_on_ball() {
 
 TEST(CompareHands, OwnsHandsAndObjectsAndSaysWhatItDependsOn) {
   const CompareResult result = compare_hands(jaws_on_ball());
-  EXPECT_TRUE(result.comparison.complete);
+  EXPECT_FALSE(result.outcome.stopped());
   ASSERT_EQ(result.comparison.cells.size(), 1U);
   EXPECT_EQ(result.comparison.cells[0].approaches, 2);
   EXPECT_EQ(result.hands.at(0).name, "parallel_jaw");
@@ -37,7 +37,7 @@ TEST(CompareHands, OwnsHandsAndObjectsAndSaysWhatItDependsOn) {
 TEST(CompareHands, StoppedIsNotComplete) {
   Progress progress;
   progress.stop_requested = [] { return true; };
-  EXPECT_FALSE(compare_hands(jaws_on_ball(), progress).comparison.complete);
+  EXPECT_TRUE(compare_hands(jaws_on_ball(), progress).outcome.stopped());
 }
 
 using CompareHandsFile = TemporaryFolder;

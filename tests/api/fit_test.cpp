@@ -59,7 +59,7 @@ TEST_F(FitQuestion, WritesItsFileWithTheRunAndPredictsWhatItHasSeen) {
   const FitResult result = fit_digit(request);
   ASSERT_EQ(result.in_sample.size(), 1U);
   ASSERT_EQ(result.left_out.size(), 1U);
-  EXPECT_FALSE(result.stopped);
+  EXPECT_FALSE(result.outcome.stopped());
   EXPECT_LT(result.in_sample[0].error.rms, result.left_out[0].experiments[0].error.rms);
   EXPECT_GT(result.in_sample[0].trials[0].sd.minCoeff(), 0);
   const Fit back = read_fit(request.output);
@@ -92,9 +92,9 @@ TEST_F(FitQuestion, WarnsOfForcesThatItMisses) {
   const auto misses = [&] {
     const FitResult result = fit_digit(request);
     const auto told = [&](const std::string& words) {
-      return std::any_of(result.warnings.begin(), result.warnings.end(), [&](const auto& warning) {
-        return warning.find(words) != std::string::npos;
-      });
+      return std::any_of(
+          result.outcome.warnings.begin(), result.outcome.warnings.end(),
+          [&](const auto& warning) { return warning.find(words) != std::string::npos; });
     };
     EXPECT_EQ(told("times the stated noise"), result.misfits.at(0).beyond_chance);
     EXPECT_EQ(told("moved by more than 3 prior sds"),
@@ -150,7 +150,7 @@ TEST_F(FitQuestion, NamesATrialThatDoesNotGoWithTheOthers) {
   request.sources = sources();
   const auto odd = [&] {
     std::string told;
-    for (const std::string& warning : fit_digit(request).warnings)
+    for (const std::string& warning : fit_digit(request).outcome.warnings)
       if (warning.find("what all other trials tell of them") != std::string::npos) told += warning;
     return told;
   };
@@ -172,7 +172,7 @@ TEST_F(FitQuestion, StopsWithTheBestPointSoFar) {
   Progress progress;
   progress.stop_requested = [] { return true; };
   const FitResult result = fit_digit(request, progress);
-  EXPECT_TRUE(result.stopped);
+  EXPECT_TRUE(result.outcome.stopped());
   EXPECT_TRUE(result.left_out.empty());
 }
 

@@ -30,7 +30,7 @@ TEST(GraspInWorld, OwnsWhatItFound) {
   GraspResult found = measure_grasp(bobbin());
   const GraspResult copy = found;
   found = GraspResult{};  // its hand lives on in the copy
-  EXPECT_TRUE(copy.complete);
+  EXPECT_FALSE(copy.outcome.stopped());
   EXPECT_EQ(copy.started(), 1);
   EXPECT_EQ(copy.grasp.outcome, GraspOutcome::kGrasped);
   EXPECT_EQ(copy.collision_hand.hand, copy.setting.hand.named.hand.get());
@@ -91,7 +91,7 @@ TEST_F(GraspOffThePalm, BringsBothPadsToASmallBall) {
         found.collision_hand.hand->surfaces()[static_cast<std::size_t>(contact.surface)].digit);
   EXPECT_EQ(digits.size(), 2U);
   EXPECT_EQ(digits.count(""), 0U);
-  EXPECT_EQ(std::count_if(found.warnings.begin(), found.warnings.end(),
+  EXPECT_EQ(std::count_if(found.outcome.warnings.begin(), found.outcome.warnings.end(),
                           [](const std::string& warning) {
                             return warning.find("the hand moved back before it closed") !=
                                    std::string::npos;

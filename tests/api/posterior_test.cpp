@@ -68,10 +68,11 @@ TEST_F(PosteriorQuestion, PredictsByTheMeansOfDraws) {
   EXPECT_GT(answer.predicted.experiments[0].prediction.trials[0].sd.minCoeff(), 0);
   // Fewer draws than are asked for are told.
   const auto told = [](const PosteriorPrediction& of) {
-    return std::any_of(
-        of.predicted.warnings.begin(), of.predicted.warnings.end(), [](const std::string& warning) {
-          return warning.find("fewer than the 2000 that were asked for") != std::string::npos;
-        });
+    return std::any_of(of.predicted.outcome.warnings.begin(), of.predicted.outcome.warnings.end(),
+                       [](const std::string& warning) {
+                         return warning.find("fewer than the 2000 that were asked for") !=
+                                std::string::npos;
+                       });
   };
   EXPECT_TRUE(told(answer));
   asked.draws = 10;

@@ -61,7 +61,8 @@ TEST_F(SimulateDigit, PullsByBoundsWhereNoFibresAreStated) {
   request.seconds = 0.01;
   const DigitMotionResult motion = simulate_digit(request);
   EXPECT_EQ(motion.trajectory.fidelity.muscle, Muscle::kBounds);
-  EXPECT_NE(fmt::format("{}", fmt::join(motion.warnings, "; ")).find("states no 'fibre_length_mm'"),
+  EXPECT_NE(fmt::format("{}", fmt::join(motion.outcome.warnings, "; "))
+                .find("states no 'fibre_length_mm'"),
             std::string::npos);
   request.digit = index_finger().digit;
   request.excitation = index_finger().excitation;

@@ -52,7 +52,7 @@ TEST(PressPad, ToADepthAndToItsForceAreTheSame) {
   PressRequest request = quick();
   request.depth = 1.2e-3;
   const PressResult deep = press_pad(request);
-  ASSERT_EQ(deep.status, Status::kSolved) << deep.message;
+  ASSERT_EQ(deep.outcome.status, Status::kSolved) << deep.message;
   ASSERT_EQ(deep.instants.size(), 3U);
   for (int k = 1; k <= 3; ++k)
     EXPECT_NEAR(deep.instants[static_cast<std::size_t>(k - 1)].depth, 0.4e-3 * k, 1e-12);
@@ -63,7 +63,7 @@ TEST(PressPad, ToADepthAndToItsForceAreTheSame) {
   request.depth.reset();
   request.force = coarse.instants.back().force;
   const PressResult forced = press_pad(request);
-  ASSERT_EQ(forced.status, Status::kSolved) << forced.message;
+  ASSERT_EQ(forced.outcome.status, Status::kSolved) << forced.message;
   EXPECT_NEAR(forced.instants.back().force, *request.force, 1e-8);
   EXPECT_EQ(forced.instants.back().elements, coarse.instants.back().elements);
   EXPECT_NEAR(forced.instants.back().depth, 1.2e-3, 1e-8);
@@ -77,7 +77,7 @@ TEST(PressPad, ForcesOfAnySizeAreReached) {
   for (const double force : {1e-4, 1e-2, 1.0}) {
     request.force = force;
     const PressResult pressed = press_pad(request);
-    ASSERT_EQ(pressed.status, Status::kSolved) << force << ' ' << pressed.message;
+    ASSERT_EQ(pressed.outcome.status, Status::kSolved) << force << ' ' << pressed.message;
     ASSERT_EQ(pressed.instants.size(), 3U);
     for (int k = 1; k <= 3; ++k)
       EXPECT_NEAR(pressed.instants[static_cast<std::size_t>(k - 1)].force,
@@ -110,7 +110,7 @@ TEST(PressPad, WithFrictionSticksSomewhere) {
   request.depth = 1e-3;
   request.friction = 0.6;
   const PressResult pressed = press_pad(request);
-  ASSERT_EQ(pressed.status, Status::kSolved) << pressed.message;
+  ASSERT_EQ(pressed.outcome.status, Status::kSolved) << pressed.message;
   EXPECT_GT(pressed.instants.back().stick, 0.1);
   EXPECT_LE(pressed.instants.back().stick, 1);
 }
@@ -120,7 +120,7 @@ TEST(PressPad, AtAnAngleTouchesTheTip) {
   request.depth = 0.8e-3;
   request.angle = radians(30);
   const PressResult pressed = press_pad(request);
-  ASSERT_EQ(pressed.status, Status::kSolved) << pressed.message;
+  ASSERT_EQ(pressed.outcome.status, Status::kSolved) << pressed.message;
   // Without friction a plane pushes along its normal, and at its patch, which is distal.
   EXPECT_NEAR(pressed.instants.back().push.norm(), pressed.instants.back().force, 1e-9);
   double x = 0;
@@ -137,7 +137,7 @@ TEST_F(RelaxingPad, RelaxesToItsShareAfterAFastPress) {
   fast.hold = 0.2;
   fast.hold_points = 5;
   const PressResult pressed = press_pad(fast);
-  ASSERT_EQ(pressed.status, Status::kSolved) << pressed.message;
+  ASSERT_EQ(pressed.outcome.status, Status::kSolved) << pressed.message;
   ASSERT_EQ(pressed.instants.size(), 8U);
   EXPECT_TRUE(pressed.relaxes());
   const PressInstant &peak = pressed.instants[2], &end = pressed.instants.back();
@@ -155,7 +155,7 @@ TEST_F(RelaxingPad, SlowlyIsHalfOfAtOnce) {
   const PressResult at_once = press_pad(slow);
   slow.rate = 0;
   const PressResult slowly = press_pad(slow);
-  ASSERT_EQ(slowly.status, Status::kSolved) << slowly.message;
+  ASSERT_EQ(slowly.outcome.status, Status::kSolved) << slowly.message;
   EXPECT_NEAR(slowly.instants.back().force / at_once.instants.back().force, 0.5, 0.005);
   EXPECT_FALSE(slowly.relaxes());
 }
@@ -167,7 +167,7 @@ TEST_F(RelaxingPad, AForceIsReachedAtTheRate) {
   timed.rate = 10e-3;
   timed.points = 6;
   const PressResult pressed = press_pad(timed);
-  ASSERT_EQ(pressed.status, Status::kSolved) << pressed.message;
+  ASSERT_EQ(pressed.outcome.status, Status::kSolved) << pressed.message;
   for (const PressInstant& now : pressed.instants)
     EXPECT_NEAR(now.time * 10e-3 / now.depth, 1, 0.1) << now.depth;
   EXPECT_NEAR(pressed.instants.back().force, 0.3, 1e-8);
@@ -176,7 +176,8 @@ TEST_F(RelaxingPad, AForceIsReachedAtTheRate) {
 TEST(PressPad, SaysWhatIsAssumed) {
   PressRequest request = quick();
   request.depth = 0.5e-3;
-  EXPECT_THAT(press_pad(request).warnings, testing::Contains(HasSubstr("shear_modulus_kPa")));
+  EXPECT_THAT(press_pad(request).outcome.warnings,
+              testing::Contains(HasSubstr("shear_modulus_kPa")));
 }
 
 TEST(PressPad, KeepsWhatItHadWhereAStepFails) {
@@ -185,7 +186,7 @@ TEST(PressPad, KeepsWhatItHadWhereAStepFails) {
   request.points = 6;
   request.force_error = 0.6;
   const PressResult pressed = press_pad(request);
-  EXPECT_NE(pressed.status, Status::kSolved);
+  EXPECT_NE(pressed.outcome.status, Status::kSolved);
   EXPECT_FALSE(pressed.message.empty());
   EXPECT_GE(pressed.instants.size(), 1U);
   EXPECT_LT(pressed.instants.size(), 6U);
@@ -209,7 +210,7 @@ TEST(PressPad, StopsWithinAStep) {
     return stop;
   };
   const PressResult pressed = press_pad(request, progress);
-  EXPECT_EQ(pressed.status, Status::kStopped);
+  EXPECT_EQ(pressed.outcome.status, Status::kStopped);
   EXPECT_TRUE(pressed.message.empty());
   EXPECT_EQ(refused, 1);
   ASSERT_EQ(pressed.instants.size(), 2U);
@@ -265,7 +266,7 @@ TEST(PressPad, ComparesTheLawsOfItsPad) {
   request.object.name = "sphere";
   request.friction = 0.5;
   PressResult pressed = press_pad(request);
-  ASSERT_EQ(pressed.status, Status::kSolved) << pressed.message;
+  ASSERT_EQ(pressed.outcome.status, Status::kSolved) << pressed.message;
   const std::vector<PressRung> rungs = laws_of(pressed);
   ASSERT_EQ(rungs.size(), 5U);
   const CalibratedLaws laws = read_laws(kData + "/pads/laws/index_pad.toml");

@@ -64,7 +64,7 @@ TEST(LiveGrasp, GraspsAndMeasuresAsTheCommandDoes) {
     EXPECT_EQ(found.measures->volume.lower, told.measures->volume.lower);
     EXPECT_EQ(found.measures->weight.value, told.measures->weight.value);
     EXPECT_EQ(found.measures->hold.value, told.measures->hold.value);
-    EXPECT_EQ(found.warnings, told.warnings);
+    EXPECT_EQ(found.outcome.warnings, told.outcome.warnings);
     EXPECT_EQ(found.grasp.closed.stopped, told.grasp.closed.stopped);
     EXPECT_EQ(live->undo(), "grasp with " + name_of(live->state(), live->state().hands[0]));
     EXPECT_EQ(world_toml(spec_of(live->state())),

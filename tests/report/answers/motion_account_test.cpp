@@ -56,7 +56,7 @@ TEST(MotionAccount, OfFixedStepsIsInTextAndJson) {
   EXPECT_EQ(json["restitution_ignored"], 0.8);
   EXPECT_NEAR(json["dissipated_by_J"]["impacts"].get<double>(), 0.1 * 9.81 * 0.1, 1e-9);
   EXPECT_TRUE(json["limits_passed"].empty());
-  EXPECT_THAT(warnings_of(scene), testing::Contains(HasSubstr("restitution of up to 0.8")));
+  EXPECT_THAT(scene_warnings(scene), testing::Contains(HasSubstr("restitution of up to 0.8")));
   // Between events it bounces.
   const SceneResult events = run_of("falling_ball", "events");
   EXPECT_THAT(text_of(events), AllOf(HasSubstr("energy error: "), Not(HasSubstr("restitution"))));
@@ -84,9 +84,9 @@ TEST(MotionAccount, RefusesARunWhoseEnergyDoesNotBalance) {
 
 TEST(MotionAccount, WarnsOfJointsBeyondTheirLimits) {
   SceneResult scene = run_of("pinch", "time-stepping");
-  EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
+  EXPECT_THAT(scene_warnings(scene), testing::IsEmpty());
   scene.run.cost.beyond[0] = 0.25;
-  EXPECT_THAT(warnings_of(scene), testing::ElementsAre(HasSubstr("beyond its limit")));
+  EXPECT_THAT(scene_warnings(scene), testing::ElementsAre(HasSubstr("beyond its limit")));
   EXPECT_THAT(text_of(scene), HasSubstr("joint limits passed: "));
   EXPECT_EQ(json_of(scene)["limits_passed"].size(), 1U);
 }

@@ -10,7 +10,7 @@ namespace thenar {
 namespace {
 
 PosteriorResult small_result() {
-  return {"P.nc", sample::sampled(), summarise_posterior(sample::sampled()), {}, 3};
+  return {{}, {}, sample::sampled(), summarise_posterior(sample::sampled()), 3};
 }
 
 TEST(PosteriorAnswer, ListsTheBestKnownFirst) {

@@ -121,9 +121,10 @@ TEST(SceneAnswer, WarnsOfDeepPenetration) {
   request.scene = kData + "/scenes/pinch.toml";
   request.seconds = 0.05;
   SceneResult scene = simulate_scene(request);
-  EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
+  EXPECT_THAT(scene_warnings(scene), testing::IsEmpty());
   scene.run.cost.deepest = 2e-3;
-  EXPECT_THAT(warnings_of(scene), testing::ElementsAre(HasSubstr("up to 2 mm inside each other")));
+  EXPECT_THAT(scene_warnings(scene),
+              testing::ElementsAre(HasSubstr("up to 2 mm inside each other")));
 }
 
 }  // namespace

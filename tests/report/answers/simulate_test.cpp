@@ -63,10 +63,10 @@ TEST(MotionAnswer, RefusesMotionsThatDidNotGetToTheirEnd) {
   DigitMotionResult motion = quarter_turn();
   motion.trajectory.warning = "why";
   EXPECT_EQ(refusal_of(motion), "");
-  EXPECT_EQ(warnings_of(motion), std::vector<std::string>{"why"});
+  EXPECT_EQ(motion_warnings(motion.trajectory), std::vector<std::string>{"why"});
   motion.trajectory.status = MotionStatus::kIntegratorFailed;
   EXPECT_EQ(refusal_of(motion), "the motion is stuck: why");
-  EXPECT_TRUE(warnings_of(motion).empty());  // said once
+  EXPECT_TRUE(motion_warnings(motion.trajectory).empty());  // said once
   motion.trajectory.status = MotionStatus::kUnbalanced;
   EXPECT_EQ(refusal_of(motion), "energy does not balance: error 0.002 mJ of 1 mJ turned over");
 }

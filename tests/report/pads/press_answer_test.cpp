@@ -59,7 +59,7 @@ TEST(PressAnswer, HasOneTableForAllForms) {
 TEST(PressAnswer, SaysWhereAPressEndedEarly) {
   EXPECT_EQ(refusal_of(pressed()), "");
   PressResult failed = pressed();
-  failed.status = Status::kLimit;
+  failed.outcome.status = Status::kLimit;
   failed.message = "too many iterations";
   failed.instants.resize(1);
   EXPECT_THAT(refusal_of(failed),
@@ -69,7 +69,7 @@ TEST(PressAnswer, SaysWhereAPressEndedEarly) {
   EXPECT_THAT(refusal_of(failed), HasSubstr("no step was solved"));
   EXPECT_THAT(text_of(failed), HasSubstr("not pressed"));
   EXPECT_TRUE(json_of(failed)["instants"].empty());
-  failed.status = Status::kStopped;
+  failed.outcome.status = Status::kStopped;
   EXPECT_EQ(refusal_of(failed), "");
 }
 
@@ -127,7 +127,7 @@ TEST(PressPage, ShowsPadMapsCurvesAndRelaxation) {
 TEST(PressPage, OfNothingThatWasSolvedSaysSo) {
   PressResult failed = pressed();
   failed.instants.clear();
-  failed.status = Status::kLimit;
+  failed.outcome.status = Status::kLimit;
   failed.skin = {};
   const Json page = page_of(failed);
   EXPECT_EQ(page["sections"].size(), 1U);

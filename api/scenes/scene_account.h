@@ -1,0 +1,35 @@
+#pragma once
+
+/// Reliability of a run: energy that does not balance, surfaces that overlap, joints beyond their
+/// limits, bounces left out.
+
+#include <string>
+#include <vector>
+
+#include "api/scenes/simulate_scene.h"
+#include "dynamics/stepping/energy_balance.h"
+#include "dynamics/stepping/limit_excess.h"
+
+namespace thenar {
+
+/// "0.075 mJ lost to nothing by 0.4 s, 0.095 % of 78.6 mJ turned over"
+[[nodiscard]] std::string energy_error_words(const FlowBalance& balance);
+
+/// "11.9 deg", "40 mm"
+[[nodiscard]] std::string beyond_words(const PassedLimit& limit);
+
+/// Joints of a run that went beyond their limits.
+[[nodiscard]] std::vector<PassedLimit> limits_passed(const SceneResult& scene);
+
+/// The largest restitution that a scene states and that its method leaves out [1]; 0: none.
+[[nodiscard]] double restitution_ignored(const SceneResult& scene);
+
+/// Returns warnings about a run, one sentence each.
+[[nodiscard]] std::vector<std::string> scene_warnings(const SceneResult& scene);
+
+/// Returns the reason why a run must not be used: contacts that were not solved, energy that does
+/// not balance, or positions that are not finite; empty if it may. A run that was stopped on
+/// request may be used.
+[[nodiscard]] std::string refusal_of(const SceneResult& scene);
+
+}  // namespace thenar
