@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "base/enum_names.h"
 #include "geometry/triangle_mesh.h"
 #include "grasp/limits/wrench_support.h"
 
@@ -14,6 +15,8 @@ enum class PictureKind {
   kProjection,  // three coordinates of all wrenches
   kSlice        // three coordinates of wrenches whose others are zero: forces without torque
 };
+inline constexpr std::array kPictureKindNames{EnumName{PictureKind::kProjection, "projection"},
+                                              EnumName{PictureKind::kSlice, "slice"}};
 
 /// Boundary mesh of a projection or slice.
 struct [[nodiscard]] WrenchSetMesh {

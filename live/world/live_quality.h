@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "grasp/quality/wrench_set_mesh.h"
 #include "live/world/live_grasp.h"
 
@@ -48,6 +49,8 @@ enum class WrenchLimits {
   kGeometric,  // normal forces of 1 N in all: friction alone
   kActuated    // what drives the hand, in its posture
 };
+inline constexpr std::array kWrenchLimitsNames{EnumName{WrenchLimits::kGeometric, "geometric"},
+                                               EnumName{WrenchLimits::kActuated, "actuated"}};
 
 /// Boundary of a grasp's wrench set in three of its six axes. Torques are over the object's reach.
 /// @param axes    three different ones: 0..2 forces, 3..5 torques

@@ -34,7 +34,7 @@ OrderedJson contacts(Session& session, const Json& params, const Progress& /*pro
 LiveQualityRequest quality_param(const Json& params) {
   LiveQualityRequest request;
   request.tolerance = params["tolerance"].get<double>();
-  request.norm = params["norm"] == "l1" ? ForceNorm::kL1 : ForceNorm::kLinf;
+  request.norm = value_in(kForceNormNames, params["norm"].get<std::string>(), "norm");
   return request;
 }
 
@@ -95,15 +95,15 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
 
 OrderedJson wrenches(Session& session, const Json& params, const Progress& /*progress*/) {
   const Json& axes = params["axes"];
-  const bool actuated = params["limits"] == "actuated";
-  const WrenchSetMesh found = live_wrench_set(
-      live_world(session), pair_param(params),
-      {axes[0].get<int>(), axes[1].get<int>(), axes[2].get<int>()},
-      params["kind"] == "slice" ? PictureKind::kSlice : PictureKind::kProjection,
-      actuated ? WrenchLimits::kActuated : WrenchLimits::kGeometric, params["pieces"].get<int>());
+  const auto limits = value_in(kWrenchLimitsNames, params["limits"].get<std::string>(), "limits");
+  const WrenchSetMesh found =
+      live_wrench_set(live_world(session), pair_param(params),
+                      {axes[0].get<int>(), axes[1].get<int>(), axes[2].get<int>()},
+                      value_in(kPictureKindNames, params["kind"].get<std::string>(), "kind"),
+                      limits, params["pieces"].get<int>());
   return {{"vertices", to_json(Eigen::MatrixXd(found.mesh.vertices.transpose()))},
           {"triangles", to_json(Eigen::MatrixXi(found.mesh.triangles.transpose()))},
-          {"unit", actuated ? "N" : "N per N of normal force"},
+          {"unit", limits == WrenchLimits::kActuated ? "N" : "N per N of normal force"},
           {"failed", found.failed}};
 }
 
@@ -140,8 +140,8 @@ std::vector<SchemaMember> quality_members() {
   return {hand_member(),
           object_member(),
           {"tolerance", number_schema("1", 1e-6, 1), "Of epsilon's certified bounds.", false, 1e-3},
-          {"norm", word_schema({"l1", "linf"}), "Limits the sum of normal forces, or each of them.",
-           false, "l1"}};
+          {"norm", word_schema(names_in(kForceNormNames)),
+           "Limits the sum of normal forces, or each of them.", false, "l1"}};
 }
 
 void add_quality_rows(MethodTable& table) {
@@ -181,9 +181,9 @@ void add_grasp_methods(MethodTable& table) {
                    "Three of fx, fy, fz, tx, ty, tz, torques over the object's reach.",
                    false,
                    {0, 1, 2}},
-                  {"kind", word_schema({"projection", "slice"}),
+                  {"kind", word_schema(names_in(kPictureKindNames)),
                    "Of all wrenches, or of those whose other axes are zero.", false, "projection"},
-                  {"limits", word_schema({"geometric", "actuated"}),
+                  {"limits", word_schema(names_in(kWrenchLimitsNames)),
                    "1 N of normal forces in all, or what drives the hand.", false, "geometric"},
                   {"pieces", integer_schema(1, 24), "Of each edge of an octahedron.", false, 8}}),
              "vertices (n, 3) in the object's frame; triangles (m, 3); unit; failed: directions "

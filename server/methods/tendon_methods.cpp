@@ -185,7 +185,7 @@ Schema open_params() {
         "Rung of tendon paths; left out: wrapped where tendons of the subject name surfaces, else "
         "via."},
        {"net", text_schema(), "Name or file of the net; left out: extensor_hood."},
-       {"passive", word_schema({"on", "off"}),
+       {"passive", word_schema(names_in(kPassiveNames)),
         "Whether passive moments of the subject's joints are counted.", false, "on"}});
 }
 

@@ -128,7 +128,7 @@ inline BoneSurface draw_bone(std::mt19937& rng, int link) {
   std::uniform_real_distribution<double> radius(0.002, 0.008);
   BoneSurface bone;
   bone.link = link;
-  bone.shape = static_cast<SurfaceShape>(rng() % 5);
+  bone.shape = kSurfaceShapeNames[rng() % kSurfaceShapeNames.size()].value;
   bone.size = {radius(rng), radius(rng), radius(rng)};
   if (bone.shape == SurfaceShape::kTorus) bone.size[1] = bone.size[0] + radius(rng);
   bone.X.R = rotation_about(draw_point(rng, 1).normalized().eval(), 6.28 * radius(rng) / 0.008);
