@@ -103,6 +103,18 @@ std::string help_of(const Param& param, const Schema& schema) {
   return fmt::format("{}: {}", fmt::join(schema.words, "|"), text);
 }
 
+/// Names of the options of a parameter, without dashes.
+std::vector<std::string> option_names(const Param& param) {
+  std::vector<std::string> names{""};
+  for (const char c : *param.option) {
+    if (c == ',')
+      names.emplace_back();
+    else
+      names.back() += c;
+  }
+  return names;
+}
+
 /// What is typed, as the help calls it.
 std::string type_of(const Schema& schema) {
   if (schema.kind == Kind::kNumber) return "NUMBER";
@@ -117,16 +129,21 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
   const Schema schema = param.schema_in(UnitSystem::kPrinted);
   const std::string help = help_of(param, schema);
   if (schema.kind == Kind::kFlag) {
-    const bool inverse = param.option->front() == '!';
-    command.add_flag_callback(
-        param.option->substr(inverse ? 1 : 0),
-        [&request, key, inverse] { request[key] = !inverse; }, help);
+    for (const std::string& name : option_names(param)) {
+      const bool inverse = name.front() == '!';
+      command.add_flag_callback(
+          "--" + name.substr(inverse ? 1 : 0),
+          [&request, key, inverse] { request[key] = !inverse; }, help);
+    }
     return;
   }
+  std::string spec = param.is_positional ? param.member.name : "";
+  for (const std::string& name : option_names(param))
+    if (!param.is_positional) spec += (spec.empty() ? "--" : ",--") + name;
   CLI::Option* option = nullptr;
   if (schema.kind == Kind::kList || schema.kind == Kind::kMap) {
     option = command.add_option_function<std::vector<std::string>>(
-        *param.option,
+        spec,
         [&request, key, schema](const std::vector<std::string>& texts) {
           request[key] =
               schema.kind == Kind::kMap ? typed_map(schema, texts) : typed_list(schema, texts);
@@ -136,7 +153,7 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
       option->expected(static_cast<int>(schema.most));
   } else {
     option = command.add_option_function<std::string>(
-        *param.option,
+        spec,
         [&request, key, schema](const std::string& text) {
           request[key] =
               schema.kind == Kind::kText ? Json(text) : typed_number(schema, text, what_is(schema));
@@ -150,8 +167,8 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
 /// The name of the option of a parameter, as errors name fields.
 std::string option_field(const std::vector<Param>& params, const std::string& field) {
   for (const Param& param : params)
-    if (param.member.name == field && param.option && param.option->size() > 2)
-      return param.option->substr(2);
+    if (param.member.name == field && param.option && !param.option->empty())
+      return option_names(param).front();
   return field;
 }
 

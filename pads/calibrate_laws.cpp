@@ -218,12 +218,12 @@ double shear_per_modulus(const FoundationColumns& columns, FoundationConstants c
 }
 
 /// A law's answer beside the elements'.
-struct Answer {
+struct LawAnswer {
   double force, area, radius, arm, shear;
 };
 
 LawError error_of(const std::vector<MeasuredPress>& presses,
-                  const std::function<Answer(const MeasuredPress&)>& law) {
+                  const std::function<LawAnswer(const MeasuredPress&)>& law) {
   LawError out;
   // Adds a relative error to the mean square and to the largest.
   const auto add = [&](RelativeError& error, double ours, double theirs) {
@@ -232,7 +232,7 @@ LawError error_of(const std::vector<MeasuredPress>& presses,
     error.worst = max_or_nan(error.worst, wrong);
   };
   for (const MeasuredPress& press : presses) {
-    const Answer answer = law(press);
+    const LawAnswer answer = law(press);
     add(out.force, answer.force, press.force);
     add(out.area, answer.area, press.area);
     add(out.radius, answer.radius, mean_semi_axis(press) * std::sqrt(press.aspect));
@@ -247,8 +247,8 @@ LawError error_of(const std::vector<MeasuredPress>& presses,
 LawError error_of(const std::vector<MeasuredPress>& presses, const ContactLaw& law) {
   return error_of(presses, [&](const MeasuredPress& press) {
     const LawContact contact = law.at_depth(press.gap, press.depth, 1);
-    return Answer{contact.force, contact.area, contact.patch.a, contact.patch.torsion,
-                  contact.shear};
+    return LawAnswer{contact.force, contact.area, contact.patch.a, contact.patch.torsion,
+                     contact.shear};
   });
 }
 
@@ -257,8 +257,9 @@ LawError error_of(const std::vector<MeasuredPress>& presses, const FoundationCol
   const FoundationBed bed(columns, constants);
   return error_of(presses, [&](const MeasuredPress& press) {
     const BedContact contact = bed.press(*press.object, press.X_PO, 1);
-    return Answer{contact.force, contact.area, std::sqrt(contact.area / kPi * contact.aspect),
-                  contact.torsion, constants.shear * shear_per_modulus(columns, constants, press)};
+    return LawAnswer{contact.force, contact.area, std::sqrt(contact.area / kPi * contact.aspect),
+                     contact.torsion,
+                     constants.shear * shear_per_modulus(columns, constants, press)};
   });
 }
 

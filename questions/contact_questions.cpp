@@ -25,7 +25,7 @@ RequestTable<ContactQualityRequest> contact_params() {
   table
       .add("contacts", text_schema(), &Request::contacts,
            "Contact set: a file (JSON), or a name of contacts/.")
-      .option = "contacts";
+      .is_positional = true;
   table
       .add("text", content_schema(kMaxContactText), &Request::text,
            "The contact set itself (JSON), in place of a file.")
@@ -42,7 +42,7 @@ RequestTable<ContactQualityRequest> contact_params() {
   table
       .add("volume", flag_schema(), &Request::volume,
            "Whether the volume is computed, which takes 80 to 5,000 times as long as epsilon.")
-      .option = "!--no-volume";
+      .option = "!no-volume";
   add_data(table, &Request::data);
   return table;
 }
@@ -57,7 +57,7 @@ RequestTable<WorldRequest> world_params() {
   RequestTable<WorldRequest> table;
   Param& world = table.add("world", text_schema(), &WorldRequest::world,
                            "A world: its name, or its file (TOML).");
-  world.option = "world";
+  world.is_positional = true;
   world.member.required = true;
   table.add("hand", text_schema(), &WorldRequest::hand, "Which hand, where there are several.");
   table.add("object", text_schema(), &WorldRequest::object,
@@ -76,16 +76,16 @@ RequestTable<GraspRequest> grasp_params() {
   table
       .add("approach", flag_schema(), &Request::approach,
            "Approaches along the palm's direction first (default), or closes where the hand is.")
-      .option = "--approach,!--no-approach";
+      .option = "approach,!no-approach";
   table
       .add("approach_distance", units::kMetre, number_schema("", 0), &Request::approach_distance,
            "Farthest approach.")
-      .option = "--approach-distance,--way";
+      .option = "approach-distance,way";
   table
       .add("starts", integer_schema(0, 1e6), &Request::starts,
            "Best of so many random pregrasps, drawn as in comparisons; 0: the world's own; the "
            "hand may then be any hand by name.")
-      .option = "--random";
+      .option = "random";
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
             "Seed of random starts and of robustness.");
   RequestTable<RobustnessRequest> robustness;
@@ -97,14 +97,14 @@ RequestTable<GraspRequest> grasp_params() {
   table
       .add("tolerance", number_schema(""), &Request::tolerance,
            "Largest difference of the certified bounds of epsilon, also of robustness.")
-      .option = "--tolerance,--gap";
+      .option = "tolerance,gap";
   table.add("edges", integer_schema(0, 100), &Request::edges,
             "Friction pyramids of so many edges in epsilon, volume, robustness and wrench sets; 0: "
             "cones, as all other measures have.");
   table
       .add("wrench_meshes", flag_schema(), &Request::wrench_meshes,
            "With JSON, also the wrench set as meshes: projected and cut.")
-      .option = "--wrenches";
+      .option = "wrenches";
   return table;
 }
 

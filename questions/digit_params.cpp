@@ -9,7 +9,7 @@ RequestTable<DigitRequest> subject_params() {
   RequestTable<DigitRequest> table;
   Param& subject = table.add("subject", text_schema(), &DigitRequest::subject,
                              "A subject: its name, or its file (TOML).");
-  subject.option = "subject";
+  subject.is_positional = true;
   subject.member.required = true;
   table.add("digit", text_schema(), &DigitRequest::digit,
             "thumb, index, middle, ring or little; the only one if left out.");

@@ -56,7 +56,7 @@ void add_posture(RequestTable<Request>& table, const std::string& key,
           request.*member = internal::posture_from(value, unit);
         },
         [=](const Request& request) { return internal::posture_to(request.*member, unit); });
-    param.option = typed ? "--" + key : "";
+    param.option = typed ? key : "";
     param.is_twin = !typed;
   }
 }
@@ -80,7 +80,7 @@ void add_vary(RequestTable<Request>& table, std::vector<Vary> Request::*member,
         [=](const Request& request) {
           return (request.*posture).unit == unit ? internal::vary_to(request.*member) : Json();
         });
-    param.option = typed ? "--vary" : "";
+    param.option = typed ? "vary" : "";
     param.is_twin = !typed;
   }
 }

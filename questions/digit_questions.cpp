@@ -71,15 +71,15 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
   table
       .add("tolerance", units::kDegree, number_schema(""), &Request::tolerance,
            "Half angle of the cone the force or moment may lie in.")
-      .option = "--tolerance-deg";
+      .option = "tolerance-deg";
   table
       .add_word("frame", kDirectionFrameNames, &Request::frame,
                 "world: the subject's frame; tip: proximal, dorsal, radial.")
-      .option = "--axes";
+      .option = "axes";
   table
       .add("whole_set", flag_schema(), &Request::whole_set,
            "The whole set, also beside a direction.")
-      .option = "--set";
+      .option = "set";
   table.add("without", list_schema(text_schema(), 0, 100), &Request::without,
             "Muscles that are paralysed, as under a nerve block; the loss is told.");
   table.add("weakened", units::kNewton, map_schema(number_schema("", 0)), &Request::weakened,
@@ -92,7 +92,7 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
            &Request::stops,
            "Joints at the end of their range, whose ligaments give at most this torque; positive "
            "flexes, inf: any.")
-      .option = "--stop";
+      .option = "stop";
   return table;
 }
 

@@ -37,7 +37,7 @@ template <typename Request>
 void add_experiments(RequestTable<Request>& table, std::vector<std::string> Request::*member) {
   Param& experiments =
       table.add("experiments", names_schema(), member, "Experiments: names, or files (TOML).");
-  experiments.option = "experiments";
+  experiments.is_positional = true;
   experiments.member.required = true;
 }
 
@@ -55,7 +55,7 @@ RequestTable<FitSources> source_params() {
   table
       .add("also_free", names_schema(), &FitSources::also_free,
            "Also frees the parameters matching these globs.")
-      .option = "--free";
+      .option = "free";
   table.add("scale", word_schema({"subject", "outside"}), &FitSources::scale,
             "Size of the digit before parameters act: the subject's own, or by what each "
             "experiment states in [outside].");
@@ -74,7 +74,7 @@ RequestTable<PredictRequest> predict_params() {
   using Request = PredictRequest;
   RequestTable<Request> table;
   Param& fit = table.add("fit", text_schema(), &Request::fit, "File of a fit (.h5).");
-  fit.option = "fit";
+  fit.is_positional = true;
   fit.member.required = true;
   add_experiments(table, &Request::experiments);
   table.add("population", flag_schema(), &Request::population,
@@ -89,7 +89,7 @@ RequestTable<InferNetRequest> infer_params() {
   RequestTable<Request> table;
   Param& experiment = table.add("experiment", text_schema(), &Request::experiment,
                                 "An experiment: its name, or its file (TOML).");
-  experiment.option = "experiment";
+  experiment.is_positional = true;
   experiment.member.required = true;
   table.add("subject", text_schema(), &Request::subject, "A subject: its name, or its file (TOML).")
       .member.required = true;
@@ -137,7 +137,7 @@ RequestTable<FitRequest> fit_params() {
   Param leave_out{{"leave_out", list_schema(word_schema(names_in(kLeaveOutNames)), 0, 3),
                    "Also leaves out one posture, tendon or specimen at a time."},
                   units::kOne,
-                  "--cross-validate"};
+                  "cross-validate"};
   table.add(
       leave_out,
       [](Request& request, const Json& value) {
@@ -164,7 +164,7 @@ RequestTable<SampleRequest> posterior_params() {
   using Request = SampleRequest;
   RequestTable<Request> table;
   table.include(source_params(), &Request::sources);
-  table.add_word("method", kSamplingMethodNames, &Request::method, "Sampler.").option = "--sampler";
+  table.add_word("method", kSamplingMethodNames, &Request::method, "Sampler.").option = "sampler";
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Of the chains.");
   table.add("chains", integer_schema(1, 1e4), &Request::chains,
             "Independent chains, or ensembles.");
@@ -185,7 +185,7 @@ RequestTable<SampleRequest> posterior_params() {
   table
       .add("min_beta", number_schema("", 0, 1), &Request::min_beta,
            "Power of the likelihood on the hottest rung.")
-      .option = "--least-temper";
+      .option = "least-temper";
   table.add("swap_every", integer_schema(1, 1e6), &Request::swap_every,
             "Steps between swaps of temperatures.");
   table.add("mode_starts", integer_schema(0, 1e6), &Request::mode_starts,
@@ -193,7 +193,7 @@ RequestTable<SampleRequest> posterior_params() {
   table
       .add("checkpoint_every", units::kSecond, number_schema("", 0), &Request::checkpoint_every,
            "Between checkpoints: what a kill may cost.")
-      .option = "--checkpoint-every-s";
+      .option = "checkpoint-every-s";
   table.add("threads", integer_schema(0, 1000), &Request::threads,
             "0: as many as there are processors.");
   table.add("fixed_noise", flag_schema(), &Request::fixed_noise, "Believes the stated noise.");
@@ -220,7 +220,7 @@ void internal::add_fit_questions(std::vector<Question>& all) {
       posterior_params(), sample,
       R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle", "chains": 2,
           "warm_up": 50, "draws": 50, "output": "posterior.nc"})",
-      "fit --method mcmc", QuestionPace::kLasts));
+      "fit", QuestionPace::kLasts));
   all.push_back(make_question("bands", "Which bands of a hood measured fingertip forces ask for.",
                               infer_params(), infer_net,
                               R"({"experiment": "synek2019_H01", "subject": "synek2019_middle"})",

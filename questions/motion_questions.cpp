@@ -41,7 +41,7 @@ RequestTable<DigitMotionRequest> digit_motion_params() {
   table
       .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
            "Between the instants kept.")
-      .option = "--sample-ms";
+      .option = "sample-ms";
   table.add("tolerance", number_schema("", 0), &Request::tolerance, "Relative error of one step.");
   return table;
 }
@@ -51,7 +51,7 @@ RequestTable<SceneRequest> scene_params() {
   RequestTable<Request> table;
   Param& scene = table.add("scene", text_schema(), &Request::scene,
                            "A scene of bodies and hands: its name, or its file (TOML).");
-  scene.option = "scene";
+  scene.is_positional = true;
   scene.member.required = true;
   table.add(
       "method", text_schema(), &Request::method,
@@ -67,11 +67,11 @@ RequestTable<SceneRequest> scene_params() {
   table
       .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
            "Between the instants kept; as the scene says if left out.")
-      .option = "--sample-ms";
+      .option = "sample-ms";
   table
       .add("step", units::kMillisecond, number_schema("", 0), &Request::step,
            "Every step, by time-stepping.")
-      .option = "--step-ms";
+      .option = "step-ms";
   table.add("tolerance", number_schema("", 0), &Request::tolerance,
             "Error of one step, in m and rad.");
   add_data(table, &Request::data);
@@ -145,7 +145,7 @@ RequestTable<PressRequest> press_params() {
   table
       .add("force_error", units::kPercent, number_schema("", 0), &Request::force_error,
            "Estimated error of the force below which the mesh is not refined.")
-      .option = "--error";
+      .option = "error";
   table.add("max_elements", integer_schema(1, 1e7), &Request::max_elements,
             "A mesh with so many elements is not refined any more.");
   table.add("points", integer_schema(1, 10000), &Request::points, "Of the curves.");
@@ -154,7 +154,7 @@ RequestTable<PressRequest> press_params() {
   table
       .add("rungs", flag_schema(), &Request::rungs,
            "Also compares reduced laws, elements and meshes: error over time; takes minutes.")
-      .option = "--chart";
+      .option = "chart";
   return table;
 }
 
@@ -182,7 +182,7 @@ void add_motion_questions(std::vector<Question>& all) {
       "scene_sweep", "How a scene moves when numbers of it vary.", sweep_params(), sweep,
       R"({"scene": "incline_slide", "seconds": 0.1, "vary": [{"name": "friction", "from": 0.1,
           "to": 0.3, "count": 2}]})",
-      "simulate --vary", QuestionPace::kLasts));
+      "simulate", QuestionPace::kLasts));
   all.push_back(make_question("press", "Force, area, pressure and stick of a pad under an object.",
                               press_params(), press_pad,
                               R"({"depth_mm": 0.5, "points": 2, "max_elements": 500})", "pad press",

@@ -29,10 +29,12 @@ enum class ParamScope {
 struct Param {
   SchemaMember member;  // its key without a unit, its values in SI
   FieldUnit unit;       // of all its numbers
-  // Of commands: "--hold-length", "subject" for a plain argument; "": none; absent: by its key.
+  // Names of options of commands, with commas between, "!" before those that say the opposite of a
+  // flag: "approach,!no-approach"; "": none; absent: by its key.
   std::optional<std::string> option = {};
   ParamScope scope = ParamScope::kAnywhere;
-  bool is_twin = false;  // of the parameter before it, in another unit
+  bool is_positional = false;  // of commands: a plain argument
+  bool is_twin = false;        // of the parameter before it, in another unit
 
   /// "hold_length_m", "hold_length_mm"
   [[nodiscard]] std::string key_in(UnitSystem system) const;
@@ -160,7 +162,7 @@ class RequestTable {
   [[nodiscard]] static std::string option_of(std::string key) {
     for (char& c : key)
       if (c == '_') c = '-';
-    return "--" + key;
+    return key;
   }
 
   std::vector<Param> params_;

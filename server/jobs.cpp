@@ -1,7 +1,6 @@
 #include "server/jobs.h"
 
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 #include <algorithm>
 #include <atomic>
@@ -30,7 +29,7 @@ bool has_ended(JobStage stage) {
 
 /// Puts this thread, and those that it starts, behind the threads that serve clients.
 void yield_to_clients() {
-  (void)setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kJobNice);
+  (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kJobNice);
 }
 
 }  // namespace

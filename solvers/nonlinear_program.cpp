@@ -177,12 +177,12 @@ void check(const NonlinearProgram& program, const VectorXd& x0) {
           "{} constraints are bounded but no function computes them", rows);
 }
 
-struct Outcome {
+struct IpoptEnding {
   Status status;
   const char* message;
 };
 
-Outcome outcome_of(Ipopt::ApplicationReturnStatus status) {
+IpoptEnding ending_of(Ipopt::ApplicationReturnStatus status) {
   switch (status) {
     case Ipopt::Solve_Succeeded:
       return {Status::kSolved, "solved"};
@@ -247,7 +247,7 @@ Run run(const NonlinearProgram& program, const VectorXd& x0, const NonlinearOpti
 
   // What Ipopt found, checked by our own arithmetic.
   const Ipopt::SmartPtr<Ipopt::SolveStatistics> statistics = application->Statistics();
-  const Outcome outcome = outcome_of(status);
+  const IpoptEnding outcome = ending_of(status);
   Run run{{outcome.status, outcome.message, tnlp->x(), tnlp->objective(), 0, KktResidual{}}, 0};
   NonlinearResult& result = run.result;
   if (IsValid(statistics)) result.iterations = statistics->IterationCount();

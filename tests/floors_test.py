@@ -114,11 +114,13 @@ MAY_SEE |= {
     "studies/questions": LIBRARIES + API + ["studies/thumb"],
     "studies/pages": PAGES + ["report/pages", "studies/thumb", "studies/questions"],
     "studies/demo": PAGES + ["report/pages", "report/pads", "studies/thumb", "studies/questions", "studies/pages"],
-    "server": PAGES + LIVE + ["report/pages", "report/pads"],
-    "server/methods": PAGES + LIVE + ["report/pages", "report/pads", "report/explain", "server"],
-    "apps": PAGES + LIVE + ["report/explain", "report/pads", "report/pages", "server", "server/methods"] + STUDIES,
+    "questions": PAGES + ["report/pages", "report/pads"],
+    "server": PAGES + LIVE + ["report/pages", "report/pads", "questions"],
+    "server/methods": PAGES + LIVE + ["report/pages", "report/pads", "report/explain", "questions", "server"],
+    "apps": PAGES + LIVE + ["report/explain", "report/pads", "report/pages", "questions", "server", "server/methods"] + STUDIES,
     "bench": PAGES + LIVE + ["report/pages", "server", "server/methods", "tests"],  # charts; the sample scenes
-    "tests": PAGES + LIVE + ["report/explain", "report/pads", "report/pages", "server", "server/methods"] + STUDIES,
+    "tests": PAGES + LIVE + ["report/explain", "report/pads", "report/pages", "questions", "server", "server/methods",
+                             "thenar"] + STUDIES,
 }
 WITH_SUBFOLDERS = ["sampling/run", "apps", "bench", "tests"]  # folders that are one floor
 
@@ -151,7 +153,7 @@ FENCES = {
     r"openssl/.*": ["base/provenance.cpp"],
     r"unsupported/Eigen/FFT": ["sampling/diagnostics/autocovariance.cpp"],
     r"unsupported/Eigen/SpecialFunctions": ["base/special_functions.cpp"],
-    r"nlohmann/.*": ["report/", "server/", "apps/", "data/io/json_node.cpp", "tests/", "bench/"],
+    r"nlohmann/.*": ["report/", "questions/", "server/", "apps/", "data/io/json_node.cpp", "tests/", "bench/"],
     r"boost/.*": ["server/web_server.cpp", "server/line_server.cpp"],
     r"CLI/.*": ["apps/"],
     r"benchmark/.*": ["bench/"],

@@ -148,7 +148,8 @@ std::string name_of_case(const testing::TestParamInfo<std::size_t>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Questions, EveryQuestion,
-                         testing::Range(std::size_t{0}, questions().size()), name_of_case);
+                         testing::Range(static_cast<std::size_t>(0), questions().size()),
+                         name_of_case);
 
 }  // namespace
 }  // namespace thenar

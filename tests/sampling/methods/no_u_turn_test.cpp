@@ -123,15 +123,15 @@ struct Line {
   }
 };
 
-struct Outcome {
+struct TreeChoice {
   PhasePoint choice;
   int depth = 0, leapfrogs = 0;
 };
 
 /// The sampler's algorithm as it is in books: a half is built whole, then judged by recursion.
-Outcome by_recursion(const PhasePoint& from, double step, int max_depth, RandomStream& random) {
+TreeChoice by_recursion(const PhasePoint& from, double step, int max_depth, RandomStream& random) {
   Line line{{from}, energy(from)};
-  Outcome outcome{from};
+  TreeChoice outcome{from};
   double weight = 1;
   while (outcome.depth < max_depth) {
     const bool forward = random.uniform() < 0.5;
@@ -161,10 +161,10 @@ Outcome by_recursion(const PhasePoint& from, double step, int max_depth, RandomS
   return outcome;
 }
 
-Outcome by_loop(const PhasePoint& from, double step, int max_depth, RandomStream& random) {
+TreeChoice by_loop(const PhasePoint& from, double step, int max_depth, RandomStream& random) {
   const auto trajectory = no_u_turn(2, max_depth);
   const double start_energy = energy(from);
-  Outcome outcome{from};
+  TreeChoice outcome{from};
   PhasePoint candidate;
   trajectory->start(from, step, random);
   while (true) {
@@ -187,7 +187,7 @@ TEST(NoUTurn, ChoosesAsRecursionDoes) {
     RandomStream place(5, chain, 0), a(5, chain, 1), b(5, chain, 1);
     const PhasePoint from = at({place.normal(), place.normal()}, {place.normal(), place.normal()});
     const double step = 0.6 * std::pow(0.02, place.uniform());
-    const Outcome wanted = by_recursion(from, step, 7, a), got = by_loop(from, step, 7, b);
+    const TreeChoice wanted = by_recursion(from, step, 7, a), got = by_loop(from, step, 7, b);
     ASSERT_EQ(got.leapfrogs, wanted.leapfrogs) << chain;
     ASSERT_EQ(got.depth, wanted.depth) << chain;
     ASSERT_EQ(got.choice.y, wanted.choice.y) << chain;

@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 namespace fs = std::filesystem;
 
 /// What became of a motion.
-struct Outcome {
+struct MotionEnd {
   MotionStatus status = MotionStatus::kCompleted;
   bool told = true;           // a motion that does not end, or snaps, says why
   long effort = 0;            // evaluations of the net's energy
@@ -34,12 +34,12 @@ struct Outcome {
   double cpu = 0;             // [s]
 };
 
-std::ostream& operator<<(std::ostream& out, const Outcome& o) {
+std::ostream& operator<<(std::ostream& out, const MotionEnd& o) {
   return out << static_cast<int>(o.status) << ' ' << o.told << ' ' << o.effort << ' ' << o.snaps
              << ' ' << o.least_released << ' ' << o.energy_error << ' ' << o.cpu;
 }
 
-std::istream& operator>>(std::istream& in, Outcome& o) {
+std::istream& operator>>(std::istream& in, MotionEnd& o) {
   int status = 0;
   in >> status >> o.told >> o.effort >> o.snaps >> o.least_released >> o.energy_error >> o.cpu;
   o.status = static_cast<MotionStatus>(status);
@@ -61,18 +61,18 @@ class Kept {
     std::string line;
     if (std::getline(in, line) && line == build.str()) {
       int k = 0;
-      for (Outcome outcome; in >> k >> outcome;) outcomes[k] = outcome;
+      for (MotionEnd outcome; in >> k >> outcome;) outcomes[k] = outcome;
     } else {
       std::ofstream(path_) << build.str() << '\n';
     }
   }
 
-  void add(int k, const Outcome& outcome) {
+  void add(int k, const MotionEnd& outcome) {
     outcomes[k] = outcome;
     if (!path_.empty()) std::ofstream(path_, std::ios::app) << k << ' ' << outcome << '\n';
   }
 
-  std::map<int, Outcome> outcomes;
+  std::map<int, MotionEnd> outcomes;
 
  private:
   fs::path path_;
@@ -106,7 +106,7 @@ class NetExcitation : public testing::TestWithParam<const char*> {
             subject_, "index", {Path::kViaPoint, Hood::kFloatingNet},
             read_net(THENAR_DATA_DIR "/nets/" + std::string(GetParam()) + ".toml"))) {}
 
-  [[nodiscard]] Outcome outcome_of(int k) const {
+  [[nodiscard]] MotionEnd outcome_of(int k) const {
     const Muscle rung = k / 4 % 2 == 0 ? Muscle::kRigidTendon : Muscle::kBounds;
     const auto contraction =
         build_contraction(musculotendons(subject_, tendons_->digit(), rung), rung);
@@ -114,7 +114,7 @@ class NetExcitation : public testing::TestWithParam<const char*> {
     const std::clock_t start = std::clock();
     const Trajectory path = simulate({*tendons_, *contraction}, constant_excitation(excitation),
                                      {VectorXd::Zero(4), {}, VectorXd::Zero(7)}, motion_options());
-    Outcome out;
+    MotionEnd out;
     out.cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     out.status = path.status;
     const bool plain = path.status == MotionStatus::kCompleted && path.snaps.empty();
@@ -143,7 +143,7 @@ TEST_P(NetExcitation, MovesToTheEndOrSaysWhyNot) {
   double error = 0, cpu = 0;
   long effort = 0;
   for (int k = 0; k < count; ++k) {
-    const Outcome& outcome = kept.outcomes[k];
+    const MotionEnd& outcome = kept.outcomes[k];
     SCOPED_TRACE(k);
     EXPECT_TRUE(outcome.told);
     EXPECT_LT(outcome.effort, 1.01 * static_cast<double>(most));  // and the search under way
