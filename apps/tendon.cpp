@@ -36,22 +36,20 @@ void require_accepted(const std::string& refusal) { require(refusal.empty(), "{}
 
 void run_solve(const TendonArguments& options) {
   const TendonSolveResult solution = solve_tendons(options.request, terminal_progress());
-  print_warnings(warnings_of(solution));
+  print_warnings(solution.outcome.warnings);
   deliver(options.outputs, solution);
   require_accepted(refusal_of(solution));
 }
 
 void run_sweep(const TendonArguments& options) {
   const TendonSweepResult sweep = sweep_tendons(options.request, terminal_progress());
-  if (sweep.points.empty()) throw Stopped("stopped before the first posture was done");
-  print_warnings(warnings_of(sweep));
+  if (sweep.points.empty()) tell_if_stopped(0, sweep.outcome.asked, sweep.outcome.part);
+  print_warnings(sweep.outcome.warnings);
   // A table goes to the screen unless a file is written; people then read the summary.
   Outputs outputs = options.outputs;
   outputs.csv = outputs.csv || (!outputs.json && outputs.files.empty());
   deliver(outputs, sweep);
-  if (sweep.stopped)
-    throw Stopped(fmt::format("stopped after {} of {} postures; they are kept", sweep.points.size(),
-                              sweep.loaded.grid.postures.size()));
+  tell_if_stopped(sweep.outcome.done, sweep.outcome.asked, sweep.outcome.part);
   require_accepted(refusal_of(sweep));
 }
 
