@@ -57,9 +57,10 @@ void run_infer(InferArguments options) {
   options.request.method = infer_method_named(options.method);
   const InferNetResult inference = infer_net(options.request, terminal_progress());
   require_accepted(refusal_of(inference));
-  print_warnings(inference.warnings);
+  print_warnings(inference.outcome.warnings);
   deliver(options.outputs, inference);
-  if (inference.stopped) throw Stopped("stopped: these are the verdicts of what was tried so far");
+  if (inference.outcome.stopped())
+    throw Stopped("stopped: these are the verdicts of what was tried so far");
 }
 
 /// Adds the common options of solve and sweep.
