@@ -17,8 +17,6 @@ LoadedDigit loaded_digit(const TendonRequest& request, Outcome& outcome) {
   const Eigen::VectorXd t = tensions(at, request.tension);
   outcome.warn(at.warnings);
   outcome.warn(overload_warnings(at.bones().names.muscles, at.bones().max_tension, t));
-  outcome.part = "posture";
-  outcome.asked = at.grid.postures.size();
   return {at.subject.name, at.digit, at.tendons, t, std::move(at.grid), std::move(at.sources)};
 }
 
@@ -33,7 +31,7 @@ TendonSolveResult solve_tendons(const TendonRequest& request, const Progress& pr
   progress(0, "one posture");
   const LoadedDigit& loaded = out.loaded;
   out.point = sweep_digit(*loaded.tendons, {loaded.grid.postures.front()}, loaded.t).front();
-  out.outcome.done = 1;
+  out.outcome.count_parts(1, 1, "posture");
   if (!trusted(out.point.pull.status)) out.outcome.status = Status::kStalled;
   out.outcome.warn(tendon_warnings(loaded, out.point));
   return out;
@@ -58,11 +56,10 @@ TendonSweepResult sweep_tendons(const TendonRequest& request, const Progress& pr
       sweep.points.push_back(std::move(point));
   }
   Outcome& outcome = sweep.outcome;
-  outcome.done = sweep.points.size();
   if (std::any_of(sweep.points.begin(), sweep.points.end(),
                   [](const DigitPoint& point) { return !trusted(point.pull.status); }))
     outcome.status = Status::kStalled;
-  if (outcome.done < outcome.asked) outcome.status = Status::kStopped;
+  outcome.count_parts(sweep.points.size(), grid.postures.size(), "posture");
   outcome.warn(tendon_warnings(sweep.loaded, sweep.points));
   return sweep;
 }
