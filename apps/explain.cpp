@@ -21,7 +21,7 @@ struct ExplainArguments {
 
 void run_explain(const ExplainArguments& options) {
   const ThingExplained found = explain_thing(options.request);
-  print_warnings(found.warnings);
+  print_warnings(found.outcome.warnings);
   deliver(options.outputs, found);
 }
 
@@ -40,8 +40,9 @@ void add_explain(CLI::App& app) {
   command->add_option("--digit", options->request.digit,
                       "Digit of a subject to explain; the only one if left out");
   add_path_option(*command, options->request.path);
-  command->add_option("--settings", options->request.settings,
-                      "Fit settings for a subject: name or file (built in for the digit if left out)");
+  command->add_option(
+      "--settings", options->request.settings,
+      "Fit settings for a subject: name or file (built in for the digit if left out)");
   add_data_option(*command, options->request.data);
   add_output_options(*command, options->outputs, {});
   add_examples(*command, {"explain synek2019_middle", "explain mirakhorlo2016 --digit index",
