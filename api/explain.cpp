@@ -153,7 +153,8 @@ ThingExplained explain_thing(const ExplainRequest& request) {
           "a digit, settings and paths explain subjects; '{}' is of kind: {}", path, kind);
   require(kind != "posterior" && kind != "motion" && kind != "scene run", "'{}' is a {}: {}", path,
           kind, listed(contents_of(path).commands));
-  ThingExplained out{path, read_thing(path), {}, {}, checksum_warnings(path)};
+  ThingExplained out{request, {}, path, read_thing(path), {}, {}};
+  out.outcome.warn(checksum_warnings(path));
   if (const auto* subject = std::get_if<Subject>(&out.thing))
     out.digit = explain_digit_of(*subject, request);
   if (const auto* fit = std::get_if<Fit>(&out.thing)) out.fit = explain_fit_of(*fit, path);

@@ -12,6 +12,7 @@
 #include "base/fidelity.h"
 #include "kinematics_fit/model/fit_parameters.h"
 #include "kinematics_fit/prediction.h"
+#include "solvers/status.h"
 #include "tendons/explain_digit.h"
 #include "tendons/linear_tendons.h"
 
@@ -53,11 +54,12 @@ struct FitExplained {
 
 /// A thing, with what asking it takes.
 struct ThingExplained {
+  ExplainRequest request;
+  Outcome outcome;
   std::string path;
   Thing thing;
   std::optional<DigitExplained> digit;  // of a subject
   std::optional<FitExplained> fit;      // of a fit
-  std::vector<std::string> warnings;
 };
 
 /// Name of the posture that stands for all postures of an experiment among parameters.

@@ -301,10 +301,8 @@ GraspResult measure_grasp(const GraspRequest& request, const Progress& progress)
   } catch (const Stopped&) {
     result.outcome.status = Status::kStopped;
   }
-  result.outcome.part = "start";
-  result.outcome.done = static_cast<std::size_t>(result.started());
-  result.outcome.asked = static_cast<std::size_t>(std::max(1, request.starts));
-  if (result.outcome.done < result.outcome.asked) result.outcome.status = Status::kStopped;
+  result.outcome.count_parts(static_cast<std::size_t>(result.started()),
+                             static_cast<std::size_t>(std::max(1, request.starts)), "start");
   result.cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   result.outcome.warnings = grasp_warnings(result);
   return result;

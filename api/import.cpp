@@ -90,10 +90,17 @@ void state_mass(const ImportRequest& request, BodySpec& body) {
   inertia = ((inertia + inertia.transpose()) / 2).eval();  // rounding leaves it not quite so
 }
 
+Outcome warned(std::vector<std::string> warnings) {
+  Outcome outcome;
+  outcome.warnings = std::move(warnings);
+  return outcome;
+}
+
 Imported import_robot_file(const ImportRequest& request) {
   RobotSpec robot = import_robot(request.file);
-  const std::vector<std::string> warnings = robot.warnings;
-  return {request, name_of(find_robot_kind(request.file)), std::move(robot), {}, {}, warnings};
+  return {
+      request, warned(robot.warnings), name_of(find_robot_kind(request.file)), std::move(robot), {},
+      {}};
 }
 
 Imported import_body(BodySpec body, const std::string& kind, const ImportRequest& request,
@@ -104,7 +111,7 @@ Imported import_body(BodySpec body, const std::string& kind, const ImportRequest
   state_mass(request, body);
   for (std::string& warning : density_warnings(body, fmt::format("object '{}'", body.name)))
     warnings.push_back(std::move(warning));
-  return {request, kind, std::move(body), {}, {}, std::move(warnings)};
+  return {request, warned(std::move(warnings)), kind, std::move(body), {}, {}};
 }
 
 Imported import_world(WorldSpec world, const std::string& kind, const ImportRequest& request,
@@ -120,7 +127,7 @@ Imported import_world(WorldSpec world, const std::string& kind, const ImportRequ
     for (std::string& warning : size_warnings(placed.body.shapes, owner))
       warnings.push_back(std::move(warning));
   }
-  return {request, kind, std::move(world), {}, {}, std::move(warnings)};
+  return {request, warned(std::move(warnings)), kind, std::move(world), {}, {}};
 }
 
 /// [m] in one unit of a mesh file.
@@ -224,7 +231,8 @@ Imported import_mesh(const ImportRequest& request) {
   std::vector<std::string> warnings = facts.warnings;
   if (body)
     for (std::string& warning : mass_warnings(*body)) warnings.push_back(std::move(warning));
-  return {request, "mesh", std::move(content), std::move(facts), std::move(body), warnings};
+  return {request,        warned(std::move(warnings)), "mesh", std::move(content), std::move(facts),
+          std::move(body)};
 }
 
 Imported import_xml(const ImportRequest& request) {

@@ -12,6 +12,7 @@
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_robot.h"
 #include "data/io/world/world.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -30,11 +31,11 @@ struct ImportRequest {
 /// Result of an import.
 struct Imported {
   ImportRequest request;
+  Outcome outcome;   // warnings: all, also those of a robot
   std::string kind;  // "URDF", "GraspIt! body", "mesh"
   std::variant<RobotSpec, BodySpec, WorldSpec, MeshContent> thing;
-  std::optional<MeshFacts> mesh;      // of a mesh
-  std::optional<BodySpec> body;       // of a mesh whose mass or material is stated: as an object
-  std::vector<std::string> warnings;  // all, also those of a robot
+  std::optional<MeshFacts> mesh;  // of a mesh
+  std::optional<BodySpec> body;   // of a mesh whose mass or material is stated: as an object
 };
 
 /// Reads a file of any format.

@@ -90,17 +90,19 @@ SubjectPoses pose_subject(const PoseRequest& request, const Progress& progress) 
   const Skeleton skeleton =
       build_skeleton(subject, {request.digits, frozen_joints(subject, request.frozen)});
   SubjectPoses poses;
+  poses.request = request;
   poses.subject = subject.name;
   poses.coordinates = skeleton.coordinate_names;
   poses.grid = posture_grid(skeleton, request.posture, request.vary);
   poses.sources = {source};
-  poses.warnings = poses.grid.warnings;
+  poses.outcome.warnings = poses.grid.warnings;
   const std::size_t count = poses.grid.postures.size();
   for (std::size_t i = 0; i < count && !progress.stop(); ++i) {
     poses.points.push_back(pose_of(subject, skeleton, poses.grid.postures[i]));
     progress(static_cast<double>(i + 1) / static_cast<double>(count),
              fmt::format("posture {} of {}", i + 1, count));
   }
+  poses.outcome.count_parts(poses.points.size(), count, "posture");
   return poses;
 }
 
@@ -118,7 +120,7 @@ PoseAnswer ask_pose(const PoseRequest& request, const Progress& progress) {
   if (robot.empty()) return pose_subject(request, progress);
   require(request.digits.empty() && request.frozen.empty(),
           "digits and frozen joints are for subjects, '{}' is a robot", robot);
-  return pose_robot(import_robot(robot), request.posture, request.vary, progress);
+  return pose_robot(import_robot(robot), request, progress);
 }
 
 }  // namespace thenar

@@ -6,23 +6,13 @@
 #include <variant>
 #include <vector>
 
-#include "api/named/posture.h"
+#include "api/pose_request.h"
 #include "api/robot_pose.h"
 #include "base/progress.h"
-#include "hand/tip_manipulability.h"
 #include "base/provenance.h"
+#include "hand/tip_manipulability.h"
 
 namespace thenar {
-
-/// Options of a question for poses: a model and its postures.
-struct PoseRequest {
-  std::string model;                // a subject or a robot: its name, or its file
-  std::string data;                 // folder with subjects/, robots/ ..; empty: the usual ones
-  std::vector<std::string> digits;  // to keep, of a subject; empty: all
-  PostureRequest posture;           // joints not named are at 0
-  PostureRequest frozen;            // joints of a subject that are welded there
-  std::vector<Vary> vary;           // in the unit of the posture; the last one varies fastest
-};
 
 /// A joint at one posture.
 struct JointNow {
@@ -61,12 +51,13 @@ struct SubjectPose {
 
 /// A subject posture by posture, in the order of the grid; as many as were done.
 struct SubjectPoses {
+  PoseRequest request;
+  Outcome outcome;  // warnings: of limits
   std::string subject;
   std::vector<std::string> coordinates;  // names of free joints
   PostureGrid grid;                      // postures asked for
   std::vector<SubjectPose> points;
   std::vector<SourceText> sources;
-  std::vector<std::string> warnings;  // of limits
 };
 
 /// Poses of a subject or of a robot, depending on the request's model.

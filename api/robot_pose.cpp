@@ -202,9 +202,12 @@ std::vector<std::map<std::string, double>> value_grid(const std::map<std::string
 
 }  // namespace
 
-RobotPoses pose_robot(const RobotSpec& robot, const PostureRequest& posture,
-                      const std::vector<Vary>& vary, const Progress& progress) {
+RobotPoses pose_robot(const RobotSpec& robot, const PoseRequest& request,
+                      const Progress& progress) {
+  const PostureRequest& posture = request.posture;
+  const std::vector<Vary>& vary = request.vary;
   RobotPoses poses;
+  poses.request = request;
   poses.robot = robot.name;
   poses.files = robot.files;
   for (const Vary& each : vary) {
@@ -213,7 +216,7 @@ RobotPoses pose_robot(const RobotSpec& robot, const PostureRequest& posture,
     poses.varied.push_back({each.joint, drive_slides(robot, each.joint)});
   }
   const auto grid = value_grid(values_of(robot, posture), vary);
-  poses.asked = grid.size();
+  std::vector<std::string>& warnings = poses.outcome.warnings;
   if (!vary.empty()) poses.row = steps_of(vary.back(), "").size();
 
   for (std::size_t i = 0; i < grid.size() && !progress.stop(); ++i) {
@@ -222,12 +225,13 @@ RobotPoses pose_robot(const RobotSpec& robot, const PostureRequest& posture,
     for (const VariedDrive& drive : poses.varied)
       pose.varied.push_back(drive_unit(drive.slides, posture.unit) * grid[i].at(drive.name));
     for (const std::string& warning : pose.warnings)
-      if (poses.warnings.size() < kMaxWarnings &&
-          std::count(poses.warnings.begin(), poses.warnings.end(), warning) == 0)
-        poses.warnings.push_back(warning);
+      if (warnings.size() < kMaxWarnings &&
+          std::count(warnings.begin(), warnings.end(), warning) == 0)
+        warnings.push_back(warning);
     progress(static_cast<double>(i + 1) / static_cast<double>(grid.size()),
              fmt::format("posture {} of {}", i + 1, grid.size()));
   }
+  poses.outcome.count_parts(poses.points.size(), grid.size(), "posture");
   return poses;
 }
 

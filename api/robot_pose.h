@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "api/named/posture.h"
+#include "api/pose_request.h"
 #include "base/progress.h"
 #include "data/io/robot/robot.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -53,24 +54,23 @@ struct VariedDrive {
 
 /// A robot posture by posture; as many as were done.
 struct RobotPoses {
+  PoseRequest request;
+  Outcome outcome;  // warnings: values outside limits, of all postures
   std::string robot;
   std::vector<VariedDrive> varied;  // the last one varies fastest; empty: one posture
   std::size_t row = 1;              // postures that differ in the last one only
-  std::size_t asked = 1;            // postures asked for
   std::vector<RobotPose> points;
-  std::vector<std::string> warnings;  // values outside limits, of all postures
-  FileDigests files = {};             // of the robot
+  FileDigests files = {};  // of the robot
 };
 
 /// Computes the poses of a robot's joints, links and tips. Tips are those of find_tips(); digits
 /// that no file states are those of infer_digits().
-/// @param posture  of degrees of freedom or joints by name, or of all degrees of freedom in order
-///                 [rad], of slides [m], or as typed [deg], [mm]; what is left out stands at 0
-/// @param vary     in the same unit, by the same names
+/// @param request  its posture is of degrees of freedom or joints by name, or of all degrees of
+///                 freedom in order [rad], of slides [m], or as typed [deg], [mm]; what is left out
+///                 stands at 0. What varies is in the same unit, by the same names
 /// @throws InputError for an unknown name, a wrong count, a joint that nothing drives, one that
 /// stands in two ways, or steps that do not lead to their end
-[[nodiscard]] RobotPoses pose_robot(const RobotSpec& robot, const PostureRequest& posture,
-                                    const std::vector<Vary>& vary = {},
+[[nodiscard]] RobotPoses pose_robot(const RobotSpec& robot, const PoseRequest& request,
                                     const Progress& progress = {});
 
 }  // namespace thenar

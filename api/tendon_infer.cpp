@@ -186,7 +186,7 @@ void infer_free(const InferNetRequest& request, const Progress& progress, InferN
   FreeInference& free = *answer.free;
   free.posterior = band_posterior(problems, random, options, parts.next(0.95));
   if (!free.posterior.found) return;
-  answer.warnings = doubts_of(free.posterior);
+  answer.outcome.warn(doubts_of(free.posterior));
   if (progress.stop()) return;
   // What to measure next.
   const FitProblem& all = problems.all();
@@ -228,23 +228,23 @@ std::vector<std::string> freed_by(const std::string& word) {
 
 InferNetResult infer_net(const InferNetRequest& request, const Progress& progress) {
   InferNetResult answer;
-  answer.method = request.method;
-  answer.seed = request.seed;
+  answer.request = request;
   progress(0, "tests");
   if (!request.free.empty()) {
     infer_free(request, progress, answer);
-    answer.stopped = progress.stop();
-    return answer;
+  } else {
+    require(request.bands.empty() && request.settings.empty(),
+            "bands in question and settings are of an inference that frees something");
+    const InferenceCase at = read_case(request, answer);
+    if (request.method == InferMethod::kSparse)
+      infer_by_selection(at, request.propose, progress, answer);
+    else
+      infer_by_search(at, request, progress, answer);
+    if (answer.inferred.found) answer.outcome.warn(doubts_of(answer.inferred));
   }
-  require(request.bands.empty() && request.settings.empty(),
-          "bands in question and settings are of an inference that frees something");
-  const InferenceCase at = read_case(request, answer);
-  if (request.method == InferMethod::kSparse)
-    infer_by_selection(at, request.propose, progress, answer);
-  else
-    infer_by_search(at, request, progress, answer);
-  answer.stopped = progress.stop();
-  if (answer.inferred.found) answer.warnings = doubts_of(answer.inferred);
+  const bool found = answer.free ? answer.free->posterior.found : answer.inferred.found;
+  if (!found) answer.outcome.status = Status::kStalled;
+  if (progress.stop()) answer.outcome.status = Status::kStopped;
   return answer;
 }
 

@@ -13,6 +13,7 @@
 #include "base/progress.h"
 #include "base/provenance.h"
 #include "kinematics_fit/bands/rank_trials.h"
+#include "solvers/status.h"
 #include "tendons/topology/search_nets.h"
 
 namespace thenar {
@@ -80,17 +81,15 @@ struct FreeInference {
 
 /// Result of an inference.
 struct [[nodiscard]] InferNetResult {
+  InferNetRequest request;
+  Outcome outcome;  // stopped: verdicts of what was tried up to then; stalled: no net was found
   std::string experiment, subject, net;  // names
-  InferMethod method = InferMethod::kSparse;
-  unsigned seed = 1;
-  Fidelity fidelity;                       // of the digit
-  InferredNet inferred;                    // read inferred.found first
+  Fidelity fidelity;                     // of the digit
+  InferredNet inferred;
   std::vector<BandEnds> ends;              // of each of inferred.verdicts
   std::vector<ProposedTest> next;          // the most telling first
   std::optional<NetSearchStop> stop;       // why the search ended; absent: kSparse does not search
-  bool stopped = false;                    // on request: verdicts of what was tried up to then
   std::vector<SourceText> sources;         // experiment, subject, net; with `free` settings, too
-  std::vector<std::string> warnings;       // what not to trust of the fits behind the verdicts
   std::optional<FreeInference> free = {};  // where something was freed: then `inferred`, `next` and
                                            // `stop` are empty, and `ends` are those of free's bands
 };

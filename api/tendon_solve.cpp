@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <utility>
 
+#include "api/tendon_warnings.h"
 #include "base/error.h"
 
 namespace thenar {
 namespace {
 
-LoadedDigit loaded_digit(const TendonRequest& request) {
+/// Builds the digit, whose warnings begin those of an outcome.
+LoadedDigit loaded_digit(const TendonRequest& request, Outcome& outcome) {
   DigitCase at = build_digit(request.digit, Hood::kFloatingNet);
   require(at.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': ask tip-force",
           at.digit, at.subject.name, at.map);
   const Eigen::VectorXd t = tensions(at, request.tension);
-  for (std::string& warning :
-       overload_warnings(at.bones().names.muscles, at.bones().max_tension, t))
-    at.warnings.push_back(std::move(warning));
-  return {at.subject.name,       at.digit, at.tendons, t, std::move(at.grid), std::move(at.sources),
-          std::move(at.warnings)};
+  outcome.warn(at.warnings);
+  outcome.warn(overload_warnings(at.bones().names.muscles, at.bones().max_tension, t));
+  return {at.subject.name, at.digit, at.tendons, t, std::move(at.grid), std::move(at.sources)};
 }
 
 }  // namespace
@@ -25,15 +25,22 @@ LoadedDigit loaded_digit(const TendonRequest& request) {
 TendonSolveResult solve_tendons(const TendonRequest& request, const Progress& progress) {
   require(request.digit.vary.empty(), "wanted one posture, got {} joints that vary",
           request.digit.vary.size());
-  LoadedDigit loaded = loaded_digit(request);
+  TendonSolveResult out;
+  out.request = request;
+  out.loaded = loaded_digit(request, out.outcome);
   progress(0, "one posture");
-  std::vector<DigitPoint> points =
-      sweep_digit(*loaded.tendons, {loaded.grid.postures.front()}, loaded.t);
-  return {std::move(loaded), std::move(points.front())};
+  const LoadedDigit& loaded = out.loaded;
+  out.point = sweep_digit(*loaded.tendons, {loaded.grid.postures.front()}, loaded.t).front();
+  out.outcome.count_parts(1, 1, "posture");
+  if (!trusted(out.point.pull.status)) out.outcome.status = Status::kStalled;
+  out.outcome.warn(tendon_warnings(loaded, out.point));
+  return out;
 }
 
 TendonSweepResult sweep_tendons(const TendonRequest& request, const Progress& progress) {
-  TendonSweepResult sweep{loaded_digit(request), {}};
+  TendonSweepResult sweep;
+  sweep.request = request;
+  sweep.loaded = loaded_digit(request, sweep.outcome);
   const PostureGrid& grid = sweep.loaded.grid;
   const auto count = static_cast<double>(grid.postures.size());
   for (std::size_t begin = 0; begin < grid.postures.size() && !progress.stop(); begin += grid.row) {
@@ -48,7 +55,12 @@ TendonSweepResult sweep_tendons(const TendonRequest& request, const Progress& pr
     for (DigitPoint& point : sweep_digit(*sweep.loaded.tendons, postures, sweep.loaded.t, row))
       sweep.points.push_back(std::move(point));
   }
-  sweep.stopped = sweep.points.size() < grid.postures.size();
+  Outcome& outcome = sweep.outcome;
+  if (std::any_of(sweep.points.begin(), sweep.points.end(),
+                  [](const DigitPoint& point) { return !trusted(point.pull.status); }))
+    outcome.status = Status::kStalled;
+  outcome.count_parts(sweep.points.size(), grid.postures.size(), "posture");
+  outcome.warn(tendon_warnings(sweep.loaded, sweep.points));
   return sweep;
 }
 

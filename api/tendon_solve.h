@@ -10,6 +10,7 @@
 
 #include "api/named/digits.h"
 #include "base/progress.h"
+#include "solvers/status.h"
 #include "tendons/net/posture_sweep.h"
 
 namespace thenar {
@@ -27,7 +28,6 @@ struct LoadedDigit {
   Eigen::VectorXd t;                            // tension of each muscle [N] (muscles)
   PostureGrid grid;                             // the postures asked for
   std::vector<SourceText> sources;              // of the subject, and of a net
-  std::vector<std::string> warnings;            // of limits, and of tendons too close to a joint
 
   [[nodiscard]] const TendonDigit& bones() const { return tendons->digit(); }
   /// Returns the tendons as a net; null if their hood is no net.
@@ -38,15 +38,18 @@ struct LoadedDigit {
 
 /// The answer at one posture.
 struct [[nodiscard]] TendonSolveResult {
+  TendonRequest request;
+  Outcome outcome;  // stalled: do not use it, see point.pull.status
   LoadedDigit loaded;
-  DigitPoint point;  // read point.pull.status first: trusted()
+  DigitPoint point;
 };
 
 /// The answers at a grid of postures, each the one that solve_tendons() gives.
 struct [[nodiscard]] TendonSweepResult {
+  TendonRequest request;
+  Outcome outcome;  // stalled: a point is not to be used
   LoadedDigit loaded;
   std::vector<DigitPoint> points;  // in the order of loaded.grid.postures; fewer if stopped
-  bool stopped = false;            // on request; holds all up to then
 };
 
 /// Solves the digit at request.digit.posture; `vary` must be empty.

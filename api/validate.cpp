@@ -115,6 +115,7 @@ bool Validation::valid() const {
 
 Validation validate(const ValidateRequest& request) {
   Validation out;
+  out.request = request;
   Subject subject;
   if (!request.subject.empty()) {
     const SourceText source = subject_source(request.subject, request.data);

@@ -33,6 +33,7 @@ struct FileVerdict {
 };
 
 struct Validation {
+  ValidateRequest request;
   std::vector<FileVerdict> files;  // in the order of the request
   std::string subject;             // path of the subject that experiments were held to; empty: none
 

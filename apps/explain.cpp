@@ -21,7 +21,7 @@ struct ExplainArguments {
 
 void run_explain(const ExplainArguments& options) {
   const ThingExplained found = explain_thing(options.request);
-  print_warnings(found.warnings);
+  print_warnings(found.outcome.warnings);
   deliver(options.outputs, found);
 }
 

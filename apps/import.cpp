@@ -39,8 +39,8 @@ void print_of(const std::string& out, const std::vector<std::string>& warnings) 
 /// whole one but its warnings.
 void require_whole(const Imported& imported, const std::vector<std::string>& files) {
   if (files.empty() || !std::holds_alternative<RobotSpec>(imported.thing)) return;
-  const auto missing =
-      std::count_if(imported.warnings.begin(), imported.warnings.end(), names_missing_part);
+  const auto missing = std::count_if(imported.outcome.warnings.begin(),
+                                     imported.outcome.warnings.end(), names_missing_part);
   require(missing == 0,
           "'{}' names {} missing, see above: mend the name, or write the robot without it by "
           "--allow-missing; nothing is written",
@@ -61,7 +61,7 @@ void run_import(const ImportArguments& options) {
   const Imported imported = import_file(options.request);
   const std::vector<std::string> files =
       options.outputs.with_ending({".toml", ".urdf", ".obj", ".stl", ".ply", ".off"});
-  std::size_t warnings = imported.warnings.size();
+  std::size_t warnings = imported.outcome.warnings.size();
   for (const std::string& out : files) require_ending(out, endings_for(imported));
   print_answer(options.outputs.json ? json_text(json_of(imported)) + "\n" : text_of(imported));
   for (const std::string& out : files) {

@@ -78,16 +78,4 @@ void deliver(const Outputs& outputs, const Result& result) {
   deliver(outputs, answer);
 }
 
-/// deliver() of what was asked posture by posture, its warnings first.
-/// @throws Stopped if it was stopped, behind the postures that are done, saying how many
-template <typename Result>
-void deliver_postures(const Outputs& outputs, const Result& result,
-                      const std::vector<std::string>& warnings, std::size_t done,
-                      std::size_t asked) {
-  if (done == 0) tell_if_stopped(0, asked, "posture");
-  print_warnings(warnings);
-  deliver(outputs, result);
-  tell_if_stopped(done, asked, "posture");
-}
-
 }  // namespace thenar

@@ -7,6 +7,8 @@
 #include "api/pose.h"
 
 #include <memory>
+#include <type_traits>
+#include <variant>
 
 #include "apps/commands.h"
 #include "apps/options.h"
@@ -23,15 +25,14 @@ struct PoseArguments {
   Outputs outputs;
 };
 
-std::size_t asked(const SubjectPoses& poses) { return poses.grid.postures.size(); }
-std::size_t asked(const RobotPoses& poses) { return poses.asked; }
-
 void run_pose(const PoseArguments& options) {
   const PoseAnswer answer =
       ask_pose(options.request, terminal_progress("postures that are done are kept"));
   std::visit(
       [&](const auto& poses) {
-        deliver_postures(options.outputs, poses, poses.warnings, poses.points.size(), asked(poses));
+        using Poses = std::decay_t<decltype(poses)>;
+        const std::shared_ptr<const Poses> kept(std::shared_ptr<const Poses>(), &poses);
+        deliver(options.outputs, answer_of(kept, poses.outcome));
       },
       answer);
 }

@@ -123,10 +123,10 @@ void compare_and_deliver(const SceneRequest& request, const std::vector<std::str
                          const Outputs& outputs) {
   require(outputs.one(".h5").empty(), "wanted one rung of pads for a file of its motion (.h5)");
   const RungComparison comparison = compare_rungs(request, rungs, terminal_progress());
-  if (comparison.runs.empty()) tell_if_stopped(0, comparison.asked, "rung");
-  print_warnings(warnings_of(comparison));
+  if (comparison.runs.empty()) tell_if_stopped(0, comparison.outcome.asked, "rung");
+  print_warnings(comparison.outcome.warnings);
   deliver(outputs, comparison);
-  tell_outcome(comparison, comparison.runs.size() < comparison.asked, outputs);
+  tell_outcome(comparison, comparison.outcome.stopped(), outputs);
 }
 
 struct SimulateArguments {

@@ -120,6 +120,14 @@ PredictResult predict(const PredictRequest& request, const Progress& /*progress*
   return predict_forces(request);
 }
 
+/// Infers, and refuses what is no answer.
+InferNetResult infer(const InferNetRequest& request, const Progress& progress) {
+  InferNetResult result = infer_net(request, progress);
+  const std::string refusal = refusal_of(result);
+  require(refusal.empty(), "{}", refusal);
+  return result;
+}
+
 /// One process asks: it has the answer.
 PosteriorResult sample(const SampleRequest& request, const Progress& progress) {
   require_field("output", !request.output.empty(), "wanted a file for the draws (.nc), got none");
@@ -222,7 +230,7 @@ void internal::add_fit_questions(std::vector<Question>& all) {
           "warm_up": 50, "draws": 50, "output": "posterior.nc"})",
       "fit", QuestionPace::kLasts));
   all.push_back(make_question("bands", "Which bands of a hood measured fingertip forces ask for.",
-                              infer_params(), infer_net,
+                              infer_params(), infer,
                               R"({"experiment": "synek2019_H01", "subject": "synek2019_middle"})",
                               "tendon infer", QuestionPace::kLasts));
 }

@@ -35,24 +35,7 @@ struct HasRun<Request, std::void_t<decltype(std::declval<Request&>().run)>> : st
 
 /// The record of a run that no command line began, for files that it writes.
 [[nodiscard]] RunRecord run_of_request(const std::string& question, const OrderedJson& request);
-template <typename Result>
-auto outcome_in(const Result& result, int) -> decltype(result.outcome) {
-  return result.outcome;
-}
-template <typename Result>
-int outcome_in(const Result&, long) {
-  return 0;
-}
 }  // namespace internal
-
-/// How the work on a result ended.
-template <typename Result>
-[[nodiscard]] Outcome outcome_of(const Result& result) {
-  if constexpr (std::is_class_v<decltype(internal::outcome_in(result, 0))>)
-    return internal::outcome_in(result, 0);
-  else
-    return {};
-}
 
 /// An answer with what the overloads of report/ make of a result: fields_of (or json_of) and
 /// text_of, and table_of, page_of, files_of and refusal_of where they exist.
@@ -95,7 +78,7 @@ template <typename Request, typename Result>
             if constexpr (internal::HasRun<Request>::value)
               request.run = internal::run_of_request(name, table.write(request));
             const auto result = std::make_shared<const Result>(ask(request, progress));
-            Answer answer = answer_of(result, outcome_of(*result));
+            Answer answer = answer_of(result, result->outcome);
             answer.request = table.write(request);
             return answer;
           }};

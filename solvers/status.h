@@ -36,6 +36,11 @@ struct Outcome {
   std::vector<std::string> warnings;  // assumptions and doubts
 
   [[nodiscard]] bool stopped() const { return status == Status::kStopped; }
+  /// Says how many parts are done: stopped if fewer than were asked for.
+  void count_parts(std::size_t these, std::size_t all, const std::string& name) {
+    done = these, asked = all, part = name;
+    if (done < asked) status = Status::kStopped;
+  }
   /// Adds warnings behind the others.
   void warn(const std::vector<std::string>& more) {
     warnings.insert(warnings.end(), more.begin(), more.end());

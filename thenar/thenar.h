@@ -324,6 +324,7 @@
 #include "api/simulate.h"
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"
+#include "api/tendon_warnings.h"
 #include "api/tip_force.h"
 #include "api/validate.h"
 #include "live/live_digit.h"

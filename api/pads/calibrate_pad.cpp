@@ -90,21 +90,21 @@ void add_laws(PadLaws& out, const LawTrials& trials, const MeasuredPresses& fit,
 
 void add_warnings_of_laws(PadLaws& out) {
   if (const std::string assumed = assumption_of(out.pad.spec); !assumed.empty())
-    out.warnings.push_back(assumed);
+    out.outcome.warnings.push_back(assumed);
   for (const std::string& failure : out.calibration.failures)
-    out.warnings.push_back(fmt::format("a press failed and was left out: {}", failure));
+    out.outcome.warnings.push_back(fmt::format("a press failed and was left out: {}", failure));
   double error = 0, penetration = 0;
   for (const LawPress& press : out.presses) {
     error = std::max(error, press.elements.force_error);
     penetration = std::max(penetration, press.elements.penetration);
   }
   if (penetration > out.request.max_penetration)
-    out.warnings.push_back(
+    out.outcome.warnings.push_back(
         fmt::format("objects are up to {:.2g} um inside faces of the elements, more than the "
                     "{:.2g} um asked for",
                     1e6 * penetration, 1e6 * out.request.max_penetration));
   if (error > out.request.force_error)
-    out.warnings.push_back(fmt::format(
+    out.outcome.warnings.push_back(fmt::format(
         "elements estimate errors of their force of up to {:.2g} %, above the {:.2g} % asked for: "
         "{}",
         100 * error, 100 * out.request.force_error,
@@ -118,7 +118,7 @@ void add_warnings_of_laws(PadLaws& out) {
   for (const Tissue& tissue : out.pad.model.tissues)
     if (!std::equal(pulp.begin(), pulp.end(), tissue.relaxation.begin(), tissue.relaxation.end(),
                     alike))
-      out.warnings.push_back(
+      out.outcome.warnings.push_back(
           fmt::format("laws relax as the pulp does, and {} relaxes otherwise", tissue.name));
 }
 
@@ -160,6 +160,7 @@ PadLaws calibrate_pad(const PadLawsRequest& request, const Progress& progress) {
     add_laws(out, trials, fit, check);
   }
   out.fit_s = seconds_since(pressed);
+  out.outcome.status = out.calibration.status;
   add_warnings_of_laws(out);
   return out;
 }
@@ -177,7 +178,7 @@ std::string pad_laws_text(const PadLaws& found) {
 }
 
 std::string refusal_of(const PadLaws& found) {
-  if (found.calibration.status == Status::kSolved || found.stopped()) return "";
+  if (found.calibration.status == Status::kSolved || found.outcome.stopped()) return "";
   return fmt::format("laws were not found ({}: {})", name_of(found.calibration.status),
                      found.calibration.message);
 }

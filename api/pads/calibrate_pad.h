@@ -9,6 +9,7 @@
 #include "api/named/pads.h"
 #include "base/progress.h"
 #include "pads/calibrate_laws.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -39,14 +40,13 @@ struct LawPress {
 /// Result of a calibration.
 struct [[nodiscard]] PadLaws {
   PadLawsRequest request;
+  Outcome outcome;  // its status is that of the calibration
   NamedPad pad;
-  std::vector<double> depths;         // of the presses that are fitted [m]
-  std::vector<LawPress> presses;      // that the elements solved, those of the fit first
-  LawCalibration calibration;         // kStopped, or too few presses: without laws
-  double press_s = 0, fit_s = 0;      // time of presses, of fits [s]
-  std::vector<std::string> warnings;  // presses that failed, doubts and assumptions
+  std::vector<double> depths;     // of the presses that are fitted [m]
+  std::vector<LawPress> presses;  // that the elements solved, those of the fit first
+  LawCalibration calibration;     // kStopped, or too few presses: without laws
+  double press_s = 0, fit_s = 0;  // time of presses, of fits [s]
 
-  [[nodiscard]] bool stopped() const { return calibration.status == Status::kStopped; }
   [[nodiscard]] bool has_laws() const { return calibration.laws.evidence.fitted > 0; }
 };
 

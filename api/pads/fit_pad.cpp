@@ -114,7 +114,7 @@ void add_curves(FittedPad& out, const Progress& progress) {
     if (pressed.status == Status::kSolved)
       curve.points = std::move(pressed.points.at(0));
     else
-      out.warnings.push_back(
+      out.outcome.warnings.push_back(
           pressed.status == Status::kStopped
               ? fmt::format("there is no curve of '{}': it was stopped before", record.name)
               : fmt::format("there is no curve of '{}': it cannot be pressed {}", record.name,
@@ -141,17 +141,21 @@ FittedPad fit_pad(const PadFitRequest& request, const Progress& progress) {
   ProgressParts parts(progress, 1);
   const Progress of_fit = parts.next(1 - kOfCurves);
   if (!first_presses(out, of_fit)) {
-    out.fit.solution.status = Status::kStopped;
+    out.fit.solution.status = out.outcome.status = Status::kStopped;
     return out;
   }
   out.fit = of_file(out.data, [&] {
     return fit_pad(out.problem, {PadFitOptions{}.tolerance, request.check_mesh, of_fit});
   });
-  out.warnings = out.fit.warnings;
+  if (out.fit.solution.status == Status::kStopped)
+    out.outcome.status = Status::kStopped;
+  else if (!refusal_of(out).empty())
+    out.outcome.status = Status::kStalled;
+  out.outcome.warnings = out.fit.warnings;
   if (out.fit.estimates.empty()) return out;
   out.spec = fitted_pad(out.pad.spec, out.data, out.problem, out.fit);
   if (const std::string assumed = assumption_of(out.spec); !assumed.empty())
-    out.warnings.push_back(assumed);
+    out.outcome.warnings.push_back(assumed);
   add_curves(out, parts.next(kOfCurves));
   return out;
 }
@@ -170,7 +174,8 @@ std::string fitted_pad_text(const FittedPad& fitted, const std::string& path) {
 
 std::string refusal_of(const FittedPad& fitted) {
   const Solution& solution = fitted.fit.solution;
-  if (solution.converged() || fitted.stopped() || fitted.request.allow_unconverged) return "";
+  if (solution.converged() || fitted.outcome.stopped() || fitted.request.allow_unconverged)
+    return "";
   return fmt::format("the search did not converge ({}: {})", convergence_word(solution),
                      solution.message);
 }

@@ -10,6 +10,7 @@
 #include "base/provenance.h"
 #include "data/io/pad/pad_data.h"
 #include "pads/pad_fit.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -32,15 +33,13 @@ struct FittedCurve {
 /// Result of a pad fit.
 struct [[nodiscard]] FittedPad {
   PadFitRequest request;
+  Outcome outcome;  // stalled: the search did not converge, and that was not allowed
   PadData data;
   NamedPad pad;  // where the search began, but for starts that the data file states
   PadFitProblem problem;
-  PadFitResult fit;                   // without estimates: stopped before there was one
-  PadSpec spec;                       // the pad with the estimates; where there are none, as before
-  std::vector<FittedCurve> curves;    // of each press of the data; none without estimates
-  std::vector<std::string> warnings;  // doubts and assumptions
-
-  [[nodiscard]] bool stopped() const { return fit.solution.status == Status::kStopped; }
+  PadFitResult fit;                 // without estimates: stopped before there was one
+  PadSpec spec;                     // the pad with the estimates; where there are none, as before
+  std::vector<FittedCurve> curves;  // of each press of the data; none without estimates
 };
 
 /// Fits the constants that a data file names to the presses that it states.

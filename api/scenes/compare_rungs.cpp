@@ -5,8 +5,10 @@
 #include <optional>
 #include <set>
 
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include "api/scenes/scene_account.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/parallel_tasks.h"
@@ -80,6 +82,20 @@ RungError error_of(const RungComparison& comparison, const SceneResult& scene) {
   return out;
 }
 
+/// Returns warnings of every run, and runs that are not to be used, one sentence each.
+std::vector<std::string> warnings_of(const RungComparison& comparison) {
+  std::vector<std::string> all = comparison.runs.front().scene.built->warnings;
+  for (const RungRun& run : comparison.runs) {
+    // Of building it what the first had not, and all of the run.
+    for (const std::string& warning : run.scene.outcome.warnings)
+      if (std::find(all.begin(), all.end(), warning) == all.end())
+        all.push_back(fmt::format("on {}: {}", run.rung, warning));
+    if (const std::string refusal = refusal_of(run.scene); !refusal.empty())
+      all.push_back(fmt::format("on {}: {}", run.rung, refusal));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<PadLoad> pad_loads(const RungComparison& comparison, const SceneSample& sample) {
@@ -108,7 +124,7 @@ RungComparison compare_rungs(const SceneRequest& request, const std::vector<std:
     require(names.insert(rung).second, "the rung '{}' is asked for twice", rung);
   }
   RungComparison out;
-  out.asked = rungs.size();
+  out.request = request;
   // Rungs side by side; those that were stopped are left out.
   std::vector<std::optional<SceneResult>> scenes(rungs.size());
   std::vector<ParallelTask> tasks;
@@ -126,10 +142,13 @@ RungComparison compare_rungs(const SceneRequest& request, const std::vector<std:
     out.files.insert(scenes[i]->files.begin(), scenes[i]->files.end());
     out.runs.push_back({rungs[i], std::move(*scenes[i]), {}});
   }
+  out.outcome.count_parts(out.runs.size(), rungs.size(), "rung");
   if (out.runs.empty()) return out;
   out.finest = finest_of(out.runs);
   out.pads = pads_of(out.runs);
   for (RungRun& run : out.runs) run.error = error_of(out, run.scene);
+  out.outcome.warnings = warnings_of(out);
+  if (!out.outcome.stopped()) out.outcome.status = out.runs[out.finest].scene.outcome.status;
   return out;
 }
 

@@ -37,9 +37,10 @@ struct RungRun {
 };
 
 struct [[nodiscard]] RungComparison {
+  SceneRequest request;
+  Outcome outcome;  // done: rungs; stalled: none was solved
   std::string name;
   std::vector<RungRun> runs;  // in the order in which they were asked for; those that ran
-  std::size_t asked = 0;      // runs
   std::size_t finest = 0;     // of the runs: the first of pad_rung_names() that was solved, or, if
                               // none was, that ran
   std::vector<std::pair<int, int>> pads;  // pairs of bodies, the lower first

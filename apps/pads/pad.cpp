@@ -51,7 +51,7 @@ std::string deliver_with_file(Outputs outputs, const Result& found, const std::s
   else
     outputs.files.erase(std::remove(outputs.files.begin(), outputs.files.end(), file),
                         outputs.files.end());
-  print_warnings(found.warnings);
+  print_warnings(found.outcome.warnings);
   deliver(outputs, found);
   return file.empty() || is_written ? "" : fmt::format("; '{}' was not written", file);
 }
@@ -68,11 +68,11 @@ void run_pad_fit(PadFitArguments options) {
   const FittedPad fitted = fit_pad(options.request, terminal_progress());
   const std::string refusal = refusal_of(fitted);
   // A pad is a file only where the search has come to its end.
-  const bool is_pad = refusal.empty() && !fitted.stopped();
+  const bool is_pad = refusal.empty() && !fitted.outcome.stopped();
   const std::string text = is_pad && !file.empty() ? fitted_pad_text(fitted, file) : "";
   const std::string unwritten = deliver_with_file(options.outputs, fitted, file, text);
   require(refusal.empty(), "{}{}", refusal, unwritten);
-  if (fitted.stopped())
+  if (fitted.outcome.stopped())
     throw Stopped(fmt::format(
         "stopped: this is {}{}",
         fitted.fit.estimates.empty() ? "before there was an estimate" : "the best estimate by then",
@@ -121,11 +121,11 @@ void run_pad_laws(PadLawsArguments options) {
   const PadLaws found = calibrate_pad(options.request, terminal_progress());
   const std::string refusal = refusal_of(found);
   // Laws are a file only where all fits have come to their end.
-  const bool are_laws = refusal.empty() && !found.stopped();
+  const bool are_laws = refusal.empty() && !found.outcome.stopped();
   const std::string unwritten =
       deliver_with_file(options.outputs, found, file, are_laws ? pad_laws_text(found) : "");
   require(refusal.empty(), "{}{}", refusal, unwritten);
-  if (found.stopped())
+  if (found.outcome.stopped())
     throw Stopped(fmt::format("stopped: these are the presses by then{}", unwritten));
 }
 

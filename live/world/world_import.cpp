@@ -162,7 +162,7 @@ ImportedBody imported_body(const std::string& file, const std::string& units) {
   request.units = units;
   if (is_mesh_file(file)) request.material = kDefaultMaterial;
   Imported imported = import_file(request);
-  ImportedBody out{{}, std::move(imported.warnings)};
+  ImportedBody out{{}, std::move(imported.outcome.warnings)};
   if (imported.body)
     out.body = std::move(*imported.body);
   else if (auto* body = std::get_if<BodySpec>(&imported.thing))

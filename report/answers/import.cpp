@@ -157,7 +157,7 @@ Fields told_of(const RobotSpec& robot, const Imported& imported) {
           {"dofs", dof_fields(robot)},
           {"joints", joint_fields(robot)},
           {"links", link_fields(robot)},
-          {"warnings", imported.warnings}};
+          {"warnings", imported.outcome.warnings}};
 }
 
 Fields told_of(const BodySpec& body, const Imported& imported) {
@@ -169,7 +169,7 @@ Fields told_of(const BodySpec& body, const Imported& imported) {
   if (body.mass)
     fields.append({{"centre_of_mass", units::kMetre, body.mass->com},
                    {"inertia", units::kKilogramSquareMetre, body.mass->inertia}});
-  fields.add("warnings", imported.warnings);
+  fields.add("warnings", imported.outcome.warnings);
   return fields;
 }
 
@@ -197,7 +197,7 @@ Fields told_of(const WorldSpec& world, const Imported& imported) {
           {"counts", Fields{{"hands", hands.size()}, {"bodies", bodies.size()}}},
           {"hands", std::move(hands)},
           {"bodies", std::move(bodies)},
-          {"warnings", imported.warnings}};
+          {"warnings", imported.outcome.warnings}};
 }
 
 Fields told_of(const MeshContent& content, const Imported& imported) {
@@ -225,7 +225,7 @@ Fields told_of(const MeshContent& content, const Imported& imported) {
           {"volume", units::kCubicMetre, of_solid(facts.unit_mass.mass)},
           {"centre_of_mass", units::kMetre, of_solid(to_json(facts.unit_mass.centre))},
           {"inertia", units::kInertiaOfDensityOne, of_solid(to_json(inertia))},
-          {"warnings", imported.warnings},
+          {"warnings", imported.outcome.warnings},
           {"holes_closed", facts.closed},
           {"repaired", facts.repaired}};
 }

@@ -179,7 +179,7 @@ std::string place_text(const Poses& poses, const std::string& whose) {
 
 /// Adds the fields of one posture, or a list "postures".
 template <typename Poses>
-void add_poses(const Poses& poses, std::size_t asked, Fields& fields) {
+void add_poses(const Poses& poses, Fields& fields) {
   const SweepAxes axes = axes_of(poses);
   if (axes.single()) {
     fields.append(pose_fields(poses.points.front()));
@@ -189,7 +189,7 @@ void add_poses(const Poses& poses, std::size_t asked, Fields& fields) {
   std::vector<Fields> postures;
   for (const auto& pose : poses.points) postures.push_back(pose_fields(pose));
   fields.add("postures", std::move(postures));
-  if (poses.points.size() < asked) fields.add("stopped_before", asked);
+  if (poses.outcome.stopped()) fields.add("stopped_before", poses.outcome.asked);
 }
 
 }  // namespace
@@ -259,7 +259,7 @@ std::string text_of(const SubjectPoses& poses) {
 
 Fields fields_of(const SubjectPoses& poses) {
   Fields fields{{"subject", poses.subject}};
-  add_poses(poses, poses.grid.postures.size(), fields);
+  add_poses(poses, fields);
   return fields;
 }
 
@@ -286,8 +286,8 @@ std::string text_of(const RobotPoses& poses) {
 
 Fields fields_of(const RobotPoses& poses) {
   Fields fields{{"robot", poses.robot}};
-  add_poses(poses, poses.asked, fields);
-  fields.add("warnings", poses.warnings);
+  add_poses(poses, fields);
+  fields.add("warnings", poses.outcome.warnings);
   return fields;
 }
 

@@ -172,7 +172,7 @@ Fields fields_of_free(const InferNetResult& inference) {
           {"trials_ranked", free.pool},
           {"mean_information", units::kBit, free.next_mean},
           {"next_tests", std::move(next)},
-          {"warnings", inference.warnings}};
+          {"warnings", inference.outcome.warnings}};
 }
 
 Table table_of_free(const InferNetResult& inference) {
@@ -314,7 +314,7 @@ Fields fields_of(const InferNetResult& inference) {
       {"experiment", inference.experiment},
       {"subject", inference.subject},
       {"net", inference.net},
-      {"method", name_of(inference.method)},
+      {"method", name_of(inference.request.method)},
       {"search_ended", inference.stop ? OrderedJson(to_string(*inference.stop)) : OrderedJson()},
       {"best_fit_converged", net.converged},
       {"out_of_balance", units::kNewton, net.residual},
@@ -327,7 +327,7 @@ Fields fields_of(const InferNetResult& inference) {
       {"bands", std::move(bands)},
       {"groups", std::move(groups)},
       {"next_tests", std::move(next)},
-      {"warnings", inference.warnings}};
+      {"warnings", inference.outcome.warnings}};
 }
 
 Table table_of(const InferNetResult& inference) {

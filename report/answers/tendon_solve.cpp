@@ -11,7 +11,6 @@
 #include "hand/passive_moment.h"
 #include "report/answers/passive_words.h"
 #include "report/words.h"
-#include "tendons/forces/posture_sensitivity.h"
 #include "tendons/net/band_course.h"
 
 namespace thenar {
@@ -46,27 +45,6 @@ std::vector<BandRow> band_rows(const LoadedDigit& loaded, const DigitPoint& poin
 /// Terminal per central slip; NaN if the central one is slack.
 double slip_ratio(const SlipTension& slips) {
   return slips.central > kTaut ? slips.terminal / slips.central : std::nan("");
-}
-
-/// Terminal per central slip that publications give of an extensor's pull: fractions of 0.4945 to
-/// the central slip [Synek2019], and measured forces [Lee2008]. They are a factor of 1.66 apart, by
-/// which either may be off.
-constexpr double kLeastRatio = (1 - 0.4945) / 0.4945, kMostRatio = 1.7 * 1.7 / kLeastRatio;
-
-/// Returns a warning if the ratio of slip tensions is outside the published range; otherwise empty.
-std::string slip_doubt(const LoadedDigit& loaded, const DigitPoint& point) {
-  const SlipTension& slips = point.pull.slips;
-  if (loaded.net() == nullptr || !trusted(point.pull.status) ||
-      slips.central + slips.terminal < kTaut)
-    return "";
-  if (slips.terminal >= kLeastRatio * slips.central && slips.terminal <= kMostRatio * slips.central)
-    return "";
-  // Of what is slack no rounding is told.
-  const auto taut = [](double tension) { return tension > kTaut ? tension : 0; };
-  return fmt::format(
-      "the terminal slip has {:.4g} N where the central one has {:.4g} N: publications give {:.3g} "
-      "to 1.7 times as much",
-      taut(slips.terminal), taut(slips.central), kLeastRatio);
 }
 
 /// A tension with four decimals; "0" of what is slack.
@@ -296,11 +274,6 @@ Table rows_of(const LoadedDigit& loaded, const std::vector<const DigitPoint*>& p
   return table;
 }
 
-/// "PIP3=30 deg", of the joints that vary.
-std::string place_of(const LoadedDigit& loaded, const DigitPoint& point) {
-  return angles_in_words(loaded.bones().names.coordinates, loaded.grid.varied, point.q);
-}
-
 }  // namespace
 
 std::string tensions_in_words(const LoadedDigit& loaded) {
@@ -310,23 +283,6 @@ std::string tensions_in_words(const LoadedDigit& loaded) {
       pulled += fmt::format("{}{}={:.4g}", pulled.empty() ? "" : " ",
                             loaded.bones().names.muscles[static_cast<std::size_t>(i)], loaded.t[i]);
   return pulled;
-}
-
-std::string tip_note(const TipForce& tip) {
-  constexpr double kTorqueRounding = 1e-9;  // Rounding of a joint torque [N m]
-  if (tip.rank < std::min<Eigen::Index>(tip.possible, tip.tau_residual.size()))
-    return tip.tau_residual.cwiseAbs().maxCoeff() < kTorqueRounding
-               ? "singular posture: along some direction a force of the tip needs no joint torque; "
-                 "the smallest force in balance is given"
-               : "singular posture: no force of the tip balances all joint torques; given is the "
-                 "smallest of the forces that leave the least torque unbalanced";
-  if (tip.singular())
-    return "too few joints: along some direction a force of the tip needs no joint torque; the "
-           "smallest force in balance is given";
-  if (tip.condition < kNearlyStraight) return "";
-  return fmt::format(
-      "nearly singular posture (condition {:.3g}): the force changes much within a degree",
-      tip.condition);
 }
 
 std::string text_of(const TendonSolveResult& solution) {
@@ -390,7 +346,7 @@ Fields fields_of(const TendonSolveResult& solution) {
              point.tip.tau_residual);
   fields.add("condition", point.tip.condition);
   if (const std::string note = tip_note(point.tip); !note.empty()) fields.add("note", note);
-  fields.add("warnings", warnings_of(solution));
+  fields.add("warnings", solution.outcome.warnings);
   return fields;
 }
 
@@ -435,7 +391,7 @@ Fields fields_of(const TendonSweepResult& sweep) {
   for (const SweepColumn& column :
        joined_columns({angle_columns(loaded.bones().names), number_columns(loaded)}))
     add_each(column.key, column.unit, column.value);
-  fields.add("warnings", warnings_of(sweep));
+  fields.add("warnings", sweep.outcome.warnings);
   return fields;
 }
 
@@ -443,50 +399,6 @@ Table table_of(const TendonSweepResult& sweep) {
   std::vector<const DigitPoint*> points;
   for (const DigitPoint& point : sweep.points) points.push_back(&point);
   return rows_of(sweep.loaded, points);
-}
-
-std::vector<std::string> warnings_of(const TendonSolveResult& solution) {
-  std::vector<std::string> warnings = solution.loaded.warnings;
-  const TendonTorque& pull = solution.point.pull;
-  if (solution.point.snapped)
-    warnings.push_back(
-        "the hood snaps to another equilibrium on the way here from the straight finger");
-  if (!pull.warning.empty() && trusted(pull.status)) warnings.push_back(pull.warning);
-  const std::string doubt = slip_doubt(solution.loaded, solution.point);
-  if (!doubt.empty()) warnings.push_back(doubt);
-  return warnings;
-}
-
-std::vector<std::string> warnings_of(const TendonSweepResult& sweep) {
-  const LoadedDigit& loaded = sweep.loaded;
-  std::vector<std::string> warnings = loaded.warnings;
-  // Singular postures: how many, and the first.
-  const auto doubtful = [](const DigitPoint& point) { return !tip_note(point.tip).empty(); };
-  const auto first = std::find_if(sweep.points.begin(), sweep.points.end(), doubtful);
-  if (first != sweep.points.end())
-    warnings.push_back(fmt::format("the force of the tip at {} of {} postures, first at {}: {}",
-                                   std::count_if(first, sweep.points.end(), doubtful),
-                                   sweep.points.size(), place_of(loaded, *first),
-                                   tip_note(first->tip)));
-  // Shares of the slips, likewise.
-  const auto odd = [&](const DigitPoint& point) { return !slip_doubt(loaded, point).empty(); };
-  const auto first_odd = std::find_if(sweep.points.begin(), sweep.points.end(), odd);
-  if (first_odd != sweep.points.end())
-    warnings.push_back(fmt::format(
-        "at {} of {} postures, first at {}: {}", std::count_if(first_odd, sweep.points.end(), odd),
-        sweep.points.size(), place_of(loaded, *first_odd), slip_doubt(loaded, *first_odd)));
-  // Snaps and doubts, posture by posture.
-  for (std::size_t i = 0; i < sweep.points.size(); ++i) {
-    const DigitPoint& point = sweep.points[i];
-    // Each row comes from the straight finger; once snapped, it stays so.
-    const bool before = i % loaded.grid.row > 0 && sweep.points[i - 1].snapped;
-    if (point.snapped && !before)
-      warnings.push_back(fmt::format("the hood snaps to another equilibrium on the way to {}",
-                                     place_of(loaded, point)));
-    if (!point.pull.warning.empty())
-      warnings.push_back(fmt::format("at {}: {}", place_of(loaded, point), point.pull.warning));
-  }
-  return warnings;
 }
 
 std::string refusal_of(const TendonSolveResult& solution) {

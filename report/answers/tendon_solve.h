@@ -3,9 +3,8 @@
 /// Words, fields and tables of what tendon tensions do to a digit.
 
 #include <string>
-#include <vector>
 
-#include "api/tendon_solve.h"
+#include "api/tendon_warnings.h"
 #include "report/fields.h"
 
 namespace thenar {
@@ -23,17 +22,10 @@ namespace thenar {
 /// A row for each posture: angles, status, slips, bands, tip force, torques, moment arms.
 [[nodiscard]] Table table_of(const TendonSweepResult& sweep);
 
-/// Returns warnings about the answer and the model of the digit, one sentence each.
-[[nodiscard]] std::vector<std::string> warnings_of(const TendonSolveResult& solution);
-[[nodiscard]] std::vector<std::string> warnings_of(const TendonSweepResult& sweep);
-
 /// Returns the reason why the answer must not be used: tendons that are not to be trusted; empty if
 /// it may.
 [[nodiscard]] std::string refusal_of(const TendonSolveResult& solution);
 [[nodiscard]] std::string refusal_of(const TendonSweepResult& sweep);
-
-/// Returns a warning about the force of a pinned tip; may be empty.
-[[nodiscard]] std::string tip_note(const TipForce& tip);
 
 /// "EDC=2.9 LU=0.4": the tendons that pull [N].
 [[nodiscard]] std::string tensions_in_words(const LoadedDigit& loaded);

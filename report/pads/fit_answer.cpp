@@ -246,7 +246,7 @@ Fields fields_of(const FittedPad& fitted) {
           {"curves", curve_fields(fitted)},
           {"assumed", assumed_words(fitted.spec)},
           {"sources", fitted.data.own_sources},
-          {"warnings", fitted.warnings}};
+          {"warnings", fitted.outcome.warnings}};
 }
 
 FileDigests files_of(const FittedPad& fitted) {

@@ -130,10 +130,11 @@ Json source_section(const FittedPad& fitted) {
 
 Json fit_banner(const FittedPad& fitted) {
   const bool converged = fitted.fit.solution.converged();
-  return pad_banner(refusal_of(fitted), fitted.warnings, "The search has NOT converged",
-                    fitted.stopped() ? "The search was stopped: this is the best pad by then"
-                    : converged      ? "The search has converged"
-                                     : "The search has NOT converged, which was allowed");
+  return pad_banner(refusal_of(fitted), fitted.outcome.warnings, "The search has NOT converged",
+                    fitted.outcome.stopped()
+                        ? "The search was stopped: this is the best pad by then"
+                    : converged ? "The search has converged"
+                                : "The search has NOT converged, which was allowed");
 }
 
 }  // namespace

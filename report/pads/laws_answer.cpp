@@ -205,7 +205,7 @@ Fields fields_of(const PadLaws& found) {
       {"presses", press_fields(found)},
       {"failures", calibration.failures},
       {"assumed", assumed_words(found.pad.spec)},
-      {"warnings", found.warnings}};
+      {"warnings", found.outcome.warnings}};
 }
 
 FileDigests files_of(const PadLaws& found) { return found.pad.spec.files; }

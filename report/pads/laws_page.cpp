@@ -39,10 +39,10 @@ Json force_chart(const PadLaws& found, bool fitted) {
 }  // namespace
 
 Json page_of(const PadLaws& found) {
-  Json blocks = Json::array(
-      {pad_banner(refusal_of(found), found.warnings, "Laws were NOT found",
-                  found.stopped() ? "The calibration was stopped: these are the presses by then"
-                                  : "All fits are at a minimum")});
+  Json blocks = Json::array({pad_banner(
+      refusal_of(found), found.outcome.warnings, "Laws were NOT found",
+      found.outcome.stopped() ? "The calibration was stopped: these are the presses by then"
+                              : "All fits are at a minimum")});
   if (found.has_laws()) {
     blocks.push_back(table_block("Errors of laws", table_of(found)));
     blocks.push_back(text_block(errors_note()));

@@ -73,7 +73,7 @@ Json force_chart(const RungComparison& comparison, std::size_t pad, const std::s
 
 Json rung_banner(const RungComparison& comparison) {
   const std::string refusal = refusal_of(comparison);
-  const std::vector<std::string> warnings = warnings_of(comparison);
+  const std::vector<std::string>& warnings = comparison.outcome.warnings;
   if (!refusal.empty())
     return {{"type", "banner"},
             {"ok", false},
@@ -143,7 +143,7 @@ Table pad_table_of(const RungComparison& comparison) {
 
 std::string text_of(const RungComparison& comparison) {
   return fmt::format("{}: {} of {} rungs of pads\n\n", comparison.name, comparison.runs.size(),
-                     comparison.asked) +
+                     comparison.outcome.asked) +
          titled(finest_words(comparison) +
                     ": normal forces of all pads at the end and over all instants, bodies other "
                     "than links",
@@ -175,23 +175,10 @@ OrderedJson json_of(const RungComparison& comparison) {
                     {"pads", std::move(pads)}});
   }
   return {{"scene", comparison.name},
-          {"asked", comparison.asked},
+          {"asked", comparison.outcome.asked},
           {"finest", comparison.runs[comparison.finest].rung},
           {"runs", std::move(runs)},
-          {"warnings", warnings_of(comparison)}};
-}
-
-std::vector<std::string> warnings_of(const RungComparison& comparison) {
-  std::vector<std::string> all = comparison.runs.front().scene.built->warnings;
-  for (const RungRun& run : comparison.runs) {
-    // Of building it what the first had not, and all of the run.
-    for (const std::string& warning : run.scene.outcome.warnings)
-      if (std::find(all.begin(), all.end(), warning) == all.end())
-        all.push_back(fmt::format("on {}: {}", run.rung, warning));
-    if (const std::string refusal = refusal_of(run.scene); !refusal.empty())
-      all.push_back(fmt::format("on {}: {}", run.rung, refusal));
-  }
-  return all;
+          {"warnings", comparison.outcome.warnings}};
 }
 
 std::string refusal_of(const RungComparison& comparison) {

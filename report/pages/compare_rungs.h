@@ -3,7 +3,6 @@
 /// Words, JSON, tables and the page of a scene on several rungs of its finger pads.
 
 #include <string>
-#include <vector>
 
 #include "api/scenes/compare_rungs.h"
 #include "report/json.h"
@@ -28,8 +27,6 @@ namespace thenar {
 /// Errors over what rungs cost, forces over time, and a film of each rung.
 [[nodiscard]] Json page_of(const RungComparison& comparison);
 
-/// Returns warnings of every run, and runs that are not to be used, one sentence each.
-[[nodiscard]] std::vector<std::string> warnings_of(const RungComparison& comparison);
 /// Returns the reason why the comparison must not be used: the finest run was not solved; empty if
 /// it may.
 [[nodiscard]] std::string refusal_of(const RungComparison& comparison);

@@ -101,7 +101,8 @@ Json place_charts(const Poses& poses) {
 template <typename Poses>
 Json pose_sections(const Poses& poses, const std::string& text, const std::string& caption) {
   std::string words = text;
-  for (const std::string& warning : poses.warnings) words += "\n\nWarning: " + warning + ".";
+  for (const std::string& warning : poses.outcome.warnings)
+    words += "\n\nWarning: " + warning + ".";
   Json sections = Json::array({section(
       "pose", "Pose", words,
       Json::array({pose_scene(poses, caption), table_block("Every posture.", table_of(poses))}))});

@@ -105,19 +105,20 @@ Json doubts_block(const std::vector<std::string>& warnings) {
 Json page_of(const InferNetResult& inference) {
   Json provenance = provenance_json(inference.sources, inference.fidelity);
   provenance["method"] =
-      inference.method == InferMethod::kSparse
-          ? name_of(inference.method)
-          : fmt::format("{}, seed {}", name_of(inference.method), inference.seed);
+      inference.request.method == InferMethod::kSparse
+          ? name_of(inference.request.method)
+          : fmt::format("{}, seed {}", name_of(inference.request.method), inference.request.seed);
   if (inference.free)
-    provenance["method"] =
-        fmt::format("{} free, seed {}", fmt::join(inference.free->freed, ", "), inference.seed);
+    provenance["method"] = fmt::format("{} free, seed {}", fmt::join(inference.free->freed, ", "),
+                                       inference.request.seed);
   std::string text;
   for (const std::string& line :
        inference.free ? posterior_in_words(*inference.free) : fit_in_words(inference))
     text += line + " ";
   for (const std::string& line : groups_in_words(inference.inferred)) text += line + " ";
   Json blocks = Json::array();
-  if (!inference.warnings.empty()) blocks.push_back(doubts_block(inference.warnings));
+  if (!inference.outcome.warnings.empty())
+    blocks.push_back(doubts_block(inference.outcome.warnings));
   blocks.push_back(inference.free ? belief_block(inference) : verdict_block(inference));
   blocks.push_back(inference.free ? next_free_block(*inference.free) : next_block(inference));
   return {

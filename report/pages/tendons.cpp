@@ -304,7 +304,8 @@ Json page_of(const TendonSweepResult& sweep) {
 }
 
 Json page_of(const TendonSolveResult& solution) {
-  return page_of(TendonSweepResult{solution.loaded, {solution.point}});
+  return page_of(
+      TendonSweepResult{solution.request, solution.outcome, solution.loaded, {solution.point}});
 }
 
 }  // namespace thenar

@@ -166,9 +166,9 @@ TEST_F(MadeUpHands, HaveTheSignOfWindingsAlsoAsWritten) {
     const Imported hand = imported(folder + "/hand.urdf");
     const Count read = signs_of(robot_of(hand), 1e-9);
     EXPECT_EQ(read.wrong, 0) << "of " << read.points << ", hand " << seed;
-    hulls += hulls_named(hand.warnings);
+    hulls += hulls_named(hand.outcome.warnings);
     if (std::getenv("SHOW"))
-      for (auto& w : hand.warnings) std::puts(w.c_str());
+      for (auto& w : hand.outcome.warnings) std::puts(w.c_str());
     // As written: accepted, and the same.
     const std::string out = folder + "/written.toml";
     (void)write_imported(hand, out);

@@ -87,7 +87,7 @@ TEST_F(ImportMesh, SaysWhatIsWrongRatherThanThatItIsOpen) {
                                     "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 2 3 5\n";
   ImportRequest request;
   request.file = path("flat.obj");
-  EXPECT_EQ(import_file(request).warnings,
+  EXPECT_EQ(import_file(request).outcome.warnings,
             std::vector<std::string>{"the surface is flat: all its triangles lie in one plane, so "
                                      "that it has no volume, and no repair gives it one"});
   request.repair = true;
@@ -98,7 +98,7 @@ TEST_F(ImportMesh, SaysWhatIsWrongRatherThanThatItIsOpen) {
   request = {};
   request.file = path("fin.obj");
   EXPECT_EQ(
-      import_file(request).warnings,
+      import_file(request).outcome.warnings,
       (std::vector<std::string>{"1 triangle of fins or sheets that enclose nothing: with them "
                                 "the surface has no volume; repairing leaves them out",
                                 "1 edge has more than two triangles; repairing mends this"}));
@@ -208,7 +208,7 @@ TEST_F(ImportRobot, NamesHullsAlsoWhenItsFileIsValidated) {
              warning.find("convex hull") != std::string::npos;
     });
   };
-  EXPECT_TRUE(told(found.warnings));
+  EXPECT_TRUE(told(found.outcome.warnings));
   (void)write_imported(found, path("hand.toml"));
   ValidateRequest request;
   request.things = {path("hand.toml")};
@@ -251,7 +251,7 @@ TEST(DensityWarnings, DoubtGramsForKilograms) {
 TEST_F(ImportMesh, WarnsOfAMaterialWithoutDensity) {
   ImportRequest request = corner(false);
   request.material = "plastic";
-  EXPECT_EQ(import_file(request).warnings.back(),
+  EXPECT_EQ(import_file(request).outcome.warnings.back(),
             "object 'corner' has no mass: 'plastic' has no density; wanted a mass or a density");
 }
 

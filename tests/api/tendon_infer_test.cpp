@@ -39,7 +39,7 @@ TEST(InferNet, JudgesEveryBandAndProposesTests) {
   request.propose = 2;
   const InferNetResult inference = infer_net(request);
   ASSERT_TRUE(inference.inferred.found);
-  EXPECT_FALSE(inference.stopped);
+  EXPECT_FALSE(inference.outcome.stopped());
   EXPECT_EQ(inference.experiment, "synek2019_H01");
   EXPECT_EQ(inference.ends.size(), inference.inferred.verdicts.size());
   EXPECT_EQ(inference.sources.size(), 3U);
@@ -52,7 +52,7 @@ TEST(InferNet, JudgesEveryBandAndProposesTests) {
 TEST(InferNet, SaysThatItWasStopped) {
   Progress progress;
   progress.stop_requested = [] { return true; };
-  EXPECT_TRUE(infer_net(measured_finger(), progress).stopped);
+  EXPECT_TRUE(infer_net(measured_finger(), progress).outcome.stopped());
 }
 
 TEST(InferNet, KnowsWhatWordsFree) {

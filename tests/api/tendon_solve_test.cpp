@@ -57,7 +57,7 @@ TEST(SweepTendons, AgreesWithSolve) {
     request.digit.vary = {{"PIP3", 0.5, 0.5, 1}};
     const TendonSweepResult sweep = sweep_tendons(request);
     ASSERT_EQ(sweep.points.size(), 1U);
-    EXPECT_FALSE(sweep.stopped);
+    EXPECT_FALSE(sweep.outcome.stopped());
     EXPECT_TRUE(matrix_near(sweep.points[0].pull.tau, solution.point.pull.tau, 1e-12));
   }
 }
@@ -84,7 +84,7 @@ TEST(SweepTendons, StopsWithThePosturesThatAreDone) {
   Progress progress;
   progress.stop_requested = [] { return true; };
   const TendonSweepResult sweep = sweep_tendons(request, progress);
-  EXPECT_TRUE(sweep.stopped);
+  EXPECT_TRUE(sweep.outcome.stopped());
   EXPECT_LT(sweep.points.size(), 8U);
 }
 

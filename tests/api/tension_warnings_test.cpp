@@ -29,7 +29,7 @@ TEST(Overload, IsToldByEveryQuestionThatTakesTensions) {
   const std::map<std::string, double> pull{{"FDP3", 1000}};
   EXPECT_TRUE(tells(compute_tip_force({middle_finger(20), pull}).outcome.warnings,
                     "FDP3 is pulled with 1000 N, but can make"));
-  EXPECT_TRUE(tells(solve_tendons({middle_finger(20), pull}).loaded.warnings,
+  EXPECT_TRUE(tells(solve_tendons({middle_finger(20), pull}).outcome.warnings,
                     "FDP3 is pulled with 1000 N, but can make"));
   EXPECT_FALSE(
       tells(compute_tip_force({middle_finger(20), {{"FDP3", 10}}}).outcome.warnings, "can make"));

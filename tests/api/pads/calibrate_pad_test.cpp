@@ -47,7 +47,8 @@ TEST_F(CalibratePad, FindsLawsThatTheirPadIsTakenWith) {
   EXPECT_EQ(laws.evidence.fitted, 10);
   EXPECT_EQ(laws.evidence.checked, 6);
   ASSERT_EQ(found.presses.size(), 16U);
-  EXPECT_THAT(found.warnings, Contains(HasSubstr("is assumed, not measured, in 2 numbers")));
+  EXPECT_THAT(found.outcome.warnings,
+              Contains(HasSubstr("is assumed, not measured, in 2 numbers")));
   // As far as their errors say, laws have the force of the presses that were checked.
   for (const LawPress& press : found.presses) {
     ASSERT_TRUE(press.laws.has_value());
@@ -74,7 +75,7 @@ TEST_F(CalibratePad, StopsWithThePressesByThen) {
   progress.report = [&](double, const std::string&) { ++presses; };
   progress.stop_requested = [&] { return presses > 3; };
   const PadLaws found = calibrate_pad(request(), progress);
-  EXPECT_TRUE(found.stopped());
+  EXPECT_TRUE(found.outcome.stopped());
   EXPECT_EQ(refusal_of(found), "");
   EXPECT_EQ(found.presses.size(), 3U);
   EXPECT_FALSE(found.has_laws());
@@ -89,7 +90,7 @@ TEST_F(CalibratePad, WarnsOfPressesThatFailedAndRefusesTooFew) {
   const PadLaws found = calibrate_pad(shallow);
   EXPECT_FALSE(found.has_laws());
   EXPECT_FALSE(found.calibration.failures.empty());
-  EXPECT_THAT(found.warnings, Contains(HasSubstr("a press failed and was left out")));
+  EXPECT_THAT(found.outcome.warnings, Contains(HasSubstr("a press failed and was left out")));
   EXPECT_THAT(refusal_of(found), HasSubstr("laws need 4 and 2"));
 }
 

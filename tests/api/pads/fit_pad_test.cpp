@@ -71,10 +71,10 @@ at_indentation_mm = 1.2
   EXPECT_FALSE(found[0].determined);
   EXPECT_TRUE(std::isinf(found[0].sd));
   EXPECT_TRUE(std::isfinite(found[1].sd));
-  EXPECT_THAT(fitted.warnings,
+  EXPECT_THAT(fitted.outcome.warnings,
               testing::Contains(HasSubstr("pulp: shear modulus is not determined by the data")));
   EXPECT_THAT(fitted.spec.pulp.assumed, testing::Contains("shear_modulus_kPa"));
-  EXPECT_THAT(fitted.warnings, testing::Contains(HasSubstr("is assumed, not measured")));
+  EXPECT_THAT(fitted.outcome.warnings, testing::Contains(HasSubstr("is assumed, not measured")));
 }
 
 TEST_F(FitPad, ItsTextIsAPadWithSourcesOfBoth) {
@@ -108,7 +108,7 @@ TEST_F(FitPad, AStopBeforeAnEstimateSaysSo) {
   progress.stop_requested = [] { return true; };
   const FittedPad fitted =
       fit_pad(request(sample::kPressesHead + sample::press_text({1, 2, 3}, {50, 90})), progress);
-  EXPECT_TRUE(fitted.stopped());
+  EXPECT_TRUE(fitted.outcome.stopped());
   EXPECT_THAT(fitted.fit.estimates, IsEmpty());
   EXPECT_THAT(fitted.curves, IsEmpty());
   EXPECT_EQ(message_of([&] { (void)fitted_pad_text(fitted, "x.toml"); }),

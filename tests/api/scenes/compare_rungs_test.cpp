@@ -82,7 +82,7 @@ TEST(CompareRungs, KeepsRunsThatAreDoneWhenItIsStopped) {
   // Which runs are done by then depends on the processors; none is kept in part.
   const RungComparison pencil =
       compare_rungs(request, {"soft-finger", "foundation", "power-law", "hard-point"}, progress);
-  EXPECT_EQ(pencil.asked, 4u);
+  EXPECT_EQ(pencil.outcome.asked, 4u);
   EXPECT_FALSE(pencil.runs.empty());
   EXPECT_LT(pencil.runs.size(), 4u);
   for (const RungRun& run : pencil.runs) EXPECT_EQ(run.scene.run.status, SceneStatus::kDone);

@@ -47,7 +47,7 @@ TEST(TendonAnswer, SaysZeroOfASlackBand) {
   EXPECT_NE(text.find("slack"), std::string::npos);
   EXPECT_TRUE(json_of(solution)["terminal_to_central"].is_null());  // nothing to divide by
   // So does the warning of slips that no publication knows.
-  const std::vector<std::string> told = warnings_of(solution);
+  const std::vector<std::string> told = tendon_warnings(solution.loaded, solution.point);
   EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const std::string& caution) {
     return caution.find("1 N where the central one has 0 N") != std::string::npos;
   }));

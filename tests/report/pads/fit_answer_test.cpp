@@ -42,7 +42,7 @@ class FitAnswer : public TemporaryFolder {
     fitted.curves = {
         {{0.2, 0.6, 1, 3},
          {{1.05e-3, 0.2, 30e-6}, {1.9e-3, 0.6, 45e-6}, {2e-3, 1, 50e-6}, {3e-3, 3, 90e-6}}}};
-    fitted.warnings = {"a doubt"};
+    fitted.outcome.warnings = {"a doubt"};
   }
   FittedPad fitted;
 };
@@ -129,7 +129,7 @@ TEST_F(FitAnswer, WhatWasStoppedOrRefusedIsTold) {
   FittedPad stopped;
   stopped.data = fitted.data;
   stopped.problem = fitted.problem;
-  stopped.fit.solution.status = Status::kStopped;
+  stopped.fit.solution.status = stopped.outcome.status = Status::kStopped;
   EXPECT_THAT(text_of(stopped), HasSubstr("stopped before there was an estimate"));
   EXPECT_EQ(page_of(stopped)["sections"].size(), 1U);
   EXPECT_TRUE(json_of(stopped)["constants"].empty());

@@ -39,7 +39,7 @@ PadLaws some_pad_laws() {
   laws.soft_finger_error.force = {0.1, 0.125};
   laws.bed_error.shear = {0.3, 0.5};
   laws.foundation.thickness = 5e-3;
-  found.warnings = {"a doubt"};
+  found.outcome.warnings = {"a doubt"};
   return found;
 }
 
@@ -80,7 +80,7 @@ TEST(LawsAnswer, JsonHasErrorsConstantsAndPresses) {
 TEST(LawsAnswer, WithoutLawsThereAreNoErrors) {
   PadLaws stopped = some_pad_laws();
   stopped.calibration = {};
-  stopped.calibration.status = Status::kStopped;
+  stopped.calibration.status = stopped.outcome.status = Status::kStopped;
   stopped.presses.resize(1);
   stopped.presses[0].laws.reset();
   EXPECT_TRUE(table_of(stopped).rows.empty());

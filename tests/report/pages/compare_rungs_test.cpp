@@ -41,7 +41,7 @@ TEST(RungComparisonPage, ShowsEachRungAndItsError) {
 TEST(RungComparisonPage, TellsOfRunsThatWereNotSolved) {
   const RungComparison coin = compared("coin_draw", {"soft-finger", "hard-point"});
   EXPECT_EQ(refusal_of(coin), "");
-  EXPECT_THAT(warnings_of(coin), testing::Contains(HasSubstr("on soft-finger: ")));
+  EXPECT_THAT(coin.outcome.warnings, testing::Contains(HasSubstr("on soft-finger: ")));
   EXPECT_THAT(text_of(coin), HasSubstr("Errors are against hard-point"));
   // It has no point on the chart.
   EXPECT_EQ(page_of(coin)["sections"][0]["blocks"][1]["blocks"][0]["series"].size(), 0u);

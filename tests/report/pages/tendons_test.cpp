@@ -68,7 +68,7 @@ TEST(InferencePage, BeginsWithDoubts) {
   inference.ends = {{"a", "b"}};
   const auto first = [&] { return page_of(inference)["sections"][0]["blocks"][0]; };
   EXPECT_EQ(first()["type"], "table");
-  inference.warnings = {"the fit of the best net did not converge"};
+  inference.outcome.warnings = {"the fit of the best net did not converge"};
   EXPECT_EQ(first()["type"], "banner");
 }
 
