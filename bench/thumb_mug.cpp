@@ -2,7 +2,7 @@
 //
 // The founding paper's figure 8: angle of the thumb's pad over the force of the grip, on pins and
 // on joints that give, how that changes with what is assumed, and surfaces to draw it from
-// (docs/images/draw_thumb_mug.py). Prints the table of docs/theory/compliant_joints.md.
+// (docs/images/draw_thumb_mug.py). Prints the table of docs/benchmarks/thumb_mug.md.
 
 #include <algorithm>
 #include <array>
