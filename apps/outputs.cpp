@@ -127,7 +127,7 @@ void write_csv_file(const Table& table, const std::string& path) { write_file(pa
 
 void deliver(const Outputs& outputs, const Answer& answer) {
   const Outcome& outcome = answer.outcome;
-  const bool stopped = outcome.status == Status::kStopped;
+  const bool stopped = outcome.stopped();
   if (stopped && outcome.done == 0) tell_if_stopped(0, outcome.asked, outcome.part);
   print_warnings(outcome.warnings);
   // Files first, so that what is printed is there when a reader closes the pipe.
@@ -150,7 +150,9 @@ void deliver(const Outputs& outputs, const Answer& answer) {
     print_written(outputs);
   }
   require(answer.refusal.empty(), "{}", answer.refusal);
-  if (stopped) tell_if_stopped(outcome.done, outcome.asked, outcome.part);
+  if (!stopped) return;
+  tell_if_stopped(outcome.done, outcome.asked, outcome.part);
+  throw Stopped("stopped: this is what was found by then");
 }
 
 }  // namespace thenar
