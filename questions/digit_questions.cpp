@@ -28,8 +28,8 @@ RequestTable<TipForceRequest> tip_force_params() {
   RequestTable<TipForceRequest> table;
   table.include(linear_digit_params(), &TipForceRequest::digit);
   table
-      .add("tension", units::kNewton, map_schema(number_schema("", 0, kMaxTension)),
-           &TipForceRequest::tension, "Tensions of muscles; others are slack.")
+      .add("tension", units::kNewton, map_schema(number_schema("")), &TipForceRequest::tension,
+           "Tensions of muscles; others are slack.")
       .member.required = true;
   table.add_word("hold", kTipConstraintNames, &TipForceRequest::hold,
                  "pinned: no moment; rigid: clamped.");
@@ -100,8 +100,8 @@ RequestTable<TendonRequest> tension_params() {
   RequestTable<TendonRequest> table;
   table.include(tendon_params("net"), &TendonRequest::digit);
   table
-      .add("tension", units::kNewton, map_schema(number_schema("", 0, kMaxTension)),
-           &TendonRequest::tension, "Tensions of muscles; others are slack.")
+      .add("tension", units::kNewton, map_schema(number_schema("")), &TendonRequest::tension,
+           "Tensions of muscles; others are slack.")
       .member.required = true;
   return table;
 }

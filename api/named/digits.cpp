@@ -194,10 +194,10 @@ Eigen::VectorXd tensions(const DigitCase& at, const std::map<std::string, double
   Eigen::VectorXd t = in_order(named, muscles, "muscle");
   for (Eigen::Index i = 0; i < t.size(); ++i) {
     const std::string& muscle = muscles[static_cast<std::size_t>(i)];
-    require(t[i] >= 0, "wanted a tension >= 0 of '{}', got {} N", muscle, t[i]);
-    require(t[i] <= kMaxTension,
-            "wanted a tension of '{}' up to {} N, got {} N: no tendon bears it", muscle,
-            kMaxTension, t[i]);
+    require_field("tension", t[i] >= 0, "wanted a tension >= 0 of '{}', got {} N", muscle, t[i]);
+    require_field("tension", t[i] <= kMaxTension,
+                  "wanted a tension of '{}' up to {} N, got {} N: no tendon bears it", muscle,
+                  kMaxTension, t[i]);
   }
   return t;
 }

@@ -348,7 +348,7 @@ class FeasibleForce(Near):
         self.assertAlmostEqual(half["stops"][0]["torque_Nm"], stop["torque_Nm"] / 2, delta=1e-9)
         self.assertGreater(half["stops"][0]["N_per_Nm"], 0)
         self.assertIn("'IP1' is given twice", complaint(*words, "--stop", "IP1=1", "IP1=inf"))
-        self.assertIn("wanted JOINT=N_m", complaint(*words, "--stop", "IP1"))
+        self.assertIn("wanted NAME=number", complaint(*words, "--stop", "IP1"))
 
     def test_an_intact_wrist_takes_nothing_of_a_pinch(self):
         words = ("feasible-force", HUMAN, "--digit", "thumb", "--axes", "tip", "--direction",
@@ -673,7 +673,7 @@ class Tendon(Near):
     def test_complaints(self):
         self.assertIn("there is no net 'winslo', nor a file of that name, did you mean 'winslow'? nets: chao_an",
                       complaint("tendon", "solve", SYNEK, "--net", "winslo", *self.EDC))
-        self.assertIn("wanted from:to:step [deg], got '5'",
+        self.assertIn("wanted NAME=from:to:step, got 'PIP3=5'",
                       complaint("tendon", "sweep", SYNEK, *self.EDC, "--vary", "PIP3=5"))
         self.assertIn("ends in .html or .csv or .json, got 'net.txt'",
                       complaint("tendon", "sweep", SYNEK, *self.EDC, "--vary", "PIP3=0:20:10",
@@ -747,7 +747,7 @@ class Tendon(Near):
 
     def test_inference_names_an_unknown_method(self):
         self.assertEqual(complaint("tendon", "infer", H01, "--subject", SYNEK, "--method", "guess"),
-                         "thenar: no method 'guess'; there are sparse, explore")
+                         "thenar: method: wanted one of sparse, explore, got \"guess\" (--method)")
 
 
 class Validate(Near):
@@ -993,7 +993,7 @@ class Complaints(unittest.TestCase):
             (("tip-force", MIDDLE, "--tension", "FPD=1"),
              "no muscle 'FPD', did you mean 'FDP'? there are EDC, FDP, FDS, RI, LU, UI"),
             (("tip-force", MIDDLE, "--tension", "FDP=-1"),
-             "wanted a tension >= 0 of 'FDP', got -1 N"),
+             "wanted a tension >= 0 of 'FDP', got -1 N (--tension)"),
             (("tip-force", WHOLE, "--tension", "FDP=1"),
              "wanted a digit; subject 'mirakhorlo2016' has thumb, index, middle, ring, little (--digit)"),
             (("tip-force", MIDDLE, "--digit", "thumb", "--tension", "FDP=1"),

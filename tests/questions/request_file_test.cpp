@@ -34,7 +34,7 @@ TEST(RequestFile, TellsTheLineOfWhatIsWrong) {
             "r.toml:1: no question 'tip_forces', did you mean 'tip_force'? th");
   EXPECT_EQ(refusal("question = \"tip_force\"\nsubject = \"synek2019_middle\"\n\n"
                     "tension_N = {FDP = -1}\n"),
-            "r.toml:4: tension_N.FDP: wanted a number from 0 to 10000 [N], got -1");
+            "r.toml:4: wanted a tension >= 0 of 'FDP', got -1 N");
   EXPECT_EQ(refusal("question = \"tip_force\"\nsubject = \"synek2019_middle\"\n"
                     "tension_N = {FDP = 10}\nhold_length_mm = 0\nhold = \"rigid\"\n"),
             "r.toml:4: wanted a hold length above 0, up to 1000 mm, got 0 mm");
