@@ -203,7 +203,7 @@ class Refusals(Files):
         self.assertIn("wanted one of a force and a depth, got none", self.refused())
         self.assertIn("got both", self.refused("--force", 1, "--depth", 1))
         self.assertIn("wanted a force above 0 N", self.refused("--force", -1))
-        self.assertIn("wanted a depth above 0 mm", self.refused("--depth", "nan"))
+        self.assertIn("wanted a number [mm], got 'nan'", self.refused("--depth", "nan"))
         self.assertIn("within 60 deg either way, got 75 deg", self.refused("--depth", 1, "--angle", 75))
         self.assertIn("there is no object 'plain', did you mean 'plane'?",
                       self.refused("--depth", 1, "--object", "plain"))
