@@ -28,9 +28,7 @@ bool has_ended(JobStage stage) {
 }
 
 /// Puts this thread, and those that it starts, behind the threads that serve clients.
-void yield_to_clients() {
-  (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kJobNice);
-}
+void yield_to_clients() { (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kJobNice); }
 
 }  // namespace
 
@@ -125,6 +123,9 @@ void Jobs::answer(Job& job, const std::function<bool(long)>& stop) {
   try {
     const StopScope scope(progress);
     const Answer answer = job.question->ask(job.request, job.data, progress);
+    const Outcome& outcome = answer.outcome;
+    if (outcome.stopped() && outcome.done == 0 && outcome.asked > 0)
+      throw Stopped(fmt::format("stopped before the first {} was done", outcome.part));
     result = {{"request", answer.request},
               {"status", name_of(answer.outcome.status)},
               {"warnings", answer.outcome.warnings},

@@ -84,7 +84,7 @@ Fields digit_fields(const DigitResult& about,
     else
       fields.add("map", about.map);
     fields.add("fidelity", about.built);
-    add(0, fields);
+    if (about.outcome.done > 0) add(0, fields);
     fields.add("warnings", about.outcome.warnings);
     return fields;
   }

@@ -87,6 +87,16 @@ TEST(Jobs, KeepTheirBestWhenTheyAreStopped) {
   EXPECT_FALSE(jobs.stop(id));
 }
 
+TEST(Jobs, ThatAreStoppedBeforeAnythingWasDoneHaveNoResult) {
+  Jobs jobs;
+  jobs.hold();
+  const int id = jobs.start(question_named("tip_force"), Json::parse(kTipForce), THENAR_DATA_DIR);
+  EXPECT_EQ(jobs.run_held(id, 0).stopped_at, 0);
+  EXPECT_EQ(jobs.state(id).stage, JobStage::kStopped);
+  EXPECT_EQ(message_of([&] { (void)jobs.result(id); }),
+            "job 1 has no result: stopped before the first posture was done");
+}
+
 TEST(Jobs, WaitForThoseBeforeThem) {
   const Question question = endless();
   Jobs jobs;
