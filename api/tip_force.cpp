@@ -37,9 +37,9 @@ void clamp_tip(const DigitAtPosture& at, const Eigen::VectorXd& t, double length
 }  // namespace
 
 TipForceResult compute_tip_force(const TipForceRequest& request, const Progress& progress) {
-  require(request.hold_length > 0 && request.hold_length <= kMaxHoldLength,
-          "wanted a hold length above 0, up to {:.4g} mm, got {:.6g} mm", 1e3 * kMaxHoldLength,
-          1e3 * request.hold_length);
+  require_field("hold_length", request.hold_length > 0 && request.hold_length <= kMaxHoldLength,
+                "wanted a hold length above 0, up to {:.4g} mm, got {:.6g} mm",
+                1e3 * kMaxHoldLength, 1e3 * request.hold_length);
   const DigitCase digit = build_digit(request.digit, TendonOptions().hood);
   require_field("hold", digit.map.empty() || request.hold == TipConstraint::kPinned,
                 "tip map '{}' gives forces whatever the hold, got a rigid one", digit.map);

@@ -67,6 +67,9 @@ bool is_cpu(const std::string& key) {
   return ends(key, "cpu_s") || key == "seconds" || key == "cpu_s_per_simulated_s";
 }
 
+/// A number without a unit beside others that have that of the key around them.
+bool is_pure(const std::string& key) { return ends(key, "_ess") || key == "r_hat"; }
+
 /// Compares what is printed with SI, by 4e-16 relative. @return how many numbers have a unit that
 /// is printed otherwise
 int compare(const OrderedJson& si, const OrderedJson& printed, double size,
@@ -92,7 +95,11 @@ int compare(const OrderedJson& si, const OrderedJson& printed, double size,
       }
       const double its_size = size_of(key, other.key());
       EXPECT_GT(its_size, 0) << where << ": " << key << " and " << other.key();
-      scaled += compare(value, other.value(), its_size == 1 ? size : its_size, where + "." + key);
+      scaled += compare(value, other.value(),
+                        its_size != 1  ? its_size
+                        : is_pure(key) ? 1
+                                       : size,
+                        where + "." + key);
       ++other;
     }
   } else {

@@ -1,7 +1,7 @@
-"""Questions over the socket: each equals the command's JSON; a comparison and chains run as jobs while a client poses a
-hand 60 times a second; a log with jobs is repeated.
+"""Questions over the socket: they equal the command's JSON; a comparison and chains run as jobs while a client poses a
+hand; a log with jobs is repeated.
 
-Usage: jobs_test.py THENAR [--seconds S]    S: how long hands are posed, 4 unless given
+Usage: jobs_test.py THENAR
 """
 import json
 import pathlib
@@ -15,26 +15,20 @@ from live_client import HANG, Server
 from thenar_remote import Remote, RemoteError
 
 THENAR = str(pathlib.Path(sys.argv.pop(1)).resolve())
-SECONDS = 4.0
-if "--seconds" in sys.argv:
-    at = sys.argv.index("--seconds")
-    SECONDS = float(sys.argv[at + 1])
-    del sys.argv[at:at + 2]
-POSES_A_SECOND = 60
-SLOWEST_REPLY = 0.02  # of 99 in 100 [s]
+POSES = 100  # that are answered while both jobs run; bench/jobs_latency.py says how soon
+PAUSE = 0.02  # between questions whether a job has ended [s]
 COMPARE = {"hands": ["barrett", "parallel_jaw"], "objects": ["sphere_70", "cube_50"], "approaches": 40}
 CHAINS = {"experiments": ["synek2019_H01"], "subject": "synek2019_middle", "chains": 2, "warm_up": 300, "draws": 2000,
           "output": "chains.nc"}
 
 
-def wait_for(thenar, job, seconds=HANG):
+def wait_for(thenar, job):
     """The state of a job that has ended."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
+    for _ in range(int(HANG / PAUSE)):
         state = thenar.job.state(job=job)
         if state["state"] not in ("waiting", "running"):
             return state
-        time.sleep(0.02)
+        time.sleep(PAUSE)
     raise AssertionError(f"job {job} goes on")
 
 
@@ -68,24 +62,13 @@ class Jobs(unittest.TestCase):
             joint = poser.hand.get()["joints"][0]
             jobs = [worker.job.start(question="compare", request=COMPARE)["job"],
                     worker.job.start(question="posterior", request=CHAINS)["job"]]
-            times = []
-            for i in range(int(SECONDS * POSES_A_SECOND)):
-                begin = time.monotonic()
+            for i in range(POSES):
                 share = 0.3 + 0.2 * (i % 10) / 10
                 poser.hand.set_joints(joints={joint["field"]: joint["lower"] + share * (joint["upper"] - joint["lower"])})
-                times.append(time.monotonic() - begin)
-                time.sleep(max(0.0, 1 / POSES_A_SECOND - times[-1]))
-            states = [worker.job.state(job=job) for job in jobs]
-            times.sort()
-            slow = times[int(0.99 * len(times))]
-            print(f"{len(times)} poses, p50 {1e3 * times[len(times) // 2]:.2f} ms, p99 {1e3 * slow:.2f} ms, "
-                  f"largest {1e3 * times[-1]:.2f} ms; jobs {[s['state'] for s in states]}")
-            self.assertTrue(any(state["state"] == "running" for state in states), states)
-            self.assertLess(slow, SLOWEST_REPLY)
+            self.assertEqual([worker.job.state(job=job)["state"] for job in jobs], ["running", "running"])
             for job in jobs:
                 worker.job.stop(job=job)
                 self.assertIn(wait_for(worker, job)["state"], ("stopped", "done"))
-            self.assertIn("answer", worker.job.result(job=jobs[1]))
 
     def test_a_log_with_jobs_is_repeated(self):
         with tempfile.TemporaryDirectory() as folder:

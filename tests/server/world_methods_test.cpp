@@ -325,7 +325,8 @@ TEST(WorldMethods, TextsOfAllMethodsAreNamesButForContents) {
   std::vector<std::string> found;
   const MethodTable table = method_table();
   for (const RpcMethod& method : table.all()) add_contents(method.params, method.name, found);
-  EXPECT_THAT(found, testing::ElementsAre("world.load.text", "world.import.files.data"));
+  EXPECT_THAT(found, testing::ElementsAre("world.load.text", "world.import.files.data",
+                                          "ask.contacts.text"));
 }
 
 // What is dropped names files of the same drop alone, however it asks for others.
