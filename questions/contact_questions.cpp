@@ -30,7 +30,7 @@ RequestTable<ContactQualityRequest> contact_params() {
       .add("text", content_schema(kMaxContactText), &Request::text,
            "The contact set itself (JSON), in place of a file.")
       .option = "";
-  table.add("edges", integer_schema(0, 1000), &Request::edges,
+  table.add("edges", integer_schema(0, 1e9), &Request::edges,
             "Friction pyramids of so many edges, 3 to 1000, in place of cones; 0: the true cones. "
             "Soft fingers get double pyramids with poles at their torsion.");
   table.add("first_edge", units::kDegree, number_schema(""), &Request::first_edge,
@@ -82,14 +82,14 @@ RequestTable<GraspRequest> grasp_params() {
            "Farthest approach.")
       .option = "approach-distance,way";
   table
-      .add("starts", integer_schema(0, 1e6), &Request::starts,
+      .add("starts", integer_schema(0, 1e9), &Request::starts,
            "Best of so many random pregrasps, drawn as in comparisons; 0: the world's own; the "
            "hand may then be any hand by name.")
       .option = "random";
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
             "Seed of random starts and of robustness.");
   RequestTable<RobustnessRequest> robustness;
-  robustness.add("robustness", integer_schema(0, 1e6), &RobustnessRequest::draws,
+  robustness.add("robustness", integer_schema(0, 1e9), &RobustnessRequest::draws,
                  "Draws of uncertain friction, contacts and pose of the object; 0: none.");
   table.include(robustness, &Request::robustness);
   table.add_word("norm", kForceNormNames, &Request::limit,
@@ -98,7 +98,7 @@ RequestTable<GraspRequest> grasp_params() {
       .add("tolerance", number_schema(""), &Request::tolerance,
            "Largest difference of the certified bounds of epsilon, also of robustness.")
       .option = "tolerance,gap";
-  table.add("edges", integer_schema(0, 100), &Request::edges,
+  table.add("edges", integer_schema(0, 1e9), &Request::edges,
             "Friction pyramids of so many edges in epsilon, volume, robustness and wrench sets; 0: "
             "cones, as all other measures have.");
   table
@@ -117,12 +117,12 @@ RequestTable<CompareRequest> compare_params() {
             "files.");
   table.add("objects", names, &Request::objects, "Names of objects/, or files.");
   table.add("tasks", names, &Request::tasks, "Some of force-closure, hold-weight, pull, turn.");
-  table.add("approaches", integer_schema(1, 1e6), &Request::approaches,
+  table.add("approaches", integer_schema(1, 1e9), &Request::approaches,
             "Random approaches of each hand to each object.");
-  table.add("best", integer_schema(0, 1e6), &Request::best,
+  table.add("best", integer_schema(0, 1e9), &Request::best,
             "Grasps of each pair whose loads are computed.");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Of the random approaches.");
-  table.add("threads", integer_schema(0, 1000), &Request::threads,
+  table.add("threads", integer_schema(0, 1e9), &Request::threads,
             "0: as many as there are processors; the answer is the same with any number.");
   table.add("normalise_size", flag_schema(), &Request::normalise_size,
             "Scales objects by the reach of the digits over the first hand's.");

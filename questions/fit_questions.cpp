@@ -98,7 +98,7 @@ RequestTable<InferNetRequest> infer_params() {
   add_path(table, &Request::path);
   table.add_word("method", kInferMethodNames, &Request::method,
                  "sparse: all bands at once, at a price; explore: a search among nets.");
-  table.add("propose", integer_schema(0, 1000), &Request::propose, "Tests to propose, at most.");
+  table.add("propose", integer_schema(0, 1e9), &Request::propose, "Tests to propose, at most.");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
             "Of the search, and of what `free` samples.");
   table.add("free", names_schema(), &Request::free,
@@ -109,7 +109,7 @@ RequestTable<InferNetRequest> infer_params() {
   table.add("settings", text_schema(), &Request::settings,
             "With `free`: settings with all priors; name or file.");
   RequestTable<BandPosteriorOptions> sets;
-  sets.add("sweeps", integer_schema(1, 1e6), &BandPosteriorOptions::sweeps,
+  sets.add("sweeps", integer_schema(1, 1e9), &BandPosteriorOptions::sweeps,
            "With `free` and more than 7 bands: how often the sampling asks for each.");
   table.include(sets, &Request::sets);
   add_data(table, &Request::data);
@@ -174,9 +174,9 @@ RequestTable<SampleRequest> posterior_params() {
   table.include(source_params(), &Request::sources);
   table.add_word("method", kSamplingMethodNames, &Request::method, "Sampler.").option = "sampler";
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Of the chains.");
-  table.add("chains", integer_schema(1, 1e4), &Request::chains,
+  table.add("chains", integer_schema(1, 1e9), &Request::chains,
             "Independent chains, or ensembles.");
-  table.add("walkers", integer_schema(0, 1e4), &Request::walkers,
+  table.add("walkers", integer_schema(0, 1e9), &Request::walkers,
             "Chains of one ensemble; 0: as the sampler needs.");
   table.add("target_acceptance", number_schema("", 0.05, 0.999), &Request::target_acceptance,
             "Of nuts and hmc: higher takes smaller steps, against divergent ones.");
@@ -187,22 +187,22 @@ RequestTable<SampleRequest> posterior_params() {
   table.add("draws", integer_schema(0, 1e9), &Request::draws,
             "Draws of each chain; 0: 1000, of stretch 100, doubled up to twice where the chains do "
             "not agree yet and more may help.");
-  table.add("thin", integer_schema(0, 1e6), &Request::thin, "Steps a draw; 0: 1, of stretch 10.");
-  table.add("temperatures", integer_schema(1, 100), &Request::temperatures,
+  table.add("thin", integer_schema(0, 1e9), &Request::thin, "Steps a draw; 0: 1, of stretch 10.");
+  table.add("temperatures", integer_schema(1, 1e9), &Request::temperatures,
             "Rungs of parallel tempering; 1: none.");
   table
       .add("min_beta", number_schema("", 0, 1), &Request::min_beta,
            "Power of the likelihood on the hottest rung.")
       .option = "least-temper";
-  table.add("swap_every", integer_schema(1, 1e6), &Request::swap_every,
+  table.add("swap_every", integer_schema(1, 1e9), &Request::swap_every,
             "Steps between swaps of temperatures.");
-  table.add("mode_starts", integer_schema(0, 1e6), &Request::mode_starts,
+  table.add("mode_starts", integer_schema(0, 1e9), &Request::mode_starts,
             "Starts of the search for modes; 0: 16, or 4 among more than 1000 coordinates.");
   table
       .add("checkpoint_every", units::kSecond, number_schema("", 0), &Request::checkpoint_every,
            "Between checkpoints: what a kill may cost.")
       .option = "checkpoint-every-s";
-  table.add("threads", integer_schema(0, 1000), &Request::threads,
+  table.add("threads", integer_schema(0, 1e9), &Request::threads,
             "0: as many as there are processors.");
   table.add("fixed_noise", flag_schema(), &Request::fixed_noise, "Believes the stated noise.");
   table.add("fresh", flag_schema(), &Request::fresh, "Forgets an interrupted run of this output.");

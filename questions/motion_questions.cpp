@@ -146,10 +146,10 @@ RequestTable<PressRequest> press_params() {
       .add("force_error", units::kPercent, number_schema("", 0), &Request::force_error,
            "Estimated error of the force below which the mesh is not refined.")
       .option = "error";
-  table.add("max_elements", integer_schema(1, 1e7), &Request::max_elements,
+  table.add("max_elements", integer_schema(1, 1e9), &Request::max_elements,
             "A mesh with so many elements is not refined any more.");
-  table.add("points", integer_schema(1, 10000), &Request::points, "Of the curves.");
-  table.add("hold_points", integer_schema(1, 10000), &Request::hold_points,
+  table.add("points", integer_schema(1, 1e9), &Request::points, "Of the curves.");
+  table.add("hold_points", integer_schema(1, 1e9), &Request::hold_points,
             "Of the curves while it stands still.");
   table
       .add("rungs", flag_schema(), &Request::rungs,

@@ -259,7 +259,7 @@ class Compare(unittest.TestCase):
 
     def test_says_which_numbers_it_wants(self):
         words = self.refusal("--best", "-1")
-        self.assertEqual(words, "thenar: best: wanted a whole number from 0 to 1000000, got -1 (--best)\n")
+        self.assertEqual(words, "thenar: best: wanted a whole number from 0 to 1000000000, got -1 (--best)\n")
 
     def test_says_how_a_mesh_becomes_an_object(self):
         mesh = self.folder / "wedge.obj"
