@@ -17,7 +17,7 @@
 
 namespace thenar {
 
-/// FieldUnit of a number in SI and as people read it: printed = si * numerator / denominator.
+/// Unit of a number in SI and as people read it: printed = si * numerator / denominator.
 struct FieldUnit {
   const char* si = "";       // as keys end: "N_m"
   const char* printed = "";  // "N_mm"

@@ -14,12 +14,20 @@
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"
 #include "api/tip_force.h"
+#include "base/special_functions.h"
+#include "base/units.h"
+#include "data/io/robot/drive_coupling.h"
+#include "data/io/scene/joint_kind.h"
 #include "grasp/closing/setup.h"
 
 namespace thenar {
 
 using DigitSweep [[deprecated("DigitResult")]] = DigitResult;
 using TipHold [[deprecated("TipConstraint")]] = TipConstraint;
+using RobotDofKind [[deprecated("DriveCoupling")]] = DriveCoupling;
+using SceneJointKind [[deprecated("JointKind")]] = JointKind;
+[[deprecated("kNewtonMillimetre")]] inline constexpr double kNmm = kNewtonMillimetre;
+[[deprecated("kNormal95HalfWidth")]] inline constexpr double kNormal95 = kNormal95HalfWidth;
 using TipForceAnswer [[deprecated("TipForceResult")]] = TipForceResult;
 using FeasibleForceAnswer [[deprecated("FeasibleForceResult")]] = FeasibleForceResult;
 using MomentArmAnswer [[deprecated("MomentArmResult")]] = MomentArmResult;
