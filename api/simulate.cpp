@@ -134,6 +134,10 @@ Status status_of(MotionStatus status) {
 }  // namespace
 
 DigitMotionResult simulate_digit(const DigitMotionRequest& request, const Progress& progress) {
+  require_field("blend", request.blend > 0, "wanted a strain above 0 to blend over, got {}",
+                request.blend);
+  require_field("damping", request.damping >= 0, "wanted a damping of at least 0 N m s/rad, got {}",
+                request.damping);
   // The digit at its start.
   DigitCase at = build_digit(request.digit, Hood::kFractions);
   require(at.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}'; it cannot move",
