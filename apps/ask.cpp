@@ -19,12 +19,6 @@ struct AskArguments {
   Outputs outputs;
 };
 
-std::vector<std::string> question_names() {
-  std::vector<std::string> names;
-  for (const Question& each : questions()) names.push_back(each.name);
-  return names;
-}
-
 void run_ask(const AskArguments& options) {
   if (!is_file(options.request) && options.request.find_first_of("./") == std::string::npos)
     return print_answer(request_template(question_named(options.request)));

@@ -128,23 +128,14 @@ void run_fit(FitArguments& options) {
     fit_best(options);
 }
 
-/// The parameters that another list does not have, beside the method.
-std::vector<Param> others(std::vector<Param> params, const std::vector<Param>& known) {
-  params.erase(std::remove_if(params.begin(), params.end(),
-                              [&](const Param& param) {
-                                return param.member.name != "method" &&
-                                       std::any_of(known.begin(), known.end(), [&](const Param& k) {
-                                         return k.member.name == param.member.name;
-                                       });
-                              }),
-               params.end());
-  return params;
-}
-
 void add_chain_options(CLI::App& command, FitArguments& options) {
   CLI::Option_group* const group = command.add_option_group("With --method mcmc");
-  add_request_options(*group, others(posterior_params().params(), fit_params().params()),
-                      options.chains);
+  // What fits have, too, is an option already.
+  const std::vector<Param> fits = fit_params().params();
+  std::vector<std::string> known;
+  for (const Param& param : fits)
+    if (param.member.name != "method") known.push_back(param.member.name);
+  add_request_options(*group, without(posterior_params().params(), known), options.chains);
   group->add_flag("--no-retry", options.no_retry,
                   "Keep chains whose trajectories diverge, rather than begin anew with smaller "
                   "steps (at target acceptances of 0.95 and 0.99)");

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/progress_parts.h"
 #include "report/page.h"
 
 namespace thenar {
@@ -100,10 +101,8 @@ void begin_run(int argc, char** argv) {
 
 const RunRecord& this_run() { return run_of_process(); }
 
-void set_request(const std::string& question, OrderedJson request) {
-  OrderedJson record{{"question", question}};
-  record.update(request);
-  run_of_process().request = json_text(record, -1);
+void set_request(const std::string& question, const OrderedJson& request) {
+  run_of_process().request = request_record(question, request);
 }
 
 void print_answer(const std::string& text) { fmt::print("{}", text); }

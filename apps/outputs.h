@@ -48,7 +48,7 @@ void begin_run(int argc, char** argv);
 /// The run of this process, as files record it.
 [[nodiscard]] const RunRecord& this_run();
 /// Adds to the record of the run what was asked. @param request  of the question, in SI
-void set_request(const std::string& question, OrderedJson request);
+void set_request(const std::string& question, const OrderedJson& request);
 
 /// Prints all of the text to standard output.
 void print_answer(const std::string& text);

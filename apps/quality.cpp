@@ -4,6 +4,7 @@
 // How large a wrench, from whatever direction, contacts withstand.
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -16,9 +17,10 @@
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
+#include "apps/request_options.h"
 #include "base/error.h"
 #include "base/file_io.h"
-#include "base/units.h"
+#include "questions/question_params.h"
 #include "report/answers/quality.h"
 
 namespace thenar {
@@ -26,9 +28,7 @@ namespace {
 
 struct QualityArguments {
   std::vector<std::string> contacts;
-  ContactQualityRequest request;
-  std::string norm = "l1";
-  double first_edge_deg = 0;
+  Json request = Json::object();
   Outputs outputs;
 };
 
@@ -80,10 +80,9 @@ bool answer_stream(ContactQualityRequest request) {
 }
 
 /// File by file, so that a broken one does not hinder others. @return whether all could be answered
-bool answer_files(const QualityArguments& options) {
+bool answer_files(const QualityArguments& options, ContactQualityRequest request) {
   bool all = true;
   std::vector<ContactQualityResult> answers;
-  ContactQualityRequest request = options.request;
   for (const std::string& contacts : options.contacts) {
     request.contacts = contacts;
     try {
@@ -100,15 +99,20 @@ bool answer_files(const QualityArguments& options) {
 }
 
 void run_quality(QualityArguments options) {
-  options.request.norm = options.norm == "l1" ? ForceNorm::kL1 : ForceNorm::kLinf;
-  options.request.first_edge = options.first_edge_deg * kDegree;
-  require_valid(options.request);
+  if (options.request.contains("norm")) {
+    std::string norm = options.request["norm"].get<std::string>();
+    std::transform(norm.begin(), norm.end(), norm.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    options.request["norm"] = norm;
+  }
+  const ContactQualityRequest request = contact_params().read(options.request);
+  require_valid(request);
   const bool stream = std::count(options.contacts.begin(), options.contacts.end(), "-") > 0;
   require(!stream || (options.contacts.size() == 1 && options.outputs.files.empty() &&
                       !options.outputs.csv),
           "'-' reads a stream and answers in lines of JSON: give no other {}",
           "contacts, and neither -o nor --csv");
-  const bool all = stream ? answer_stream(options.request) : answer_files(options);
+  const bool all = stream ? answer_stream(request) : answer_files(options, request);
   if (!all) throw CLI::RuntimeError(1);
 }
 
@@ -138,21 +142,7 @@ void add_quality(CLI::App& app) {
                    "Contact sets: files (JSON), or names of DATA/contacts; several give an answer "
                    "each; -: a stream")
       ->required();
-  command->add_option(
-      "--edges", options->request.edges,
-      "Friction pyramids of so many edges, 3 to 1000, in place of cones; 0: the true "
-      "cones. Soft fingers get double pyramids with poles at their torsion");
-  command->add_option("--first-edge", options->first_edge_deg,
-                      "Angle of the pyramids' first edges about the normals [degrees]");
-  command
-      ->add_option("--norm", options->norm,
-                   "l1: normal forces sum up to 1; linf: those of each patch sum up to 1 at most")
-      ->check(CLI::IsMember({"l1", "linf"}, CLI::ignore_case));
-  command->add_option("--gap", options->request.gap,
-                      "Largest certified upper - lower of epsilon, in units of normal force");
-  command->add_flag("!--no-volume", options->request.volume,
-                    "Leave out the volume, which takes 80 to 5,000 times as long as epsilon");
-  add_data_option(*command, options->request.data);
+  add_request_options(*command, without(contact_params().params(), {"contacts"}), options->request);
   add_output_options(*command, options->outputs, {true, true, false, {".jsonl"}});
   command->footer(kFormat);
   add_examples(*command, {"quality two_soft_fingers",

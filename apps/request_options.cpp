@@ -1,5 +1,8 @@
 #include "apps/request_options.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,6 +15,23 @@ namespace {
 
 using Kind = Schema::Kind;
 
+constexpr double kMaxWhole = 1e15;  // Largest whole number that is typed; all below are doubles
+
+/// A plain number. @param what  how messages call it: "an angle [deg]"
+/// @throws InputError if the whole text is not one finite number.
+double parse_number(const std::string& text, const std::string& what) {
+  std::size_t read = 0;
+  double value = 0;
+  try {
+    value = std::stod(text, &read);
+  } catch (const std::exception&) {
+    read = 0;  // not a number at all, or one too large
+  }
+  require(read > 0 && read == text.size() && std::isfinite(value), "wanted {}, got '{}'", what,
+          text);
+  return value;
+}
+
 /// A number that may be infinite, as "free" and "inf" are.
 Json typed_number(const Schema& schema, const std::string& text, const std::string& what) {
   if (schema.endless) {
@@ -19,8 +39,10 @@ Json typed_number(const Schema& schema, const std::string& text, const std::stri
     if (text == "zero") return 0.0;
   }
   const double value = parse_number(text, what);
-  if (schema.kind == Kind::kInteger) return static_cast<long>(value);
-  return value;
+  if (schema.kind != Kind::kInteger) return value;
+  require(value == std::floor(value) && std::abs(value) < kMaxWhole, "wanted {}, got '{}'", what,
+          text);
+  return static_cast<long>(value);
 }
 
 /// "a length [mm]": how messages call a value of the schema.
@@ -30,7 +52,9 @@ std::string what_is(const Schema& schema) {
 }
 
 /// NAME=value pairs, or values alone where those will do.
-Json typed_map(const Schema& schema, const std::vector<std::string>& texts) {
+/// @param form  of a pair: "MUSCLE=newton"
+Json typed_map(const Schema& schema, const std::string& form,
+               const std::vector<std::string>& texts) {
   const bool named = !schema.unnamed || texts.empty() || texts[0].find('=') != std::string::npos;
   Json json = named ? Json::object() : Json::array();
   for (const std::string& text : texts) {
@@ -39,20 +63,25 @@ Json typed_map(const Schema& schema, const std::vector<std::string>& texts) {
       json.push_back(typed_number(*schema.each, text, what_is(*schema.each)));
       continue;
     }
-    require(sign != std::string::npos && sign > 0, "wanted NAME=number, got '{}'", text);
+    require(sign != std::string::npos && sign > 0, "wanted {}, got '{}'", form, text);
     const std::string name = text.substr(0, sign);
     require(!json.contains(name), "'{}' is given twice", name);
-    json[name] = typed_number(*schema.each, text.substr(sign + 1),
-                              fmt::format("{} for '{}'", what_is(*schema.each), name));
+    json[name] =
+        typed_number(*schema.each, text.substr(sign + 1), fmt::format("{} for '{}'", form, name));
   }
   return json;
 }
 
-/// NAME=from:to:step, a value for each member of an object behind the first.
-Json typed_ranges(const Schema& each, const std::vector<std::string>& texts) {
+/// "NAME=from:to:step": how an object is typed, a value for each member behind the first.
+std::string range_form(const Schema& each) {
   std::string form = "NAME=";
   for (std::size_t i = 1; i < each.members.size(); ++i)
     form += (i == 1 ? "" : ":") + each.members[i].name;
+  return form;
+}
+
+Json typed_ranges(const Schema& each, const std::vector<std::string>& texts) {
+  const std::string form = range_form(each);
   Json list = Json::array();
   for (const std::string& text : texts) {
     std::size_t from = text.find('=');
@@ -61,8 +90,11 @@ Json typed_ranges(const Schema& each, const std::vector<std::string>& texts) {
     for (std::size_t i = 1; i < each.members.size(); ++i) {
       require(from != std::string::npos, "wanted {}, got '{}'", form, text);
       const std::size_t to = text.find(':', from + 1);
-      range[each.members[i].name] = typed_number(
-          each.members[i].schema, text.substr(from + 1, to - from - 1), each.members[i].name);
+      const SchemaMember& part = each.members[i];
+      const bool counts = part.schema.kind == Kind::kInteger;
+      range[part.name] = typed_number(
+          part.schema, text.substr(from + 1, to - from - 1),
+          counts ? "a whole number of values" : fmt::format("a number for '{}'", part.name));
       from = to;
     }
     require(from == std::string::npos, "wanted {}, got '{}'", form, text);
@@ -116,10 +148,12 @@ std::vector<std::string> option_names(const Param& param) {
 }
 
 /// What is typed, as the help calls it.
-std::string type_of(const Schema& schema) {
+std::string type_of(const Param& param, const Schema& schema) {
   if (schema.kind == Kind::kNumber) return "NUMBER";
   if (schema.kind == Kind::kInteger) return "INTEGER";
-  if (schema.kind == Kind::kMap) return "NAME=NUMBER";
+  if (schema.kind == Kind::kMap) return param.form;
+  if (schema.kind == Kind::kList && schema.each->kind == Kind::kObject)
+    return range_form(*schema.each);
   return "TEXT";
 }
 
@@ -144,9 +178,9 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
   if (schema.kind == Kind::kList || schema.kind == Kind::kMap) {
     option = command.add_option_function<std::vector<std::string>>(
         spec,
-        [&request, key, schema](const std::vector<std::string>& texts) {
-          request[key] =
-              schema.kind == Kind::kMap ? typed_map(schema, texts) : typed_list(schema, texts);
+        [&request, key, schema, form = param.form](const std::vector<std::string>& texts) {
+          request[key] = schema.kind == Kind::kMap ? typed_map(schema, form, texts)
+                                                   : typed_list(schema, texts);
         },
         help);
     if (schema.kind == Kind::kList && schema.least == schema.most)
@@ -154,13 +188,17 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
   } else {
     option = command.add_option_function<std::string>(
         spec,
-        [&request, key, schema](const std::string& text) {
-          request[key] =
-              schema.kind == Kind::kText ? Json(text) : typed_number(schema, text, what_is(schema));
+        [&request, key, schema, name = option_names(param).front()](const std::string& text) {
+          try {
+            request[key] = schema.kind == Kind::kText ? Json(text)
+                                                      : typed_number(schema, text, what_is(schema));
+          } catch (const InputError& error) {
+            throw InputError(error.what(), name);
+          }
         },
         help);
   }
-  option->default_str(shown_default(param))->type_name(type_of(schema));
+  option->default_str(shown_default(param))->type_name(type_of(param, schema));
   if (param.member.required) option->required();
 }
 
@@ -184,6 +222,14 @@ void ask_and_deliver(const TypedQuestion& typed) {
   } catch (const InputError& error) {
     throw InputError(error.what(), option_field(question.params, error.field()));
   }
+}
+
+std::vector<Param> without(std::vector<Param> params, const std::vector<std::string>& names) {
+  const auto is_named = [&](const Param& param) {
+    return std::find(names.begin(), names.end(), param.member.name) != names.end();
+  };
+  params.erase(std::remove_if(params.begin(), params.end(), is_named), params.end());
+  return params;
 }
 
 void add_request_options(CLI::App& command, const std::vector<Param>& params, Json& request) {

@@ -19,6 +19,10 @@ namespace thenar {
 /// @param request  gets what is typed, by keys with printed units; lives as long as the command
 void add_request_options(CLI::App& command, const std::vector<Param>& params, Json& request);
 
+/// The parameters but for those of these names.
+[[nodiscard]] std::vector<Param> without(std::vector<Param> params,
+                                         const std::vector<std::string>& names);
+
 /// A command that asks one question.
 struct QuestionCommand {
   const char* name;      // "tip-force"

@@ -6,7 +6,6 @@
 //
 // How one digit moves when its muscles are excited, or a scene of bodies and hands by itself.
 
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,22 +13,20 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <CLI/CLI.hpp>
 
 #include "api/named/files.h"
 #include "api/named/things.h"
 #include "api/scenes/compare_rungs.h"
-#include "api/scenes/simulate_scene.h"
-#include "api/simulate.h"
+#include "api/scenes/scene_account.h"
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
+#include "apps/request_options.h"
 #include "apps/terminal.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/progress_parts.h"
-#include "base/rung_names.h"
-#include "base/units.h"
+#include "questions/question_params.h"
 #include "report/answers/simulate.h"
 #include "report/answers/simulate_scene.h"
 #include "report/pages/compare_rungs.h"
@@ -38,14 +35,6 @@
 
 namespace thenar {
 namespace {
-
-/// Options that only scenes have.
-struct SceneArguments {
-  std::string method;
-  std::vector<std::string> pads;
-  std::optional<double> step_ms;
-  std::vector<SceneVariation> vary;
-};
 
 /// Reports an answer that is incomplete or must not be used. @throws InputError, Stopped
 template <typename Result>
@@ -56,44 +45,6 @@ void tell_outcome(const Result& result, bool stopped, const Outputs& outputs) {
     throw Stopped(fmt::format(
         "stopped; all up to then is {}",
         outputs.files.empty() ? "above" : fmt::format("in {}", fmt::join(outputs.files, ", "))));
-}
-
-/// `NAME=from:to:count`. @throws InputError if the text is none.
-SceneVariation parse_scene_variation(const std::string& text) {
-  const std::string form = "NAME=from:to:count";
-  const std::size_t equals = text.find('=');
-  require(equals != std::string::npos && equals > 0, "wanted {}, got '{}'", form, text);
-  const std::string range = text.substr(equals + 1);
-  const std::size_t first = range.find(':'), second = range.find(':', first + 1);
-  require(first != std::string::npos && second != std::string::npos, "wanted {}, got '{}'", form,
-          text);
-  const double count = parse_number(range.substr(second + 1), "a count");
-  require(count >= 1 && count == std::floor(count) && count <= static_cast<double>(kMostRuns),
-          "wanted a whole number of values, 1 to {}, got '{}'", kMostRuns,
-          range.substr(second + 1));
-  return {text.substr(0, equals), parse_number(range.substr(0, first), "a number"),
-          parse_number(range.substr(first + 1, second - first - 1), "a number"),
-          static_cast<int>(count)};
-}
-
-/// --method, --pads, --step-ms, --vary
-void add_scene_options(CLI::App& command, SceneArguments& options) {
-  command.add_option(
-      "--method", options.method,
-      "Of a scene: " + listed(names_in(kSteppingMethodNames)) + "; as the scene says if left out");
-  command.add_option("--pads", options.pads,
-                     "Of a scene: the rung of all its pads, " + listed(pad_rung_names()) +
-                         "; as the scene says if left out. Several: a run on each, compared");
-  command.add_option("--step-ms", options.step_ms, "Of a scene by time-stepping: every step [ms]")
-      ->check(CLI::PositiveNumber);
-  command.add_option_function<std::vector<std::string>>(
-      "--vary",
-      [&options](const std::vector<std::string>& texts) {
-        options.vary.clear();
-        for (const std::string& text : texts) options.vary.push_back(parse_scene_variation(text));
-      },
-      "Of a scene: NAME=from:to:count ..., a run for each combination, over all cores; friction, "
-      "mass/BODY [kg], force/NAME [N], drive/NAME [N, Nm], step [s], longest [s], tolerance");
 }
 
 /// Simulates a scene, delivers, and refuses as the other answers of `simulate` do.
@@ -129,22 +80,19 @@ void compare_and_deliver(const SceneRequest& request, const std::vector<std::str
   tell_outcome(comparison, comparison.outcome.stopped(), outputs);
 }
 
+/// What is typed: of a subject, of a scene or of both.
 struct SimulateArguments {
-  DigitMotionRequest request;
-  std::map<std::string, double> slack_mm;  // muscle -> slack length of its tendon [mm]
-  double sample_ms = 5;
-  SceneArguments scene;
+  Json request = Json::object();
+  std::vector<std::string> pads;  // rungs
   Outputs outputs;
 };
 
-void run_simulate(SimulateArguments options) {
-  options.request.sample = 1e-3 * options.sample_ms;
-  for (const auto& [muscle, slack] : options.slack_mm)
-    options.request.tendon_slack[muscle] = kMm * slack;
+void simulate_digit_of(const SimulateArguments& options) {
+  const DigitMotionRequest request = digit_motion_params().read(options.request);
+  set_request("digit_motion", digit_motion_params().write(request));
   const std::string file = options.outputs.one(".h5");
   if (!file.empty()) require_result_path(file);
-
-  const DigitMotionResult motion = simulate_digit(options.request, terminal_progress());
+  const DigitMotionResult motion = simulate_digit(request, terminal_progress());
   print_warnings(motion.outcome.warnings);
   if (!file.empty()) write_motion(motion, file, this_run());
   deliver(options.outputs, motion);
@@ -160,73 +108,17 @@ void refuse_options(const CLI::App& command, const std::vector<std::string>& opt
 }
 
 /// A scene, with what the command line says beyond its file.
-void simulate_scene_of(const CLI::App& command, const SimulateArguments& options) {
-  refuse_options(
-      command,
-      {"--digit", "--posture", "--frozen", "--passive", "--hood", "--net", "--excitation",
-       "--excitation-file", "--muscle", "--tendon-slack", "--damping", "--blend", "--gravity"},
-      "subjects", "a scene");
-  SceneRequest request;
-  request.scene = options.request.digit.subject;
-  request.data = options.request.digit.data;
-  request.path = options.request.digit.path;
-  request.method = options.scene.method;
-  request.vary = options.scene.vary;
-  if (command.count("--seconds") > 0) request.seconds = options.request.seconds;
-  if (command.count("--sample-ms") > 0) request.sample = 1e-3 * options.sample_ms;
-  if (command.count("--tolerance") > 0) request.tolerance = options.request.tolerance;
-  if (options.scene.step_ms) request.step = 1e-3 * *options.scene.step_ms;
-  if (options.scene.pads.size() > 1)
-    return compare_and_deliver(request, options.scene.pads, options.outputs);
-  if (!options.scene.pads.empty()) request.pads = options.scene.pads.front();
+void simulate_scene_of(const SimulateArguments& options) {
+  Json typed = options.request;
+  typed["scene"] = typed["subject"];
+  typed.erase("subject");
+  if (options.pads.size() == 1) typed["pads"] = options.pads.front();
+  const bool varies = typed.contains("vary");
+  const RequestTable<SceneRequest> table = varies ? scene_sweep_params() : scene_params();
+  const SceneRequest request = table.read(typed);
+  set_request(varies ? "scene_sweep" : "scene", table.write(request));
+  if (options.pads.size() > 1) return compare_and_deliver(request, options.pads, options.outputs);
   simulate_and_deliver(request, options.outputs);
-}
-
-void add_excitation_options(CLI::App& command, DigitMotionRequest& request) {
-  add_named_numbers(command, "--excitation", request.excitation, "MUSCLE=0..1",
-                    "MUSCLE=0..1 ..., from the start on; others are 0");
-  command.add_option("--excitation-file", request.excitation_file,
-                     "CSV time_s,MUSCLE,...: straight lines between its rows");
-}
-
-void add_physics_options(CLI::App& command, SimulateArguments& options) {
-  DigitMotionRequest& request = options.request;
-  command.add_option_function<std::string>(
-      "--muscle", [&request](const std::string& name) { request.muscle = muscle_named(name); },
-      "Muscles: " + listed(muscle_names()) +
-          "; rigid-tendon if left out, bounds where the subject states no fibre lengths");
-  add_named_numbers(command, "--tendon-slack", options.slack_mm, "MUSCLE=mm",
-                    "MUSCLE=mm ...: slack lengths of tendons, for elastic ones");
-  command
-      .add_option("--damping", request.damping, "Of joints whose subject gives none [N m s/rad]")
-      ->check(CLI::NonNegativeNumber);
-  command
-      .add_option("--blend", request.blend,
-                  "Strain over which the bands of a net go from slack to taut")
-      ->check(CLI::PositiveNumber);
-  command
-      .add_option_function<std::vector<double>>(
-          "--gravity",
-          [&request](const std::vector<double>& g) {
-            request.gravity = {g[0], g[1], g[2]};
-          },
-          "x y z of free fall in the subject's frame [m/s^2]; none if left out")
-      ->expected(3);
-}
-
-void add_time_options(CLI::App& command, SimulateArguments& options) {
-  command
-      .add_option("--seconds", options.request.seconds,
-                  "How long [s]; of a scene as its file says if left out")
-      ->check(CLI::PositiveNumber);
-  command
-      .add_option("--sample-ms", options.sample_ms,
-                  "Between the instants kept [ms]; of a scene as its file says if left out")
-      ->check(CLI::PositiveNumber);
-  command
-      .add_option("--tolerance", options.request.tolerance,
-                  "Error of one step: of a subject relative, of a scene in m and rad")
-      ->check(CLI::PositiveNumber);
 }
 
 }  // namespace
@@ -235,13 +127,18 @@ void add_simulate(CLI::App& app) {
   auto options = std::make_shared<SimulateArguments>();  // lives as long as the callback
   CLI::App* command =
       app.add_subcommand("simulate", "How a digit moves when muscles are excited, or a scene");
-  add_tendon_options(*command, options->request.digit, "fractions");
+  // What both have is typed once, in the words of a subject.
+  const std::vector<Param> digit = digit_motion_params().params();
+  add_request_options(*command, without(digit, {"vary_deg", "vary_rad"}), options->request);
+  std::vector<std::string> known{"scene", "pads"};
+  for (const Param& param : digit) known.push_back(param.member.name);
+  add_request_options(*command, without(scene_sweep_params().params(), known), options->request);
+  command->get_option("--vary")->required(false);
   command->get_option("subject")->description(
       "A subject, or a scene of bodies and hands: its name, or its file (TOML)");
-  add_excitation_options(*command, options->request);
-  add_time_options(*command, *options);
-  add_physics_options(*command, *options);
-  add_scene_options(*command, options->scene);
+  command->add_option("--pads", options->pads,
+                      "Of a scene: the rung of all its pads, " + listed(pad_rung_names()) +
+                          "; as the scene says if left out. Several: a run on each, compared");
   add_output_options(*command, options->outputs, {true, true, true, {".h5"}});
   add_examples(*command,
                {"simulate an_chao_index --excitation FDP=0.1 EDC=0.05 --seconds 0.5",
@@ -251,11 +148,19 @@ void add_simulate(CLI::App& app) {
                 "simulate pinch --vary friction=0.1:1:10 --csv",
                 "simulate pencil_pinch --pads elements soft-finger hard-point -o rungs.html"});
   command->callback([command, options] {
-    const DigitRequest& digit = options->request.digit;
-    (void)named_thing(digit.subject, digit.data);  // refuses what has no such name
-    if (is_scene(digit.subject, digit.data)) return simulate_scene_of(*command, *options);
+    const std::string subject = options->request["subject"].get<std::string>();
+    const std::string data = options->request.value("data", "");
+    (void)named_thing(subject, data);  // refuses what has no such name
+    if (is_scene(subject, data)) {
+      refuse_options(
+          *command,
+          {"--digit", "--posture", "--frozen", "--passive", "--hood", "--net", "--excitation",
+           "--excitation-file", "--muscle", "--tendon-slack", "--damping", "--blend", "--gravity"},
+          "subjects", "a scene");
+      return simulate_scene_of(*options);
+    }
     refuse_options(*command, {"--method", "--pads", "--step-ms", "--vary"}, "scenes", "a subject");
-    run_simulate(*options);
+    simulate_digit_of(*options);
   });
 }
 

@@ -19,6 +19,12 @@ namespace {
 
 constexpr std::size_t kMaxContactText = 1'000'000;  // Bytes of a contact set in a request
 
+ContactQualityResult measure(const ContactQualityRequest& request, const Progress& /*progress*/) {
+  return measure_contacts(request);
+}
+
+}  // namespace
+
 RequestTable<ContactQualityRequest> contact_params() {
   using Request = ContactQualityRequest;
   RequestTable<Request> table;
@@ -46,12 +52,6 @@ RequestTable<ContactQualityRequest> contact_params() {
   add_data(table, &Request::data);
   return table;
 }
-
-ContactQualityResult measure(const ContactQualityRequest& request, const Progress& /*progress*/) {
-  return measure_contacts(request);
-}
-
-}  // namespace
 
 RequestTable<WorldRequest> world_params() {
   RequestTable<WorldRequest> table;

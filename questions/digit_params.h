@@ -57,6 +57,7 @@ void add_posture(RequestTable<Request>& table, const std::string& key,
         },
         [=](const Request& request) { return internal::posture_to(request.*member, unit); });
     param.option = typed ? key : "";
+    param.form = "JOINT=degrees";
     param.is_twin = !typed;
   }
 }

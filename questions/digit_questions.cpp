@@ -1,7 +1,9 @@
-// What one digit's tendons do: moment arms, forces of its tip, bands of its hood.
+// Where digits stand and what their tendons do: poses, moment arms, forces of its tip, bands of its
+// hood.
 
 #include "api/feasible_force.h"
 #include "api/moment_arms.h"
+#include "api/pose.h"
 #include "api/tendon_solve.h"
 #include "api/tip_force.h"
 #include "questions/digit_params.h"
@@ -10,6 +12,7 @@
 #include "report/answers/answer_files.h"
 #include "report/answers/feasible_force.h"
 #include "report/answers/moment_arms.h"
+#include "report/answers/pose.h"
 #include "report/answers/tendon_solve.h"
 #include "report/answers/tip_force.h"
 #include "report/pages/digit_page.h"
@@ -17,6 +20,14 @@
 
 namespace thenar::internal {
 namespace {
+
+template <typename Request>
+void add_tension(RequestTable<Request>& table, std::map<std::string, double> Request::*member) {
+  Param& tension = table.add("tension", units::kNewton, map_schema(number_schema("")), member,
+                             "Tensions of muscles; others are slack.");
+  tension.form = "MUSCLE=newton";
+  tension.member.required = true;
+}
 
 RequestTable<DigitRequest> moment_arm_params() {
   RequestTable<DigitRequest> table = linear_digit_params();
@@ -27,10 +38,7 @@ RequestTable<DigitRequest> moment_arm_params() {
 RequestTable<TipForceRequest> tip_force_params() {
   RequestTable<TipForceRequest> table;
   table.include(linear_digit_params(), &TipForceRequest::digit);
-  table
-      .add("tension", units::kNewton, map_schema(number_schema("")), &TipForceRequest::tension,
-           "Tensions of muscles; others are slack.")
-      .member.required = true;
+  add_tension(table, &TipForceRequest::tension);
   table.add_word("hold", kTipConstraintNames, &TipForceRequest::hold,
                  "pinned: no moment; rigid: clamped.");
   table.add("hold_length", units::kMillimetre, number_schema(""), &TipForceRequest::hold_length,
@@ -82,27 +90,46 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
       .option = "set";
   table.add("without", list_schema(text_schema(), 0, 100), &Request::without,
             "Muscles that are paralysed, as under a nerve block; the loss is told.");
-  table.add("weakened", units::kNewton, map_schema(number_schema("", 0)), &Request::weakened,
-            "What weak muscles can pull at most; the loss is told.");
+  table
+      .add("weakened", units::kNewton, map_schema(number_schema("")), &Request::weakened,
+           "What weak muscles can pull at most; the loss is told.")
+      .form = "MUSCLE=newton";
   table.add_word("wrist", kWristLoadNames, &Request::wrist,
                  "held: welded; free: it moves and bears the load, with the muscles across it; "
                  "pinch: it moves, and the load ends within the hand.");
-  table
-      .add("stops", units::kNewtonMetre, map_schema(endless_schema("", -kInfinity)),
-           &Request::stops,
-           "Joints at the end of their range, whose ligaments give at most this torque; positive "
-           "flexes, inf: any.")
-      .option = "stop";
+  Param& stops = table.add(
+      "stops", units::kNewtonMetre, map_schema(endless_schema("", -kInfinity)), &Request::stops,
+      "Joints at the end of their range, whose ligaments give at most this torque; positive "
+      "flexes, inf: any.");
+  stops.option = "stop";
+  stops.form = "JOINT=N_m";
   return table;
 }
 
 RequestTable<TendonRequest> tension_params() {
   RequestTable<TendonRequest> table;
   table.include(tendon_params("net"), &TendonRequest::digit);
+  add_tension(table, &TendonRequest::tension);
+  return table;
+}
+
+RequestTable<PoseRequest> pose_params() {
+  using Request = PoseRequest;
+  RequestTable<Request> table;
+  Param& model = table.add("model", text_schema(), &Request::model,
+                           "A subject or a robot: its name, or its file.");
+  model.is_positional = true;
+  model.member.required = true;
   table
-      .add("tension", units::kNewton, map_schema(number_schema("")), &TendonRequest::tension,
-           "Tensions of muscles; others are slack.")
-      .member.required = true;
+      .add("digits", list_schema(text_schema(), 0, 100), &Request::digits,
+           "Digits of a subject to keep; all if left out.")
+      .option = "digit";
+  add_posture(table, "posture", &Request::posture,
+              "Angles by joint, or in the order of the joints; others stay at 0. Robots: degrees "
+              "of freedom or joints, slides in mm.");
+  add_posture(table, "frozen", &Request::frozen, "Joints welded there.");
+  add_vary(table, &Request::vary, &Request::posture);
+  add_data(table, &Request::data);
   return table;
 }
 
@@ -113,6 +140,9 @@ MomentArmResult compute_arms(const DigitRequest& request, const Progress& progre
 }  // namespace
 
 void add_digit_questions(std::vector<Question>& all) {
+  all.push_back(make_question(
+      "pose", "Joints, segments or links, and tips at a posture.", pose_params(), ask_pose,
+      R"({"model": "synek2019_middle", "posture_deg": {"PIP3": 30}})", "pose"));
   all.push_back(make_question("moment_arms", "Moment arms and length changes of a digit's tendons.",
                               moment_arm_params(), compute_arms,
                               R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 20}})",

@@ -7,6 +7,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "base/run_record.h"
 #include "questions/question.h"
@@ -32,9 +33,6 @@ template <typename Request, typename = void>
 struct HasRun : std::false_type {};
 template <typename Request>
 struct HasRun<Request, std::void_t<decltype(std::declval<Request&>().run)>> : std::true_type {};
-
-/// The record of a run that no command line began, for files that it writes.
-[[nodiscard]] RunRecord run_of_request(const std::string& question, const OrderedJson& request);
 }  // namespace internal
 
 /// An answer with what the overloads of report/ make of a result: fields_of (or json_of) and
@@ -58,7 +56,19 @@ template <typename Result>
   return answer;
 }
 
-/// A question of a request and a result; its `outcome` says how it ended.
+/// An answer that keeps a result, whose `outcome` says how it ended; of several kinds the one it
+/// is.
+template <typename Result>
+[[nodiscard]] Answer answer_of(Result result) {
+  const auto kept = std::make_shared<const Result>(std::move(result));
+  return answer_of(kept, kept->outcome);
+}
+template <typename... Results>
+[[nodiscard]] Answer answer_of(std::variant<Results...> result) {
+  return std::visit([](auto& each) { return answer_of(std::move(each)); }, result);
+}
+
+/// A question of a request and a result, which answer_of() takes.
 /// @param example  a request as JSON
 template <typename Request, typename Result>
 [[nodiscard]] Question make_question(const std::string& name, std::string about,
@@ -75,11 +85,14 @@ template <typename Request, typename Result>
           [name, table, ask](Json json, const std::string& data, const Progress& progress) {
             if (!data.empty() && !json.contains("data")) json["data"] = data;
             Request request = table.read(json);
-            if constexpr (internal::HasRun<Request>::value)
-              request.run = internal::run_of_request(name, table.write(request));
-            const auto result = std::make_shared<const Result>(ask(request, progress));
-            Answer answer = answer_of(result, result->outcome);
-            answer.request = table.write(request);
+            const OrderedJson record = table.write(request);
+            // Files that it writes record a run that no command line began.
+            if constexpr (internal::HasRun<Request>::value) {
+              request.run = record_of_run({});
+              request.run.request = request_record(name, record);
+            }
+            Answer answer = answer_of(ask(request, progress));
+            answer.request = record;
             return answer;
           }};
 }

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "questions/digit_params.h"
 #include "questions/make_question.h"
+#include "questions/question_params.h"
 #include "questions/question_rows.h"
 #include "report/answers/answer_files.h"
 #include "report/answers/simulate.h"
@@ -15,98 +16,8 @@
 #include "report/pages/scene_run.h"
 #include "report/pages/tendons.h"
 
-namespace thenar::internal {
+namespace thenar {
 namespace {
-
-RequestTable<DigitMotionRequest> digit_motion_params() {
-  using Request = DigitMotionRequest;
-  RequestTable<Request> table;
-  table.include(tendon_params("fractions"), &Request::digit);
-  table.add("excitation", map_schema(number_schema("", 0, 1)), &Request::excitation,
-            "Excitations of muscles, 0 to 1, from the start on; others are 0.");
-  table.add("excitation_file", text_schema(), &Request::excitation_file,
-            "CSV time_s,MUSCLE,...: straight lines between its rows.");
-  table.add_word("muscle", kMuscleNames, &Request::muscle,
-                 "Muscles: rigid-tendon if left out, bounds where the subject states no fibre "
-                 "lengths.");
-  table.add("tendon_slack", units::kMillimetre, map_schema(number_schema("", 0)),
-            &Request::tendon_slack, "Slack lengths of tendons, for elastic ones.");
-  table.add("damping", units::kJointDamping, number_schema("", 0), &Request::damping,
-            "Of joints whose subject gives none.");
-  table.add("blend", number_schema("", 0), &Request::blend,
-            "Strain over which the bands of a net go from slack to taut.");
-  table.add("gravity", units::kMetrePerSquareSecond, vector_schema(""), &Request::gravity,
-            "Free fall in the subject's frame.");
-  table.add("seconds", number_schema("", 0), &Request::seconds, "How long.");
-  table
-      .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
-           "Between the instants kept.")
-      .option = "sample-ms";
-  table.add("tolerance", number_schema("", 0), &Request::tolerance, "Relative error of one step.");
-  return table;
-}
-
-RequestTable<SceneRequest> scene_params() {
-  using Request = SceneRequest;
-  RequestTable<Request> table;
-  Param& scene = table.add("scene", text_schema(), &Request::scene,
-                           "A scene of bodies and hands: its name, or its file (TOML).");
-  scene.is_positional = true;
-  scene.member.required = true;
-  table.add(
-      "method", text_schema(), &Request::method,
-      "Stepping: " + listed(names_in(kSteppingMethodNames)) + "; as the scene says if left out.");
-  table.add(
-      "pads", text_schema(), &Request::pads,
-      "Rung of all its pads: " + listed(pad_rung_names()) + "; as the scene says if left out.");
-  add_path(table, &Request::path);
-  table.add("on_pins", flag_schema(), &Request::on_pins,
-            "Without its compliant joints: no joint gives.");
-  table.add("seconds", number_schema("", 0), &Request::seconds,
-            "How long; as the scene says if left out.");
-  table
-      .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
-           "Between the instants kept; as the scene says if left out.")
-      .option = "sample-ms";
-  table
-      .add("step", units::kMillisecond, number_schema("", 0), &Request::step,
-           "Every step, by time-stepping.")
-      .option = "step-ms";
-  table.add("tolerance", number_schema("", 0), &Request::tolerance,
-            "Error of one step, in m and rad.");
-  add_data(table, &Request::data);
-  return table;
-}
-
-RequestTable<SceneRequest> sweep_params() {
-  using Request = SceneRequest;
-  RequestTable<Request> table = scene_params();
-  const Schema range = object_schema({{"name", text_schema(), "Which number.", true},
-                                      {"from", number_schema(""), "First value.", true},
-                                      {"to", number_schema(""), "Last value.", true},
-                                      {"count", integer_schema(1, kMostRuns), "Values.", true}});
-  Param vary{{"vary", list_schema(range, 1, 20),
-              "Numbers that differ from run to run: friction, mass/BODY [kg], force/NAME [N], "
-              "drive/NAME [N, N m], step [s], longest [s], tolerance; a run for each combination."},
-             units::kOne};
-  vary.member.required = true;
-  table.add(
-      vary,
-      [](Request& request, const Json& value) {
-        request.vary.clear();
-        for (const Json& each : value)
-          request.vary.push_back({each["name"].get<std::string>(), each["from"].get<double>(),
-                                  each["to"].get<double>(), each["count"].get<int>()});
-      },
-      [](const Request& request) {
-        Json list;
-        for (const SceneVariation& each : request.vary)
-          list.push_back(
-              {{"name", each.name}, {"from", each.from}, {"to", each.to}, {"count", each.count}});
-        return list;
-      });
-  return table;
-}
 
 RequestTable<PressRequest> press_params() {
   using Request = PressRequest;
@@ -169,7 +80,103 @@ SceneResult simulate(const SceneRequest& request, const Progress& progress) {
 
 }  // namespace
 
-void add_motion_questions(std::vector<Question>& all) {
+RequestTable<DigitMotionRequest> digit_motion_params() {
+  using Request = DigitMotionRequest;
+  RequestTable<Request> table;
+  table.include(tendon_params("fractions"), &Request::digit);
+  table
+      .add("excitation", map_schema(number_schema("")), &Request::excitation,
+           "Excitations of muscles, 0 to 1, from the start on; others are 0.")
+      .form = "MUSCLE=0..1";
+  table.add("excitation_file", text_schema(), &Request::excitation_file,
+            "CSV time_s,MUSCLE,...: straight lines between its rows.");
+  table.add_word("muscle", kMuscleNames, &Request::muscle,
+                 "Muscles: rigid-tendon if left out, bounds where the subject states no fibre "
+                 "lengths.");
+  table
+      .add("tendon_slack", units::kMillimetre, map_schema(number_schema("")),
+           &Request::tendon_slack, "Slack lengths of tendons, for elastic ones.")
+      .form = "MUSCLE=mm";
+  table.add("damping", units::kJointDamping, number_schema("", 0), &Request::damping,
+            "Of joints whose subject gives none.");
+  table.add("blend", number_schema("", 0), &Request::blend,
+            "Strain over which the bands of a net go from slack to taut.");
+  table.add("gravity", units::kMetrePerSquareSecond, vector_schema(""), &Request::gravity,
+            "Free fall in the subject's frame.");
+  table.add("seconds", number_schema("", 0), &Request::seconds, "How long.");
+  table
+      .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
+           "Between the instants kept.")
+      .option = "sample-ms";
+  table.add("tolerance", number_schema("", 0), &Request::tolerance, "Relative error of one step.");
+  return table;
+}
+
+RequestTable<SceneRequest> scene_params() {
+  using Request = SceneRequest;
+  RequestTable<Request> table;
+  Param& scene = table.add("scene", text_schema(), &Request::scene,
+                           "A scene of bodies and hands: its name, or its file (TOML).");
+  scene.is_positional = true;
+  scene.member.required = true;
+  table.add(
+      "method", text_schema(), &Request::method,
+      "Stepping: " + listed(names_in(kSteppingMethodNames)) + "; as the scene says if left out.");
+  table.add(
+      "pads", text_schema(), &Request::pads,
+      "Rung of all its pads: " + listed(pad_rung_names()) + "; as the scene says if left out.");
+  add_path(table, &Request::path);
+  table
+      .add("on_pins", flag_schema(), &Request::on_pins,
+           "Without its compliant joints: no joint gives.")
+      .option = "";
+  table.add("seconds", number_schema("", 0), &Request::seconds,
+            "How long; as the scene says if left out.");
+  table
+      .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
+           "Between the instants kept; as the scene says if left out.")
+      .option = "sample-ms";
+  table
+      .add("step", units::kMillisecond, number_schema("", 0), &Request::step,
+           "Every step, by time-stepping.")
+      .option = "step-ms";
+  table.add("tolerance", number_schema("", 0), &Request::tolerance,
+            "Error of one step, in m and rad.");
+  add_data(table, &Request::data);
+  return table;
+}
+
+RequestTable<SceneRequest> scene_sweep_params() {
+  using Request = SceneRequest;
+  RequestTable<Request> table = scene_params();
+  const Schema range = object_schema({{"name", text_schema(), "Which number.", true},
+                                      {"from", number_schema(""), "First value.", true},
+                                      {"to", number_schema(""), "Last value.", true},
+                                      {"count", integer_schema(1, kMostRuns), "Values.", true}});
+  Param vary{{"vary", list_schema(range, 1, 20),
+              "Numbers that differ from run to run: friction, mass/BODY [kg], force/NAME [N], "
+              "drive/NAME [N, N m], step [s], longest [s], tolerance; a run for each combination."},
+             units::kOne};
+  vary.member.required = true;
+  table.add(
+      vary,
+      [](Request& request, const Json& value) {
+        request.vary.clear();
+        for (const Json& each : value)
+          request.vary.push_back({each["name"].get<std::string>(), each["from"].get<double>(),
+                                  each["to"].get<double>(), each["count"].get<int>()});
+      },
+      [](const Request& request) {
+        Json list;
+        for (const SceneVariation& each : request.vary)
+          list.push_back(
+              {{"name", each.name}, {"from", each.from}, {"to", each.to}, {"count", each.count}});
+        return list;
+      });
+  return table;
+}
+
+void internal::add_motion_questions(std::vector<Question>& all) {
   all.push_back(make_question("digit_motion", "How a digit moves when its muscles are excited.",
                               digit_motion_params(), simulate_digit,
                               R"({"subject": "an_chao_index", "excitation": {"FDP": 0.1},
@@ -179,7 +186,7 @@ void add_motion_questions(std::vector<Question>& all) {
                               simulate, R"({"scene": "incline_slide", "seconds": 0.1})", "simulate",
                               QuestionPace::kLasts));
   all.push_back(make_question(
-      "scene_sweep", "How a scene moves when numbers of it vary.", sweep_params(), sweep,
+      "scene_sweep", "How a scene moves when numbers of it vary.", scene_sweep_params(), sweep,
       R"({"scene": "incline_slide", "seconds": 0.1, "vary": [{"name": "friction", "from": 0.1,
           "to": 0.3, "count": 2}]})",
       "simulate", QuestionPace::kLasts));
@@ -189,4 +196,4 @@ void add_motion_questions(std::vector<Question>& all) {
                               QuestionPace::kLasts));
 }
 
-}  // namespace thenar::internal
+}  // namespace thenar

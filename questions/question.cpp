@@ -1,18 +1,9 @@
 #include "questions/question.h"
 
 #include "base/nearest_name.h"
-#include "questions/make_question.h"
 #include "questions/question_rows.h"
 
 namespace thenar {
-
-RunRecord internal::run_of_request(const std::string& question, const OrderedJson& request) {
-  RunRecord run = record_of_run({});
-  OrderedJson record{{"question", question}};
-  record.update(request);
-  run.request = json_text(record, -1);
-  return run;
-}
 
 const std::vector<Question>& questions() {
   static const std::vector<Question> kAll = [] {
@@ -26,10 +17,20 @@ const std::vector<Question>& questions() {
   return kAll;
 }
 
-const Question& question_named(const std::string& name) {
+std::vector<std::string> question_names() {
   std::vector<std::string> names;
   for (const Question& each : questions()) names.push_back(each.name);
-  return questions()[index_of_name(name, names, "question")];
+  return names;
+}
+
+std::string request_record(const std::string& question, const OrderedJson& request) {
+  OrderedJson record{{"question", question}};
+  record.update(request);
+  return json_text(record, -1);
+}
+
+const Question& question_named(const std::string& name) {
+  return questions()[index_of_name(name, question_names(), "question")];
 }
 
 }  // namespace thenar

@@ -50,6 +50,12 @@ struct Question {
 /// All questions, in the order in which they are documented.
 [[nodiscard]] const std::vector<Question>& questions();
 
+/// Their names, in that order.
+[[nodiscard]] std::vector<std::string> question_names();
+
+/// What was asked, as files record it: {"question": "tip_force", ..} as text.
+[[nodiscard]] std::string request_record(const std::string& question, const OrderedJson& request);
+
 /// The question of a name. @throws InputError with the nearest name.
 [[nodiscard]] const Question& question_named(const std::string& name);
 

@@ -32,6 +32,7 @@ struct Param {
   // Names of options of commands, with commas between, "!" before those that say the opposite of a
   // flag: "approach,!no-approach"; "": none; absent: by its key.
   std::optional<std::string> option = {};
+  std::string form = "NAME=number";  // how a number by name is typed: "MUSCLE=newton"
   ParamScope scope = ParamScope::kAnywhere;
   bool is_positional = false;  // of commands: a plain argument
   bool is_twin = false;        // of the parameter before it, in another unit

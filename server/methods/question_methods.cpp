@@ -74,12 +74,6 @@ Schema job_schema() {
 
 int job_param(const Json& params) { return params["job"].get<int>(); }
 
-std::vector<std::string> question_names() {
-  std::vector<std::string> names;
-  for (const Question& question : questions()) names.push_back(question.name);
-  return names;
-}
-
 }  // namespace
 
 void add_question_methods(MethodTable& table) {

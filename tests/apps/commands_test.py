@@ -348,7 +348,7 @@ class FeasibleForce(Near):
         self.assertAlmostEqual(half["stops"][0]["torque_Nm"], stop["torque_Nm"] / 2, delta=1e-9)
         self.assertGreater(half["stops"][0]["N_per_Nm"], 0)
         self.assertIn("'IP1' is given twice", complaint(*words, "--stop", "IP1=1", "IP1=inf"))
-        self.assertIn("wanted NAME=number", complaint(*words, "--stop", "IP1"))
+        self.assertIn("wanted JOINT=N_m", complaint(*words, "--stop", "IP1"))
 
     def test_an_intact_wrist_takes_nothing_of_a_pinch(self):
         words = ("feasible-force", HUMAN, "--digit", "thumb", "--axes", "tip", "--direction",
@@ -1019,6 +1019,10 @@ class Complaints(unittest.TestCase):
                 self.assertNotIn("\n", said)
                 if text:
                     self.assertEqual(said, "thenar: " + text)
+
+    def test_whole_numbers_are_not_cut_off(self):
+        self.assertIn("wanted a whole number, got '2.5'", complaint("tendon", "infer", H01, "--subject", SYNEK, "--propose", 2.5))
+        self.assertIn("wanted a whole number, got '1e30'", complaint("pad", "press", "--force", 1, "--points", "1e30"))
 
     def test_unknown_largest_forces_are_named(self):
         said = complaint("feasible-force", WHOLE, "--digit", "ring", "--direction", 1, 0, 0)
