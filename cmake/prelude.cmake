@@ -1,10 +1,11 @@
-# thenar_prelude(TARGET NAME HEADER...)
+# thenar_prelude(TARGET NAME LIKE HEADER...)
 #
-# Compiles TARGET with HEADERs read once for all targets that ask for NAME (same flags, please).
+# Compiles TARGET with HEADERs read once for all targets that ask for NAME (same options, please: gcc takes the level of
+# optimisation from the header). LIKE links to what the headers need and to nothing that others of NAME do not link to.
 # Off (-DTHENAR_PRELUDE=OFF, as in the presets dev and tidy) every file stands on its own includes.
 option(THENAR_PRELUDE "Precompile the headers that most files read" ON)
 
-function(thenar_prelude target name)
+function(thenar_prelude target name like)
   if(NOT THENAR_PRELUDE)
     return()
   endif()
@@ -12,9 +13,10 @@ function(thenar_prelude target name)
   if(NOT TARGET ${prelude})
     file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/prelude/${name}.cpp CONTENT "")
     add_library(${prelude} OBJECT ${PROJECT_BINARY_DIR}/prelude/${name}.cpp)
-    foreach(property LINK_LIBRARIES COMPILE_OPTIONS)
-      set_property(TARGET ${prelude} PROPERTY ${property} $<TARGET_PROPERTY:${target},${property}>)
-    endforeach()
+    set_property(TARGET ${prelude} PROPERTY LINK_LIBRARIES
+                 $<TARGET_PROPERTY:${like},LINK_LIBRARIES> thenar_warnings)
+    get_target_property(options ${target} COMPILE_OPTIONS)  # its own, not those of what it links to
+    set_property(TARGET ${prelude} PROPERTY COMPILE_OPTIONS ${options})
     target_precompile_headers(${prelude} PRIVATE ${ARGN})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${prelude})
