@@ -60,6 +60,7 @@ std::string type_of(const Schema& schema) {
     case Schema::Kind::kObject:
       break;
   }
+  // Objects list their members with their types.
   std::string members;
   for (const SchemaMember& member : schema.members)
     members +=

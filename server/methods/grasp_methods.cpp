@@ -62,6 +62,7 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
                   {"hand", result.setting.hand.named.name},
                   {"object", object.name},
                   {"contacts", result.grasp.contacts.size()}};
+  // Without contacts there is no quality, and the reason is told.
   if (result.grasp.contacts.empty()) {
     out.update({{"reason", "the hand does not touch the object"},
                 {"epsilon", nullptr},
@@ -72,6 +73,7 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
                 {"worst_wrench", nullptr},
                 {"worst_wrench_words", nullptr},
                 {"volume", nullptr}});
+    // Epsilon with its bounds, and the direction that limits it.
   } else {
     const Epsilon& e = result.grasp.quality;
     const bool missing = e.has_missing_direction;
