@@ -43,6 +43,7 @@ OrderedJson volume_json(const GraspResult& result, const Progress& progress) {
   options.limit = result.request.limit;
   options.progress = progress;
   const Volume found = volume(result.wrenches, options);
+  // A volume that was stopped has no bounds worth telling.
   if (progress.stop()) throw Stopped("the volume was stopped");
   return {{"lower", found.lower},
           {"upper", number_or_null(found.upper)},
@@ -96,6 +97,7 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
 }
 
 OrderedJson wrenches(Session& session, const Json& params, const Progress& /*progress*/) {
+  // Unlimited contacts give wrenches per newton of normal force, limits of the hand newtons.
   const Json& axes = params["axes"];
   const auto limits = value_in(kWrenchLimitsNames, params["limits"].get<std::string>(), "limits");
   const WrenchSetMesh found =
@@ -121,6 +123,7 @@ OrderedJson pads(Session& session, const Json& params, const Progress& /*progres
   const LivePads found =
       press_pads(live_world(session), pair_param(params), params["force"].get<double>());
   OrderedJson list = OrderedJson::array();
+  // Tell every spring of each pad: its place, its pressure and whether it sticks.
   for (const PadOnObject& pad : found.pads) {
     OrderedJson points = OrderedJson::array();
     for (const PadPoint& point : pad.points)
