@@ -293,6 +293,7 @@ std::string text_of(const CloseResult& result) { return text_of(result.grasp); }
 Fields fields_of(const GraspResult& result) {
   const Grasp& grasp = result.grasp;
   const NamedHand& hand = result.setting.hand.named;
+  // The outcome tells force closure apart from a mere touch.
   const Pose<double>& X = grasp.approached.X_WH;
   Fields fields{
       {"world", result.setting.path},
@@ -304,6 +305,7 @@ Fields fields_of(const GraspResult& result) {
                       ? "touched"
                       : name_of(grasp.outcome)},
       {"explanation", explanation(result)}};
+  // Without contacts there is nothing to measure.
   if (grasp.outcome == GraspOutcome::kGrasped) {
     fields.add("centre_of_mass", units::kMetre, result.setting.setup.object.com);
     fields.add("torque_scale", units::kMetre, result.setting.setup.object.torque_scale);
