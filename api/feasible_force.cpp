@@ -345,7 +345,7 @@ FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
     const DigitAtPosture at = with_weak_muscles(intact, answer);
     answer.max_tension = at.statics.max_tension;
     FeasibleForcePoint point = point_at(request, held, at);
-    // What the muscles would give.
+    // Compare with the load that the digit makes with all muscles intact.
     if (point.largest && weak) {
       TipLoadOptions options = options_of(request, held, point.axes);
       options.prices = false;

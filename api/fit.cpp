@@ -266,7 +266,7 @@ FitResult fit_digit(const FitRequest& request, const Progress& progress) {
   outcome.warn(path_cautions(fit.inputs));
   if (!request.output.empty()) write_fit(result.fit, request.output);
 
-  // What it predicts, and what fits predict that have not seen it.
+  // Predict in sample, then by fits that have not seen what they predict.
   result.in_sample = predict_own(result.fit);
   LeftOut left_out = leave_out(request, result.fit.problem, prepared, options);
   result.left_out = std::move(left_out.validations);

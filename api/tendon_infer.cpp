@@ -61,7 +61,7 @@ InferenceCase read_case(const InferNetRequest& request, InferNetResult& answer) 
                    net_records(netted, experiment),
                    possible_tests(netted, experiment),
                    {experiment.sd_relative, experiment.sd_floor}};
-  // What the answer is of.
+  // Name the experiment, the subject and the net that the answer is about.
   answer.experiment = experiment.name;
   answer.subject = subject.name;
   answer.net = at.candidate.net.name;
@@ -145,7 +145,7 @@ BandProblems free_problems(const InferNetRequest& request, InferNetResult& answe
   inputs.settings.text = with_freed(std::move(inputs.settings.text), words);
   FitProblem all = build_problem(inputs);
   std::vector<std::string> bands = bands_matching(all.digit().net->net, request.bands);
-  // What the answer is of.
+  // Name the experiment, the subject and the net that the answer is about.
   answer.experiment = all.experiments().front().name;
   answer.subject = parse_subject(inputs.subject.text, inputs.subject.path).name;
   answer.net = all.digit().net->net.name;
@@ -192,7 +192,7 @@ void infer_free(const InferNetRequest& request, const Progress& progress, InferN
   if (!free.posterior.found) return;
   answer.outcome.warn(doubts_of(free.posterior));
   if (progress.stop()) return;
-  // What to measure next.
+  // Rank the trials that could be measured next.
   const FitProblem& all = problems.all();
   const std::vector<RankedTrial> ranked =
       rank_trials(problems, free.posterior, possible_trials(all.digit(), all.experiments().front()),

@@ -97,7 +97,7 @@ void sample_posterior_of(FitArguments& options) {
   require(!options.fit.contains("leave_out"),
           "--cross-validate is for fits; a posterior's file says how well it would predict each "
           "trial unseen (`thenar posterior summary`)");
-  // What fits and posteriors have in common is typed once.
+  // Options that fits and posteriors share are typed once.
   options.fit.erase("max_evaluations");
   options.chains.update(options.fit);
   SampleRequest request = posterior_params().read(options.chains);
@@ -134,7 +134,7 @@ void run_fit(FitArguments& options) {
 
 void add_chain_options(CLI::App& command, FitArguments& options) {
   CLI::Option_group* const group = command.add_option_group("With --method mcmc");
-  // What fits have, too, is an option already.
+  // Leave out parameters that fits have, as these are options already.
   const std::vector<Param> fits = fit_params().params();
   std::vector<std::string> known;
   for (const Param& param : fits)

@@ -129,7 +129,7 @@ void add_simulate(CLI::App& app) {
   auto options = std::make_shared<SimulateArguments>();  // lives as long as the callback
   CLI::App* command =
       app.add_subcommand("simulate", "How a digit moves when muscles are excited, or a scene");
-  // What both have is typed once, in the words of a subject.
+  // Options that both have are typed once, in the words of a subject.
   const std::vector<Param> digit = digit_motion_params().params();
   add_request_options(*command, without(digit, {"vary_deg", "vary_rad"}), options->request);
   std::vector<std::string> known{"scene", "pads"};

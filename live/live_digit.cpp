@@ -129,7 +129,7 @@ std::vector<std::string> LiveDigit::set(const DigitInputs& inputs) {
   Eigen::VectorXd t = now_.tension;
   for (Eigen::Index m = 0; m < t.size(); ++m)
     if (inputs.tension.count(muscles[static_cast<std::size_t>(m)]) > 0) t[m] = named[m];
-  // Solve before anything is counted: a failure leaves the present state as it is.
+  // Count the change only once it was solved.
   solve(q, excitation, t);
   ++changes_;
   return limited;
@@ -140,7 +140,7 @@ void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitatio
   DigitNow now;
   now.excitation = excitation;
   now.tension = muscles_->tensions(excitation, t, q);
-  // What only other tensions change.
+  // Solve again for the straight finger and zero angles only if tensions have changed.
   if (solved_tension_.size() == 0 || solved_tension_ != now.tension) {
     solved_tension_.resize(0);
     if (case_.net != nullptr)

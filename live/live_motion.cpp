@@ -102,7 +102,7 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
   }
   // Report the quality of these steps alone, beside that of the whole motion.
   MotionQuality out;
-  // What a step tells is a part of the whole.
+  // Progress of one step is a part of that of all.
   long made = 0;
   Progress within = progress;
   within.report = [&](double part, const std::string& what) {

@@ -46,7 +46,7 @@ RequestTable<PressRequest> press_params() {
             "Presses until this force.");
   table.add("depth", units::kMillimetre, number_schema(""), &Request::depth,
             "Presses to this depth from the touch on.");
-  // How the object comes: its orientation, its rate, and how long it stands still.
+  // The way of the object: its orientation, its rate, and how long it stands still.
   table.add("angle", units::kDegree, number_schema(""), &Request::angle,
             "Of the pad to the object, the finger's proximal end lifted, -60 to 60 deg.");
   table.add("turn", units::kDegree, number_schema(""), &Request::turn,

@@ -93,7 +93,7 @@ RpcMessage read_rpc(const std::string& text, const RpcLimits& limits) {
   try {
     value = Json::parse(text);
   } catch (const Json::exception& error) {
-    // What the parser says follows the name of its exception.
+    // The parser's words follow the name of its exception.
     const std::string said = error.what();
     return refusal(RpcCode::kParse, "wanted JSON: " + said.substr(said.find(']') + 2));
   }

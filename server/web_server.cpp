@@ -439,7 +439,7 @@ class WebServer::Network {
       acceptor_.close(ignored);
       pause_.cancel();
       for (const auto& peer : web_->peers.all()) peer->finish();
-      // What has not left by then is cut off, and the thread has nothing left to do.
+      // Connections that have not ended by then are cut off, and the thread has nothing left to do.
       patience.expires_after(kFarewell);
       patience.async_wait([this](beast::error_code) { drop_all(); });
     });

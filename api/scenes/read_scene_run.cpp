@@ -131,7 +131,7 @@ class RunReader {
     // One row for each instant; all tables have as many.
     const Eigen::VectorXd time = vector_in(file_, "time");
     const Index count = time.size();
-    // What has no position at all has no columns in the file.
+    // A scene without positions has no columns of them in the file.
     const Eigen::MatrixXd q =
         scene.q.size() > 0 ? table("position", count, scene.q.size()) : Eigen::MatrixXd(count, 0);
     const Eigen::MatrixXd v =

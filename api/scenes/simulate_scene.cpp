@@ -520,7 +520,7 @@ void add_account(const SceneResult& scene, const std::string& group, ResultFile&
 
 /// Adds the outcome of a run: status, cost, energies and slip of pairs.
 void add_outcome(const SceneResult& scene, const std::string& group, ResultFile& file) {
-  // How the run ended, and what it cost.
+  // State how the run ended and what it cost.
   const SceneCost& cost = scene.run.cost;
   file.add(group + "status", name_of(scene.run.status));
   if (!scene.run.reason.empty()) file.add(group + "reason", scene.run.reason);

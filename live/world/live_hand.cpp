@@ -110,7 +110,7 @@ std::shared_ptr<const LiveHand> build_live_hand(const WorldSpec& world, const st
   hands_alone.bodies.clear();
   hand->hand = hand_of_world(hands_alone, name, path, data, human);
   require_materials(hand->hand.named, world.materials);
-  // What is drawn.
+  // Collect all that is drawn.
   add_surface_bodies(*hand);
   add_nails(*hand);
   add_bones(*hand);

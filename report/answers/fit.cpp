@@ -310,7 +310,7 @@ std::string fit_complaint(const FitResult& result, bool allowed) {
 
 Fields fields_of(const FitResult& result) {
   const Fit& fit = result.fit;
-  // How the solver ended, and how much the data determine.
+  // State how the solver ended, and how much the data determine.
   Fields fields{{"status", convergence_word(fit.solution)},
                 {"message", fit.solution.message},
                 {"cost", fit.solution.cost},

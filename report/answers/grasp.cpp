@@ -269,7 +269,7 @@ std::vector<std::string> folded(const std::vector<std::string>& warnings) {
 std::string text_of(const GraspResult& result) {
   std::string text = fmt::format("{} and {}: {}\n", result.setting.hand.named.name,
                                  result.setting.setup.object.name, explanation(result));
-  // What makes it the answer to another question stands before the numbers.
+  // Warnings that make it the answer to another question stand before the numbers.
   std::vector<std::string> warnings = folded(result.outcome.warnings);
   const auto light = std::stable_partition(warnings.begin(), warnings.end(), is_grave);
   const auto add_warning = [&](const std::string& warning) {

@@ -278,7 +278,7 @@ std::string varied_words(const SceneResult& scene) {
 }
 
 std::string text_of(const SceneResult& scene) {
-  // What moved and touched, then the account of energy and the cost.
+  // Bodies and contacts first, then the account of energy and the cost.
   const SceneCost& cost = scene.run.cost;
   const ContactStep::Energy &start = scene.run.samples.front().energy,
                             &end = scene.run.samples.back().energy;

@@ -71,7 +71,7 @@ std::string tendon_title(const LoadedDigit& loaded) {
 }
 
 void add_net(const LoadedDigit& loaded, const DigitPoint& point, Fields& fields) {
-  // How the net came to rest, and how well.
+  // State how the net came to rest, and how well.
   const Net& net = loaded.net()->net().net;
   fields.add("status", name_of(point.rest.status));
   fields.add("snapped", point.snapped);

@@ -32,7 +32,7 @@ ModeMeans means_of(const ModeTable& table, const Quantity& quantity) {
       count[table.of_draw(i, c)] += 1;
     }
   ModeMeans out{&quantity, sum.cwiseQuotient(count), 0};
-  // How far the modes are apart, in sds of all draws.
+  // Measure how far the modes are apart, in sds of all draws.
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const double mean : out.mean)
     if (std::isfinite(mean)) {

@@ -195,7 +195,7 @@ std::string refusal_of(const RungComparison& comparison) {
 
 Json page_of(const RungComparison& comparison) {
   const RungRun& finest = comparison.runs[comparison.finest];
-  // What each rung costs, then forces over time, then the motion on every rung.
+  // The cost of each rung, then forces over time, then the motion on every rung.
   Json charts = Json::array(
       {rung_banner(comparison),
        row_block(Json::array(

@@ -425,7 +425,7 @@ Json distribution_section(const Comparison& comparison) {
 }
 
 Json abilities_section(const Comparison& comparison) {
-  // What hands can do, then what each digit can.
+  // Abilities of hands, then of each digit.
   Json blocks = Json::array();
   blocks.push_back(table_block(
       "What each hand can do without an object. Kapandji: the highest of ten places on the hand "

@@ -388,7 +388,7 @@ Json fitted_scene(const Fit& fit, int specimen, MeshTable& meshes) {
 
 Json page_of(const FitResult& result) {
   const Fit& fit = result.fit;
-  // How the fit ended comes first, as all else depends on it.
+  // Tell first how the fit ended, as all else depends on it.
   const std::string whose = names_of(result);
   Json first = ending_blocks(result);
   first.push_back(error_table(result));

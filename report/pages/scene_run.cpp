@@ -175,7 +175,7 @@ class SceneFilm {
     }
     // Forces act on both bodies, with opposite signs.
     for (const ContactSample& contact : sample.contacts) {
-      // What presses on the one body presses back on the other.
+      // A contact presses on both bodies, in opposite directions.
       const Eigen::Vector3d vector = arrow_ / largest_force_ * contact.force;
       if (vector.norm() < 1e-3 * arrow_) continue;
       for (const double sign : {1.0, -1.0})

@@ -52,7 +52,7 @@ Json work_series(const std::vector<WorkPoint>& points, SteppingMethod method, Js
                                        : fmt::format("step {:g} ms", 1e3 * point.setting);
     rows.push_back({name, setting, name_of(point.status), point.steps, 1e3 * point.cpu_seconds,
                     point.error / kMm});
-    // What was not solved has no point in the chart.
+    // Runs that were not solved have no point in the chart.
     if (point.status != SceneStatus::kDone && point.status != SceneStatus::kUnbalanced) continue;
     cpu.push_back(1e3 * point.cpu_seconds);
     error.push_back(point.error / kMm);

@@ -178,7 +178,7 @@ Json solver_page(const std::vector<SpecimenStudy>& studies) {
 }
 
 Json parameter_page(const std::vector<SpecimenStudy>& studies) {
-  // What was learnt of each parameter, profiles, and directions that no force determines.
+  // Estimates of each parameter, profiles, and directions that no force determines.
   Json blocks = Json::array();
   for (const SpecimenStudy& study : studies) {
     blocks.push_back(learnt_forest(study.fit, study.fit.problem.specimens().front()));

@@ -209,7 +209,7 @@ MeanThumb mean_thumb(const DigitVariability& variability, const Subject& subject
   const Digit& thumb = named_item(subject.digits, "thumb", "digit");
   mean.tip.R << thumb.proximal, thumb.dorsal, thumb.radial;
   mean.tip.p = thumb.tip;
-  // What the criteria are asked of.
+  // Find the axes on which the criteria are decided.
   mean.mcp_flexion = axis_number(mean.spread, "MCP1_FE");
   mean.mcp_abduction = axis_number(mean.spread, "MCP1_AA");
   mean.first = axis_number(mean.spread, variability.second.first);
