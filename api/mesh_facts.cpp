@@ -144,7 +144,7 @@ void weigh_triangles(const TriangleMesh& mesh, MeshFacts& facts) {
 
 /// Replaces mass and warnings of the triangles by those of the exact solids.
 void weigh_exact(const MeshContent& content, MeshFacts& facts) {
-  // Exact solids have volumes in closed form, and warnings about triangles no longer matter.
+  // Exact solids are weighed without triangles, whose warnings no longer matter.
   const UnionMass all = union_mass(content.exact);
   facts.unit_mass = all.mass;
   facts.solid = all.mass.mass > 0;

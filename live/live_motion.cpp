@@ -280,7 +280,7 @@ std::vector<MotionInput> LiveMotion::inputs() const {
     return found == values.end() ? std::nullopt : std::optional<double>(found->second);
   };
   std::vector<MotionInput> out;
-  // An effort is bounded by the motor; a target needs a drive that is stiff enough to hold it.
+  // An effort is bounded by the motor; a target needs a drive that has stiffness.
   const std::vector<CoordinateRange> ranges = coordinate_ranges(scene());
   for (std::size_t c = 0; c < coordinates_.size(); ++c) {
     const std::string& name = coordinates_[c];
