@@ -44,12 +44,15 @@ std::string object_file(const std::string& name, const std::string& data) {
 }
 
 ComparedHand to_compare(const NamedHand& named) {
+  // Copy the facts that every task needs: geometry, friction and closing speeds.
   ComparedHand hand;
   hand.name = named.name;
   hand.hand = named.hand;
   hand.contact = named.contact;
   hand.rates = named.rates;
   hand.warnings = named.warnings;
+  // Robots have no opposition targets, so only human hands pass the Kapandji points to the
+  // comparison.
   if (named.targets.empty()) return hand;
   const SkinLandmark& thumb = pad_of(named.patches, "thumb");
   hand.thumb = {"thumb", thumb.link, thumb.p, 0};
@@ -139,6 +142,8 @@ std::vector<ComparedHand> compared_hands(const std::vector<NamedHand>& named,
 }
 
 CompareOptions options_of(const CompareRequest& request, const Materials& materials) {
+  // Threads change the speed alone; every other option changes the result and is part of the
+  // inputs.
   CompareOptions options;
   options.approaches = request.approaches;
   options.best = request.best;
@@ -169,11 +174,14 @@ FileDigests files_of(const std::vector<NamedHand>& hands, const std::vector<Body
 /// SHA-256 of all hands and objects, as "hand barrett" and "object mug".
 JsonNode content_hashes(const CompareRequest& request, const std::vector<BodySpec>& objects,
                         const Materials& materials) {
+  // Hands are hashed under their current name, so that a renamed hand stays comparable.
   JsonNode contents(JsonKind::kObject);
   for (const std::string& hand : request.hands)
     if (const std::string hash = hand_hash(hand, request.data); !hash.empty())
       contents.set("hand " + current_hand_name(hand), hash);
   for (const BodySpec& object : objects) contents.set("object " + object.name, object_hash(object));
+  // Materials decide friction and pads, hence their text and the laws they point to belong to the
+  // key.
   if (!request.materials.empty())
     contents.set("materials " + request.materials, sha256(read_source(request.materials).text));
   for (const auto& [path, hash] : materials.files) contents.set("laws " + path, hash);
@@ -184,8 +192,10 @@ JsonNode content_hashes(const CompareRequest& request, const std::vector<BodySpe
 /// contents of everything that it names.
 JsonNode inputs_of(const CompareRequest& request, const std::vector<BodySpec>& objects,
                    const Materials& materials) {
+  // Use current names: a file that was written under an old name of a hand still matches.
   std::vector<std::string> hands;
   for (const std::string& hand : request.hands) hands.push_back(current_hand_name(hand));
+  // The number of threads is left out, since it does not change the result.
   JsonNode inputs;
   inputs.set("hands", hands)
       .set("objects", request.objects)
@@ -221,11 +231,13 @@ bool holds(const std::vector<HandOnObject>& cells, const HandOnObject& wanted) {
 }
 
 void require_fits(const BestGrasp& best, const NamedHand& hand, const std::string& path) {
+  // Refuse cells that were kept for another version of the hand: their postures have other lengths.
   const Eigen::Index angles = hand.hand->layout().lower.size();
   if (best.q.size() != angles)
     throw DataError(path, 1,
                     fmt::format("a posture of '{}' has {} angles, wanted {}", hand.name,
                                 best.q.size(), angles));
+  // A contact refers to a surface by index, which must exist in the hand as it is built today.
   const auto surfaces = static_cast<int>(hand.hand->surfaces().size());
   for (const HandContact& contact : best.contacts)
     if (contact.surface >= surfaces)
@@ -267,6 +279,7 @@ Comparison go_on(const CompareRequest& request, CompareOptions options, const Js
     if (!request.file.empty())
       write_comparison(request.file, joined(comparison, kept.cells), inputs, provenance);
   };
+  // Write after every cell, so that a killed comparison continues where it was.
   options.keep = [&](const Comparison& comparison) {
     const bool all_old = std::all_of(comparison.cells.begin(), comparison.cells.end(),
                                      [&](const auto& cell) { return holds(kept.cells, cell); });
@@ -283,6 +296,7 @@ Comparison go_on(const CompareRequest& request, CompareOptions options, const Js
 }  // namespace
 
 CompareResult compare_hands(const CompareRequest& request, const Progress& progress) {
+  // Count pairs of a hand and an object, each of which is one cell of the table.
   CompareResult result;
   result.request = request;
   result.outcome = {Status::kStopped, 0, request.hands.size() * request.objects.size(), "pair", {}};
@@ -296,8 +310,11 @@ CompareResult compare_hands(const CompareRequest& request, const Progress& progr
     }
   const Materials materials = materials_of_file(request.materials);
   require_object_materials(request, result.objects, materials);
+  // Collect the inputs before hands are built, because they decide whether kept cells are still
+  // valid.
   const JsonNode inputs = inputs_of(request, result.objects, materials);
   result.inputs = input_texts(inputs, request.seed);
+  // Find out that the file cannot be written before hours of work, not after.
   if (!request.file.empty()) require_writable(request.file);
   result.hands = hands_of(request, progress);
   if (result.hands.size() < request.hands.size()) return result;  // stopped
@@ -305,9 +322,11 @@ CompareResult compare_hands(const CompareRequest& request, const Progress& progr
   result.files = files_of(result.hands, result.objects);
   if (!request.materials.empty()) result.files.merge(digests_of({request.materials}));
   result.files.insert(materials.files.begin(), materials.files.end());
+  // Every surface of a hand needs a known material, as friction and pads depend on it.
   for (const NamedHand& hand : result.hands) require_materials(hand, materials);
   result.comparison = go_on(request, options_of(request, materials), inputs, result,
                             compared_hands(result.hands, without_material), progress);
+  // An interrupted comparison keeps its cells and stays marked as stopped.
   if (result.comparison.complete) result.outcome.status = Status::kSolved;
   result.outcome.done = result.comparison.cells.size();
   result.outcome.warnings = result.comparison.warnings;

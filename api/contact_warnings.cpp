@@ -73,11 +73,13 @@ void add_normals(const ContactFile& file, const std::vector<Numbered>& cones,
 
 void add_far(const ContactFile& file, const std::vector<Numbered>& cones,
              std::vector<std::string>& warnings) {
+  // Far is beyond an absolute distance or beyond so many torque scales, whichever is less.
   const std::vector<int> far = those(cones, [&](const FileContact& c) {
     return arm_of(c, file).norm() >
            std::min(kMaxContactDistance, kMaxScaledDistance * file.torque_scale);
   });
   if (far.empty()) return;
+  // Report the first of them as the example.
   const double r = arm_of(at(file, far), file).norm();
   warnings.push_back(fmt::format(
       "{:.4g} m, or {:.4g} torque scales, from the centre of mass: {}; lengths are in metres, "
@@ -96,11 +98,13 @@ void add_outward(const ContactFile& file, const std::vector<Numbered>& cones,
 }
 
 void add_repeated(const std::vector<Numbered>& cones, std::vector<std::string>& warnings) {
+  // Contacts in one region share one limit of normal force, whatever the number of cones.
   std::vector<Contact> places;
   places.reserve(cones.size());
   for (const Numbered& cone : cones) places.push_back(contact_of(*cone.contact));
   const std::vector<int> region = contact_regions(places);
   std::set<int> met;
+  // A stated patch means that the repetition is on purpose.
   std::vector<int> repeated;
   for (std::size_t i = 0; i < cones.size(); ++i)
     if (!met.insert(region[i]).second && places[i].patch < 0) repeated.push_back(cones[i].number);

@@ -75,6 +75,7 @@ void check_names(const CheckedExperiment& of, std::vector<std::string>& misfits)
   const auto known = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
+  // Each unknown name is reported once, at the first line that uses it.
   std::set<std::string> told;
   const auto check_segment = [&](const std::string& name, int line) {
     if (digit.skeleton.link_of_segment.count(name) > 0 || !told.insert("segment " + name).second)
@@ -83,12 +84,14 @@ void check_names(const CheckedExperiment& of, std::vector<std::string>& misfits)
     for (const auto& [segment, link] : digit.skeleton.link_of_segment) segments.push_back(segment);
     misfits.push_back(lines.at(line, no_such("segment", name, segments)));
   };
+  // Check the segments on which forces act and in whose axes they are stated.
   check_segment(experiment.force_segment, lines.segment);
   for (std::size_t i = 0; i < experiment.trials.size(); ++i)
     if (const std::optional<ForceSite>& site = experiment.trials[i].site) {
       check_segment(site->at, lines.trial(i));
       check_segment(site->axes, lines.trial(i));
     }
+  // Check the joints of postures, then the muscles of trials.
   for (std::size_t p = 0; p < experiment.postures.size(); ++p)
     for (const auto& [joint, angle] : experiment.postures[p].angles)
       if (!known(digit.names.coordinates, joint) && told.insert("joint " + joint).second)
@@ -114,6 +117,8 @@ void check_forces(const CheckedExperiment& of, std::vector<std::string>& doubts)
   constexpr double kNoiseSds = 2;  // Largest excess of a force by chance [sds]
   for (std::size_t i = 0; i < of.experiment.trials.size(); ++i) {
     const Trial& trial = of.experiment.trials[i];
+    // A pinned tip cannot push harder than all its tendons pull together, since moment arms of
+    // tendons are shorter than the finger.
     double pulled = 0;
     for (const auto& [muscle, tension] : trial.tension) pulled += tension;
     if (trial.site) continue;  // a mount feels tendons and tip, a short lever more than the tip
@@ -129,10 +134,12 @@ void check_forces(const CheckedExperiment& of, std::vector<std::string>& doubts)
 /// Measured forces that point away from those that the subject predicts.
 void check_directions(const CheckedExperiment& of, const ExperimentPlan& plan,
                       const FitParameters& parameters, std::vector<std::string>& doubts) {
+  // Predict with the subject as it is, before any fit: u = 0.
   const Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
   const Eigen::Matrix3Xd predicted = force_values(of.digit, parameters, plan, u);
   const Prediction compared =
       compare_forces(of.experiment, predicted, Eigen::Matrix3Xd::Zero(3, predicted.cols()), false);
+  // A median beyond 90 deg means swapped signs or axes rather than a poor model.
   if (compared.error.direction > kPi / 2)
     doubts.push_back(of.lines.at(
         of.lines.segment,
@@ -142,11 +149,13 @@ void check_directions(const CheckedExperiment& of, const ExperimentPlan& plan,
 }
 
 void check_values(const CheckedExperiment& of, SubjectMatch& found) {
+  // Free no parameter: forces are compared with the subject as its file states it.
   std::vector<std::string> postures;
   for (const PostureRecord& posture : of.experiment.postures) postures.push_back(posture.name);
   const FitParameters parameters = choose_parameters(of.digit, postures, {});
   try {
     const ExperimentPlan plan = plan_experiment(of.digit, parameters, of.experiment);
+    // Warnings carry no line of their own, so find the line by the names that they mention.
     for (const std::string& warning : experiment_warnings(of.digit, plan, of.experiment))
       found.doubts.push_back(with_line(of, warning));
     check_forces(of, found.doubts);
@@ -161,6 +170,7 @@ void check_values(const CheckedExperiment& of, SubjectMatch& found) {
 SubjectMatch check_experiment(const SourceText& source, const Subject& subject) {
   const Experiment experiment = parse_experiment(source.text, source.path);
   const ExperimentLines lines = find_lines(source);
+  // Without bones of this digit no other check makes sense.
   SubjectMatch found;
   std::vector<std::string> digits;
   for (const Digit& digit : subject.digits) digits.push_back(digit.name);
@@ -172,6 +182,7 @@ SubjectMatch check_experiment(const SourceText& source, const Subject& subject) 
   }
   const TendonDigit digit = build_tendon_digit(subject, experiment.digit);
   const CheckedExperiment of{experiment, digit, lines, subject.name};
+  // Values are compared only when all names are known, since the plan is built from names.
   check_names(of, found.misfits);
   if (found.misfits.empty()) check_values(of, found);
   return found;

@@ -29,10 +29,12 @@ double median_seconds(Call call) {
   };
   constexpr double kBatchTime = 1e-3;      // Time of a batch of calls [s]
   constexpr double kLongCallTime = 20e-3;  // Time beyond which a call is timed only thrice [s]
+  // Choose the batch so that the clock's resolution does not matter.
   const double first = std::min(time(1), time(1));  // the first call of all warms up
   const int calls = std::max(1, static_cast<int>(kBatchTime / std::max(first, 1e-9)));
   std::vector<double> seconds(first > kLongCallTime ? 3 : 21);
   for (double& s : seconds) s = time(calls);
+  // The median ignores batches that another process interrupted.
   std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
   return seconds[seconds.size() / 2];
 }
@@ -56,10 +58,12 @@ Eigen::VectorXd middle_posture(const TendonDigit& digit) {
 /// Statics by the rung of paths and hood; rungs that the subject has no data for are left out.
 void add_rung_costs(const Subject& subject, const std::string& name,
                     std::vector<QuestionCost>& costs) {
+  // Try each rung of paths with each rung of hoods, from the cheapest.
   std::vector<Path> paths{Path::kConstant, Path::kViaPoint};
   if (default_path(subject) == Path::kWrapped) paths.push_back(Path::kWrapped);
   for (const Path path : paths)
     for (const Hood hood : {Hood::kSeparate, Hood::kFractions}) try {
+        // A subject without data for a rung falls back to a lower one, which was timed already.
         const auto tendons = build_linear_tendons(subject, name, {path, hood, {}});
         const TendonDigit& digit = tendons->digit();
         const bool asked = digit.fidelity.path == path && digit.fidelity.hood == hood;
@@ -77,6 +81,7 @@ void add_rung_costs(const Subject& subject, const std::string& name,
 
 std::vector<QuestionCost> measure_costs(const Subject& subject, const std::string& name,
                                         const TendonDigit& built) {
+  // Time the kinematics first: every other question contains it.
   const Eigen::VectorXd q = middle_posture(built);
   std::vector<QuestionCost> costs;
   costs.push_back({"pose of every link", "posed",
@@ -84,6 +89,7 @@ std::vector<QuestionCost> measure_costs(const Subject& subject, const std::strin
   add_rung_costs(subject, name, costs);
   if (built.names.muscles.empty()) return costs;
 
+  // Time statics at the middle of the ranges of motion, with 1 N on each muscle.
   const TipStatics statics = tip_statics(built, q);
   const Eigen::VectorXd t = Eigen::VectorXd::Ones(statics.R.rows());  // [N]
   const auto add = [&](const char* question, const char* rung, auto call) {
@@ -91,6 +97,7 @@ std::vector<QuestionCost> measure_costs(const Subject& subject, const std::strin
   };
   add("tip force, pinned", "static", [&] { keep(tip_force(statics, t)); });
   add("tip wrench, rigid", "static", [&] { keep(tip_wrench(statics, t)); });
+  // Feasible forces need the maximum isometric force of every muscle.
   if (statics.max_tension.allFinite()) {
     add("largest force one way", "static, force bounds",
         [&] { keep(max_tip_force(statics, Eigen::Vector3d::UnitX())); });
@@ -116,11 +123,13 @@ DigitExplained explain_digit_of(const Subject& subject, const ExplainRequest& re
   DigitExplained out;
   out.digit = choose_digit(subject, request.digit);
   const SourceText settings = fit_settings_source(request.settings, out.digit, request.data);
+  // A digit that has tip maps alone has neither joints nor parameters to explain.
   const bool bones = std::any_of(subject.digits.begin(), subject.digits.end(),
                                  [&](const Digit& each) { return each.name == out.digit; });
   if (!bones) return out;
   TendonOptions options;
   options.path = request.path.value_or(default_path(subject));
+  // Build the tendons on the rungs that a fit would use.
   out.tendons = build_linear_tendons(subject, out.digit, options);
   const TendonDigit& built = out.tendons->digit();
   out.parts = explain_digit(subject, out.digit, options, built);
@@ -131,11 +140,14 @@ DigitExplained explain_digit_of(const Subject& subject, const ExplainRequest& re
 
 FitExplained explain_fit_of(const Fit& fit, const std::string& path) {
   FitExplained out;
+  // Show how well the fit predicts its own experiments.
   for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e)
     out.predictions.push_back(predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e)));
   const int specimens = static_cast<int>(fit.problem.specimens().size());
+  // Values of the population come first, then those of each specimen.
   for (int s = kPopulation; s < specimens; ++s) out.values.push_back(fitted_values(fit, s));
   const std::string prefix = "provenance/versions/";
+  // Collect the versions of thenar and its libraries that wrote the file.
   for (const auto& [key, texts] : read_result(path).texts)
     if (key.compare(0, prefix.size(), prefix) == 0)
       out.written_by[key.substr(prefix.size())] = listed(texts);
@@ -148,12 +160,14 @@ ThingExplained explain_thing(const ExplainRequest& request) {
   const std::string path = named_thing(request.thing, request.data);
   const std::string kind = contents_of(path).kind;
   if (kind == "fit") require_fit_path(request.path);
+  // Options that only subjects understand are refused for every other kind, rather than ignored.
   const bool straight = request.path.value_or(Path::kViaPoint) == Path::kViaPoint;
   require(kind == "subject" || (request.digit.empty() && request.settings.empty() && straight),
           "a digit, settings and paths explain subjects; '{}' is of kind: {}", path, kind);
   require(kind != "posterior" && kind != "motion" && kind != "scene run", "'{}' is a {}: {}", path,
           kind, listed(contents_of(path).commands));
   ThingExplained out{request, {}, path, read_thing(path), {}, {}};
+  // Results carry a checksum, which tells whether someone changed the file by hand.
   out.outcome.warn(checksum_warnings(path));
   if (const auto* subject = std::get_if<Subject>(&out.thing))
     out.digit = explain_digit_of(*subject, request);

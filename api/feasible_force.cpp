@@ -52,8 +52,10 @@ TipLoadOptions options_of(const FeasibleForceRequest& request, const HeldJoints&
 void require_moments(const FeasibleForceRequest& request, const DigitAtPosture& at) {
   if (at.map.empty() || (request.load == TipLoad::kForce && request.most_other == 0)) return;
   require(has_rotation(at.statics), "tip map '{}' of '{}' has no moments", at.map, at.subject);
+  // A row of zeros in W marks an axis about which the map was not measured.
   const Eigen::VectorXd known = at.statics.W.cwiseAbs().rowwise().sum();
   if (request.load == TipLoad::kForce) return;
+  // A moment that is zero by request needs no row; tolerances and whole sets use all three.
   const Eigen::Vector3d wanted = request.direction.value_or(Eigen::Vector3d::Ones());
   for (int k = 0; k < 3; ++k)
     require(known(k) > 0 || (wanted(k) == 0 && !request.whole_set && request.tolerance == 0),
@@ -85,10 +87,12 @@ WholeForceSet whole_set(const TipStatics& statics, const TipLoadOptions& options
 /// Groups of muscles, by index, whose rows of R are the same and not zero.
 std::vector<std::vector<int>> muscles_alike(const Eigen::MatrixXd& R) {
   constexpr double kArmRounding = 1e-12;  // Rounding of moment arms, over the largest [1]
+  // Equal rows of R make muscles interchangeable: only the sum of their tensions is determined.
   const double same = kArmRounding * R.cwiseAbs().maxCoeff();
   std::vector<std::vector<int>> groups;
   std::vector<bool> grouped(static_cast<std::size_t>(R.rows()), false);
   for (int i = 0; i < R.rows(); ++i) {
+    // Skip muscles of a group that is known, and muscles that cross no joint.
     if (grouped[static_cast<std::size_t>(i)] || R.row(i).cwiseAbs().maxCoeff() <= same) continue;
     std::vector<int> group{i};
     for (int k = i + 1; k < R.rows(); ++k)
@@ -107,6 +111,7 @@ void keep_weak_muscles(const FeasibleForceRequest& request, const Subject& subje
   // Every name is one of the subject's.
   std::vector<std::string> known, wanted = request.without, beside;
   for (const MuscleUnit& muscle : subject.muscles) known.push_back(muscle.name);
+  // A weak muscle keeps some of its tension; a paralysed one has none.
   for (const auto& [name, limit] : request.weakened) {
     require(limit >= 0, "wanted a tension >= 0 of the weak '{}', got {} N", name, limit);
     wanted.push_back(name);
@@ -157,6 +162,7 @@ ParalysisLoss loss_of(const MaxTipForce& left, MaxTipForce intact, double none) 
 /// Muscles that cross joints of other digits but none of this digit's own.
 std::vector<std::string> muscles_of_others(const DigitCase& digit) {
   std::vector<std::string> own, others;
+  // Sort the muscles of every digit into those that cross this one and those that do not.
   for (const Digit& each : digit.subject.digits) {
     const std::vector<std::string> crossing =
         build_tendon_digit(digit.subject, each.name).names.muscles;
@@ -177,9 +183,11 @@ HeldJoints held_joints(const FeasibleForceRequest& request, const DigitCase& dig
                        std::vector<std::string>& warnings) {
   HeldJoints held;
   const bool held_wrist = request.wrist == WristLoad::kHeld;
+  // A held wrist bears any torque, so it enters no balance.
   if (held_wrist && request.stops.empty()) return held;
   require(digit.map.empty(), "tip map '{}' knows no joints: it has neither a wrist nor stops",
           digit.map);
+  // A stop is a one-sided reaction; its sign tells at which end of the range it acts.
   const std::vector<std::string>& joints = digit.bones().names.coordinates;
   for (const auto& [joint, most] : request.stops) {
     const std::size_t i = index_of_name(joint, joints, "free joint");
@@ -187,12 +195,15 @@ HeldJoints held_joints(const FeasibleForceRequest& request, const DigitCase& dig
     held.stops.push_back({static_cast<int>(i), most});
   }
   if (held_wrist) return held;
+  // The wrist is those free joints that lie proximal to more than one digit.
   for (const std::string& joint : shared_joints(digit.subject)) {
     const auto found = std::find(joints.begin(), joints.end(), joint);
     if (found != joints.end()) held.wrist.push_back(static_cast<int>(found - joints.begin()));
   }
   require(!held.wrist.empty(), "no free joint of subject '{}' is shared by its digits: no wrist",
           digit.subject.name);
+  // Muscles of other digits that cross the wrist would need a balance at joints outside of this
+  // model.
   held.others = muscles_of_others(digit);
   if (!held.others.empty())
     warnings.push_back(fmt::format(
@@ -213,6 +224,7 @@ std::vector<std::string> kept_names(const std::vector<std::string>& names,
 DigitAtPosture without_muscles(DigitAtPosture at, const std::vector<std::string>& left_out) {
   if (left_out.empty()) return at;
   TipStatics& statics = at.statics;
+  // Keep the order of the digit's own list, which all tables follow.
   const std::vector<std::string> all = statics.muscles;
   statics.muscles = kept_names(all, left_out);
   // Their rows of every table.
@@ -234,9 +246,11 @@ DigitAtPosture with_wrist(DigitAtPosture whole, const HeldJoints& held, WristLoa
     statics.tau_0[stop.coordinate] = 0;
     for (StaticsDerivative& slope : at.slopes) slope.tau_0[stop.coordinate] = 0;
   }
+  // In a pinch no load of the tip reaches the wrist, which has to balance the tendons alone.
   if (load != WristLoad::kPinch) return at;
   statics = without_load_on(std::move(statics), held.wrist);
   at.slopes = without_load_on(std::move(at.slopes), held.wrist);
+  // Condition and plane change with the joints that are left.
   at.condition = tip_manipulability(statics.J, statics.W).condition;
   at.plane_normal = plane_normal(statics.J, statics.W);
   return at;
@@ -248,6 +262,7 @@ void warn_of_stops(const HeldJoints& held, const DigitCase& digit, DigitAtPostur
   for (const JointStop& stop : held.stops) {
     const CoordinateLimits& range =
         digit.bones().skeleton.limits[static_cast<std::size_t>(stop.coordinate)];
+    // A positive torque flexes: that stop acts at the end of extension, the lower one.
     const double end = stop.most > 0 ? range.lower : range.upper, now = at.q[stop.coordinate];
     const bool turns = range.upper - range.lower >= 2 * kPi - kAtTheEnd;  // no range is known
     if (!turns && std::abs(now - end) > kAtTheEnd)
@@ -260,6 +275,7 @@ void warn_of_stops(const HeldJoints& held, const DigitCase& digit, DigitAtPostur
 std::vector<StopAnswer> stop_answers(const HeldJoints& held, const DigitAtPosture& at,
                                      const MaxTipLoad& found) {
   std::vector<StopAnswer> answers;
+  // Shares of stops are defined only at an optimum.
   if (found.largest.status != Status::kSolved) return answers;
   for (std::size_t k = 0; k < held.stops.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
@@ -273,6 +289,7 @@ std::vector<StopAnswer> stop_answers(const HeldJoints& held, const DigitAtPostur
 FeasibleForcePoint point_at(const FeasibleForceRequest& request, const HeldJoints& held,
                             const DigitAtPosture& at) {
   FeasibleForcePoint point;
+  // Describe the tip: place, axes, manipulability and the plane of flexion.
   point.q = at.q;
   point.load = request.load;
   point.axes = force_axes(at, request.frame);
@@ -280,9 +297,11 @@ FeasibleForcePoint point_at(const FeasibleForceRequest& request, const HeldJoint
   point.condition = at.condition;
   point.plane_normal = at.plane_normal;
   point.alike = muscles_alike(at.statics.R);
+  // A map may lack the moments that the question needs.
   require_moments(request, at);
   const TipLoadOptions options = options_of(request, held, point.axes);
   if (request.direction) {
+    // Solve the linear program for the largest load in the direction asked for.
     const MaxTipLoad found =
         max_tip_load(at.statics, point.axes.to_world * *request.direction, options);
     point.largest = found.largest;
@@ -290,6 +309,7 @@ FeasibleForcePoint point_at(const FeasibleForceRequest& request, const HeldJoint
     point.stops = stop_answers(held, at, found);
     point.change = change_of(at, found, request);
   }
+  // Without a direction the answer is the whole convex set.
   if (!request.direction || request.whole_set) point.whole = whole_set(at.statics, options);
   return point;
 }
@@ -300,16 +320,19 @@ double no_tip_load(TipLoad load) { return load == TipLoad::kForce ? kNoTipForce 
 
 FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
                                            const Progress& progress) {
+  // Refuse settings that no load could satisfy.
   require(request.tolerance >= 0 && request.tolerance < kPi / 2,
           "wanted a tolerance of 0 deg to below 90 deg, got {:.6g} deg",
           request.tolerance / kDegree);
   require(request.most_other >= 0, "wanted {} of at least 0 {}, got {:.6g}",
           request.load == TipLoad::kForce ? "moments" : "forces",
           request.load == TipLoad::kForce ? "N m" : "N", request.most_other);
+  // A held wrist is welded, which takes its joints out of the posture as well.
   DigitRequest asked = request.digit;
   asked.wrist = request.wrist == WristLoad::kHeld ? WristMode::kWelded : WristMode::kFree;
   const DigitCase digit = build_digit(asked, TendonOptions().hood);
   FeasibleForceResult answer{begin_digit_result(digit), request, {}, {}, {}, {}};
+  // Take out muscles that belong to other digits, then weaken those asked for.
   const HeldJoints held = held_joints(request, digit, answer.outcome.warnings);
   answer.muscles = kept_names(answer.muscles, held.others);
   keep_weak_muscles(request, digit.subject, answer);
@@ -322,7 +345,7 @@ FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
     const DigitAtPosture at = with_weak_muscles(intact, answer);
     answer.max_tension = at.statics.max_tension;
     FeasibleForcePoint point = point_at(request, held, at);
-    // What the muscles would give.
+    // Compare with the load that the digit makes with all muscles intact.
     if (point.largest && weak) {
       TipLoadOptions options = options_of(request, held, point.axes);
       options.prices = false;

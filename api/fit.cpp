@@ -36,12 +36,14 @@ std::optional<Prediction> predicted_as_published(const SourceText& subject,
 /// and by all other subjects of the data.
 std::vector<BaselinePrediction> published_predictions(const Fit& fit, const std::string& data) {
   std::vector<BaselinePrediction> all;
+  // A subject is compared only if it publishes predictions for the trials of the experiment.
   const auto add = [&](const SourceText& subject) {
     const std::string name = parse_subject(subject.text, subject.path).name;
     for (const Experiment& experiment : fit.problem.experiments())
       if (const auto prediction = predicted_as_published(subject, experiment))
         all.push_back({name, "as published", *prediction});
   };
+  // Skip the file that the fit started from, whatever its name in the data folders.
   const SourceText& start = fit.inputs.subject;
   add(start);
   for (const std::string& name : names_in(data_folders(data), "subjects")) {
@@ -66,6 +68,7 @@ std::vector<std::string> misfit_warnings(const FitResult& result) {
 std::vector<std::string> noise_warnings(const FitResult& result) {
   const FitProblem& problem = result.fit.problem;
   std::vector<std::string> warnings;
+  // Wide priors take up any force, so noise is judged by the evidence, not by squares of residuals.
   const std::vector<NoiseEvidence> noise = noise_evidence(problem, result.fit.solution.z);
   for (std::size_t s = 0; s < noise.size(); ++s)
     if (noise[s].understated())
@@ -82,6 +85,7 @@ std::vector<std::string> net_warnings(const Fit& fit) {
   std::vector<std::string> warnings;
   const FitProblem& problem = fit.problem;
   for (std::size_t e = 0; e < problem.plans().size(); ++e) {
+    // Evaluate each trial at the posture and parameters of its own specimen.
     const Eigen::VectorXd u = displacements(problem.coordinates(), fit.solution.z,
                                             problem.specimen_of(static_cast<int>(e)));
     for (const std::string& warning :
@@ -95,10 +99,12 @@ std::vector<std::string> net_warnings(const Fit& fit) {
 /// Parameters that were moved farther than their priors believe possible, in one sentence.
 std::vector<std::string> stray_warnings(const Covariance& covariance) {
   constexpr double kFarMoved = 3;  // prior sds [1]
+  // Under the prior a shift beyond 3 sds has a probability of 0.3 %.
   std::vector<const CoordinateEstimate*> far;
   for (const CoordinateEstimate& learnt : covariance.learnt)
     if (std::abs(learnt.z) > kFarMoved) far.push_back(&learnt);
   if (far.empty()) return {};
+  // List the largest shift first, as it is most likely the wrong number.
   std::sort(far.begin(), far.end(),
             [](const auto* a, const auto* b) { return std::abs(a->z) > std::abs(b->z); });
   std::vector<std::string> names;
@@ -137,7 +143,10 @@ LeftOut leave_out(const FitRequest& request, const FitProblem& problem, const Pr
                   const SolveOptions& options) {
   LeftOut out;
   for (const LeaveOut what : request.leave_out) {
+    // A stop between two validations keeps those that are done.
     if (options.progress.stop()) break;
+    // If the fit chose its settings from the data, each fold has to choose them again, or the error
+    // is too small.
     if (!request.choose_settings) {
       out.validations.push_back(cross_validate(problem, what, options));
       continue;
@@ -161,6 +170,7 @@ std::optional<FractionsFit> fit_fractions(const FitRequest& request, const FitIn
   free.erase(std::remove_if(free.begin(), free.end(),
                             [](const std::string& glob) { return glob.rfind("net/", 0) == 0; }),
              free.end());
+  // Compare with fractions of the hood only where the subject states them.
   if (!build_problem(inputs).digit().model.hood) return {};
   const Preparation prepared = prepare(request, std::move(inputs), options);
   FractionsFit out{run_fit(prepared.inputs, options), {}, {}};
@@ -209,9 +219,11 @@ FitInputs read_fit_inputs(const FitSources& sources) {
   require_fit_path(sources.path);
   require(!sources.experiments.empty(), "a fit needs at least one experiment");
   FitInputs inputs;
+  // Subject and settings are kept as text, so that the fit can be repeated without the files.
   inputs.subject = subject_source(sources.subject, sources.data);
   for (const std::string& name : sources.experiments)
     inputs.experiments.push_back(read_source(experiment_file(name, sources.data)));
+  // Default settings depend on the digit, which the first experiment states.
   const SourceText& first = inputs.experiments.front();
   inputs.settings = fit_settings_source(
       sources.settings, parse_experiment(first.text, first.path).digit, sources.data);
@@ -226,6 +238,7 @@ FitInputs read_fit_inputs(const FitSources& sources) {
 FitResult fit_digit(const FitRequest& request, const Progress& progress) {
   // The fit, kept at once: leaving out takes longer.
   if (!request.output.empty()) require_result_path(request.output);
+  // Pass on the settings of the optimiser; the rest of the request concerns the inputs.
   SolveOptions options;
   options.method = request.method;
   options.seed = request.seed;
@@ -233,11 +246,14 @@ FitResult fit_digit(const FitRequest& request, const Progress& progress) {
   options.progress = progress;
   const FitInputs asked = read_fit_inputs(request.sources);
   const Preparation prepared = prepare(request, asked, options);
+  // Run the fit, and compare it with the noise that was stated.
   FitResult result{request, {}, run_fit(prepared.inputs, options), {}, {}};
   result.chosen = prepared.chosen;
   result.fit.run = request.run;
   const Fit& fit = result.fit;
   result.misfits = misfits(fit.problem, fit.solution.z, fit.covariance);
+  // Collect doubts about the subject, the data, the noise, the axes and the net, in the order in
+  // which an engineer would look for the cause.
   Outcome& outcome = result.outcome;
   outcome.warn(subject_doubts(parse_subject(fit.inputs.subject.text, fit.inputs.subject.path)));
   outcome.warn(fit.problem.warnings());
@@ -250,15 +266,17 @@ FitResult fit_digit(const FitRequest& request, const Progress& progress) {
   outcome.warn(path_cautions(fit.inputs));
   if (!request.output.empty()) write_fit(result.fit, request.output);
 
-  // What it predicts, and what fits predict that have not seen it.
+  // Predict in sample, then by fits that have not seen what they predict.
   result.in_sample = predict_own(result.fit);
   LeftOut left_out = leave_out(request, result.fit.problem, prepared, options);
   result.left_out = std::move(left_out.validations);
   result.fold_choices = std::move(left_out.choices);
+  // Warn of left-out forces that are medians of draws, as angles and axes are hardly known.
   for (const CrossValidation& validation : result.left_out)
     for (const Prediction& prediction : validation.experiments)
       for (const std::string& warning : unsteady_force_warnings(prediction))
         outcome.warnings.push_back(name_of(validation.what) + " left out: " + warning);
+  // Compare with published models and with fractions, as the net has to beat both.
   if (!result.left_out.empty()) {
     result.published = published_predictions(result.fit, request.sources.data);
     result.fractions = fit_fractions(request, asked, options);
@@ -275,6 +293,7 @@ std::vector<Prediction> predict_own(const Fit& fit) {
   for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
     const Experiment& experiment = fit.problem.experiments()[e];
     predictions.push_back(predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e)));
+    // Predict once more as for new data: these sds contain the uncertainty of the parameters.
     const Prediction sure =
         predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
                            find_specimen(fit.problem, experiment.specimen));

@@ -38,6 +38,7 @@ void check_request(const GraspRequest& request) {
   require(request.starts >= 0, "wanted 0 or more random starts, got {}", request.starts);
   require(request.robustness.draws >= 0, "wanted 0 or more draws of robustness, got {}",
           request.robustness.draws);
+  // Zero edges mean exact cones; a pyramid has at least three.
   require(request.edges == 0 || (request.edges >= 3 && request.edges <= kMaxEdges),
           "wanted 0 edges of friction pyramids (cones), or 3 to {}, got {}", kMaxEdges,
           request.edges);
@@ -83,12 +84,14 @@ bool is_better(const Grasp& a, const Grasp& b) {
 }
 
 Grasp grasp_from(const GraspResult& result, const Pregrasp& start) {
+  // Without an approach the hand closes where it stands.
   const GraspOptions options = options_of(result);
   const GraspSetup& setup = result.setting.setup;
   GraspOptions here = options;
   here.approach_distance = 0;
   Grasp found = start.approach_distance > 0
                     ? attempt_grasp(result.collision_hand, start, setup, options)
+                    // Pyramids replace the cones in epsilon only: the hand closes by exact cones.
                     : grasp(result.collision_hand, start.X_WH, start.q, setup, here);
   if (result.request.edges > 0 && found.outcome == GraspOutcome::kGrasped)
     found.quality = epsilon(wrenches_of(result, found.contacts), options.epsilon);
@@ -125,9 +128,11 @@ struct TriedStart {
 /// there: fingers that are coupled stop as soon as their first link touches, and short ones reach
 /// round nothing.
 TriedStart own_or_off(const GraspResult& result, const Pregrasp& own) {
+  // Begin with the palm as near as it comes to the object.
   const Hand& hand = *result.collision_hand.hand;
   TriedStart best{own, grasp_from(result, own)};
   if (!best.grasp.approached.touches) return best;
+  // Stand off farther, step by step, and keep the nearest that holds better.
   Standing standing = standing_of(hand, best.grasp);
   for (const double share : {0.25, 0.5, 0.75, 1.0}) {
     if (standing == Standing::kHeldByTips) break;
@@ -151,6 +156,7 @@ void note(GraspResult& result, Grasp grasp, int number, const Pregrasp& start) {
 }
 
 void add_grasps(GraspResult& result, const Progress& progress) {
+  // Without random starts the hand closes from where the world puts it.
   const GraspRequest& request = result.request;
   const WorldHand& hand = result.setting.hand;
   if (request.starts == 0) {
@@ -160,6 +166,8 @@ void add_grasps(GraspResult& result, const Progress& progress) {
     TriedStart tried = goes ? own_or_off(result, own) : TriedStart{own, grasp_from(result, own)};
     note(result, std::move(tried.grasp), -1, tried.start);
   }
+  // Otherwise try random starts, at least one of them even where progress says stop, and keep the
+  // best.
   for (int i = 0; i < request.starts && (i == 0 || !progress.stop()); ++i) {
     report_or_stop(progress, static_cast<double>(i) / request.starts,
                    fmt::format("start {} of {}", i + 1, request.starts));
@@ -167,6 +175,7 @@ void add_grasps(GraspResult& result, const Progress& progress) {
         sample_pregrasp(result.collision_hand, result.setting.setup.object, request.seed, i);
     note(result, grasp_from(result, drawn), i, drawn);
   }
+  // Wrenches are those of the best grasp.
   result.wrenches = wrenches_of(result, result.grasp.contacts);
 }
 
@@ -285,6 +294,7 @@ int GraspResult::started() const { return std::accumulate(outcomes.begin(), outc
 GraspResult measure_grasp(const GraspRequest& request, const Progress& progress) {
   check_request(request);
   ProgressParts schedule(progress, seconds_of(request));
+  // Build the hand, place the object and resolve the materials of both.
   GraspResult result{};
   result.request = request;
   result.setting = open_setting(request, schedule.next(kHandTime));
@@ -301,6 +311,7 @@ GraspResult measure_grasp(const GraspRequest& request, const Progress& progress)
   } catch (const Stopped&) {
     result.outcome.status = Status::kStopped;
   }
+  // Count the starts that were tried, for the progress of a stopped request.
   result.outcome.count_parts(static_cast<std::size_t>(result.started()),
                              static_cast<std::size_t>(std::max(1, request.starts)), "start");
   result.cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
@@ -311,6 +322,7 @@ GraspResult measure_grasp(const GraspRequest& request, const Progress& progress)
 std::vector<std::string> grasp_warnings(const GraspResult& result) {
   const NamedHand& hand = result.setting.hand.named;
   std::vector<std::string> warnings = hand.warnings;
+  // Warn of torques beyond the motors, of a hand that overlaps itself and of a thumb that is idle.
   if (const std::string torques = torque_warning(*hand.hand, result.grasp); !torques.empty())
     warnings.push_back(torques);
   if (const std::string own = own_overlap_words(result.grasp.closed); !own.empty())
@@ -329,11 +341,13 @@ std::vector<std::string> grasp_warnings(const GraspResult& result) {
 }
 
 WorldSpec grasped_world(const GraspResult& result) {
+  // Only a grasp that holds is worth a world of its own.
   require(result.grasp.outcome == GraspOutcome::kGrasped, "{}; there is no grasp to save",
           outcome_words(result.grasp));
   const WorldHand& hand = result.setting.hand;
   const Pose<double>& X_WH = result.grasp.approached.X_WH;
   const Eigen::VectorXd& q = result.grasp.closed.q;
+  // Write the closed posture into a copy of the world.
   WorldSpec world = result.setting.world;
   // A hand from elsewhere takes the place of those of the world.
   if (hand.parts.empty()) {

@@ -46,8 +46,10 @@ Measured<double> weight_of(const WorldCase& setting) {
 /// Exactly zero against a load that is proven not to be supported: bounds within kNegligibleLoad of
 /// zero are the programs' rounding, and so is the direction that comes with them.
 Measured<InscribedBall> zero_ball(const Asked& asked, InscribedBall ball) {
+  // A proof that a load is not supported makes the ball exactly empty, without rounding.
   const std::optional<ScaledWrench> load = unsupported_load(asked.forces);
   if (load) ball.worst_load = *load;
+  // Without a proof and without a small upper bound the answer is open, not zero.
   if (!load && !(ball.upper < kNegligibleLoad))
     return none<InscribedBall>("the search gave up early" +
                                (std::isfinite(ball.upper)
@@ -94,17 +96,20 @@ std::string why_not_held(const Asked& asked, const ScaledWrench& load) {
 }
 
 void add_holds(const Asked& asked, GraspMeasures& measures) {
+  // An object of unknown mass has no weight to hold.
   if (!measures.weight.value) {
     measures.hold = measures.hold_actuated = none<double>(measures.weight.reason);
     return;
   }
   const ScaledWrench load = weight_load(asked.result.setting.setup.object, *measures.weight.value);
+  // Solve first for unlimited contact forces: if friction itself is too low, motors cannot help.
   measures.hold = hold_of(free_forces(asked.held.set), load,
                           "no forces within friction hold the weight as the object stands");
   if (!measures.hold.value) {
     measures.hold_actuated = none<double>(measures.hold.reason);
     return;
   }
+  // Then limit the forces by the efforts of motors or muscles.
   const std::string unknown = explain_unknown_effort(asked.held);
   measures.hold_actuated =
       unknown.empty() ? hold_of(asked.forces, load, "") : none<double>(unknown);
@@ -125,6 +130,7 @@ Measured<SupportedLoad> load_of(const GraspLoads& loads, GraspTask task) {
 }
 
 void add_margins(const Asked& asked, GraspMeasures& measures) {
+  // Without a mass the loads are scaled by 1 kg, which matters for multiples of the weight only.
   const GraspLoads loads =
       grasp_loads(asked.hand, asked.result.setting.setup.object,
                   measures.weight.value.value_or(kGravity) / kGravity,
@@ -137,20 +143,24 @@ void add_margins(const Asked& asked, GraspMeasures& measures) {
     if (load && !load->head<3>().isZero(0))
       measures.times_weight.reason += ": nothing withstands " + direction_words(*load);
   }
+  // Pull and turn are loads along and about every axis, in newtons and newton metres.
   measures.pull = load_of(loads, GraspTask::kPull);
   measures.turn = load_of(loads, GraspTask::kTurn);
 }
 
 Measured<GraspStiffness> stiffness_of(const Asked& asked) {
+  // Gather the geometry of the grasp: object, link surfaces and their materials.
   const GraspBody& object = asked.result.setting.setup.object;
   const Materials& materials = asked.result.setting.setup.materials;
   const PosedCollisionHand posed{
       asked.result.collision_hand, asked.result.grasp.approached.X_WH,
       asked.result.collision_hand.hand->pose(asked.result.grasp.closed.q)};
   const PadBody held{object.solid, materials.at(object.material), {}};
+  // Linearise the pads at the force of a gentle hold.
   PadOptions options;
   options.force = kPadForce;
   std::vector<PadStiffness> pads;
+  // Each contact of a patch shares the springs of its pad.
   for (const ContactPatch& patch : patches_of(asked.result.grasp.contacts)) {
     const int surface = patch.contacts[0].surface;
     const LinkSurface& link =
@@ -158,6 +168,7 @@ Measured<GraspStiffness> stiffness_of(const Asked& asked) {
     const PadBody pad{*link.solid, materials.at(link.material),
                       object.X_WB.inverse() * posed.of_surface(surface)};
     const auto springs = pad_stiffness(patch, pad, held, options);
+    // Two rigid surfaces have no finite stiffness, so that of the grasp is undefined.
     if (!springs)
       return none<GraspStiffness>(
           fmt::format("neither {} nor {} has a soft layer: contacts of {} are rigid", link.material,
@@ -184,22 +195,26 @@ Measured<ObjectMotion> manipulability_of(const Asked& asked) {
 
 GraspMeasures grasp_measures_of(const GraspResult& result, const Progress& progress) {
   const Grasp& grasp = result.grasp;
+  // Express the grasp in the frame of the hand, in which efforts are stated.
   const GraspBody& object = result.setting.setup.object;
   const HeldObject hand{*result.collision_hand.hand, grasp.closed.q, grasp.contacts,
                         grasp.approached.X_WH.inverse() * object.X_WB};
   HandForceInputs held = hand_force_inputs(hand, object);
   ForceSet forces = hand_forces(held.set, held.T, held.actuation);
   const Asked asked{result, hand, std::move(held), std::move(forces)};
+  // Volumes are costly, so the request may limit their facets and stop them.
   VolumeOptions of_volume;
   of_volume.limit = result.request.limit;
   of_volume.progress.stop_requested = progress.stop_requested;
   GraspMeasures measures;
   measures.edges = result.request.edges;
+  // Measure from the wrench set alone first, then with the limits of the hand.
   report_or_stop(progress, 0, "volume of the wrench set");
   measures.volume = volume(result.wrenches, of_volume);
   report_or_stop(progress, 0.3, "epsilon within the hand's limits");
   measures.actuated = ball_of(asked);
   report_or_stop(progress, 0.7, "loads");
+  // Loads need the weight; stiffness and manipulability do not.
   measures.weight = weight_of(result.setting);
   add_holds(asked, measures);
   add_margins(asked, measures);

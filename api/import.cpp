@@ -37,6 +37,8 @@ namespace fs = std::filesystem;
 void settle_meshes(BodySpec& body, const std::string& file, bool mend,
                    std::vector<std::string>& warnings, bool dynamic) {
   const std::string owner = fmt::format("{} '{}'", dynamic ? "body" : "obstacle", body.name);
+  // A body that moves needs a volume for its mass, so open meshes are refused unless repair was
+  // asked for.
   if (dynamic && !mend) {
     try {
       for (const ShapeSpec& shape : body.shapes) require_solid(shape, owner);
@@ -46,9 +48,11 @@ void settle_meshes(BodySpec& body, const std::string& file, bool mend,
           fmt::format("{}{}", error.what(), any_is_flat(body.shapes) ? "" : "; repairing mends it"),
           any_is_flat(body.shapes) ? "" : "repair");
     }
+    // A closed surface that faces inwards is turned in any case, with a note.
     note_turned(body.shapes, owner, warnings);
     return;
   }
+  // Obstacles need no mass; they are repaired without being asked.
   repair_shapes(body.shapes, owner, warnings);
   if (body.shapes.empty())
     throw DataError(file, 1, fmt::format("{} is left without a shape", owner));
@@ -59,12 +63,14 @@ bool states_mass(const ImportRequest& request) {
 }
 
 void check_statements(const ImportRequest& request) {
+  // A mass follows from a density and a volume, so only one of the two can be stated.
   require_field("density", !request.mass || !request.density,
                 "wanted a mass or a density, got both");
   require_field("mass", !request.mass || *request.mass > 0, "wanted a mass above 0 kg, got {}",
                 request.mass.value_or(0));
   require_field("density", !request.density || *request.density > 0,
                 "wanted a density above 0 kg/m3, got {}", request.density.value_or(0));
+  // Refuse an unknown material here, where its name was typed.
   std::vector<std::string> names;
   for (const Material& material : materials_of_file(request.materials).materials)
     names.push_back(material.name);
@@ -76,12 +82,14 @@ void check_statements(const ImportRequest& request) {
 void state_mass(const ImportRequest& request, BodySpec& body) {
   if (!states_mass(request)) return;
   if (!request.material.empty()) body.material = request.material;
+  // A stated mass or density replaces whatever the file says.
   if (request.mass || request.density) {
     body.mass.reset();
     body.uniform_mass = request.mass.value_or(0);
     body.density = request.density.value_or(0);
   }
   const Materials materials = materials_of_file(request.materials);
+  // Mass is computed only if something states it: directly, by density or by the material.
   const bool known = body.uniform_mass > 0 || body.density > 0 ||
                      (!body.material.empty() && materials.at(body.material).density > 0);
   if (body.mass || !known) return;
@@ -116,11 +124,13 @@ Imported import_body(BodySpec body, const std::string& kind, const ImportRequest
 
 Imported import_world(WorldSpec world, const std::string& kind, const ImportRequest& request,
                       std::vector<std::string> warnings) {
+  // Settle every mesh of the world, obstacles too.
   for (PlacedBody& placed : world.bodies) {
     const std::size_t before = warnings.size();
     settle_meshes(placed.body, request.file, request.repair, warnings, placed.dynamic);
     if (warnings.size() > before) placed.file.clear();  // it holds another surface now
   }
+  // Sizes far from those of the hand suggest wrong units.
   for (const PlacedBody& placed : world.bodies) {
     if (!placed.dynamic) continue;  // floors are large
     const std::string owner = fmt::format("object '{}'", placed.body.name);
@@ -147,11 +157,13 @@ double scale_of(const ImportRequest& request) {
 BodySpec object_of(const MeshContent& content, const ImportRequest& request, bool as_in_file) {
   BodySpec body;
   body.name = fs::path(request.file).stem().string();
+  // Exact solids such as boxes and spheres are kept in place of their triangles.
   body.shapes = content.exact;
   if (!body.shapes.empty()) return body;
   ShapeSpec shape;
   shape.kind = ShapeKind::kMesh;
   shape.mesh = content.mesh;
+  // Refer to the mesh in its file, at its scale, unless repair has changed the triangles.
   if (as_in_file) {
     shape.mesh_file = request.file;
     shape.mesh_scale = scale_of(request);
@@ -166,6 +178,7 @@ BodySpec object_of(const MeshContent& content, const ImportRequest& request, boo
 std::string why_no_volume(const MeshFacts& facts) {
   const MeshReport& surface = facts.surface;
   const MeshFaults& faults = facts.faults;
+  // Report the cause that makes all later ones meaningless first: a flat mesh has no inside at all.
   if (faults.flat)
     return "it is flat, all its triangles lie in one plane; no repair gives it a thickness";
   if (faults.holes > 0)
@@ -179,6 +192,7 @@ std::string why_no_volume(const MeshFacts& facts) {
     return fmt::format("{} of fins or sheets {} nothing; repairing leaves them out",
                        counted(static_cast<std::size_t>(faults.flaps), "triangle"),
                        faults.flaps == 1 ? "encloses" : "enclose");
+  // The remaining causes are local, and repair mends each of them.
   if (!surface.holes.empty() && surface.degenerate > 0)
     return fmt::format("edges are open beside {} of no area; repairing drops such triangles",
                        counted(surface.degenerate, "triangle"));
@@ -208,6 +222,7 @@ std::vector<std::string> mass_warnings(const BodySpec& body) {
 
 Imported import_mesh(const ImportRequest& request) {
   MeshContent content = read_mesh_content(request.file, scale_of(request));
+  // Remember how many holes there were, to report how many the repair has closed.
   const std::size_t holes = check_mesh(content.mesh).holes.size();
   std::string repaired;
   if (request.repair) {
@@ -219,9 +234,11 @@ Imported import_mesh(const ImportRequest& request) {
       throw InputError(fmt::format("'{}': {}", request.file, error.what()));
     }
   }
+  // Look at the surface as it is now, after the repair if there was one.
   MeshFacts facts = look_at_mesh(content);
   facts.closed = holes - facts.surface.holes.size();
   facts.repaired = repaired;
+  // A stated mass turns the mesh into an object, for which it has to bound a volume.
   std::optional<BodySpec> body;
   if (states_mass(request)) {
     require_volume(request, facts);
@@ -273,11 +290,13 @@ Imported import_toml(const ImportRequest& request) {
 
 Imported import_any(const ImportRequest& request) {
   const std::string& path = request.file;
+  // Refuse files of other commands with a hint, then options that the kind does not take.
   require_kind(path, {"robot", "object", "world", "mesh"});
   if (is_mesh_file(path)) return import_mesh(request);
   require_field(request.units.empty() ? "scale" : "units",
                 request.scale == 1 && request.units.empty(),
                 "scales and units are for meshes, '{}' is none", path);
+  // Tell XML from the rest by the first sign of the text, behind a byte order mark and blanks.
   const std::string text = read_text_file(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first != std::string::npos && text[first] == '<') return import_xml(request);
@@ -320,9 +339,12 @@ void point_to(std::vector<ShapeSpec>& shapes, const fs::path& from, const std::s
 RobotSpec with_guesses(const RobotSpec& robot) {
   RobotSpec kept = robot;  // it can be told and written, but not grasp
   try {
+    // Guess a palm, digits and closing directions from the geometry.
     RobotSpec guessed = graspable(robot);
     const std::size_t digits = digits_in(guessed).size();
     const bool one_jaw = digits == 1 && robot.dofs.size() == 1;
+    // With several digits the guess stands; a single jaw must at least close against something
+    // fixed.
     if (digits > 1 || (one_jaw && infer_closing(guessed, {true, false}).facing)) return guessed;
     if (one_jaw)
       kept.warnings.emplace_back(
@@ -337,17 +359,20 @@ using Sentences = std::vector<std::string>;
 
 /// The robot as TOML, with what was guessed marked, and told.
 Sentences write_thing(RobotSpec robot, const Imported& imported, const std::string& out) {
+  // Let links refer to meshes as seen from the folder of the new file.
   for (RobotLink& link : robot.links)
     point_to(link.shapes, fs::path(imported.request.file).parent_path(), out);
   if (fs::path(out).extension() != ".toml") {
     (void)write_urdf(out, robot);  // lost_in() has its warnings
     return {};
   }
+  // Only formats without words for grasping are completed by guesses.
   const bool guess = imported.kind != name_of(RobotFileKind::kToml);
   StlFiles files(out);
   for (const RobotLink& link : robot.links) files.leave(link.shapes);
   for (RobotLink& link : robot.links) files.give(link.shapes, link.name);
   RobotSpec written = guess ? with_guesses(robot) : robot;
+  // Report the guesses, which are the warnings that were added.
   Sentences guessed;
   for (std::size_t i = robot.warnings.size(); i < written.warnings.size(); ++i)
     guessed.push_back(written.warnings[i]);
@@ -371,6 +396,7 @@ Sentences write_thing(BodySpec body, const Imported& imported, const std::string
 }
 
 Sentences write_thing(WorldSpec world, const Imported& imported, const std::string& out) {
+  // Let bodies, hands and materials refer to their files as seen from the new file.
   const fs::path folder = fs::path(imported.request.file).parent_path();
   for (PlacedBody& body : world.bodies) {
     point_to(body.file, folder, out);
@@ -378,6 +404,7 @@ Sentences write_thing(WorldSpec world, const Imported& imported, const std::stri
   }
   for (PlacedHand& hand : world.hands) point_to(hand.file, folder, out);
   point_to(world.materials_file, folder, out);
+  // Write meshes as STL files of their own unless a file states them already.
   StlFiles files(out);
   for (const PlacedBody& body : world.bodies) files.leave(body.body.shapes);
   for (PlacedBody& body : world.bodies)
@@ -392,6 +419,7 @@ Sentences write_thing(const MeshContent& content, const Imported& imported,
     write_mesh(out, content.mesh);
     return {};
   }
+  // A mesh becomes an object, even if no mass was stated.
   BodySpec body = imported.body
                       ? *imported.body
                       : object_of(content, imported.request, imported.mesh->repaired.empty());

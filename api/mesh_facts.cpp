@@ -48,10 +48,12 @@ std::string mesh_size_warning(const TriangleMesh& mesh) {
 /// Returns reasons why the surface bounds no volume, causes first, and their remedies.
 std::vector<std::string> surface_warnings(const MeshReport& found, const MeshFaults& faults) {
   std::vector<std::string> warnings;
+  // A flat surface has no inside, so that no other fault matters.
   if (faults.flat)
     return {
         "the surface is flat: all its triangles lie in one plane, so that it has no volume, and "
         "no repair gives it one"};
+  // Open boundaries and seams come first, since they are why the surface has no volume.
   if (faults.holes > 0)
     warnings.push_back(
         fmt::format("the surface is open in {}: it has no volume; repairing closes it",
@@ -66,6 +68,7 @@ std::vector<std::string> surface_warnings(const MeshReport& found, const MeshFau
         "{} of fins or sheets that enclose nothing: with them the surface has no volume; "
         "repairing leaves them out",
         counted(static_cast<std::size_t>(faults.flaps), "triangle")));
+  // Faults that leave the surface closed follow.
   if (found.reversed_edges > 0)
     warnings.push_back(
         fmt::format("{} edges lie between triangles that face opposite ways; repairing turns them",
@@ -95,6 +98,7 @@ struct MeshMass {
 };
 
 MeshMass mass_of_parts(const TriangleMesh& mesh, const std::vector<TriangleMesh>& parts) {
+  // The divergence theorem needs every part to be closed and consistently oriented.
   MeshMass found;
   for (const TriangleMesh& part : parts) {
     const MeshReport report = check_mesh(part);
@@ -103,6 +107,7 @@ MeshMass mass_of_parts(const TriangleMesh& mesh, const std::vector<TriangleMesh>
     found.enclosed += report.volume;
   }
   found.closed = true;
+  // Parts may overlap, so weigh their union rather than their sum.
   if (!(found.enclosed > 0)) return found;
   ShapeSpec shape;
   shape.kind = ShapeKind::kMesh;
@@ -117,6 +122,7 @@ MeshMass mass_of_parts(const TriangleMesh& mesh, const std::vector<TriangleMesh>
 
 /// Volume, centre and inertia of triangles, with what is doubtful of them.
 void weigh_triangles(const TriangleMesh& mesh, MeshFacts& facts) {
+  // Weigh connected parts one by one: a mesh may hold several solids.
   const std::vector<TriangleMesh> parts = connected_parts(mesh);
   facts.parts = parts.size();
   const MeshMass found = mass_of_parts(mesh, parts);
@@ -138,6 +144,7 @@ void weigh_triangles(const TriangleMesh& mesh, MeshFacts& facts) {
 
 /// Replaces mass and warnings of the triangles by those of the exact solids.
 void weigh_exact(const MeshContent& content, MeshFacts& facts) {
+  // Exact solids are weighed without triangles, whose warnings no longer matter.
   const UnionMass all = union_mass(content.exact);
   facts.unit_mass = all.mass;
   facts.solid = all.mass.mass > 0;
@@ -153,6 +160,7 @@ void weigh_exact(const MeshContent& content, MeshFacts& facts) {
 }  // namespace
 
 MeshFacts look_at_mesh(const MeshContent& content) {
+  // Look at the surface first: without a volume there is no mass.
   MeshFacts facts;
   facts.surface = check_mesh(content.mesh);
   facts.across = extent_of(content.mesh);
@@ -161,6 +169,7 @@ MeshFacts look_at_mesh(const MeshContent& content) {
   if (const std::string size = mesh_size_warning(content.mesh); !size.empty())
     facts.warnings.push_back(size);
   weigh_triangles(content.mesh, facts);
+  // Exact shapes, where the format states them, replace the triangles.
   if (!content.exact.empty()) weigh_exact(content, facts);
   return facts;
 }
@@ -169,6 +178,7 @@ std::vector<std::string> density_warnings(const BodySpec& body, const std::strin
   // Range of densities of known materials [kg/m^3]
   constexpr double kMinDensity = 10, kMaxDensity = 25'000;
   constexpr double kGramPerCm3 = 1000;  // A gram per cubic centimetre [kg/m^3]
+  // Take the density from the mass over the volume, or as it is stated.
   const double mass = body.mass ? body.mass->mass : body.uniform_mass;
   double density = body.density;
   if (mass > 0) try {

@@ -27,6 +27,7 @@ std::string robot_meant(const PoseRequest& request) {
 
 std::vector<JointNow> joints_now(const Skeleton& skeleton, const TreeState<double>& state,
                                  const Eigen::VectorXd& q) {
+  // A joint that follows another one turns by ratio q + offset of its leader.
   std::vector<JointNow> joints;
   for (std::size_t i = 0; i < skeleton.tree.size(); ++i) {
     const Hinge<double>& hinge = skeleton.tree[i];
@@ -41,6 +42,7 @@ std::vector<JointNow> joints_now(const Skeleton& skeleton, const TreeState<doubl
 
 std::vector<SegmentNow> segments_now(const Subject& subject, const Skeleton& skeleton,
                                      const TreeState<double>& state) {
+  // Skip segments that the tree leaves out, as those of other digits.
   std::vector<SegmentNow> segments;
   for (const Segment& segment : subject.segments) {
     const auto link = skeleton.link_of_segment.find(segment.name);
@@ -66,6 +68,7 @@ std::set<int> coordinates_of(const Skeleton& skeleton, const SkeletonTip& tip) {
 TipNow tip_now(const Skeleton& skeleton, const TreeState<double>& state, const SkeletonTip& tip) {
   TipNow now{tip.digit, moved(state, tip.link, tip.p), tip.axes, {}, {}, {}};
   if (tip.link >= 0) now.axes = state[static_cast<std::size_t>(tip.link)].X.R * tip.axes;
+  // Keep the columns of the joints that move this tip; all others are zero.
   const Eigen::Matrix3Xd J =
       position_jacobian(skeleton.tree, state, tip.link, now.p, skeleton.coordinates());
   const std::set<int> coordinates = coordinates_of(skeleton, tip);
@@ -81,6 +84,7 @@ TipNow tip_now(const Skeleton& skeleton, const TreeState<double>& state, const S
 }
 
 SubjectPoses pose_subject(const PoseRequest& request, const Progress& progress) {
+  // Maps alone have no joints to pose.
   const SourceText source = subject_source(request.model, request.data);
   const Subject subject = parse_subject(source.text, source.path);
   require(!subject.joints.empty(),
@@ -90,6 +94,7 @@ SubjectPoses pose_subject(const PoseRequest& request, const Progress& progress) 
   const Skeleton skeleton =
       build_skeleton(subject, {request.digits, frozen_joints(subject, request.frozen)});
   SubjectPoses poses;
+  // Pose every posture of the grid, in the order in which the angles vary.
   poses.request = request;
   poses.subject = subject.name;
   poses.coordinates = skeleton.coordinate_names;

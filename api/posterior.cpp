@@ -23,6 +23,7 @@ PosteriorSettings settings_of(const SampleRequest& request, const FitInputs& inp
   PosteriorSettings settings;
   settings.posterior = posterior_options(inputs.settings);
   if (request.fixed_noise) settings.posterior.learn_noise = false;
+  // Settings of the sampler, as the request states them.
   settings.mode_starts = request.mode_starts;
   RunOptions& run = settings.run;
   run.method = request.method;
@@ -31,6 +32,7 @@ PosteriorSettings settings_of(const SampleRequest& request, const FitInputs& inp
   run.sampler.max_depth = request.max_depth;
   if (is_hamiltonian(run.method)) run.sampler.target_acceptance = request.target_acceptance;
   settings.retry_acceptances = request.retry_acceptances;
+  // Groups are chains, or ensembles of walkers.
   run.groups = request.chains;
   run.walkers = request.walkers;
   run.temperatures = request.temperatures;
@@ -42,6 +44,7 @@ PosteriorSettings settings_of(const SampleRequest& request, const FitInputs& inp
   run.draws = request.draws > 0 ? request.draws : 1000 / sparse;
   constexpr long kMaxGrowth = 4;  // most draws over the first ones, where nobody says how many [1]
   if (request.draws == 0) settings.max_draws = kMaxGrowth * run.draws;
+  // Checkpoints stand beside the result, so that a killed run goes on.
   run.threads = request.threads;
   run.folder = request.output + ".chains";
   run.checkpoint_every = request.checkpoint_every;
@@ -109,6 +112,7 @@ PosteriorResult opened(const std::string& path) {
 /// Draws samples on all ranks together; an exception on one rank is thrown on all of them.
 PosteriorResult sample_together(const SampleRequest& request, const Progress& progress,
                                 const Communicator& ranks) {
+  // Every rank reads its own inputs; the first alone reports and writes.
   FitInputs inputs;
   PosteriorSettings settings;
   collective_call(ranks, [&] {
@@ -118,6 +122,7 @@ PosteriorResult sample_together(const SampleRequest& request, const Progress& pr
     if (ranks.rank() == 0) require_result_path(request.output);
     if (ranks.rank() == 0 && request.fresh) forget_run(settings.run.folder);
   });
+  // Sample together, then keep the result on the first rank.
   PosteriorResult result = result_of(request, sample(inputs, settings, ranks));
   result.files = source_digests(sources_of(inputs));
   result.outcome.warn(path_cautions(inputs));
@@ -132,6 +137,7 @@ PosteriorResult sample_together(const SampleRequest& request, const Progress& pr
 
 std::optional<PosteriorResult> sample_fit(const SampleRequest& request, const Progress& progress) {
   std::optional<PosteriorResult> result;
+  // The communicator ends with this block, before an exception leaves it.
   std::exception_ptr failure;
   {
     const std::unique_ptr<Communicator> ranks = world_communicator();
@@ -167,6 +173,7 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
   PredictResult& result = out.predicted;
   result.request = {request.posterior, request.experiments, request.population, request.data,
                     request.path};
+  // Tell which fit predicts, with what it was fitted to.
   result.inputs = run.inputs;
   result.fitted_by = run.run;
   result.fidelity = problem.digit().fidelity;
@@ -177,6 +184,7 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
     result.outcome.warnings.push_back(fmt::format(
         "the posterior has {} draws, fewer than the {} that were asked for: all of them predict",
         kept, request.draws));
+  // Predict each experiment by its own specimen if that was fitted, else by the population.
   for (const std::string& name : request.experiments) {
     const SourceText source = read_source(experiment_file(name, request.data));
     const Experiment experiment = read_trials(source);
@@ -191,6 +199,7 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
         {experiment, beside_trivial_forces(std::move(prediction), experiment, problem, by), by});
   }
   out.outcome = result.outcome;
+  // Chains that do not agree make the answer doubtful, but not useless.
   if (!run.convergence.warnings.empty()) out.outcome.status = Status::kStalled;
   return out;
 }

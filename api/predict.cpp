@@ -67,6 +67,7 @@ PredictResult predict_forces(const PredictRequest& request) {
   require_kind(request.fit, {"fit"});
   const Fit fit = read_fit(request.fit);
   PredictResult result = answer_of(request, fit);
+  // Predict each experiment by its own specimen if that was fitted, else by the population.
   for (const std::string& name : request.experiments) {
     const SourceText source = read_source(experiment_file(name, request.data));
     const Experiment experiment = read_trials(source);
@@ -76,6 +77,7 @@ PredictResult predict_forces(const PredictRequest& request) {
     Prediction prediction =
         predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
                            by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen);
+    // Warn of medians of draws, then set trivial predictions beside: a model has to beat them.
     result.outcome.warn(unsteady_force_warnings(prediction));
     result.sources.push_back(source);
     result.experiments.push_back(

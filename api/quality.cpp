@@ -73,6 +73,7 @@ WrenchSet wrenches_of(const ContactFile& file, const ContactQualityRequest& requ
   const std::vector<int> region = regions_of(file);
   const std::vector<Contact> contacts = contacts_of(file);
   WrenchSet set;
+  // Generators of the file replace the cone of their contact.
   for (std::size_t i = 0; i < file.contacts.size(); ++i) {
     const std::vector<FileWrench>& generators = file.contacts[i].wrenches;
     for (const ScaledWrench& wrench : generators) set.caps.push_back({wrench, {}, region[i]});
@@ -92,6 +93,7 @@ double seconds_since(std::clock_t start) {
 Epsilon epsilon_of(const WrenchSet& set, const ContactFile& file,
                    const ContactQualityRequest& request) {
   if (file.planar) return planar_epsilon(set, request.norm);
+  // A polytope is searched to a smaller gap than is asked for: its epsilon comes out exact.
   EpsilonOptions wanted;
   wanted.limit = request.norm;
   wanted.gap = request.gap;
@@ -113,6 +115,7 @@ std::optional<Volume> volume_of(const WrenchSet& set, const ContactFile& file,
 /// Computes the grasp matrix of a planar grasp: columns n and t of each contact, rows f_x, f_y and
 /// torque.
 Eigen::MatrixXd planar_matrix(const std::vector<Contact>& contacts, const ContactFile& file) {
+  // Torques are divided by the torque scale, as in all wrenches of the file.
   Eigen::MatrixXd G(3, 0);
   for (const Contact& contact : contacts) {
     const Eigen::Vector3d arm = (contact.p - file.centre_of_mass) / file.torque_scale;
@@ -183,6 +186,7 @@ TaskMargin margin_of_axes(const ForceSet& forces, const std::vector<ScaledWrench
 std::optional<TaskQuality> task_of(const WrenchSet& set, const ContactFile& file,
                                    const ContactQualityRequest& request) {
   if (file.task.kind == FileTask::Kind::kNone) return {};
+  // Moments of loads are divided by the torque scale, as those of contacts are.
   const bool each = file.task.kind == FileTask::Kind::kLoads;
   std::vector<ScaledWrench> loads = file.task.loads;
   for (ScaledWrench& load : loads) load.tail<3>() /= file.torque_scale;
@@ -200,6 +204,7 @@ std::optional<TaskQuality> task_of(const WrenchSet& set, const ContactFile& file
   // Below this nothing is borne, but for the programmes' rounding.
   const double none = kMinLoadRatio * largest / std::max(margin.worst_load.norm(), 1e-300);
   if (margin.upper < none) margin.lower = margin.upper = 0;
+  // Return the worst load in N and N m, as the file states loads.
   margin.worst_load.tail<3>() *= file.torque_scale;
   TaskQuality task = quality_of(margin);
   task.grasp_forces = std::move(grasp_forces);
@@ -234,6 +239,7 @@ ContactQualityResult measure_contacts(const ContactQualityRequest& request) {
   require(!file.planar || request.edges == 0, "pyramids are of cones in space, not in a {}",
           "plane");
   ContactQualityResult found;
+  // Repeat the question, and what was read.
   found.request = request;
   found.contacts = file.path;
   found.count = file.contacts.size();
@@ -249,6 +255,7 @@ ContactQualityResult measure_contacts(const ContactQualityRequest& request) {
   const std::clock_t middle = std::clock();
   found.volume = volume_of(set, file, request);
   found.volume_cpu = seconds_since(middle);
+  // The grasp matrix and the task are immediate, and not timed.
   found.grasp_matrix = matrix_of(file);
   found.task = task_of(set, file, request);
   return found;

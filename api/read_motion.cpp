@@ -54,10 +54,12 @@ class MotionReader {
     if (format != kMotionFormat)
       fail(fmt::format("wanted a motion of a digit ('{}'), got '{}'", kMotionFormat, format));
     try {
+      // Build the digit again, since the file keeps its inputs rather than its geometry.
       build();
     } catch (const Error& error) {
       fail(fmt::format("its digit cannot be built again: {}", error.what()));
     }
+    // Compare names and tip places: another build of the digit would show a wrong motion.
     compare_names();
     read_instants();
     compare_tips();
@@ -82,11 +84,13 @@ class MotionReader {
       hood = built[kHoodLadder];
     }
     const auto path_rung = rung_called(kPathRungs, kPathLadder, path);
+    // Words of the file become rungs; unknown words are of a later version.
     const auto hood_rung = rung_called(kHoodRungs, kHoodLadder, hood);
     require(path_rung && hood_rung, "there are no rungs '{}' and '{}'", path, hood);
     rungs.path = !named && *path_rung == Path::kConstant ? Path::kViaPoint : *path_rung;
     rungs.hood = *hood_rung;
     if (file_.text_or_none("rungs/wrist") == "free") rungs.wrist_mode = WristMode::kFree;
+    // Frozen joints are part of the digit, with the angles at which they were frozen.
     if (file_.texts.count("name/frozen") == 0) return rungs;
     const std::vector<std::string>& joints = file_.list("name/frozen");
     const Eigen::MatrixXd angles =
@@ -104,11 +108,13 @@ class MotionReader {
         parse_subject(text, file_.text_or_none("inputs/1/path")),
         file_.text_or_none("rungs/passive") == "on" ? PassiveMoments::kOn : PassiveMoments::kOff);
     out_.digit = choose_digit(out_.subject, file_.text("digit"));
+    // Without a net the subject alone builds the digit.
     const TendonOptions options = rungs();
     if (options.hood != Hood::kFloatingNet) {
       out_.tendons = build_digit_tendons(out_.subject, out_.digit, options);
       return;
     }
+    // A net is built from the text that the file keeps.
     const std::string net = file_.text_or_none("inputs/2/text");
     require(!net.empty(), "it does not keep the text of its net");
     const NetDescription description = parse_net(net, file_.text_or_none("inputs/2/path"));
@@ -141,6 +147,7 @@ class MotionReader {
     const TendonNames& names = out_.tendons->digit().names;
     const auto joints = static_cast<Index>(names.coordinates.size());
     const auto muscles = static_cast<Index>(names.muscles.size());
+    // Time has to rise, and every table has one row for each instant.
     out_.time = vector_in(file_, "time");
     const Index count = out_.time.size();
     for (Index i = 1; i < count; ++i)
@@ -152,6 +159,7 @@ class MotionReader {
     out_.energy = table("energy", count, 1);
     out_.work = table("work", count, 1);
     out_.dissipated = table("lost", count, 1);
+    // Refuse values that no digit has, which a damaged file may hold.
     if ((out_.angle.array().abs() > kMostAngle).any())
       fail(fmt::format("'angle': wanted up to {} rad", kMostAngle));
     if ((out_.tension.array() < -kNoPull).any() || (out_.tension.array() > kMaxTension).any())

@@ -54,6 +54,7 @@ std::map<std::string, double> values_of(const RobotSpec& robot, const PostureReq
 /// motor's limits if the joint follows a curve.
 double motor_of(const RobotJoint& joint, const RobotDof& dof, double value) {
   if (joint.curve.empty()) return (value - joint.offset) / joint.ratio;
+  // A curve rises or falls between the limits, so that bisection finds the motor.
   double a = dof.lower, b = dof.upper;
   const bool rises = joint_value(joint, b) > joint_value(joint, a);
   for (int i = 0; i < 60; ++i) {
@@ -83,6 +84,7 @@ class RobotPosture {
 
  private:
   void set(const std::string& name, double value) {
+    // A name is a degree of freedom, or else a joint that one of them moves.
     if (const RobotDof* dof = dof_named(robot_, name)) {
       move(*dof, value * drive_unit(slides(robot_, *dof), unit_));
       return;
@@ -157,6 +159,7 @@ std::vector<int> parents_of(const RobotSpec& robot) {
 }
 
 RobotPose robot_at(const RobotSpec& robot, const RobotPosture& posture) {
+  // Place every link by forward kinematics, in the frame of the base.
   RobotSpec at = held(robot, posture);
   const std::vector<Pose<double>> X = link_poses(at, {});
   const std::vector<int> parents = parents_of(robot);
@@ -166,6 +169,7 @@ RobotPose robot_at(const RobotSpec& robot, const RobotPosture& posture) {
     placed[robot.links[i].name] = X[i];
     pose.links.push_back({robot.links[i].name, parents[i], X[i]});
   }
+  // State each joint's axis and place in the base frame.
   for (const RobotJoint& joint : robot.joints) {
     if (joint.kind == RobotJointKind::kFixed) continue;
     const Pose<double> X_BJ = placed.at(joint.parent) * joint.X_PJ;
@@ -174,6 +178,7 @@ RobotPose robot_at(const RobotSpec& robot, const RobotPosture& posture) {
         {joint.name, joint.dof, slides(joint), value, X_BJ.R * joint.axis, X_BJ.p});
     warn_of_limits(joint, value, pose.warnings);
   }
+  // Tips need digits, which are guessed where the file names none.
   if (std::all_of(at.links.begin(), at.links.end(),
                   [](const RobotLink& link) { return link.digit.empty(); }))
     (void)infer_digits(at);
@@ -185,6 +190,7 @@ RobotPose robot_at(const RobotSpec& robot, const RobotPosture& posture) {
 /// Every posture of the grid: its values by name, in the unit of the request.
 std::vector<std::map<std::string, double>> value_grid(const std::map<std::string, double>& values,
                                                       const std::vector<Vary>& vary) {
+  // Start with the posture itself; the last drive varies fastest.
   std::vector<std::map<std::string, double>> grid{values};
   for (const Vary& each : vary) {
     const std::vector<double> steps = steps_of(each, "");
@@ -206,6 +212,7 @@ RobotPoses pose_robot(const RobotSpec& robot, const PoseRequest& request,
                       const Progress& progress) {
   const PostureRequest& posture = request.posture;
   const std::vector<Vary>& vary = request.vary;
+  // Each drive varies once, in radians or metres.
   RobotPoses poses;
   poses.request = request;
   poses.robot = robot.name;

@@ -18,6 +18,7 @@ namespace {
 
 /// Slack lengths of tendons that the subject does not state, or others.
 void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
+  // Names must be muscles of the subject, lengths positive.
   std::vector<std::string> names;
   for (const MuscleUnit& muscle : subject.muscles) names.push_back(muscle.name);
   (void)in_order(slack, names, "muscle");  // refuses unknown names
@@ -33,6 +34,7 @@ void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
 /// The excitation asked for; adds its file to the sources.
 Excitation excitation_of(const DigitMotionRequest& request, const std::vector<std::string>& muscles,
                          std::vector<SourceText>& sources) {
+  // One kind of input, and at least something that moves the digit.
   require(request.excitation.empty() || request.excitation_file.empty(),
           "wanted excitations of muscles or a file of them, got both");
   require(
@@ -49,6 +51,7 @@ Excitation excitation_of(const DigitMotionRequest& request, const std::vector<st
 
 /// Numbers of every instant.
 void add_instants(const Trajectory& t, ResultFile& file) {
+  // Tables over the instants: motion of joints, then muscles, then the account of energy.
   file.add("time", t.time, "s", {"instant"});
   file.add("angle", t.angle, "rad", {"instant", "joint"});
   file.add("speed", t.speed, "rad/s", {"instant", "joint"});
@@ -68,6 +71,7 @@ void add_instants(const Trajectory& t, ResultFile& file) {
 /// Snaps of a net; nothing where there are none.
 void add_snaps(const Trajectory& t, ResultFile& file) {
   if (t.snaps.empty()) return;
+  // A snap is a jump of the net to another equilibrium, which releases energy.
   const auto count = static_cast<Eigen::Index>(t.snaps.size());
   std::vector<std::string> bands;
   Eigen::VectorXd time(count), moved(count), released(count);
@@ -84,6 +88,7 @@ void add_snaps(const Trajectory& t, ResultFile& file) {
 
 /// Adds the rungs from which the digit can be built again.
 void add_rungs(const TendonOptions& rungs, PassiveMoments passive, ResultFile& file) {
+  // The words of the rungs, which read_motion() turns back.
   const std::vector<RungWords> words = explain(Fidelity(rungs.path, rungs.hood));
   file.add("rungs/path", words[kPathLadder].rung);
   file.add("rungs/hood", words[kHoodLadder].rung);
@@ -104,6 +109,7 @@ void add_rungs(const TendonOptions& rungs, PassiveMoments passive, ResultFile& f
 /// all, else bounds, with a warning.
 Muscle muscle_rung(const DigitMotionRequest& request, const Subject& subject,
                    const TendonDigit& digit, std::vector<std::string>& warnings) {
+  // The request decides; otherwise the best rung that the subject has data for.
   if (request.muscle) return *request.muscle;
   const std::string without = muscle_without_fibre(subject, digit);
   if (without.empty()) return Muscle::kRigidTendon;
@@ -134,6 +140,7 @@ Status status_of(MotionStatus status) {
 }  // namespace
 
 DigitMotionResult simulate_digit(const DigitMotionRequest& request, const Progress& progress) {
+  // Refuse a blend of no length, and a damping that would add energy.
   require_field("blend", request.blend > 0, "wanted a strain above 0 to blend over, got {}",
                 request.blend);
   require_field("damping", request.damping >= 0, "wanted a damping of at least 0 N m s/rad, got {}",
@@ -166,6 +173,7 @@ DigitMotionResult simulate_digit(const DigitMotionRequest& request, const Progre
   options.tolerance = request.tolerance;
   options.progress = progress;
   const Excitation excitation = excitation_of(request, muscles, motion.sources);
+  // Integrate the equations of motion until the time is over, or the motion cannot go on.
   motion.trajectory = simulate(model, excitation, start, options);
   motion.outcome.status = status_of(motion.trajectory.status);
   motion.outcome.warn(motion_warnings(motion.trajectory));
@@ -181,6 +189,7 @@ std::vector<std::string> motion_warnings(const Trajectory& trajectory) {
 }
 
 void write_motion(const DigitMotionResult& motion, const std::string& path, const RunRecord& run) {
+  // Who moved, and how it ended.
   const Trajectory& t = motion.trajectory;
   ResultFile file;
   file.add("format", kMotionFormat);
@@ -192,6 +201,7 @@ void write_motion(const DigitMotionResult& motion, const std::string& path, cons
   file.add("name/muscle", t.muscles);
   add_rungs(motion.rungs, motion.passive, file);
   add_instants(t, file);
+  // The account: energy that does not balance, and how far constraints have drifted.
   file.add("energy_error", t.balance.error, "J");
   file.add("turned_over", t.balance.turned_over, "J");
   file.add("stray", t.drift.value_or(std::nan("")), "m");

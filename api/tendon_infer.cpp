@@ -61,7 +61,7 @@ InferenceCase read_case(const InferNetRequest& request, InferNetResult& answer) 
                    net_records(netted, experiment),
                    possible_tests(netted, experiment),
                    {experiment.sd_relative, experiment.sd_floor}};
-  // What the answer is of.
+  // Name the experiment, the subject and the net that the answer is about.
   answer.experiment = experiment.name;
   answer.subject = subject.name;
   answer.net = at.candidate.net.name;
@@ -84,6 +84,7 @@ std::vector<ProposedTest> proposed(const std::vector<RankedTest>& ranked,
 
 void infer_by_selection(const InferenceCase& at, int propose, const Progress& progress,
                         InferNetResult& answer) {
+  // Select bands by a price on their stiffness, then judge each by what its absence costs.
   BandFitter fitter(at.candidate, at.records);
   FittedNets tried(fitter);
   (void)select_bands(tried, {}, progress);
@@ -96,6 +97,7 @@ void infer_by_selection(const InferenceCase& at, int propose, const Progress& pr
   MeasurementNoise noise = at.noise;
   noise.floor *= inflation;
   noise.relative *= inflation;
+  // Rank the tests by how differently the remaining nets would answer.
   NetForwardModel forecast(at.candidate, at.pool);
   answer.next =
       proposed(rank_tests(forecast, at.pool, nets, fitter.typical(), noise), at.pool, propose);
@@ -123,6 +125,7 @@ std::string with_freed(std::string settings, const std::vector<std::string>& glo
 
 /// The fit with all bands, and the bands in question.
 BandProblems free_problems(const InferNetRequest& request, InferNetResult& answer) {
+  // Inputs are those of a fit, with one experiment.
   FitSources sources;
   sources.experiments = {request.experiment};
   sources.subject = request.subject;
@@ -142,7 +145,7 @@ BandProblems free_problems(const InferNetRequest& request, InferNetResult& answe
   inputs.settings.text = with_freed(std::move(inputs.settings.text), words);
   FitProblem all = build_problem(inputs);
   std::vector<std::string> bands = bands_matching(all.digit().net->net, request.bands);
-  // What the answer is of.
+  // Name the experiment, the subject and the net that the answer is about.
   answer.experiment = all.experiments().front().name;
   answer.subject = parse_subject(inputs.subject.text, inputs.subject.path).name;
   answer.net = all.digit().net->net.name;
@@ -180,6 +183,7 @@ void infer_free(const InferNetRequest& request, const Progress& progress, InferN
   require_fit_path(request.path);
   const BandProblems problems = free_problems(request, answer);
   ProgressParts parts(progress, 1);
+  // Bands and parameters are sampled together, from the seed.
   std::mt19937 random(request.seed);
   BandPosteriorOptions options = request.sets;
   options.evidence.seed = request.seed;
@@ -188,11 +192,12 @@ void infer_free(const InferNetRequest& request, const Progress& progress, InferN
   if (!free.posterior.found) return;
   answer.outcome.warn(doubts_of(free.posterior));
   if (progress.stop()) return;
-  // What to measure next.
+  // Rank the trials that could be measured next.
   const FitProblem& all = problems.all();
   const std::vector<RankedTrial> ranked =
       rank_trials(problems, free.posterior, possible_trials(all.digit(), all.experiments().front()),
                   parts.next(0.05));
+  // Compare each proposed trial with the mean of the pool.
   free.pool = ranked.size();
   for (const RankedTrial& trial : ranked)
     free.next_mean += trial.information / static_cast<double>(ranked.size());
@@ -203,6 +208,7 @@ void infer_free(const InferNetRequest& request, const Progress& progress, InferN
 
 /// Returns doubts about the fits behind the verdicts, a sentence each.
 std::vector<std::string> doubts_of(const InferredNet& inferred) {
+  // Verdicts are as good as the fits behind them.
   std::vector<std::string> doubts, open;
   for (const BandVerdict& band : inferred.verdicts)
     if (!band.converged) open.push_back(band.name);
@@ -230,6 +236,7 @@ InferNetResult infer_net(const InferNetRequest& request, const Progress& progres
   InferNetResult answer;
   answer.request = request;
   progress(0, "tests");
+  // With free parameters bands get probabilities, otherwise verdicts.
   if (!request.free.empty()) {
     infer_free(request, progress, answer);
   } else {
@@ -242,6 +249,7 @@ InferNetResult infer_net(const InferNetRequest& request, const Progress& progres
       infer_by_search(at, request, progress, answer);
     if (answer.inferred.found) answer.outcome.warn(doubts_of(answer.inferred));
   }
+  // Without a net that explains the forces the answer is stalled.
   const bool found = answer.free ? answer.free->posterior.found : answer.inferred.found;
   if (!found) answer.outcome.status = Status::kStalled;
   if (progress.stop()) answer.outcome.status = Status::kStopped;

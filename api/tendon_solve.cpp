@@ -27,6 +27,7 @@ TendonSolveResult solve_tendons(const TendonRequest& request, const Progress& pr
           request.digit.vary.size());
   TendonSolveResult out;
   out.request = request;
+  // Solve at one posture; the net starts from the straight finger.
   out.loaded = loaded_digit(request, out.outcome);
   progress(0, "one posture");
   const LoadedDigit& loaded = out.loaded;
@@ -40,6 +41,7 @@ TendonSolveResult solve_tendons(const TendonRequest& request, const Progress& pr
 TendonSweepResult sweep_tendons(const TendonRequest& request, const Progress& progress) {
   TendonSweepResult sweep;
   sweep.request = request;
+  // Sweep row by row: each row begins with the straight finger, and follows the last joint.
   sweep.loaded = loaded_digit(request, sweep.outcome);
   const PostureGrid& grid = sweep.loaded.grid;
   const auto count = static_cast<double>(grid.postures.size());
@@ -55,6 +57,7 @@ TendonSweepResult sweep_tendons(const TendonRequest& request, const Progress& pr
     for (DigitPoint& point : sweep_digit(*sweep.loaded.tendons, postures, sweep.loaded.t, row))
       sweep.points.push_back(std::move(point));
   }
+  // One posture that is not to be trusted makes the whole doubtful.
   Outcome& outcome = sweep.outcome;
   if (std::any_of(sweep.points.begin(), sweep.points.end(),
                   [](const DigitPoint& point) { return !trusted(point.pull.status); }))

@@ -18,6 +18,7 @@ constexpr double kLeastRatio = (1 - 0.4945) / 0.4945, kMostRatio = 1.7 * 1.7 / k
 
 /// Returns a warning if the ratio of slip tensions is outside the published range; otherwise empty.
 std::string slip_doubt(const LoadedDigit& loaded, const DigitPoint& point) {
+  // A ratio of slack slips means nothing.
   const SlipTension& slips = point.pull.slips;
   if (loaded.net() == nullptr || !trusted(point.pull.status) ||
       slips.central + slips.terminal < kTaut)
@@ -40,6 +41,7 @@ std::string place_of(const LoadedDigit& loaded, const DigitPoint& point) {
 
 std::string tip_note(const TipForce& tip) {
   constexpr double kTorqueRounding = 1e-9;  // Rounding of a joint torque [N m]
+  // Fewer independent rows than a point contact has directions: a singular posture.
   if (tip.rank < std::min<Eigen::Index>(tip.possible, tip.tau_residual.size()))
     return tip.tau_residual.cwiseAbs().maxCoeff() < kTorqueRounding
                ? "singular posture: along some direction a force of the tip needs no joint torque; "

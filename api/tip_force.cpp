@@ -37,6 +37,7 @@ void clamp_tip(const DigitAtPosture& at, const Eigen::VectorXd& t, double length
 }  // namespace
 
 TipForceResult compute_tip_force(const TipForceRequest& request, const Progress& progress) {
+  // A rigid hold weighs moments by a length, which must be that of a hand.
   require_field("hold_length", request.hold_length > 0 && request.hold_length <= kMaxHoldLength,
                 "wanted a hold length above 0, up to {:.4g} mm, got {:.6g} mm",
                 1e3 * kMaxHoldLength, 1e3 * request.hold_length);
@@ -44,11 +45,13 @@ TipForceResult compute_tip_force(const TipForceRequest& request, const Progress&
   require_field("hold", digit.map.empty() || request.hold == TipConstraint::kPinned,
                 "tip map '{}' gives forces whatever the hold, got a rigid one", digit.map);
   TipForceResult answer{begin_digit_result(digit), request, tensions(digit, request.tension), {}};
+  // Warn of tensions beyond the muscles' largest forces.
   const Eigen::VectorXd limits =
       digit.map.empty() ? digit.bones().max_tension : digit_at(digit, {}).statics.max_tension;
   answer.outcome.warn(overload_warnings(answer.muscles, limits, answer.tension));
 
   const auto ask = [&](const Eigen::VectorXd& q) {
+    // Solve J' f = R' t + tau_0 at each posture, with moments if the hold is rigid.
     const DigitAtPosture at = digit_at(digit, q);
     TipForcePoint point;
     point.q = q;

@@ -83,6 +83,7 @@ std::vector<std::string> materials_in(const Other& /*none, or checked by its rea
 }
 
 FileVerdict verdict_of(const std::string& name, const std::string& data, const Materials& table) {
+  // Read, build and look for doubts; whatever throws is the verdict.
   FileVerdict verdict;
   verdict.path = name;
   try {
@@ -90,6 +91,7 @@ FileVerdict verdict_of(const std::string& name, const std::string& data, const M
     Thing thing = read_thing(verdict.path);
     verdict.warnings = checksum_warnings(verdict.path);
     std::visit([&](const auto& each) { build_thing(each, verdict); }, thing);
+    // Names of materials must be in the table.
     for (std::string& unknown : unknown_materials(
              verdict.path, std::visit([](const auto& each) { return materials_in(each); }, thing),
              table))
@@ -116,6 +118,7 @@ bool Validation::valid() const {
 Validation validate(const ValidateRequest& request) {
   Validation out;
   out.request = request;
+  // The subject is read once, for all experiments.
   Subject subject;
   if (!request.subject.empty()) {
     const SourceText source = subject_source(request.subject, request.data);
@@ -124,6 +127,7 @@ Validation validate(const ValidateRequest& request) {
   }
   const Materials table = materials_of_file(request.materials);
   bool held = false;
+  // Judge every file, and hold experiments to the subject.
   for (const std::string& name : request.things) {
     out.files.push_back(verdict_of(name, request.data, table));
     FileVerdict& file = out.files.back();

@@ -49,6 +49,7 @@ Outputs without_json(Outputs outputs) {
 }
 
 void run_compare(const CompareArguments& options) {
+  // Record the question before the file is added, which is no part of it.
   CompareRequest request = compare_params().read(options.request);
   set_request("compare", compare_params().write(request));
   request.file = options.outputs.one(".json");
@@ -57,6 +58,7 @@ void run_compare(const CompareArguments& options) {
       request.file.empty() ? "without -o FILE.json nothing is kept"
                            : fmt::format("finished pairs are kept in '{}'", request.file));
   const CompareResult result = compare_hands(request, progress);
+  // A page of half a comparison would be read as a whole one.
   if (result.outcome.stopped())
     throw Stopped("stopped; " + kept_words(result) +
                   (options.outputs.page() ? "; the page is drawn when all is compared" : ""));

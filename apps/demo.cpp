@@ -36,6 +36,7 @@ struct DemoArguments {
 void run_demo(const DemoArguments& options) {
   const auto begin = std::chrono::steady_clock::now();
   const Progress progress = terminal_progress();
+  // Find out now that the folder cannot be written, not after minutes.
   const std::string path = options.output + "/" + kFrontPage;
   require_writable(path);
   const DemoResult demo =
@@ -44,6 +45,7 @@ void run_demo(const DemoArguments& options) {
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const std::vector<SetPage> pages = demo_pages(demo, seconds);
+  // Pages are independent of each other, and large.
   parallel_for(pages.size(), [&](std::size_t i) {
     write_page(pages[i].page, options.output + "/" + pages[i].file);
   });

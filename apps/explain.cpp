@@ -37,6 +37,7 @@ void add_explain(CLI::App& app) {
           "Subject, experiment, net, fit, robot, object, world, scene or materials: a file, or "
           "the name of one that comes with thenar")
       ->required();
+  // These narrow the explanation of a subject, and are refused for anything else.
   command->add_option("--digit", options->request.digit,
                       "Digit of a subject to explain; the only one if left out");
   add_path_option(*command, options->request.path);

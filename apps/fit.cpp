@@ -61,10 +61,12 @@ void fit_best(FitArguments& options) {
   request.output = options.outputs.one(".h5");
   request.run = this_run();
   const FitResult result = fit_digit(request, terminal_progress());
+  // Settings that data chose are a file of their own, to fit again with.
   for (const std::string& file : options.outputs.with_ending({".toml"}))
     write_file(file, result.fit.inputs.settings.text);
   print_warnings(result.outcome.warnings);
   deliver(options.outputs, result);
+  // Write the best point even if the fit failed, then end with an error.
   require(!result.fit.solution.failed, "the fit failed: {}; the file holds the best point found",
           result.fit.solution.message);
   if (result.outcome.stopped()) throw Stopped("stopped; the file holds the best point so far");
@@ -89,12 +91,13 @@ void require_complete(const PosteriorResult& result) {
 }
 
 void sample_posterior_of(FitArguments& options) {
+  // Refuse what only a single best point can answer.
   require(!options.fit.contains("choose_settings"),
           "--choose-settings is for fits; sample with the settings that a fit has chosen");
   require(!options.fit.contains("leave_out"),
           "--cross-validate is for fits; a posterior's file says how well it would predict each "
           "trial unseen (`thenar posterior summary`)");
-  // What fits and posteriors have in common is typed once.
+  // Options that fits and posteriors share are typed once.
   options.fit.erase("max_evaluations");
   options.chains.update(options.fit);
   SampleRequest request = posterior_params().read(options.chains);
@@ -106,6 +109,7 @@ void sample_posterior_of(FitArguments& options) {
   request.run = this_run();
   const std::optional<PosteriorResult> result = sample_fit(request, terminal_progress());
   if (!result) return;  // another rank answers
+  // Keep the draws even if the chains do not agree, then end with an error.
   if (result->run.draws.draws() > 0) deliver(options.outputs, *result);
   std::fflush(stdout);
   require_complete(*result);
@@ -130,7 +134,7 @@ void run_fit(FitArguments& options) {
 
 void add_chain_options(CLI::App& command, FitArguments& options) {
   CLI::Option_group* const group = command.add_option_group("With --method mcmc");
-  // What fits have, too, is an option already.
+  // Leave out parameters that fits have, as these are options already.
   const std::vector<Param> fits = fit_params().params();
   std::vector<std::string> known;
   for (const Param& param : fits)

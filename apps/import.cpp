@@ -59,17 +59,20 @@ void require_plausible(const Imported& imported, const ImportArguments& options)
 
 void run_import(const ImportArguments& options) {
   const Imported imported = import_file(options.request);
+  // Check all endings before anything is written.
   const std::vector<std::string> files =
       options.outputs.with_ending({".toml", ".urdf", ".obj", ".stl", ".ply", ".off"});
   std::size_t warnings = imported.outcome.warnings.size();
   for (const std::string& out : files) require_ending(out, endings_for(imported));
   print_answer(options.outputs.json ? json_text(json_of(imported)) + "\n" : text_of(imported));
+  // Warn of what the format cannot hold, before it is lost.
   for (const std::string& out : files) {
     print_of(out, lost_in(imported, out));
     warnings += lost_in(imported, out).size();
   }
   require(!options.strict || warnings == 0, "--strict: {} about '{}'; nothing is written",
           counted(warnings, "warning"), options.request.file);
+  // Refuse what is implausible or incomplete unless it was allowed.
   if (!files.empty()) require_plausible(imported, options);
   if (!options.allow_missing) require_whole(imported, files);
   for (const std::string& out : files) print_of(out, write_imported(imported, out));

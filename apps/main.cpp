@@ -125,6 +125,7 @@ int run_command(int argc, char** argv) {
   add_ask(app);
   add_rerun(app);
   hide_empty_defaults(app);
+  // Help and silent errors bring their own exit codes, an interruption has that of its signal.
   try {
     begin_run(argc, argv);
     require_command(app, argc, argv);

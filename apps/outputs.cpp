@@ -78,6 +78,7 @@ std::string Outputs::one(const std::string& ending) const {
 void add_output_options(CLI::App& command, Outputs& outputs, const OutputKinds& kinds) {
   if (kinds.json) command.add_flag("--json", outputs.json, "Print JSON");
   if (kinds.csv) command.add_flag("--csv", outputs.csv, "Print a table (CSV)");
+  // Several outputs may be named; each option adds one file.
   const auto add_file = [&outputs](const std::string& path) { outputs.files.push_back(path); };
   const std::vector<std::string> endings = endings_of(kinds);
   if (!endings.empty())

@@ -80,6 +80,7 @@ void add_posterior(CLI::App& app) {
   command->require_subcommand(1);
   const std::string make = "fit synek2019_H01 --subject synek2019_middle --method mcmc -o out/P.nc";
   add_examples(*command, {make, "posterior summary out/P.nc"});
+  // All three read a posterior, and share its arguments.
   auto options = std::make_shared<PosteriorArguments>();  // lives as long as the callbacks
   CLI::App* first = add(*command, "summary", "Convergence, parameters, modes", options, summary);
   first->add_option("--rows", options->rows, "Parameters to print");

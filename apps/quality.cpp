@@ -62,6 +62,7 @@ void write_answers(const std::vector<ContactQualityResult>& answers, const Outpu
 bool answer_stream(ContactQualityRequest request) {
   bool all = true;
   request.contacts = "stdin";
+  // Blank lines are skipped, but counted, so that answers name their line.
   for (request.line = 1; std::getline(std::cin, request.text); ++request.line) {
     if (request.text.find_first_not_of(" \t\r") == std::string::npos) continue;
     OrderedJson line;
@@ -84,6 +85,7 @@ bool answer_files(const QualityArguments& options, ContactQualityRequest request
   bool all = true;
   std::vector<ContactQualityResult> answers;
   for (const std::string& contacts : options.contacts) {
+    // Print and write after each set: what is done stays if a later one fails.
     request.contacts = contacts;
     try {
       answers.push_back(measure_contacts(request));
@@ -99,6 +101,7 @@ bool answer_files(const QualityArguments& options, ContactQualityRequest request
 }
 
 void run_quality(QualityArguments options) {
+  // Words for norms are accepted in capitals, too: L1, Linf.
   if (options.request.contains("norm")) {
     std::string norm = options.request["norm"].get<std::string>();
     std::transform(norm.begin(), norm.end(), norm.begin(),
@@ -107,6 +110,7 @@ void run_quality(QualityArguments options) {
   }
   const ContactQualityRequest request = contact_params().read(options.request);
   require_valid(request);
+  // A stream answers each line as it comes, and so writes no files.
   const bool stream = std::count(options.contacts.begin(), options.contacts.end(), "-") > 0;
   require(!stream || (options.contacts.size() == 1 && options.outputs.files.empty() &&
                       !options.outputs.csv),

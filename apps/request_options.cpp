@@ -55,6 +55,7 @@ std::string what_is(const Schema& schema) {
 /// @param form  of a pair: "MUSCLE=newton"
 Json typed_map(const Schema& schema, const std::string& form,
                const std::vector<std::string>& texts) {
+  // A list of plain values is told from pairs by its first entry.
   const bool named = !schema.unnamed || texts.empty() || texts[0].find('=') != std::string::npos;
   Json json = named ? Json::object() : Json::array();
   for (const std::string& text : texts) {
@@ -63,6 +64,7 @@ Json typed_map(const Schema& schema, const std::string& form,
       json.push_back(typed_number(*schema.each, text, what_is(*schema.each)));
       continue;
     }
+    // Each name once, with a number in the unit of the option.
     require(sign != std::string::npos && sign > 0, "wanted {}, got '{}'", form, text);
     const std::string name = text.substr(0, sign);
     require(!json.contains(name), "'{}' is given twice", name);
@@ -84,6 +86,7 @@ Json typed_ranges(const Schema& each, const std::vector<std::string>& texts) {
   const std::string form = range_form(each);
   Json list = Json::array();
   for (const std::string& text : texts) {
+    // Read NAME=FROM:TO:STEP, or with a count in place of the step, part by part.
     std::size_t from = text.find('=');
     require(from != std::string::npos && from > 0, "wanted {}, got '{}'", form, text);
     Json range{{each.members[0].name, text.substr(0, from)}};
@@ -97,6 +100,7 @@ Json typed_ranges(const Schema& each, const std::vector<std::string>& texts) {
           counts ? "a whole number of values" : fmt::format("a number for '{}'", part.name));
       from = to;
     }
+    // Nothing may follow the last part.
     require(from == std::string::npos, "wanted {}, got '{}'", form, text);
     list.push_back(std::move(range));
   }
@@ -162,6 +166,7 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
   const std::string key = param.key_in(UnitSystem::kPrinted);
   const Schema schema = param.schema_in(UnitSystem::kPrinted);
   const std::string help = help_of(param, schema);
+  // A flag has a callback for each of its names; "!" marks one that turns it off.
   if (schema.kind == Kind::kFlag) {
     for (const std::string& name : option_names(param)) {
       const bool inverse = name.front() == '!';
@@ -171,10 +176,12 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
     }
     return;
   }
+  // A positional parameter has no dashes; all names of an option mean the same.
   std::string spec = param.is_positional ? param.member.name : "";
   for (const std::string& name : option_names(param))
     if (!param.is_positional) spec += (spec.empty() ? "--" : ",--") + name;
   CLI::Option* option = nullptr;
+  // Lists and maps take several words, all others one.
   if (schema.kind == Kind::kList || schema.kind == Kind::kMap) {
     option = command.add_option_function<std::vector<std::string>>(
         spec,
@@ -198,6 +205,7 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
         },
         help);
   }
+  // Show the default in the unit in which the option is typed.
   option->default_str(shown_default(param))->type_name(type_of(param, schema));
   if (param.member.required) option->required();
 }
@@ -240,6 +248,7 @@ void add_request_options(CLI::App& command, const std::vector<Param>& params, Js
 std::pair<CLI::App*, std::shared_ptr<TypedQuestion>> add_question_command(
     CLI::App& app, const QuestionCommand& about) {
   auto typed = std::make_shared<TypedQuestion>();  // lives as long as the callback
+  // The about of the question is the help of the command, without its full stop.
   typed->question = &question_named(about.question);
   std::string help = typed->question->about;
   help.pop_back();

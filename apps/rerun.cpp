@@ -31,6 +31,7 @@ struct RerunArguments {
 
 /// Becomes this program with the arguments, in the folder; no shell reads them.
 [[noreturn]] void become(const RunRecord& run) {
+  // Paths in the arguments are relative to the folder of the run.
   require(chdir(run.folder.c_str()) == 0, "cannot go to '{}': {}", run.folder,
           std::strerror(errno));
   std::vector<std::string> words{"thenar"};
@@ -85,10 +86,12 @@ void ask_again(const RecordedRun& recorded, const Outputs& outputs) {
 
 void run_rerun(const RerunArguments& options, const CLI::App& app) {
   const RecordedRun written = read_recorded_run(options.file);
+  // A run that was asked by a program has a request in place of arguments.
   if (written.run.arguments.empty()) {
     if (options.print) return deliver(options.outputs, written);
     return ask_again(written, options.outputs);
   }
+  // Only commands that exist today can be run again.
   std::vector<std::string> commands;
   for (const CLI::App* each : app.get_subcommands({})) commands.push_back(each->get_name());
   require_repeatable(written, commands);

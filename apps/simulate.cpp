@@ -49,6 +49,7 @@ void tell_outcome(const Result& result, bool stopped, const Outputs& outputs) {
 
 /// Simulates a scene, delivers, and refuses as the other answers of `simulate` do.
 void simulate_and_deliver(const SceneRequest& request, const Outputs& outputs) {
+  // Refuse to overwrite any other file before hours of simulation.
   const std::string file = outputs.one(".h5");
   if (!file.empty()) require_result_path(file);
   const Progress progress = terminal_progress();
@@ -60,6 +61,7 @@ void simulate_and_deliver(const SceneRequest& request, const Outputs& outputs) {
     tell_outcome(scene, scene.outcome.stopped(), outputs);
     return;
   }
+  // Numbers that vary make a sweep, which several processes may share.
   const std::optional<SceneSweepResult> sweep = sweep_scene(request, progress);
   if (!sweep) return;  // another process of mpirun has the answer
   if (sweep->runs.empty()) tell_if_stopped(0, sweep->outcome.asked, "run");
@@ -127,7 +129,7 @@ void add_simulate(CLI::App& app) {
   auto options = std::make_shared<SimulateArguments>();  // lives as long as the callback
   CLI::App* command =
       app.add_subcommand("simulate", "How a digit moves when muscles are excited, or a scene");
-  // What both have is typed once, in the words of a subject.
+  // Options that both have are typed once, in the words of a subject.
   const std::vector<Param> digit = digit_motion_params().params();
   add_request_options(*command, without(digit, {"vary_deg", "vary_rad"}), options->request);
   std::vector<std::string> known{"scene", "pads"};
@@ -148,6 +150,7 @@ void add_simulate(CLI::App& app) {
                 "simulate pinch --vary friction=0.1:1:10 --csv",
                 "simulate pencil_pinch --pads elements soft-finger hard-point -o rungs.html"});
   command->callback([command, options] {
+    // The name decides whether a subject moves or a scene; options of the other are refused.
     const std::string subject = options->request["subject"].get<std::string>();
     const std::string data = options->request.value("data", "");
     (void)named_thing(subject, data);  // refuses what has no such name

@@ -72,6 +72,7 @@ void add_study(CLI::App& app) {
       "thumb", "Do forces tell skewed thumb axes from orthogonal ones, and which of them?");
   ThumbStudyRequest& request = options->request;
   add_data_option(*thumb, request.data);
+  // Length of the chains, and simulations that calibrate them.
   thumb->add_option("--draws", request.draws, "Of each of 4 chains, and warm-up (0: as set)")
       ->check(CLI::NonNegativeNumber);
   thumb

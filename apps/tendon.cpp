@@ -20,6 +20,7 @@ void add_sweep(CLI::App& tendon) {
   command->description(
       "The same over postures: a table (CSV) on the screen, unless a file is written");
   command->get_option("--vary")->required();
+  // A sweep without a file prints a table, as a text of every posture would be endless.
   command->callback([typed = typed] {
     Outputs& outputs = typed->outputs;
     outputs.csv = outputs.csv || (!outputs.json && outputs.files.empty());

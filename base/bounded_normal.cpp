@@ -30,6 +30,7 @@ BoundedNormal::Image BoundedNormal::at(double x) const {
   double z = p <= q ? normal_quantile(p) : -normal_quantile(q);
   if (std::min(p, q) == 0 || std::isnan(x)) z = x;  // beyond all numbers, and no bound to keep it
   z = std::clamp(z, lower_, upper_);
+  // Derivatives of z by x and by both bounds, from P(z) = below + within Phi(x).
   const double inverse_density = std::exp(0.5 * z * z);
   return {z, within_ * std::exp(0.5 * (z - x) * (z + x)), density_lower_ * right * inverse_density,
           density_upper_ * left * inverse_density};

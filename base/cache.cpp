@@ -49,6 +49,7 @@ CacheOptions current_options() {
 /// Changes whenever the program is built anew: what it computes may have changed with it.
 const std::string& build_id() {
   static const std::string id = [] {
+    // Versions of libraries, and size and time of the program's file, which a rebuild changes.
     std::string text;
     for (const auto& [name, version] : versions()) text += fmt::format("{} {}\n", name, version);
     struct stat program {};
@@ -160,6 +161,7 @@ void use_cache(const CacheOptions& options) {
 
 CacheOptions cache_options_of_user() {
   CacheOptions options;
+  // The variable of thenar goes before those of the desktop; "off" turns the cache off.
   if (const char* folder = std::getenv("THENAR_CACHE"); folder != nullptr) {
     options.folder = std::string(folder) == "off" ? "" : folder;
   } else if (const std::string cache = environment("XDG_CACHE_HOME"); !cache.empty()) {
@@ -169,6 +171,7 @@ CacheOptions cache_options_of_user() {
     options.folder = home + "/.cache/thenar";
     options.own = true;
   }
+  // Sizes are stated in megabytes of 1e6 bytes.
   const double megabytes = std::strtod(environment("THENAR_CACHE_MB").c_str(), nullptr);
   if (megabytes > 0 && megabytes < 1e9)
     options.max_bytes = static_cast<std::uintmax_t>(1e6 * megabytes);

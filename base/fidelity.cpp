@@ -87,6 +87,7 @@ std::vector<RungWords> explain(const Fidelity& f) {
     const auto& is = words_of(rungs, rung);
     words.push_back({ladder, is.name, is.assumes});
   };
+  // In the order of the ladders, from motion to contact.
   add("motion", kMotion, f.motion);
   add("joint", kJoint, f.joint);
   add("path", kPath, f.path);

@@ -24,6 +24,7 @@ std::string field_name(const std::string& name) {
   std::string field;
   bool after_blank = false;
   for (const char c : name) {
+    // A blank is dropped, and the letter behind it made upper case.
     if (is_blank(c)) {
       after_blank = true;
       continue;
@@ -35,6 +36,7 @@ std::string field_name(const std::string& name) {
     field += after_blank ? static_cast<char>(std::toupper(static_cast<unsigned char>(kept))) : kept;
     after_blank = false;
   }
+  // Reserved words of MATLAB, and names that begin with a digit, get an x in front.
   if (std::find(kReservedWords.begin(), kReservedWords.end(), field) != kReservedWords.end()) {
     field[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(field[0])));
     field = "x" + field;
@@ -45,6 +47,7 @@ std::string field_name(const std::string& name) {
 
 std::string name_of_field(const std::string& field, const std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), field) != names.end()) return field;
+  // A field stands for a name only if no other name has the same field.
   std::string found;
   for (const std::string& name : names) {
     if (field_name(name) != field) continue;

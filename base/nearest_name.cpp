@@ -29,6 +29,7 @@ int edit_distance(const std::string& a, const std::string& b) {
 
 std::string nearest_name(const std::string& wanted, const std::vector<std::string>& names) {
   std::string best;
+  // Farther than half of its letters a name is a guess rather than a correction.
   int least = static_cast<int>(wanted.size() + 1) / 2 + 1;
   for (const std::string& name : names) {
     const int distance = edit_distance(wanted, name);

@@ -32,6 +32,7 @@ std::size_t find_control(const std::string& text) {
 /// Returns the reason why a path is no file in a folder; nothing if it is one.
 std::optional<std::string> fault_inside(const std::string& text) {
   const fs::path path(text);
+  // Paths of other systems are refused too, because files travel.
   if (path.is_absolute()) return "an absolute path";
   if (text.find('\\') != std::string::npos) return "a backslash";
   for (const fs::path& part : path) {

@@ -17,6 +17,7 @@ int threads_or_all(int asked) {
 
 void on_threads(int threads, const std::function<void(int)>& work) {
   std::vector<std::thread> others;
+  // Threads inherit the stop of their caller; the caller itself does the work of number 0.
   const StopScope::Request* stop = StopScope::current();
   for (int k = 1; k < threads; ++k)
     others.emplace_back([&work, stop, k] {

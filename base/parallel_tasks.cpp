@@ -45,6 +45,7 @@ class SharedProgress {
 }  // namespace
 
 void run_tasks(std::vector<ParallelTask> tasks, const Progress& progress) {
+  // Begin with the longest, so that no long task is left over at the end.
   std::stable_sort(tasks.begin(), tasks.end(), [](const ParallelTask& a, const ParallelTask& b) {
     return a.seconds > b.seconds;
   });

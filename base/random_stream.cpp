@@ -20,6 +20,7 @@ Product multiply(std::uint32_t a, std::uint32_t b) {
 
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                     std::array<std::uint32_t, 2> key) {
+  // Ten rounds of Philox 4x32, with multipliers and Weyl constants of [Salmon2011].
   for (int round = 0; round < 10; ++round) {
     const Product a = multiply(0xD2511F53, counter[0]), b = multiply(0xCD9E8D57, counter[2]);
     counter = {b.high ^ counter[1] ^ key[0], b.low, a.high ^ counter[3] ^ key[1], a.low};
@@ -68,6 +69,7 @@ double RandomStream::chi_square(double nu) {
   // Of a shape below 1: that of a larger one, times a power of a uniform number.
   const double shape = nu / 2;
   if (shape < 1) return chi_square(nu + 2) * std::pow(uniform(), 1 / shape);
+  // Marsaglia and Tsang's rejection from the cube of a normal number.
   const double d = shape - 1.0 / 3, c = 1 / std::sqrt(9 * d);
   while (true) {
     const double z = normal(), v = std::pow(1 + c * z, 3);

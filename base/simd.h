@@ -108,11 +108,13 @@ template <typename V>
 THENAR_INLINE SinCos<V> sin_cos(const V& angle) {
   const double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
   const V shifted = angle * 6.36619772367581382433e-01 + kRound;
+  // Reduce by quarter turns; pi / 2 in three parts keeps the remainder exact.
   const auto n = bits(shifted);
   const V turns = shifted - kRound;
   const V r = ((angle - turns * 1.57079632673412561417e+00) - turns * 6.07710050630396597660e-11) -
               turns * 2.02226624879595063154e-21;
 
+  // Polynomials of sine and cosine on [-pi / 4, pi / 4].
   const V z = r * r;
   const V s =
       r + r * z *

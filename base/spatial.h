@@ -35,6 +35,7 @@ template <typename T>
 [[nodiscard]] Mat3<T> rotation_about(const Vec3<T>& d, const T& a) {
   using std::cos;
   using std::sin;
+  // Rodrigues' formula: R = c 1 + s [d]x + (1 - c) d d'.
   const T s = sin(a), c = cos(a), v = T(1) - c;
   Mat3<T> R;
   R << c + v * d.x() * d.x(), v * d.x() * d.y() - s * d.z(), v * d.x() * d.z() + s * d.y(),

@@ -51,7 +51,7 @@ void TaskQueue::serve(const std::function<void()>& between) {
 
 void TaskQueue::run(int threads, const std::function<void()>& between) {
   on_threads(threads, [&](int thread) { serve(thread == 0 ? between : nullptr); });
-  // What others did last.
+  // Finish with whatever other threads did last.
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
   if (between) between();
 }

@@ -53,6 +53,7 @@ class BodyList {
 
 /// The rotation that lays the digit along x with its dorsal side up.
 Pose<double> upright(const TendonDigit& digit) {
+  // Axes of the tip: proximal, dorsal, radial. Take the part of distal that is level.
   const Eigen::Vector3d up = digit.model.tip_axes.col(1).normalized();
   const Eigen::Vector3d distal = -digit.model.tip_axes.col(0);
   const Eigen::Vector3d along = (distal - distal.dot(up) * up).normalized();
@@ -73,6 +74,7 @@ void add_skin(const HandAnatomy& hand, const std::string& name, const TendonDigi
               BodyList& list) {
   const DigitAnatomy* anatomy = digit_named(hand, name);
   if (anatomy == nullptr) return;
+  // Draw each bone's skin at the reference posture; the link carries it from there.
   const std::map<std::string, ImplicitBody> skins = skin_bodies(hand);
   for (const DigitBone& bone : anatomy->bones) {
     const auto skin = skins.find(bone.segment);
@@ -91,6 +93,7 @@ std::shared_ptr<const TriangleMesh> capsule_mesh(const Eigen::Vector3d& a,
                                                  const Eigen::Vector3d& b) {
   ShapeSpec shape;
   shape.kind = ShapeKind::kCapsule;
+  // A capsule lies along z of its own frame, about its middle.
   shape.size = {kBoneRadius, (b - a).norm(), 0};
   const Eigen::Vector3d along = (b - a).normalized();
   const Tangents across = tangents(along);
@@ -106,6 +109,7 @@ void add_capsules(const TendonDigit& digit, BodyList& list) {
       pose_tree(model.tree, Eigen::VectorXd::Zero(model.coordinates).eval());
   std::vector<Eigen::Vector3d> ends = axis_points(model, state);
   ends.push_back(moved(state, model.tip_link, model.tip));
+  // Skip axes that cross in one point, as at a universal joint.
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     if ((ends[i + 1] - ends[i]).norm() < kNoLength) continue;
     const Pose<double> X = state[i].X.inverse();
@@ -151,6 +155,7 @@ DigitBodies digit_bodies(const Subject& subject, const std::string& name, const 
   DigitBodies out;
   out.X_WS = upright(digit);
   BodyList list(name);
+  // A subject without anatomy is drawn by capsules, with a warning.
   // Bones and skin, or capsules.
   std::optional<HandAnatomy> hand;
   if (look == DigitLook::kAnatomy) try {
@@ -169,6 +174,7 @@ DigitBodies digit_bodies(const Subject& subject, const std::string& name, const 
     if (list.body_of(link) < 0)
       list.add(digit.names.hinges[static_cast<std::size_t>(link)] + " link", LiveRole::kBone, link,
                nullptr);
+  // Joints come last, because each refers to the body that it moves.
   out.joints = joints_of(name, digit, list);
   list.take_into(out);
   return out;
@@ -202,6 +208,7 @@ std::vector<LiveVector> axis_vectors(const DigitBodies& bodies, const TendonMode
   std::vector<LiveVector> arrows;
   arrows.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
+    // Draw each axis to both sides of the point where the bone crosses it.
     const Eigen::Vector3d way = kAxisLength * (bodies.X_WS.R * state[i].axis);
     arrows.push_back({bodies.X_WS * points[i] - way / 2, way});
   }
@@ -210,6 +217,7 @@ std::vector<LiveVector> axis_vectors(const DigitBodies& bodies, const TendonMode
 
 void aim_at_digit(const DigitBodies& bodies, const TendonModel<double>& model,
                   const TreeState<double>& state, LiveShape& shape) {
+  // Frame all joints and the tip, seen from one side and a little from above.
   std::vector<Eigen::Vector3d> points = axis_points(model, state);
   points.push_back(moved(state, model.tip_link, model.tip));
   Eigen::AlignedBox3d box;

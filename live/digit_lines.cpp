@@ -36,6 +36,7 @@ int count_points(const TendonPath<double>& path) {
 
 /// Resamples a course at `count` points that have even distances along it.
 std::vector<Vector3d> evenly(const std::vector<Vector3d>& points, int count) {
+  // Measure the distance of each point along the course, then interpolate at even steps.
   std::vector<double> way{0};
   for (std::size_t i = 1; i < points.size(); ++i)
     way.push_back(way.back() + (points[i] - points[i - 1]).norm());
@@ -63,6 +64,7 @@ DigitLines::DigitLines(const Subject& subject, const std::string& name,
                        std::shared_ptr<const DigitTendons> tendons)
     : tendons_(std::move(tendons)), net_(dynamic_cast<const NetTendons*>(tendons_.get())) {
   const TendonDigit& digit = tendons_->digit();
+  // Strands without a path over surfaces run straight between their points.
   path_of_strand_.assign(digit.names.strands.size(), -1);
   // Paths over surfaces, where tendons are on that rung.
   if (digit.fidelity.path >= Path::kFitted) {
@@ -138,6 +140,7 @@ std::vector<Vector3d> DigitLines::wrapped(const PathShape& shape,
 std::vector<Vector3d> DigitLines::course(std::size_t line, const TreeState<double>& state,
                                          const NetEquilibrium& rest,
                                          const std::vector<PathShape>& shapes) const {
+  // A band of the net, a muscle up to the net, a wrapped tendon, or straight runs.
   const Source& source = sources_[line];
   if (source.band >= 0) return band_course(net_->net().net, state, rest, source.band).points;
   if (source.muscle >= 0)
@@ -150,11 +153,13 @@ std::vector<Vector3d> DigitLines::course(std::size_t line, const TreeState<doubl
 
 std::vector<Vector3d> DigitLines::points(const TreeState<double>& state,
                                          const NetEquilibrium& rest) const {
+  // Solve all wrapped paths of this posture together; straight runs need no solver.
   static const std::vector<PathShape> none;
   const std::vector<PathShape>& shapes = solver_ ? solver_->solve(state) : none;
   std::vector<Vector3d> all;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     std::vector<Vector3d> points = course(i, state, rest, shapes);
+    // A line keeps its number of points, which the viewer allocated once.
     if (static_cast<int>(points.size()) != lines_[i].points)
       points = evenly(points, lines_[i].points);
     all.insert(all.end(), points.begin(), points.end());
@@ -164,6 +169,7 @@ std::vector<Vector3d> DigitLines::points(const TreeState<double>& state,
 
 std::vector<double> DigitLines::tensions(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                          const NetEquilibrium& rest) const {
+  // Tensions of a net that is not at rest mean nothing, and are shown as unknown.
   const bool unbalanced = net_ != nullptr && (rest.status == NetStatus::kStalled ||
                                               rest.status == NetStatus::kFarSideWrap);
   // Of a muscle that enters a net in part, its whole tendon has the other part.
@@ -173,6 +179,7 @@ std::vector<double> DigitLines::tensions(const Eigen::VectorXd& q, const Eigen::
       outside[muscle.muscle] -= muscle.to_net * t[muscle.muscle];
   const Eigen::VectorXd strands = strand_tensions(model(), q, outside);
   std::vector<double> tensions;
+  // A slack band carries rounding errors, which are shown as zero.
   for (const Source& source : sources_) {
     if (source.strand >= 0) {
       tensions.push_back(strands[source.strand]);

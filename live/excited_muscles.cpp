@@ -23,6 +23,7 @@ Eigen::VectorXd whole_lengths(const DigitTendons& tendons, const Eigen::VectorXd
 
 ExcitedMuscles::ExcitedMuscles(const Subject& subject, std::shared_ptr<const DigitTendons> tendons)
     : tendons_(std::move(tendons)) {
+  // A net has no lengths of its own; those of its muscles come from the linear tendons.
   const auto* net = dynamic_cast<const NetTendons*>(tendons_.get());
   whole_ = net != nullptr ? &net->linear() : tendons_.get();
   // Constants of the muscles.
@@ -50,6 +51,7 @@ Eigen::VectorXd ExcitedMuscles::lengthening(const Eigen::VectorXd& q) const {
 Eigen::VectorXd ExcitedMuscles::tensions(const Eigen::VectorXd& excitation,
                                          const Eigen::VectorXd& t, const Eigen::VectorXd& q) const {
   Eigen::VectorXd held = t;
+  // NaN marks a muscle that holds a tension instead of an excitation.
   if (excitation.array().isNaN().all()) return held;
   const Eigen::VectorXd longer = lengthening(q);
   for (Eigen::Index m = 0; m < held.size(); ++m) {
@@ -57,6 +59,8 @@ Eigen::VectorXd ExcitedMuscles::tensions(const Eigen::VectorXd& excitation,
     const Musculotendon& muscle = muscles_[static_cast<std::size_t>(m)];
     require(excitation[m] >= 0 && excitation[m] <= 1,
             "wanted an excitation of '{}' from 0 to 1, got {}", muscle.name, excitation[m]);
+    // Hill's model needs the maximum isometric force; without a fibre length that force scales with
+    // excitation alone.
     require(std::isfinite(muscle.F0),
             "the largest force of muscle '{}' is unknown: set its tension instead", muscle.name);
     held[m] = muscle.optimal_fibre_length > 0
@@ -68,6 +72,7 @@ Eigen::VectorXd ExcitedMuscles::tensions(const Eigen::VectorXd& excitation,
 }
 
 std::vector<std::string> ExcitedMuscles::warnings(const Eigen::VectorXd& excitation) const {
+  // Tell which muscles ignore their force-length curve.
   std::vector<std::string> without, all;
   for (Eigen::Index m = 0; m < excitation.size(); ++m) {
     const Musculotendon& muscle = muscles_[static_cast<std::size_t>(m)];

@@ -25,8 +25,10 @@ FitSource fit_at(const std::string& path) {
                    {},
                    predict_own(fit),
                    checksum_warnings(path)};
+  // Show fits that did not converge as well, but say so.
   if (fit.solution.status != Status::kSolved)
     source.warnings.push_back("the fit did not converge: " + convergence_word(fit.solution));
+  // Each specimen has its own parameters, and no draws.
   for (std::size_t s = 0; s < fit.problem.specimens().size(); ++s)
     source.specimens.push_back(
         {parameter_values<double>(

@@ -20,6 +20,7 @@ constexpr double kNoTension = 1e-6;  // below it a muscle of a net is slack [N]
 
 /// Opens a digit on the rungs that are asked for, or else with a net where the digit can carry one.
 DigitCase open_digit(const DigitRequest& request, std::vector<std::string>& warnings) {
+  // Try the net first if nobody asks for a rung, and fall back to fractions of the hood.
   require(request.vary.empty() && request.map.empty(),
           "wanted a digit to move, got a sweep or map");
   if (request.hood || !request.net.empty()) return build_digit(request, Hood::kFractions);
@@ -34,6 +35,7 @@ DigitCase open_digit(const DigitRequest& request, std::vector<std::string>& warn
 
 Eigen::VectorXd rounded_to_limits(const Skeleton& skeleton, Eigen::VectorXd q,
                                   std::vector<std::string>& limited) {
+  // Clamp each coordinate and report those that would have left their range.
   for (int i = 0; i < skeleton.coordinates(); ++i) {
     const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
     const double inside = std::clamp(q[i], limits.lower, limits.upper);
@@ -67,6 +69,7 @@ LiveDigit::LiveDigit(const DigitRequest& request) {
   require(case_.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': ask tip-force",
           case_.digit, case_.subject.name, case_.map);
   const TendonDigit& digit = case_.bones();
+  // Tell where the digit was built on lower rungs than asked for.
   for (std::string& warning : lower_rungs(request, digit.fidelity))
     warnings_.push_back(std::move(warning));
   muscles_ = std::make_unique<ExcitedMuscles>(case_.subject, case_.tendons);
@@ -90,6 +93,7 @@ void LiveDigit::build_shape() {
 Eigen::VectorXd LiveDigit::with_angles(const std::map<std::string, double>& posture,
                                        std::vector<std::string>& limited) const {
   const Skeleton& skeleton = case_.bones().skeleton;
+  // Joints that are not named stay where they are.
   Eigen::VectorXd q = now_.point.q;
   for (const auto& [name, angle] : posture) {
     require(std::isfinite(angle), "wanted an angle of '{}' [rad], got {}", name, angle);
@@ -101,6 +105,7 @@ Eigen::VectorXd LiveDigit::with_angles(const std::map<std::string, double>& post
 
 Eigen::VectorXd LiveDigit::with_excitations(const DigitInputs& inputs) const {
   const std::vector<std::string>& muscles = case_.bones().names.muscles;
+  // A muscle has either a tension or an excitation; naming one takes the other away.
   Eigen::VectorXd excitation = now_.excitation;
   for (const auto& [name, tension] : inputs.tension)
     excitation[static_cast<Eigen::Index>(index_of_name(name, muscles, "muscle"))] = kNaN;
@@ -124,6 +129,7 @@ std::vector<std::string> LiveDigit::set(const DigitInputs& inputs) {
   Eigen::VectorXd t = now_.tension;
   for (Eigen::Index m = 0; m < t.size(); ++m)
     if (inputs.tension.count(muscles[static_cast<std::size_t>(m)]) > 0) t[m] = named[m];
+  // Count the change only once it was solved.
   solve(q, excitation, t);
   ++changes_;
   return limited;
@@ -134,7 +140,7 @@ void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitatio
   DigitNow now;
   now.excitation = excitation;
   now.tension = muscles_->tensions(excitation, t, q);
-  // What only other tensions change.
+  // Solve again for the straight finger and zero angles only if tensions have changed.
   if (solved_tension_.size() == 0 || solved_tension_ != now.tension) {
     solved_tension_.resize(0);
     if (case_.net != nullptr)
@@ -142,6 +148,7 @@ void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitatio
     zero_length_ = lengths_at(point_at(Eigen::VectorXd::Zero(q.size()), now.tension), now.tension);
     solved_tension_ = now.tension;
   }
+  // Lengths are changes from those with all joints at zero, under the same tensions.
   now.point = point_at(q, now.tension);
   now.arms = arms_at(now.point, now.tension);
   now.length = lengths_at(now.point, now.tension) - zero_length_;
@@ -178,6 +185,7 @@ DigitPoint LiveDigit::point_at(const Eigen::VectorXd& q, const Eigen::VectorXd& 
 }
 
 Eigen::MatrixXd LiveDigit::arms_at(const DigitPoint& point, const Eigen::VectorXd& t) const {
+  // Show no moment arm where the path is not to be trusted.
   Eigen::MatrixXd arms = point.pull.R;
   if (!trusted(point.pull.status)) return arms.setConstant(kNaN);
   if (case_.net == nullptr) return arms;
@@ -199,6 +207,7 @@ Eigen::VectorXd LiveDigit::lengths_at(const DigitPoint& point, const Eigen::Vect
 }
 
 DigitCurves LiveDigit::sweep(const std::string& joint, int count, const Progress& progress) const {
+  // A curve needs two postures at least; the upper bound keeps the request short.
   require(count >= 2 && count <= 1000, "wanted 2 to 1000 postures, got {}", count);
   const Skeleton& skeleton = case_.bones().skeleton;
   const std::size_t i = index_of_name(joint, skeleton.coordinate_names, "free joint");
@@ -269,6 +278,7 @@ DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& g
 LiveInstant LiveDigit::instant() const {
   const TendonModel<double>& model = case_.bones().model;
   const DigitPoint& point = now_.point;
+  // The picture knows the digit, and the force of the tip is the last arrow.
   LiveInstant instant = picture_->instant(point.q, now_.tension, point.rest);
   // A force that is not to be trusted is not drawn.
   const Eigen::Vector3d tip = moved(pose_tree(model.tree, point.q), model.tip_link, model.tip);

@@ -26,6 +26,7 @@ std::shared_ptr<const DigitTendons> tendons_of_fit(const TendonDigit& digit) {
 /// link that carries each hinge.
 std::vector<LiveCloud> axis_clouds(const std::vector<TendonModel<double>>& drawn,
                                    const TendonDigit& digit, const DigitBodies& bodies) {
+  // Middles on the axes of the fitted digit keep the drawn lines side by side.
   const std::vector<std::string>& hinges = digit.names.hinges;
   const std::vector<Eigen::Vector3d> middles = axis_points(
       digit.model,
@@ -66,6 +67,8 @@ std::vector<LiveCloud> axis_clouds(const std::vector<TendonModel<double>>& drawn
 /// model.
 std::vector<LiveAxisPair> pairs_of(const TendonDigit& digit, const SpecimenValues& values) {
   std::vector<LiveAxisPair> pairs;
+  // Neighbouring axes may cross or miss each other; their angle and distance are what anatomists
+  // measure.
   for (const NeighbouringAxes& axes : neighbouring_axes(digit)) {
     const AxisOffset fitted = axis_offset(digit.model, axes);
     LiveAxisPair pair{axes, fitted, fitted, fitted};
@@ -85,12 +88,14 @@ std::vector<LiveAxisPair> pairs_of(const TendonDigit& digit, const SpecimenValue
 }  // namespace
 
 LiveFit::LiveFit(const std::string& path) : source_(read_fit_source(path)) {
+  // List all trials of all experiments, each with the specimen that it belongs to.
   const FitProblem& problem = source_.problem;
   for (std::size_t e = 0; e < problem.experiments().size(); ++e)
     for (std::size_t i = 0; i < problem.experiments()[e].trials.size(); ++i)
       trials_.push_back(
           {static_cast<int>(e), static_cast<int>(i), problem.specimen_of(static_cast<int>(e))});
   require(!trials_.empty(), "'{}' was fitted to no trials, only to activations", path);
+  // Build one picture for each specimen, whose geometry the fit may have changed.
   for (std::size_t s = 0; s < source_.specimens.size(); ++s)
     looks_.push_back(look_of(static_cast<int>(s)));
   for (const std::string& warning : looks_.front().bodies.warnings)
@@ -101,6 +106,7 @@ LiveFit::LiveFit(const std::string& path) : source_(read_fit_source(path)) {
 
 LiveFit::Look LiveFit::look_of(int specimen) const {
   const FitProblem& problem = source_.problem;
+  // Start from the digit before the fit, which parameters shift.
   const TendonDigit& before = problem.digit_of(specimen);
   const SpecimenValues& values = source_.specimens[static_cast<std::size_t>(specimen)];
   const std::string& name = problem.experiments().front().digit;
@@ -146,6 +152,7 @@ const PredictedTrial& LiveFit::predicted(int trial) const {
 
 void LiveFit::show(int trial) {
   (void)predicted(trial);  // refuses one that is not there
+  // Another specimen has other bones, so the viewer has to rebuild its shapes.
   const std::size_t before = specimen();
   shown_ = trial;
   const Look& look = looks_[specimen()];
@@ -166,6 +173,7 @@ void LiveFit::show(int trial) {
 
 LiveFit::ForcePlace LiveFit::force_place() const {
   const LiveTrial& at = trials_[static_cast<std::size_t>(shown_)];
+  // Forces are stated along axes of the load cell or the segment, and drawn in the world.
   const TendonModel<double>& model = digit().model;
   const auto axes = [&](int link) -> Eigen::Matrix3d {
     return link < 0
@@ -190,6 +198,7 @@ std::vector<std::string> LiveFit::warnings() const {
 }
 
 LiveInstant LiveFit::instant() const {
+  // Pose the specimen, then add the measured and the predicted force at the same place.
   const Look& look = looks_[specimen()];
   const TendonModel<double>& model = digit().model;
   LiveInstant instant;

@@ -69,6 +69,7 @@ void LiveMotion::begin() {
 
 void LiveMotion::keep() {
   newest_.at = stepper_.now();
+  // Keep contacts of soft pads only where there are some: they are large.
   if (source_.built->pads > 0) newest_.pads = stepper_.element_contacts();
   newest_.readings.clear();
   if (!readings_.empty())
@@ -99,8 +100,9 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
     history_.cut_behind(shown_);
     stepper_.go_to(shown());
   }
+  // Report the quality of these steps alone, beside that of the whole motion.
   MotionQuality out;
-  // What a step tells is a part of the whole.
+  // Progress of one step is a part of that of all.
   long made = 0;
   Progress within = progress;
   within.report = [&](double part, const std::string& what) {
@@ -139,6 +141,7 @@ bool LiveMotion::passes_end() const {
 }
 
 void LiveMotion::take_quality(MotionQuality& of) {
+  // Take the costs since the last look, and add them to the totals.
   const SceneCost cost = stepper_.take_cost();
   of.unsolved = cost.unsolved;
   of.leaps = cost.leaps;
@@ -215,6 +218,7 @@ const ElementControl& LiveMotion::control_named(const std::string& name,
 
 void LiveMotion::check_controls(const std::map<std::string, double>& values,
                                 const std::string& unit) const {
+  // Check each value against the range of its control.
   for (const auto& [name, value] : values) {
     const ElementControl& control = control_named(name, unit);
     require(control.unit == unit, "'{}' {}", name,
@@ -245,6 +249,7 @@ void LiveMotion::set(const MotionInputs& inputs) {
     for (const auto& [other, target] : inputs.targets)
       require(coordinate_named(name) != coordinate_named(other), "'{}' has an effort and a target",
               name);
+  // Release, then set: a coordinate may change from a target to an effort in one request.
   for (const std::string& name : inputs.release) {
     const int c = coordinate_named(name);
     stepper_.release(c);
@@ -275,6 +280,7 @@ std::vector<MotionInput> LiveMotion::inputs() const {
     return found == values.end() ? std::nullopt : std::optional<double>(found->second);
   };
   std::vector<MotionInput> out;
+  // An effort is bounded by the motor; a target needs a drive that has stiffness.
   const std::vector<CoordinateRange> ranges = coordinate_ranges(scene());
   for (std::size_t c = 0; c < coordinates_.size(); ++c) {
     const std::string& name = coordinates_[c];
@@ -330,6 +336,7 @@ Eigen::VectorXd LiveMotion::tension() const {
 void LiveMotion::add_joints(TimelineState& out) const {
   const MechanismLayout& layout = stepper_.model().layout;
   const SceneState& state = shown().state;
+  // Positions and speeds are those of the instant shown.
   // Efforts of the present follow inputs as they are set, those of the past stay.
   for (std::size_t c = 0; c < coordinates_.size(); ++c)
     out.joints.push_back({coordinates_[c], state.q[layout.coordinate_q[c]],
@@ -355,6 +362,7 @@ MotionEnergy LiveMotion::energy() const {
 
 TimelineState LiveMotion::state(const MotionParts& parts) const {
   TimelineState out;
+  // Fill only the parts that were asked for, as contacts are many.
   out.t = shown().state.t;
   if (parts.joints) add_joints(out);
   if (parts.bodies) add_bodies(out);

@@ -14,6 +14,7 @@ void require_count(std::size_t got, std::size_t wanted, const char* what) {
 }
 
 bool is_finite(const LiveInstant& instant) {
+  // Test every kind of number of an instant: one NaN would blank the whole picture.
   const auto poses = [](const Pose<double>& X) { return X.R.allFinite() && X.p.allFinite(); };
   const auto points = [](const Eigen::Vector3d& p) { return p.allFinite(); };
   const auto values = [](double value) { return std::isfinite(value); };

@@ -47,6 +47,7 @@ void MotionHistory::cut_behind(std::size_t index) {
 
 std::size_t MotionHistory::nearest(double t) const {
   require(!past_.empty(), "no instant is kept");
+  // Binary search: instants are in order of time.
   const auto behind =
       std::lower_bound(past_.begin(), past_.end(), t,
                        [](const PastInstant& past, double time) { return past.at.state.t < time; });

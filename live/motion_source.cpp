@@ -33,6 +33,8 @@ bool has_pads_of_elements(const SceneSpec& spec, const SceneRequest& request) {
 }  // namespace
 
 MotionSource scene_motion(const SceneRequest& request) {
+  // Read the scene as the command does, then replace its method by steps that keep pace with the
+  // clock.
   RequestedScene read = open_requested_scene(request);
   MotionSource out;
   out.name = read.spec.name;
@@ -57,6 +59,7 @@ MotionSource scene_motion(const SceneRequest& request) {
 
 MotionSource world_motion(const WorldSpec& world, const std::string& data, WorldDrives drives,
                           std::optional<double> step) {
+  // A world has neither a duration nor a method; steps are bounded all the same.
   BuiltScene built = build_world_scene(world, data, drives);
   if (step) step_by(*step, built.options);
   bound_steps(built.options);

@@ -26,10 +26,13 @@ LiveInstant RecordedDigitMotion::instant() const {
 }
 
 MotionEnergy RecordedDigitMotion::energy() const {
+  // Interpolate the recorded energies between their instants.
   const auto now = [&](const auto& all) {
     return straight_number([&](std::size_t i) { return all[static_cast<Eigen::Index>(i)]; });
   };
   MotionEnergy out;
+  // Only the total is recorded; its balance counts from the first instant: E_0 - E + work -
+  // dissipated.
   out.kinetic = out.weight = out.springs = kNaN;
   out.total = now(run_.energy);
   FlowBalance balance;
@@ -43,6 +46,7 @@ MotionEnergy RecordedDigitMotion::energy() const {
 
 TimelineState RecordedDigitMotion::state(const MotionParts& parts) const {
   const TendonNames& names = run_.tendons->digit().names;
+  // Interpolate all states at the time shown.
   const Eigen::VectorXd q = straight(run_.angle), q_dot = straight(run_.speed);
   const Eigen::VectorXd t = straight(run_.tension), a = straight(run_.activation);
   TimelineState out;

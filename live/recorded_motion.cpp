@@ -20,6 +20,7 @@ std::vector<double> times_of(const std::vector<SceneSample>& samples) {
 Eigen::VectorXd positions_between(const Mechanism& mechanism, const MechanismLayout& layout,
                                   const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                   double share) {
+  // Interpolate linearly, but turn quaternions along the shorter great circle.
   Eigen::VectorXd q = from + share * (to - from);
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const JointKind kind = mechanism.joints[i].kind;
@@ -41,6 +42,7 @@ RecordedMotion::RecordedMotion(RecordedScene run)
       run_(std::move(run)),
       picture_(scene_picture(run_.built, run_.camera)),
       model_(tree_model(run_.built.scene.mechanism)) {
+  // Match the muscles that are drawn with those that were recorded; -1 marks an unknown tension.
   for (const std::string& muscle : picture_.tendons.muscles()) {
     const auto found = std::find(run_.muscles.begin(), run_.muscles.end(), muscle);
     tension_of_.push_back(found == run_.muscles.end() ? -1 : found - run_.muscles.begin());

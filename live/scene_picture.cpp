@@ -31,6 +31,7 @@ bool stands_still(const Mechanism& mechanism, std::size_t body) {
 
 LiveBody body_of_picture(const BuiltScene& built, std::size_t i) {
   const MechanismBody& body = built.scene.mechanism.bodies[i];
+  // Copy names and material, by which the viewer picks colours.
   LiveBody out;
   out.name = body.name;
   out.owner = built.owner[i];
@@ -50,6 +51,7 @@ void add_bodies(const BuiltScene& built, ScenePicture& out) {
   const Mechanism& mechanism = built.scene.mechanism;
   out.shown_as.assign(mechanism.bodies.size(), -1);
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    // Bodies without a surface are left out, unless a joint turns them.
     const std::shared_ptr<const Solid>& solid = mechanism.bodies[i].solid;
     if ((!solid || solid->visual.empty()) && !is_scalar(mechanism.joints[i].kind)) continue;
     out.shown_as[i] = static_cast<int>(out.body_of.size());
@@ -73,6 +75,7 @@ void add_joints(const BuiltScene& built, ScenePicture& out) {
     shown.hand = built.owner[i];
     shown.body = out.shown_as[i];
     shown.axis = joint.X_BM.R.col(2);
+    // The joint's axis is z of its frame on the body.
     shown.point = joint.X_BM.p;
     shown.slides = joint.kind == JointKind::kSlide;
     const CoordinateRange range = ranges[c];
@@ -113,6 +116,7 @@ void narrow_by_stops(const MovingScene& scene, std::vector<CoordinateRange>& ran
 
 std::vector<CoordinateRange> coordinate_ranges(const MovingScene& scene) {
   const Mechanism& mechanism = scene.mechanism;
+  // Start from unbounded coordinates.
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::vector<CoordinateRange> ranges(mechanism.coordinates.size(), {-kNone, kNone});
   // Ranges by limits of joints and stops of hands.
@@ -135,6 +139,7 @@ std::vector<CoordinateRange> coordinate_ranges(const MovingScene& scene) {
 
 ScenePicture scene_picture(const BuiltScene& built, const std::optional<Camera>& camera) {
   ScenePicture out;
+  // Bodies first, because joints and contacts refer to their indices.
   add_bodies(built, out);
   add_joints(built, out);
   // Forces and moments as arrows, tendons as lines.
@@ -175,6 +180,7 @@ LiveInstant scene_instant(const ScenePicture& picture, const MovingScene& scene,
     const Eigen::Vector3d vector = picture.is_moment[k] ? force.moment : force.force;
     out.arrows.push_back({at, force.when.holds(view.t) ? vector : Eigen::Vector3d(0, 0, 0)});
   }
+  // Contacts refer to bodies as they are drawn; friction sets the width of the cone.
   for (const ContactSample& contact : view.contacts) {
     LiveContact shown;
     shown.a = picture.shown_as[static_cast<std::size_t>(contact.a)];

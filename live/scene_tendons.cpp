@@ -25,6 +25,7 @@ int base_of(const BuiltScene& built, int place) {
 /// Tension of every strand [N] (strands). @param t  of muscles, NaN: unknown [N] (muscles)
 Eigen::VectorXd strand_tensions_of(const TendonDigit& digit, const Eigen::VectorXd& q,
                                    const Eigen::VectorXd& t) {
+  // S distributes muscle tensions over strands, as the hood does: t_strand = S t.
   const Eigen::MatrixXd S = strand_matrix(digit.model, q);
   Eigen::VectorXd out = Eigen::VectorXd::Zero(S.rows());
   for (Eigen::Index s = 0; s < S.rows(); ++s) {
@@ -45,9 +46,11 @@ SceneTendons::SceneTendons(const BuiltScene& built) {
 }
 
 void SceneTendons::add(const BuiltScene& built, const DigitPull& pull) {
+  // Muscles of all hands stand in one list; remember where those of this hand begin.
   const DigitPullModel& model = pull.model();
   const auto first = static_cast<Eigen::Index>(muscles_.size());
   for (const std::string& muscle : pull.muscles()) muscles_.push_back(pull.name() + "/" + muscle);
+  // Each digit has its own tendons, whose coordinates are some of the scene's.
   for (const TendonGroup::Digit& digit : model.tendons->digits()) {
     Part part{digit.tendons, 0, {}, {}, strand_paths(digit.tendons->digit())};
     for (const int c : digit.coordinates)
@@ -66,6 +69,7 @@ void SceneTendons::add(const BuiltScene& built, const DigitPull& pull) {
 std::vector<Eigen::Vector3d> SceneTendons::points(const Eigen::VectorXd& q,
                                                   const std::vector<Pose<double>>& X_WB) const {
   std::vector<Eigen::Vector3d> points;
+  // Points are stated in the frame of the hand, which may move with an arm.
   for (const Part& part : parts_) {
     const Eigen::VectorXd own = q(part.q);
     const TreeState<double> state = pose_tree(part.tendons->digit().model.tree, own);

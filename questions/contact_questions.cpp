@@ -26,6 +26,7 @@ ContactQualityResult measure(const ContactQualityRequest& request, const Progres
 }  // namespace
 
 RequestTable<ContactQualityRequest> contact_params() {
+  // The contacts come from a file or a name, or as text; on the command line the text is a file.
   using Request = ContactQualityRequest;
   RequestTable<Request> table;
   table
@@ -36,11 +37,13 @@ RequestTable<ContactQualityRequest> contact_params() {
       .add("text", content_schema(kMaxContactText), &Request::text,
            "The contact set itself (JSON), in place of a file.")
       .option = "";
+  // The model of friction: exact cones or inscribed pyramids.
   table.add("edges", integer_schema(0, 1e9), &Request::edges,
             "Friction pyramids of so many edges, 3 to 1000, in place of cones; 0: the true cones. "
             "Soft fingers get double pyramids with poles at their torsion.");
   table.add("first_edge", units::kDegree, number_schema(""), &Request::first_edge,
             "Angle of the pyramids' first edges about the normals.");
+  // Limits of the forces, and the accuracy of epsilon and volume.
   table.add_word("norm", kForceNormNames, &Request::norm,
                  "l1: normal forces sum up to 1; linf: those of each patch sum up to 1 at most.");
   table.add("gap", number_schema(""), &Request::gap,
@@ -54,6 +57,7 @@ RequestTable<ContactQualityRequest> contact_params() {
 }
 
 RequestTable<WorldRequest> world_params() {
+  // The world alone is required; it may hold several hands and objects.
   RequestTable<WorldRequest> table;
   Param& world = table.add("world", text_schema(), &WorldRequest::world,
                            "A world: its name, or its file (TOML).");
@@ -62,6 +66,7 @@ RequestTable<WorldRequest> world_params() {
   table.add("hand", text_schema(), &WorldRequest::hand, "Which hand, where there are several.");
   table.add("object", text_schema(), &WorldRequest::object,
             "Which object, where there are several.");
+  // Options of human hands, which robots ignore.
   table.add_word("passive", kPassiveNames, &WorldRequest::passive,
                  "Passive moments of human joints, where the subject states some.");
   add_path(table, &WorldRequest::path);
@@ -72,6 +77,7 @@ RequestTable<WorldRequest> world_params() {
 RequestTable<GraspRequest> grasp_params() {
   using Request = GraspRequest;
   RequestTable<Request> table;
+  // The world states where hand and object begin.
   table.include(world_params(), &Request::world);
   table
       .add("approach", flag_schema(), &Request::approach,
@@ -81,6 +87,7 @@ RequestTable<GraspRequest> grasp_params() {
       .add("approach_distance", units::kMetre, number_schema("", 0), &Request::approach_distance,
            "Farthest approach.")
       .option = "approach-distance,way";
+  // Random starts replace the hand's pose in the world.
   table
       .add("starts", integer_schema(0, 1e9), &Request::starts,
            "Best of so many random pregrasps, drawn as in comparisons; 0: the world's own; the "
@@ -88,10 +95,12 @@ RequestTable<GraspRequest> grasp_params() {
       .option = "random";
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
             "Seed of random starts and of robustness.");
+  // Robustness repeats the grasp with friction, contacts and pose drawn at random.
   RequestTable<RobustnessRequest> robustness;
   robustness.add("robustness", integer_schema(0, 1e9), &RobustnessRequest::draws,
                  "Draws of uncertain friction, contacts and pose of the object; 0: none.");
   table.include(robustness, &Request::robustness);
+  // Quality: the limit of contact forces, and the certified gap of epsilon.
   table.add_word("norm", kForceNormNames, &Request::limit,
                  "Limit of contact forces: l1 their sum, linf each of them.");
   table
@@ -101,6 +110,7 @@ RequestTable<GraspRequest> grasp_params() {
   table.add("edges", integer_schema(0, 1e9), &Request::edges,
             "Friction pyramids of so many edges in epsilon, volume, robustness and wrench sets; 0: "
             "cones, as all other measures have.");
+  // Meshes are large, and nobody reads them in a terminal.
   table
       .add("wrench_meshes", flag_schema(), &Request::wrench_meshes,
            "With JSON, also the wrench set as meshes: projected and cut.")
@@ -112,11 +122,13 @@ RequestTable<CompareRequest> compare_params() {
   using Request = CompareRequest;
   const Schema names = list_schema(text_schema(), 1, 100);
   RequestTable<Request> table;
+  // Every hand meets every object; every pair is measured by all tasks.
   table.add("hands", names, &Request::hands,
             "human:orthogonal, human:skewed, human:soft, human:tendons; names of robots/; or "
             "files.");
   table.add("objects", names, &Request::objects, "Names of objects/, or files.");
   table.add("tasks", names, &Request::tasks, "Some of force-closure, hold-weight, pull, turn.");
+  // Effort and randomness: more approaches find better grasps.
   table.add("approaches", integer_schema(1, 1e9), &Request::approaches,
             "Random approaches of each hand to each object.");
   table.add("best", integer_schema(0, 1e9), &Request::best,
@@ -126,10 +138,12 @@ RequestTable<CompareRequest> compare_params() {
             "0: as many as there are processors; the answer is the same with any number.");
   table.add("normalise_size", flag_schema(), &Request::normalise_size,
             "Scales objects by the reach of the digits over the first hand's.");
+  // Models behind the comparison: paths of tendons, materials and friction.
   add_path(table, &Request::path);
   table.add("materials", text_schema(), &Request::materials,
             "File of materials and friction of your own (TOML), over the built-in table.");
   add_data(table, &Request::data);
+  // A file keeps what is done, pair by pair.
   Param& output = table.add("output", saved_file_schema(), &Request::file,
                             "File (.json) that is written after every pair; one that is there is "
                             "gone on with.");
@@ -138,6 +152,7 @@ RequestTable<CompareRequest> compare_params() {
 }
 
 void internal::add_contact_questions(std::vector<Question>& all) {
+  // Epsilon of given contacts is immediate; grasps and comparisons take seconds to hours.
   all.push_back(
       make_question("contacts", "How large a wrench, from whatever direction, contacts bear.",
                     contact_params(), measure, R"({"contacts": "two_soft_fingers"})", "quality"));

@@ -7,16 +7,19 @@ namespace {
 
 RequestTable<DigitRequest> subject_params() {
   RequestTable<DigitRequest> table;
+  // The digit: a subject, and one of its digits.
   Param& subject = table.add("subject", text_schema(), &DigitRequest::subject,
                              "A subject: its name, or its file (TOML).");
   subject.is_positional = true;
   subject.member.required = true;
   table.add("digit", text_schema(), &DigitRequest::digit,
             "thumb, index, middle, ring or little; the only one if left out.");
+  // The posture, in degrees or radians; frozen joints are no coordinates of the digit any more.
   add_posture(table, "posture", &DigitRequest::posture,
               "Angles by joint, or in the order of the joints; others stay at 0.");
   add_posture(table, "frozen", &DigitRequest::frozen, "Joints welded there.");
   add_vary(table, &DigitRequest::vary, &DigitRequest::posture);
+  // Rungs of the model: paths of tendons and passive moments.
   add_path(table, &DigitRequest::path);
   table.add_word("passive", kPassiveNames, &DigitRequest::passive,
                  "Passive moments of human joints, where the subject states some.");

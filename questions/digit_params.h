@@ -46,6 +46,7 @@ namespace internal {
 template <typename Request>
 void add_posture(RequestTable<Request>& table, const std::string& key,
                  PostureRequest Request::*member, const std::string& about) {
+  // Two keys set the same member: one in degrees for people, one in radians for programs.
   for (const PostureUnit unit : {PostureUnit::kTyped, PostureUnit::kSI}) {
     const bool typed = unit == PostureUnit::kTyped;
     Param& param = table.add(
@@ -56,6 +57,7 @@ void add_posture(RequestTable<Request>& table, const std::string& key,
           request.*member = internal::posture_from(value, unit);
         },
         [=](const Request& request) { return internal::posture_to(request.*member, unit); });
+    // Only the key in degrees is an option of the command.
     param.option = typed ? key : "";
     param.form = "JOINT=degrees";
     param.is_twin = !typed;
@@ -65,6 +67,7 @@ void add_posture(RequestTable<Request>& table, const std::string& key,
 template <typename Request>
 void add_vary(RequestTable<Request>& table, std::vector<Vary> Request::*member,
               PostureRequest Request::*posture) {
+  // A posture and its sweep share one unit, so that a grid never mixes degrees with radians.
   for (const PostureUnit unit : {PostureUnit::kTyped, PostureUnit::kSI}) {
     const bool typed = unit == PostureUnit::kTyped;
     Param& param = table.add(

@@ -37,10 +37,12 @@ RequestTable<DigitRequest> moment_arm_params() {
 
 RequestTable<TipForceRequest> tip_force_params() {
   RequestTable<TipForceRequest> table;
+  // Tensions first, then the model of the contact at the tip.
   table.include(linear_digit_params(), &TipForceRequest::digit);
   add_tension(table, &TipForceRequest::tension);
   table.add_word("hold", kTipConstraintNames, &TipForceRequest::hold,
                  "pinned: no moment; rigid: clamped.");
+  // A rigid hold needs a length to compare moments with forces.
   table.add("hold_length", units::kMillimetre, number_schema(""), &TipForceRequest::hold_length,
             "How the norm of a rigid hold weighs moments.");
   return table;
@@ -49,6 +51,8 @@ RequestTable<TipForceRequest> tip_force_params() {
 /// Loads beside the one that is asked for, which are of the other kind.
 void add_other_load(RequestTable<FeasibleForceRequest>& table, TipLoad load, const std::string& key,
                     const FieldUnit& unit, const std::string& about) {
+  // A force may come with moments and a moment with forces; each has its own key, as their units
+  // differ.
   table.add(
       {{key, endless_schema("", 0), about}, unit},
       [=](FeasibleForceRequest& request, const Json& value) {
@@ -66,16 +70,19 @@ void add_other_load(RequestTable<FeasibleForceRequest>& table, TipLoad load, con
 RequestTable<FeasibleForceRequest> feasible_force_params() {
   using Request = FeasibleForceRequest;
   RequestTable<Request> table;
+  // The load and its direction; without a direction the answer is the set of all loads.
   table.include(linear_digit_params(), &Request::digit);
   table.add_word("load", kTipLoadNames, &Request::load, "What is asked for.").option = "";
   table.add("direction", vector_schema(""), &Request::direction,
             "x y z of the wanted force, or of the axis of the wanted moment; the whole set if left "
             "out.");
+  // Bounds of the load of the other kind, where a contact is neither a hinge nor a clamp.
   add_other_load(table, TipLoad::kForce, "moments", units::kNewtonMetre,
                  "Moments beside the force, about each of the axes: 0 of a pinned tip, infinite of "
                  "a rigid hold.");
   add_other_load(table, TipLoad::kMoment, "forces", units::kNewton,
                  "Forces beside the moment, along each of the axes.");
+  // Tolerance and frame of the direction.
   table
       .add("tolerance", units::kDegree, number_schema(""), &Request::tolerance,
            "Half angle of the cone the force or moment may lie in.")
@@ -88,12 +95,14 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
       .add("whole_set", flag_schema(), &Request::whole_set,
            "The whole set, also beside a direction.")
       .option = "set";
+  // Muscles that are paralysed or weak, as in a palsy.
   table.add("without", list_schema(text_schema(), 0, 100), &Request::without,
             "Muscles that are paralysed, as under a nerve block; the loss is told.");
   table
       .add("weakened", units::kNewton, map_schema(number_schema("")), &Request::weakened,
            "What weak muscles can pull at most; the loss is told.")
       .form = "MUSCLE=newton";
+  // Reactions of the wrist and of joints at the end of their range.
   table.add_word("wrist", kWristLoadNames, &Request::wrist,
                  "held: welded; free: it moves and bears the load, with the muscles across it; "
                  "pinch: it moves, and the load ends within the hand.");
@@ -116,6 +125,7 @@ RequestTable<TendonRequest> tension_params() {
 RequestTable<PoseRequest> pose_params() {
   using Request = PoseRequest;
   RequestTable<Request> table;
+  // One question serves subjects and robots, told apart by their file.
   Param& model = table.add("model", text_schema(), &Request::model,
                            "A subject or a robot: its name, or its file.");
   model.is_positional = true;
@@ -124,6 +134,7 @@ RequestTable<PoseRequest> pose_params() {
       .add("digits", list_schema(text_schema(), 0, 100), &Request::digits,
            "Digits of a subject to keep; all if left out.")
       .option = "digit";
+  // The posture and a grid of postures; a digit's frozen joints leave the tree.
   add_posture(table, "posture", &Request::posture,
               "Angles by joint, or in the order of the joints; others stay at 0. Robots: degrees "
               "of freedom or joints, slides in mm.");
@@ -140,6 +151,7 @@ MomentArmResult compute_arms(const DigitRequest& request, const Progress& progre
 }  // namespace
 
 void add_digit_questions(std::vector<Question>& all) {
+  // Each question has an example that is asked in the tests as it stands.
   all.push_back(make_question(
       "pose", "Joints, segments or links, and tips at a posture.", pose_params(), ask_pose,
       R"({"model": "synek2019_middle", "posture_deg": {"PIP3": 30}})", "pose"));
@@ -159,6 +171,7 @@ void add_digit_questions(std::vector<Question>& all) {
                                   "PIP2": 45, "DIP2": 10}, "frame": "tip",
                                   "direction": [0, -1, 0]})",
                               "feasible-force"));
+  // Tendons of a net are solved for equilibrium, at one posture or at many.
   all.push_back(make_question("tendons", "Bands, slips, torques and tip force of a digit.",
                               tension_params(), solve_tendons,
                               R"({"subject": "an_chao_index", "net": "chao_an", "posture_deg":

@@ -43,19 +43,23 @@ void add_experiments(RequestTable<Request>& table, std::vector<std::string> Requ
 
 RequestTable<FitSources> source_params() {
   RequestTable<FitSources> table;
+  // Data first: experiments, and the subject whose parameters are fitted.
   add_experiments(table, &FitSources::experiments);
   table
       .add("subject", text_schema(), &FitSources::subject,
            "Subject to start from: its name, or its file (TOML).")
       .member.required = true;
+  // Which parameters move, and from which priors.
   table.add("settings", text_schema(), &FitSources::settings,
             "Which parameters move: name or file; built in for the digit if left out.");
+  // A net replaces the fractions of the hood.
   table.add("net", text_schema(), &FitSources::net,
             "Extensor net in place of the subject's hood: name or file.");
   table
       .add("also_free", names_schema(), &FitSources::also_free,
            "Also frees the parameters matching these globs.")
       .option = "free";
+  // Scaling sets the size of the digit before any parameter acts.
   table.add("scale", word_schema({"subject", "outside"}), &FitSources::scale,
             "Size of the digit before parameters act: the subject's own, or by what each "
             "experiment states in [outside].");
@@ -73,10 +77,12 @@ void add_output(RequestTable<Request>& table, std::string Request::*member,
 RequestTable<PredictRequest> predict_params() {
   using Request = PredictRequest;
   RequestTable<Request> table;
+  // A fit predicts experiments that it may not have seen.
   Param& fit = table.add("fit", text_schema(), &Request::fit, "File of a fit (.h5).");
   fit.is_positional = true;
   fit.member.required = true;
   add_experiments(table, &Request::experiments);
+  // A fitted specimen is predicted by its own parameters, or by those of the population.
   table.add("population", flag_schema(), &Request::population,
             "Predicts a fitted specimen as if it had never been seen.");
   add_fit_path(table, &Request::path);
@@ -87,20 +93,24 @@ RequestTable<PredictRequest> predict_params() {
 RequestTable<InferNetRequest> infer_params() {
   using Request = InferNetRequest;
   RequestTable<Request> table;
+  // The forces to explain, and the subject that is said to have produced them.
   Param& experiment = table.add("experiment", text_schema(), &Request::experiment,
                                 "An experiment: its name, or its file (TOML).");
   experiment.is_positional = true;
   experiment.member.required = true;
   table.add("subject", text_schema(), &Request::subject, "A subject: its name, or its file (TOML).")
       .member.required = true;
+  // The net holds all candidate bands, of which the inference keeps some.
   table.add("net", text_schema(), &Request::net,
             "Net of all bands that may exist: name or file (TOML).");
   add_path(table, &Request::path);
+  // Method of the search, and tests that would tell the remaining nets apart.
   table.add_word("method", kInferMethodNames, &Request::method,
                  "sparse: all bands at once, at a price; explore: a search among nets.");
   table.add("propose", integer_schema(0, 1e9), &Request::propose, "Tests to propose, at most.");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
             "Of the search, and of what `free` samples.");
+  // With free parameters bands compete with other explanations, and get probabilities.
   table.add("free", names_schema(), &Request::free,
             "slack, paths, stiffness or globs of parameters: what may explain the forces in place "
             "of a band; bands then get probabilities.");
@@ -139,9 +149,11 @@ PosteriorResult sample(const SampleRequest& request, const Progress& progress) {
 RequestTable<FitRequest> fit_params() {
   using Request = FitRequest;
   RequestTable<Request> table;
+  // The same inputs as those of a posterior.
   table.include(source_params(), &Request::sources);
   table.add_word("method", kLeastSquaresMethodNames, &Request::method,
                  "ceres, ipopt: by derivatives; nlopt, nlopt-global: without.");
+  // Each kind of leaving out fits anew without some of the data.
   Param leave_out{{"leave_out", list_schema(word_schema(names_in(kLeaveOutNames)), 0, 3),
                    "Also leaves out one posture, tendon or specimen at a time."},
                   units::kOne,
@@ -158,6 +170,7 @@ RequestTable<FitRequest> fit_params() {
         for (const LeaveOut each : request.leave_out) list.push_back(name_in(kLeaveOutNames, each));
         return list;
       });
+  // Choosing settings by left-out data, and the optimiser's own limits.
   table.add("choose_settings", flag_schema(), &Request::choose_settings,
             "Chooses among the [[choose]] rows of the settings by left-out postures and specimens; "
             "what is left out then chooses in every fold anew.");
@@ -171,23 +184,28 @@ RequestTable<FitRequest> fit_params() {
 RequestTable<SampleRequest> posterior_params() {
   using Request = SampleRequest;
   RequestTable<Request> table;
+  // The same inputs as those of a fit.
   table.include(source_params(), &Request::sources);
+  // The sampler, and how many chains it runs.
   table.add_word("method", kSamplingMethodNames, &Request::method, "Sampler.").option = "sampler";
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Of the chains.");
   table.add("chains", integer_schema(1, 1e9), &Request::chains,
             "Independent chains, or ensembles.");
   table.add("walkers", integer_schema(0, 1e9), &Request::walkers,
             "Chains of one ensemble; 0: as the sampler needs.");
+  // Step size and length of trajectories of Hamiltonian samplers.
   table.add("target_acceptance", number_schema("", 0.05, 0.999), &Request::target_acceptance,
             "Of nuts and hmc: higher takes smaller steps, against divergent ones.");
   table.add("max_depth", integer_schema(1, 30), &Request::max_depth,
             "Of trees of nuts: 2^depth steps at most.");
+  // Warm-up adapts the sampler; draws are kept, thinned where neighbours are alike.
   table.add("warm_up", integer_schema(0, 1e9), &Request::warm_up,
             "Steps that adapt and are thrown away.");
   table.add("draws", integer_schema(0, 1e9), &Request::draws,
             "Draws of each chain; 0: 1000, of stretch 100, doubled up to twice where the chains do "
             "not agree yet and more may help.");
   table.add("thin", integer_schema(0, 1e9), &Request::thin, "Steps a draw; 0: 1, of stretch 10.");
+  // Parallel tempering lets chains pass between modes.
   table.add("temperatures", integer_schema(1, 1e9), &Request::temperatures,
             "Rungs of parallel tempering; 1: none.");
   table
@@ -198,6 +216,7 @@ RequestTable<SampleRequest> posterior_params() {
             "Steps between swaps of temperatures.");
   table.add("mode_starts", integer_schema(0, 1e9), &Request::mode_starts,
             "Starts of the search for modes; 0: 16, or 4 among more than 1000 coordinates.");
+  // Runs of hours survive a kill by checkpoints.
   table
       .add("checkpoint_every", units::kSecond, number_schema("", 0), &Request::checkpoint_every,
            "Between checkpoints: what a kill may cost.")
@@ -206,6 +225,7 @@ RequestTable<SampleRequest> posterior_params() {
             "0: as many as there are processors.");
   table.add("fixed_noise", flag_schema(), &Request::fixed_noise, "Believes the stated noise.");
   table.add("fresh", flag_schema(), &Request::fresh, "Forgets an interrupted run of this output.");
+  // Chains with divergent trajectories begin anew with smaller steps.
   table
       .add("retry_acceptances", list_schema(number_schema("", 0.05, 0.999), 0, 10),
            &Request::retry_acceptances,
@@ -216,6 +236,7 @@ RequestTable<SampleRequest> posterior_params() {
 }
 
 void internal::add_fit_questions(std::vector<Question>& all) {
+  // Fits, posteriors and bands take minutes; predictions are immediate.
   all.push_back(
       make_question("fit", "Fits a digit to measured fingertip forces.", fit_params(), fit_digit,
                     R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle"})", "fit",

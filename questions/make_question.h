@@ -40,6 +40,7 @@ struct HasRun<Request, std::void_t<decltype(std::declval<Request&>().run)>> : st
 /// @param kept  lives as long as the answer
 template <typename Result>
 [[nodiscard]] Answer answer_of(const std::shared_ptr<const Result>& kept, Outcome outcome) {
+  // The result is shared by all forms of the answer, each made when it is asked for.
   Answer answer;
   answer.outcome = std::move(outcome);
   if constexpr (internal::HasFields<Result>::value)
@@ -47,6 +48,7 @@ template <typename Result>
   else
     answer.json = [kept](UnitSystem) { return OrderedJson(json_of(*kept)); };
   answer.text = [kept] { return text_of(*kept); };
+  // Optional forms exist where the result has a function for them.
   if constexpr (internal::HasTable<Result>::value)
     answer.table = [kept] { return table_of(*kept); };
   if constexpr (internal::HasPage<Result>::value) answer.page = [kept] { return page_of(*kept); };
@@ -83,8 +85,11 @@ template <typename Request, typename Result>
           std::move(command),
           pace,
           [name, table, ask](Json json, const std::string& data, const Progress& progress) {
+            // A folder of data in the request goes before that of the caller.
             if (!data.empty() && !json.contains("data")) json["data"] = data;
             Request request = table.read(json);
+            // Write the request back in SI with all defaults, so that the record repeats the
+            // answer.
             const OrderedJson record = table.write(request);
             // Files that it writes record a run that no command line began.
             if constexpr (internal::HasRun<Request>::value) {

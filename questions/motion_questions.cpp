@@ -21,6 +21,7 @@ namespace {
 
 RequestTable<PressRequest> press_params() {
   using Request = PressRequest;
+  // The object that presses: a shape of its own, or a mesh.
   RequestTable<PressObjectRequest> object;
   object.add("object", text_schema(), &PressObjectRequest::name,
              "What presses: " + listed(press_object_names()) + ", or a mesh file.");
@@ -28,6 +29,7 @@ RequestTable<PressRequest> press_params() {
              "Of sphere and cylinder (10 mm if left out), of an edge's rounding (0.5 mm).");
   object.add("scale", number_schema("", 0), &PressObjectRequest::scale,
              "Of a mesh: metres per unit of its file.");
+  // The pad, and laws of its tissues in place of those of its file.
   RequestTable<PadRequest> pad;
   pad.add("pad", text_schema(), &PadRequest::pad, "A pad: its name, or its file (TOML).");
   pad.add("law", text_schema(), &PadRequest::law,
@@ -39,10 +41,12 @@ RequestTable<PressRequest> press_params() {
   add_data(pad, &PadRequest::data);
   RequestTable<Request> table;
   table.include(object, &Request::object);
+  // The end of the press: a force or a depth, of which one has to be given.
   table.add("force", units::kNewton, number_schema(""), &Request::force,
             "Presses until this force.");
   table.add("depth", units::kMillimetre, number_schema(""), &Request::depth,
             "Presses to this depth from the touch on.");
+  // The way of the object: its orientation, its rate, and how long it stands still.
   table.add("angle", units::kDegree, number_schema(""), &Request::angle,
             "Of the pad to the object, the finger's proximal end lifted, -60 to 60 deg.");
   table.add("turn", units::kDegree, number_schema(""), &Request::turn,
@@ -53,6 +57,7 @@ RequestTable<PressRequest> press_params() {
             "Then stands still for so long.");
   table.add("friction", number_schema("", 0), &Request::friction, "Of the skin on the object.");
   table.include(pad, &Request::pad);
+  // Accuracy of the finite elements, and how many points the curves have.
   table
       .add("force_error", units::kPercent, number_schema("", 0), &Request::force_error,
            "Estimated error of the force below which the mesh is not refined.")
@@ -62,6 +67,7 @@ RequestTable<PressRequest> press_params() {
   table.add("points", integer_schema(1, 1e9), &Request::points, "Of the curves.");
   table.add("hold_points", integer_schema(1, 1e9), &Request::hold_points,
             "Of the curves while it stands still.");
+  // Comparing rungs repeats the press with simpler laws and with finer meshes.
   table
       .add("rungs", flag_schema(), &Request::rungs,
            "Also compares reduced laws, elements and meshes: error over time; takes minutes.")
@@ -84,12 +90,14 @@ RequestTable<DigitMotionRequest> digit_motion_params() {
   using Request = DigitMotionRequest;
   RequestTable<Request> table;
   table.include(tendon_params("fractions"), &Request::digit);
+  // Muscles are driven by constants or by a table over time.
   table
       .add("excitation", map_schema(number_schema("")), &Request::excitation,
            "Excitations of muscles, 0 to 1, from the start on; others are 0.")
       .form = "MUSCLE=0..1";
   table.add("excitation_file", text_schema(), &Request::excitation_file,
             "CSV time_s,MUSCLE,...: straight lines between its rows.");
+  // The model of muscles; only elastic tendons need slack lengths.
   table.add_word("muscle", kMuscleNames, &Request::muscle,
                  "Muscles: rigid-tendon if left out, bounds where the subject states no fibre "
                  "lengths.");
@@ -97,12 +105,14 @@ RequestTable<DigitMotionRequest> digit_motion_params() {
       .add("tendon_slack", units::kMillimetre, map_schema(number_schema("")),
            &Request::tendon_slack, "Slack lengths of tendons, for elastic ones.")
       .form = "MUSCLE=mm";
+  // Damping stands for soft tissue; the blend smooths the kink where a band becomes taut.
   table.add("damping", units::kJointDamping, number_schema("", 0), &Request::damping,
             "Of joints whose subject gives none.");
   table.add("blend", number_schema("", 0), &Request::blend,
             "Strain over which the bands of a net go from slack to taut.");
   table.add("gravity", units::kMetrePerSquareSecond, vector_schema(""), &Request::gravity,
             "Free fall in the subject's frame.");
+  // Duration, sampling and the tolerance of the integrator.
   table.add("seconds", number_schema("", 0), &Request::seconds, "How long.");
   table
       .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
@@ -115,6 +125,7 @@ RequestTable<DigitMotionRequest> digit_motion_params() {
 RequestTable<SceneRequest> scene_params() {
   using Request = SceneRequest;
   RequestTable<Request> table;
+  // Scenes state all of this themselves; requests replace single numbers.
   Param& scene = table.add("scene", text_schema(), &Request::scene,
                            "A scene of bodies and hands: its name, or its file (TOML).");
   scene.is_positional = true;
@@ -126,10 +137,12 @@ RequestTable<SceneRequest> scene_params() {
       "pads", text_schema(), &Request::pads,
       "Rung of all its pads: " + listed(pad_rung_names()) + "; as the scene says if left out.");
   add_path(table, &Request::path);
+  // Compliant joints are taken for pins, to see how much their compliance matters.
   table
       .add("on_pins", flag_schema(), &Request::on_pins,
            "Without its compliant joints: no joint gives.")
       .option = "";
+  // Duration and sampling, then steps and tolerance of the method.
   table.add("seconds", number_schema("", 0), &Request::seconds,
             "How long; as the scene says if left out.");
   table
@@ -148,6 +161,7 @@ RequestTable<SceneRequest> scene_params() {
 
 RequestTable<SceneRequest> scene_sweep_params() {
   using Request = SceneRequest;
+  // A sweep takes the same options as a scene.
   RequestTable<Request> table = scene_params();
   const Schema range = object_schema({{"name", text_schema(), "Which number.", true},
                                       {"from", number_schema(""), "First value.", true},
@@ -158,6 +172,7 @@ RequestTable<SceneRequest> scene_sweep_params() {
               "drive/NAME [N, N m], step [s], longest [s], tolerance; a run for each combination."},
              units::kOne};
   vary.member.required = true;
+  // Every combination of the values is one run.
   table.add(
       vary,
       [](Request& request, const Json& value) {
@@ -177,6 +192,7 @@ RequestTable<SceneRequest> scene_sweep_params() {
 }
 
 void internal::add_motion_questions(std::vector<Question>& all) {
+  // All of these integrate or press step by step, so they may take long.
   all.push_back(make_question("digit_motion", "How a digit moves when its muscles are excited.",
                               digit_motion_params(), simulate_digit,
                               R"({"subject": "an_chao_index", "excitation": {"FDP": 0.1},

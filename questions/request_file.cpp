@@ -82,6 +82,7 @@ RequestFile read_request(const std::string& path) {
 }
 
 RequestFile parse_request(const std::string& text, const std::string& path) {
+  // The name of the question decides which keys the file may have.
   const TomlNode root = parse_toml(text, path);
   const TomlNode* const name = root.find(kQuestionKey);
   if (name == nullptr || name->kind != TomlKind::kText)
@@ -95,6 +96,7 @@ RequestFile parse_request(const std::string& text, const std::string& path) {
     throw DataError(path, name->line, error.what());
   }
   file.request = Json::object();
+  // Keep the line of each key, for messages about its value.
   for (const auto& [key, member] : root.members) {
     if (key == kQuestionKey) continue;
     file.request[key] = json_from(member, path);
@@ -111,10 +113,12 @@ std::string request_text(const std::string& question, const OrderedJson& request
 }
 
 std::string request_template(const Question& question) {
+  // Write each parameter with its usual value as a comment, so that the file runs as it is.
   std::string text =
       fmt::format("# {}\n{} = {}\n", question.about, kQuestionKey, toml_quoted(question.name));
   const Json example = Json::parse(question.example);
   for (const Param& param : question.params) {
+    // Keys in printed units, as people edit the file.
     if (param.is_twin) continue;
     const std::string key = param.key_in(UnitSystem::kPrinted);
     const Schema schema = param.schema_in(UnitSystem::kPrinted);

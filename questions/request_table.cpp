@@ -38,10 +38,12 @@ std::string unit_words(std::string key) {
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
 Schema with_unit(Schema schema, const FieldUnit& unit, UnitSystem system) {
   if (*unit.printed == '\0') return schema;
+  // Lists and maps carry the unit of their entries.
   if (schema.each) {
     schema.each = std::make_shared<Schema>(with_unit(*schema.each, unit, system));
   } else if (schema.kind == Schema::Kind::kNumber) {
     schema.unit = unit_words(system == UnitSystem::kSi ? unit.si : unit.printed);
+    // Bounds are stated in SI, and printed in the unit of the key.
     if (system == UnitSystem::kPrinted)
       for (double* bound : {&schema.lower, &schema.upper})
         *bound = *bound * unit.numerator / unit.denominator;
@@ -62,6 +64,7 @@ std::vector<std::string> keys_of(const std::vector<Param>& params) {
 /// Parameter of a key, and the units in which the key has it.
 std::pair<const Param*, UnitSystem> param_of(const std::vector<Param>& params,
                                              const std::string& key) {
+  // A key in SI and the same in printed units name one parameter.
   for (const UnitSystem system : {UnitSystem::kSi, UnitSystem::kPrinted})
     for (const Param& param : params)
       if (param.key_in(system) == key) return {&param, system};
@@ -82,6 +85,7 @@ Json request_in_si(const std::vector<Param>& params, const Json& request) {
           json_text(request, -1).substr(0, 40));
   Json si = Json::object();
   for (const auto& [key, value] : request.items()) {
+    // Check the value in the unit of its key, then convert it.
     const auto [param, system] = param_of(params, key);
     const std::string& name = param->member.name;
     try {
@@ -92,6 +96,7 @@ Json request_in_si(const std::vector<Param>& params, const Json& request) {
       throw InputError(error.what(), name);
     }
   }
+  // Required parameters may be given in either unit.
   for (const Param& param : params)
     if (param.member.required && !si.contains(param.member.name))
       throw InputError(

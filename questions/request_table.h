@@ -113,6 +113,7 @@ class RequestTable {
   template <typename Enum, std::size_t size, typename Value>
   Param& add_word(const std::string& key, const std::array<EnumName<Enum>, size>& names,
                   Value Request::*member, const std::string& about) {
+    // A word stands for an enumerator; a member that is unset is left out of the record.
     return add(
         {{key, word_schema(names_in(names)), about}, units::kOne},
         [=](Request& request, const Json& value) {

@@ -18,6 +18,7 @@ constexpr double kUnitTolerance = 1e-3;  // of the length of a quaternion
 /// "a number [m]", "a text of at most 80 bytes": what a schema wants, for messages.
 std::string wish(const Schema& schema) {
   const std::string unit = schema.unit.empty() ? "" : fmt::format(" [{}]", schema.unit);
+  // Numbers state their bounds, texts their words or length, lists and maps their size.
   switch (schema.kind) {
     case Schema::Kind::kNumber:
     case Schema::Kind::kInteger: {
@@ -247,6 +248,7 @@ Schema rotation_schema() {
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
 Json checked(const Schema& schema, const Json& value, const std::string& where) {
+  // Each kind checks its own bounds; lists, maps and objects check what they contain.
   switch (schema.kind) {
     case Schema::Kind::kNumber:
     case Schema::Kind::kInteger:
@@ -273,6 +275,7 @@ Json checked(const Schema& schema, const Json& value, const std::string& where) 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
 OrderedJson json_schema(const Schema& schema) {
   OrderedJson out;
+  // Translate into JSON Schema, whose names for bounds differ from kind to kind.
   switch (schema.kind) {
     case Schema::Kind::kNumber:
     case Schema::Kind::kInteger:
@@ -303,6 +306,7 @@ OrderedJson json_schema(const Schema& schema) {
     case Schema::Kind::kObject: {
       out["type"] = "object";
       out["properties"] = OrderedJson::object();
+      // Members with their descriptions and defaults; unknown members are refused.
       OrderedJson wanted = OrderedJson::array();
       for (const SchemaMember& member : schema.members) {
         OrderedJson of = json_schema(member.schema);
@@ -316,6 +320,7 @@ OrderedJson json_schema(const Schema& schema) {
       break;
     }
   }
+  // JSON Schema has no units, so they go into an extension.
   if (!schema.unit.empty()) out["x-unit"] = schema.unit;
   return out;
 }

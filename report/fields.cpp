@@ -38,6 +38,7 @@ std::string cell_of(const OrderedJson& value, int decimals) {
 /// Columns of a field: its key, or one for each of its numbers: "force_x_N", "arm_PIP3_mm".
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the fields
 void add_cells(const Field& field, const std::string& before, Cells& cells) {
+  // Lists have no column; parts of a field share its prefix.
   if (field.is_list) return;
   if (!field.parts.empty()) {
     for (const Field& each : field.parts.front().all())
@@ -51,6 +52,7 @@ void add_cells(const Field& field, const std::string& before, Cells& cells) {
     if (i < field.columns.size()) return field.columns[i];
     return before + field.key + (part.empty() ? "" : "_" + part) + unit;
   };
+  // Objects make a column for each name, arrays one for each entry.
   std::size_t i = 0;
   if (value.is_object()) {
     for (const auto& [name, each] : value.items())
@@ -138,6 +140,7 @@ Table table_of(const std::vector<Fields>& rows) {
     }
     all.push_back(std::move(cells));
   }
+  // Rows without a column have a dash there.
   for (const Cells& cells : all) {
     std::vector<std::string>& row = table.rows.emplace_back(table.header.size(), "-");
     for (const auto& [column, text] : cells) {

@@ -67,6 +67,7 @@ std::string oblique_words(const Eigen::Vector3d& v) {
 
 std::string axis_words(const Parts& parts, const TendonDigit* digit) {
   if (parts.size() != 4) return "";
+  // A tilt is told by the direction that it turns about, a shift by where it goes.
   const std::string axis = joint_words(parts[1]) + " axis";
   const std::optional<HingeFrame> frame = hinge_frame(parts, digit);
   if (parts[2] == "direction") {
@@ -129,6 +130,7 @@ std::string angle_words(const Parts& parts) {
 
 /// Kinds of parameters between specimens.
 std::string scatter_words(const Parts& parts) {
+  // Spreads between specimens are named by the kind of parameter.
   static const std::map<std::string, std::string> kinds{
       {"axis/direction", "tilts of axes"},
       {"axis/point", "places of axes"},
@@ -161,6 +163,7 @@ std::string scatter_words(const Parts& parts) {
 }
 
 std::string words_of(const Parts& parts, const TendonDigit* digit) {
+  // Kinds with words of their own first, then those that one sentence describes.
   const std::string& first = parts[0];
   if (parts.size() < 2) return "";
   const std::string& second = parts[1];

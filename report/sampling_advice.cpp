@@ -51,6 +51,7 @@ void against_divergence(const SamplerOptions& options, Changes& changes) {
 
 /// Settings that answer what is wrong, beside more draws.
 Changes changed_settings(const PosteriorRun& run) {
+  // Each cause has a setting that answers it.
   Changes changes;
   const RunOptions& options = run.settings.run;
   if (options.groups < 2)
@@ -87,6 +88,7 @@ std::string joined_reasons(const std::vector<std::string>& reasons) {
 
 std::vector<std::string> with_options(const std::vector<std::string>& arguments,
                                       const OptionChanges& changes, bool fresh) {
+  // Leave out the options that change, with their values, then add the new ones.
   std::vector<std::string> out;
   const auto changed = [&](const std::string& argument) {
     return std::any_of(changes.begin(), changes.end(), [&](const auto& change) {
@@ -115,6 +117,7 @@ std::vector<SamplingAdvice> advise(const PosteriorRun& run) {
     if (known) next.arguments = with_options(run.run.arguments, changes, fresh);
     advice.push_back({remedy, known ? command_line(next) : ""});
   };
+  // More draws help only where settings are right.
   const RunOptions& options = run.settings.run;
 
   // Settings that answer a cause first: more draws of the same chains would not.

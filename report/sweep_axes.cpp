@@ -68,6 +68,7 @@ std::string title_of(const SweepAxes& axes, std::size_t row) {
 
 Json curve_chart(const SweepAxes& axes, const std::string& caption, const std::string& y_label,
                  const std::vector<Curve>& curves) {
+  // A line for each row of the sweep, over the angle that varies fastest.
   Json series = Json::array();
   const Eigen::Index last = axes.values.cols() - 1;
   const auto count = static_cast<std::size_t>(axes.values.rows());

@@ -204,6 +204,7 @@ void Engine::work() {
   auto wake = EngineClock::now();
   note_session();
   while (true) {
+    // Take the next request, or wake up for the next frame.
     Job job;
     {
       std::unique_lock<std::mutex> lock(mutex_);
@@ -216,6 +217,7 @@ void Engine::work() {
         stop_ = false;
       }
     }
+    // Work without the lock, so that others can ask to stop.
     if (job.work) job.work();
     job = {};
     note_session();

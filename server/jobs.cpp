@@ -105,6 +105,7 @@ void Jobs::run(const std::shared_ptr<Job>& job) {
 /// @param stop  whether to stop, at a question "am I to stop?" of this number
 void Jobs::answer(Job& job, const std::function<bool(long)>& stop) {
   Progress progress;
+  // Count the questions whether to stop: a replay stops at the same one.
   progress.stop_requested = [&] {
     const long number = job.asked++;
     if (!stop(number)) return false;
@@ -120,6 +121,7 @@ void Jobs::answer(Job& job, const std::function<bool(long)>& stop) {
   JobStage stage = JobStage::kFailed;
   OrderedJson result;
   std::string text;
+  // Answer, and refuse results that are too large for a reply.
   try {
     const StopScope scope(progress);
     const Answer answer = job.question->ask(job.request, job.data, progress);

@@ -14,7 +14,7 @@ bool is_blank(const std::string& text) {
 }  // namespace
 
 void LineSplitter::add(const char* bytes, std::size_t count) {
-  // What was given out is let go, now and then rather than line by line.
+  // Drop lines that were given out, now and then rather than one by one.
   if (begin_ > 0) {
     bytes_.erase(0, begin_);
     looked_ -= begin_;

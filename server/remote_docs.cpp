@@ -60,6 +60,7 @@ std::string type_of(const Schema& schema) {
     case Schema::Kind::kObject:
       break;
   }
+  // Objects list their members with their types.
   std::string members;
   for (const SchemaMember& member : schema.members)
     members +=
@@ -104,7 +105,7 @@ std::string section_of(const RpcMethod& method) {
                          in_cell(usual_of(member)), in_cell(member.about));
     out += "\n";
   }
-  // What is several sentences has its full stop already.
+  // A text of several sentences has its full stop already.
   const std::string end = !method.returns.empty() && method.returns.back() == '.' ? "" : ".";
   return out + wrapped("Returns " + method.returns + end) + "\n" + example_of(method) + "\n";
 }

@@ -19,6 +19,7 @@ constexpr std::size_t kShortRequest = 512;  // [bytes]
 std::optional<std::string> excess(const std::string& text, const RpcLimits& limits) {
   if (text.size() > limits.bytes)
     return fmt::format("a message of {} bytes, at most {} are read", text.size(), limits.bytes);
+  // Scan without parsing: a deep or long text must not reach the parser.
   std::size_t depth = 0, values = 0;
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -92,10 +93,11 @@ RpcMessage read_rpc(const std::string& text, const RpcLimits& limits) {
   try {
     value = Json::parse(text);
   } catch (const Json::exception& error) {
-    // What the parser says follows the name of its exception.
+    // The parser's words follow the name of its exception.
     const std::string said = error.what();
     return refusal(RpcCode::kParse, "wanted JSON: " + said.substr(said.find(']') + 2));
   }
+  // A single request, or a batch of them.
   RpcMessage message;
   if (!value.is_array()) {
     message.requests.push_back(request_of(std::move(value)));

@@ -93,7 +93,7 @@ void SessionLog::add(const LoggedRequest& request) {
   if (lost_) return;
   const std::string line = line_of(request);
   if (!path_.empty()) {
-    // What stands there can be repeated, as far as it goes.
+    // Refuse a line that does not fit, so that the log so far can be repeated.
     lost_ = bytes_ + line.size() > most_;
     require(!lost_, "the log {} is full ({} bytes): this request and those after it are not in it",
             path_, bytes_);

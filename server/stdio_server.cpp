@@ -103,6 +103,7 @@ void serve_stream(Engine& engine, int input, int output, const std::function<boo
   const int number = engine.join(client);
   LineSplitter lines(kLongestLine);
   std::array<char, 65536> piece{};
+  // Read pieces, split them into lines, and wait while too many replies are open.
   while (!ended() && client->error() == 0) {
     const ssize_t count = read_piece(input, piece.data(), piece.size());
     if (count < 0) continue;
@@ -114,6 +115,7 @@ void serve_stream(Engine& engine, int input, int output, const std::function<boo
     while (const auto line = lines.next()) take_line(engine, number, *client, *line);
     client->wait_below(kMostUnansweredLines, ended);
   }
+  // Send what is left before the client goes.
   client->wait_below(1, ended);
   if (ended()) client->give_up();
   engine.leave(number);

@@ -48,6 +48,7 @@ std::vector<std::string> token_folders() {
 
 TokenFile::TokenFile(int port, const std::string& token) {
   std::string why = "none of XDG_RUNTIME_DIR, XDG_CACHE_HOME and HOME is set";
+  // Try one folder after the other until one can be closed to others.
   for (const std::string& folder : token_folders()) {
     try {
       make_private_folder(folder, ExistingFolder::kIsClosed);

@@ -100,6 +100,7 @@ WebAnswer answer_to(const ServerAccess& access, int port, const WebQuestion& que
     answer.headers.emplace_back("Cache-Control", "private, max-age=31536000, immutable");
     return answer;
   }
+  // Pages of the viewer are built into the program; all other paths are refused.
   if (path == "/favicon.ico") return protected_answer(204, "image/x-icon", "", question.host);
   const std::string file = path == "/" ? "live.html" : path.substr(path.empty() ? 0 : 1);
   const auto& files = internal::live_bundle();

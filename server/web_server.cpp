@@ -256,6 +256,7 @@ class WebClient final : public EngineClient,
 
   void write() {
     if (writing_ || number_ <= 0) return;
+    // Texts go first, then the newest frame, then the close.
     std::shared_ptr<const std::string> next;
     if (!texts_.empty()) {
       next = std::move(texts_.front().text);
@@ -371,6 +372,7 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
   }
 
   void write(WebAnswer answer) {
+    // The body is kept alive until it is written.
     const Request& request = parser_->get();
     Response response(static_cast<http::status>(answer.status), 11);
     for (const auto& [name, value] : answer.headers) response.set(name, value);
@@ -437,7 +439,7 @@ class WebServer::Network {
       acceptor_.close(ignored);
       pause_.cancel();
       for (const auto& peer : web_->peers.all()) peer->finish();
-      // What has not left by then is cut off, and the thread has nothing left to do.
+      // Connections that have not ended by then are cut off, and the thread has nothing left to do.
       patience.expires_after(kFarewell);
       patience.async_wait([this](beast::error_code) { drop_all(); });
     });

@@ -30,6 +30,7 @@ std::string words_of(const TomlNode* node) {
 /// Title and sources as the file states them.
 void add_title(const std::string& path, CatalogueEntry& entry) {
   const SourceText file = read_source(path);
+  // Contacts are JSON, where a name takes the place of a description.
   if (entry.kind == "contacts") {
     const auto members = text_members(parse_json(path, file.text), {});
     const auto name = members.find("name");
@@ -43,8 +44,10 @@ void add_title(const std::string& path, CatalogueEntry& entry) {
 
 void add_files(const ThingKind& kind, const std::vector<std::string>& places, Catalogue& out) {
   for (const std::string& name : names_in(places, kind.folder, kind.ending)) {
+    // Robots are listed as hands, since their files hold a palm with digits.
     CatalogueEntry entry{kind.kind == "robot" ? "hand" : kind.kind, name, "", "",
                          find_in(places, kind.folder + "/" + name + kind.ending)};
+    // A broken file is listed all the same, with its error as a warning.
     try {
       add_title(entry.file, entry);
     } catch (const DataError& error) {
@@ -110,6 +113,7 @@ void add_digits(const Subject& subject, Catalogue& out) {
 
 /// Parts of a subject or a robot.
 void add_parts(const CatalogueRequest& request, Catalogue& out) {
+  // Parts belong to one subject or robot, which has to be named.
   require(!request.of.empty(), "wanted a subject: thenar list {} SUBJECT", request.what);
   const Thing thing = read_thing(named_thing(request.of, request.data));
   const auto* subject = std::get_if<Subject>(&thing);
@@ -117,6 +121,7 @@ void add_parts(const CatalogueRequest& request, Catalogue& out) {
   require(subject != nullptr || (robot != nullptr && request.what == "joints"),
           "wanted a subject{}, got '{}'", request.what == "joints" ? " or a robot" : "",
           request.of);
+  // A robot has joints, but neither muscles nor digits with tendons.
   if (robot != nullptr) return add_joints(*robot, out);
   if (request.what == "joints") add_joints(*subject, out);
   if (request.what == "muscles") add_muscles(*subject, out);
@@ -141,6 +146,7 @@ std::vector<std::string> catalogue_words() {
 
 Catalogue list_names(const CatalogueRequest& request) {
   Catalogue out;
+  // Words are checked against those of the catalogue, with the nearest one as a hint.
   if (!request.what.empty()) (void)index_of_name(request.what, catalogue_words(), "list");
   if (request.what == "joints" || request.what == "muscles" || request.what == "digits") {
     add_parts(request, out);
@@ -148,6 +154,7 @@ Catalogue list_names(const CatalogueRequest& request) {
   }
   require(request.of.empty(), "'{}' are listed as they are; leave out '{}'", request.what,
           request.of);
+  // List the data folders kind by kind; built-in hands come before those of files.
   const std::vector<std::string> places = data_folders(request.data);
   for (const ThingKind& kind : thing_kinds()) {
     if (!request.what.empty() && request.what != kind.plural) continue;

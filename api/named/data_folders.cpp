@@ -41,6 +41,7 @@ std::string kind_elsewhere(const std::string& name, const std::string& folder,
                            const std::vector<std::string>& places) {
   for (const KnownFolder& known : kKnownFolders) {
     if (known.folder == folder) continue;
+    // Look for the name in every folder and with every ending that thenar reads.
     for (const char* ending : {".toml", ".json", ".jsonl"})
       if (!find_in(places, (fs::path(known.folder) / (name + ending)).string()).empty()) {
         std::string command = known.command;
@@ -59,10 +60,13 @@ std::vector<std::string> data_folders(const std::string& given, const std::strin
   std::error_code none;
   require_field("data", given.empty() || fs::is_directory(given, none), "there is no folder {}",
                 given);
+  // Order of precedence: the folder given, the environment, ./data, the folder of the file, data
+  // that came with thenar.
   const char* named = std::getenv("THENAR_DATA");
   std::vector<std::string> places;
   std::vector<std::string> all{given, named == nullptr ? "" : named, "data", near};
   for (const std::string& shipped : shipped_data()) all.push_back(shipped);
+  // Keep the first mention of each folder alone.
   for (const std::string& place : all)
     if (!place.empty() && std::find(places.begin(), places.end(), place) == places.end())
       places.push_back(place);
@@ -97,6 +101,7 @@ std::vector<std::string> names_in(const std::vector<std::string>& places, const 
     for (const fs::directory_entry& entry : fs::directory_iterator(here, none))
       if (entry.path().extension() == ending) names.push_back(entry.path().stem().string());
   }
+  // The same name in several folders is one entry: the first folder wins when it is opened.
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
@@ -104,11 +109,13 @@ std::vector<std::string> names_in(const std::vector<std::string>& places, const 
 
 std::string named_file(const std::string& what, const std::string& name, const std::string& folder,
                        const std::string& ending, const std::vector<std::string>& places) {
+  // A path that exists beats a name of the data.
   if (is_file(name)) return name;
   if (name.find('/') == std::string::npos) {
     std::string found = find_in(places, (fs::path(folder) / (name + ending)).string());
     if (!found.empty()) return found;
   }
+  // Otherwise explain: a name of another kind, a misspelt one, or an unknown one.
   const std::string elsewhere = kind_elsewhere(name, folder, places);
   require(elsewhere.empty(), "there is no {} '{}'; {}", what, name, elsewhere);
   const std::vector<std::string> known = names_in(places, folder, ending);

@@ -33,6 +33,7 @@ struct Occurrence {
 }  // namespace
 
 DigitResult begin_digit_result(const DigitCase& at) {
+  // Copy what the answer is about, and the warnings of building it.
   DigitResult result;
   result.subject = at.subject.name;
   result.digit = at.digit;
@@ -41,6 +42,7 @@ DigitResult begin_digit_result(const DigitCase& at) {
   result.outcome.warnings = at.warnings;
   result.outcome.part = "posture";
   result.outcome.asked = at.map.empty() ? at.grid.postures.size() : 1;
+  // A tip map stands for one posture, so that there is no grid to go through.
   if (!at.map.empty()) {
     const DigitAtPosture map = digit_at(at, {});
     result.built = map.built;
@@ -59,6 +61,7 @@ DigitResult begin_digit_result(const DigitCase& at) {
 
 void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fail,
                   const Progress& progress) {
+  // Collect failures by kind, so that a thousand alike make one warning.
   Outcome& outcome = result.outcome;
   const std::size_t count = outcome.asked;
   Occurrence doubts, failures;
@@ -67,6 +70,7 @@ void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fa
     const Eigen::VectorXd q =
         result.map.empty() ? result.grid.postures[outcome.done] : Eigen::VectorXd();
     const std::string angles = varied_angles(result.rows, result.grid, q);
+    // A posture without an answer becomes a gap in the result; the next ones are still asked.
     try {
       const std::vector<std::string> warnings = ask(q);
       if (!warnings.empty()) doubts.add(warnings.front(), angles);
@@ -78,6 +82,7 @@ void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fa
     progress(static_cast<double>(outcome.done + 1) / static_cast<double>(count),
              fmt::format("posture {} of {}", outcome.done + 1, count));
   }
+  // If no posture has an answer, the first failure is that of the request.
   if (first_failure && failures.count == outcome.done) std::rethrow_exception(first_failure);
   if (outcome.done < count) outcome.status = Status::kStopped;
   doubts.tell("", outcome.done, outcome.warnings);

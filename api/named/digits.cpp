@@ -87,18 +87,22 @@ std::shared_ptr<const DigitTendons> tendons_on_rungs(const DigitCase& at, bool p
 
 /// Tendons on the rungs that are asked for; adds the text of a net to the sources.
 void build_tendons_of(const DigitRequest& request, Hood default_hood, DigitCase& at) {
+  // A net replaces the hood, so the default hood counts only if nobody names a net.
   const std::optional<Hood> hood =
       request.hood || !request.net.empty() ? request.hood : std::optional<Hood>(default_hood);
   const std::string name = net_meant(hood, request.net);
+  // Without a net tendons are linear in their tensions: hood fractions or separate slips.
   if (name.empty()) {
     at.rungs = rungs_of(request, at.subject, *hood);
     at.tendons = tendons_on_rungs(at, request.path.has_value(), nullptr);
   } else {
     at.rungs = rungs_of(request, at.subject, Hood::kFloatingNet);
+    // Keep the text of the net among the sources, so that the result can be repeated.
     at.sources.push_back(net_source(name));
     const NetDescription net = parse_net(at.sources.back().text, at.sources.back().path);
     at.tendons = tendons_on_rungs(at, request.path.has_value(), &net);
   }
+  // Tell whether the tendons are those of a net, whose arms depend on tensions.
   at.net = dynamic_cast<const NetTendons*>(at.tendons.get());
   require(!at.bones().names.muscles.empty(),
           "no muscle of subject '{}' crosses a free joint of digit '{}'; digits with muscles: {}",
@@ -138,12 +142,14 @@ SourceText subject_source(const std::string& name_or_path, const std::string& da
 }
 
 DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
+  // Read the subject with passive moments or without them.
   DigitCase at;
   at.sources = {subject_source(request.subject, request.data)};
   at.passive = request.passive;
   at.subject = with_passive(parse_subject(at.sources.front().text, at.sources.front().path),
                             request.passive);
   at.digit = choose_digit(at.subject, request.digit);
+  // A digit without bones has a tip map, which stands for one posture of its own.
   if (!request.map.empty() || !has_bones(at.subject, at.digit)) {
     at.map = find_tip_map(at.subject, at.digit, request.map).name;
     const bool straight = request.path.value_or(Path::kViaPoint) == Path::kViaPoint;
@@ -153,6 +159,7 @@ DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
             at.map);
     return at;
   }
+  // Build the tendons first: the grid of postures needs the names of free joints.
   build_tendons_of(request, default_hood, at);
   at.grid = posture_grid(at.bones().skeleton, request.posture, request.vary);
   add_warnings(request, at);
@@ -160,17 +167,21 @@ DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
 }
 
 DigitAtPosture digit_at(const DigitCase& at, const Eigen::VectorXd& q) {
+  // A map brings its statics along; a digit with bones computes them at q.
   if (!at.map.empty()) return at_map(at);
   require(at.net == nullptr, "wanted tendons whose torque is linear in tensions, got a net");
   const TendonDigit& digit = at.bones();
+  // Moment arms at zero tension, since linear tendons have the same at any.
   const TendonTorque pull = at.tendons->evaluate(
       q, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size())));
   require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
+  // Compute the statics and turn the tip's axes with the link that bears them.
   const TipStatics statics = tip_statics(*at.tendons, q);
   const TreeState<double> state = pose_tree(digit.model.tree, q);
   const int link = digit.model.tip_link;
   const Eigen::Matrix3d turned =
       link < 0 ? Eigen::Matrix3d::Identity() : state[static_cast<std::size_t>(link)].X.R;
+  // Gather the answer, with derivatives for questions that ask how much the posture matters.
   DigitAtPosture found{at.subject.name,
                        at.digit,
                        "",
@@ -191,6 +202,7 @@ DigitAtPosture digit_at(const DigitCase& at, const Eigen::VectorXd& q) {
 Eigen::VectorXd tensions(const DigitCase& at, const std::map<std::string, double>& named) {
   const std::vector<std::string> muscles =
       at.map.empty() ? at.bones().names.muscles : digit_at(at, {}).statics.muscles;
+  // Tensions in the order of the muscles, in newtons; muscles that are not named are slack.
   Eigen::VectorXd t = in_order(named, muscles, "muscle");
   for (Eigen::Index i = 0; i < t.size(); ++i) {
     const std::string& muscle = muscles[static_cast<std::size_t>(i)];
@@ -223,11 +235,14 @@ std::vector<std::string> unlimited_muscles(const TipStatics& statics) {
 }
 
 std::vector<std::string> collapse_warnings(const DigitTendons& linear, const Eigen::VectorXd& q) {
+  // List arms that nearly vanish here but not elsewhere in the joint's range.
   std::vector<std::string> arms;
   for (const VanishingArm& arm : vanishing_arms(linear, q))
     arms.push_back(fmt::format("{} at {}: {:.2g} mm, {:.2g} mm elsewhere in its range", arm.muscle,
                                arm.joint, 1e3 * arm.arm, 1e3 * arm.most));
   if (arms.empty()) return {};
+  // Straight runs between points cut through the joint when it flexes far; wrapped paths go round
+  // it.
   const bool via = linear.digit().fidelity.path == Path::kViaPoint;
   return {fmt::format(
       "tendons run too close to a joint here: arms of {}; {}", fmt::join(arms, "; "),
@@ -239,6 +254,7 @@ std::vector<std::string> reversal_warnings(const DigitTendons& linear, const Pos
   const TendonDigit& digit = linear.digit();
   constexpr std::size_t kLookedAt = 1000;  // postures of a grid, evenly spaced
   const std::size_t stride = 1 + (grid.postures.size() - 1) / kLookedAt;
+  // Look at evenly spaced postures of a large grid, and count those with arms of the wrong sign.
   std::vector<std::string> first;
   Eigen::VectorXd where;
   std::size_t count = 0, of = 0;

@@ -77,6 +77,7 @@ bool starts_with(const std::string& text, const std::string& start) {
 
 /// Finds the kind of an HDF5 file by the names in it; none of its values is read.
 FileContents of_hdf5(const std::string& path) {
+  // Strangers' files may crash the library, so they are first opened in a process of their own.
   std::vector<std::string> keys;
   try {
     std::string bytes = read_guarded(path, GuardedKind::kResult);
@@ -85,6 +86,7 @@ FileContents of_hdf5(const std::string& path) {
   } catch (const Error&) {
     return {"", "HDF5", {}};  // damaged
   }
+  // Tell kinds apart by groups that only one of them has.
   const auto has = [&](const std::string& start) {
     return std::any_of(keys.begin(), keys.end(),
                        [&](const std::string& key) { return starts_with(key, start); });
@@ -111,6 +113,7 @@ FileContents of_xml(const std::string& path, const std::string& start) {
   } catch (const DataError&) {
     return {"", "XML", {}};  // broken
   }
+  // The root element tells GraspIt! worlds and robots of URDF or MJCF apart.
   if (root == "world") return {"world", "GraspIt! XML", {}};
   if (root == "robot" || root == "mujoco" || root == "mujocoinclude") return of_robot(path);
   if (start.find("<geometryFile") != std::string::npos) return {"object", "GraspIt! XML", {}};
@@ -144,14 +147,17 @@ char first_sign(const std::string& text) {
 
 FileContents look_into(const std::string& path) {
   constexpr std::size_t kStartBytes = 1 << 16;  // Size of the start that is read [bytes]
+  // HDF5 files have a signature of their own, so their ending does not matter.
   if (has_hdf5_start(path)) return of_hdf5(path);
   const std::string ending = fs::path(path).extension();
   if (ending == ".toml") return {name_of(find_file_kind(path)), "TOML", {}};
   if (is_mesh_file(path)) return {"mesh", ending.substr(1), {}};
+  // Other formats are told by their ending or their first sign.
   const std::string start = read_start(path, kStartBytes);
   if (ending == ".html" || ending == ".htm") return of_html(path);
   if (first_sign(start) == '<') return of_xml(path, start);
   if (first_sign(start) == '{') return of_json(start);
+  // A text without a known ending may still be TOML.
   try {
     return {name_of(find_file_kind(path)), "TOML", {}};
   } catch (const DataError&) {
@@ -165,6 +171,7 @@ std::string absent(const std::string& path) {
   // By the stem: an ending in common says little.
   std::map<std::string, std::string> by_stem;
   std::vector<std::string> stems;
+  // Among files of the same stem prefer the one with the ending that was asked for.
   std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
     const fs::path name = entry.path().filename();
@@ -194,6 +201,7 @@ std::vector<std::string> checksum_warnings(const std::string& path) {
 }
 
 void require_result_path(const std::string& path) {
+  // A file that is no result of thenar is never overwritten, whatever its ending.
   const auto is_result = [&] {
     try {
       return find_file_kind(path) == FileKind::kResult;
@@ -226,6 +234,7 @@ void require_kind(const std::string& path, const std::vector<std::string>& kinds
     return;  // its reader says what it wants
   }
   if (found.kind.empty() || std::count(kinds.begin(), kinds.end(), found.kind) > 0) return;
+  // Name what was found, what was wanted, and the commands that take the file.
   std::vector<std::string> wanted;
   wanted.reserve(kinds.size());
   for (const std::string& kind : kinds) wanted.push_back(with_article(kind));

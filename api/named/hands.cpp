@@ -32,6 +32,7 @@ constexpr const char* kSkewed = "skewed";    // the richest version that needs n
 
 NamedHand human(const std::string& name, const Subject& subject, const std::string& version,
                 const HumanHandOptions& options) {
+  // Build the hand, then move its parts into the common form.
   HumanHand built = build_human_hand(subject, human_version(version), options);
   NamedHand hand;
   hand.name = name;
@@ -42,6 +43,8 @@ NamedHand human(const std::string& name, const Subject& subject, const std::stri
   hand.skeleton = std::make_shared<const Skeleton>(std::move(built.skeleton));
   hand.targets = std::move(built.targets);
   hand.warnings = std::move(built.warnings);
+  // Tendons close the hand at rates that the flexors' largest tensions give; other versions close
+  // joint by joint.
   if (version == kTendons)
     hand.rates = tendon_closing_rates(*hand.hand, max_flexor_tensions(*hand.hand));
   return hand;
@@ -72,6 +75,7 @@ HandSource file_source(const std::string& file, const std::string& version,
       !is_mesh_file(file),
       "'{}' is a mesh and no hand: wanted a robot (TOML, URDF, MJCF, GraspIt! XML) or a subject",
       file);
+  // Only TOML files can be subjects; all other formats are robots.
   if (fs::path(file).extension() == ".toml") {
     require_kind(file, {"robot", "subject"});
     const FileKind kind = find_file_kind(file);
@@ -110,6 +114,7 @@ HandName split_name(const std::string& name) {
        at = name.rfind(':', at - 1)) {
     const std::size_t path = name.find(':', at + 1);
     const std::string word = name.substr(at + 1, path == std::string::npos ? path : path - at - 1);
+    // Skip words that are no version, such as parts of a path.
     if (!is_human_version(word)) continue;
     HandName found{name.substr(0, at), word, ""};
     if (path != std::string::npos) read_tail(name.substr(path + 1), found);
@@ -130,9 +135,11 @@ namespace {
 /// The source without a word on passive moments.
 HandSource find_source(const std::string& name, const HandName& parts,
                        const std::vector<std::string>& places) {
+  // Understand old names of versions, and refuse unknown paths before anything is read.
   const auto& [base, typed, path, passive] = parts;
   const std::string version = current_version(typed);
   if (!path.empty()) (void)path_named(path);  // refuses others
+  // The built-in human, then a file, then a name in the data folders.
   if (base == kHuman) return {true, "", version.empty() ? kTendons : version, path};
   if (is_file(base)) return file_source(base, version, path);
   const std::string library = robot_file(base, places);
@@ -171,9 +178,11 @@ std::string version_of_hand(const std::string& name) {
 
 NamedHand hand_by_name(const std::string& name, const std::vector<std::string>& places,
                        const HumanHandOptions& options) {
+  // A robot is complete in its file; a human hand needs a version and its options.
   const HandSource source = find_hand(name, places);
   if (!source.human) return robot(name, source.file);
   const Subject subject = source.file.empty() ? default_human() : read_subject(source.file);
+  // Words behind the name take precedence over options of the request.
   HumanHandOptions human_options = options;
   if (!source.path.empty()) human_options.path = path_named(source.path);
   if (source.passive == PassiveMoments::kOff) human_options.passive = source.passive;

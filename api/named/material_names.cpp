@@ -22,6 +22,7 @@ long line_of_name(const std::string& file, const std::string& name) {
   long number = 0, quoted = 0;
   for (std::string line; std::getline(text, line);) {
     ++number;
+    // The name in quotes may belong to a body; a line that states a material is the better find.
     if (line.find('"' + name + '"') == std::string::npos) continue;
     if (line.find("material") != std::string::npos) return number;
     if (quoted == 0) quoted = number;
@@ -40,6 +41,7 @@ Materials materials_of_file(const std::string& file) {
 std::vector<std::string> unknown_materials(const std::string& file,
                                            const std::vector<std::string>& used,
                                            const Materials& table) {
+  // Complain once about each name, however many bodies use it.
   std::vector<std::string> names;
   for (const Material& material : table.materials) names.push_back(material.name);
   std::vector<std::string> complaints;

@@ -30,7 +30,7 @@ NamedPad open_pad(const PadRequest& request) {
   pad.path = named_file("pad", request.pad, "pads", ".toml", data_folders(request.data));
   require_kind(pad.path, {"pad"});
   pad.spec = read_pad(pad.path);
-  // What is other than in the file.
+  // Change what the request states otherwise than the file.
   change_law(request, pad.spec.pulp);
   for (PadTissueSpec& layer : pad.spec.layers) change_law(request, layer);
   if (!request.element.empty()) pad.spec.element = request.element;

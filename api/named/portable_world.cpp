@@ -95,9 +95,11 @@ class Gathering {
   /// The file as the world is to name it, now that it goes with it if it has to.
   /// @param file  as seen from the world's folder;  @param read  all that is read with it
   std::string placed(const std::string& file, const std::function<FileDigests()>& read) {
+    // Files below the folder of the world travel with it as they are.
     if (file.empty() || stays_below(fs::path(file).lexically_normal())) return file;
     const fs::path whole = whole_path(beside_, file);
     FileCopies copies = files_with(whole, read);
+    // Bodies that share a file share the copy.
     const auto same = std::find_if(copies_.begin(), copies_.end(), [&](const FileCopies& other) {
       return other.from == copies.from && other.files == copies.files;
     });
@@ -107,6 +109,7 @@ class Gathering {
       copies.to = free_place(copies);
       copies_.push_back(copies);
     }
+    // The new name leads from the world's folder to the copy.
     return (copies.to / whole.lexically_relative(copies.from)).lexically_relative(beside_);
   }
 
@@ -156,11 +159,14 @@ std::string shipped_name(const std::string& file, const std::string& folder,
                          const FileDigests& files) {
   const fs::path given(file);
   std::string name = given.stem().string();
+  // Names of data have no dots and end in .toml; others cannot be found by name again.
   if (given.extension() != ".toml" || name.find('.') != std::string::npos) return "";
   for (const std::string& place : shipped_data()) {
     const fs::path here = fs::path(place) / folder;
     std::error_code failed;
+    // The same file, reached by another path, needs no comparison of bytes.
     if (fs::equivalent(given, here / given.filename(), failed)) return name;
+    // A copy counts as shipped only if all files that it reads are the same, byte by byte.
     const bool same = std::all_of(files.begin(), files.end(), [&](const auto& read) {
       const fs::path seen =
           whole_path("", read.first).lexically_relative(whole_path("", given).parent_path());
@@ -173,6 +179,7 @@ std::string shipped_name(const std::string& file, const std::string& folder,
 
 WorldSpec with_shipped_names(const WorldSpec& world, const std::string& folder) {
   WorldSpec named = seen_from_folder(world, folder);
+  // Hands may be robots or subjects.
   for (PlacedHand& hand : named.hands) {
     if (hand.file.empty()) continue;
     const std::string file = (fs::path(folder) / hand.file).lexically_normal().string();
@@ -180,6 +187,7 @@ WorldSpec with_shipped_names(const WorldSpec& world, const std::string& folder) 
       if (const std::string name = shipped_name(file, kind, {{file, ""}}); !name.empty())
         hand.file = name;
   }
+  // Bodies whose meshes are all those of a shipped object are named after it.
   for (PlacedBody& body : named.bodies) {
     if (body.file.empty()) continue;
     const std::string file = (fs::path(folder) / body.file).lexically_normal().string();
@@ -192,11 +200,13 @@ WorldSpec with_shipped_names(const WorldSpec& world, const std::string& folder) 
 PortableWorld portable_world(const WorldSpec& world, const std::string& path,
                              const std::vector<std::string>& wholes) {
   const fs::path folder = "." / fs::path(path).parent_path();
+  // Name shipped data first: what comes with thenar needs no copies.
   PortableWorld portable{with_shipped_names(world, folder.string()), {}};
   Gathering gathering(path, wholes);
   const auto seen = [&](const std::string& file) {
     return (folder / file).lexically_normal().string();
   };
+  // Copy all other files next to the world, bodies with the meshes that they read.
   for (PlacedHand& hand : portable.world.hands)
     hand.file = gathering.placed(hand.file, [&] { return files_of_hand(seen(hand.file)); });
   for (PlacedBody& body : portable.world.bodies) {
@@ -220,6 +230,7 @@ void write_copies(const PortableWorld& portable, const InsideFolder& folder) {
     try {
       for (const fs::path& file : copies.files)
         folder.write((name / file).string(), read_file((copies.from / file).string(), kMostCopied));
+      // Do not leave half a folder behind, as it would be taken for a whole one next time.
     } catch (const Error&) {
       std::error_code ignored;
       fs::remove_all(copies.to, ignored);

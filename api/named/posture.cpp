@@ -63,6 +63,7 @@ std::vector<double> steps_of(const Vary& vary, const std::string& unit) {
   const double count = std::floor((to - from) / step * (1 + 1e-12) + 1e-9);
   require(count < kMaxPostures, "{}{} is too small a step from {} to {}{}", step, unit, from, to,
           unit);
+  // Multiply rather than add up, so that rounding does not grow with the number of steps.
   std::vector<double> values;
   for (int k = 0; k <= static_cast<int>(count); ++k) values.push_back(from + k * step);
   return values;
@@ -77,6 +78,7 @@ Eigen::VectorXd in_order(const std::map<std::string, double>& named,
 }
 
 Eigen::VectorXd posture_of(const Skeleton& skeleton, const PostureRequest& request) {
+  // Named angles leave all others at zero; plain numbers state every joint.
   const std::vector<std::string>& joints = skeleton.coordinate_names;
   require(request.named.empty() || request.in_order.empty(),
           "wanted angles by name or in the order of the joints, got both");
@@ -94,6 +96,7 @@ Eigen::VectorXd posture_of(const Skeleton& skeleton, const PostureRequest& reque
 PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request,
                          const std::vector<Vary>& vary) {
   PostureGrid grid;
+  // Start with the base posture, and let one joint after the other vary; the last varies fastest.
   grid.postures = {posture_of(skeleton, request)};
   for (const Vary& each : vary) {
     const AngleRange range = range_of(skeleton, each, request);
@@ -117,6 +120,7 @@ PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request
   // All others lie between the first and the last.
   (void)checked_angles(grid.postures.front(), skeleton.coordinate_names);
   (void)checked_angles(grid.postures.back(), skeleton.coordinate_names);
+  // Warn once of each joint that leaves its range at either end of the sweep.
   grid.warnings = limit_warnings(skeleton, grid.postures.front());
   if (grid.postures.size() > 1)
     for (const std::string& warning : limit_warnings(skeleton, grid.postures.back()))
@@ -128,6 +132,7 @@ PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request
 std::vector<std::string> limit_warnings(const Skeleton& skeleton, const Eigen::VectorXd& q) {
   constexpr double kSameAngle = 1e-9;  // [rad]
   std::vector<std::string> warnings;
+  // Typed limits and typed angles may differ by rounding in radians.
   for (int i = 0; i < skeleton.coordinates(); ++i) {
     const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
     if (q[i] >= limits.lower - kSameAngle && q[i] <= limits.upper + kSameAngle) continue;
@@ -140,6 +145,7 @@ std::vector<std::string> limit_warnings(const Skeleton& skeleton, const Eigen::V
 
 std::map<std::string, double> frozen_joints(const Subject& subject, const PostureRequest& request) {
   require(request.in_order.empty(), "wanted JOINT=degrees, got plain numbers");
+  // Any joint of the subject can be frozen, also those of other digits.
   std::vector<std::string> names;
   for (const JointAxis& joint : subject.joints) names.push_back(joint.name);
   std::map<std::string, double> frozen;

@@ -39,6 +39,8 @@ void add_json_record(const std::string& path, const std::string& text, RecordedR
     for (std::size_t i = 0; i < provenance->names.size(); ++i)
       if (provenance->items[i].kind == JsonKind::kText)
         texts[provenance->names[i]] = provenance->items[i].text;
+  // The command and its folder make the run repeatable; digests tell whether its inputs are still
+  // the same.
   out.run = record_of_texts(texts);
   out.version = texts["thenar"];
   const std::string start = "sha256 ";
@@ -94,6 +96,7 @@ void compare_inputs_of(RecordedRun& out) {
     const std::string path = (fs::path(out.run.folder) / name).string();
     const bool there = is_file(path);
     if (!there && !was_file(name)) continue;
+    // An input that is gone counts as changed.
     ++out.compared;
     if (there && digests_of({path}).begin()->second == digest) continue;
     ++out.changed;
@@ -123,6 +126,7 @@ bool is_before(const std::string& version, int major, int minor) {
 }  // namespace
 
 RecordedRun read_recorded_run(const std::string& path) {
+  // Pages and answers keep their provenance as JSON, results as texts of HDF5.
   const FileContents file = contents_of(path);
   RecordedRun out;
   out.file = path;
@@ -135,12 +139,14 @@ RecordedRun read_recorded_run(const std::string& path) {
           "'{}' records no command: wanted a page, a JSON file of -o, a fit, a posterior, a motion "
           "or a run of a scene that a command of thenar wrote",
           path);
+  // Compare inputs and program with those of today: the rerun may give other numbers.
   compare_inputs_of(out);
   compare_commits(out);
   return out;
 }
 
 void require_repeatable(const RecordedRun& recorded, const std::vector<std::string>& commands) {
+  // Only commands that answer a question and end can be run again.
   const std::string& name = recorded.run.arguments.front();
   const bool known = std::find(commands.begin(), commands.end(), name) != commands.end();
   // No file of a stranger opens a server.

@@ -61,12 +61,14 @@ const std::vector<ThingKind>& thing_kinds() {
 
 std::string named_thing(const std::string& name_or_path, const std::string& data) {
   std::error_code none;
+  // A path beats a name; among names the order of the kinds decides.
   if (std::filesystem::exists(name_or_path, none)) return name_or_path;
   const std::vector<std::string> places = data_folders(data);
   for (const ThingKind& kind : thing_kinds()) {
     std::string found = find_in(places, kind.folder + "/" + name_or_path + kind.ending);
     if (!found.empty()) return found;
   }
+  // A path that does not exist gets the message about files, with the nearest file as a hint.
   const std::filesystem::path path = name_or_path;
   if (path.has_parent_path() || path.has_extension()) (void)contents_of(name_or_path);
   const std::string meant = did_you_mean(name_or_path, all_names(places));
@@ -79,6 +81,7 @@ std::string named_thing(const std::string& name_or_path, const std::string& data
 Thing read_thing(const std::string& path) {
   const FileContents file = contents_of(path);
   if (!is_file(path)) (void)read_source(path);  // a pipe or a device: refused, saying which
+  // Files that thenar's own formats describe, kind by kind.
   if (file.kind == "subject") return read_subject(path);
   if (file.kind == "experiment") return read_experiment(path);
   if (file.kind == "fit settings") return read_fit_settings(path);
@@ -97,6 +100,7 @@ Thing read_thing(const std::string& path) {
   if (file.kind == "fit") return read_fit(path);
   if (file.kind == "posterior") return read_posterior(path);
   if (file.kind == "motion" || file.kind == "scene run") return read_run(path);
+  // Files of foreign formats belong to `thenar import`; say so rather than fail in a parser.
   if (file.format == "HDF5") return read_fit(path);  // damaged: its reader says how
   if (file.format.find("XML") != std::string::npos && !file.kind.empty())
     throw InputError(fmt::format("'{}' is a {} of another format: thenar import {} reads it", path,

@@ -78,12 +78,14 @@ bool carries(const WorldSpec& world, const std::string& name) {
 
 std::size_t chosen(const WorldSpec& world, const std::string& name, const std::string& path) {
   const std::string listed = fmt::format("{}", fmt::join(names_of(world), ", "));
+  // A name has to be one of the world's.
   if (!name.empty()) {
     const std::size_t index = index_of(world, name);
     require(index < world.hands.size(), "{}: the world has no hand '{}'{}; it has {}", path, name,
             did_you_mean(name, names_of(world)), world.hands.empty() ? "none" : listed);
     return index;
   }
+  // Without a name there must be exactly one hand that carries no other.
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < world.hands.size(); ++i)
     if (!carries(world, world.hands[i].name)) free.push_back(i);
@@ -119,18 +121,22 @@ RobotSpec locked_where_unknown(RobotSpec carrier, std::vector<std::string>& lock
 
 /// One robot of a hand and its carriers, from the last of them to the hand.
 void mount(const WorldSpec& world, const Places& data, WorldHand& mounted) {
+  // Begin with the foot: the carrier that stands in the world.
   const std::vector<std::size_t>& parts = mounted.parts;
   const PlacedHand& last = world.hands[parts.back()];
   std::vector<std::string> locked;
   RobotSpec robot = locked_where_unknown(import_robot(file_of(world, last, data)), locked);
   require_closed_loops(robot);
   NamedHand& hand = mounted.named;
+  // The robot is called after the hand and its carrier.
   hand.name = world.hands[parts.front()].name + " on " + last.name;
   hand.file = file_of(world, world.hands[parts.front()], data);
+  // Attach part after part, each to the link that carries it; the hand comes last.
   for (std::size_t i = parts.size() - 1; i-- > 0;) {
     const PlacedHand& placed = world.hands[parts[i]];
     RobotSpec tool = import_robot(file_of(world, placed, data));
     tool = i == 0 ? graspable(std::move(tool)) : locked_where_unknown(std::move(tool), locked);
+    // Surfaces of carriers come first, so that the hand's own begin at this index.
     if (i == 0)
       mounted.carrier_surfaces = static_cast<int>(
           std::count_if(robot.links.begin(), robot.links.end(),
@@ -141,6 +147,7 @@ void mount(const WorldSpec& world, const Places& data, WorldHand& mounted) {
   hand.hand = std::make_shared<RobotHand>(robot);
   hand.warnings = robot.warnings;
   hand.files = robot.files;
+  // A locked motor bears any torque, which would make loads look too large unless it is told.
   if (!locked.empty())
     hand.warnings.push_back(fmt::format(
         "motors of {} whose efforts are unknown are taken for locked: what they would bear is not "
@@ -154,6 +161,7 @@ std::vector<int> places_of(const std::vector<std::string>& part, const std::stri
                            const std::vector<std::string>& whole, std::vector<bool>& taken) {
   std::vector<int> places;
   for (const std::string& name : part) {
+    // A robot's own coordinates may need its name before them to be unique.
     auto found = std::find(whole.begin(), whole.end(), fmt::format("{}/{}", robot, name));
     // A robot may carry another of its own kind, whose coordinates these are then.
     const auto index = static_cast<std::size_t>(found - whole.begin());
@@ -168,11 +176,13 @@ std::vector<int> places_of(const std::vector<std::string>& part, const std::stri
 }
 
 void add_names(const WorldSpec& world, WorldHand& hand, const Places& data) {
+  // Each coordinate of the mounted hand belongs to exactly one part.
   const std::vector<std::string>& whole = hand.named.hand->layout().coordinates;
   std::vector<bool> taken(whole.size(), false);
   for (const std::size_t part : hand.parts) {
     std::vector<std::string> names = whole;
     std::string robot;
+    // A single hand keeps its own names; parts of a mounted one are read again for theirs.
     if (hand.parts.size() > 1) {
       const RobotSpec spec = import_robot(file_of(world, world.hands[part], data));
       names = RobotHand(spec).layout().coordinates;
@@ -187,8 +197,11 @@ void add_names(const WorldSpec& world, WorldHand& hand, const Places& data) {
 /// if no degree of freedom has that name.
 Eigen::VectorXd motion_of_dof(const WorldSpec& world, const PlacedHand& placed,
                               const std::string& name, const Places& data) {
+  // The built-in human has joints alone.
   if (placed.name.rfind("human", 0) == 0 && placed.file.empty()) return {};
   const RobotSpec robot = import_robot(file_of(world, placed, data));
+  // One unit of this motor, nothing of the others: the posture is the direction in which it moves
+  // the joints.
   Eigen::VectorXd dofs = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.dofs.size()));
   bool found = false;
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
@@ -212,8 +225,10 @@ void require_within(const WorldHand& hand, const std::string& path) {
 
 void set_posture(const WorldSpec& world, const std::string& path, const Places& data,
                  WorldHand& hand) {
+  // Joints that the posture does not name stay open.
   hand.q = open_posture(hand.named.hand->layout());
   for (std::size_t i = 0; i < hand.parts.size(); ++i) {
+    // A name is a coordinate, or else a motor that moves several of them in fixed ratios.
     const PlacedHand& placed = world.hands[hand.parts[i]];
     for (const auto& [name, value] : placed.posture) {
       const auto found = std::find(hand.names[i].begin(), hand.names[i].end(), name);
@@ -225,6 +240,7 @@ void set_posture(const WorldSpec& world, const std::string& path, const Places& 
       const Eigen::VectorXd motion = motion_of_dof(world, placed, name, data);
       require(motion.size() > 0, "{}: hand '{}' has no coordinate '{}'{}; it has {}", path,
               placed.name, name, did_you_mean(name, hand.names[i]), fmt::join(hand.names[i], ", "));
+      // Set only joints that the motor moves, so that motors do not undo each other.
       for (Eigen::Index c = 0; c < motion.size(); ++c)
         if (motion[c] != 0) hand.q[hand.places[i][static_cast<std::size_t>(c)]] = motion[c] * value;
     }
@@ -241,12 +257,14 @@ std::string rebased(const std::string& file, const fs::path& from, const fs::pat
 }  // namespace
 
 std::string world_file(const WorldRequest& request) {
+  // Accept a path or a name of the data, and refuse other kinds of files.
   std::string file =
       named_file("world", request.world, "worlds", ".toml", data_folders(request.data));
   require_kind(file, {"world"},
                "a world puts a hand and an object together: docs/tutorials/own_gripper.md");
   // Size of the start of its text: a byte order mark and blank lines may lead [bytes]
   constexpr std::size_t kTextStartBytes = 4096;
+  // Worlds of GraspIt! are XML, and have to be imported first.
   const std::string start = read_start(file, kTextStartBytes);
   const std::size_t sign = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
   require(sign == std::string::npos || start[sign] != '<',
@@ -257,11 +275,13 @@ std::string world_file(const WorldRequest& request) {
 WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
                      const Progress& progress) {
   WorldCase found;
+  // Read the world and place its object.
   found.path = world_file(request);
   found.world = read_world_at(found.path, request.data);
   found.files = found.world.files;
   found.data = data_for(found.world.folder, request.data);
   found.setup = build_setup(found.world, request.object);
+  // Use the hand of the world, mounted on its carriers.
   if (!hand_from_elsewhere) {
     found.hand = hand_of_world(found.world, request.hand, found.path, found.data,
                                human_of(request, progress));
@@ -269,6 +289,7 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
     require_materials(found.hand.named, found.setup.materials);
     return found;
   }
+  // A hand from elsewhere starts open; a planner gives it its place.
   found.hand.named = hand_by_name(request.hand, found.data, human_of(request, progress));
   found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
   require_materials(found.hand.named, found.setup.materials);
@@ -288,6 +309,7 @@ std::vector<std::string> data_for(const std::string& folder, const std::string& 
 WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const std::string& path,
                         const std::vector<std::string>& data, const HumanHandOptions& human) {
   WorldHand hand;
+  // A hand on an arm is built as one robot, because the arm's joints move it.
   hand.parts = parts_of(world, chosen(world, name, path));
   const PlacedHand& placed = world.hands[hand.parts.front()];
   if (hand.parts.size() > 1) {
@@ -296,6 +318,7 @@ WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const s
     hand.named = hand_by_name(name_to_build(world, placed), data, human);
     hand.named.name = current_hand_name(placed.name);
   }
+  // The pose is that of the foot, which stands still.
   hand.X_WH = world.hands[hand.parts.back()].X_WH;
   add_names(world, hand, data);
   set_posture(world, path, data, hand);

@@ -54,9 +54,11 @@ void add_forces(PadLaws& out) {
   const CalibratedLaws& laws = out.calibration.laws;
   const PowerLaw power(laws.power);
   const SoftFinger finger(laws.soft_finger);
+  // The bed of springs needs the thickness of the pad under every column.
   const FoundationBed bed(pad_columns(out.pad.model.shape, LawFitOptions{}.rings), laws.foundation);
   for (LawPress& press : out.presses) {
     const MeasuredPress& by = press.elements;
+    // Evaluate all laws at the depth of the press that the elements solved.
     const BedContact contact = bed.press(*by.object, by.X_PO, 1);
     press.laws = LawForces{power.at_depth(by.gap, by.depth, 1).force,
                            finger.at_depth(by.gap, by.depth, 1).force, contact.force, contact.area,
@@ -74,6 +76,7 @@ std::size_t count_of(const std::vector<PressTrial>& trials) {
 /// Fits laws if there are presses enough: few of them say nothing of other objects and depths.
 void add_laws(PadLaws& out, const LawTrials& trials, const MeasuredPresses& fit,
               const MeasuredPresses& check) {
+  // At least half of the presses of each kind must be solved.
   const std::size_t to_fit = std::max(kLeastFitted, (count_of(trials.fit) + 1) / 2);
   const std::size_t to_check = std::max(kLeastChecked, (count_of(trials.check) + 1) / 2);
   if (fit.presses.size() < to_fit || check.presses.size() < to_check) {
@@ -82,6 +85,7 @@ void add_laws(PadLaws& out, const LawTrials& trials, const MeasuredPresses& fit,
                     fit.presses.size(), check.presses.size(), to_fit, to_check);
     return;
   }
+  // Fit, and tie the laws to the pad by its digest, so that laws of another pad are refused.
   out.calibration = fit_laws(out.pad.model, fit, check, {});
   out.calibration.laws.name = out.pad.spec.name;
   out.calibration.laws.pad_digest = pad_digest(out.pad.spec);
@@ -93,6 +97,7 @@ void add_warnings_of_laws(PadLaws& out) {
     out.outcome.warnings.push_back(assumed);
   for (const std::string& failure : out.calibration.failures)
     out.outcome.warnings.push_back(fmt::format("a press failed and was left out: {}", failure));
+  // Report the largest error of any press, as it bounds all numbers of the calibration.
   double error = 0, penetration = 0;
   for (const LawPress& press : out.presses) {
     error = std::max(error, press.elements.force_error);
@@ -114,6 +119,7 @@ void add_warnings_of_laws(PadLaws& out) {
   const auto alike = [](const ExponentialTerm& a, const ExponentialTerm& b) {
     return a.share == b.share && a.time == b.time;
   };
+  // Laws relax like one tissue, the pulp, whereas elements relax layer by layer.
   const std::vector<ExponentialTerm>& pulp = out.pad.model.tissues.front().relaxation;
   for (const Tissue& tissue : out.pad.model.tissues)
     if (!std::equal(pulp.begin(), pulp.end(), tissue.relaxation.begin(), tissue.relaxation.end(),
@@ -127,6 +133,7 @@ void add_warnings_of_laws(PadLaws& out) {
 PadLaws calibrate_pad(const PadLawsRequest& request, const Progress& progress) {
   check(request);
   PadLaws out;
+  // Depths of the trials depend on how thick the pad is, unless they are stated.
   out.request = request;
   out.pad = open_pad(request.pad);
   const PadModel& model = out.pad.model;

@@ -51,6 +51,7 @@ double imposed(const PressLoad& load) { return load.force.value_or(load.indentat
 
 /// Returns a press with additional load points on its way, at the same pace.
 PressCourse with_points(const PressCourse& course, int points) {
+  // A course states its loads one after the other, each with the time that it takes.
   const double largest = imposed(course.loads.back());
   const bool by_force = course.loads.back().force.has_value();
   double time = 0;
@@ -70,6 +71,7 @@ PressCourse with_points(const PressCourse& course, int points) {
   }
   std::sort(loads.begin(), loads.end());
   PressCourse out = course;
+  // Spread the time in proportion to the load, so that the rate stays that of the data.
   out.loads.clear();
   double before = 0;
   for (const double load : loads) {
@@ -90,6 +92,7 @@ PressCourse with_points(const PressCourse& course, int points) {
 /// @return whether it was not stopped
 bool first_presses(const FittedPad& out, const Progress& progress) {
   progress(0, "pressing the pad as it is");
+  // Each press of the data is tried with the initial law.
   const std::vector<PressCurves> curves =
       press_records(out.problem.pad, out.problem.records, progress);
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -103,6 +106,7 @@ bool first_presses(const FittedPad& out, const Progress& progress) {
 }
 
 void add_curves(FittedPad& out, const Progress& progress) {
+  // Draw each measured press with the fitted law, at more loads than were measured.
   for (const PressRecord& record : out.problem.records) {
     progress(
         static_cast<double>(out.curves.size()) / static_cast<double>(out.problem.records.size()),
@@ -110,6 +114,7 @@ void add_curves(FittedPad& out, const Progress& progress) {
     const PressCourse course = with_points(record.course, out.request.points);
     FittedCurve curve;
     for (const PressLoad& load : course.loads) curve.loads.push_back(imposed(load));
+    // A press may fail at loads beyond the data, which costs the curve, not the fit.
     PressCurves pressed = press_curves({out.fit.pad}, course, {{}, progress.stop_requested});
     if (pressed.status == Status::kSolved)
       curve.points = std::move(pressed.points.at(0));
@@ -126,6 +131,7 @@ void add_curves(FittedPad& out, const Progress& progress) {
 }  // namespace
 
 FittedPad fit_pad(const PadFitRequest& request, const Progress& progress) {
+  // Read the data and open the pad that they name.
   require(request.points >= 1 && request.points <= kMostCurvePoints,
           "wanted 1 to {} points of a curve, got {}", kMostCurvePoints, request.points);
   FittedPad out;
@@ -144,15 +150,18 @@ FittedPad fit_pad(const PadFitRequest& request, const Progress& progress) {
     out.fit.solution.status = out.outcome.status = Status::kStopped;
     return out;
   }
+  // The fit refers to lines of the data file in its messages.
   out.fit = of_file(out.data, [&] {
     return fit_pad(out.problem, {PadFitOptions{}.tolerance, request.check_mesh, of_fit});
   });
   if (out.fit.solution.status == Status::kStopped)
+    // A fit that was stopped or refused keeps its numbers, but is not marked as solved.
     out.outcome.status = Status::kStopped;
   else if (!refusal_of(out).empty())
     out.outcome.status = Status::kStalled;
   out.outcome.warnings = out.fit.warnings;
   if (out.fit.estimates.empty()) return out;
+  // Write the fitted pad, and draw its curves.
   out.spec = fitted_pad(out.pad.spec, out.data, out.problem, out.fit);
   if (const std::string assumed = assumption_of(out.spec); !assumed.empty())
     out.outcome.warnings.push_back(assumed);

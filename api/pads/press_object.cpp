@@ -80,6 +80,7 @@ PressObject open_cylinder(double radius, double size) {
 PressObject open_edge(double radius, double size) {
   const Eigen::Matrix3d on_edge = rotation_about<double>({0, 1, 0}, kPi / 4);
   const auto wedge = [&](double edge) { return below(radius + edge * std::sqrt(0.5), on_edge); };
+  // The contact geometry is a box that never ends; the picture shows a piece of it.
   PressObject object;
   object.name = fmt::format("edge of {:g} mm", radius / kMm);
   object.shape =
@@ -95,6 +96,7 @@ PressObject open_edge(double radius, double size) {
 PressObject open_mesh(const PressObjectRequest& request) {
   require(request.scale > 0 && std::isfinite(request.scale),
           "wanted a mesh's scale above 0 m per unit, got {}", request.scale);
+  // Place the mesh so that its highest point touches the origin, midway between its sides.
   ShapeSpec spec;
   spec.kind = ShapeKind::kMesh;
   spec.mesh = read_mesh(request.name, request.scale);
@@ -133,6 +135,7 @@ std::vector<Vector3d> sampled_skin(const PadShape& shape) {
 /// Least way along which the object's surface meets one of the points [m].
 double way_to_touch(const std::vector<Vector3d>& points, const Shape& object,
                     const Pose<double>& X_PO, const Vector3d& along) {
+  // Sphere tracing: each march goes as far as is safe in every direction.
   Pose<double> X = X_PO;
   double way = 0;
   for (int k = 0; k < kMostMarches; ++k) {
@@ -143,6 +146,7 @@ double way_to_touch(const std::vector<Vector3d>& points, const Shape& object,
     if (gap < kTouchingGap) return way;
     way += gap;
     X.p += gap * along;
+    // An object that leaves the pad behind would march on for ever.
     require(way < kEndlessLength, "the object passes the pad by");
   }
   throw InputError("the object grazes the pad, and does not come to touch it");
@@ -168,6 +172,7 @@ PressObject open_press_object(const PressObjectRequest& request, double size) {
 }
 
 PadTouch touch_pad(const PadShape& shape, const Shape& object, double angle, double turn) {
+  // Beyond this angle the object meets the rim of the nail before the skin.
   require(std::abs(angle) <= radians(kSteepestPress),
           "wanted an angle of the pad within {:g} deg either way, got {:g} deg", kSteepestPress,
           degrees(angle));

@@ -38,6 +38,7 @@ constexpr double kMaxAcrossCosine = 0.7;
 void check_numbers(const PressRequest& request) {
   require(request.force.has_value() != request.depth.has_value(),
           "wanted one of a force and a depth, got {}", request.force ? "both" : "none");
+  // Limits of a single press lie far above those of fingertips, and keep mistyped units out.
   if (request.force)
     require(*request.force > 0 && *request.force <= kHardestPress,
             "wanted a force above 0 N, of at most {:g} N, got {:g} N", kHardestPress,
@@ -46,6 +47,8 @@ void check_numbers(const PressRequest& request) {
     require(*request.depth > 0 && *request.depth <= kDeepestPress,
             "wanted a depth above 0 mm, of at most {:g} mm, got {:g} mm", kDeepestPress / kMm,
             *request.depth / kMm);
+  // Without a rate the press takes no time, and at rate 0 all has relaxed already: a hold changes
+  // neither.
   if (request.rate)
     require(*request.rate >= 0 && *request.rate <= kFastestPress,
             "wanted a rate of 0 to {:g} mm/s, got {:g} mm/s", kFastestPress / kMm,
@@ -142,12 +145,14 @@ class PressRun {
       return false;
     }
     progress_(fraction, phase == PressPhase::kWay ? "pressing" : "standing still");
+    // Solve for equilibrium at this goal; a failure ends the press with the instants before it.
     const PadPressResult result = press_.step(goal);
     if (result.solved.status != Status::kSolved) {
       out_.outcome.status = result.solved.status;
       if (out_.outcome.status != Status::kStopped) out_.message = result.solved.message;
       return false;
     }
+    // An infinite time asks for the relaxed state, and does not count.
     if (std::isfinite(goal.time)) time_ += goal.time;
     PressInstant now;
     now.phase = phase;
@@ -313,6 +318,7 @@ const PressInstant* PressResult::end_of_way() const {
 PressResult press_pad(const PressRequest& request, const Progress& progress) {
   check_numbers(request);
   PressResult out;
+  // Open the pad and the object, and turn the object until it is about to touch.
   out.request = request;
   out.pad = open_pad(request.pad);
   out.object = open_press_object(request.object, out.pad.spec.length);
@@ -322,10 +328,12 @@ PressResult press_pad(const PressRequest& request, const Progress& progress) {
   ProgressParts parts(progress, request.rungs ? 5 : 1);
   const Progress of_way = parts.next(1);
   PressRun(out, of_way).run();
+  // Compare with simpler laws only if the press itself was solved.
   if (request.rungs && out.outcome.status == Status::kSolved) {
     out.rungs = compare_rungs(out, parts.next(4));
     if (progress.stop()) out.outcome.status = Status::kStopped;
   }
+  // Count the instants, for the progress of a stopped request.
   out.outcome.part = "step";
   out.outcome.done = out.instants.size();
   out.outcome.asked =

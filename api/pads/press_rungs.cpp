@@ -30,6 +30,7 @@ struct LawsFound {
 LawsFound find_laws(const PressResult& pressed) {
   const PadRequest& asked = pressed.request.pad;
   const std::string& name = pressed.pad.spec.name;
+  // Laws belong to one tissue, shape and relaxation: refuse them for any other.
   if (!asked.law.empty() || asked.exponent)
     return {{}, "laws are calibrated for the tissue of the pad's file, and another was asked for"};
   const std::filesystem::path file =
@@ -40,6 +41,7 @@ LawsFound find_laws(const PressResult& pressed) {
   CalibratedLaws laws = read_laws(file.string());
   if (laws.name != name)
     return {{}, fmt::format("laws/{}.toml is of another pad, '{}'", name, laws.name)};
+  // Terms of relaxation have to be the same, share by share.
   const auto alike = [](const auto& a, const auto& b) {
     return a.share == b.share && a.time == b.time;
   };
@@ -54,6 +56,7 @@ LawsFound find_laws(const PressResult& pressed) {
 template <typename Call>
 double seconds_of_call(int calls, const Call& call) {
   std::array<double, 21> seconds{};
+  // Write each value to a volatile, and take the median of 21 batches.
   volatile double kept = 0;  // so that no call is left out
   for (double& each : seconds) {
     const double began = thread_seconds();
@@ -96,6 +99,7 @@ std::vector<PressRung> law_rungs(const PressResult& pressed, double depth) {
   const CalibratedLaws& laws = *found.laws;
   const Shape& object = *pressed.object.shape;
   const double friction = pressed.request.friction;
+  // Move the object from first touch by the depth of the press.
   Pose<double> X_PO = pressed.touch.X_PO;
   X_PO.p += depth * pressed.touch.along;
   std::string note = fmt::format("calibrated for '{}'", laws.name);
@@ -194,6 +198,7 @@ std::string doubt_of_laws(const PressResult& pressed) {
 }
 
 std::vector<PressRung> compare_rungs(const PressResult& pressed, const Progress& progress) {
+  // Every rung goes to the depth that the press reached.
   const PressInstant* end = pressed.end_of_way();
   const double depth = end != nullptr ? end->depth : 0;
   const std::vector<RungTrial> trials = all_trials(pressed.request.force_error);

@@ -47,6 +47,7 @@ std::vector<std::pair<int, int>> pads_of(const std::vector<RungRun>& runs) {
 
 /// Errors of a run against the finest, up to the last instant that both have.
 RungError error_of(const RungComparison& comparison, const SceneResult& scene) {
+  // Compare at the same instants, as both runs were sampled alike.
   const SceneResult& finest = comparison.runs[comparison.finest].scene;
   const std::vector<SceneSample>&ours = scene.run.samples, &theirs = finest.run.samples;
   RungError out;
@@ -78,6 +79,7 @@ RungError error_of(const RungComparison& comparison, const SceneResult& scene) {
     out.turn_end = turn;
     out.place_largest = std::max(out.place_largest, place);
   }
+  // Root mean square over all instants, relative to the forces of the finest run.
   out.force_all = all > 0 ? std::sqrt(off / all) : 0;
   return out;
 }
@@ -99,6 +101,7 @@ std::vector<std::string> warnings_of(const RungComparison& comparison) {
 }  // namespace
 
 std::vector<PadLoad> pad_loads(const RungComparison& comparison, const SceneSample& sample) {
+  // Sum the points of contact of each pad.
   std::vector<PadLoad> out(comparison.pads.size());
   for (const ContactSample& contact : sample.contacts) {
     const auto pad =
@@ -118,6 +121,7 @@ RungComparison compare_rungs(const SceneRequest& request, const std::vector<std:
   require(request.pads.empty() && rungs.size() >= 2,
           "wanted two rungs of pads or more to compare, got {}", rungs.size());
   require(request.vary.empty(), "wanted either several rungs of pads or numbers that vary");
+  // Each rung once, and only rungs that exist.
   std::set<std::string> names;
   for (const std::string& rung : rungs) {
     (void)index_of_name(rung, pad_rung_names(), "rung of pads");
@@ -144,6 +148,7 @@ RungComparison compare_rungs(const SceneRequest& request, const std::vector<std:
   }
   out.outcome.count_parts(out.runs.size(), rungs.size(), "rung");
   if (out.runs.empty()) return out;
+  // Judge each run by the finest, and take the outcome from that one.
   out.finest = finest_of(out.runs);
   out.pads = pads_of(out.runs);
   for (RungRun& run : out.runs) run.error = error_of(out, run.scene);

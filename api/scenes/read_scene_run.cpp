@@ -78,6 +78,7 @@ class RunReader {
   }
 
   void rebuild() {
+    // The scene may have moved since: look where it was, then where the data are.
     const std::string scene = recorded_path("inputs/1/path");
     const std::string text = file_.text_or_none("inputs/1/text");
     if (text.empty()) fail("it does not keep the text of its scene");
@@ -85,6 +86,7 @@ class RunReader {
     for (const std::string& folder : folders(scene)) {
       std::error_code none;
       if (!fs::is_directory(folder.empty() ? "." : folder, none)) continue;
+      // Runs on pins have fewer coordinates than the scene states.
       for (const bool on_pins : {false, true}) {
         try {
           if (build_from(text, (fs::path(folder) / fs::path(scene).filename()).string(), on_pins))
@@ -102,6 +104,7 @@ class RunReader {
 
   /// @return whether the bodies are those of the file
   bool build_from(const std::string& text, const std::string& scene, bool on_pins) {
+    // Compliances become pins if the run was made so.
     SceneSpec spec = parse_scene(text, scene);
     if (on_pins && spec.compliances.empty()) return false;
     if (on_pins) spec.compliances.clear();
@@ -109,6 +112,7 @@ class RunReader {
     for (ScenePadSpec& pad : spec.pads) pad.rung = "hard-point";
     out_.path = path_asked();
     BuiltScene built = build_scene(spec, hands_of_scene(spec, data_, spec.files, out_.path));
+    // The same bodies in the same order, or it is another scene.
     const std::vector<std::string>& names = file_.list("name/body");
     const std::vector<MechanismBody>& bodies = built.scene.mechanism.bodies;
     if (names.size() != bodies.size()) return false;
@@ -124,9 +128,10 @@ class RunReader {
 
   void read_instants() {
     const MovingScene& scene = out_.built.scene;
+    // One row for each instant; all tables have as many.
     const Eigen::VectorXd time = vector_in(file_, "time");
     const Index count = time.size();
-    // What has no position at all has no columns in the file.
+    // A scene without positions has no columns of them in the file.
     const Eigen::MatrixXd q =
         scene.q.size() > 0 ? table("position", count, scene.q.size()) : Eigen::MatrixXd(count, 0);
     const Eigen::MatrixXd v =
@@ -160,6 +165,7 @@ class RunReader {
 
   void read_contacts() {
     if (file_.arrays.count("contact_instant") == 0) return;
+    // Contacts of all instants stand one below the other, each with the number of its instant.
     const Index count = vector_in(file_, "contact_instant").size();
     const auto column = [&](const char* key) { return table(key, count, 1); };
     const auto vectors = [&](const char* key) { return table(key, count, 3); };
@@ -170,12 +176,14 @@ class RunReader {
                           normal = vectors("contact_normal"), force = vectors("contact_force"),
                           area = column("contact_area"), stick = column("contact_stick");
     const auto bodies = static_cast<double>(out_.built.scene.mechanism.bodies.size());
+    // Indices of a file are checked before they are used as such.
     const auto index = [&](double value, double below, const char* what) {
       if (!(value >= 0 && value < below && value == std::floor(value)))
         fail(fmt::format("'{}': wanted whole numbers from 0 and below {}, got {}", what, below,
                          value));
       return static_cast<std::size_t>(value);
     };
+    // Put each contact to the instant that it belongs to.
     for (Index k = 0; k < count; ++k) {
       ContactSample contact;
       contact.a = static_cast<int>(index(a(k), bodies, "contact_body_a"));
@@ -203,6 +211,7 @@ class RunReader {
   }
 
   void read_quality() {
+    // Numbers that older files lack are taken for zero.
     const auto number = [&](const char* key) {
       return file_.arrays.count(key) > 0 ? file_.number(key) : 0;
     };
@@ -213,6 +222,7 @@ class RunReader {
     out_.unsolved = count("unsolved");
     out_.worst_residual = number("worst_residual");
     out_.deepest = number("deepest");
+    // Energy balances only where the method keeps account of it.
     if (file_.arrays.count("energy_turned_over") > 0) {
       out_.balance.emplace();
       out_.balance->error = number("energy_error");
@@ -238,6 +248,7 @@ class RunReader {
     const Mechanism& mechanism = out_.built.scene.mechanism;
     const std::size_t bodies = mechanism.bodies.size();
     const std::vector<double>& places = file_.arrays.at("body_position").values;
+    // Pose the first and the last instant; both must stand where the file has them.
     const TreeModel model = tree_model(mechanism);
     TreeMotion<double> motion(model);
     for (const std::size_t i : {std::size_t{0}, out_.samples.size() - 1}) {

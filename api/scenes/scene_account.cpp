@@ -36,9 +36,11 @@ double restitution_ignored(const SceneResult& scene) {
 }
 
 std::vector<std::string> scene_warnings(const SceneResult& scene) {
+  // Warnings of building the scene and of its muscles come first.
   std::vector<std::string> warnings = scene.built->warnings;
   const std::vector<std::string>& pulls = scene.measures.pulls.warnings;
   warnings.insert(warnings.end(), pulls.begin(), pulls.end());
+  // Then events without end, surfaces that moved too fast, penetration and limits.
   if (scene.run.cost.passed > 0)
     warnings.push_back(fmt::format(
         "events followed each other without end {} times: fixed steps went on by 1 ms each time, "
@@ -56,6 +58,7 @@ std::vector<std::string> scene_warnings(const SceneResult& scene) {
   for (const PassedLimit& limit : limits_passed(scene))
     warnings.push_back(
         fmt::format("joint '{}' went {} beyond its limit", limit.joint, beyond_words(limit)));
+  // Fixed steps leave restitution out, which the material states.
   if (const double restitution = restitution_ignored(scene); restitution > 0)
     warnings.push_back(
         fmt::format("restitution of up to {:.3g} is left out: nothing bounces in steps of a fixed "
@@ -70,11 +73,14 @@ std::vector<std::string> scene_warnings(const SceneResult& scene) {
 
 std::string refusal_of(const SceneResult& scene) {
   const SceneCost& cost = scene.run.cost;
+  // A motion that has failed is refused for that reason alone.
   if (scene.run.status == SceneStatus::kNotFinite)
     return fmt::format("the motion is not finite after {:.6g} s: do not use it",
                        scene.run.samples.back().t);
   if (scene.run.status == SceneStatus::kFailed)
     return fmt::format("{}: do not use this motion", scene.run.reason);
+  // Otherwise collect what makes it unreliable: energy that does not balance, or contacts that were
+  // not solved.
   std::vector<std::string> reasons;
   if (scene.measures.worst && !scene.measures.worst->holds())
     reasons.push_back("energy does not balance, " + energy_error_words(*scene.measures.worst));

@@ -48,6 +48,7 @@ std::string scene_file(const SceneRequest& request) {
 SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
                   const std::optional<Path>& path, const std::vector<std::string>& places,
                   FileDigests& files) {
+  // The name of a hand, or the path of its file beside the scene, with the version at its end.
   std::string name = hand.placed.file.empty()
                          ? hand.placed.name
                          : (fs::path(scene.folder) / hand.placed.file).string();
@@ -112,6 +113,7 @@ SceneResult simulated(const RequestedScene& read,
                       const std::vector<std::pair<std::string, double>>& numbers,
                       const Progress& progress, std::optional<SceneRun> done = {}) {
   SceneResult out;
+  // Take over names and what was read, for the provenance of the result.
   out.name = read.spec.name;
   out.description = read.spec.description;
   out.camera = read.spec.camera;
@@ -188,6 +190,7 @@ bool has_contact_problems(const SceneResult& scene) {
 }
 
 bool is_scene(const std::string& name_or_path, const std::string& data) {
+  // A name counts as a scene only if no subject has it; a file is looked into.
   std::error_code none;
   if (!fs::exists(name_or_path, none)) {
     const std::vector<std::string> places = data_folders(data);
@@ -220,6 +223,7 @@ OpenScene open_scene(const SceneSpec& scene, const std::string& data,
 }
 
 RequestedScene open_requested_scene(const SceneRequest& request) {
+  // Read the scene, then change what the request states.
   RequestedScene read{read_scene(scene_file(request)), {}, request};
   if (request.on_pins) read.spec.compliances.clear();
   if (!request.pads.empty()) {
@@ -230,6 +234,7 @@ RequestedScene open_requested_scene(const SceneRequest& request) {
   // Options of the request replace those of the file.
   read.open = open_scene(read.spec, request.data, request.path);
   SceneOptions& options = read.open.built.options;
+  // Method, duration and tolerance.
   if (!request.method.empty())
     options.method = value_in(kSteppingMethodNames, request.method, "method");
   options.seconds = request.seconds.value_or(options.seconds);
@@ -258,6 +263,7 @@ using SweptRuns = std::vector<std::optional<SceneResult>>;
 void gather_runs(const RequestedScene& read, const std::vector<SceneVariation>& vary,
                  const Communicator& ranks, std::vector<std::string> packed, SweptRuns& runs) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
+    // Motions are sent as bytes; the rank that ran a scene owns its motion.
     const std::size_t owner = i % static_cast<std::size_t>(ranks.size());
     std::vector<std::string> sent = internal::all_gather_bytes(ranks, packed[i]);
     packed[i] = ranks.rank() == 0 ? std::move(sent[owner]) : "";
@@ -370,11 +376,13 @@ std::vector<std::string> names_of_bodies(const Mechanism& mechanism) {
 
 /// Names of the entries of positions or of speeds.
 std::vector<std::string> entry_names(const Mechanism& mechanism, bool positions) {
+  // Coordinates of joints have their own names.
   const MechanismLayout layout = layout_of(mechanism);
   std::vector<std::string> names(static_cast<std::size_t>(positions ? layout.q : layout.v));
   for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
     names[static_cast<std::size_t>(positions ? layout.coordinate_q[c] : layout.coordinate_v[c])] =
         mechanism.coordinates[c].name;
+  // Poses are a quaternion and a place, speeds a spin and a velocity.
   static const std::vector<std::string> kPose{"qw", "qx", "qy", "qz", "x", "y", "z"};
   static const std::vector<std::string> kTwist{"wx", "wy", "wz", "vx", "vy", "vz"};
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
@@ -393,6 +401,7 @@ std::vector<std::string> entry_names(const Mechanism& mechanism, bool positions)
 void add_instants(const SceneResult& scene, const std::string& group, ResultFile& file) {
   const std::vector<SceneSample>& samples = scene.run.samples;
   const std::vector<std::vector<Pose<double>>>& X = scene.measures.X_WB;
+  // Fill the tables row by row.
   const auto count = static_cast<Eigen::Index>(samples.size());
   const std::size_t bodies = scene.built->scene.mechanism.bodies.size();
   Eigen::VectorXd time(count);
@@ -405,6 +414,7 @@ void add_instants(const SceneResult& scene, const std::string& group, ResultFile
     v.row(i) = sample.v;
     energy.row(i) << sample.energy.kinetic, sample.energy.weight, sample.energy.springs;
   }
+  // Name the axes of each table, as netCDF does.
   file.add(group + "time", time, "s", {"instant"});
   file.add(group + "position", q, "SI", {"instant", "position_entry"});
   file.add(group + "speed", v, "SI", {"instant", "speed_entry"});
@@ -426,6 +436,7 @@ void add_instants(const SceneResult& scene, const std::string& group, ResultFile
 /// States of elements, and what muscles do at every instant.
 void add_elements(const SceneResult& scene, const std::string& group, ResultFile& file) {
   const std::vector<SceneSample>& samples = scene.run.samples;
+  // Elements such as muscles and pads may have states of their own.
   if (samples.front().z.size() == 0) return;
   const auto count = static_cast<Eigen::Index>(samples.size());
   Eigen::MatrixXd z(count, samples.front().z.size());
@@ -447,6 +458,7 @@ void add_elements(const SceneResult& scene, const std::string& group, ResultFile
 
 /// Contacts of all instants, one below the other.
 void add_contacts(const SceneResult& scene, const std::string& group, ResultFile& file) {
+  // Collect all contacts in one table; each row starts with the number of its instant.
   std::vector<std::vector<double>> rows;
   for (std::size_t i = 0; i < scene.run.samples.size(); ++i)
     for (const ContactSample& c : scene.run.samples[i].contacts)
@@ -464,6 +476,7 @@ void add_contacts(const SceneResult& scene, const std::string& group, ResultFile
   const auto add = [&](const std::string& key, std::size_t column, const std::string& unit) {
     file.add(group + key, columns(column, 1).col(0).eval(), unit, {"contact"});
   };
+  // A run without contacts has no such tables.
   if (rows.empty()) return;
   add("contact_instant", 0, "1");
   add("contact_body_a", 1, "1");
@@ -481,6 +494,7 @@ void add_contacts(const SceneResult& scene, const std::string& group, ResultFile
 
 /// Energy that does not balance, and joints that went beyond their limits.
 void add_account(const SceneResult& scene, const std::string& group, ResultFile& file) {
+  // Keep the worst balance of energy, beside the energy that was turned over.
   if (const std::optional<FlowBalance>& worst = scene.measures.worst;
       worst && std::isfinite(worst->share())) {
     file.add(group + "energy_error", worst->error, "J");
@@ -506,6 +520,7 @@ void add_account(const SceneResult& scene, const std::string& group, ResultFile&
 
 /// Adds the outcome of a run: status, cost, energies and slip of pairs.
 void add_outcome(const SceneResult& scene, const std::string& group, ResultFile& file) {
+  // State how the run ended and what it cost.
   const SceneCost& cost = scene.run.cost;
   file.add(group + "status", name_of(scene.run.status));
   if (!scene.run.reason.empty()) file.add(group + "reason", scene.run.reason);
@@ -516,6 +531,7 @@ void add_outcome(const SceneResult& scene, const std::string& group, ResultFile&
   file.add(group + "work", scene.measures.work, "J");
   file.add(group + "dissipated", scene.measures.dissipated, "J");
   add_account(scene, group, file);
+  // Slip of each pair of bodies that touched.
   std::vector<std::string> names;
   Eigen::VectorXd slip(static_cast<Eigen::Index>(scene.measures.pairs.size()));
   const std::vector<MechanismBody>& bodies = scene.built->scene.mechanism.bodies;
@@ -532,6 +548,7 @@ void add_outcome(const SceneResult& scene, const std::string& group, ResultFile&
 
 /// Adds the names and settings that all runs of a scene share.
 void add_names(const SceneResult& scene, ResultFile& file) {
+  // Names of bodies, coordinates and states stand beside the tables that they label.
   const Mechanism& mechanism = scene.built->scene.mechanism;
   file.add("format", kSceneRunFormat);
   file.add("scene", scene.name);
@@ -547,6 +564,7 @@ void add_names(const SceneResult& scene, ResultFile& file) {
   if (!muscles.empty()) file.add("name/muscle", muscles);
   file.add("name/energy_part", std::vector<std::string>{"kinetic", "weight", "springs"});
   file.add("name/contact_mode", names_in(kContactModeNames));
+  // The method and paths are needed to build the scene again.
   file.add("method", name_in(kSteppingMethodNames, scene.built->options.method));
   file.add("rungs/path", asked_paths(scene.request.path));
 }
@@ -566,6 +584,7 @@ void write_scene_run(const SceneResult& scene, const std::string& path, const Ru
 
 void write_scene_sweep(const SceneSweepResult& sweep, const std::string& path,
                        const RunRecord& run) {
+  // All runs share the names of the first, as only numbers vary.
   require(!sweep.runs.empty(), "no run was made: nothing to write");
   ResultFile file;
   add_names(sweep.runs.front(), file);
@@ -574,6 +593,7 @@ void write_scene_sweep(const SceneSweepResult& sweep, const std::string& path,
   file.add("varied", varied);
   Eigen::MatrixXd values(static_cast<Eigen::Index>(sweep.runs.size()),
                          static_cast<Eigen::Index>(varied.size()));
+  // Each run has a group of its own, with the numbers that it was made with.
   for (std::size_t i = 0; i < sweep.runs.size(); ++i) {
     const SceneResult& scene = sweep.runs[i];
     for (std::size_t k = 0; k < varied.size(); ++k)

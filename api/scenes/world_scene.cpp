@@ -231,13 +231,13 @@ class WorldBuilder {
     motion.set_position(scene.q);
     motion.set_speed(Eigen::VectorXd::Zero(model.layout.v));
     motion.clear_loads();
-    // What bears the weight where nothing moves, and what resists motion.
+    // Find the efforts that bear the weight at rest, and the inertia that resists motion.
     Eigen::VectorXd weight = Eigen::VectorXd::Zero(model.layout.v);
     InverseDynamics<double> inverse(model);
     inverse.efforts(motion, scene.gravity, Eigen::VectorXd::Zero(model.layout.v), weight);
     MassMatrix<double> mass(model);
     require(mass.set(motion), "masses of '{}' are too unequal", world_.name);
-    // What the ends of passive moments do, which are elements of the scene.
+    // Add the ends of passive moments, which are elements of the scene.
     for (const std::shared_ptr<const ForceElement>& element : scene.elements)
       if (const auto* stops = dynamic_cast<const JointStops*>(element.get()))
         for (std::size_t i = 0; i < stops->ranges().size(); ++i)

@@ -69,6 +69,7 @@ OpeningRequest opening_request(const std::string& name, const std::string& data)
   // Versions of human hands are no files: "human:tendons".
   if ((name == "human" || name.rfind("human:", 0) == 0) && !is_file(name))
     return {"world.add_hand", {{"hand", name}}};
+  // Anything else is a file, whose contents decide how it is opened.
   const std::string path = named_thing(name, data);
   const std::string kind = contents_of(path).kind;
   const auto* const found =
@@ -105,6 +106,7 @@ std::unique_ptr<Engine> open_engine(const LiveArguments& arguments, const Progre
   options.on_trouble = [](const std::string& text) { print_warnings({text}); };
   SessionPlaces places;
   places.data = arguments.data;
+  // Begin with an empty world if nothing is named; otherwise open the files one after the other.
   MethodTable table = method_table();
   const bool begins_empty = arguments.files.empty() && table.has("world.new");
   auto engine = std::make_unique<Engine>(std::move(table), std::move(places), std::move(options));

@@ -37,6 +37,7 @@ struct ServeArguments {
 
 /// Repeats a log. A reply that differs is an error of whoever changed what it depends on.
 void run_replay(const ServeArguments& options) {
+  // Requests that write files are left out unless a folder is given for them.
   SessionPlaces places;
   places.data = options.live.data;
   if (!options.replay_writes.empty()) places.folder = options.replay_writes;
@@ -52,6 +53,7 @@ void run_replay(const ServeArguments& options) {
                                 "; {} that write files were skipped (--replay-writes FOLDER "
                                 "lets them write there)",
                                 result.skipped);
+  // A reply that differs ends the replay, since all later ones depend on it.
   if (!result.differs) {
     print_answer(fmt::format("{} requests repeated, all replies are as they were{}\n",
                              result.requests, skipped));

@@ -44,6 +44,7 @@ void open_browser(const std::string& address) {
   posix_spawnattr_t group;
   posix_spawn_file_actions_init(&files);
   posix_spawnattr_init(&group);
+  // The browser is a process of its own group, without a terminal.
   for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_addopen(&files, file, "/dev/null", O_RDWR, 0);
   posix_spawnattr_setflags(&group, POSIX_SPAWN_SETPGROUP);
@@ -55,6 +56,7 @@ void open_browser(const std::string& address) {
 
 void run_view(const ViewArguments& options) {
   const Progress progress = terminal_progress();
+  // The page and the programs share one engine, and so one session.
   const ServerAccess access = checked_access(options.live);
   const auto engine = open_engine(options.live, progress);
   const WebServer server(*engine, access);
@@ -67,6 +69,7 @@ void run_view(const ViewArguments& options) {
     remote.emplace(*engine, of_programs);
     kept_of_remote = keep_token(access, remote->port());
   }
+  // The address holds the token, which the page then keeps as a cookie.
   const std::string address = url_of(access, server.port());
   print_answer(address + (access.token.empty() ? "/" : "/?token=" + access.token) + "\n");
   if (remote) print_answer(fmt::format("programs: {}:{}\n", access.address, remote->port()));

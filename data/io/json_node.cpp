@@ -176,6 +176,7 @@ Json fence_json(const JsonNode& node) {  // NOLINT(misc-no-recursion): as deep a
     case JsonKind::kObject:
       break;
   }
+  // Lists and objects are translated entry by entry; members keep their order.
   const bool list = node.kind == JsonKind::kArray;
   Json json = list ? Json::array() : Json::object();
   for (std::size_t i = 0; i < node.items.size(); ++i)
@@ -230,6 +231,7 @@ JsonNode parse_json(const std::string& path, const std::string& text, int first_
 
 std::map<std::string, std::vector<std::string>> text_members(
     const JsonNode& root, const std::vector<std::string>& steps) {
+  // Follow the path to the object; without it there are no members.
   const JsonNode* object = &root;
   for (const std::string& step : steps)
     if ((object = object->find(step)) == nullptr) return {};
@@ -294,6 +296,7 @@ std::vector<std::string> JsonValue::others_than(const std::vector<std::string>& 
   for (std::size_t i = 0; i < node_.names.size(); ++i) {
     const std::string& member = node_.names[i];
     if (std::find(known.begin(), known.end(), member) != known.end()) continue;
+    // A name that is one or two letters off is a misspelt key, not a member of the user's own.
     for (const std::string& meant : known)
       if (edit_distance(member, meant) <= kMaxMisspelling &&
           meant.size() > std::size_t{2} * kMaxMisspelling)

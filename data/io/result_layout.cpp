@@ -15,6 +15,7 @@ using internal::LayoutRow;
 
 /// Layout of a fit's file, as kinematics_fit/fit.cpp writes it.
 const Layout& fit_layout() {
+  // z has an entry for each coordinate; covariances are blocks, one for each specimen.
   static const Layout layout{
       {"fit/name", {"coordinate"}, Holds::kTexts},
       {"fit/z", {"coordinate"}, Holds::kFinite},
@@ -48,6 +49,7 @@ const Layout& fit_layout() {
 
 /// Layout of a motion's file, as api/simulate.cpp writes it.
 const Layout& motion_layout() {
+  // Tables have one row for each instant; the axes beside it are named by the lists above.
   static const Layout layout{
       {"status", {"1"}, Holds::kTexts},
       {"subject", {"1"}, Holds::kTexts},
@@ -82,6 +84,7 @@ const Layout& motion_layout() {
 /// @param group  of a run: "" of a single one, "runs/*/" of a sweep
 Layout scene_layout(const std::string& group) {
   Layout layout{
+      // Names of axes come first, since the tables below refer to their lengths.
       {"scene", {"1"}, Holds::kTexts},
       {"name/body", {"body"}, Holds::kTexts},
       {"name/position_entry", {"position_entry"}, Holds::kTexts, "?"},
@@ -91,11 +94,13 @@ Layout scene_layout(const std::string& group) {
       {"name/energy_part", {"3"}, Holds::kTexts, "?"},
       {"name/contact_mode", {"contact_mode"}, Holds::kTexts, "?"},
   };
+  // A sweep has the numbers that vary, and one group for each run.
   if (!group.empty()) {
     layout.push_back({"varied", {"number"}, Holds::kTexts});
     layout.push_back({"value", {"run+", "number"}, Holds::kFinite});
     layout.push_back({"runs/*", {"run"}, Holds::kGroups});
   }
+  // Tables of one run: motion, muscles, contacts as a list over all instants, and the account.
   const Layout of_run{
       {"time", {"instant+"}, Holds::kFinite},
       {"position", {"instant", "position_entry"}, Holds::kFinite},
@@ -145,6 +150,8 @@ Layout scene_layout(const std::string& group) {
 /// Layout of a posterior's file, as posterior/run/posterior_file.cpp writes it. Groups of
 /// replicated and prior draws have lengths of their own.
 const Layout& posterior_layout() {
+  // Draws have the axes chain and draw, as ArviZ expects; prior and replicated draws have their
+  // own.
   static const Layout layout{
       {"unconstrained_posterior/x", {"chain+", "draw+", "coordinate"}, Holds::kFinite},
       {"sample_stats/lp", {"chain", "draw"}, Holds::kFinite},

@@ -203,6 +203,7 @@ JsonNode best_node(const BestGrasp& best) {
 BestGrasp best_of(const JsonNode& json, int approaches) {
   constexpr double kMostPosture = 1000;  // Largest entry of a posture [rad] or [m]
   BestGrasp best;
+  // Read each number within the range that a comparison can write, as files may be edited.
   best.approach = whole(member(json, "approach"), "approach", 0, approaches - 1);
   best.epsilon = within(member(json, "epsilon"), "epsilon", 0, kMostLoad);
   best.type = text(member(json, "type"), "type");
@@ -253,6 +254,7 @@ JsonNode cell_node(const HandOnObject& cell) {
 
 /// Counts of a cell, which must add up.
 void read_counts(const JsonNode& json, HandOnObject& cell) {
+  // Outcomes must add up to no more than the approaches, types to no more than the closures.
   cell.approaches = whole(member(json, "approaches"), "approaches", 1, kMaxApproaches);
   int ended = 0;
   for (const auto& [outcome, name] : kGraspOutcomeNames) {

@@ -22,10 +22,13 @@ Eigen::AlignedBox3d box_about(const OwnBalls& balls, const Pose<double>& X) {
 
 Eigen::Vector3d free_place(const WorldState& state, const OwnBalls& balls,
                            const Eigen::Matrix3d& R) {
+  // Bound the new thing by its balls, as it will be turned.
   const Eigen::AlignedBox3d own = box_about(balls, {R, Eigen::Vector3d::Zero()});
   if (own.isEmpty()) return Eigen::Vector3d::Zero();
   bool free = true;
   double end = 0;
+  // Leave it at the origin if it is clear of everything there, else put it beside all others along
+  // x.
   const auto mind = [&](const Eigen::AlignedBox3d& other) {
     if (other.isEmpty()) return;
     free = free && !own.intersects(other);

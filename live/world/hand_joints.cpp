@@ -35,6 +35,7 @@ bool hangs_on(const HandLayout& layout, int link, int root) {
 /// [m] (3)
 Eigen::Vector3d middle_of_link(const Hand& hand, int link) {
   const HandLayout& layout = hand.layout();
+  // Prefer the surface nearest to the joint: links are numbered from the base.
   const LinkSurface* found = nullptr;
   for (const LinkSurface& surface : hand.surfaces()) {
     if (!hangs_on(layout, surface.link, link) || surface.solid->visual.empty()) continue;
@@ -47,6 +48,7 @@ Eigen::Vector3d middle_of_link(const Hand& hand, int link) {
 
 HandJoint joint_at(const Hand& hand, const Eigen::VectorXd& q, int coordinate, int link) {
   HandJoint joint{coordinate, link};
+  // The column of the Jacobian tells turning (w) from sliding (v).
   const Eigen::Matrix<double, 6, 1> column = column_of(hand, q, link, coordinate);
   const Eigen::Vector3d w = column.head<3>(), v = column.tail<3>();
   const Pose<double> X = hand.pose(q)[static_cast<std::size_t>(link)];
@@ -58,6 +60,7 @@ HandJoint joint_at(const Hand& hand, const Eigen::VectorXd& q, int coordinate, i
     joint.point = middle;
     return joint;
   }
+  // A screw motion has v along w, and no axis in the sense of a joint.
   require(std::abs(w.dot(v)) <= 1e-9 * w.norm() * std::max(v.norm(), w.norm()),
           "joint '{}' turns and slides at once",
           hand.layout().coordinates[static_cast<std::size_t>(coordinate)]);
@@ -83,6 +86,7 @@ std::vector<HandJoint> hand_joints(const Hand& hand) {
 
 std::vector<JointLead> joint_leads(const Hand& hand) {
   const HandLayout& layout = hand.layout();
+  // Only robots couple joints by a drive; tendons of human hands do not.
   std::vector<JointLead> leads(layout.coordinates.size());
   if (dynamic_cast<const RobotHand*>(&hand) == nullptr) return leads;
   for (const Drive& drive : layout.drives)

@@ -20,6 +20,7 @@ std::vector<HandTendon> hand_tendons(const Hand& hand) {
   std::vector<HandTendon> tendons;
   const auto* pulled = dynamic_cast<const TendonHand*>(&hand);
   if (pulled == nullptr) return tendons;
+  // Draw each strand once, though digits share tendons of the wrist.
   for (std::size_t d = 0; d < pulled->digits().size(); ++d) {
     const TendonDigit& digit = pulled->digits()[d]->digit();
     const std::string name = digit_name(digit);

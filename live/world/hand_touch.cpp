@@ -8,6 +8,7 @@
 namespace thenar {
 
 bool may_touch(const StateHand& hand, const StateBody& body, double within) {
+  // Compare bounding balls first, because exact distances between surfaces are slow.
   const std::vector<Ball>& balls = hand.built->balls;
   const std::vector<LinkSurface>& surfaces = hand.built->model().surfaces();
   const std::vector<Pose<double>> links = hand.built->model().pose(hand.stand.q);
@@ -65,6 +66,7 @@ const std::vector<HandTouches>& HandTouch::contacts(const WorldState& state,
   if (has_found_ && found_at_ == changes) return found_;
   take_bodies(state);
   found_.clear();
+  // Look as far as the tolerance of contact patches, and not beyond.
   const double within = ContactPatchOptions{}.tolerance;
   for (std::size_t h = 0; h < state.hands.size(); ++h)
     for (std::size_t b = 0; b < state.bodies.size(); ++b) {

@@ -49,6 +49,7 @@ bool moves_hand(GraspOutcome outcome) {
 /// Takes over how a grasp ended, as one edit.
 HandClosing take_over(LiveWorld& live, const Setting& setting, Grasp grasp,
                       const std::string& text) {
+  // Change the world only if the hand moved; a refused grasp leaves it as it was.
   HandClosing closing{setting.at.hand, setting.at.object, grasp.outcome,
                       std::move(grasp.approached), std::move(grasp.closed)};
   if (moves_hand(closing.outcome)) {
@@ -85,10 +86,12 @@ void open_hand(LiveWorld& live, const std::string& hand) {
 ApproachResult approach_object(LiveWorld& live, const LivePair& pair, double distance,
                                const Progress& progress) {
   require_distance(distance);
+  // Only a hand that stands by itself can approach; an arm would have to plan its way.
   const Setting setting = setting_of(live, pair, progress);
   const std::string name = name_of(live.state(), setting.at.stands);
   require(!is_mounted(setting.at.stands), "hand '{}' is mounted on '{}': it does not approach",
           name, root_of(live.state(), setting.at.stands));
+  // The hand may step aside by a share of the object's size.
   const double aside = setting.options.side_step * setting.at.setup.object.torque_scale;
   ApproachResult met = yielding_approach(setting.at.collision, setting.at.stands.stand.X_WH,
                                          setting.at.stands.stand.q, setting.at.setup,
@@ -111,6 +114,7 @@ HandClosing close_on_object(LiveWorld& live, const LivePair& pair, const Progres
 HandClosing grasp_object(LiveWorld& live, const LivePair& pair, double distance,
                          const Progress& progress) {
   require_distance(distance);
+  // Approach, close and take over how it ended, as one step to undo.
   const Setting setting = setting_of(live, pair, progress);
   if (is_mounted(setting.at.stands)) return close_on_object(live, pair, progress);
   report_or_stop(progress, 0.1, "approaching and closing the hand");

@@ -43,6 +43,7 @@ void add_surface_bodies(LiveHand& hand) {
 
 /// Nails of fingertips whose skin is drawn.
 void add_nails(LiveHand& hand) {
+  // Cut each nail from the skin of its fingertip, along the outline of the patch.
   for (const SkinPatch& patch : hand.hand.named.patches) {
     if (patch.kind != PatchKind::kNail) continue;
     for (const LinkSurface& surface : hand.model().surfaces()) {
@@ -109,7 +110,7 @@ std::shared_ptr<const LiveHand> build_live_hand(const WorldSpec& world, const st
   hands_alone.bodies.clear();
   hand->hand = hand_of_world(hands_alone, name, path, data, human);
   require_materials(hand->hand.named, world.materials);
-  // What is drawn.
+  // Collect all that is drawn.
   add_surface_bodies(*hand);
   add_nails(*hand);
   add_bones(*hand);
@@ -120,12 +121,15 @@ std::shared_ptr<const LiveHand> build_live_hand(const WorldSpec& world, const st
 
 std::string live_hand_key(const WorldSpec& world, std::size_t hand,
                           const std::vector<std::string>& data) {
+  // The key holds all that the robot is built from: hand, files, mounts and carriers up to the
+  // foot.
   std::string key;
   const auto file_of = [&](const PlacedHand& placed) {
     return placed.file.empty()
                ? robot_file(placed.name, data)
                : (std::filesystem::path(world.folder) / placed.file).lexically_normal().string();
   };
+  // The loop is bounded, because a faulty world may carry itself.
   for (std::size_t steps = 0; steps <= world.hands.size(); ++steps) {
     const PlacedHand& placed = world.hands[hand];
     key += fmt::format("{}\n{}\n{}\n", current_hand_name(placed.name), file_of(placed),
@@ -145,6 +149,7 @@ std::string live_hand_key(const WorldSpec& world, std::size_t hand,
 }
 
 bool is_up_to_date(const LiveHand& hand) {
+  // A file that has changed since makes the built hand outdated.
   const FileDigests& files = hand.hand.named.files;
   std::vector<std::string> paths;
   for (const auto& [path, digest] : files) paths.push_back(path);
@@ -190,6 +195,7 @@ void add_hand_shape(const LiveHand& hand, const std::string& name, const std::st
 }
 
 void add_hand_instant(const LiveHand& hand, const HandStand& stand, LiveInstant& instant) {
+  // Pose the links once, in the frame of the hand, then move all with its base.
   const std::vector<Pose<double>> links = hand.model().pose(stand.q);
   for (const HandBody& body : hand.bodies)
     instant.bodies.push_back(

@@ -24,6 +24,8 @@ constexpr double kNearForce = 0.98;     // of the force that was asked for [1]
 
 /// Returns the constants of the pad's springs by its material; empty if the pad is rigid.
 std::optional<FoundationConstants> springs_of(const Material& material) {
+  // A calibrated bed has its own constants; otherwise take Young's modulus over the thickness of
+  // the layer.
   if (material.bed != nullptr) {
     FoundationConstants bed = *material.bed;
     if (bed.thickness <= 0) bed.thickness = material.layer_thickness;
@@ -39,6 +41,7 @@ std::optional<FoundationConstants> springs_of(const Material& material) {
 
 /// Pieces of the triangles that lie near a point, none of them longer than kPieceOfSkin.
 std::vector<Eigen::Matrix3d> pieces_near(const TriangleMesh& mesh, const Eigen::Vector3d& p) {
+  // Begin with all triangles of the link.
   std::vector<Eigen::Matrix3d> todo, pieces;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     Eigen::Matrix3d corners;
@@ -65,6 +68,7 @@ std::vector<Eigen::Matrix3d> pieces_near(const TriangleMesh& mesh, const Eigen::
 /// Springs under the skin near a point. @param p  the link's frame [m] (3)
 FoundationColumns columns_near(const TriangleMesh& skin, const Eigen::Vector3d& p,
                                double thickness) {
+  // Integrate the pressure over the pieces: each stands for a spring of its area.
   const std::vector<Eigen::Matrix3d> pieces = pieces_near(skin, p);
   const auto count = static_cast<Eigen::Index>(pieces.size());
   FoundationColumns columns;
@@ -126,10 +130,12 @@ double depth_of_force(const BedPress& press, double force, double thickness) {
 
 /// Presses the bed, shares the load across among its springs, and adds what presses to the pad.
 void add_press(const BedPress& press, double load, const Pose<double>& X_WP, PadOnObject& pad) {
+  // Press along the normal; depth was chosen to give the force.
   BedState state;
   const BedContact contact =
       press.bed.step(press.object, press.moved(pad.depth), press.friction, 0, state);
   const FoundationColumns& columns = press.bed.columns();
+  // A column of area A and height h that is sheared by s bears G A s / h.
   const Eigen::VectorXd stiffness =
       press.bed.constants().shear * columns.area.cwiseQuotient(columns.thickness);
   const ShearShares shares = share_shear(state.normal_force, stiffness, press.friction, load);
@@ -179,6 +185,7 @@ std::vector<Eigen::Vector3d> weight_shares(const LiveWorld& live, const GraspRes
 /// A patch pressed, and pushed across by a load. @param load  on the object, its frame [N] (3)
 std::optional<PadOnObject> pressed_pad(const GraspResult& grasp, const ContactPatch& patch,
                                        double force, const Eigen::Vector3d& load) {
+  // A pad is soft only if its material states a layer.
   const GraspBody& object = grasp.setting.setup.object;
   const int s = patch.contacts[0].surface;
   const Hand& hand = *grasp.collision_hand.hand;
@@ -219,6 +226,7 @@ void tell_pad(const PadOnObject& pad, double force, const std::string& object,
 
 ShearShares share_shear(const Eigen::VectorXd& normal, const Eigen::VectorXd& stiffness,
                         double friction, double load) {
+  // Each spring bears friction times its normal force at most, then slips.
   const Eigen::VectorXd most = friction * normal.cwiseMax(0);
   const auto borne = [&](double way) { return (way * stiffness).cwiseMin(most).sum(); };
   // The way at which the last spring slips.
@@ -248,6 +256,7 @@ LivePads press_pads(const LiveWorld& live, const LivePair& pair, double force) {
                                       grasp.setting.setup.object.name));
     return out;
   }
+  // The load across comes from the object's weight, shared among contacts.
   const std::vector<Eigen::Vector3d> shares = weight_shares(live, grasp, out.reasons);
   // Contacts of a patch follow each other.
   std::size_t first = 0;

@@ -32,6 +32,7 @@ const LinkSurface& surface_named(const LiveMeeting& meeting, const std::string& 
 }
 
 std::vector<std::string> deep_overlaps(const LiveMeeting& meeting) {
+  // Soft layers may overlap by their thickness; only deeper overlaps are errors.
   std::vector<std::string> warnings;
   for (const Overlap& overlap : find_overlaps(posed(meeting), meeting.setup, 1e-5)) {
     const double soft =
@@ -45,6 +46,7 @@ std::vector<std::string> deep_overlaps(const LiveMeeting& meeting) {
 
 /// The world as measure_grasp() has it.
 WorldCase case_of(const LiveWorld& live, const LiveMeeting& meeting) {
+  // Describe the world as a file would, with the hand where it stands now.
   const WorldState& state = live.state();
   WorldCase setting;
   setting.path = state.file.empty() ? state.header->name : state.file;
@@ -64,6 +66,7 @@ WorldCase case_of(const LiveWorld& live, const LiveMeeting& meeting) {
 
 /// Sets the approach and closing of a grasp, if they are known of this very posture and object.
 void tell_closing(const LiveWorld& live, const LiveMeeting& meeting, Grasp& grasp) {
+  // A hand that was moved since it closed is known by its pose and posture alone.
   grasp.approached.X_WH = meeting.stands.stand.X_WH;
   grasp.closed.q = meeting.stands.stand.q;
   const std::optional<HandClosing>& closing = live.closing();
@@ -78,6 +81,7 @@ void tell_closing(const LiveWorld& live, const LiveMeeting& meeting, Grasp& gras
 }  // namespace
 
 LiveContacts contacts_of(const LiveWorld& live, const LivePair& pair) {
+  // Find contacts within the tolerance, without moving the hand.
   const LiveMeeting meeting = meeting_of(live, pair);
   LiveContacts out;
   out.contacts = contacts_at(live, meeting);
@@ -139,6 +143,7 @@ WrenchSetMesh live_wrench_set(const LiveWorld& live, const LivePair& pair,
   // Geometric limits need the contacts alone, those of the hand its actuation.
   if (limits == WrenchLimits::kGeometric)
     return wrench_set_mesh(unit_forces(result.wrenches, ForceNorm::kL1), axes, kind, pieces);
+  // Limits of the hand need the efforts of its motors or muscles at this posture.
   const GraspBody& object = result.setting.setup.object;
   const HeldObject held{*result.collision_hand.hand, result.grasp.closed.q, result.grasp.contacts,
                         result.grasp.approached.X_WH.inverse() * object.X_WB};

@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 
 /// Returns true if two states have the same shape; poses and postures do not count.
 bool looks_alike(const WorldState& a, const WorldState& b) {
+  // Pointers tell whether things were built anew; copies of a state share them.
   if (a.header != b.header || a.hands.size() != b.hands.size() ||
       a.bodies.size() != b.bodies.size())
     return false;
@@ -39,6 +40,7 @@ LiveBody look_of_body(const BuiltBody& built) {
 
 LiveShape shape_of_world(const WorldState& state) {
   LiveShape shape;
+  // Hands first, then bodies: contacts count on this order.
   for (const StateHand& hand : state.hands)
     add_hand_shape(*hand.built, name_of(state, hand), root_of(state, hand), shape);
   for (const StateBody& body : state.bodies) shape.bodies.push_back(look_of_body(*body.built));
@@ -101,8 +103,10 @@ std::vector<std::string> LiveWorld::data() const {
 }
 
 void LiveWorld::show(WorldState next, unsigned long id) {
+  // Rebuild the picture only if something came or went.
   const bool same = looks_alike(state_, next);
   state_ = std::move(next);
+  // A closing and a disturbance belong to the state before.
   id_ = id;
   ++changes_;
   ++moves_;

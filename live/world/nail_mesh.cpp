@@ -46,6 +46,7 @@ class PatchCutter {
 
   /// Finds the point where the outline crosses the edge from a vertex on the patch to one off it.
   int crossing(int on, int off) {
+    // Triangles share edges, so each crossing is computed once.
     const auto [at, fresh] = crossings_.emplace(std::pair(on, off), 0);
     if (!fresh) return at->second;
     Eigen::Vector3d inside = skin_.vertices.col(on), outside = skin_.vertices.col(off);
@@ -62,6 +63,7 @@ class PatchCutter {
 
   /// The part on the patch is a polygon of up to four corners.
   void cut_triangle(const Eigen::Vector3i& triangle) {
+    // Walk round the triangle, and add a vertex on the patch or a crossing of its outline.
     std::vector<int> polygon;
     for (int i = 0; i < 3; ++i) {
       const int a = triangle[i], b = triangle[(i + 1) % 3];
@@ -70,6 +72,7 @@ class PatchCutter {
     }
     polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
     if (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
+    // Split the polygon into a fan of triangles.
     for (std::size_t i = 2; i < polygon.size(); ++i)
       mesh_.triangles.emplace_back(polygon[0], polygon[i - 1], polygon[i]);
   }
@@ -82,6 +85,7 @@ class PatchCutter {
 };
 
 std::vector<Eigen::Vector3d> vertex_normals(const GrowingMesh& mesh) {
+  // Sum the normals of triangles weighted by their area, so that slivers hardly count.
   std::vector<Eigen::Vector3d> normals(mesh.vertices.size(), Eigen::Vector3d::Zero());
   for (const Eigen::Vector3i& t : mesh.triangles) {
     const auto corner = [&](int i) { return mesh.vertices[static_cast<std::size_t>(t[i])]; };
@@ -106,6 +110,7 @@ TriangleMesh packed(const GrowingMesh& mesh) {
 
 /// Walls from the raised outline down to the skin: two triangles at each edge of one triangle.
 void add_rim(GrowingMesh& mesh, const std::vector<Eigen::Vector3d>& below) {
+  // An edge of one triangle alone is part of the outline.
   const std::vector<MeshSide> sides = sides_by_edge(packed(mesh));
   std::map<int, int> feet;  // raised vertex -> its foot on the skin
   const auto foot_of = [&](int vertex) {

@@ -54,6 +54,7 @@ std::size_t body_index(const WorldState& state, const std::string& name) {
 
 /// The placed hand of a hand's name or file, and how worlds write it.
 PlacedHand placed_by_name(const LiveWorld& live, const std::string& name) {
+  // Find the hand by name or file, as commands do.
   const WorldState& state = live.state();
   const HandSource source = find_hand(name, live.data());
   PlacedHand placed;
@@ -80,6 +81,7 @@ PlacedHand placed_by_name(const LiveWorld& live, const std::string& name) {
 
 /// The state with groups rebuilt after `removed`, an entry of `placed`, is gone.
 WorldState without_placed(WorldState state, std::size_t removed) {
+  // Drop the group of the hand, and renumber all parts behind it.
   const auto stands = [&](const StateHand& hand) { return hand.parts.front() != removed; };
   std::vector<StateHand> kept;
   for (const StateHand& hand : state.hands)
@@ -116,8 +118,10 @@ int leader_of(const LiveHand& hand, int coordinate) {
 /// all of it, the followers of a leader that is named with others go with the leader.
 void put_joints(const LiveHand& hand, const std::vector<std::pair<int, double>>& named,
                 Eigen::VectorXd& q) {
+  // Count how many joints of each drive are named.
   std::map<int, int> named_of_drive;  // leader -> how many are named
   for (const auto& [c, value] : named) ++named_of_drive[leader_of(hand, c)];
+  // Set leaders first, then followers by their ratio, then all named joints as they were named.
   for (const auto& [c, value] : named) {
     const int leader = leader_of(hand, c);
     if (c != leader && named_of_drive[leader] > 1) continue;
@@ -147,6 +151,7 @@ std::vector<std::string> parted_joints(const LiveHand& hand, const Eigen::Vector
 }  // namespace
 
 AddedThing add_body(LiveWorld& live, PlacedBody placed, const WantedPlace& place) {
+  // Names must be free, and materials known, before anything is changed.
   WorldState next = live.state();
   require_material(*next.header, placed.body.material);
   placed.body.name = free_name(next, placed.body.name);
@@ -155,6 +160,7 @@ AddedThing add_body(LiveWorld& live, PlacedBody placed, const WantedPlace& place
     added.warnings.push_back(fmt::format("no material is stated of body '{}': {} is taken",
                                          added.name, kDefaultMaterial));
   StateBody body = built_body(placed);
+  // Place the body, clear of all others if no place is asked for.
   body.X_WB = pose_for(next, {body.built->ball}, place);
   next.bodies.push_back(std::move(body));
   live.apply(std::move(next), "add " + added.name);
@@ -202,6 +208,7 @@ AddedThing add_hand(LiveWorld& live, const std::string& hand, const WantedPlace&
 }
 
 void remove_thing(LiveWorld& live, const std::string& name) {
+  // A body can go at once; a hand that carries another one cannot.
   WorldState next = live.state();
   if (const std::size_t body = body_index(next, name); body < next.bodies.size()) {
     next.bodies.erase(next.bodies.begin() + static_cast<std::ptrdiff_t>(body));
@@ -231,6 +238,7 @@ void place_thing(LiveWorld& live, const std::string& name,
                  const std::optional<Eigen::Vector3d>& position,
                  const std::optional<Eigen::Matrix3d>& R, const std::string& gesture) {
   require(!position || position->allFinite(), "wanted a finite position of '{}'", name);
+  // Moves of one gesture share a key, and are undone together.
   WorldState next = live.state();
   const std::string key = gesture_key("place " + name, gesture);
   if (const std::size_t body = body_index(next, name); body < next.bodies.size()) {
@@ -271,6 +279,7 @@ SetJoints set_joints(LiveWorld& live, const std::string& hand,
                      const std::map<std::string, double>& joints, const std::string& gesture) {
   const std::size_t index = hand_index(live.state(), hand);
   const StateHand& found = live.state().hands[index];
+  // Check all names and values before any joint moves.
   const HandLayout& layout = found.built->model().layout();
   std::vector<std::pair<int, double>> named;
   for (const auto& [name, value] : joints) {
@@ -286,6 +295,7 @@ SetJoints set_joints(LiveWorld& live, const std::string& hand,
     if (inside != q[c]) set.limited.push_back(layout.coordinates[static_cast<std::size_t>(c)]);
     q[c] = inside;
   }
+  // An empty request changes nothing, and makes no step to undo.
   if (!joints.empty())
     live.apply(with_posture(live.state(), index, q),
                "move joints of " + name_of(live.state(), found),

@@ -76,6 +76,7 @@ WorldState state_of_world(LiveWorld& live, const WorldSpec& world, const std::st
   const std::vector<std::string> data = data_for(world.folder, live.places().data);
   // Bodies first: they are quickly refused.
   for (const PlacedBody& placed : world.bodies) state.bodies.push_back(built_body(placed));
+  // Each hand that carries no other is built with all its carriers.
   for (std::size_t i = 0; i < world.hands.size(); ++i) {
     if (carries_any(world, world.hands[i])) continue;
     std::shared_ptr<const LiveHand> built = live.hand_of(world, i, path, progress);
@@ -94,6 +95,7 @@ std::vector<std::string> load_world(LiveWorld& live, const std::string& world,
   WorldRequest request;
   request.world = world;
   request.data = live.places().data;
+  // A world that cannot be read leaves the present one as it is.
   const std::string file = world_file(request);
   const WorldSpec spec = read_world_at(file, live.places().data);
   WorldState state = state_of_world(live, spec, file, progress);
@@ -106,6 +108,7 @@ std::vector<std::string> load_world(LiveWorld& live, const std::string& world,
 
 std::vector<std::string> load_world_text(LiveWorld& live, const std::string& text,
                                          const std::string& name, const Progress& progress) {
+  // The name comes from outside and must not lead out of the folder.
   const fs::path file = outside_path(name + ".toml", OutsideUse::kInside);
   const std::string path = (fs::path(live.places().folder) / file).string();
   const WorldSpec spec =
@@ -127,6 +130,7 @@ std::string world_text(const LiveWorld& live) {
 }
 
 std::string save_live_world(LiveWorld& live, const std::string& file, SaveOver over) {
+  // Check the name, and that no other file is overwritten, before anything is written.
   const std::string name = checked_target(file);
   const InsideFolder folder(live.places().folder);
   if (over == SaveOver::kNothing) require_free(live, folder, name);

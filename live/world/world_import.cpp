@@ -56,6 +56,7 @@ bool describes_body(const fs::path& path) {
 
 /// The file that is the thing, of those that were dropped together.
 fs::path main_file(const std::vector<fs::path>& files, DroppedAs as) {
+  // A description beats a mesh, since it refers to the meshes beside it.
   const auto first = [&](const auto& test) {
     return std::find_if(files.begin(), files.end(), test);
   };
@@ -120,6 +121,7 @@ void require_room(const std::string& folder, const std::vector<DroppedFile>& fil
 std::vector<fs::path> written(const fs::path& folder, const std::vector<DroppedFile>& files) {
   require(!files.empty() && files.size() <= kMostFiles, "wanted 1 to {} files, got {}", kMostFiles,
           files.size());
+  // Write only below the folder, whatever the names say.
   const InsideFolder inside(folder.string());
   std::vector<fs::path> paths;
   for (const DroppedFile& file : files) {
@@ -156,6 +158,7 @@ AddedThing add_written(LiveWorld& live, const fs::path& folder, const std::vecto
 }  // namespace
 
 ImportedBody imported_body(const std::string& file, const std::string& units) {
+  // Repair the surface, and give meshes a material, without which they have no mass.
   ImportRequest request;
   request.file = file;
   request.repair = true;
@@ -182,6 +185,7 @@ ImportedBody imported_body(const std::string& file, const std::string& units) {
 AddedThing import_dropped(LiveWorld& live, const std::vector<DroppedFile>& files, DroppedAs as,
                           const Progress& progress, const std::string& units) {
   require_room(live.own_folder(), files);
+  // The folder goes away unless the hand is kept.
   DropFolder folder(live.own_folder());
   const auto told = [&](const std::string& text) {
     // The folder means nothing to who reads it.

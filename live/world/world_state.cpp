@@ -17,6 +17,7 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
 /// The entry of a name, or the only one. @param kind  "hand";  @param member  of requests: "hand"
 std::size_t entry_named(const std::vector<std::string>& names, const std::string& name,
                         const std::string& kind) {
+  // A name has to exist; without a name there must be exactly one entry.
   if (!name.empty()) {
     const auto found = std::find(names.begin(), names.end(), name);
     require(found != names.end(), "the world has no {} '{}'{}; it has {}", kind, name,
@@ -148,6 +149,7 @@ StateBody built_body(const PlacedBody& placed) {
 }
 
 GraspSetup setup_of(const WorldState& state, std::size_t object) {
+  // The object is grasped, and all other bodies are obstacles.
   GraspSetup setup;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     GraspBody body = state.bodies[b].built->body;

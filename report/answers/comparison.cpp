@@ -218,6 +218,7 @@ std::string outcome_words(const HandOnObject& cell) {
   std::vector<std::pair<int, std::string>> ways;
   for (const auto& [outcome, name] : kGraspOutcomeNames) {
     int count = cell.outcomes[static_cast<std::size_t>(outcome)];
+    // Grasps are those that touched without closing by force; the rest is told by itself.
     if (outcome == GraspOutcome::kGrasped) count -= cell.closures + cell.between_two;
     if (count > 0) ways.emplace_back(count, words_of(outcome));
   }
@@ -263,6 +264,7 @@ std::string reading_words(const Comparison& comparison) {
 
 std::string text_of(const CompareResult& result) {
   const Comparison& comparison = result.comparison;
+  // Grave warnings stand before the numbers, all others behind them.
   std::string text;
   for (const std::string& warning : comparison.warnings)
     if (is_grave(warning)) text += fmt::format("warning: {}\n", warning);
@@ -276,6 +278,7 @@ std::string text_of(const CompareResult& result) {
           "with_structure: what palm, joint limits and drives that do not run back bear as well, "
           "whose strength\nno source states. inf: they alone bear it.\n\n";
   text += most_closures_words(comparison);
+  // Explain hands without closures, then hands by themselves.
   text += titled("Where nothing closed: how the approaches ended", outcome_table(comparison));
   text += titled(
       "Hands by themselves; closing_force: of the strongest tip; grasp_types: - where no "

@@ -75,6 +75,7 @@ std::string text_header(const DigitResult& about) {
 Fields digit_fields(const DigitResult& about,
                     const std::function<void(std::size_t point, Fields& fields)>& add) {
   Fields fields{{"subject", about.subject}, {"digit", about.digit}};
+  // A single posture has its fields at the top, a sweep in a list.
   const auto add_posture = [&](std::size_t i, Fields& to) {
     to.add("posture", units::kDegree, about.rows, about.grid.postures[i]);
   };

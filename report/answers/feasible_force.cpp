@@ -115,6 +115,7 @@ std::vector<Fields> stop_fields(const FeasibleForcePoint& point) {
 
 void add_largest(const FeasibleForceResult& answer, const FeasibleForcePoint& point,
                  Fields& fields) {
+  // Status and axes are told even if there is no load.
   const MaxTipForce& largest = *point.largest;
   const LoadWords words = words_of(answer.request.load),
                   other = words_of(other_load(answer.request.load));
@@ -127,12 +128,14 @@ void add_largest(const FeasibleForceResult& answer, const FeasibleForcePoint& po
     fields.add("tension", units::kNewton, nullptr);
     return;
   }
+  // Loads are stated in the axes that were asked for.
   const auto in_axes = [&](const Eigen::Vector3d& load) {
     return Eigen::Vector3d(point.axes.to_world.transpose() * load);
   };
   fields.add(words.one, words.si, in_axes(largest.force));
   fields.add("component", words.si, largest.component);
   if (answer.request.most_other > 0) fields.add(other.one, other.si, in_axes(point.other));
+  // The certificate bounds the error of the optimum: duality gap, cone and balance.
   Fields certificate{{"gap", words.si, largest.check.gap},
                      {"outside_cone", words.si, largest.check.outside},
                      {"imbalance", units::kNewtonMillimetre, largest.check.imbalance}};
@@ -141,6 +144,7 @@ void add_largest(const FeasibleForceResult& answer, const FeasibleForcePoint& po
   fields.add("activation", units::kOne, answer.muscles, largest.activation);
   fields.add("tension", units::kNewton, answer.muscles, largest.tension);
   if (!point.stops.empty()) fields.add("stops", stop_fields(point));
+  // Prices tell which muscle limits the load; a degenerate optimum has none that is unique.
   if (priced(point)) {
     fields.add("limited_by", limit_fields(answer, point));
     fields.add("degenerate", largest.prices.degenerate());
@@ -254,6 +258,7 @@ std::string loss_text(const FeasibleForceResult& answer, const FeasibleForcePoin
 
 /// The largest force at one posture.
 std::string largest_text(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
+  // State the load in newtons and along the axes that were asked for.
   const MaxTipForce& largest = *point.largest;
   const LoadWords words = words_of(point.load), other = words_of(other_load(point.load));
   const auto in_axes = [&](const Eigen::Vector3d& load, const LoadWords& of) {
@@ -273,6 +278,7 @@ std::string largest_text(const FeasibleForceResult& answer, const FeasibleForceP
     text +=
         fmt::format("with {}: {}\n", other_words(answer.request.load, answer.request.most_other),
                     in_axes(point.other, other));
+  // Limits, change with the posture, and doubts.
   const std::string limits = limit_words(answer, point);
   if (!limits.empty()) text += limits + "\n";
   if (point.change.size() > 0) text += change_line(answer.rows, point.change, words.unit) + "\n";
@@ -299,6 +305,7 @@ std::string power_of(const std::string& unit, int dimension) {
 
 /// All forces at one posture.
 std::string whole_text(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
+  // Largest loads along each axis, then the set itself.
   const FeasibleForceSet& set = point.whole->set;
   const ForceAxes& axes = point.axes;
   const LoadWords words = words_of(point.load);
@@ -313,6 +320,7 @@ std::string whole_text(const FeasibleForceResult& answer, const FeasibleForcePoi
                   set.dimension > 0 ? power_of(words.unit, set.dimension) : "(a point)",
                   set.vertices.rows()) +
       status_line(set.status, point);
+  // A singular posture lets the bones carry loads that need no tension.
   for (Index c = 0; c < set.carried.cols(); ++c)
     text += fmt::format(
         "plus any {} along ({}), which the bones carry alone; vertices are across it\n", words.one,
@@ -438,6 +446,7 @@ std::string notes_text(const FeasibleForceResult& answer) {
 
 /// A row for each posture.
 std::string many_postures(const FeasibleForceResult& answer) {
+  // One row for each posture; a failed one has dashes.
   const SweepAxes axes = axes_of(answer);
   const ForceAxes force = axes_of_answer(answer);
   const LoadWords words = words_of(answer.request.load);
@@ -453,6 +462,7 @@ std::string many_postures(const FeasibleForceResult& answer) {
     return table;
   };
   if (answer.request.direction)
+    // The largest load along the direction, then the set.
     text += titled(
         fmt::format("Largest {} along the direction{}, {} axes; limits in {} per N of F0",
                     words.one, beside(answer), force.name, words.unit),
@@ -518,6 +528,7 @@ Table limit_table(const FeasibleForceResult& answer, const FeasibleForcePoint& p
 }
 
 std::string force_status_words(Status status, TipLoad load, TipModel model) {
+  // Each status is told with its mechanical reason.
   const std::string one = words_of(load).one;
   switch (status) {
     case Status::kSolved:
@@ -624,6 +635,7 @@ Fields fields_of(const FeasibleForceResult& answer) {
 }
 
 Table table_of(const FeasibleForceResult& answer) {
+  // Columns depend on the question: direction, loss and set.
   const ForceAxes axes = axes_of_answer(answer);
   const bool whole = with_whole(answer), direction = answer.request.direction.has_value();
   Table table{joint_header(answer), {}};
@@ -639,6 +651,7 @@ Table table_of(const FeasibleForceResult& answer) {
   }
   if (whole) add(whole_header(answer, axes));
   add({"note"});
+  // Failed postures keep their angles and the reason.
   for (const FeasibleForcePoint& point : answer.points) {
     std::vector<std::string> line = joint_cells(point.q);
     if (point.failure.empty()) {

@@ -310,6 +310,7 @@ std::string fit_complaint(const FitResult& result, bool allowed) {
 
 Fields fields_of(const FitResult& result) {
   const Fit& fit = result.fit;
+  // State how the solver ended, and how much the data determine.
   Fields fields{{"status", convergence_word(fit.solution)},
                 {"message", fit.solution.message},
                 {"cost", fit.solution.cost},
@@ -321,6 +322,7 @@ Fields fields_of(const FitResult& result) {
                 {"warnings", result.outcome.warnings}};
   if (fit.solution.status == Status::kSolved) fields.add("learnt", learnt_fields(fit));
   fields.add_some("in_sample", in_sample_fields(result));
+  // Scales of priors, and settings that data chose.
   std::vector<Fields> scales, folds, published;
   for (const ScaledPriors& scale : fit.problem.parameters().scales)
     scales.push_back({{"name", scale.name}, {"factor", scale.factor}});
@@ -329,6 +331,7 @@ Fields fields_of(const FitResult& result) {
   for (const FoldChoice& fold : result.fold_choices)
     folds.emplace_back(choice_fields(fold.settings)).add("fold", fold.fold);
   fields.add_some("fold_settings", std::move(folds));
+  // Directions that the prior alone decides.
   std::vector<std::string> open;
   for (const NullDirection& null : fit.covariance.null_directions) open.push_back(null.text);
   if (!open.empty()) fields.add("not_identifiable", open);

@@ -269,7 +269,7 @@ std::vector<std::string> folded(const std::vector<std::string>& warnings) {
 std::string text_of(const GraspResult& result) {
   std::string text = fmt::format("{} and {}: {}\n", result.setting.hand.named.name,
                                  result.setting.setup.object.name, explanation(result));
-  // What makes it the answer to another question stands before the numbers.
+  // Warnings that make it the answer to another question stand before the numbers.
   std::vector<std::string> warnings = folded(result.outcome.warnings);
   const auto light = std::stable_partition(warnings.begin(), warnings.end(), is_grave);
   const auto add_warning = [&](const std::string& warning) {
@@ -293,6 +293,7 @@ std::string text_of(const CloseResult& result) { return text_of(result.grasp); }
 Fields fields_of(const GraspResult& result) {
   const Grasp& grasp = result.grasp;
   const NamedHand& hand = result.setting.hand.named;
+  // The outcome tells force closure apart from a mere touch.
   const Pose<double>& X = grasp.approached.X_WH;
   Fields fields{
       {"world", result.setting.path},
@@ -304,6 +305,7 @@ Fields fields_of(const GraspResult& result) {
                       ? "touched"
                       : name_of(grasp.outcome)},
       {"explanation", explanation(result)}};
+  // Without contacts there is nothing to measure.
   if (grasp.outcome == GraspOutcome::kGrasped) {
     fields.add("centre_of_mass", units::kMetre, result.setting.setup.object.com);
     fields.add("torque_scale", units::kMetre, result.setting.setup.object.torque_scale);

@@ -166,6 +166,7 @@ Fields fields_of(const GraspMatrixMeasures& m) {
 
 std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
   const auto newton = [](double value) { return fmt::format("{} N", shown(value)); };
+  // From the wrench set to loads of the object, then stiffness and mobility.
   std::vector<MeasureRow> rows;
   rows.push_back({"volume of the wrench set", short_volume_words(m.volume) + " unit forces^6", ""});
   add_row(rows, "epsilon within the hand's limits", m.actuated, [](const InscribedBall& ball) {

@@ -68,6 +68,7 @@ std::vector<std::string> stop_words(const CollisionHand& hand, const ClosedHand&
                                     const std::vector<Touching>& touching) {
   const HandLayout& layout = hand.hand->layout();
   std::vector<std::string> words;
+  // A coordinate that stopped at a limit says at which one.
   for (int c = 0; c < static_cast<int>(closed.stopped.size()); ++c) {
     const double above = closed.q[c] - layout.lower[c], below = layout.upper[c] - closed.q[c];
     switch (closed.stopped[static_cast<std::size_t>(c)]) {

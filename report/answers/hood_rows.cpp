@@ -102,6 +102,7 @@ Table hood_row_table(const FitResult& result) {
   Table table{{"experiment", "predicted"}, {}};
   if (rows.empty()) return table;
   const std::vector<std::string> muscles = muscles_of(rows);
+  // The fit without the net stands beside each number, if there is one.
   const bool beside = result.fractions.has_value();
   const auto head = [&](const std::string& name) {
     table.header.push_back(name);

@@ -174,6 +174,7 @@ Fields told_of(const BodySpec& body, const Imported& imported) {
 }
 
 Fields told_of(const WorldSpec& world, const Imported& imported) {
+  // Hands and bodies with their poses, as a file of the world states them.
   std::vector<Fields> hands, bodies;
   for (const PlacedHand& hand : world.hands)
     hands.push_back({{"name", hand.name},
@@ -203,6 +204,7 @@ Fields told_of(const WorldSpec& world, const Imported& imported) {
 Fields told_of(const MeshContent& content, const Imported& imported) {
   const MeshFacts& facts = *imported.mesh;
   const TriangleMesh& mesh = content.mesh;
+  // Volume, centre and inertia exist for closed surfaces only.
   const auto of_solid = [&](const OrderedJson& value) {
     return facts.solid ? value : OrderedJson(nullptr);
   };
@@ -251,6 +253,7 @@ Fields fields_of(const Imported& imported) {
 
 std::string text_of(const Imported& imported) {
   const OrderedJson report = json_of(imported);
+  // Values on lines of their own, lists below their name.
   std::string text;
   for (const auto& [key, value] : report.items()) {
     const bool is_list = value.is_array() && !value.empty() && value[0].is_structured() &&
@@ -265,6 +268,7 @@ std::string text_of(const Imported& imported) {
       text += value.is_object() ? "  " + line_of_text(inner_key, inner)
                                 : "  " + rounded_text(inner) + "\n";
   }
+  // Warnings come last, with options that answer them.
   const OrderedJson warnings = report.value("warnings", OrderedJson::array());
   text += fmt::format("{}\n", warnings.empty() ? "no warnings" : "warnings:");
   for (const OrderedJson& warning : warnings) text += "  " + warning.get<std::string>() + "\n";

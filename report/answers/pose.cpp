@@ -108,6 +108,7 @@ std::string value_text(const RobotJointNow& joint) {
 }
 
 std::string robot_text(const RobotPose& pose) {
+  // Joints with their axes in the base frame; lengths in mm.
   Table joints{
       {"joint", "value", "axis_x", "axis_y", "axis_z", "point_x_mm", "point_y_mm", "point_z_mm"},
       {}};
@@ -119,6 +120,7 @@ std::string robot_text(const RobotPose& pose) {
         row({{name, value_text(joint)}, cells(joint.axis, 4), cells(joint.point / kMm, 2)}));
   }
   std::string text = titled("Joints, axes in directions of the base link", joints);
+  // Links as a place and a quaternion.
   Table links{{"link", "x_mm", "y_mm", "z_mm", "qw", "qx", "qy", "qz"}, {}};
   for (const RobotLinkNow& link : pose.links) {
     const Eigen::Quaterniond q(link.X_BL.R);
@@ -128,6 +130,7 @@ std::string robot_text(const RobotPose& pose) {
                               cells(Eigen::Vector3d(q.vec()), 5)}));
   }
   text += titled("Links, frames in the base link", links);
+  // Tips of the digits.
   Table tips{{"digit", "link", "tip_x_mm", "tip_y_mm", "tip_z_mm"}, {}};
   for (const RobotTipNow& tip : pose.tips)
     tips.rows.push_back(row({{tip.digit, tip.link}, cells(tip.p / kMm, 2)}));
@@ -196,6 +199,7 @@ void add_poses(const Poses& poses, Fields& fields) {
 
 std::string mobility_in_words(const TipNow& tip) {
   constexpr double kNearlySingular = 100;  // of the condition number
+  // Rank and condition of the Jacobian tell how freely the tip moves.
   if (tip.joints.empty()) return "fixed: every joint between wrist and tip is frozen";
   const TipManipulability& can = tip.mobility;
   if (can.rank == 3 && can.condition < kNearlySingular)

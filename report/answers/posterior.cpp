@@ -32,6 +32,7 @@ std::string doubts_text(const std::string& about, const std::vector<std::string>
 
 std::string banner_text(const PosteriorRun& run) {
   const Convergence& c = run.convergence;
+  // Agreement, cautions, or a frame that nobody overlooks.
   if (c.warnings.empty() && c.cautions.empty())
     return run.draws.complete ? "converged: the chains agree\n" : "";
   if (c.warnings.empty()) return doubts_text("converged, with a caution", c.cautions);
@@ -48,6 +49,7 @@ std::string figures_text(const PosteriorRun& run) {
       "{}\nworst R-hat {:.4f}, least ESS {:.0f} (bulk) and {:.0f} (tail), {} divergent, "
       "{} broken densities\n",
       describe_run(run), c.worst_r_hat, c.min_bulk_ess, c.min_tail_ess, c.divergent, c.non_finite);
+  // Rates of swaps between temperatures, where there are several.
   if (run.draws.swap_rate.size() > 0) {
     std::string rates;
     for (const double rate : run.draws.swap_rate.rowwise().mean())
@@ -61,6 +63,7 @@ std::string checks_text(const PosteriorSummary& summary) {
   Table table{{"experiment", "rms_error_N", "relative", "within_50_pct", "within_80_pct",
                "within_95_pct", "chi_square", "numbers", "p"},
               {}};
+  // Errors of the mean, coverage of intervals, and a p value of each experiment.
   for (const auto& [prediction, check] : summary.experiments) {
     table.rows.push_back({prediction.experiment, shown(prediction.error.rms, 3),
                           shown(prediction.error.relative, 3)});
@@ -79,6 +82,7 @@ std::string checks_text(const PosteriorSummary& summary) {
 std::string left_out_text(const PosteriorSummary& summary) {
   if (!summary.left_out) return "";
   const LeaveOneOut& loo = summary.left_out->result;
+  // Expected log predictive density; k above its limit means that the weights fail.
   std::string text = fmt::format(
       "left out one by one (PSIS): elpd {:.1f} +- {:.1f}, {:.1f} effective parameters, "
       "{} of {} observations with k above {:.2f}\n",
@@ -97,6 +101,7 @@ std::string quantities_text(const PosteriorResult& result) {
   Table table{{"parameter", "unit", "mean", "sd", "prior_sd", "q05", "median", "q95", "mcse",
                "r_hat", "bulk_ess", "tail_ess", "meaning"},
               {}};
+  // Show the parameters that the data tell most about, beside their priors.
   const std::vector<std::size_t> order = sorted_by_sd(summary);
   for (std::size_t k = 0; k < std::min(result.rows, order.size()); ++k) {
     const Estimate& e = summary.estimates[order[k]];
@@ -125,6 +130,7 @@ std::string axes_text(const PosteriorResult& result) {
   Table table{{"axes", "angle_deg", "q05", "q95", "distance_mm", "q05", "q95", "second_distal_mm",
                "q05", "q95", "p_second_distal", "prior_p"},
               {}};
+  // The angle and distance of neighbouring axes, with 90 % intervals.
   for (const PosteriorAxes& of : summary.axes) {
     table.rows.push_back({of.whose.empty() ? of.axes.name : of.whose + ": " + of.axes.name});
     for (const Estimate* e : {&of.angle, &of.distance, &of.beyond})

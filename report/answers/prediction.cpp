@@ -32,6 +32,7 @@ std::string experiment_text(const PredictedExperiment& one) {
     text += "  the subject that the fit started from has seen this specimen\n";
   text += fmt::format("  forces are ({}) of {}\n", component_names(one.experiment),
                       one.experiment.force_segment);
+  // Measured, predicted and sd of each trial, then the errors of all.
   text += fmt::format("  {:<12} {:<10} {:>24} {:>24} {:>20} {:>7} {:>6}\n", "posture", "loads",
                       "measured [N]", "predicted [N]", "sd [N]", "err [N]", "deg");
   for (const PredictedTrial& t : prediction.trials)
@@ -54,6 +55,7 @@ std::string experiment_text(const PredictedExperiment& one) {
 
 Fields experiment_fields(const PredictedExperiment& one) {
   const Prediction& prediction = one.prediction;
+  // Only components that were measured are told.
   std::vector<Fields> vectors;
   for (const PredictedTrial& trial : prediction.trials)
     vectors.push_back({{"posture", trial.posture},

@@ -112,6 +112,7 @@ std::string text_of(const ContactQualityResult& result) {
 }
 
 Fields fields_of(const ContactQualityResult& result) {
+  // Volume and missing directions exist in some cases only.
   const Epsilon& e = result.epsilon;
   OrderedJson missing, bounds, complete;
   if (e.has_missing_direction) missing = wrench_json(e.missing_direction, result.planar);

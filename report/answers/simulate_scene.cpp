@@ -137,6 +137,7 @@ std::vector<Fields> coordinate_fields(const SceneResult& scene) {
 /// any. Their lines are springs of the mechanism, their ends are in the elements that stop joints.
 OrderedJson passive_moments(const SceneResult& scene) {
   OrderedJson json;
+  // Find the coordinate of each stop by its place in the positions.
   const Mechanism& mechanism = scene.built->scene.mechanism;
   const MechanismLayout layout = layout_of(mechanism);
   const Eigen::VectorXd& q = scene.run.samples.back().q;
@@ -148,6 +149,7 @@ OrderedJson passive_moments(const SceneResult& scene) {
       const auto c = static_cast<int>(
           std::find(layout.coordinate_q.begin(), layout.coordinate_q.end(), place) -
           layout.coordinate_q.begin());
+      // Add the linear part, which the mechanism has as springs.
       double moment = passive_moment(stops->ranges()[i], q[place]);
       bool some = !stops->ranges()[i].ends.empty();
       for (const MechanismJoint& joint : mechanism.joints) {
@@ -230,6 +232,7 @@ OrderedJson losses_json(const SceneResult& scene) {
 
 /// Status, energy and cost of a run.
 Fields outcome_fields(const SceneResult& scene) {
+  // Energy balances only where the method keeps account of it.
   const SceneCost& cost = scene.run.cost;
   const std::string& reason = scene.run.reason;
   const std::optional<FlowBalance>& worst = scene.measures.worst;
@@ -275,6 +278,7 @@ std::string varied_words(const SceneResult& scene) {
 }
 
 std::string text_of(const SceneResult& scene) {
+  // Bodies and contacts first, then the account of energy and the cost.
   const SceneCost& cost = scene.run.cost;
   const ContactStep::Energy &start = scene.run.samples.front().energy,
                             &end = scene.run.samples.back().energy;
@@ -288,6 +292,7 @@ std::string text_of(const SceneResult& scene) {
   if (!scene.measures.pulls.muscles.empty())
     text += titled("Tendons at the end (under a net with the 20 mN that keep it taut)",
                    muscle_table(scene));
+  // The account closes if start + work = end + dissipated.
   text += fmt::format(
       "energy {:.6g} mJ at the start, {:.6g} mJ at the end, work of forces and "
       "drives {:.6g} mJ, dissipated {:.3g} mJ\n",
@@ -363,6 +368,7 @@ Fields fields_of(const SceneSweepResult& sweep) {
 }
 
 Table table_of(const SceneSweepResult& sweep) {
+  // One row for each run: the numbers that varied, then how it ended.
   Table table;
   for (const SceneVariation& each : sweep.request.vary) table.header.push_back(each.name);
   for (const char* column :

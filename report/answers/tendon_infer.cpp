@@ -148,6 +148,7 @@ Fields fields_of_free(const InferNetResult& inference) {
                     {"effective_parameters", set.evidence.effective},
                     {"converged", set.evidence.converged}});
   }
+  // Trials by the information that they would give about all bands.
   for (const RankedTrial& trial : free.next)
     next.push_back({{"test", trial.name},
                     {"information", units::kBit, trial.information},
@@ -302,6 +303,7 @@ Fields fields_of(const InferNetResult& inference) {
                      {"EA", units::kNewton, band.EA_told || band.EA == 0 ? band.EA : std::nan("")},
                      {"sd_of_log_EA", band.EA_sd}});
   }
+  // Bands that the data cannot tell apart.
   for (const BandGroup& group : net.groups) {
     std::vector<std::string> names;
     for (const int c : group.bands) names.push_back(net.verdicts[static_cast<std::size_t>(c)].name);
@@ -310,6 +312,7 @@ Fields fields_of(const InferNetResult& inference) {
   // Tests.
   for (const ProposedTest& test : inference.next)
     next.push_back({{"test", test.name}, {"disagreement", test.disagreement}});
+  // The method, and how well the best net explains the forces.
   return {
       {"experiment", inference.experiment},
       {"subject", inference.subject},

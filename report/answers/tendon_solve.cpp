@@ -71,6 +71,7 @@ std::string tendon_title(const LoadedDigit& loaded) {
 }
 
 void add_net(const LoadedDigit& loaded, const DigitPoint& point, Fields& fields) {
+  // State how the net came to rest, and how well.
   const Net& net = loaded.net()->net().net;
   fields.add("status", name_of(point.rest.status));
   fields.add("snapped", point.snapped);
@@ -102,6 +103,7 @@ void add_net(const LoadedDigit& loaded, const DigitPoint& point, Fields& fields)
 
 std::string net_text(const LoadedDigit& loaded, const DigitPoint& point) {
   const Net& net = loaded.net()->net().net;
+  // Bands, then floating nodes, then forces on bone.
   Table bands{{"band", "from", "to", "length_mm", "slack_length_mm", "tension_N", "state"}, {}};
   for (const BandRow& row : band_rows(loaded, point))
     bands.rows.push_back({row.name, row.from, row.to, shown(row.length / kMm, 3),
@@ -286,6 +288,7 @@ std::string tensions_in_words(const LoadedDigit& loaded) {
 }
 
 std::string text_of(const TendonSolveResult& solution) {
+  // Posture and passive torques first, as they do not depend on tensions.
   const LoadedDigit& loaded = solution.loaded;
   const DigitPoint& point = solution.point;
   const TendonNames& names = loaded.bones().names;

@@ -13,6 +13,7 @@ std::string hold_name(TipConstraint hold) { return name_in(kTipConstraintNames, 
 
 void add_point(const TipForceResult& answer, const TipForcePoint& point, Fields& fields) {
   const DigitResult& about = answer;
+  // A posture without an answer tells its failure alone.
   if (!point.failure.empty()) {
     fields.add("failure", point.failure);
     return;
@@ -26,6 +27,7 @@ void add_point(const TipForceResult& answer, const TipForcePoint& point, Fields&
   fields.add("magnitude", units::kNewton, point.force.norm());
   if (answer.request.hold == TipConstraint::kRigid)
     fields.add("moment", units::kNewtonMillimetre, point.moment);
+  // Joints have torques left over; a map has moments instead.
   if (about.map.empty()) {
     fields.add("leftover_torque", units::kNewtonMillimetre, about.rows, point.residual);
     fields.add("condition", point.condition);
@@ -42,6 +44,7 @@ void add_point(const TipForceResult& answer, const TipForcePoint& point, Fields&
 /// Force, moment and what is left over, of one posture or a map.
 std::string one_posture(const TipForceResult& answer, const TipForcePoint& point) {
   const DigitResult& about = answer;
+  // The force in the world and along the tip's own axes.
   const bool bones = about.map.empty();
   Table force{{"axes", "1_N", "2_N", "3_N", "magnitude_N"}, {}};
   const auto add = [&](const std::string& axes, const Eigen::Vector3d& f) {
@@ -152,6 +155,7 @@ Table table_of(const TipForceResult& answer) {
     add({(bones ? "left_over_" : "moment_") + about.rows[i] + "_N_mm"});
   if (bones) add({"condition"});
   add({"note"});
+  // A failed posture keeps its angles and the reason.
   for (const TipForcePoint& point : answer.points) {
     std::vector<std::string> line = joint_cells(point.q);
     if (!point.failure.empty()) {

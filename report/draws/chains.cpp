@@ -62,6 +62,7 @@ struct Memory {
 Memory memory_of(const Quantity& quantity, const ShownChains& shown) {
   Memory memory;
   std::vector<Eigen::VectorXd> rho;
+  // Mean correlation time of all chains, and the slowest to choose the range.
   double sum = 0, slowest = 1;
   for (Eigen::Index c = 0; c < quantity.draws.cols(); ++c) {
     rho.push_back(autocorrelation(quantity.draws.col(c)));
@@ -167,6 +168,7 @@ bool worse(double a, double b) { return std::isnan(a) ? !std::isnan(b) : a > b; 
 Json chains_block(const std::vector<Quantity>& quantities, const std::string& caption) {
   Json block{{"type", "chains"}, {"caption", caption}, {"quantities", Json::array()}};
   if (quantities.empty()) return block;
+  // All quantities need the same draws; the least converged come first.
   std::vector<const Quantity*> order;
   for (const Quantity& quantity : quantities) {
     require(quantity.draws.rows() >= 4 && quantity.draws.cols() >= 1,

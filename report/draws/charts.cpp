@@ -65,6 +65,7 @@ Json pareto_chart(const LeftOutObservations& left_out) {
   const LeaveOneOut& loo = left_out.result;
   require(static_cast<Eigen::Index>(left_out.observations.size()) == loo.k.size(),
           "{} names for {} observations", left_out.observations.size(), loo.k.size());
+  // Observations with a large Pareto k are a series of their own.
   Json series = Json::array({k_series(left_out, true)});
   Json bad = k_series(left_out, false);
   const std::size_t doubtful = bad["x"].size();
@@ -89,6 +90,7 @@ Json calibration_chart(const CalibrationRanks& calibration) {
   require(count == calibration.rank.rows() && calibration.rank.cols() > 0,
           "{} names for {} x {} ranks", count, calibration.rank.rows(), calibration.rank.cols());
   const int simulations = static_cast<int>(calibration.rank.cols());
+  // Compare with the band in which ranks of a calibrated sampler lie.
   const RankBand band =
       uniform_rank_band(simulations, calibration.draws, std::min(kRankPoints, calibration.draws));
   const Eigen::VectorXd uniform = band.below.cast<double>() / (calibration.draws + 1);

@@ -58,6 +58,7 @@ std::vector<std::size_t> shown_first(const std::vector<Quantity>& quantities,
                                      const std::vector<std::string>& names) {
   std::vector<std::size_t> order(quantities.size());
   std::iota(order.begin(), order.end(), 0);
+  // Without names choose what was learnt most, in the order of the quantities.
   if (names.empty()) {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return learnt(quantities[a]) > learnt(quantities[b]);
@@ -130,6 +131,7 @@ std::string own_unit(const Quantity& quantity, double share) {
 
 Json row_of(const Learning& what) {
   const Quantity& quantity = *what.quantity;
+  // Quantiles of the posterior beside those of the prior, in prior sds.
   const auto at = [&](const Eigen::VectorXd& x, double share) {
     return to_thousandth(quantile(x, share));
   };
@@ -181,6 +183,7 @@ Json forest_block(const std::vector<Quantity>& quantities, const std::string& ca
 }
 
 Json estimate_table(const std::vector<Quantity>& quantities, const std::string& caption) {
+  // The least converged quantity comes first.
   std::vector<const Quantity*> order;
   order.reserve(quantities.size());
   for (const Quantity& quantity : quantities) order.push_back(&quantity);

@@ -23,6 +23,7 @@ ModeMeans means_of(const ModeTable& table, const Quantity& quantity) {
               quantity.draws.cols() == table.of_draw.cols(),
           "{} has {} draws of {} chains, the modes have {} of {}", quantity.name,
           quantity.draws.rows(), quantity.draws.cols(), table.of_draw.rows(), table.of_draw.cols());
+  // Mean of the quantity within each mode.
   const auto modes = static_cast<Eigen::Index>(table.modes.size());
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(modes), count = sum;
   for (Eigen::Index c = 0; c < quantity.draws.cols(); ++c)
@@ -31,6 +32,7 @@ ModeMeans means_of(const ModeTable& table, const Quantity& quantity) {
       count[table.of_draw(i, c)] += 1;
     }
   ModeMeans out{&quantity, sum.cwiseQuotient(count), 0};
+  // Measure how far the modes are apart, in sds of all draws.
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const double mean : out.mean)
     if (std::isfinite(mean)) {
@@ -54,6 +56,7 @@ std::string visits_of(const ModeMass& mode) {
 }  // namespace
 
 Json mode_table(const ModeTable& modes, const std::vector<Quantity>& quantities, std::size_t most) {
+  // Show the quantities in which modes differ most.
   std::vector<ModeMeans> means;
   means.reserve(quantities.size());
   for (const Quantity& quantity : quantities) means.push_back(means_of(modes, quantity));

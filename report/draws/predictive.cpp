@@ -66,6 +66,7 @@ Json predictive_block(const PredictedForces& predicted) {
   require(predicted.replicated.rows() == 3 * trials && predicted.replicated.cols() > 0,
           "{} trials want {} rows of replicated forces, got {} x {}", trials, 3 * trials,
           predicted.replicated.rows(), predicted.replicated.cols());
+  // Count how many components lie within their intervals.
   Counts coverage;
   Json groups = Json::array();
   for (Eigen::Index i = 0; i < trials; ++i) {

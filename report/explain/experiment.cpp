@@ -96,6 +96,7 @@ struct Spread {
 
 /// Trials by the muscles they load: "FDS+EDC".
 Section explain_trials(const Experiment& experiment) {
+  // Collect ranges of tension and force for each set of loaded muscles.
   std::map<std::string, Spread> loads;
   for (const Trial& trial : experiment.trials) {
     std::string name;

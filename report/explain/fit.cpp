@@ -69,6 +69,7 @@ Section explain_values(const Fit& fit, const FittedValues& fitted, int specimen)
       specimen < 0 ? "Free parameters of the population" : "Free parameters of specimen " + of,
       {},
       {{"parameter", "unit", "before", "after", "sd_after", "means"}, {}}};
+  // Leave out fixed parameters, and those that the population does not have.
   const FitParameters& parameters = fit.problem.parameters();
   for (std::size_t p = 0; p < parameters.all.size(); ++p) {
     const Parameter& parameter = parameters.all[p];

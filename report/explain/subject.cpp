@@ -83,6 +83,7 @@ std::vector<std::string> without_limit(const TendonDigit& built) {
 }
 
 Section explain_questions(const TendonDigit& built) {
+  // Questions about tendons need muscles, those about limits also their largest forces.
   const bool pulled = !built.names.muscles.empty();
   const std::vector<std::string> unlimited = without_limit(built);
   const std::string tendons = pulled ? "yes" : "no: no muscle crosses a joint of this digit";
@@ -139,6 +140,7 @@ std::string state_of(const FitParameters& fit, std::size_t p) {
 Section explain_parameters(const DigitExplained& digit) {
   Section section{"parameters", "Parameters of a fit, under settings " + digit.settings, {}, {}};
   const FitParameters& fit = digit.parameters;
+  // Settings of another digit may name parameters that this one lacks.
   if (!digit.settings_trouble.empty())
     section.lines = {
         fmt::format("these settings do not suit this digit: {}", digit.settings_trouble),
@@ -151,6 +153,7 @@ Section explain_parameters(const DigitExplained& digit) {
       "sd: of the population's mean; between_sd: from one specimen to the next");
   section.table.header = {"parameter", "unit",  "prior_mean", "sd",   "between_sd",
                           "lower",     "upper", "state",      "means"};
+  // Priors in display units, with what the fit does to each parameter.
   for (std::size_t p = 0; p < fit.all.size(); ++p) {
     const Parameter& parameter = fit.all[p];
     const double scale = display_scale(parameter);
@@ -183,6 +186,7 @@ Explanation explain_maps(const Subject& subject, const std::string& digit) {
 }  // namespace
 
 Explanation explain(const Subject& subject, const DigitExplained& says) {
+  // Header of the subject; a digit with maps alone has no more than these.
   Section header{"subject", fmt::format("{} of subject '{}'", says.digit, subject.name), {}, {}};
   header.lines = {subject.description,
                   fmt::format("{} hand; the base, {}, does not move", subject.side, subject.base)};

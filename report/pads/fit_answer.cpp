@@ -73,6 +73,7 @@ std::optional<double> finer_factor(const FittedPad& fitted, std::size_t i) {
 }
 
 std::vector<Fields> constant_fields(const FittedPad& fitted) {
+  // Constants in their display units; factors are exponentials of the sds of logarithms.
   std::vector<Fields> list;
   for (std::size_t i = 0; i < fitted.fit.estimates.size(); ++i) {
     const ConstantEstimate& each = fitted.fit.estimates[i];
@@ -103,6 +104,7 @@ void for_data(const FittedPad& fitted, const Add& add) {
 }
 
 std::vector<Fields> data_fields(const FittedPad& fitted) {
+  // Each datum beside the pad's prediction, at the fitted mesh and at the finer one.
   std::vector<Fields> list;
   for_data(fitted, [&](const PressRecord& record, const PressDatum& datum,
                        const PressPrediction& pad, const DisplayUnit& unit) {
@@ -165,6 +167,7 @@ std::string conditions_of(const FittedPad& fitted) {
 }
 
 Table table_of(const FittedPad& fitted) {
+  // Show how much the data say: the sd by the data alone beside the sd with the prior.
   Table table{{"constant", "unit", "start", "value", "sd_factor", "sd_factor_by_data",
                "prior_factor", "known_by", "finer_cells_factor"},
               {}};
@@ -230,6 +233,7 @@ std::string text_of(const FittedPad& fitted) {
 }
 
 Fields fields_of(const FittedPad& fitted) {
+  // The search first, then what it found, and the origin of the data.
   const PadFitResult& fit = fitted.fit;
   return {{"pad", fitted.pad.spec.name},
           {"presses", fitted.data.path},

@@ -39,6 +39,7 @@ double shown_quantity(PressQuantity quantity, const PressPoint& point) {
 std::vector<ChartDatum> chart_data(const PressRecord& record, const FittedCurve& curve,
                                    bool areas) {
   std::vector<ChartDatum> out;
+  // Data that are shares of another datum are scaled by the pad's own value there.
   for (const PressDatum& datum : record.data) {
     if ((datum.quantity == PressQuantity::kArea) != areas) continue;
     const PressLoad& load = record.course.loads[static_cast<std::size_t>(datum.load)];
@@ -49,6 +50,7 @@ std::vector<ChartDatum> chart_data(const PressRecord& record, const FittedCurve&
           datum.quantity,
           point_at(curve, record.course.loads[static_cast<std::size_t>(*datum.over)]));
     const double value = scale * datum.value, sd = scale * datum.sd;
+    // Areas stand over force, indentations and forces over each other.
     if (areas)
       out.push_back({pad.force, value, 0, sd});
     else if (datum.quantity == PressQuantity::kIndentation)
@@ -140,6 +142,7 @@ Json fit_banner(const FittedPad& fitted) {
 }  // namespace
 
 Json page_of(const FittedPad& fitted) {
+  // Constants and their doubts first; without estimates there is nothing else.
   Json blocks = Json::array({fit_banner(fitted)});
   if (!fitted.fit.estimates.empty()) {
     blocks.push_back(table_block("Constants", table_of(fitted)));

@@ -54,6 +54,7 @@ OrderedJson errors_json(const CalibratedLaws& laws) {
 
 /// Constants by their keys in files of laws.
 Fields constant_fields(const CalibratedLaws& laws) {
+  // Keys and units are those of the file, so that the answer can be turned into one.
   const PowerLawConstants& power = laws.power;
   const SoftFingerConstants& finger = laws.soft_finger;
   const FoundationConstants& bed = laws.foundation;
@@ -82,6 +83,7 @@ Fields constant_fields(const CalibratedLaws& laws) {
 }
 
 std::vector<Fields> press_fields(const PadLaws& found) {
+  // Lengths in mm and areas in mm2, as pads are measured.
   std::vector<Fields> list;
   for (const LawPress& press : found.presses) {
     const MeasuredPress& by = press.elements;
@@ -156,6 +158,7 @@ Table press_table(const PadLaws& found) {
       {"press", "for", "depth_mm", "gap_radius_mm", "force_N", "force_error_%", "area_mm2",
        "aspect", "arm_mm", "power_law_N", "soft_finger_N", "bed_N", "bed_area_mm2", "bed_arm_mm"},
       {}};
+  // Elements first, then each law at the same depth.
   for (const LawPress& press : found.presses) {
     const MeasuredPress& by = press.elements;
     std::vector<std::string> row{by.trial,
@@ -188,6 +191,7 @@ std::string text_of(const PadLaws& found) {
 }
 
 Fields fields_of(const PadLaws& found) {
+  // Status and times of both parts: presses, then fits.
   const LawCalibration& calibration = found.calibration;
   return {
       {"pad", found.pad.spec.name},

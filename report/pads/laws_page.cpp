@@ -43,6 +43,7 @@ Json page_of(const PadLaws& found) {
       refusal_of(found), found.outcome.warnings, "Laws were NOT found",
       found.outcome.stopped() ? "The calibration was stopped: these are the presses by then"
                               : "All fits are at a minimum")});
+  // Errors of the laws, then their forces over those of the elements.
   if (found.has_laws()) {
     blocks.push_back(table_block("Errors of laws", table_of(found)));
     blocks.push_back(text_block(errors_note()));

@@ -75,6 +75,7 @@ std::vector<Fields> patch_fields(const PressedSkin& skin) {
 std::vector<Fields> rung_fields(const std::vector<PressRung>& rungs) {
   std::vector<Fields> list;
   for (const PressRung& rung : rungs) {
+    // A rung that failed has no numbers, but a reason.
     const bool solved = rung.failure.empty();
     list.push_back({{"element", rung.element},
                     {"mesh", rung.mesh},
@@ -138,6 +139,7 @@ Table rung_table(const PressResult& pressed) {
   Table table{{"element", "mesh", "elements", "force_N", "error", "area_mm2", "torsion_mm", "cpu_s",
                "note"},
               {}};
+  // The finest rung is the measure of all others, and has no error of its own.
   for (const PressRung& rung : pressed.rungs) {
     const bool solved = rung.failure.empty();
     table.rows.push_back(
@@ -162,6 +164,7 @@ std::string text_of(const PressResult& pressed) {
 }
 
 Fields fields_of(const PressResult& pressed) {
+  // Conditions of the press, and how it ended.
   const PressRequest& request = pressed.request;
   Fields fields{{"pad", pressed.pad.spec.name},
                 {"object", pressed.object.name},

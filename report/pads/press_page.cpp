@@ -56,15 +56,18 @@ Json edges_of(const PressedSkin& skin) {
 
 /// The bone's surface, which does not move: rings of the chart's disc.
 TriangleMesh bone_mesh(const PadShape& shape) {
+  // Rings of the disc at the inner end of the chart, which is the bone.
   const PadChart chart(shape);
   constexpr int kRingSides = 48;  // Sides of a ring
   TriangleMesh mesh;
   mesh.vertices.resize(3, 1 + kBoneRings * kRingSides);
   mesh.vertices.col(0) = chart.place({0, 0, 0});
   std::vector<Eigen::Vector3i> triangles;
+  // Number the nodes ring by ring, the sides closing on themselves.
   const auto at = [](int ring, int side) {
     return 1 + (ring - 1) * kRingSides + side % kRingSides;
   };
+  // Place each node, and join it with those of the ring inside.
   for (int ring = 1; ring <= kBoneRings; ++ring)
     for (int side = 0; side < kRingSides; ++side) {
       const double r = static_cast<double>(ring) / kBoneRings, angle = 2 * kPi * side / kRingSides;
@@ -100,6 +103,7 @@ Json pressure_scale(const PressResult& pressed) {
 /// The pad with its bone below the object, palm up, seen from the side and a little from above.
 Json pad_scene(const PressResult& pressed, MeshTable& meshes) {
   const PressedSkin& skin = pressed.skin;
+  // Colour the skin by pressure; bone, element edges and object can be switched.
   Json layers = Json::array();
   layers.push_back(
       layer("skin", kSkinColor,
@@ -128,6 +132,7 @@ Json pad_scene(const PressResult& pressed, MeshTable& meshes) {
 
 /// The part of the skin near the patch; all of it where there is none.
 PressedSkin near_patch(const PressedSkin& skin) {
+  // Bound the patch, and keep what lies within a multiple of its size.
   Eigen::AlignedBox3d patch;
   for (Index k = 0; k < skin.places.cols(); ++k)
     if (skin.contact[static_cast<std::size_t>(k)] != SkinContact::kFree)
@@ -161,6 +166,7 @@ std::vector<MeshColor> stick_colors(const PressedSkin& skin) {
 
 /// Two maps of the patch from where the object comes, distal up.
 Json patch_maps(const PressResult& pressed, MeshTable& meshes) {
+  // Both maps turn together, and look the way the object came.
   const PressedSkin skin = near_patch(pressed.skin);
   const TriangleMesh mesh = triangles_of(skin);
   const auto map = [&](const std::string& caption, std::vector<MeshColor> colors) {
@@ -202,6 +208,7 @@ double force_of(const PressInstant& now) { return now.force; }
 double area_of(const PressInstant& now) { return now.area / kSquareMm; }
 
 Json curve_section(const PressResult& pressed) {
+  // Force over depth, then area, pressure and stick over force.
   const std::vector<PressPhase> way{PressPhase::kWay};
   const std::string name = pressed.pad.spec.name;
   Json force = lines_block("Force over depth", "depth [mm]", "force [N]",
@@ -228,6 +235,7 @@ Json curve_section(const PressResult& pressed) {
 
 /// Force over time; while the object stands still also over the logarithm of time.
 Json relaxation_section(const PressResult& pressed) {
+  // The whole course in time, and the hold by itself on a logarithmic axis.
   const std::vector<PressPhase> both{PressPhase::kWay, PressPhase::kHold};
   const auto time = [](const PressInstant& now) { return now.time; };
   Json charts = Json::array(
@@ -266,6 +274,7 @@ Json rung_section(const PressResult& pressed) {
     curve["y"].push_back(rung.error);
     curve["labels"].push_back(rung.reduced ? rung.element : rung.mesh);
   }
+  // Both axes are logarithmic, because laws and meshes differ by orders of magnitude.
   Json blocks = Json::array();
   Json list = Json::array();
   for (auto& [name, curve] : series) list.push_back(std::move(curve));
@@ -293,6 +302,7 @@ Json press_banner(const PressResult& pressed) {
 }  // namespace
 
 Json page_of(const PressResult& pressed) {
+  // The deformed pad, if it was solved at all.
   MeshTable meshes;
   Json blocks = Json::array({press_banner(pressed)});
   if (pressed.skin.places.cols() > 0) {
@@ -301,6 +311,7 @@ Json page_of(const PressResult& pressed) {
   }
   Json sections =
       Json::array({section("pad", "The pad", pressed.pad.spec.description, std::move(blocks))});
+  // Curves along the way, relaxation and rungs, as far as there are some.
   if (!pressed.instants.empty()) {
     sections.push_back(curve_section(pressed));
     if (pressed.relaxes()) sections.push_back(relaxation_section(pressed));

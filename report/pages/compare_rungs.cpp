@@ -20,6 +20,7 @@ constexpr Eigen::Index kCurveInstants = 500;
 template <typename Error>
 Json error_chart(const RungComparison& comparison, const std::string& caption,
                  const std::string& label, const Error& error_of) {
+  // Runs that are refused, and the finest itself, have no error to draw.
   Json series = Json::array();
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
     const RungRun& run = comparison.runs[i];
@@ -36,6 +37,7 @@ Json error_chart(const RungComparison& comparison, const std::string& caption,
 }
 
 Json rung_table(const RungComparison& comparison) {
+  // Times are per simulated second; errors are against the finest.
   Json rows = Json::array();
   for (const RungRun& run : comparison.runs)
     rows.push_back({run.rung, name_of(run.scene.run.status), run.scene.run.cost.unsolved,
@@ -72,6 +74,7 @@ Json force_chart(const RungComparison& comparison, std::size_t pad, const std::s
 }
 
 Json rung_banner(const RungComparison& comparison) {
+  // A comparison without a sound finest run is not to be used.
   const std::string refusal = refusal_of(comparison);
   const std::vector<std::string>& warnings = comparison.outcome.warnings;
   if (!refusal.empty())
@@ -152,6 +155,7 @@ std::string text_of(const RungComparison& comparison) {
 }
 
 OrderedJson json_of(const RungComparison& comparison) {
+  // Loads of every pad at the end, on every rung.
   OrderedJson runs = OrderedJson::array();
   for (const RungRun& run : comparison.runs) {
     const RungError& error = run.error;
@@ -174,6 +178,7 @@ OrderedJson json_of(const RungComparison& comparison) {
                     {"turn_error_end_rad", error.turn_end},
                     {"pads", std::move(pads)}});
   }
+  // Errors refer to the finest rung, which is named.
   return {{"scene", comparison.name},
           {"asked", comparison.outcome.asked},
           {"finest", comparison.runs[comparison.finest].rung},
@@ -190,6 +195,7 @@ std::string refusal_of(const RungComparison& comparison) {
 
 Json page_of(const RungComparison& comparison) {
   const RungRun& finest = comparison.runs[comparison.finest];
+  // The cost of each rung, then forces over time, then the motion on every rung.
   Json charts = Json::array(
       {rung_banner(comparison),
        row_block(Json::array(

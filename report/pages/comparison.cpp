@@ -63,6 +63,7 @@ Eigen::Vector3d eye_for(const Hand& hand, const BestGrasp& best) {
 
 Json best_picture(const HandOnObject& cell, const GraspSetup& setup, const ComparePicture& picture,
                   MeshTable& meshes) {
+  // Tell epsilon by contacts alone and within the hand's limits.
   const BestGrasp& best = cell.best.front();
   const HandPicture hand{*picture.drawn, best.q, best.X_WH, picture.patches};
   const std::string caption =
@@ -75,6 +76,7 @@ Json best_picture(const HandOnObject& cell, const GraspSetup& setup, const Compa
   Json layers = grasp_layers(hand, setup, best.contacts, meshes);
   for (Json& layer : layers)
     if (layer["name"] == "palm") layer["fit"] = false;  // it may be a forearm
+  // Look from where most contacts and most of the object are seen.
   const Eigen::Vector3d eye =
       view_of_contacts(hand, setup, best.contacts,
                        {eye_for(*picture.drawn, best), Eigen::Vector3d::UnitZ(), -kPi / 2});
@@ -115,6 +117,7 @@ std::string without(const Comparison& comparison, const std::string& object) {
 Json best_section(const Comparison& comparison, const std::vector<BodySpec>& objects,
                   const std::vector<ComparePicture>& pictures, MeshTable& meshes,
                   const Progress& progress) {
+  // One row for each object, with all hands.
   Json blocks = Json::array();
   for (const BodySpec& object : objects) {
     progress(static_cast<double>(blocks.size()) / (2.0 * static_cast<double>(objects.size())),
@@ -135,6 +138,7 @@ Json best_section(const Comparison& comparison, const std::vector<BodySpec>& obj
 
 Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshes) {
   Json blocks = Json::array();
+  // Hands stand upright; those with nails are seen from the back, too.
   for (const ComparePicture& picture : pictures) {
     const Hand& hand = *picture.drawn;
     const Eigen::VectorXd q = open_posture(hand.layout());

@@ -66,6 +66,7 @@ Json type_count(const HandAbilities& hand) {
 }
 
 Json glance_row(const Comparison& comparison, const std::string& hand) {
+  // Best epsilon on each object, then the median over objects.
   std::vector<double> best, limited;
   int held = 0;
   for (const HandOnObject* cell : cells_of(comparison, hand)) {
@@ -74,6 +75,7 @@ Json glance_row(const Comparison& comparison, const std::string& hand) {
     limited.push_back(cell->best_hand_epsilon().max);
   }
   const HandAbilities* abilities = abilities_of(comparison, hand);
+  // Pool the approaches to all objects for the share of closures and its interval.
   const ClosureCount count = count_closures(comparison, hand);
   return {hand,
           count.approaches > 0 ? Json(100 * count.share()) : Json(),
@@ -149,6 +151,7 @@ Json success_row(const HandOnObject& cell, const std::vector<std::string>& tasks
 }
 
 Json all_cells(const Comparison& comparison) {
+  // Columns of grasps, then those of the loads of each task.
   std::vector<BlockColumn> columns{{"hand", "", -1},
                                    {"object", "", -1},
                                    {"force closure", "%", 0},
@@ -160,6 +163,7 @@ Json all_cells(const Comparison& comparison) {
                                    {"grasp force, standing", "N", 2}};
   const std::vector<BlockColumn> loads = load_columns(comparison);
   columns.insert(columns.end(), loads.begin(), loads.end());
+  // One row for each hand on each object.
   Json rows = Json::array();
   for (const HandOnObject& cell : comparison.cells)
     rows.push_back(success_row(cell, comparison.tasks));
@@ -225,11 +229,13 @@ Json digit_rows(const Comparison& comparison) {
 }
 
 Json ability_rows(const Comparison& comparison) {
+  // Abilities belong to the hand alone, without an object.
   Json rows = Json::array();
   for (const HandAbilities& hand : comparison.abilities) {
     double strongest = NAN;
     for (const DigitAbility& digit : hand.digits)
       strongest = std::fmax(strongest, digit.closing_force);
+    // Kapandji's places exist on human hands; robots count fingertips that the thumb meets.
     const bool kapandji = is_kapandji(hand);
     const std::string met = kapandji
                                 ? fmt::format("{} of 10 places", hand.reached.size())
@@ -332,6 +338,7 @@ double quantile_of(const Eigen::VectorXd& ascending, double p) {
 }
 
 Json glance_section(const Comparison& comparison) {
+  // One row for each hand, over all objects.
   Json rows = Json::array();
   for (const std::string& hand : comparison.hands) rows.push_back(glance_row(comparison, hand));
   Json table = table_block(
@@ -350,6 +357,7 @@ Json glance_section(const Comparison& comparison) {
        {"epsilon within hand limits", "N", 2},
        {"types of grasp", "", 0}},
       rows);
+  // Highlight a hand only if its lead is beyond chance.
   if (!hand_of_most_closures(comparison).empty()) {
     table["highlight_best"] = 1;
     table["best"] = "highest";
@@ -366,6 +374,7 @@ Json glance_section(const Comparison& comparison) {
 }
 
 Json cells_section(const Comparison& comparison) {
+  // Three matrices of hands by objects: closures, epsilon by contacts, and within limits.
   const auto success = [](const HandOnObject& cell) { return Json(100 * cell.success); };
   const auto best = [](const HandOnObject& cell) { return finite(cell.quantile(1)); };
   const auto limited = [](const HandOnObject& cell) {
@@ -380,6 +389,7 @@ Json cells_section(const Comparison& comparison) {
               "or efforts unknown.",
               2, limited),
        all_cells(comparison)});
+  // Explain cells without a closure, then loads that are unknown or zero.
   const Json outcomes = outcome_rows(comparison);
   if (!outcomes.empty())
     blocks.push_back(table_block("Where no approach ended in force closure: how they ended.",
@@ -415,6 +425,7 @@ Json distribution_section(const Comparison& comparison) {
 }
 
 Json abilities_section(const Comparison& comparison) {
+  // Abilities of hands, then of each digit.
   Json blocks = Json::array();
   blocks.push_back(table_block(
       "What each hand can do without an object. Kapandji: the highest of ten places on the hand "
@@ -442,6 +453,7 @@ Json abilities_section(const Comparison& comparison) {
                    {"force in closing", "N", 1},
                    {"largest force", "N", 1}},
                   digit_rows(comparison)));
+  // Types of grasp over all objects.
   const Json types = type_rows(comparison);
   if (!types.empty())
     blocks.push_back(table_block("Types of the grasps with force closure, over all objects.",

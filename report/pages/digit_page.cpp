@@ -23,6 +23,7 @@ constexpr std::array<const char*, kDrawnPostures> kTints{"#b8a48a", "#7fa8c9", "
 
 Json digit_page(const DigitResult& about, const std::string& what, Json sections,
                 const MeshTable& meshes, const std::string& learnt) {
+  // Provenance tells the model that was built, which may be less than was asked for.
   const Fidelity fidelity = about.tendons ? about.tendons->digit().fidelity : Fidelity{};
   Json provenance = provenance_json(about.sources, fidelity);
   provenance["fidelity"] = about.built;
@@ -59,6 +60,7 @@ std::string digit_introduction(const DigitResult& about, const std::string& word
 Json digit_scene(const DigitResult& about, const std::string& caption, MeshTable& meshes,
                  const AddLayers& add) {
   if (!about.tendons) return nullptr;
+  // Draw some postures of a sweep in different tints.
   const TendonDigit& digit = about.tendons->digit();
   const SweepAxes axes = axes_of(about);
   Json layers = Json::array();
@@ -74,11 +76,13 @@ Json digit_scene(const DigitResult& about, const std::string& caption, MeshTable
     if (tint == 1 && digit.fidelity.path == Path::kViaPoint && !tendons["items"].empty())
       layers.push_back(tendons);
     add(i, color, layers);
+    // Skin is drawn once, in the first posture.
     if (tint > 1 || about.sources.empty()) continue;
     const SourceText& source = about.sources.front();
     const Subject subject = parse_subject(source.text, source.path);
     add_skin({subject, digit, pose_tree(digit.model.tree, q)}, meshes, layers);
   }
+  // Look from the radial side and a little from the back.
   const Eigen::Matrix3d& tip = digit.model.tip_axes;
   return {{"type", "scene"},
           {"caption", caption},

@@ -19,6 +19,7 @@ using Eigen::Index;
 
 /// Largest force along the direction, what limits it, and who pulls.
 void add_direction_charts(const FeasibleForceResult& answer, const SweepAxes& axes, Json& charts) {
+  // Price and activation of each muscle at the largest load; gaps where there is none.
   const LoadWords words = words_of(answer.request.load);
   std::vector<Curve> prices, activations;
   for (std::size_t m = 0; m < answer.muscles.size(); ++m) {
@@ -33,6 +34,7 @@ void add_direction_charts(const FeasibleForceResult& answer, const SweepAxes& ax
           return makes_force(point) ? point.largest->activation(i) : kNaN;
         }));
   }
+  // The load itself first, then what limits it, and who makes it.
   charts.push_back(
       curve_chart(axes,
                   fmt::format("Largest {0} along the direction; a gap where no "
@@ -54,6 +56,7 @@ void add_direction_charts(const FeasibleForceResult& answer, const SweepAxes& ax
 
 /// Largest load along each axis, and the size of the set.
 void add_set_charts(const FeasibleForceResult& answer, const SweepAxes& axes, Json& charts) {
+  // Names of the axes come from the first posture that has an answer.
   const auto with_axes = std::find_if(answer.points.begin(), answer.points.end(),
                                       [](const auto& point) { return point.failure.empty(); });
   std::vector<Curve> along;
@@ -83,6 +86,7 @@ double drawn_force(const FeasibleForceResult& answer) {
 }
 
 Json force_scene(const FeasibleForceResult& answer, MeshTable& meshes) {
+  // Scale the arrows so that the largest load fits the digit.
   const double scale = arrow_scale(drawn_force(answer));
   const SweepAxes axes = axes_of(answer);
   bool first = true;
@@ -94,6 +98,7 @@ Json force_scene(const FeasibleForceResult& answer, MeshTable& meshes) {
       fmt::format("The digit, and {}: 10 mm stand for {:.3g} {}.", what, 10 / scale, words.unit),
       meshes, [&](std::size_t i, const std::string& tint, Json& layers) {
         const FeasibleForcePoint& point = answer.points[i];
+        // Draw the largest load, and the convex hull of all loads at the tip.
         if (!point.failure.empty()) return;
         if (makes_force(point))
           layers.push_back(arrow_layer("largest " + words.one, "#d55e00", point.tip,
@@ -109,6 +114,7 @@ Json force_scene(const FeasibleForceResult& answer, MeshTable& meshes) {
 }
 
 std::string question_words(const FeasibleForceResult& answer) {
+  // State the question with its axes, its tolerance and the loads of the other kind.
   const LoadWords load = words_of(answer.request.load);
   const std::string axes = answer.points.empty() ? "world" : answer.points.front().axes.name;
   const std::string other = other_words(answer.request.load, answer.request.most_other);
@@ -128,6 +134,7 @@ std::string question_words(const FeasibleForceResult& answer) {
           ? fmt::format(", or up to {:.4g} degrees off it", answer.request.tolerance / kDegree)
           : "",
       beside, answer.map.empty() ? "every joint in balance and " : "");
+  // A single posture also tells its limits.
   if (answer.single() && !answer.points.empty()) {
     const std::string limits = limit_words(answer, answer.points.front());
     if (!limits.empty()) words += "\n\nIt is " + limits + ".";
@@ -140,6 +147,7 @@ std::string question_words(const FeasibleForceResult& answer) {
 
 Json page_of(const FeasibleForceResult& answer) {
   const LoadWords words = words_of(answer.request.load);
+  // The scene, then numbers of a single posture or of the sweep.
   Json blocks = Json::array();
   MeshTable meshes;
   if (const Json scene = force_scene(answer, meshes); !scene.is_null()) blocks.push_back(scene);
@@ -153,6 +161,7 @@ Json page_of(const FeasibleForceResult& answer) {
   Json sections = Json::array({section(
       "forces", answer.request.direction ? "The largest " + words.one : "All " + words.many,
       digit_introduction(answer, question_words(answer)), blocks)});
+  // Charts over the posture, if it varies.
   if (!answer.single() && !answer.points.empty()) {
     const SweepAxes axes = axes_of(answer);
     Json charts = Json::array();
@@ -160,6 +169,7 @@ Json page_of(const FeasibleForceResult& answer) {
     if (answer.points.front().whole) add_set_charts(answer, axes, charts);
     sections.push_back(section("curves", "Over the posture", "", paired(charts)));
   }
+  // Sum up by the range of the largest loads.
   std::vector<double> largest;
   for (const FeasibleForcePoint& point : answer.points)
     if (point.largest && point.largest->status == Status::kSolved)

@@ -34,6 +34,7 @@ Json interval_row(const Fit& fit, int entry) {
 }
 
 Json coordinate_table(const Fit& fit) {
+  // Order by the sd that is left: what the data tell most comes first.
   Json rows = Json::array();
   for (const int i : sorted_by_sd(fit.covariance)) {
     const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(i)];
@@ -67,6 +68,7 @@ double worst_misfit(const FitResult& result) {
 Json ending_banner(const FitResult& result) {
   // Largest misfit that a wrong noise explains, over the stated noise [1]
   constexpr double kMaxMisfit = 3;
+  // Judge convergence and misfit apart: a fit may converge to forces that it does not explain.
   const Solution& found = result.fit.solution;
   const bool converged = found.converged();
   const double missed = worst_misfit(result);
@@ -118,6 +120,7 @@ Json error_row(const Prediction& prediction, const std::string& what, const Json
 }
 
 Json error_table(const FitResult& result) {
+  // In sample first, then what was left out, then published models.
   Json rows = Json::array();
   for (std::size_t e = 0; e < result.in_sample.size(); ++e)
     rows.push_back(
@@ -170,6 +173,7 @@ Json force_section(const FitResult& result) {
   Json blocks = Json::array();
   if (std::optional<Json> hood = hood_row_block(result)) blocks.push_back(*hood);
   const std::vector<Experiment>& experiments = result.fit.problem.experiments();
+  // Forces in sample, then those of folds that have not seen them.
   for (std::size_t e = 0; e < result.in_sample.size(); ++e)
     if (!result.in_sample[e].trials.empty())
       blocks.push_back(force_panels(
@@ -193,6 +197,7 @@ Json force_section(const FitResult& result) {
 /// Returns the section about chosen settings: values, the criterion, and the agreement of the
 /// folds.
 Json choice_section(const FitResult& result) {
+  // The chosen settings, and what every fold chose by itself.
   const Table table = choice_table(result);
   std::vector<BlockColumn> columns;
   for (const std::string& column : table.header) columns.push_back({column, ""});
@@ -242,6 +247,7 @@ std::string introduction(const FitResult& result) {
 }
 
 Json opening_of(const FitResult& result) {
+  // Sum up by the relative error, or by the reason why the fit is not to be used.
   const Fit& fit = result.fit;
   std::vector<std::string> errors;
   for (const Prediction& each : result.in_sample)
@@ -276,6 +282,7 @@ Json digit_section(const Fit& fit, MeshTable& meshes) {
 }  // namespace
 
 std::string name_rules(const Fit& fit) {
+  // Explain only the names that occur.
   struct Rule {
     std::vector<ParameterKind> kinds;
     const char* text;
@@ -313,6 +320,7 @@ std::string name_rules(const Fit& fit) {
 }
 
 Json learnt_forest(const Fit& fit, const std::string& whose, std::size_t shown) {
+  // The best known parameters, and a few of the least known to compare with.
   const std::vector<int> order = sorted_by_sd(fit.covariance);
   Json rows = Json::array();
   for (std::size_t k = 0; k < std::min(shown, order.size()); ++k)
@@ -345,6 +353,7 @@ Json open_directions(const Fit& fit, const std::string& whose) {
 }
 
 Json fitted_scene(const Fit& fit, int specimen, MeshTable& meshes) {
+  // Draw the digit before and after the fit, in one posture.
   const TendonDigit& before = fit.problem.digit_of(specimen);
   const TendonDigit after = fitted_digit(fit, specimen);
   const std::string& name = fit.problem.specimens()[static_cast<std::size_t>(specimen)];
@@ -355,6 +364,7 @@ Json fitted_scene(const Fit& fit, int specimen, MeshTable& meshes) {
   const ExperimentPlan& plan =
       fit.problem.plans()[static_cast<std::size_t>(own - experiments.begin())];
   const Eigen::VectorXd q = plan.postures.front();
+  // Skin is that of the subject, so it is drawn only where the fit keeps the subject's size.
   Json layers = Json::array({bone_layer(before, q, "#b8a48a"),
                              axis_layer(before, q, "axes before", "#999999", 0.03, false),
                              axis_layer(after, q, "axes fitted", "#0072b2", 0.03, true),
@@ -378,6 +388,7 @@ Json fitted_scene(const Fit& fit, int specimen, MeshTable& meshes) {
 
 Json page_of(const FitResult& result) {
   const Fit& fit = result.fit;
+  // Tell first how the fit ended, as all else depends on it.
   const std::string whose = names_of(result);
   Json first = ending_blocks(result);
   first.push_back(error_table(result));
@@ -390,6 +401,7 @@ Json page_of(const FitResult& result) {
                    name_rules(fit),
                Json::array({learnt_forest(fit, whose), coordinate_table(fit)}))});
   if (result.chosen && !result.chosen->tried.empty()) sections.push_back(choice_section(result));
+  // Name the directions that the prior alone decides.
   if (!fit.covariance.null_directions.empty())
     sections.push_back(section("open", "What the prior alone decides",
                                "Directions along which no measured force changes are named, not "

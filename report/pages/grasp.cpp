@@ -78,6 +78,7 @@ Json measure_blocks(const std::string& caption, const std::vector<MeasureRow>& m
 }
 
 Json measure_section(const GraspResult& result) {
+  // Measures of the grasp, then its robustness if it was asked for.
   Json blocks = measure_blocks(
       "Loads and motions of the object, in its own frame and about its centre of mass.",
       measure_rows(*result.measures));
@@ -106,6 +107,7 @@ std::string torsion_words(const GraspResult& result) {
 }
 
 Json contact_section(const GraspResult& result) {
+  // Places in mm and normals in the object's frame, rounded so that -0 does not show.
   const bool soft = contact_model_of(result) != "hard point";
   Json rows = Json::array();
   for (const HandContact& found : result.grasp.contacts) {
@@ -174,6 +176,7 @@ Json grasp_layers(const HandPicture& picture, const GraspSetup& setup,
 
 Json page_of(const GraspResult& result) {
   MeshTable meshes;
+  // Question, answer and end of the grasp, then its sections.
   const std::string &hand = result.setting.hand.named.name,
                     &object = result.setting.setup.object.name;
   const Epsilon& quality = result.grasp.quality;

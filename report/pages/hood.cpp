@@ -9,6 +9,7 @@ std::string rung_name(const HoodRung& rung) {
 }
 
 Json error_table(const std::vector<HoodComparison>& comparisons) {
+  // Errors over all trials, and over those of muscles of the hood alone.
   Json rows = Json::array();
   for (const HoodComparison& comparison : comparisons)
     for (const HoodRung& rung : comparison.rungs)
@@ -36,6 +37,7 @@ Json error_table(const std::vector<HoodComparison>& comparisons) {
 template <typename Measure>
 Json time_chart(const HoodComparison& comparison, const std::string& caption,
                 const std::string& y_label, Measure measure) {
+  // Each model is one point: its error over its cost.
   Json series = Json::array();
   for (const HoodRung& rung : comparison.rungs)
     series.push_back({{"name", rung_name(rung)},

@@ -14,6 +14,7 @@ using Eigen::Index;
 /// A chart for each joint, and one of lengths.
 Json arm_charts_of(const MomentArmResult& answer) {
   const DigitResult& about = answer;
+  // A curve for each muscle that crosses the joint.
   const SweepAxes axes = axes_of(about);
   Json charts = Json::array();
   for (Index j = 0; j < answer.crosses.cols(); ++j) {
@@ -27,6 +28,7 @@ Json arm_charts_of(const MomentArmResult& answer) {
     charts.push_back(curve_chart(axes, "Moment arms about " + joint,
                                  "arm, " + positive_motion(joint) + " positive [mm]", curves));
   }
+  // Lengths change with all joints, so they have one chart.
   std::vector<Curve> lengths;
   for (Index m = 0; m < answer.crosses.rows(); ++m)
     lengths.push_back(
@@ -40,6 +42,7 @@ Json arm_charts_of(const MomentArmResult& answer) {
 }  // namespace
 
 Json page_of(const MomentArmResult& answer) {
+  // The digit, then numbers, and curves if the posture varies.
   Json blocks = Json::array();
   MeshTable meshes;
   const Json scene = digit_scene(answer, "The digit and its tendons.", meshes,
@@ -55,6 +58,7 @@ Json page_of(const MomentArmResult& answer) {
         section("curves", "Moment arms over the posture", "", arm_charts_of(answer)));
   sections.insert(sections.begin(),
                   section("arms", "Moment arms", digit_introduction(answer, words), blocks));
+  // Sum up by the range of all arms.
   std::vector<double> arms;
   for (const MomentArmPoint& point : answer.points)
     if (point.failure.empty())

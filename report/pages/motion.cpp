@@ -57,6 +57,7 @@ Eigen::Vector3d dorsal_axis(const TendonDigit& digit) {
 
 Json scene(const DigitMotionResult& motion, MeshTable& meshes) {
   constexpr Index kMaxInstants = 48;  // Most instants that are drawn
+  // Draw bones, tendons and skin at some instants, which the viewer plays.
   const TendonDigit& digit = motion.tendons->digit();
   const Trajectory& trajectory = motion.trajectory;
   const Subject subject = parse_subject(motion.sources.front().text, motion.sources.front().path);
@@ -74,6 +75,7 @@ Json scene(const DigitMotionResult& motion, MeshTable& meshes) {
       layers.push_back(std::move(*instant));
     }
   }
+  // The path of the tip over all instants.
   Json path = Json::array();
   for (Index i = 0; i < trajectory.tip.rows(); ++i)
     path.push_back(in_mm(trajectory.tip.row(i).transpose()));

@@ -82,6 +82,7 @@ Json pose_scene(const Poses& poses, const std::string& caption) {
 template <typename Poses>
 Json place_charts(const Poses& poses) {
   const SweepAxes axes = axes_of(poses);
+  // One chart for each tip or link, with its three coordinates.
   Json charts = Json::array();
   const auto first = places_of(poses.points.front());
   const char* const names[] = {"x", "y", "z"};

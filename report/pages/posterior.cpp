@@ -43,11 +43,13 @@ void add_doubts(const std::string& title, const std::vector<std::string>& warnin
 }
 
 Json convergence_blocks(const PosteriorPicture& picture) {
+  // Convergence first: without it no number below may be used.
   Json blocks = Json::array({convergence_banner(picture.convergence, picture.run)});
   for (const std::string& advice : picture.advice) blocks.push_back(text_block(advice));
   add_doubts("Before trusting the predictions", picture.warnings, blocks);
   if (!picture.warnings.empty()) blocks.back()["caution"] = true;
   if (picture.quantities.empty()) return blocks;
+  // Show the chains themselves, the largest R-hat first.
   blocks.push_back(chains_block(
       picture.quantities,
       "Chains after warm-up, the largest R-hat first. Left: the draws in order. Right: how many of "
@@ -85,9 +87,11 @@ Json axis_blocks(const PosteriorPicture& picture) {
 }
 
 Json forces_blocks(const PosteriorPicture& picture) {
+  // Predicted beside measured forces of every experiment.
   Json blocks = Json::array();
   for (const PredictedForces& predicted : picture.predicted)
     blocks.push_back(predictive_block(predicted));
+  // Pareto k tells where leaving out by weights is not to be believed.
   if (picture.left_out) {
     const std::vector<std::string>& doubts = picture.left_out->result.warnings;
     add_doubts("Leaving observations out is doubtful", doubts, blocks);
@@ -127,6 +131,7 @@ std::vector<std::size_t> chosen(const std::vector<PosteriorQuantity>& quantities
   std::vector<std::size_t> order(quantities.size());
   std::iota(order.begin(), order.end(), 0);
   if (order.size() <= most) return order;
+  // Sort by R-hat, then keep of the rest what the data determine best.
   const auto sort_from = [&](std::size_t first, auto&& figure) {
     std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first), order.end(),
                      [&](std::size_t a, std::size_t b) { return figure(a) < figure(b); });
@@ -142,6 +147,7 @@ std::vector<std::size_t> chosen(const std::vector<PosteriorQuantity>& quantities
 /// Adds the quantities, and says which of all they are.
 void add_quantities(const PosteriorRun& run, const PictureOptions& options,
                     PosteriorPicture& picture) {
+  // Quantities in display units, with their prior and meaning.
   const std::vector<PosteriorQuantity> read = posterior_quantities(run);
   const std::vector<Estimate> estimates = estimates_of(read, run.draws.group);
   for (std::string& warning : noise_warnings(read, estimates))
@@ -159,6 +165,7 @@ void add_quantities(const PosteriorRun& run, const PictureOptions& options,
     if (const auto known = options.truth.find(read[i].name); known != options.truth.end())
       picture.quantities.back().truth = known->second;
   }
+  // Say which quantities are shown, if not all are.
   picture.run = describe_run(run);
   if (picture.quantities.size() < read.size())
     picture.run += fmt::format(
@@ -199,6 +206,7 @@ std::vector<PredictedForces> predicted_of(const PosteriorRun& run) {
 
 PosteriorPicture posterior_picture(const PosteriorRun& run, const PictureOptions& options) {
   const FitProblem& problem = run.posterior->problem();
+  // Convergence and advice, then quantities, axes, forces and modes.
   PosteriorPicture picture;
   picture.title = options.title;
   picture.prefix = options.prefix;
@@ -221,6 +229,7 @@ Json convergence_banner(const Convergence& convergence, const std::string& run) 
   const std::string figures =
       fmt::format("Largest R-hat {:.4f}, least bulk ESS {:.0f}, least tail ESS {:.0f}. {}",
                   convergence.worst_r_hat, convergence.min_bulk_ess, convergence.min_tail_ess, run);
+  // Chains that disagree void all numbers; cautions do not.
   if (!convergence.warnings.empty())
     return {{"type", "banner"},
             {"ok", false},
@@ -241,6 +250,7 @@ Json convergence_banner(const Convergence& convergence, const std::string& run) 
 }
 
 Json posterior_sections(const PosteriorPicture& picture) {
+  // From doubts to results: convergence, modes, parameters, axes, forces.
   Json sections = Json::array();
   add(picture, "convergence", "has the sampler converged?", "", convergence_blocks(picture),
       sections);

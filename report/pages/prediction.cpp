@@ -66,6 +66,7 @@ Json error_table(const PredictedExperiment& one) {
 
 Json trial_table(const PredictedExperiment& one) {
   Json rows = Json::array();
+  // Components that were not measured are left empty.
   for (const PredictedTrial& t : one.prediction.trials) {
     Json cells = Json::array({t.posture, t.loads});
     for (const Eigen::Vector3d& v : {t.measured, t.predicted, t.sd})
@@ -74,6 +75,7 @@ Json trial_table(const PredictedExperiment& one) {
     cells.push_back(degrees(direction_error(t)));
     rows.push_back(std::move(cells));
   }
+  // Measured, predicted and sd, component by component.
   std::vector<BlockColumn> columns{{"posture", ""}, {"loads", ""}};
   for (const char* what : {"measured", "predicted", "sd"})
     for (const char* component : {"1", "2", "3"})
@@ -117,6 +119,7 @@ Prediction in_digit_axes(Prediction prediction, const Experiment& experiment) {
 }
 
 std::optional<Json> beside_trivial_table(const Prediction& prediction) {
+  // A model has to beat the forces of others, taken as they are.
   Json rows = Json::array();
   for (const ErrorsOfLoad& one : errors_by_load(prediction)) {
     Json row{one.loads, one.trials};
@@ -141,6 +144,7 @@ std::optional<Json> beside_trivial_table(const Prediction& prediction) {
 
 Json prediction_sections(const PredictResult& result, const std::string& prefix) {
   Json sections = Json::array();
+  // Say first whether the specimen was fitted, as errors mean different things.
   for (const PredictedExperiment& one : result.experiments) {
     std::string text = fmt::format("Specimen {} {}.", one.experiment.specimen, in_words(one.by));
     if (one.prediction.calibrated_on_specimen)
@@ -164,6 +168,7 @@ Json prediction_sections(const PredictResult& result, const std::string& prefix)
 }
 
 Json page_of(const PredictResult& result) {
+  // Sum up by the relative error of each experiment.
   std::vector<std::string> errors;
   std::size_t trials = 0;
   for (const PredictedExperiment& each : result.experiments) {

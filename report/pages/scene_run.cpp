@@ -173,8 +173,9 @@ class SceneFilm {
       if (mechanism_.bodies[b].name == scene_.built->owner[b])
         items.back()["opacity"] = kBodyOpacity;
     }
+    // Forces act on both bodies, with opposite signs.
     for (const ContactSample& contact : sample.contacts) {
-      // What presses on the one body presses back on the other.
+      // A contact presses on both bodies, in opposite directions.
       const Eigen::Vector3d vector = arrow_ / largest_force_ * contact.force;
       if (vector.norm() < 1e-3 * arrow_) continue;
       for (const double sign : {1.0, -1.0})
@@ -183,6 +184,7 @@ class SceneFilm {
                           {"vector", in_mm(sign * vector)},
                           {"radius", 25 * arrow_}});
     }
+    // A patch is a ring of its area; the share that sticks is a smaller one.
     Json patches = Json::array(), stuck = Json::array();
     for (const ContactSample& contact : sample.contacts) {
       if (contact.area <= 0) continue;
@@ -255,6 +257,7 @@ Json energy_chart(const SceneResult& scene) {
 /// Places of the bodies that move, a chart for each direction.
 Json place_charts(const SceneResult& scene) {
   const Mechanism& mechanism = scene.built->scene.mechanism;
+  // Follow centres of mass, which do not depend on where a body has its origin.
   Json blocks = Json::array();
   for (Index axis = 0; axis < 3; ++axis) {
     TimeChart chart(scene);
@@ -288,6 +291,7 @@ Json force_chart(const SceneResult& scene) {
 
 /// Tensions of muscles that pull, and activations of those that contract.
 Json muscle_charts(const SceneResult& scene) {
+  // Muscles that stay at rest are left out.
   TimeChart tensions(scene), activations(scene);
   for (const PullMeasure& muscle : scene.measures.pulls.muscles) {
     if (muscle.tension.maxCoeff() > 0)
@@ -312,6 +316,7 @@ Json film_of(const SceneResult& scene, Index instants, MeshTable& meshes) {
 }
 
 Json run_banner(const SceneResult& scene) {
+  // A refused motion says why; otherwise the solver's residual is told.
   const std::string refusal = refusal_of(scene);
   if (!refusal.empty())
     return {{"type", "banner"},
@@ -351,6 +356,7 @@ Json opening_of(const SceneResult& scene) {
 }
 
 Json page_of(const SceneResult& scene) {
+  // Motion first, then forces, muscles and places, and the account of energy at last.
   MeshTable meshes;
   Json blocks = Json::array({run_banner(scene)});
   blocks.push_back(film_of(scene, kMaxPlayed, meshes));

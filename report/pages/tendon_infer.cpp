@@ -10,6 +10,7 @@ namespace thenar {
 namespace {
 
 Json verdict_block(const InferNetResult& inference) {
+  // One row for each candidate band: verdict, evidence and stiffness.
   Json rows = Json::array();
   for (std::size_t k = 0; k < inference.inferred.verdicts.size(); ++k) {
     const BandVerdict& band = inference.inferred.verdicts[k];
@@ -50,6 +51,7 @@ Json next_block(const InferNetResult& inference) {
 }
 
 Json belief_block(const InferNetResult& inference) {
+  // Probabilities replace verdicts where other parameters were free.
   Json rows = Json::array();
   for (std::size_t k = 0; k < inference.free->posterior.bands.size(); ++k) {
     const BandBelief& band = inference.free->posterior.bands[k];
@@ -103,6 +105,7 @@ Json doubts_block(const std::vector<std::string>& warnings) {
 }  // namespace
 
 Json page_of(const InferNetResult& inference) {
+  // The method and its seed make the result repeatable.
   Json provenance = provenance_json(inference.sources, inference.fidelity);
   provenance["method"] =
       inference.request.method == InferMethod::kSparse
@@ -111,6 +114,7 @@ Json page_of(const InferNetResult& inference) {
   if (inference.free)
     provenance["method"] = fmt::format("{} free, seed {}", fmt::join(inference.free->freed, ", "),
                                        inference.request.seed);
+  // Words on the fit, then on bands that the data cannot tell apart.
   std::string text;
   for (const std::string& line :
        inference.free ? posterior_in_words(*inference.free) : fit_in_words(inference))

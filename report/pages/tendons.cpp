@@ -136,6 +136,7 @@ std::string positive_sense(const std::string& coordinate) {
 }
 
 Json arm_charts(const TendonSweepResult& sweep) {
+  // Arms of muscles that pull; those of a net depend on the tensions.
   Json charts = Json::array();
   const std::vector<std::string>& muscles = names_of(sweep).muscles;
   for (int c = 0; c < sweep.points.front().q.size(); ++c) {
@@ -154,6 +155,7 @@ Json arm_charts(const TendonSweepResult& sweep) {
 }
 
 Json tip_chart(const TendonSweepResult& sweep) {
+  // Turn the directions of the tip with its link.
   const TendonModel<double>& model = sweep.loaded.bones().model;
   const char* const names[] = {"proximal", "dorsal", "radial"};
   Json series = Json::array();
@@ -178,6 +180,7 @@ double above_rounding(double tension) { return tension < 1e-6 ? 0 : tension; }
 /// Bands by posture.
 Json band_table(const TendonSweepResult& sweep, const Net& net,
                 const std::vector<std::size_t>& shown) {
+  // One column for each posture that is shown.
   std::vector<BlockColumn> columns{{"band", "", -1}, {"from", "", -1}, {"to", "", -1}};
   for (const std::size_t i : shown) columns.push_back({title(sweep, sweep.points[i]), "N", 3});
   Json rows = Json::array();
@@ -220,6 +223,7 @@ Json net_section(const TendonSweepResult& sweep, const NetTendons& net, MeshTabl
 }
 
 Json sections_of(const TendonSweepResult& sweep, MeshTable& meshes) {
+  // Doubts first, then the net, slips, arms and the force of the tip.
   Json sections = Json::array();
   const std::string warning = trouble_line(sweep);
   if (!warning.empty())
@@ -267,6 +271,8 @@ Json net_scenes(const TendonSweepResult& sweep, std::size_t most, MeshTable& mes
 }
 
 Json slip_charts(const TendonSweepResult& sweep) {
+  // The ratio of terminal to central slip is published, and undefined while the central slip is
+  // slack.
   Json ratio = Json::array(), slips = Json::array();
   add_series(
       sweep, "",

@@ -14,6 +14,7 @@ namespace {
 
 Json tip_charts(const TipForceResult& answer) {
   const SweepAxes axes = axes_of(answer);
+  // Force along the tip's own axes, left over torque of the joints, and moments of a clamped tip.
   std::vector<Curve> force, torque, moment;
   const char* const names[] = {"proximal", "dorsal", "radial"};
   const char* const world[] = {"x", "y", "z"};
@@ -74,6 +75,7 @@ std::string tension_words(const TipForceResult& answer) {
 }  // namespace
 
 Json page_of(const TipForceResult& answer) {
+  // Say what holds the tip, as it decides about moments.
   const std::string words = fmt::format(
       "Tensions: {}. The tip is {}; the force is what the tip does to the world.",
       tension_words(answer),
@@ -87,6 +89,7 @@ Json page_of(const TipForceResult& answer) {
       {section("force", "Force of the fingertip", digit_introduction(answer, words), blocks)});
   if (!answer.single() && !answer.points.empty())
     sections.push_back(section("curves", "Over the posture", "", tip_charts(answer)));
+  // Sum up by the size of the force.
   std::vector<double> sizes;
   for (const TipForcePoint& point : answer.points)
     if (point.failure.empty()) sizes.push_back(point.force.norm());

@@ -25,6 +25,7 @@ std::string enclosed(const Epsilon& e) {
 }
 
 Json number_table(const GraspResult& result) {
+  // Bounds of epsilon, and what its units are.
   const Epsilon& e = result.grasp.quality;
   Json rows = Json::array();
   rows.push_back({"signed epsilon", enclosed(e)});
@@ -36,6 +37,7 @@ Json number_table(const GraspResult& result) {
   rows.push_back({"torques divided by",
                   fmt::format("{:.1f} mm, the reach of the object from its centre of mass",
                               1000 * result.setting.setup.object.torque_scale)});
+  // Directions without any wrench come before the weakest one.
   if (e.has_missing_direction)
     rows.push_back({"no wrench along", direction_words(e.missing_direction)});
   rows.push_back({e.has_missing_direction ? "does not withstand" : "weakest against",
@@ -52,6 +54,7 @@ WrenchSet with_friction(const WrenchSet& set, double factor) {
 }
 
 Json friction_chart(const GraspResult& result) {
+  // Repeat epsilon with the cones scaled: it shows how much the grasp depends on friction.
   EpsilonOptions options;
   options.limit = result.request.limit;
   Json x = Json::array(), y = Json::array(), low = Json::array(), high = Json::array();
@@ -101,6 +104,7 @@ Json axes_layer() {
 /// Three coordinates of the set: those of all wrenches, and of those without the other three.
 Json set_scene(const GraspResult& result, int first, const std::string& caption,
                MeshTable& meshes) {
+  // Draw the projection of the set, and the slice without the other three coordinates.
   const ForceSet forces = unit_forces(result.wrenches, result.request.limit);
   const std::array<int, 3> coordinates{first, first + 1, first + 2};
   const auto draw = [&](PictureKind kind) {

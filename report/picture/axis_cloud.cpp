@@ -57,6 +57,7 @@ Json axis_cloud_picture(const TendonDigit& start, const Eigen::VectorXd& q,
                         const std::vector<AxisCloud>& clouds,
                         const std::optional<TendonModel<double>>& truth,
                         const std::string& caption) {
+  // The axes at the start, the clouds of draws, and the true axes if they are known.
   Json layers = Json::array({bone_layer(start, q, "#b8a48a"),
                              axis_layer(start, q, "axes before", "#777777", kAxisLength, true)});
   for (std::size_t k = 0; k < clouds.size(); ++k)

@@ -77,6 +77,7 @@ Json body_item(const GraspBody& body, MeshTable& meshes) {
 }  // namespace
 
 Json hand_layers(const HandPicture& picture, MeshTable& meshes) {
+  // Pose the links once; digits become layers, carriers one of their own.
   const Hand& hand = picture.hand;
   const std::vector<Pose<double>> links = hand.pose(picture.q);
   const std::vector<std::string> digits = digits_of(hand);
@@ -115,6 +116,7 @@ Json setup_layers(const GraspSetup& setup, MeshTable& meshes) {
 
 Json contact_layers(const std::vector<HandContact>& contacts, const Pose<double>& X_WO,
                     double reach) {
+  // Arrows along the normals, and cones of friction whose slant height is the arrow's length.
   const double length = std::min(kArrowShare * reach, kMaxArrowLength);
   Json points = Json::array(), normals = Json::array(), cones = Json::array();
   for (const HandContact& found : contacts) {

@@ -50,6 +50,7 @@ Json surface_layer(const NetTendons& tendons, const TreeState<double>& state) {
 Json band_layers(const NetTendons& tendons, const TreeState<double>& state,
                  const NetEquilibrium& rest) {
   const Net& net = tendons.net().net;
+  // Taut bands are coloured by tension, slack ones dashed.
   Json taut = Json::array(), slack = Json::array();
   for (std::size_t k = 0; k < net.bands.size(); ++k) {
     const auto band = static_cast<Eigen::Index>(k);
@@ -64,6 +65,7 @@ Json band_layers(const NetTendons& tendons, const TreeState<double>& state,
       slack.push_back(item);
     }
   }
+  // Knots that float, and their names in a layer that is hidden at first.
   Json knots = Json::array();
   for (std::size_t i = 0; i < net.nodes.size(); ++i)
     if (net.nodes[i].free) knots.push_back(in_mm(rest.x.col(static_cast<Eigen::Index>(i))));
@@ -86,6 +88,7 @@ Json band_layers(const NetTendons& tendons, const TreeState<double>& state,
 
 Json muscle_layer(const NetTendons& tendons, const TreeState<double>& state,
                   const Eigen::VectorXd& t) {
+  // Draw the muscle from the net to where it turns no joint any more.
   Json items = Json::array();
   const std::vector<std::string>& names = tendons.digit().names.muscles;
   for (const NetMuscle& muscle : tendons.net().muscles) {

@@ -44,6 +44,7 @@ std::vector<MeshColor> nail_colors(const TriangleMesh& mesh, const std::vector<S
 }  // namespace
 
 Json skin_layer(const SkinnedDigit& digit, MeshTable& meshes) {
+  // Skin needs the anatomy of the hand, and is drawn of this digit alone.
   std::optional<HandAnatomy> anatomy = anatomy_of(digit.subject);
   if (!anatomy) return nullptr;
   anatomy->palm.reset();  // without its web, which would hang in the air

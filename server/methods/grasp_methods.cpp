@@ -43,6 +43,7 @@ OrderedJson volume_json(const GraspResult& result, const Progress& progress) {
   options.limit = result.request.limit;
   options.progress = progress;
   const Volume found = volume(result.wrenches, options);
+  // A volume that was stopped has no bounds worth telling.
   if (progress.stop()) throw Stopped("the volume was stopped");
   return {{"lower", found.lower},
           {"upper", number_or_null(found.upper)},
@@ -62,6 +63,7 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
                   {"hand", result.setting.hand.named.name},
                   {"object", object.name},
                   {"contacts", result.grasp.contacts.size()}};
+  // Without contacts there is no quality, and the reason is told.
   if (result.grasp.contacts.empty()) {
     out.update({{"reason", "the hand does not touch the object"},
                 {"epsilon", nullptr},
@@ -72,6 +74,7 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
                 {"worst_wrench", nullptr},
                 {"worst_wrench_words", nullptr},
                 {"volume", nullptr}});
+    // Epsilon with its bounds, and the direction that limits it.
   } else {
     const Epsilon& e = result.grasp.quality;
     const bool missing = e.has_missing_direction;
@@ -94,6 +97,7 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
 }
 
 OrderedJson wrenches(Session& session, const Json& params, const Progress& /*progress*/) {
+  // Unlimited contacts give wrenches per newton of normal force, limits of the hand newtons.
   const Json& axes = params["axes"];
   const auto limits = value_in(kWrenchLimitsNames, params["limits"].get<std::string>(), "limits");
   const WrenchSetMesh found =
@@ -119,6 +123,7 @@ OrderedJson pads(Session& session, const Json& params, const Progress& /*progres
   const LivePads found =
       press_pads(live_world(session), pair_param(params), params["force"].get<double>());
   OrderedJson list = OrderedJson::array();
+  // Tell every spring of each pad: its place, its pressure and whether it sticks.
   for (const PadOnObject& pad : found.pads) {
     OrderedJson points = OrderedJson::array();
     for (const PadPoint& point : pad.points)

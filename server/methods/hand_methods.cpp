@@ -34,6 +34,7 @@ OrderedJson closing_json(const LiveWorld& live, const LivePair& pair, const Hand
 OrderedJson joint_list(const LiveWorld& live, std::size_t index) {
   const StateHand& hand = live.state().hands[index];
   const HandLayout& layout = hand.built->model().layout();
+  // Tell turning from sliding, as units of values depend on it.
   std::vector<bool> slides(layout.coordinates.size(), false);
   for (const HandJoint& joint : hand.built->joints)
     slides[static_cast<std::size_t>(joint.coordinate)] = joint.slides;

@@ -57,6 +57,7 @@ MotionParts wanted_parts(const Json& params) {
 }
 
 MotionInputs inputs_of(const Json& params) {
+  // Each kind of input is a map from names to numbers.
   MotionInputs inputs{named_numbers(params, "efforts"),
                       named_numbers(params, "targets"),
                       named_numbers(params, "tensions"),
@@ -76,6 +77,7 @@ bool has_inputs(const Json& params) {
 // Replies.
 
 OrderedJson contact_json(const ContactSample& contact, const std::vector<std::string>& names) {
+  // Contacts are stated in the world: the normal points out of b, and the force acts on a.
   OrderedJson out;
   out["a"] = names[static_cast<std::size_t>(contact.a)];
   out["b"] = names[static_cast<std::size_t>(contact.b)];
@@ -89,6 +91,7 @@ OrderedJson contact_json(const ContactSample& contact, const std::vector<std::st
 }
 
 OrderedJson energy_json(const MotionEnergy& energy) {
+  // Parts that a recorded motion does not hold are null.
   OrderedJson out;
   out["kinetic"] = number_or_null(energy.kinetic);
   out["weight"] = number_or_null(energy.weight);
@@ -105,6 +108,7 @@ OrderedJson energy_json(const MotionEnergy& energy) {
 void add_state(const LiveTimeline& motion, const MotionParts& parts, OrderedJson& out) {
   const TimelineState state = motion.state(parts);
   out["t"] = state.t;
+  // Only parts that were asked for are sent, since contacts and bodies are many.
   if (parts.joints) {
     OrderedJson& joints = out["joints"] = OrderedJson::object();
     for (const CoordinateState& each : state.joints)
@@ -124,6 +128,7 @@ void add_state(const LiveTimeline& motion, const MotionParts& parts, OrderedJson
     for (const ContactSample& each : state.contacts)
       contacts.push_back(contact_json(each, state.body_names));
   }
+  // Energy and readings of muscles.
   if (state.energy) out["energy"] = energy_json(*state.energy);
   if (parts.muscles) {
     OrderedJson& muscles = out["muscles"] = OrderedJson::object();
@@ -138,6 +143,7 @@ OrderedJson quality_json(const MotionQuality& quality) {
   out["worst_residual"] = number_or_null(quality.worst_residual);
   out["deepest"] = quality.deepest;
   out["leaps"] = quality.leaps;
+  // Energy is judged only where the method keeps account of it.
   const std::optional<FlowBalance>& balance = quality.balance;
   out["energy_error"] = balance ? number_or_null(balance->error) : Json();
   out["energy_turned_over"] = balance ? number_or_null(balance->turned_over) : Json();
@@ -178,6 +184,7 @@ OrderedJson play_json(const LiveTimeline& motion) {
 // Handlers.
 
 MotionSource source_of(const Session& session, const Json& params) {
+  // Without a scene the world is moved as it stands; drives hold its hands.
   const std::string& data = session.places().data;
   std::optional<double> step;
   if (params.contains("step")) step = params.at("step").get<double>();
@@ -189,6 +196,7 @@ MotionSource source_of(const Session& session, const Json& params) {
                         step);
   }
   require(!params.contains("drives"), "'drives' are of a world: a scene has its own");
+  // A scene is read as the command reads it.
   SceneRequest request;
   request.scene = params.at("scene").get<std::string>();
   request.data = data;
@@ -300,6 +308,7 @@ std::string with_quality(const std::string& of) {
 }
 
 void add_opening_methods(MethodTable& table) {
+  // A motion is opened live, or read from a file.
   const std::string opened = "name, step [s], duration [s] or null, warnings";
   table.add({"motion.open", "Opens a scene, or the world as it stands, to be moved step by step.",
              object_schema({{"scene", text_schema(),
@@ -319,6 +328,7 @@ void add_opening_methods(MethodTable& table) {
 }
 
 void add_stepping_methods(MethodTable& table) {
+  // Stepping sets inputs first, then moves, then tells the state.
   std::vector<SchemaMember> members{
       {"steps", integer_schema(0, kMostSteps), "How many steps.", false, 1}};
   for (const SchemaMember& input : input_members()) members.push_back(input);
@@ -341,6 +351,7 @@ void add_stepping_methods(MethodTable& table) {
 }
 
 void add_playing_methods(MethodTable& table) {
+  // Play runs in real time on the engine's own thread.
   table.add(
       {"motion.play", "Shows the motion, and lets time go on by itself.",
        object_schema({{"speed", number_schema("1", 1e-3, 100), "Times real time.", false, 1}}),

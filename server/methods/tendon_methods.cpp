@@ -25,6 +25,7 @@ Json list_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
 }
 
 OrderedJson joints_json(const LiveDigit& digit) {
+  // Joints that follow another one are told with their leader.
   const std::vector<double> angles = hinge_angles(digit.about().bones().model, digit.now().point.q);
   OrderedJson joints = OrderedJson::array();
   for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -41,6 +42,7 @@ OrderedJson joints_json(const LiveDigit& digit) {
 }
 
 OrderedJson muscles_json(const LiveDigit& digit) {
+  // NaN means unknown, and is sent as null.
   const DigitNow& now = digit.now();
   const TendonDigit& bones = digit.about().bones();
   OrderedJson muscles = OrderedJson::array();
@@ -77,6 +79,7 @@ OrderedJson bands_json(const LiveDigit& digit) {
 /// Force of the tip in the subject's frame and along its own directions; null where not to be
 /// trusted.
 void add_tip(const LiveDigit& digit, OrderedJson& json) {
+  // A tip force without balance would mislead, so it is null.
   const DigitPoint& point = digit.now().point;
   const TendonModel<double>& model = digit.about().bones().model;
   const bool sound = trusted(point.pull.status);
@@ -90,6 +93,7 @@ void add_tip(const LiveDigit& digit, OrderedJson& json) {
         to_json({"proximal", "dorsal", "radial"}, axes.transpose() * point.tip.f_W);
   }
   const std::vector<std::string>& joints = digit.about().bones().names.coordinates;
+  // Passive torques depend on the posture alone, so they are told in any case.
   Fields passive;
   add_passive(digit.about().bones().skeleton, point.q, passive);
   json.update(json_of(passive, UnitSystem::kPrinted));
@@ -109,6 +113,7 @@ std::vector<std::string> warnings_of(const LiveDigit& digit) {
 
 OrderedJson state_json(const LiveDigit& digit) {
   const DigitCase& about = digit.about();
+  // Tell first what was built, as it may be less than what was asked for.
   const DigitNow& now = digit.now();
   OrderedJson json{
       {"subject", about.subject.name},
@@ -119,6 +124,7 @@ OrderedJson state_json(const LiveDigit& digit) {
   json["joints"] = joints_json(digit);
   json["muscles"] = muscles_json(digit);
   json["bands"] = bands_json(digit);
+  // Slips of the extensor hood, and the force of the tip.
   const SlipTension& slips = now.point.pull.slips;
   json["slips"] = {{"central", slips.central},
                    {"radial", slips.radial},
@@ -132,6 +138,7 @@ OrderedJson state_json(const LiveDigit& digit) {
 }
 
 OrderedJson open_digit_of(Session& session, const Json& params, const Progress& progress) {
+  // Rungs that are left out are chosen by the digit.
   DigitRequest request;
   request.data = session.places().data;
   request.subject = params["subject"].get<std::string>();
@@ -158,6 +165,7 @@ OrderedJson set_digit(Session& session, const Json& params, const Progress& /*pr
 
 OrderedJson sweep_digit_of(Session& session, const Json& params, const Progress& progress) {
   const auto& digit = session.model<LiveDigit>(LiveMode::kTendons);
+  // The other joints stay where they stand.
   const DigitCurves curves =
       digit.sweep(params["joint"].get<std::string>(), params["count"].get<int>(), progress);
   if (progress.stop()) throw Stopped("stopped");
@@ -221,6 +229,7 @@ constexpr const char* kStateWords =
 }  // namespace
 
 void add_tendon_methods(MethodTable& table) {
+  // A digit is opened, changed and looked at; each change solves its tendons again.
   table.add({"tendons.open", "Opens a digit of a subject with its tendons, and shows it.",
              open_params(), std::string("As tendons.state: ") + kStateWords,
              R"({"subject": "synek2019_middle"})", open_digit_of});
@@ -234,6 +243,7 @@ void add_tendon_methods(MethodTable& table) {
              [](Session& session, const Json&, const Progress&) {
                return state_json(session.model<LiveDigit>(LiveMode::kTendons));
              }});
+  // A sweep changes nothing of what is shown.
   table.add({"tendons.sweep",
              "Moment arms and lengths of every muscle over one joint, the others as they stand.",
              sweep_params(),

@@ -161,6 +161,7 @@ void add_file_rows(MethodTable& table) {
 }
 
 void add_thing_rows(MethodTable& table) {
+  // Paths may be longer than names.
   const Schema path = text_schema(kPathLength), name = text_schema(kNameLength);
   table.add(
       {"world.add_object",

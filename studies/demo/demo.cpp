@@ -47,11 +47,13 @@ ShownThumb prepare(const DemoThumb& of) {
 }
 
 Json thumb_scene(const ShownThumb& thumb, MeshTable& meshes) {
+  // Bones, axes, tendons and the set of forces that the tip can make, drawn at the tip.
   Json layers =
       Json::array({bone_layer(thumb.digit, thumb.q, "#b8a48a"),
                    axis_layer(thumb.digit, thumb.q, "joint axes", "#0072b2", 0.03, true),
                    tendon_layer(thumb.digit, thumb.q, "tendons", "#cc79a7", false),
                    force_set_layer(thumb.digit, thumb.q, thumb.set, kMmPerNewton, "#e69f00")});
+  // Add the skin where the subject has an anatomy.
   add_skin({thumb.of.subject, thumb.digit, pose_tree(thumb.digit.model.tree, thumb.q)}, meshes,
            layers);
   Eigen::Matrix3d palm = Eigen::Matrix3d::Zero();
@@ -68,10 +70,13 @@ Json thumb_scene(const ShownThumb& thumb, MeshTable& meshes) {
 
 /// Largest force along the six directions of the tip [N].
 Json thumb_row(const ShownThumb& thumb) {
+  // Turn the directions of the tip with its link.
   const TreeState<double> state = pose_tree(thumb.digit.model.tree, thumb.q);
   const Eigen::Matrix3d axes = state[thumb.digit.model.tip_link].X.R * thumb.digit.model.tip_axes;
   Json cells = Json::array(
       {thumb.of.title, thumb.set.dimension, thumb.set.vertices.rows(), thumb.set.volume});
+  // Ask for the largest force along each direction and against it; a component is rounded to a
+  // micronewton.
   for (int k = 0; k < 6; ++k) {
     const MaxTipForce most =
         max_tip_force(thumb.statics, (k % 2 == 0 ? 1.0 : -1.0) * axes.col(k / 2));
@@ -93,6 +98,8 @@ Json posterior_row(const DemoPosterior& posterior, const Prediction& prediction,
 }
 
 Json chains_row(const DemoPosterior& posterior) {
+  // Worst values of the chains, then the expected log predictive density by leaving out one trial
+  // at a time.
   const LeaveOneOut& loo = posterior.left_out.result;
   const Convergence& c = posterior.run.convergence;
   return {posterior.name,
@@ -110,6 +117,7 @@ Json chains_row(const DemoPosterior& posterior) {
 
 Json provenance_of(const DemoResult& demo, double seconds) {
   const StudyInputs& inputs = demo.inputs;
+  // Collect every file that was read: subjects, settings, experiments and scenes.
   std::vector<SourceText> sources{inputs.specimen.subject, inputs.specimen.settings,
                                   inputs.population_subject};
   for (const auto* experiments : {&inputs.specimen.experiments, &inputs.unseen})
@@ -136,6 +144,7 @@ Json provenance_of(const ThumbRecoveryResult& result) {
 }  // namespace
 
 Json thumb_page(const std::vector<DemoThumb>& thumbs, MeshTable& meshes) {
+  // Draw each thumb, and put its largest forces into the table.
   Json scenes = Json::array(), rows = Json::array();
   for (const DemoThumb& of : thumbs) {
     const ShownThumb thumb = prepare(of);
@@ -165,6 +174,7 @@ Json thumb_page(const std::vector<DemoThumb>& thumbs, MeshTable& meshes) {
 }
 
 Json posteriors_at_a_glance(const std::vector<DemoPosterior>& posteriors) {
+  // Predictions of fingers that were fitted and of one that was not, side by side.
   Json rows = Json::array(), runs = Json::array();
   for (const DemoPosterior& posterior : posteriors) {
     for (const Prediction& prediction : posterior.fitted)
@@ -215,10 +225,12 @@ SetPage question(const std::string& file, const std::string& title, const Findin
 /// Pages on the fitted fingers.
 std::vector<SetPage> finger_pages(const DemoResult& demo) {
   const std::vector<SpecimenStudy>& studies = demo.specimens;
+  // The figure of a page is the first picture of its kind, which the front page shows too.
   SetPage forces =
       question("forces.html", "How well are fingertip forces predicted?", force_finding(studies),
                Json::array({accuracy_page(studies), force_page(studies), solver_page(studies)}));
   forces.figure = first_block(forces.page, "bars");
+  // Pages with scenes carry the meshes of their bones and skin.
   MeshTable meshes;
   Json in_space = finger_page(studies, meshes);
   SetPage finger =
@@ -251,11 +263,13 @@ std::vector<SetPage> posterior_pages(const std::vector<DemoPosterior>& posterior
 
 /// Pages on hoods and thumbs.
 std::vector<SetPage> model_pages(const DemoResult& demo) {
+  // Sweep of the hood under constant tensions, and all models of it.
   MeshTable hood_meshes;
   Json nets = hood_page(demo.hood.sweep, demo.hood.rungs, hood_meshes);
   SetPage hood = question("hood.html", "How should the extensor hood be modelled?",
                           hood_finding(demo.hood), Json::array({std::move(nets)}), hood_meshes);
   hood.figure = first_block(hood.page, "row");
+  // Thumbs with orthogonal and skewed axes, then the fits to made-up forces.
   MeshTable thumb_meshes;
   const Json thumbs = thumb_page(demo.thumbs, thumb_meshes);
   const ThumbStudy& study = demo.thumb_study.study;
@@ -263,6 +277,7 @@ std::vector<SetPage> model_pages(const DemoResult& demo) {
       question("thumbs.html", "What do skewed axes cost a thumb?", thumb_finding(study, thumbs),
                Json::array({thumbs, thumb_study_section(study)}), thumb_meshes);
   thumb.figure = first_block(thumb.page, "row");
+  // Recovery of the founding paper, with the origin of its own data.
   const ThumbRecoveryResult& recovery = demo.thumb_recovery;
   SetPage founding = question(
       "founding_thumb.html", "Are a thumb's axes found as in [Miller2005]?",
@@ -319,6 +334,7 @@ std::vector<SetPage> demo_pages(const DemoResult& demo, double seconds) {
   add(model_pages(demo));
   add(moving_scene_pages(demo.motion));
   add(grasp_and_pad_pages(demo));
+  // Sum up last, because the front page repeats a line and a figure of every page.
   SetPage front = front_of(seconds);
   sum_up(pages, front);
   pages.insert(pages.begin(), std::move(front));

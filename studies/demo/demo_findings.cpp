@@ -50,6 +50,7 @@ std::string share(std::size_t part, std::size_t whole) {
 }  // namespace
 
 Finding force_finding(const std::vector<SpecimenStudy>& studies) {
+  // Count the fingers on which the fit beats the best prediction without a fit.
   std::size_t better = 0;
   std::vector<std::string> rivals;
   for (const SpecimenStudy& study : studies) {
@@ -100,6 +101,7 @@ Finding finger_finding(const std::vector<SpecimenStudy>& studies) {
 }
 
 Finding population_finding(const PopulationStudy& study) {
+  // Errors of each finger predicted by the other, then of the bonobo.
   std::vector<std::string> left_out, unseen;
   for (std::size_t e = 0; e < study.specimens.experiments.size(); ++e)
     left_out.push_back(fmt::format("{:.3f} ({})", study.specimens.experiments[e].error.relative,
@@ -125,6 +127,7 @@ Finding population_finding(const PopulationStudy& study) {
 }
 
 Finding posterior_finding(const std::vector<DemoPosterior>& posteriors) {
+  // The worst R-hat decides about all chains; coverage is that of fingers that were never fitted.
   double worst = 0, least = 1, most = 0;
   std::size_t converged = 0;
   for (const DemoPosterior& posterior : posteriors) {
@@ -168,6 +171,7 @@ Finding posterior_finding(const DemoPosterior& posterior) {
 }
 
 Finding hood_finding(const DemoHood& hood) {
+  // Name the best model of each experiment with its cost, and the finest one beside it.
   std::vector<std::string> best;
   for (const HoodComparison& comparison : hood.rungs) {
     if (comparison.rungs.empty()) continue;

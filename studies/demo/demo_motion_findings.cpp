@@ -36,6 +36,7 @@ struct HandScore {
 };
 
 std::vector<HandScore> scores_of(const Comparison& comparison) {
+  // Score each hand by its closures and its largest epsilon.
   std::vector<HandScore> scores;
   for (const std::string& hand : comparison.hands) {
     HandScore score{hand, count_closures(comparison, hand)};
@@ -51,6 +52,7 @@ std::vector<HandScore> scores_of(const Comparison& comparison) {
 }  // namespace
 
 Finding glass_finding(const SceneResult& glass) {
+  // Follow the centre of mass of the glass, along the vertical.
   const Mechanism& mechanism = glass.built->scene.mechanism;
   const auto body = static_cast<std::size_t>(body_named(mechanism, "glass"));
   const Eigen::Vector3d com = mechanism.bodies[body].mass.com;
@@ -70,6 +72,7 @@ Finding glass_finding(const SceneResult& glass) {
 }
 
 Finding thumb_mug_finding(const DemoMotion& motion) {
+  // The pad has turned by the change of its angle towards the mug.
   const auto turned = [](const std::vector<PadState>& states) -> double {
     if (states.empty()) return NAN;
     // No minus before what rounds to zero.
@@ -101,6 +104,7 @@ Finding stepping_finding(const std::vector<WorkPoint>& points) {
 }
 
 Finding hands_finding(const Comparison& comparison) {
+  // Tell the share of closures of every hand, and which hand has the largest epsilon.
   const std::vector<HandScore> scores = scores_of(comparison);
   std::vector<std::string> closures;
   double widest = 0;

@@ -42,6 +42,7 @@ Json pad_section(const DemoMotion& motion) {
 
 /// One line of the chart and its rows of the table.
 Json work_series(const std::vector<WorkPoint>& points, SteppingMethod method, Json& rows) {
+  // One point per setting: processor time [ms] and error [mm].
   Json cpu = Json::array(), error = Json::array(), hints = Json::array();
   const std::string name = name_in(kSteppingMethodNames, method);
   for (const WorkPoint& point : points) {
@@ -51,7 +52,7 @@ Json work_series(const std::vector<WorkPoint>& points, SteppingMethod method, Js
                                        : fmt::format("step {:g} ms", 1e3 * point.setting);
     rows.push_back({name, setting, name_of(point.status), point.steps, 1e3 * point.cpu_seconds,
                     point.error / kMm});
-    // What was not solved has no point in the chart.
+    // Runs that were not solved have no point in the chart.
     if (point.status != SceneStatus::kDone && point.status != SceneStatus::kUnbalanced) continue;
     cpu.push_back(1e3 * point.cpu_seconds);
     error.push_back(point.error / kMm);
@@ -61,6 +62,7 @@ Json work_series(const std::vector<WorkPoint>& points, SteppingMethod method, Js
 }
 
 Json work_section(const std::vector<WorkPoint>& points) {
+  // Events choose their steps by a tolerance, time-stepping takes them as given.
   Json rows = Json::array(), series = Json::array();
   for (const SteppingMethod method : {SteppingMethod::kEvents, SteppingMethod::kTimeStepping})
     series.push_back(work_series(points, method, rows));

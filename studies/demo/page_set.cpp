@@ -50,6 +50,7 @@ Json first_block(const Json& page, const std::string& type) {
 
 void sum_up(const std::vector<SetPage>& pages, SetPage& front) {
   Json lines = Json::array(), sections = Json::array(), meshes = Json::object();
+  // Each page gives one line, one figure and a link to the whole.
   for (const SetPage& page : pages) {
     if (page.line.empty()) continue;
     lines.push_back({{"text", page.line}, {"file", page.file}, {"link", "More"}});

@@ -23,6 +23,7 @@ Json error_row(const std::string& specimen, const std::string& what, const std::
 
 /// All predictions of one specimen, best known first.
 Json rows_of(const SpecimenStudy& study) {
+  // Begin with what the fit has seen, then what it has not, then predictions without a fit.
   const std::string specimen = study.fit.problem.specimens().front();
   Json rows = Json::array();
   rows.push_back(error_row(specimen, "Fit, in sample", "all rows", study.in_sample));
@@ -36,6 +37,7 @@ Json rows_of(const SpecimenStudy& study) {
 }
 
 Json bars(const std::vector<SpecimenStudy>& studies) {
+  // One group of bars for each specimen, in the order of the table.
   Json groups = Json::array();
   for (const SpecimenStudy& study : studies) {
     Json values = Json::array();
@@ -54,6 +56,7 @@ Json bars(const std::vector<SpecimenStudy>& studies) {
 
 /// Rise of the cost while one parameter is held and all others make up for it.
 Json profiles(const SpecimenStudy& study) {
+  // A profile holds one parameter at a value and fits all others again.
   Json series = Json::array();
   for (const Profile& profile : study.profiles) {
     Json x = Json::array(), y = Json::array();
@@ -63,6 +66,7 @@ Json profiles(const SpecimenStudy& study) {
     }
     series.push_back({{"name", profile.name}, {"style", "both"}, {"x", x}, {"y", y}});
   }
+  // Half the 95 % quantile of chi-square with one degree of freedom is 1.92.
   return {{"type", "lines"},
           {"caption", fmt::format("{}: profiles of the best known parameters, priors included; a "
                                   "profile is inside the line within its 95 % interval",
@@ -84,6 +88,7 @@ Json population_row(const std::string& specimen, const std::string& what,
 }  // namespace
 
 Json accuracy_page(const std::vector<SpecimenStudy>& studies) {
+  // Rows of all specimens, one below the other.
   Json rows = Json::array();
   for (const SpecimenStudy& study : studies)
     for (const Json& row : rows_of(study)) rows.push_back(row);
@@ -115,6 +120,7 @@ Json accuracy_page(const std::vector<SpecimenStudy>& studies) {
 }
 
 Json force_page(const std::vector<SpecimenStudy>& studies) {
+  // In sample first, then each posture predicted by a fit to the others.
   Json blocks = Json::array();
   for (const SpecimenStudy& study : studies) {
     const std::string specimen = study.fit.problem.specimens().front();
@@ -132,6 +138,7 @@ Json force_page(const std::vector<SpecimenStudy>& studies) {
 }
 
 Json solver_page(const std::vector<SpecimenStudy>& studies) {
+  // Compare costs with the least that any solver reached, so that a local minimum shows.
   Json rows = Json::array(), series = Json::array();
   for (const SpecimenStudy& study : studies) {
     const std::string specimen = study.fit.problem.specimens().front();
@@ -171,6 +178,7 @@ Json solver_page(const std::vector<SpecimenStudy>& studies) {
 }
 
 Json parameter_page(const std::vector<SpecimenStudy>& studies) {
+  // Estimates of each parameter, profiles, and directions that no force determines.
   Json blocks = Json::array();
   for (const SpecimenStudy& study : studies) {
     blocks.push_back(learnt_forest(study.fit, study.fit.problem.specimens().front()));
@@ -196,6 +204,7 @@ Json finger_page(const std::vector<SpecimenStudy>& studies, MeshTable& meshes) {
 }
 
 Json population_page(const PopulationStudy& study, const std::vector<SpecimenStudy>& studies) {
+  // Each specimen by its own parameters, by the population, and left out.
   Json rows = Json::array();
   for (std::size_t e = 0; e < study.own.size(); ++e) {
     const std::string& specimen = study.fit.problem.experiments()[e].specimen;
@@ -209,12 +218,15 @@ Json population_page(const PopulationStudy& study, const std::vector<SpecimenStu
     for (const BaselinePrediction& baseline : studies[e].baselines)
       rows.push_back(population_row(specimen, baseline.name, baseline.prediction));
   }
+  // Specimens that were never fitted are predicted by the population alone.
   for (const UnseenSpecimen& unseen : study.unseen) {
     rows.push_back(
         population_row(unseen.specimen, "by the population, never fitted", unseen.prediction));
     for (const BaselinePrediction& baseline : unseen.baselines)
       rows.push_back(population_row(unseen.specimen, baseline.name, baseline.prediction));
   }
+  // Compare with forces of the other specimens taken as they are, a prediction that any model must
+  // beat.
   Json blocks = Json::array({table_block("Specimens predicted by what others have taught",
                                          {{"specimen", ""},
                                           {"prediction", ""},
@@ -228,6 +240,7 @@ Json population_page(const PopulationStudy& study, const std::vector<SpecimenStu
     if (std::optional<Json> table = beside_trivial_table(
             in_digit_axes(study.specimens.experiments[e], study.fit.problem.experiments()[e])))
       blocks.push_back(*table);
+  // Draw the forces of unseen specimens, whose ellipses should hold 95 % of them.
   for (const UnseenSpecimen& unseen : study.unseen)
     blocks.push_back(force_panels(
         unseen.prediction,

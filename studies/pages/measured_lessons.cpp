@@ -16,6 +16,7 @@ namespace {
 
 /// Mean and sd of a row of predictions, without those that are no number.
 Json mean_and_sd(const Eigen::RowVectorXd& values) {
+  // Thumbs that cannot press have no prediction, and are not counted.
   double sum = 0, squares = 0, count = 0;
   for (const double value : values) {
     if (std::isnan(value)) continue;
@@ -103,6 +104,7 @@ Json measured_table(const MeasuredLessons& of) {
         of_draws(
             [&](const MeasuredPredictions& p) -> Eigen::RowVectorXd { return p.loss.row(row); })));
   }
+  // Two columns for each set of draws: mean and sd of its predictions.
   std::vector<BlockColumn> columns{
       {"measured", ""}, {"value", "", 2}, {"sd", "", 2}, {"the shipped thumb", "", 2}};
   for (const ReweightedDraws& draws : of.reweighted) {
@@ -120,6 +122,7 @@ Json measured_table(const MeasuredLessons& of) {
 
 /// A row of the table of updates; without numbers where weights tell nothing.
 Json update_row(const ReweightedDraws& draws, const DataUpdate& update) {
+  // Numbers of the weights come first: without them nothing behind is to be believed.
   const bool told = update.untold.empty();
   const ImportanceWeights& weights = update.weights;
   Json row{draws.name, update.added.name, draws.tilts.cols()};
@@ -131,6 +134,7 @@ Json update_row(const ReweightedDraws& draws, const DataUpdate& update) {
     for (int i = 0; i < 6; ++i) row.push_back(nullptr);
     return row;
   }
+  // Shares of sds that are left, and how far means have moved, in sds of the draws.
   const KeptShares kept = kept_shares(draws, update);
   for (Json cell : {Json(100 * kept.rms), Json(100 * kept.least), Json(kept.least_name),
                     Json(100 * kept.most), Json(kept.largest_shift), Json(kept.largest_shift_name)})
@@ -165,6 +169,7 @@ Json update_table(const MeasuredLessons& of) {
 }
 
 Json tilt_table(const MeasuredLessons& of) {
+  // The sd before and after both measurements, and their ratio with its Monte Carlo error.
   std::vector<BlockColumn> columns{{"tilt", ""}};
   for (const ReweightedDraws& draws : of.reweighted) {
     columns.push_back({"sd " + draws.name, "deg", 1});
@@ -195,6 +200,7 @@ Json tilt_table(const MeasuredLessons& of) {
 
 /// Returns a chart of the remaining share of every tilt's sd, by the draws of each.
 Json kept_chart(const MeasuredLessons& of) {
+  // A ratio of 1 means that the measurements say nothing about this tilt.
   Json rows = Json::array();
   for (std::size_t i = 0; i < of.reweighted.front().names.size(); ++i)
     for (const ReweightedDraws& draws : of.reweighted) {
@@ -231,6 +237,7 @@ std::string words_of_forces(const Experiment& of) {
 
 /// Returns the assumptions about the losses, as stated by the file.
 std::string assumed_of_losses(const PinchLosses& losses) {
+  // Name what the file marks as assumed rather than published.
   std::vector<std::string> sds, shares;
   for (const NerveBlock& block : losses.blocks) {
     if (is_assumed(block, "sd")) sds.push_back(fmt::format("{:.2f} ({})", block.sd, block.nerve));
@@ -277,6 +284,7 @@ struct Misses {
   std::string worst_name;
 };
 Misses misses_of_truth(const MeasuredLessons& of) {
+  // Differences of the shipped thumb from the measured numbers, in sds.
   Misses misses;
   int count = 0;
   const auto add = [&](const std::string& name, double sds) {
@@ -316,6 +324,7 @@ std::string undecided_words(const ReweightedDraws& draws) {
 
 /// Describes what the measurements alone determine.
 std::string alone_words(const ThumbRecoveryResult& result) {
+  // Tell how many thumbs of the prior cannot pinch, which have no weight.
   const MeasuredLessons& of = result.lessons;
   const ReweightedDraws& prior = of.reweighted.front();
   const DataUpdate& both = update_by_both(prior);
@@ -327,6 +336,7 @@ std::string alone_words(const ThumbRecoveryResult& result) {
     return fmt::format("What the {} numbers teach alone is not told: {}.", measured_numbers(of),
                        both.untold) +
            cannot;
+  // Compare with what the made-up data leave of an axis.
   const KeptShares kept = kept_shares(prior, both);
   const KeptAxes made_up = kept_axes(result.recovery);
   const MadeUpNumbers numbers = made_up_numbers(result.recovery);
@@ -346,6 +356,7 @@ std::string alone_words(const ThumbRecoveryResult& result) {
 
 /// Describes what the measurements add to the made-up data, and whether both are of one thumb.
 std::string beside_words(const MeasuredLessons& of) {
+  // Weigh draws of the posterior by measurements that it has not seen.
   const ReweightedDraws& posterior = of.reweighted.back();
   const DataUpdate& both = update_by_both(posterior);
   const Misses misses = misses_of_truth(of);

@@ -40,6 +40,7 @@ std::string short_type(const ThumbType& type, DigitDirection toward) {
 /// Types of the thumbs of all skewed fits, after the forces with Monte Carlo errors, and before
 /// them [%].
 Table type_table(const ThumbStudy& study) {
+  // Columns follow the types of the first fit that has some.
   Table table{{"fit"}, {}};
   for (const ThumbFit& fit : study.fits) {
     if (fit.types.empty()) continue;
@@ -58,6 +59,7 @@ Table type_table(const ThumbStudy& study) {
 }
 
 Fields fit_fields(const ThumbFit& fit, DigitDirection toward) {
+  // Names and units are those of the answer in JSON.
   const TendonDigit& digit = fit.run.posterior->problem().digit();
   Fields fields{{"arms", fit.settings.arms == Arms::kFixed ? "known" : "free"},
                 {"axes", fit.settings.skewed ? "skewed" : "orthogonal"},
@@ -105,6 +107,7 @@ Fields calibration_fields(const ThumbCalibration& calibration) {
 }  // namespace
 
 Fields fields_of(const ThumbStudyResult& result) {
+  // Calibration first if it was asked for, then fits, then thumbs that were not fitted.
   const ThumbStudy& study = result.study;
   Fields fields;
   if (result.calibration) fields.add("calibration", calibration_fields(*result.calibration));

@@ -41,6 +41,7 @@ std::string pulled_with(const std::vector<Trial>& trials) {
 
 /// Describes the thumb of the made-up data, and how the data were generated.
 std::string introduction(const ThumbRecovery& of) {
+  // Numbers of the text are read from the settings, so that it stays true when they change.
   const std::vector<ActivationRow>& tasks = of.made_up.activations;
   const double activation_sd = tasks.empty() ? 0 : tasks.front().sd.begin()->second;
   const MadeUpNumbers numbers = made_up_numbers(of);
@@ -77,6 +78,7 @@ std::string listed_parameters(const std::vector<std::string>& names) {
 }
 
 Json axis_table(const ThumbRecovery& of) {
+  // Angles between the true axis and that of the start, of least squares and of the chains.
   Json rows = Json::array();
   for (const RecoveredAxis& axis : of.axes)
     rows.push_back({axis.joint, degrees(axis.start_error), degrees(axis.fit_error),
@@ -111,6 +113,7 @@ Json interval_of(const RecoveredNumber& number, const char* method, const Recove
 
 /// Tilts or shifts by both methods.
 Json interval_chart(const ThumbRecovery& of, const char* unit, const char* what) {
+  // One interval for each method, beside the prior and the truth.
   Json rows = Json::array();
   for (const RecoveredNumber& number : of.numbers) {
     if (number.unit != unit) continue;
@@ -129,6 +132,7 @@ Json interval_chart(const ThumbRecovery& of, const char* unit, const char* what)
 double to_hundredths(double value) { return std::round(100 * value) / 100; }
 
 Json number_table(const ThumbRecovery& of) {
+  // An sd near the prior's means that the data say nothing about this number.
   Json rows = Json::array();
   for (const RecoveredNumber& number : of.numbers)
     rows.push_back({words_of_axis_parameter(number.name), number.unit, to_hundredths(number.truth),
@@ -150,6 +154,7 @@ Json number_table(const ThumbRecovery& of) {
 
 /// Describes the asymmetry of the draws of a number: their reach to either side of the mean.
 std::string skew_words(const ThumbRecovery& of, const std::string& name) {
+  // Draws may be skewed, which an sd from a covariance cannot show.
   const auto worst =
       std::find_if(of.numbers.begin(), of.numbers.end(),
                    [&](const RecoveredNumber& number) { return number.name == name; });
@@ -164,6 +169,8 @@ std::string skew_words(const ThumbRecovery& of, const std::string& name) {
 
 /// Agreement of both methods and what they could not tell, in words.
 std::string agreement_words(const ThumbRecovery& of) {
+  // Differences are measured in sds of the posterior, as sds of least squares hold for a linear
+  // model alone.
   const MethodAgreement& a = of.agreement;
   return fmt::format(
       "Agreement: the best point of least squares and the mean of the chains differ by {:.2f} sds "

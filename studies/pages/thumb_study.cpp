@@ -51,9 +51,11 @@ const ThumbFit* rival_of(const ThumbStudy& study, const ThumbFit& fit) {
 }
 
 Json fit_row(const ThumbStudy& study, const ThumbFit& fit) {
+  // Errors of pulls, then scores of tasks.
   Json row{describe_fit(fit.settings), degrees(fit.direction), degrees(fit.direction_sd),
            100 * fit.relative_error};
   row = with_cells(std::move(row), scores(fit.tasks));
+  // Compare with the orthogonal model on the same data, by expected log predictive density.
   const ThumbFit* rival = rival_of(study, fit);
   if (rival != nullptr) {
     const ElpdDifference gain = compare_elpd(fit.left_out, rival->left_out);
@@ -61,6 +63,7 @@ Json fit_row(const ThumbStudy& study, const ThumbFit& fit) {
   } else {
     row = with_cells(std::move(row), {nullptr, nullptr});
   }
+  // Tell whether the left-out density and the chains may be believed.
   row.push_back((fit.left_out.k.array() > fit.left_out.good_k).count());
   row.push_back(fit.run.convergence.worst_r_hat);
   row.push_back(fit.converged() ? "yes" : "NO");
@@ -77,6 +80,7 @@ Json reference_row(const char* name, const ThumbReference& reference, const Json
 }
 
 Json convergence_block(const ThumbStudy& study) {
+  // Collect the reasons why chains of a fit are not to be relied on.
   Json warnings = Json::array();
   for (const ThumbFit& fit : study.fits)
     for (const std::string& reason : fit.run.convergence.warnings)
@@ -94,6 +98,7 @@ Json convergence_block(const ThumbStudy& study) {
 
 /// Both models' clouds of one fit at 10 % noise, with the true axes.
 Json clouds_block(const ThumbStudy& study) {
+  // Choose the fits whose settings are those of the main comparison.
   std::vector<AxisCloud> clouds;
   for (const ThumbFit& fit : study.fits) {
     const ThumbFitSettings& s = fit.settings;
@@ -130,6 +135,7 @@ Json thumb_comparison_table(const ThumbStudy& study) {
                                          {"R-hat", "", 4},
                                          {"chains agree", ""}};
   Json rows = Json::array();
+  // Thumbs without a fit come first: the start, and the truth, which no fit can beat.
   for (const ThumbReference& reference : study.references) {
     rows.push_back(reference_row(
         "orthogonal, as it stands", reference,
@@ -172,6 +178,7 @@ std::string part_of_axis(const std::string& parameter) {
 /// Collects the ratio of sd to prior sd for each part of an axis, in the order of the parameters.
 std::vector<std::pair<std::string, LearntOver>> learnt_axes(const ThumbStudy& study, Over over,
                                                             Arms arms) {
+  // Average over the two tilts or shifts of an axis, at each noise or number of postures.
   std::vector<std::pair<std::string, LearntOver>> axes;
   for (const ThumbFit& fit : study.fits) {
     if (!is_point(fit.settings, over, arms)) continue;
@@ -191,6 +198,7 @@ std::vector<std::pair<std::string, LearntOver>> learnt_axes(const ThumbStudy& st
 }
 
 Json learnt_chart(const ThumbStudy& study, Over over, Arms arms) {
+  // One line for each part of an axis.
   Json lines = Json::array();
   for (const auto& [part, points] : learnt_axes(study, over, arms)) {
     Json line{{"name", part}, {"style", "both"}, {"x", Json::array()}, {"y", Json::array()}};
@@ -214,6 +222,7 @@ Json learnt_chart(const ThumbStudy& study, Over over, Arms arms) {
 }
 
 Json thumb_mode_table(const ThumbStudy& study) {
+  // Laplace's approximation and the draws give each mode its share: they should agree.
   Json rows = Json::array();
   for (const ThumbFit& fit : study.fits)
     for (std::size_t m = 0; m < fit.run.mode_table.modes.size(); ++m) {
@@ -244,6 +253,7 @@ Json thumb_mode_table(const ThumbStudy& study) {
 }
 
 Json thumb_type_table(const ThumbStudy& study) {
+  // Shares of types in the prior and in the posterior, with Monte Carlo errors.
   Json rows = Json::array();
   for (const ThumbFit& fit : study.fits)
     for (const TypeProbability& each : fit.types)
@@ -259,6 +269,7 @@ Json thumb_type_table(const ThumbStudy& study) {
 
 Json thumb_study_section(const ThumbStudy& study,
                          const std::optional<ThumbCalibration>& calibration) {
+  // Charts of what was learnt, with known arms and with free ones.
   Json blocks = Json::array({convergence_block(study), thumb_comparison_table(study)});
   for (const Arms arms : {Arms::kFixed, Arms::kFree}) {
     Json charts = Json::array();
@@ -268,10 +279,12 @@ Json thumb_study_section(const ThumbStudy& study,
     }
     if (!charts.empty()) blocks.push_back(row_block(std::move(charts)));
   }
+  // Axes in space, then modes and types, where there are several.
   blocks = with_cells(std::move(blocks), clouds_block(study));
   blocks.push_back(thumb_mode_table(study));
   Json types = thumb_type_table(study);
   if (!types["rows"].empty()) blocks.push_back(std::move(types));
+  // Calibration tells whether the sampler finds the true thumb as often as it claims.
   if (calibration && !calibration->judged.parameters.empty()) {
     if (!calibration->judged.warnings.empty())
       blocks.push_back({{"type", "banner"},

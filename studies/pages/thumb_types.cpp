@@ -20,6 +20,7 @@ const char* const kTypesIntroduction =
     "nobody's measurements: the shares of the types are no better than these.";
 
 Json distribution_table(const DigitVariability& variability) {
+  // Keep what was assumed beside what was published.
   Json rows = Json::array();
   for (const AxisVariability& axis : variability.axes) {
     std::string assumed;

@@ -25,6 +25,7 @@ Fields row_fields(const DhRow& row) {
 }
 
 Fields type_fields(const ThumbTypes& types, const ThumbTypeShare& share) {
+  // Mean and sd of the Denavit-Hartenberg parameters of every axis.
   std::vector<Fields> rows;
   for (std::size_t i = 0; i < share.rows.size(); ++i)
     rows.push_back({{"joint", types.variability.axes[i].joint},
@@ -63,6 +64,7 @@ std::string plus_minus(double mean, double sd) { return shown(mean, 1) + " +- " 
 }  // namespace
 
 Fields fields_of(const ThumbTypesResult& result) {
+  // The distribution that was drawn from comes with the shares.
   const ThumbTypes& types = result.types;
   Fields fields{{"complete", types.complete}};
   std::vector<Fields> axes, shares, normals;
@@ -90,6 +92,7 @@ Fields fields_of(const ThumbTypesResult& result) {
 
 Table share_table(const ThumbTypesResult& result) {
   Table table{{"type", "meaning", "draws", "share_percent", "from_percent", "to_percent"}, {}};
+  // Wilson's interval stays within 0 to 1 even for rare types.
   const ThumbTypes& types = result.types;
   if (types.draws == 0) return table;
   for (const ThumbTypeShare& share : types.types) {

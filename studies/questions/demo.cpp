@@ -36,6 +36,7 @@ constexpr ChainLengths kSpecimenChains{1000, 1000, 1, 0.9};
 constexpr ChainLengths kPopulationChains{1200, 600, 6, 0.95};
 
 StudyInputs inputs_of(const std::string& data) {
+  // Two specimens are fitted, one of another species is only predicted.
   const auto read = [&](const std::string& file) { return read_source(data + "/" + file); };
   StudyInputs inputs;
   inputs.specimen.subject = read("subjects/an_chao_middle.toml");
@@ -44,6 +45,7 @@ StudyInputs inputs_of(const std::string& data) {
                                  read("experiments/synek2019_H02.toml")};
   inputs.population_subject = read("subjects/synek2019_middle.toml");
   inputs.unseen = {read("experiments/synek2019_B01.toml")};
+  // Published subjects predict as they are, as a bar that the fits must pass.
   inputs.baselines = {{"Published calibrated model", inputs.population_subject},
                       {"Normative finger", inputs.specimen.subject}};
   inputs.methods = {LeastSquaresMethod::kCeres, LeastSquaresMethod::kIpopt,
@@ -101,6 +103,7 @@ DemoHood bend_hood(const StudyInputs& inputs) {
 
 PosteriorRun sampled(const FitInputs& inputs, const ChainLengths& lengths,
                      const Progress& progress) {
+  // Lengths of the chains are those that this posterior needs to converge.
   PosteriorSettings settings;
   settings.posterior = posterior_options(inputs.settings);
   settings.mode_starts = 8;
@@ -114,6 +117,7 @@ PosteriorRun sampled(const FitInputs& inputs, const ChainLengths& lengths,
 
 /// Errors on every experiment, seen or not.
 void judge(const std::vector<Experiment>& unseen, DemoPosterior& posterior) {
+  // Predict fitted and unseen experiments, then leave out one trial at a time.
   const FitProblem& problem = posterior.run.posterior->problem();
   const auto predict = [&](const Experiment& experiment) {
     return summarise(
@@ -137,6 +141,7 @@ struct SampledPosterior {
 };
 
 std::vector<SampledPosterior> posteriors_of(const StudyInputs& inputs) {
+  // A posterior of each specimen alone, then of both as a population.
   std::vector<SampledPosterior> all;
   for (const SourceText& experiment : inputs.specimen.experiments) {
     FitInputs alone = inputs.specimen;
@@ -205,6 +210,7 @@ struct Places {
 /// Fits, posteriors and hoods of fingers.
 std::vector<ParallelTask> finger_tasks(const DemoRequest& request, DemoResult& demo,
                                        Places& places) {
+  // Each task writes to a place of its own, so that no lock is needed.
   std::vector<ParallelTask> tasks;
   const StudyInputs& inputs = demo.inputs;
   const std::vector<SourceText>& experiments = inputs.specimen.experiments;
@@ -228,6 +234,7 @@ std::vector<ParallelTask> finger_tasks(const DemoRequest& request, DemoResult& d
 
 /// Thumbs, hands that grasp and pads that are pressed.
 std::vector<ParallelTask> other_tasks(const DemoRequest& request, DemoResult& demo) {
+  // Settings are those of the commands, shortened to fit into the demo.
   const auto study = [&](const Progress& progress) {
     ThumbStudyRequest thumb;
     thumb.data = request.data;

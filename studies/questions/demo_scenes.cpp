@@ -23,6 +23,7 @@ std::vector<PadState> thumb_pad_on_mug(const SceneResult& scene) {
 
 /// Both steppers on a ball that rolls off another, over a wide range of settings.
 std::vector<WorkPoint> roll_ball(const std::string& data) {
+  // The scene has an exact solution, so that errors are true ones.
   const std::string file =
       named_file("scene", "ball_on_ball", "scenes", ".toml", data_folders(data));
   const BuiltScene built = open_scene(read_scene(file), data).built;
@@ -34,6 +35,7 @@ std::vector<WorkPoint> roll_ball(const std::string& data) {
   const Eigen::Vector3d p = X[ball].p;
   const double angle = rolled_angle(std::atan2(p.x(), p.z()), built.options.seconds, p.norm());
   const Eigen::Vector3d end = p.norm() * Eigen::Vector3d(std::sin(angle), 0, std::cos(angle));
+  // Settings span the range from coarse to as accurate as doubles allow.
   WorkSettings settings;
   settings.tolerances = {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
   settings.steps = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
@@ -47,6 +49,7 @@ std::vector<WorkPoint> roll_ball(const std::string& data) {
 
 std::vector<ParallelTask> demo_scene_tasks(const std::string& data, const std::optional<Path>& path,
                                            DemoMotion& motion) {
+  // The mug is touched twice: by a thumb whose joints give, and by one on ideal hinges.
   SceneRequest glass, thumb, pinned;
   glass.data = thumb.data = data;
   glass.path = thumb.path = path;

@@ -25,9 +25,9 @@ std::vector<BaselinePrediction> baselines_of(const StudyInputs& inputs,
   // Published subjects, used as they are.
   std::vector<BaselinePrediction> baselines;
   for (const NamedSubject& baseline : inputs.baselines)
-    // A prediction without any model.
     baselines.push_back(
         {baseline.name, "as published", predict_as_published(baseline.source, experiment)});
+  // A prediction without any model.
   baselines.push_back(
       {"Mean of other postures", "other postures", mean_of_other_postures(experiment)});
   return baselines;

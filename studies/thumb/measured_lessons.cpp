@@ -35,7 +35,7 @@ std::vector<TendonModel<double>> all_models(const internal::DrawnModels& drawn) 
 ReweightedDraws reweight_draws(const std::string& name, const HandPosterior& posterior,
                                const Eigen::MatrixXd& x, int chains, const MeasuredLessons& of,
                                const Progress& progress) {
-  // What every draw says of the measurements.
+  // Predict the measurements by every draw.
   ReweightedDraws draws;
   draws.name = name;
   const internal::DrawnModels drawn(posterior, x);
@@ -151,7 +151,7 @@ DataUpdate update_tilts(const AddedData& added, const Eigen::Ref<const Eigen::Ma
 MeasuredLessons reweight_by_measurements(const MeasuredThumbInputs& inputs, const PosteriorRun& run,
                                          const TendonDigit& truth,
                                          const MeasuredLessonsSettings& settings) {
-  // What was measured, and what the thumb of the made-up data says of it.
+  // Read the measurements, and predict them by the thumb of the made-up data.
   MeasuredLessons out;
   out.inputs = inputs;
   out.force = parse_experiment(inputs.force.text, inputs.force.path);

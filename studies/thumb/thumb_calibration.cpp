@@ -73,7 +73,7 @@ void judge(ThumbCalibration& out) {
 
 ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
                                  const ThumbCalibrationSettings& settings) {
-  // How each posterior is sampled.
+  // Set up the sampling that all posteriors share.
   const SourceText& file = settings.thumb.skewed ? inputs.skewed : inputs.orthogonal;
   PosteriorSettings sampling;
   sampling.posterior = posterior_options(file);

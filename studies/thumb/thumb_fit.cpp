@@ -25,6 +25,7 @@ const std::vector<std::string> kArms{"arm/FPL/*",       "arm/EPL/*",           "
 PosteriorSettings posterior_settings(const ThumbStudyInputs& inputs,
                                      const ThumbFitSettings& settings,
                                      const ThumbStudySettings& study) {
+  // The file of settings decides about priors and noise, the study about the length of chains.
   const SourceText& file = settings.skewed ? inputs.skewed : inputs.orthogonal;
   PosteriorSettings out;
   out.posterior = posterior_options(file);
@@ -96,6 +97,7 @@ std::vector<TypeProbability> type_probabilities(const ThumbData& data, const Pos
   const Eigen::VectorXi before = types_at(data, posterior, prior_draws(run, kPriorDraws)),
                         after = types_at(data, posterior, pooled(run.draws));
   std::vector<TypeProbability> out;
+  // Four types: the order of the axes at the MCP joint, and the way of the common normal.
   for (const bool flexion_distal : {true, false})
     for (const bool toward : {false, true}) {
       const ThumbType type{flexion_distal, toward};

@@ -165,7 +165,7 @@ MethodAgreement compare_methods(const std::vector<RecoveredNumber>& numbers) {
     };
     out.fit_covered += holds(number.fit) ? 1 : 0;
     out.drawn_covered += holds(number.drawn) ? 1 : 0;
-    // What keeps its prior.
+    // Collect the numbers that keep most of their prior's sd.
     const double undecided = kUndecidedShare * number.prior_sd;
     if (number.fit.sd > undecided) out.fit_undecided.push_back(number.name);
     if (number.drawn.sd > undecided) out.drawn_undecided.push_back(number.name);

@@ -131,12 +131,12 @@ TaskScores task_scores(const std::vector<TaskMisfit>& misfits) {
   TaskScores out;
   // Means, and the share of tasks that are explained.
   const auto n = static_cast<double>(misfits.size());
-  // Sds over tasks.
   for (const TaskMisfit& misfit : misfits) {
     out.direction += misfit.direction / n;
     out.torque += misfit.torque / n;
     out.explained += misfit.distance <= kChiSquare3At95 ? 1 / n : 0;
   }
+  // Sds over tasks.
   for (const TaskMisfit& misfit : misfits) {
     out.direction_sd += std::pow(misfit.direction - out.direction, 2) / std::max(1.0, n - 1);
     out.torque_sd += std::pow(misfit.torque - out.torque, 2) / std::max(1.0, n - 1);

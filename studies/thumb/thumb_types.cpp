@@ -70,6 +70,8 @@ struct ThumbDraw {
 };
 
 ThumbDraw measure_thumb(const MeanThumb& mean, const std::vector<AxisLine>& axes) {
+  // Axes become Denavit-Hartenberg rows with normals that point outwards, so that types can be
+  // compared.
   ThumbDraw draw{
       classify_thumb(mean, axes), with_normals_outwards(dh_from_axes(axes, mean.tip)).rows, {}};
   for (std::size_t i = 0; i + 1 < axes.size(); ++i) {
@@ -110,6 +112,7 @@ MeanAndSd of_angles(std::vector<double> values) {
 
 /// Statistics of row i over the draws of one type.
 DhStatistics row_statistics(const std::vector<const ThumbDraw*>& draws, std::size_t i) {
+  // Angles need circular means, lengths do not.
   const auto collect = [&](double DhRow::*member) {
     std::vector<double> values;
     for (const ThumbDraw* draw : draws) values.push_back(draw->rows[i].*member);
@@ -167,6 +170,7 @@ double flexion_distal_by_places(const MeanThumb& mean) {
 
 DhChain with_normals_outwards(const DhChain& chain) {
   DhChain out = chain;
+  // A negative a is the same chain with the normal the other way round.
   const std::size_t n = out.rows.size();
   for (std::size_t i = 0; i < n; ++i) {
     DhRow& row = out.rows[i];
@@ -205,7 +209,7 @@ MeanThumb mean_thumb(const DigitVariability& variability, const Subject& subject
   const Digit& thumb = named_item(subject.digits, "thumb", "digit");
   mean.tip.R << thumb.proximal, thumb.dorsal, thumb.radial;
   mean.tip.p = thumb.tip;
-  // What the criteria are asked of.
+  // Find the axes on which the criteria are decided.
   mean.mcp_flexion = axis_number(mean.spread, "MCP1_FE");
   mean.mcp_abduction = axis_number(mean.spread, "MCP1_AA");
   mean.first = axis_number(mean.spread, variability.second.first);

@@ -30,6 +30,7 @@ double across(const ShapeSpec& shape) {
 
 /// Shapes of implausible size, and joints far from their parents.
 void doubt_sizes(const RobotSpec& robot, std::vector<std::string>& doubts) {
+  // No link of a hand is longer than this, so larger numbers are most likely millimetres.
   for (const RobotLink& link : robot.links)
     for (const ShapeSpec& shape : link.shapes) {
       const double size = across(shape);
@@ -116,6 +117,7 @@ void doubt_missing_efforts(RobotSpec& robot) {
 
 /// Joints of one kind, hinges or slides, whose efforts are equal, round, and far beyond the others.
 std::vector<RobotDof*> far_above_others(RobotSpec& robot, bool sliding) {
+  // Find the largest effort of this kind of joint, and the largest below it.
   double most = 0, next = 0;
   for (const RobotDof& dof : robot.dofs)
     if (slides(robot, dof) == sliding) most = std::max(most, dof.max_effort);
@@ -127,6 +129,7 @@ std::vector<RobotDof*> far_above_others(RobotSpec& robot, bool sliding) {
     else
       next = std::max(next, dof.max_effort);
   }
+  // A placeholder is large, a multiple of ten, and far beyond what other joints state.
   const bool placeholder = most >= (sliding ? kLeastForce : kLeastTorque) &&
                            std::fmod(most, 10) == 0 && next > 0 && most >= kFarAbove * next;
   if (!placeholder || above.size() < 2) above.clear();
@@ -136,6 +139,7 @@ std::vector<RobotDof*> far_above_others(RobotSpec& robot, bool sliding) {
 /// Marks efforts as placeholders that are too large for any hand, and all the same or round, or the
 /// same in several joints and far above those of the others.
 void doubt_placeholders(RobotSpec& robot) {
+  // Placeholders in all joints: large, and either equal or round.
   const auto all = [&](const auto& is) {
     return std::all_of(robot.dofs.begin(), robot.dofs.end(), is);
   };
@@ -183,6 +187,7 @@ std::vector<std::string> robot_doubts(const RobotSpec& robot) {
 }
 
 std::vector<std::string> mass_doubts(const RobotSpec& robot) {
+  // Links with shapes but without mass; the first link is the base, whose mass does not matter.
   std::vector<std::string> massless;
   bool any = false;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
@@ -202,6 +207,7 @@ std::vector<std::string> mass_doubts(const RobotSpec& robot) {
 
 void doubt_efforts(RobotSpec& robot) {
   if (robot.dofs.empty()) return;
+  // Without any effort there is nothing to compare.
   const auto all = [&](const auto& is) {
     return std::all_of(robot.dofs.begin(), robot.dofs.end(), is);
   };

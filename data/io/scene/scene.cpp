@@ -33,6 +33,7 @@ SceneHandSpec read_scene_hand(TomlTable& table, const SceneSpec& scene) {
     (void)internal::file_beside(table, "file", scene.folder);
     hand.version = table.text_or("version", "");
   }
+  // The number of skin triangles trades the accuracy of contacts for time.
   if (table.has(Dimension::kNumber, "skin_triangles")) {
     const double triangles = table.number(Dimension::kNumber, "skin_triangles");
     if (!(triangles >= 100 && triangles <= 10000))
@@ -116,6 +117,7 @@ class SceneNames {
 
 /// Refuses parents that are not there, and chains of parents that come back.
 void check_parents(const SceneSpec& scene, const SceneNames& names) {
+  // Follow parents until the world or a joint that is known to lead there.
   std::map<std::string, const SceneJointSpec*> joints;
   for (const SceneBodySpec& body : scene.bodies) joints[body.placed.body.name] = &body.joint;
   for (const SceneHandSpec& hand : scene.hands) joints[hand.placed.name] = &hand.joint;

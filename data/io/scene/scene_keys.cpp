@@ -42,6 +42,8 @@ std::vector<std::string> read_between(TomlTable& table) {
 
 /// Reads the keys of a hinge or slide beside its axis.
 void read_coordinate(TomlTable& table, SceneJointSpec& joint) {
+  // A hinge has radians and N m, a slide metres and newtons; the file states degrees or
+  // millimetres.
   const CoordinateUnits units = units_of_coordinate(joint.kind == JointKind::kHinge);
   joint.start = table.number_or(units.value, "start", 0);
   joint.speed = table.number_or(units.speed, "speed", 0);
@@ -54,6 +56,7 @@ void read_coordinate(TomlTable& table, SceneJointSpec& joint) {
           fmt::format("wanted 'range' from low to high, got {:g} to {:g}", range[0], range[1]),
           "range");
   }
+  // Springs, damping and dry friction act on the coordinate.
   if (joint.start < joint.lower || joint.start > joint.upper)
     table.fail("wanted 'start' within 'range'", "start");
   joint.stiffness = table.number_or(units.stiffness, "stiffness", 0, Range::kNotNegative);
@@ -134,6 +137,7 @@ SceneDriveSpec read_scene_drive(TomlTable& table, const std::string& folder) {
     table.fail("wanted the units of a turn (Nm, deg ..) or those of a slide (N, mm ..), got both");
   if (!turns && !slides) table.fail("[[drive]] needs an 'effort', or a 'target' with 'stiffness'");
   drive.turns = turns;
+  // Read the drive: an effort, or a spring to a target with damping, up to the largest effort.
   const CoordinateUnits units = units_of_coordinate(turns);
   drive.effort = table.number_or(units.effort, "effort", 0);
   drive.stiffness = table.number_or(units.stiffness, "stiffness", 0, Range::kNotNegative);
@@ -144,6 +148,7 @@ SceneDriveSpec read_scene_drive(TomlTable& table, const std::string& folder) {
     drive.max_effort = table.number(units.effort, "max_effort", Range::kNotNegative);
   if (drive.stiffness == 0 && table.has(units.value, "target"))
     table.fail("a 'target' needs a 'stiffness'", "target");
+  // A file states the target over time.
   if (table.has("target_file")) {
     drive.target_file = table.text("target_file");
     (void)file_beside(table, "target_file", folder);
@@ -202,6 +207,7 @@ SceneApartSpec read_scene_apart(TomlTable& table) {
 }
 
 SteppingSpec read_stepping(TomlTable& table) {
+  // Method and duration are common to all methods; the rest has defaults that depend on the method.
   SteppingSpec stepping;
   stepping.line = table.line();
   stepping.method = table.text_or("method", stepping.method);
@@ -216,6 +222,7 @@ SteppingSpec read_stepping(TomlTable& table) {
     if (table.has(dimension, key)) value = table.number(dimension, key, Range::kPositive);
     return value;
   };
+  // Each of these belongs to some methods only, and is kept unset if it is not stated.
   stepping.step = if_stated(Dimension::kTime, "step");
   stepping.longest = if_stated(Dimension::kTime, "longest_step");
   stepping.tolerance = if_stated(Dimension::kNumber, "tolerance");
