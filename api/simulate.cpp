@@ -12,6 +12,8 @@
 #include "data/io/result_file.h"
 #include "tendons/muscle/contraction.h"
 #include "tendons/muscle/excitation.h"
+#include "tendons/muscle/finger_motion.h"
+#include "tendons/muscle/simulate.h"
 
 namespace thenar {
 namespace {

@@ -13,7 +13,8 @@
 #include "base/progress.h"
 #include "base/run_record.h"
 #include "solvers/status.h"
-#include "tendons/muscle/simulate.h"
+#include "tendons/muscle/joint_resistance.h"
+#include "tendons/muscle/trajectory.h"
 
 namespace thenar {
 

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/progress_parts.h"
+#include "kinematics_fit/bands/band_problems.h"
 #include "kinematics_fit/bands/net_records.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "tendons/net/build_net.h"

@@ -5,6 +5,7 @@
 
 #include "api/tendon_warnings.h"
 #include "base/error.h"
+#include "tendons/net/net_tendons.h"
 
 namespace thenar {
 namespace {
@@ -21,6 +22,10 @@ LoadedDigit loaded_digit(const TendonRequest& request, Outcome& outcome) {
 }
 
 }  // namespace
+
+const NetTendons* LoadedDigit::net() const {
+  return dynamic_cast<const NetTendons*>(tendons.get());
+}
 
 TendonSolveResult solve_tendons(const TendonRequest& request, const Progress& progress) {
   require(request.digit.vary.empty(), "wanted one posture, got {} joints that vary",

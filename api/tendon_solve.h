@@ -11,9 +11,11 @@
 #include "api/named/digits.h"
 #include "base/progress.h"
 #include "solvers/status.h"
-#include "tendons/net/posture_sweep.h"
+#include "tendons/net/digit_sweep.h"
 
 namespace thenar {
+
+class NetTendons;
 
 /// Options of a tendon solve: a digit in its postures, and the tensions of its tendons.
 struct TendonRequest {
@@ -31,9 +33,7 @@ struct LoadedDigit {
 
   [[nodiscard]] const TendonDigit& bones() const { return tendons->digit(); }
   /// Returns the tendons as a net; null if their hood is no net.
-  [[nodiscard]] const NetTendons* net() const {
-    return dynamic_cast<const NetTendons*>(tendons.get());
-  }
+  [[nodiscard]] const NetTendons* net() const;
 };
 
 /// The answer at one posture.

@@ -24,6 +24,7 @@
 #include "bench/ratios.h"
 #include "geometry/primitives.h"
 #include "pads/build_pad.h"
+#include "pads/pad_press.h"
 
 namespace thenar::bench {
 namespace {

@@ -17,6 +17,7 @@
 #include "base/units.h"
 #include "bench/run_program.h"
 #include "data/io/subject.h"
+#include "dynamics/stepping/contact_step.h"
 #include "hand/skin/human_surfaces.h"
 #include "hand/skin/skin_body.h"
 #include "report/json.h"

@@ -9,7 +9,7 @@
 //   tip       45.51  -65.21
 #include <cstdio>
 
-#include <thenar/thenar.h>
+#include <thenar/hands.h>
 
 int main() {
   // The finger straight: x points to the wrist, y to the back of the hand, z to the thumb.

@@ -11,7 +11,7 @@
 //   UI        6.26   -7.87   -2.64   -0.96
 #include <cstdio>
 
-#include <thenar/thenar.h>
+#include <thenar/hands.h>
 
 int main() {
   // The finger with the joints bent as in 01_pose.cpp, in degrees.

@@ -4,7 +4,7 @@
 //   proximal 0.74 N, palmar 2.41 N, radial 0.02 N
 #include <cstdio>
 
-#include <thenar/thenar.h>
+#include <thenar/hands.h>
 
 int main() {
   // A subject by its name, or the path of your own file; angles in degrees.

@@ -8,7 +8,7 @@
 //   UI    20.32 of  84.00 N, 0.00 N more for each N of strength
 #include <cstdio>
 
-#include <thenar/thenar.h>
+#include <thenar/hands.h>
 
 int main() {
   // The palmar direction of the tip: its axes are proximal, dorsal and radial.

@@ -10,7 +10,7 @@
 //   DIP3      -8.27 N mm
 #include <cstdio>
 
-#include <thenar/thenar.h>
+#include <thenar/tendons.h>
 
 int main() {
   // The finger with the net of its extensor hood; muscles that are not named are slack.

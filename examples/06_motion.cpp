@@ -11,7 +11,7 @@
 //       300     34.5     97.7     81.9
 #include <cstdio>
 
-#include <thenar/thenar.h>
+#include <thenar/tendons.h>
 
 int main() {
   // A tenth of the motor units of FDP and a twentieth of those of EDC, from rest, for 0.3 s;

@@ -6,7 +6,7 @@
 //   synek2019_H02: 24 trials, relative error 0.43
 #include <cstdio>
 
-#include <thenar/thenar.h>
+#include <thenar/fits.h>
 
 int main() {
   // A normative middle finger, fitted to one specimen; data/fits/finger.toml says what may move.

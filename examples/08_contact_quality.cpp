@@ -6,7 +6,7 @@
 //   hard points: rank 5 of 6, no torque about x: 1.00
 #include <cstdio>
 
-#include <thenar/thenar.h>
+#include <thenar/grasps.h>
 
 int main() {
   // Place [m], direction of push, friction [1], torque per normal force [m]; a ball of 60 mm.

@@ -6,7 +6,7 @@
 //   epsilon: 0.10
 #include <cstdio>
 
-#include <thenar/thenar.h>
+#include <thenar/grasps.h>
 
 int main() {
   // A Barrett hand above a bobbin on a post: data/worlds/barrett_bobbin.toml.

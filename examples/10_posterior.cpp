@@ -5,7 +5,7 @@
 //   tilt of the DIP axis: sd 4 deg before, 3 deg after
 #include <cstdio>
 
-#include <thenar/thenar.h>
+#include <thenar/fits.h>
 
 int main() {
   // Two chains in memory; `thenar fit --method mcmc` also searches better and writes a file.

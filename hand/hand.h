@@ -147,10 +147,7 @@ class Hand {
   /// whose actuation() is linearised overrides it.
   /// @param u  efforts, as of Actuation (actuators)
   [[nodiscard]] virtual AppliedTorque applied_torque(const Eigen::VectorXd& q,
-                                                     const Eigen::VectorXd& u) const {
-    Actuation actuation = this->actuation(q);
-    return {actuation.B * u + actuation.tau_0, actuation.B, actuation.status, actuation.warning};
-  }
+                                                     const Eigen::VectorXd& u) const;
 
   /// Surfaces that can touch; empty for a hand of bones without surfaces.
   [[nodiscard]] virtual const std::vector<LinkSurface>& surfaces() const = 0;

@@ -13,7 +13,9 @@
 #include "data/io/net_description.h"
 #include "hand/skin/hand_anatomy.h"
 #include "hand_versions/closing_synergy.h"
+#include "hand_versions/human_tendons.h"
 #include "hand_versions/muscle_forces.h"
+#include "hand_versions/tendon_hand.h"
 #include "tendons/name_conventions.h"
 #include "tendons/net/build_tendons.h"
 

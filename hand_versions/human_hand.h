@@ -15,7 +15,6 @@
 #include "hand/hand.h"
 #include "hand/skin/human_surfaces.h"
 #include "hand/skin/skin_landmarks.h"
-#include "hand_versions/tendon_hand.h"
 
 namespace thenar {
 
@@ -71,19 +70,6 @@ struct HumanHand {
 /// every digit.
 /// @throws InputError naming what the subject lacks.
 [[nodiscard]] HumanHand build_human_hand(const Subject& subject, HumanVersion version,
-                                         const HumanHandOptions& options = {});
-
-/// Tendons of a subject's hand, with what was assumed for them.
-struct HumanTendons {
-  HandTendons hand;                   // a digit for each of the subject
-  std::vector<std::string> warnings;  // what was assumed, left out or put on a lower rung
-};
-
-/// Tendons as build_human_hand() takes them, on any rung of extensors: a floating net where a
-/// finger can carry it, with a warning where not; else the hood's fractions where the subject has
-/// them, and separate tendons elsewhere.
-/// @throws InputError as build_tendon_digit() and muscle_forces().
-[[nodiscard]] HumanTendons human_tendons(const Subject& subject, Hood extensors,
                                          const HumanHandOptions& options = {});
 
 /// Returns whether a word names a version, by its name or its old one.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kinematics_fit/cross_validation.h"
+#include "solvers/least_squares.h"
 
 namespace thenar {
 

@@ -8,6 +8,7 @@
 
 #include "base/enum_names.h"
 #include "kinematics_fit/prediction.h"
+#include "solvers/least_squares.h"
 
 namespace thenar {
 

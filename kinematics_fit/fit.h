@@ -11,6 +11,7 @@
 #include "data/io/result_file.h"
 #include "kinematics_fit/covariance.h"
 #include "kinematics_fit/fit_problem.h"
+#include "solvers/least_squares.h"
 
 namespace thenar {
 

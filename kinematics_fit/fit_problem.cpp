@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "data/io/doubled_trials.h"
+#include "kinematics_fit/force_jacobian.h"
 #include "kinematics_fit/model/experiment_plan.h"
 #include "kinematics_fit/model/shared_postures.h"
 

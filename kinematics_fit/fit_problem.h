@@ -10,11 +10,12 @@
 
 #include "data/io/experiment.h"
 #include "kinematics_fit/fit_coordinates.h"
-#include "kinematics_fit/force_jacobian.h"
 #include "kinematics_fit/model/activation_plan.h"
 #include "kinematics_fit/outside_scale.h"
 
 namespace thenar {
+
+class ForceKernel;
 
 /// The data and the unknowns of a fit; it only holds them. The unknowns are z: parameters as
 /// displacements from their prior means, in prior sds. fit_residuals.h has the residuals,

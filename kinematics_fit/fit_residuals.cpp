@@ -4,6 +4,8 @@
 
 #include "base/error.h"
 #include "kinematics_fit/activation_residuals.h"
+#include "kinematics_fit/force_jacobian.h"
+#include "kinematics_fit/kernel/force_kernel.h"
 #include "kinematics_fit/specimen_prior.h"
 
 namespace thenar {

@@ -3,6 +3,7 @@
 /// Residuals of a fit, its constraints, and the least-squares problem that they make up.
 
 #include "kinematics_fit/fit_problem.h"
+#include "solvers/least_squares.h"
 
 namespace thenar {
 

@@ -36,12 +36,6 @@ struct ForceJacobian {
                                            const ExperimentPlan& plan, const Eigen::VectorXd& u,
                                            const ForceKernel* kernel = nullptr);
 
-/// Two hinges and the wanted distance between their axes.
-struct AxisPair {
-  int first, second;    // hinges
-  double lower, upper;  // [m]
-};
-
 /// c = (distance / upper)^2 of every pair, wanted in (lower / upper)^2 .. 1, and dc/du.
 [[nodiscard]] ConstraintValues axis_constraints(const TendonDigit& digit,
                                                 const FitParameters& parameters,

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "base/numbers.h"
-#include "kinematics_fit/fit_residuals.h"
+#include "kinematics_fit/fit_problem.h"
+#include "solvers/arrow_factor.h"
 
 namespace thenar {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics_fit/force_jacobian.h"
 #include "kinematics_fit/model/shared_postures.h"
 
 namespace thenar {

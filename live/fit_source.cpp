@@ -10,6 +10,7 @@
 #include "api/named/files.h"
 #include "api/posterior.h"
 #include "kinematics_fit/specimen_prior.h"
+#include "posterior/hand_posterior.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"
 

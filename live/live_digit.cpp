@@ -10,6 +10,7 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "tendons/net/build_tendons.h"
+#include "tendons/net/digit_sweep.h"
 #include "tendons/net/net_continuation.h"
 #include "tendons/net/net_derivatives.h"
 

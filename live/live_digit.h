@@ -13,6 +13,7 @@
 #include "live/digit_picture.h"
 #include "live/excited_muscles.h"
 #include "live/live_picture.h"
+#include "tendons/net/digit_sweep.h"
 #include "tendons/net/posture_sweep.h"
 
 namespace thenar {

@@ -3,7 +3,7 @@
 /// Pads from their files.
 
 #include "data/io/pad/pad.h"
-#include "pads/pad_press.h"
+#include "pads/pad_model.h"
 
 namespace thenar {
 

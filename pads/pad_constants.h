@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pads/pad_press.h"
+#include "pads/pad_model.h"
 
 namespace thenar {
 

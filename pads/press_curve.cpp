@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "pads/contact_area.h"
+#include "pads/pad_press.h"
 
 namespace thenar {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "pads/pad_press.h"
+#include "pads/pad_model.h"
 
 namespace thenar {
 

@@ -1,52 +1,20 @@
 #pragma once
 
-/// Goal, options and outcome of one step of a press.
+/// Body, contacts and goal of one step of a press.
 
-#include <functional>
-#include <optional>
-#include <string>
-
-#include <Eigen/Core>
-
-#include "base/spatial.h"
 #include "pads/contact_cones.h"
 #include "pads/contact_surface.h"
+#include "pads/press_goal.h"
 #include "pads/press_state.h"
 #include "pads/tissue_body.h"
-#include "solvers/status.h"
 
 namespace thenar {
-
-/// Goal of a step: how far the object goes.
-struct PressGoal {
-  Pose<double> X_PO;                // of the object at the end
-  std::optional<double> force;      // instead: moved from there along `along` until the
-  Eigen::Vector3d along{0, 0, -1};  // object's push along it is so large [N]; unit (3)
-  double time = 0;                  // of the step, for relaxation [s]
-};
-
-struct PressOptions {
-  double force_tolerance = 1e-9;  // of residuals, over the sum of contact forces [1]
-  double gap_tolerance = 1e-9;    // of touching nodes [m]
-  int max_iterations = 60;
-  std::function<bool()> stop;  // asked before each iteration: true ends the step; empty: never
-};
 
 /// Tangents of a body that its steps factor.
 struct PressFactors {
   explicit PressFactors(const TissueBody& body) : moment(body), cones(body) {}
   CondensedBody moment;  // of the moment, with contacts or without
   ContactCones cones;    // kept from step to step
-};
-
-/// Outcome of a step.
-struct [[nodiscard]] PressOutcome {
-  Status status = Status::kStalled;
-  std::string message;
-  int iterations = 0;
-  double residual = 0;  // largest entry of forces out of balance [N]
-  double gap = 0;       // largest |gap| of a touching node [m]
-  Wrench push;          // of the object on the body, about the body's origin
 };
 
 /// Body, object and goal of a step.

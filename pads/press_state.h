@@ -10,15 +10,10 @@
 #include "base/spatial.h"
 #include "geometry/shape.h"
 #include "pads/contact_surface.h"
+#include "pads/press_goal.h"
 #include "pads/tissue_body.h"
 
 namespace thenar {
-
-/// A rigid object that presses on a body.
-struct RigidObject {
-  std::shared_ptr<const Shape> shape;  // in its own frame
-  double friction = 0;                 // Coulomb, of the exact cone [1]
-};
 
 /// State of a press at the end of a step. Vectors are in the body's frame.
 struct PressState {

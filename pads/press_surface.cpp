@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "pads/pad_press.h"
+#include "pads/press_state.h"
+
 namespace thenar {
 namespace {
 

@@ -7,9 +7,9 @@
 
 #include <Eigen/Core>
 
-#include "pads/pad_press.h"
-
 namespace thenar {
+
+class PadPress;
 
 /// Contact state of a node of the skin: open, sticking or slipping.
 enum class SkinContact : unsigned char { kFree, kSticks, kSlips };

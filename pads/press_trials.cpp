@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "geometry/primitives.h"
 #include "pad_laws/soft_patch.h"
+#include "pads/pad_press.h"
 #include "pads/skin_gap.h"
 
 namespace thenar {

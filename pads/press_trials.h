@@ -8,7 +8,7 @@
 
 #include "base/progress.h"
 #include "geometry/collision/curvature.h"
-#include "pads/pad_press.h"
+#include "pads/pad_model.h"
 
 namespace thenar {
 

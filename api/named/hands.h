@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/provenance.h"
-#include "grasp/closing/close_hand.h"
+#include "grasp/closing/closing_drives.h"
 #include "hand/hand.h"
 #include "hand_versions/human_hand.h"
 

@@ -10,6 +10,7 @@
 #include "base/progress_parts.h"
 #include "base/thread_seconds.h"
 #include "base/units.h"
+#include "pads/pad_press.h"
 
 namespace thenar {
 namespace {

@@ -14,6 +14,7 @@
 #include "base/units.h"
 #include "data/io/pad/law_file.h"
 #include "pad_laws/foundation_bed.h"
+#include "pads/pad_press.h"
 #include "pads/skin_gap.h"
 
 namespace thenar {

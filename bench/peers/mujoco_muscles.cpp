@@ -16,6 +16,8 @@
 #include "bench/peers/mujoco_model.h"
 #include "bench/ratios.h"
 #include "dynamics/scene/scene_humans.h"
+#include "dynamics/stepping/contact_step.h"
+#include "dynamics/stepping/scene_state.h"
 #include "hand/skin/skin_body.h"
 #include "tendons/wrapping/path_solver.h"
 

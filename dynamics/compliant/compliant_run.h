@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "dynamics/stepping/simulate_scene.h"
+#include "dynamics/stepping/contact_step.h"
+#include "dynamics/stepping/scene_run.h"
 
 namespace thenar::internal {
 

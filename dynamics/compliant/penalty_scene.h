@@ -3,7 +3,8 @@
 /// Scenes whose contacts are springs, integrated by CVODE under error control.
 
 #include "base/progress.h"
-#include "dynamics/stepping/simulate_scene.h"
+#include "dynamics/stepping/moving_scene.h"
+#include "dynamics/stepping/scene_run.h"
 
 namespace thenar {
 

@@ -3,7 +3,8 @@
 /// Scenes whose contacts are springs, all by Simbody.
 
 #include "base/progress.h"
-#include "dynamics/stepping/simulate_scene.h"
+#include "dynamics/stepping/contact_step.h"
+#include "dynamics/stepping/scene_run.h"
 
 namespace thenar {
 

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "dynamics/mechanism/build_mechanism.h"
 #include "hand/skin/skin_body.h"
+#include "hand_versions/human_tendons.h"
 #include "tendons/muscle/joint_resistance.h"
 
 namespace thenar {

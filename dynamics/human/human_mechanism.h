@@ -8,6 +8,7 @@
 
 #include "dynamics/mechanism/mechanism.h"
 #include "hand_versions/human_hand.h"
+#include "tendons/digit_tendons.h"
 
 namespace thenar {
 

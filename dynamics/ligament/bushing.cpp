@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "dynamics/mechanism/tree_motion.h"
 
 namespace thenar {
 namespace {

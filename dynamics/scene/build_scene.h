@@ -9,7 +9,8 @@
 #include "data/io/robot/robot.h"
 #include "data/io/scene/scene.h"
 #include "dynamics/human/human_mechanism.h"
-#include "dynamics/stepping/simulate_scene.h"
+#include "dynamics/stepping/moving_scene.h"
+#include "dynamics/stepping/scene_run.h"
 
 namespace thenar {
 

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/stepping/simulate_scene.h"
+#include "dynamics/stepping/moving_scene.h"
+#include "dynamics/stepping/scene_run.h"
 
 namespace thenar {
 

@@ -8,6 +8,8 @@
 
 #include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/scene/pair_slip.h"
+#include "dynamics/stepping/contact_step.h"
+#include "dynamics/stepping/scene_state.h"
 
 namespace thenar {
 namespace {

@@ -12,6 +12,8 @@
 
 namespace thenar {
 
+struct TreeModel;
+
 /// Two bodies that touched.
 struct PairMeasure {
   int a = 0, b = 0;                       // bodies, a < b

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dynamics/scene/measure_run.h"
-#include "dynamics/stepping/simulate_scene.h"
+#include "dynamics/stepping/scene_run.h"
 
 namespace thenar {
 

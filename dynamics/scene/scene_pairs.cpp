@@ -7,7 +7,9 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "dynamics/stepping/contact_step.h"
 #include "dynamics/stepping/meeting_pairs.h"
+#include "dynamics/stepping/scene_state.h"
 
 namespace thenar {
 namespace {

@@ -6,7 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "dynamics/stepping/simulate_scene.h"
+#include "dynamics/stepping/moving_scene.h"
+#include "dynamics/stepping/scene_run.h"
 
 namespace thenar {
 

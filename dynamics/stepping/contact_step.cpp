@@ -325,7 +325,7 @@ void ContactStep::poses(const SceneState& state, std::vector<Pose<double>>& out)
     out[i] = parts_->motion.links().pose(static_cast<int>(i));
 }
 
-ContactStep::Energy ContactStep::energy(const SceneState& state) {
+SceneEnergy ContactStep::energy(const SceneState& state) {
   // Kinetic energy, weights and springs of joints.
   Parts& p = *parts_;
   p.motion.place(state);

@@ -10,6 +10,7 @@
 #include "contact/contact_solver.h"
 #include "dynamics/mechanism/composite_body.h"
 #include "dynamics/stepping/contact_sample.h"
+#include "dynamics/stepping/scene_run.h"
 #include "dynamics/stepping/scene_state.h"
 #include "geometry/manifold/collision_world.h"
 
@@ -109,14 +110,7 @@ class ContactStep {
   /// Poses of all bodies at a state.
   void poses(const SceneState& state, std::vector<Pose<double>>& out);
 
-  /// Energies at a state. Springs are those of joints and elements.
-  struct Energy {
-    double kinetic = 0, weight = 0, springs = 0;  // [J]
-    double of_elements = 0;  // the part of `springs` in elements that are not passive [J]
-    double of_passive = 0;   // the part of `springs` in passive elements [J]
-    [[nodiscard]] double total() const { return kinetic + weight + springs; }
-  };
-  [[nodiscard]] Energy energy(const SceneState& state);
+  [[nodiscard]] SceneEnergy energy(const SceneState& state);
   /// Computes the kinetic energy alone [J].
   [[nodiscard]] double kinetic_energy(const SceneState& state);
 

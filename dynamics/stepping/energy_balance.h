@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "dynamics/stepping/simulate_scene.h"
+#include "dynamics/stepping/scene_run.h"
 
 namespace thenar {
 

@@ -31,7 +31,7 @@ class EventStepper {
   /// The state and its contacts as runs keep them.
   [[nodiscard]] SceneSample sample();
   /// Energies at a state.
-  [[nodiscard]] ContactStep::Energy energy_at(const SceneState& state) {
+  [[nodiscard]] SceneEnergy energy_at(const SceneState& state) {
     return step_.energy(state);
   }
 

@@ -4,7 +4,8 @@
 
 #include <vector>
 
-#include "dynamics/stepping/simulate_scene.h"
+#include "dynamics/stepping/contact_step.h"
+#include "dynamics/stepping/scene_run.h"
 
 namespace thenar {
 

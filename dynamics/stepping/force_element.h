@@ -11,10 +11,12 @@
 
 #include <Eigen/Core>
 
-#include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/stepping/contact_sample.h"
 
 namespace thenar {
+
+template <typename T>
+class TreeMotion;
 
 /// Parts of an action that a step needs. Elements may leave out other parts; the parts that they
 /// compute do not depend on the need.

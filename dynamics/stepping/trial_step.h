@@ -9,7 +9,7 @@
 #include "dynamics/stepping/contact_step.h"
 #include "dynamics/stepping/extrapolation.h"
 #include "dynamics/stepping/free_step.h"
-#include "dynamics/stepping/simulate_scene.h"
+#include "dynamics/stepping/scene_run.h"
 
 namespace thenar {
 

@@ -3,7 +3,6 @@
 /// Auto-grasp: closes the drives of a hand round an object until contacts and joint limits stop
 /// them.
 
-#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -15,11 +14,6 @@
 #include "hand/hand.h"
 
 namespace thenar {
-
-/// Rates of all coordinates at a posture [rad/s] or [m/s], updated while the hand closes.
-/// @param q  (coordinates);  @param free  which a drive may still move (coordinates)
-using ClosingRates = std::function<Eigen::VectorXd(
-    const Eigen::VectorXd& q, const Eigen::Array<bool, Eigen::Dynamic, 1>& free)>;
 
 /// Settings of close_hand().
 struct CloseOptions {

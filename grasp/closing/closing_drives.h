@@ -3,6 +3,7 @@
 /// State of closing: rates of the coordinates, and what stopped them.
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,11 @@
 #include "hand/hand.h"
 
 namespace thenar {
+
+/// Rates of all coordinates at a posture [rad/s] or [m/s], updated while the hand closes.
+/// @param q  (coordinates);  @param free  which a drive may still move (coordinates)
+using ClosingRates = std::function<Eigen::VectorXd(
+    const Eigen::VectorXd& q, const Eigen::Array<bool, Eigen::Dynamic, 1>& free)>;
 
 /// Reason why a coordinate does not move (any more).
 enum class StoppedBy { kNothing, kLimit, kContact, kCoupling, kNoDrive };

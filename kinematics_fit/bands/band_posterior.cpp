@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "kinematics_fit/bands/band_problems.h"
 #include "kinematics_fit/bands/expected_information.h"
 #include "kinematics_fit/fit_residuals.h"
 

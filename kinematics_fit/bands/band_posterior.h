@@ -11,10 +11,11 @@
 
 #include "base/progress.h"
 #include "kinematics_fit/bands/band_evidence.h"
-#include "kinematics_fit/bands/band_problems.h"
 #include "tendons/topology/assess_bands.h"
 
 namespace thenar {
+
+class BandProblems;
 
 /// One set of bands with what the data say of it.
 struct BandSet {

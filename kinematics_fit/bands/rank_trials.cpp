@@ -8,9 +8,11 @@
 #include <Eigen/Cholesky>
 
 #include "base/error.h"
+#include "kinematics_fit/bands/band_problems.h"
 #include "kinematics_fit/bands/expected_information.h"
 #include "kinematics_fit/bands/net_records.h"
 #include "kinematics_fit/covariance.h"
+#include "kinematics_fit/force_jacobian.h"
 #include "kinematics_fit/specimen_prior.h"
 
 namespace thenar {

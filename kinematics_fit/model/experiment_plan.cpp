@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "kinematics_fit/model/force_site.h"
 #include "kinematics_fit/model/net_trials.h"
 #include "tendons/forces/posture_sensitivity.h"
 

@@ -9,7 +9,7 @@
 
 #include "data/io/experiment.h"
 #include "kinematics_fit/model/fit_parameters.h"
-#include "kinematics_fit/model/force_site.h"
+#include "kinematics_fit/model/planned_site.h"
 #include "kinematics_fit/model/tip_constraint.h"
 
 namespace thenar {

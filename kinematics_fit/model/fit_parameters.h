@@ -15,6 +15,12 @@
 
 namespace thenar {
 
+/// Two hinges and the wanted distance between their axes.
+struct AxisPair {
+  int first, second;    // hinges
+  double lower, upper;  // [m]
+};
+
 /// Prior scale that several parameters share: see PriorScale.
 struct ScaledPriors {
   std::string name;

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "kinematics_fit/model/experiment_plan.h"
+#include "kinematics_fit/model/force_site.h"
 #include "kinematics_fit/model/specimen_model.h"
 
 namespace thenar {

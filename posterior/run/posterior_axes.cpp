@@ -4,6 +4,7 @@
 
 #include "base/units.h"
 #include "kinematics_fit/model/predict_forces.h"
+#include "posterior/hand_posterior.h"
 #include "posterior/run/posterior_quantities.h"
 
 namespace thenar {

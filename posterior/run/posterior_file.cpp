@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/provenance.h"
 #include "data/io/result_layout.h"
+#include "posterior/hand_posterior.h"
 #include "posterior/run/posterior_groups.h"
 #include "posterior/run/posterior_quantities.h"
 #include "posterior/run/sample_posterior.h"

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "kinematics_fit/prediction.h"
+#include "posterior/hand_posterior.h"
 #include "posterior/run/posterior_quantities.h"
 #include "posterior/run/predict_draws.h"
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "kinematics_fit/prediction.h"
+#include "posterior/hand_posterior.h"
 
 namespace thenar {
 

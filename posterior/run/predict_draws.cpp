@@ -9,6 +9,7 @@
 #include "kinematics_fit/predictive_moments.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "posterior/force_density.h"
+#include "posterior/hand_posterior.h"
 
 namespace thenar {
 namespace {

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/provenance.h"
 #include "kinematics_fit/fit_residuals.h"
+#include "posterior/hand_posterior.h"
 #include "posterior/run/posterior_quantities.h"
 #include "posterior/run/predict_draws.h"
 #include "sampling/methods/laplace_covariance.h"

@@ -10,13 +10,15 @@
 #include "base/run_record.h"
 #include "kinematics_fit/fit.h"
 #include "posterior/find_modes.h"
-#include "posterior/hand_posterior.h"
+#include "posterior/posterior_options.h"
 #include "sampling/diagnostics/convergence.h"
 #include "sampling/diagnostics/modes.h"
 #include "sampling/run/retry_divergent.h"
 #include "sampling/run/run_chains.h"
 
 namespace thenar {
+
+class HandPosterior;
 
 /// Options of the posterior in a settings file. @throws DataError if it cannot be read.
 [[nodiscard]] PosteriorOptions posterior_options(const SourceText& settings);

@@ -210,7 +210,7 @@ std::vector<Fields> muscle_fields(const SceneResult& scene) {
 }
 
 /// [J]
-OrderedJson energy_json(const ContactStep::Energy& energy) {
+OrderedJson energy_json(const SceneEnergy& energy) {
   return {{"kinetic", energy.kinetic},
           {"weight", energy.weight},
           {"springs", energy.springs},
@@ -280,7 +280,7 @@ std::string varied_words(const SceneResult& scene) {
 std::string text_of(const SceneResult& scene) {
   // Bodies and contacts first, then the account of energy and the cost.
   const SceneCost& cost = scene.run.cost;
-  const ContactStep::Energy &start = scene.run.samples.front().energy,
+  const SceneEnergy &start = scene.run.samples.front().energy,
                             &end = scene.run.samples.back().energy;
   std::string text = fmt::format("{}: {} after {:.6g} s\nmethod: {}, {} steps, {} impacts\n\n",
                                  scene.name, name_of(scene.run.status), simulated_seconds(scene),

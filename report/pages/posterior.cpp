@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "kinematics_fit/prediction.h"
+#include "posterior/hand_posterior.h"
 #include "posterior/run/predict_draws.h"
 #include "report/draws/chains.h"
 #include "report/pages/prediction.h"

@@ -26,6 +26,11 @@ double pareto_quantile(double p, const ParetoFit& fit) {
 
 }  // namespace
 
+double log_sum_exp(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  const double top = x.maxCoeff();
+  return std::isfinite(top) ? top + std::log((x.array() - top).exp().sum()) : top;
+}
+
 ParetoFit fit_pareto(const Eigen::Ref<const Eigen::VectorXd>& rising) {
   const Eigen::Index n = rising.size();
   require(n >= 5, "a Pareto tail needs 5 excesses, got {}", n);

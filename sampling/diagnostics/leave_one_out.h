@@ -2,7 +2,6 @@
 
 /// Leave-one-out predictive accuracy by Pareto-smoothed importance sampling.
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -11,10 +10,7 @@
 namespace thenar {
 
 /// log sum_i exp(x_i), without overflow. @param x  at least one, none +inf or NaN (n)
-[[nodiscard]] inline double log_sum_exp(const Eigen::Ref<const Eigen::VectorXd>& x) {
-  const double top = x.maxCoeff();
-  return std::isfinite(top) ? top + std::log((x.array() - top).exp().sum()) : top;
-}
+[[nodiscard]] double log_sum_exp(const Eigen::Ref<const Eigen::VectorXd>& x);
 
 /// Generalised Pareto distribution of excesses x > 0: P(X > x) = (1 + k x / sigma)^(-1/k).
 /// Moments of order 1/k and above are infinite.

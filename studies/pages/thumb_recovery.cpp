@@ -10,6 +10,7 @@
 #include "base/numbers.h"
 #include "base/special_functions.h"
 #include "base/units.h"
+#include "posterior/hand_posterior.h"
 #include "report/pages/posterior.h"
 
 namespace thenar {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "posterior/hand_posterior.h"
 #include "report/pages/posterior.h"
 #include "report/picture/axis_cloud.h"
 #include "report/provenance.h"

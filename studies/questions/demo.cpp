@@ -14,6 +14,7 @@
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"
 #include "tendons/net/build_tendons.h"
+#include "tendons/net/posture_sweep.h"
 
 namespace thenar {
 namespace {

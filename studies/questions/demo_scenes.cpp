@@ -3,6 +3,7 @@
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "base/parallel_tasks.h"
+#include "dynamics/stepping/contact_step.h"
 #include "hand/skin/skin_landmarks.h"
 #include "studies/questions/demo.h"
 

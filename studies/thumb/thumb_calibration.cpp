@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/random_stream.h"
+#include "posterior/hand_posterior.h"
 #include "studies/thumb/thumb_fit.h"
 
 namespace thenar {

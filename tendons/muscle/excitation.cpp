@@ -22,6 +22,10 @@ void check(const Excitation& excitation) {
 
 }  // namespace
 
+Eigen::VectorXd ExcitationPiece::at(double time) const {
+  return first + (last - first) * ((time - begin) / (end - begin));
+}
+
 Excitation constant_excitation(const Eigen::VectorXd& value) {
   return {Eigen::VectorXd::Zero(1), value.transpose()};
 }

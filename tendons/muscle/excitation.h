@@ -22,9 +22,7 @@ struct ExcitationPiece {
   Eigen::VectorXd first, last;  // [1] (muscles)
   bool jumps;                   // from the piece before
 
-  [[nodiscard]] Eigen::VectorXd at(double time) const {
-    return first + (last - first) * ((time - begin) / (end - begin));
-  }
+  [[nodiscard]] Eigen::VectorXd at(double time) const;
 };
 
 /// Constant excitation. @param value  (muscles)

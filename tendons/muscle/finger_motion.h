@@ -7,12 +7,9 @@
 #include "tendons/muscle/contraction.h"
 #include "tendons/muscle/joint_resistance.h"
 #include "tendons/muscle/musculotendon.h"
+#include "tendons/muscle/trajectory.h"
 
 namespace thenar {
-
-/// Strain over which the bands of a net go from slack to taut in motion, a choice of ours [1]: see
-/// docs/theory/muscles.md for what it changes.
-inline constexpr double kBlend = 1e-3;
 
 /// Tension that is added to that of every muscle of a digit with a net in motion, so that no band
 /// goes fully slack: numerical, not the tone of a muscle; a choice of ours [N]: see

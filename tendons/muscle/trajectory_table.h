@@ -2,7 +2,7 @@
 
 /// Tables of trajectories, for files.
 
-#include "tendons/muscle/simulate.h"
+#include "tendons/muscle/trajectory.h"
 
 namespace thenar {
 

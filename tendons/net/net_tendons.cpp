@@ -215,6 +215,8 @@ std::unique_ptr<TendonFollower> NetTendons::follower_on_tendons(const TendonEnds
       PostureAndLoad{ends.q, ends.load}, *ends.at.rest);
 }
 
+VectorXd NetTendons::drive(const VectorXd& t) const { return shares_ * t; }
+
 NetEquilibrium NetTendons::rest(const VectorXd& q, const VectorXd& t,
                                 const Eigen::Matrix3Xd& start) const {
   return rest(q, NetDrive{drive(t), {}}, start);

@@ -106,7 +106,7 @@ class NetTendons : public DigitTendons {
                                        const NetEquilibrium& rest) const;
 
   /// Tension of each muscle of the net [N] (pulls).
-  [[nodiscard]] Eigen::VectorXd drive(const Eigen::VectorXd& t) const { return shares_ * t; }
+  [[nodiscard]] Eigen::VectorXd drive(const Eigen::VectorXd& t) const;
 
   /// D (pulls, muscles) [1].
   [[nodiscard]] const Eigen::MatrixXd& shares() const { return shares_; }

@@ -94,29 +94,4 @@ double band_arm(const NetTendons& tendons, const SweepPoint& point, int band, in
                     model.coordinates)[coordinate];
 }
 
-std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
-                                    const std::vector<Eigen::VectorXd>& postures,
-                                    const Eigen::VectorXd& t, const Progress& progress) {
-  const auto* net = dynamic_cast<const NetTendons*>(&tendons);
-  std::vector<DigitPoint> points;
-  for (std::size_t i = 0; i < postures.size() && !progress.stop(); ++i) {
-    progress(static_cast<double>(i) / static_cast<double>(postures.size()), "postures");
-    DigitPoint point;
-    point.q = postures[i];
-    // A net comes from the straight finger, whatever the posture before.
-    if (net != nullptr) {
-      NetContinuation walk = follow_from_straight(*net, point.q, t);
-      point.snapped = !walk.snaps.empty();
-      point.rest = std::move(walk.rest);
-      point.pull = net->torque_at_rest(point.q, t, point.rest);
-    } else {
-      point.pull = tendons.evaluate(point.q, t);
-    }
-    // Tip force at that torque.
-    point.tip = tip_force(tip_statics(tendons.digit(), point.q, t, point.pull), t);
-    points.push_back(std::move(point));
-  }
-  return points;
-}
-
 }  // namespace thenar

@@ -10,6 +10,7 @@
 #include "data/io/net_description.h"
 #include "hand_versions/hand_actuator.h"
 #include "tendons/net/build_tendons.h"
+#include "tendons/net/digit_sweep.h"
 #include "tendons/net/posture_sweep.h"
 #include "tests/hand/hand_laws.h"
 #include "tests/hand/skin/human_subjects.h"

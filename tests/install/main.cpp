@@ -1,4 +1,4 @@
-// Validates and reads the subject named on the command line and prints where its first fingertip
+// Reads the subject named on the command line and prints where its first fingertip
 // is [mm].
 
 #include <cstdio>
@@ -7,9 +7,6 @@
 
 int main(int argc, char** argv) {
   if (argc != 2 || thenar::name_of(thenar::LeastSquaresMethod::kCeres) != "ceres") return 2;
-  thenar::ValidateRequest files;
-  files.things = {argv[1]};
-  if (!thenar::validate(files).valid()) return 3;
   const thenar::Skeleton skeleton = thenar::build_skeleton(thenar::read_subject(argv[1]));
   const thenar::SkeletonTip& tip = skeleton.tips.front();
   const Eigen::VectorXd q = thenar::posture(skeleton, {});

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kinematics_fit/bands/band_problems.h"
 #include "kinematics_fit/covariance.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "tests/kinematics_fit/planted_bands.h"

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "kinematics_fit/bands/band_problems.h"
 #include "kinematics_fit/bands/rank_trials.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "tests/kinematics_fit/planted_bands.h"
 
 namespace thenar {

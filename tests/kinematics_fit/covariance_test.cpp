@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kinematics_fit/fit_residuals.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/matrix_near.h"
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "tests/data/mutated_arrays.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/temporary_folder.h"

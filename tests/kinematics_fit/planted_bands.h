@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "data/io/net_description.h"
+#include "kinematics_fit/bands/band_problems.h"
 #include "kinematics_fit/bands/net_records.h"
 #include "kinematics_fit/bands/rank_trials.h"
 #include "kinematics_fit/specimen_prior.h"

@@ -9,6 +9,7 @@
 
 #include "api/posterior.h"
 #include "base/error.h"
+#include "posterior/hand_posterior.h"
 #include "posterior/run/posterior_file.h"
 #include "tests/api/small_fit.h"
 #include "tests/data_folder.h"

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/primitives.h"
+#include "pads/pad_press.h"
 
 namespace thenar {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "posterior/bounded_table.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/matrix_near.h"

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"

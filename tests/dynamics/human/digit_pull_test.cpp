@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/mechanism/build_mechanism.h"
+#include "dynamics/mechanism/tree_model.h"
+#include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/scene/measure_run.h"
 #include "dynamics/stepping/simulate_scene.h"
 #include "tendons/net/build_tendons.h"

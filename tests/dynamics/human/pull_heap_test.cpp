@@ -5,6 +5,8 @@
 
 #include "dynamics/human/digit_pull.h"
 #include "dynamics/mechanism/build_mechanism.h"
+#include "dynamics/mechanism/tree_model.h"
+#include "dynamics/mechanism/tree_motion.h"
 #include "tests/counted_malloc.h"
 
 namespace thenar {

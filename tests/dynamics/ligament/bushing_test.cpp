@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "dynamics/mechanism/tree_model.h"
+#include "dynamics/mechanism/tree_motion.h"
 #include "tests/dynamics/ligament/sample_joints.h"
 
 namespace thenar {

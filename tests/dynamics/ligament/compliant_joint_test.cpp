@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "dynamics/mechanism/articulated_body.h"
 #include "dynamics/mechanism/simbody_machine.h"
+#include "dynamics/stepping/contact_step.h"
 #include "tests/dynamics/ligament/sample_joints.h"
 #include "tests/dynamics/stepping/sample_scenes.h"
 #include "tests/message_of.h"

@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "dynamics/mechanism/tree_model.h"
+#include "dynamics/mechanism/tree_motion.h"
+#include "dynamics/stepping/contact_step.h"
 #include "dynamics/stepping/simulate_scene.h"
 #include "geometry/primitives.h"
 #include "pad_laws/point_laws.h"

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "dynamics/scene/build_scene.h"
+#include "dynamics/stepping/contact_step.h"
 #include "tests/data_folder.h"
 
 namespace thenar {

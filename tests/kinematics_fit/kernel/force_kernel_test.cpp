@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "tests/kinematics_fit/kernel/kernel_cases.h"
 #include "tests/posterior/thumb_scene.h"
 

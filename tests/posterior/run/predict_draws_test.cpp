@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "posterior/hand_posterior.h"
 #include "tests/posterior/run/small_run.h"
 
 namespace thenar {

@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "tendons/net/build_tendons.h"
+#include "tendons/net/digit_sweep.h"
 #include "tendons/net/posture_sweep.h"
 #include "tests/data_folder.h"
 

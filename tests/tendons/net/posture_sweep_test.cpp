@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tendons/net/build_tendons.h"
+#include "tendons/net/digit_sweep.h"
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 

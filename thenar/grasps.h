@@ -1,0 +1,12 @@
+#pragma once
+
+/// Grasps of human and robot hands: quality of contacts, closing on objects, comparison.
+
+#include "api/close.h"
+#include "api/compare.h"
+#include "api/grasp.h"
+#include "api/grasp_measures.h"
+#include "api/import.h"
+#include "api/named/hands.h"
+#include "api/named/worlds.h"
+#include "api/quality.h"

@@ -1,0 +1,7 @@
+#pragma once
+
+/// Tendons of a digit: extensor nets at rest, motion by muscles, nets inferred from forces.
+
+#include "api/simulate.h"
+#include "api/tendon_infer.h"
+#include "api/tendon_solve.h"
