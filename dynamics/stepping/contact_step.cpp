@@ -329,7 +329,7 @@ SceneEnergy ContactStep::energy(const SceneState& state) {
   // Kinetic energy, weights and springs of joints.
   Parts& p = *parts_;
   p.motion.place(state);
-  Energy out;
+  SceneEnergy out;
   out.kinetic = p.motion.links().kinetic_energy();
   out.weight = p.motion.links().weight_energy(p.scene.gravity);
   out.springs = p.efforts.spring_energy(state);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/progress.h"
 #include "dynamics/stepping/contact_step.h"
 #include "dynamics/stepping/scene_run.h"
 
