@@ -6,6 +6,10 @@
 #include <optional>
 #include <utility>
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
 namespace thenar {
 namespace {
 
@@ -24,6 +28,8 @@ constexpr double kPlaneExcess = 1e-13;
 constexpr double kSharpTurn = 0.1;  // A larger turn of normals over a triangle shows an edge [1]
 // Largest deviation of the middle normal, over the turn; over an edge it is half [1]
 constexpr double kEvenTurnShare = 0.25;
+// Normals lie in a triangle's plane if the cosine of their angle with its normal is below this [1]
+constexpr double kInPlaneCosine = 1e-6;
 constexpr int kMostSplits = 4;       // Most splits of triangles over curved edges
 constexpr int kMostLooks = 4;        // Most searches for further planes of a triangle
 constexpr double kSamePlane = 1e-7;  // Planes with normals that differ by less are the same [1]
@@ -189,6 +195,18 @@ class FacePress {
     return (middle - (from.normal + to.normal) / 2).norm() < kEvenTurnShare * turn(most);
   }
 
+  /// Returns the inverse of two sides of a triangle and a normal as long as the first; where the
+  /// normal lies in the triangle's plane, as below the wall of a box that stands on flat skin, the
+  /// pseudoinverse.
+  [[nodiscard]] static Eigen::Matrix3d inverse_of(const Eigen::Matrix3d& ways) {
+    const Vector3d area = ways.col(0).cross(Vector3d(ways.col(1)));
+    if (std::abs(area.dot(ways.col(2))) > kInPlaneCosine * area.norm() * ways.col(2).norm())
+      return ways.inverse();
+    Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix3d> parts;
+    parts.setThreshold(kInPlaneCosine);
+    return parts.compute(ways).pseudoInverse();
+  }
+
   /// Adds springs whose depth is linear over the triangle.
   /// @param smooth  whether normals turn evenly, so that their turn is part of the stiffness
   void add_linear(const Triangle& at, bool smooth) {
@@ -211,7 +229,7 @@ class FacePress {
       turns.col(k) = to.normal - at[0].normal;
     }
     ways.col(2) = ways.col(0).norm() * normal;
-    const Eigen::Matrix3d slope = turns * ways.inverse();
+    const Eigen::Matrix3d slope = turns * inverse_of(ways);
     const Eigen::Matrix3d curvature = (slope + slope.transpose()) / 2;
     // Forces on the distances of the triangle's corners.
     Vector3d forces(0, 0, 0);

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "base/numbers.h"
+#include "base/units.h"
 #include "geometry/primitives.h"
 
 namespace thenar {
@@ -171,6 +172,36 @@ TEST(PressedFace, HasTheSlopesOfItsEnergy) {
       EXPECT_LT((lost - expected).norm(), trial.most_error * expected.norm()) << k;
     }
   EXPECT_GT(pressed, 60);
+}
+
+// Objects that stand upright on a level face: below their walls the nearest normals lie in the
+// plane of the face, whose triangles give no slope out of it. Against differences; the cylinder so
+// deep that its rim is nowhere near.
+TEST(PressedFace, IsAsStiffBelowAnUprightWall) {
+  struct Trial {
+    std::shared_ptr<const Shape> object;
+    double depth;       // of its floor [m]
+    double most_error;  // of the stiffness [1]
+  };
+  const auto box = build_box({1e-2, 1e-2, 1e-2}), cylinder = build_cylinder(5e-3, 1e-2);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (const Trial& trial : {Trial{box, 0.1e-3, 1e-6}, Trial{box, 0.5e-3, 1e-6},
+                             Trial{box, 1.5e-3, 1e-6}, Trial{cylinder, 1.5e-3, 0.06}}) {
+    // The wall is at x = 0.1 mm, the floor below the face.
+    Pose<double> X;
+    X.p = {5e-3 + 0.1e-3, 0, 5e-3 - trial.depth};
+    const PressedFace face = pressed_by(level_face(), *trial.object, X);
+    ASSERT_TRUE(face.stiffness.allFinite()) << trial.depth;
+    FaceCorners way;
+    for (int c = 0; c < 4; ++c) way.col(c) << unit(random), unit(random), unit(random);
+    constexpr double kStep = 1e-9;
+    const PressedFace more = pressed_by(level_face() + kStep * way, *trial.object, X);
+    const PressedFace less = pressed_by(level_face() - kStep * way, *trial.object, X);
+    const FaceCorners lost = (less.push - more.push) / (2 * kStep);
+    const FaceCorners expected = (face.stiffness * way.reshaped()).reshaped(3, 4);
+    EXPECT_LT((lost - expected).norm(), trial.most_error * lost.norm()) << trial.depth;
+  }
 }
 
 }  // namespace
