@@ -36,7 +36,7 @@ Fields ball_fields(const InscribedBall& ball) {
 Fields stiffness_fields(const GraspStiffness& stiffness) {
   return {{"least", stiffness.min_eigenvalue},
           {"softest", units::kOne, stiffness.softest},
-          {"softest_words", direction_words(stiffness.softest)},
+          {"softest_words", motion_words(stiffness.softest)},
           {"pad_force", units::kNewton, kPadForce},
           {"matrix", units::kOne, stiffness.K}};
 }
