@@ -245,6 +245,7 @@
 #include "grasp/contact/contact.h"
 #include "grasp/contact/contact_patch.h"
 #include "grasp/contact/friction_pyramid.h"
+#include "grasp/contact/scaled_wrench.h"
 #include "grasp/contact/soft_pads.h"
 #include "grasp/contact/wrench_set.h"
 
