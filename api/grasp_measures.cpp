@@ -81,9 +81,7 @@ Measured<double> hold_of(const ForceSet& forces, const ScaledWrench& load,
 
 /// The weight as the object stands: along -z of the world.
 ScaledWrench weight_load(const GraspBody& object, double weight) {
-  ScaledWrench load = ScaledWrench::Zero();
-  load.head<3>() = -weight * object.X_WB.R.transpose().col(2);
-  return load;
+  return {-weight * object.X_WB.R.transpose().col(2), {0, 0, 0}};
 }
 
 /// Returns the reason why the hand's motors do not hold a load: they bear none of it, or not all.
@@ -140,7 +138,7 @@ void add_margins(const Asked& asked, GraspMeasures& measures) {
   // A zero is along one axis, maybe not along z.
   if (measures.times_weight.value && measures.times_weight.value->with_structure == 0) {
     const std::optional<ScaledWrench> load = unsupported_load(asked.forces);
-    if (load && !load->head<3>().isZero(0))
+    if (load && !load->force.isZero(0))
       measures.times_weight.reason += ": nothing withstands " + direction_words(*load);
   }
   // Pull and turn are loads along and about every axis, in newtons and newton metres.

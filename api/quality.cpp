@@ -42,7 +42,7 @@ double largest_wrench_norm(const WrenchSet& set) {
 void turn(WrenchSet& set, double angle) {
   for (WrenchCap& cap : set.caps) {
     if (cap.A.cols() < 2) continue;
-    const ScaledWrench a = cap.A.col(0), b = cap.A.col(1);
+    const WrenchCoordinates a = cap.A.col(0), b = cap.A.col(1);
     cap.A.col(0) = std::cos(angle) * a + std::sin(angle) * b;
     cap.A.col(1) = std::cos(angle) * b - std::sin(angle) * a;
   }
@@ -76,7 +76,8 @@ WrenchSet wrenches_of(const ContactFile& file, const ContactQualityRequest& requ
   // Generators of the file replace the cone of their contact.
   for (std::size_t i = 0; i < file.contacts.size(); ++i) {
     const std::vector<FileWrench>& generators = file.contacts[i].wrenches;
-    for (const ScaledWrench& wrench : generators) set.caps.push_back({wrench, {}, region[i]});
+    for (const FileWrench& wrench : generators)
+      set.caps.push_back({ScaledWrench::from_coordinates(wrench), {}, region[i]});
     if (!generators.empty()) continue;
     for (WrenchCap& cap : cones_of(file, contacts[i], request).caps) {
       cap.contact = region[i];
@@ -138,14 +139,14 @@ std::optional<GraspMatrixMeasures> matrix_of(const ContactFile& file) {
 }
 
 /// A margin as a result has it: unknown where a program did not end.
-TaskQuality quality_of(const TaskMargin& margin) {
+TaskQuality quality_of(const TaskMargin& margin, double torque_scale) {
   TaskQuality task;
   task.status = margin.status;
   if (margin.status == Status::kSolved) {
     task.lower = margin.lower;
     task.upper = margin.upper;
   }
-  task.worst_load = margin.worst_load;
+  task.worst_load = unscaled_wrench(margin.worst_load, torque_scale);
   task.residual = margin.residual;
   return task;
 }
@@ -154,10 +155,10 @@ TaskQuality quality_of(const TaskMargin& margin) {
 /// @param grasp_forces  of each load gets the least limit that withstands it
 TaskMargin margin_of_each(const ForceSet& forces, const std::vector<ScaledWrench>& loads,
                           double largest, std::vector<std::optional<double>>& grasp_forces) {
-  TaskMargin margin{Status::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0};
+  TaskMargin margin{Status::kSolved, kInfinity, kInfinity, ScaledWrench{}, 0};
   for (const ScaledWrench& load : loads) {
     grasp_forces.emplace_back();
-    if (load.isZero(0)) {
+    if (load.is_zero()) {
       grasp_forces.back() = 0;
       continue;
     }
@@ -179,7 +180,8 @@ TaskMargin margin_of_each(const ForceSet& forces, const std::vector<ScaledWrench
 
 TaskMargin margin_of_axes(const ForceSet& forces, const std::vector<ScaledWrench>& axes) {
   Eigen::Matrix<double, 6, Eigen::Dynamic> Q(6, static_cast<Eigen::Index>(axes.size()));
-  for (std::size_t i = 0; i < axes.size(); ++i) Q.col(static_cast<Eigen::Index>(i)) = axes[i];
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    Q.col(static_cast<Eigen::Index>(i)) = axes[i].vector();
   return margin_of_ellipsoid(forces, Q);
 }
 
@@ -188,8 +190,9 @@ std::optional<TaskQuality> task_of(const WrenchSet& set, const ContactFile& file
   if (file.task.kind == FileTask::Kind::kNone) return {};
   // Moments of loads are divided by the torque scale, as those of contacts are.
   const bool each = file.task.kind == FileTask::Kind::kLoads;
-  std::vector<ScaledWrench> loads = file.task.loads;
-  for (ScaledWrench& load : loads) load.tail<3>() /= file.torque_scale;
+  std::vector<ScaledWrench> loads;
+  for (const FileWrench& load : file.task.loads)
+    loads.push_back(scaled_wrench({load.tail<3>(), load.head<3>()}, file.torque_scale));
   const double largest = largest_wrench_norm(set);
   // The margin of the kind of task that the file has.
   const ForceSet forces = unit_forces(set, request.norm);
@@ -204,9 +207,8 @@ std::optional<TaskQuality> task_of(const WrenchSet& set, const ContactFile& file
   // Below this nothing is borne, but for the programmes' rounding.
   const double none = kMinLoadRatio * largest / std::max(margin.worst_load.norm(), 1e-300);
   if (margin.upper < none) margin.lower = margin.upper = 0;
-  // Return the worst load in N and N m, as the file states loads.
-  margin.worst_load.tail<3>() *= file.torque_scale;
-  TaskQuality task = quality_of(margin);
+  // The worst load is told in N and N m, as the file states loads.
+  TaskQuality task = quality_of(margin, file.torque_scale);
   task.grasp_forces = std::move(grasp_forces);
   return task;
 }

@@ -33,7 +33,7 @@ struct TaskQuality {
   Status status = Status::kSolved;
   std::optional<double> lower, upper;  // of the multiple of the task that is withstood [1]; none: a
                                        // program did not end; infinite: there is no load
-  ScaledWrench worst_load;             // that is withstood least [N, N m] (6)
+  Wrench worst_load;                   // that is withstood least [N m], [N]
   double residual = 0;                 // largest of the KKT conditions of the programs [1]
   std::vector<std::optional<double>>
       grasp_forces;  // least limit that withstands each load of a list [N];

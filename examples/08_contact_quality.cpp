@@ -26,6 +26,6 @@ int main() {
   const std::vector<thenar::Contact> points{{{-0.03, 0, 0}, {1, 0, 0}, mu},
                                             {{0.03, 0, 0}, {-1, 0, 0}, mu}};
   const thenar::Epsilon hard = thenar::epsilon(thenar::wrench_set(points, {0, 0, 0}, scale));
-  const thenar::ScaledWrench missing = hard.missing_direction.cwiseAbs();
-  std::printf("hard points: rank %d of 6, no torque about x: %.2f\n", hard.rank, missing[3]);
+  const Eigen::Vector3d missing = hard.missing_direction.moment_over_length.cwiseAbs();
+  std::printf("hard points: rank %d of 6, no torque about x: %.2f\n", hard.rank, missing.x());
 }

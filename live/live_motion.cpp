@@ -5,28 +5,11 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/nearest_name.h"
 
 namespace thenar {
 namespace {
 
 constexpr long kStepsBetweenLooks = 16;  // at whether to stop
-
-/// Returns true if the first joint of a coordinate slides.
-bool slides_along(const MovingScene& scene, int coordinate) {
-  for (const MechanismJoint& joint : scene.mechanism.joints)
-    if (is_scalar(joint.kind) && joint.coordinate == coordinate)
-      return joint.kind == JointKind::kSlide;
-  return false;
-}
-
-/// @throws InputError, also for what is no number
-void check_size(const std::map<std::string, double>& values, const std::string& kind,
-                const std::string& unit, double most) {
-  for (const auto& [name, value] : values)
-    require(std::abs(value) <= most, "{} of '{}': wanted a number within {:g} {}, got {}", kind,
-            name, most, unit, value);
-}
 
 }  // namespace
 
@@ -34,17 +17,8 @@ LiveMotion::LiveMotion(MotionSource source, const HistoryLimits& limits)
     : source_(std::move(source)),
       picture_(scene_picture(*source_.built, source_.camera)),
       stepper_(source_.built->scene, source_.built->options),
+      inputs_(stepper_),
       history_(limits) {
-  // Names of coordinates and controls; a tension may be set up to kLargestTension at most.
-  const std::vector<MechanismCoordinate>& coordinates = scene().mechanism.coordinates;
-  for (std::size_t c = 0; c < coordinates.size(); ++c) {
-    coordinates_.push_back(coordinates[c].name);
-    index_of_[coordinates[c].name] = static_cast<int>(c);
-  }
-  for (ElementControl& control : stepper_.controls()) {
-    if (control.unit == "N") control.upper = std::min(control.upper, kLargestTension);
-    controls_[control.name] = control;
-  }
   // Bodies that move, and which reading is the tension of each muscle that is drawn.
   moving_ = moving_bodies(scene().mechanism, stepper_.model());
   readings_ = stepper_.readings();
@@ -75,7 +49,7 @@ void LiveMotion::keep() {
   if (!readings_.empty())
     for (const ElementValue& value : stepper_.readings()) newest_.readings.push_back(value.value);
   newest_.efforts.clear();
-  for (std::size_t c = 0; c < coordinates_.size(); ++c)
+  for (std::size_t c = 0; c < inputs_.coordinates().size(); ++c)
     newest_.efforts.push_back(stepper_.effort(static_cast<int>(c), newest_.at));
   history_.add(newest_);
   shown_ = history_.size() - 1;
@@ -182,8 +156,7 @@ double LiveMotion::seek(double t) {
 
 void LiveMotion::reset() {
   stepper_.reset();
-  efforts_.clear();
-  targets_.clear();
+  inputs_.clear();
   playing_ = false;
   begin();
 }
@@ -195,106 +168,6 @@ LiveTime LiveMotion::live_time() const {
   out.playing = playing_;
   out.speed = speed_;
   out.duration = source_.duration;
-  return out;
-}
-
-// Inputs.
-
-int LiveMotion::coordinate_named(const std::string& name) const {
-  const auto found = index_of_.find(name);
-  if (found != index_of_.end()) return found->second;
-  return static_cast<int>(index_of_name(name, coordinates_, "coordinate"));
-}
-
-const ElementControl& LiveMotion::control_named(const std::string& name,
-                                                const std::string& unit) const {
-  const auto found = controls_.find(name);
-  if (found != controls_.end()) return found->second;
-  std::vector<std::string> names;
-  for (const auto& [known, control] : controls_)
-    if (control.unit == unit) names.push_back(known);
-  return controls_.at(names[index_of_name(name, names, unit == "N" ? "tension" : "excitation")]);
-}
-
-void LiveMotion::check_controls(const std::map<std::string, double>& values,
-                                const std::string& unit) const {
-  // Check each value against the range of its control.
-  for (const auto& [name, value] : values) {
-    const ElementControl& control = control_named(name, unit);
-    require(control.unit == unit, "'{}' {}", name,
-            unit == "N" ? "contracts by itself: set its excitation"
-                        : "is pulled by a given tension: set that");
-    require(value >= control.lower && value <= control.upper, "'{}' must be {} to {:g} {}, got {}",
-            name, control.lower, control.upper, unit, value);
-  }
-}
-
-void LiveMotion::check_targets(const std::map<std::string, double>& values) const {
-  for (const auto& [name, value] : values)
-    require(stepper_.stiff_drive(coordinate_named(name)) != nullptr,
-            "no drive with stiffness moves '{}': set its effort instead", name);
-}
-
-void LiveMotion::set(const MotionInputs& inputs) {
-  // Everything is looked at before anything is set.
-  for (const auto& [name, value] : inputs.efforts) (void)coordinate_named(name);
-  for (const std::string& name : inputs.release) (void)coordinate_named(name);
-  check_size(inputs.efforts, "effort", "N m or N", kLargestEffort);
-  check_size(inputs.targets, "target", "rad or m", kFarthestTarget);
-  check_targets(inputs.targets);
-  check_controls(inputs.tensions, "N");
-  check_controls(inputs.excitations, "1");
-  // An effort takes the place of a target, and a target that of an effort.
-  for (const auto& [name, value] : inputs.efforts)
-    for (const auto& [other, target] : inputs.targets)
-      require(coordinate_named(name) != coordinate_named(other), "'{}' has an effort and a target",
-              name);
-  // Release, then set: a coordinate may change from a target to an effort in one request.
-  for (const std::string& name : inputs.release) {
-    const int c = coordinate_named(name);
-    stepper_.release(c);
-    efforts_.erase(c);
-    targets_.erase(c);
-  }
-  for (const auto& [name, value] : inputs.efforts) {
-    const int c = coordinate_named(name);
-    stepper_.set_effort(c, value);
-    efforts_[c] = value;
-    targets_.erase(c);
-  }
-  for (const auto& [name, value] : inputs.targets) {
-    const int c = coordinate_named(name);
-    stepper_.set_target(c, value);
-    targets_[c] = value;
-    efforts_.erase(c);
-  }
-  for (const auto& [name, value] : inputs.tensions)
-    stepper_.set_control(control_named(name, "N").name, value);
-  for (const auto& [name, value] : inputs.excitations)
-    stepper_.set_control(control_named(name, "1").name, value);
-}
-
-std::vector<MotionInput> LiveMotion::inputs() const {
-  const auto given = [](const std::map<int, double>& values, int coordinate) {
-    const auto found = values.find(coordinate);
-    return found == values.end() ? std::nullopt : std::optional<double>(found->second);
-  };
-  std::vector<MotionInput> out;
-  // An effort is bounded by the motor; a target needs a drive that has stiffness.
-  const std::vector<CoordinateRange> ranges = coordinate_ranges(scene());
-  for (std::size_t c = 0; c < coordinates_.size(); ++c) {
-    const std::string& name = coordinates_[c];
-    const int index = static_cast<int>(c);
-    const bool slides = slides_along(scene(), index);
-    const double most = stepper_.largest_effort(index);
-    out.push_back({name, "effort", slides ? "N" : "N m", -most, most, given(efforts_, index)});
-    if (stepper_.stiff_drive(index) != nullptr)
-      out.push_back({name, "target", slides ? "m" : "rad", ranges[c].lower, ranges[c].upper,
-                     given(targets_, index)});
-  }
-  for (const ElementControl& control : stepper_.controls())
-    out.push_back({control.name, control.unit == "N" ? "tension" : "excitation", control.unit,
-                   control.lower, control.upper, control.set});
   return out;
 }
 
@@ -338,8 +211,8 @@ void LiveMotion::add_joints(TimelineState& out) const {
   const SceneState& state = shown().state;
   // Positions and speeds are those of the instant shown.
   // Efforts of the present follow inputs as they are set, those of the past stay.
-  for (std::size_t c = 0; c < coordinates_.size(); ++c)
-    out.joints.push_back({coordinates_[c], state.q[layout.coordinate_q[c]],
+  for (std::size_t c = 0; c < inputs_.coordinates().size(); ++c)
+    out.joints.push_back({inputs_.coordinates()[c], state.q[layout.coordinate_q[c]],
                           state.v[layout.coordinate_v[c]],
                           is_newest() ? stepper_.effort(static_cast<int>(c), shown())
                                       : history_.at(shown_).efforts[c]});

@@ -2,41 +2,17 @@
 
 /// A scene that moves while somebody watches, pushes and turns back.
 
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "live/live_timeline.h"
 #include "live/motion_history.h"
+#include "live/motion_inputs.h"
 #include "live/motion_source.h"
 #include "live/scene_picture.h"
 
 namespace thenar {
-
-/// Largest inputs of a motion: beyond them is a mistake, and steps take longer than anybody waits.
-inline constexpr double kLargestEffort = 1e4;   // [N m], of sliding coordinates [N]
-inline constexpr double kFarthestTarget = 1e3;  // either way from zero [rad] or [m]
-inline constexpr double kLargestTension = 5e3;  // [N]
-
-/// Inputs that drive a scene from now on, by names; inputs that are not named keep their values.
-struct MotionInputs {
-  std::map<std::string, double> efforts;      // of coordinates, in place of drives [N m] or [N]
-  std::map<std::string, double> targets;      // of drives [rad] or [m]
-  std::map<std::string, double> tensions;     // of muscles: "human/index/FDP2" [N]
-  std::map<std::string, double> excitations;  // of muscles, 0..1 [1]
-  std::vector<std::string> release;           // coordinates that go back to the scene's drives
-};
-
-/// Input of a motion that may be set.
-struct MotionInput {
-  std::string name;
-  std::string kind;             // "effort", "target", "tension", "excitation"
-  std::string unit;             // "N m", "N", "rad", "m", "1"
-  double lower = 0, upper = 0;  // of the thing itself; infinite: no limit is known
-  std::optional<double> set;    // absent: it is as the scene has it
-};
 
 /// A moving scene, its inputs and its past. What is shown is the newest instant or one that was
 /// sought; steps go on from what is shown, and forget what came behind it. Not for use by several
@@ -66,8 +42,8 @@ class LiveMotion final : public LiveTimeline {
   /// Sets inputs, all or, where one is refused, none.
   /// @throws InputError with the nearest name of what is not there, or where a value is impossible
   ///         or beyond the largest inputs above.
-  void set(const MotionInputs& inputs);
-  [[nodiscard]] std::vector<MotionInput> inputs() const;
+  void set(const MotionInputs& inputs) { inputs_.set(inputs, stepper_); }
+  [[nodiscard]] std::vector<MotionInput> inputs() const { return inputs_.list(stepper_); }
 
   double seek(double t) override;
   /// Returns to the start, and removes all inputs and the history.
@@ -80,11 +56,6 @@ class LiveMotion final : public LiveTimeline {
   [[nodiscard]] MotionQuality quality() const override;
 
  private:
-  [[nodiscard]] int coordinate_named(const std::string& name) const;
-  [[nodiscard]] const ElementControl& control_named(const std::string& name,
-                                                    const std::string& unit) const;
-  void check_controls(const std::map<std::string, double>& values, const std::string& unit) const;
-  void check_targets(const std::map<std::string, double>& values) const;
   void keep();
   /// @return false if it was stopped
   [[nodiscard]] bool step_once(const Progress& progress);
@@ -104,10 +75,7 @@ class LiveMotion final : public LiveTimeline {
   MotionSource source_;
   ScenePicture picture_;
   mutable SceneStepper stepper_;  // asked for poses and energies, it uses its room
-  std::vector<std::string> coordinates_;
-  std::map<int, double> efforts_, targets_;         // that are set, by coordinate
-  std::map<std::string, int> index_of_;             // of coordinates
-  std::map<std::string, ElementControl> controls_;  // what each may be set to
+  MotionSwitches inputs_;
   MotionHistory history_;
   PastInstant newest_;     // its room
   std::size_t shown_ = 0;  // of the history

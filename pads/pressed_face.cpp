@@ -10,6 +10,8 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include "pads/triangle_planes.h"
+
 namespace thenar {
 namespace {
 
@@ -30,52 +32,15 @@ constexpr double kSharpTurn = 0.1;  // A larger turn of normals over a triangle 
 constexpr double kEvenTurnShare = 0.25;
 // Normals lie in a triangle's plane if the cosine of their angle with its normal is below this [1]
 constexpr double kInPlaneCosine = 1e-6;
-constexpr int kMostSplits = 4;       // Most splits of triangles over curved edges
-constexpr int kMostLooks = 4;        // Most searches for further planes of a triangle
-constexpr double kSamePlane = 1e-7;  // Planes with normals that differ by less are the same [1]
-constexpr double kNoPart = 1e-10;    // Parts below this share of a triangle are left out [1]
-// Most corners of a part of a triangle: 3, and one for each of 8 planes
-constexpr std::size_t kMostCorners = 16;
+constexpr int kMostSplits = 4;  // Most splits of triangles over curved edges
+constexpr int kMostLooks = 4;   // Most searches for further planes of a triangle
 
-/// A convex part of a triangle, by barycentric coordinates of its corners.
-struct Polygon {
-  std::array<Vector3d, kMostCorners> corners;
-  std::size_t size = 0;
-  void add(const Vector3d& p) {
-    if (size < corners.size()) corners[size++] = p;
-  }
-};
-
-Polygon whole_triangle() {
-  Polygon out;
-  for (int c = 0; c < 3; ++c) out.add(Vector3d::Unit(c));
-  return out;
-}
-
-/// The part where a linear function is 0 or more. @param values  at the triangle's corners (3)
-Polygon clipped(const Polygon& polygon, const Vector3d& values) {
-  Polygon out;
-  for (std::size_t i = 0; i < polygon.size; ++i) {
-    // Keep corners inside, and add the point where a side crosses.
-    const Vector3d &a = polygon.corners[i], &b = polygon.corners[(i + 1) % polygon.size];
-    const double at_a = values.dot(a), at_b = values.dot(b);
-    if (at_a >= 0) out.add(a);
-    if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0))
-      out.add(a + at_a / (at_a - at_b) * (b - a));
-  }
-  return out;
-}
-
-/// Area of a triangle of barycentric coordinates, over that of the whole [1].
-double share_of(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  return std::abs((b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]);
-}
-double share_of(const Polygon& polygon) {
-  double out = 0;
-  for (std::size_t i = 1; i + 1 < polygon.size; ++i)
-    out += share_of(polygon.corners[0], polygon.corners[i], polygon.corners[i + 1]);
-  return out;
-}
+using Plane = internal::TrianglePlane;
+using internal::clipped;
+using internal::for_points;
+using internal::share_of;
+using internal::TrianglePart;
+using internal::whole_triangle;
 
 /// A place on a face, and the object's surface near it, body's frame.
 struct Sample {
@@ -85,12 +50,7 @@ struct Sample {
 };
 using Triangle = std::array<Sample, 3>;
 
-/// Distances of a triangle's corners to a plane, and the plane's normal.
-struct Plane {
-  Vector3d values;  // [m] (3)
-  Vector3d normal;
-};
-
+/// Cuts a face in triangles, and adds the springs of each.
 class FacePress {
  public:
   FacePress(const FaceCorners& corners, const Vector4d& stiffness, double area, const Shape& object,
@@ -213,7 +173,7 @@ class FacePress {
     // Linear depth and mean normal; springs press where the depth is positive.
     const Vector3d depth(-at[0].distance, -at[1].distance, -at[2].distance);
     const Vector3d normal = (at[0].normal + at[1].normal + at[2].normal).stableNormalized();
-    const Polygon part = clipped(whole_triangle(), depth);
+    const TrianglePart part = clipped(whole_triangle(), depth);
     add_part(part, depth, normal, [&](const Vector3d& b) {
       FaceCorners slope = FaceCorners::Zero();
       for (std::size_t c = 0; c < 3; ++c)
@@ -246,17 +206,10 @@ class FacePress {
   /// triangle that is inside, and their parts. @return false if there are none, as by a curved
   /// object
   bool find_planes(const Triangle& at, const std::array<Plane, 3>& of_corners) {
-    planes_.clear();
-    // Planes of the corners that differ.
-    for (const Plane& plane : of_corners) {
-      const bool known = std::any_of(planes_.begin(), planes_.end(), [&](const Plane& other) {
-        return (other.normal - plane.normal).norm() < kSamePlane;
-      });
-      if (!known) planes_.push_back(plane);
-    }
+    planes_.start(of_corners);
     // Add planes that the object has beyond them, until there is none.
     for (int look = 0; look <= kMostLooks; ++look) {
-      find_parts();
+      planes_.find_parts();
       if (!find_another(at)) return true;
     }
     return false;
@@ -264,32 +217,14 @@ class FacePress {
 
   /// Adds springs whose depth is that below the farthest of the planes.
   void add_planes() {
-    // Planes that touch the edge between two others have no part.
-    std::size_t kept = 0;
-    for (std::size_t p = 0; p < planes_.size(); ++p) {
-      if (share_of(parts_[p]) < kNoPart) continue;
-      planes_[kept] = planes_[p];
-      parts_[kept++] = parts_[p];
-    }
-    planes_.resize(kept);
+    planes_.drop_empty();
     // Springs below each plane, then the ridge of each pair.
     for (std::size_t p = 0; p < planes_.size(); ++p) {
-      const Plane& plane = planes_[p];
-      add_part(parts_[p], -plane.values, plane.normal, [&](const Vector3d& b) {
+      const Plane& plane = planes_.plane(p);
+      add_part(planes_.part(p), -plane.values, plane.normal, [&](const Vector3d& b) {
         return FaceCorners(plane.normal * (shapes_ * b).transpose());
       });
       for (std::size_t q = 0; q < p; ++q) add_ridge(p, q);
-    }
-  }
-
-  /// Sets where each plane is the farthest, and the triangle below it.
-  void find_parts() {
-    parts_.assign(planes_.size(), whole_triangle());
-    for (std::size_t p = 0; p < planes_.size(); ++p) {
-      // Inside the object, and where no other plane is farther.
-      parts_[p] = clipped(parts_[p], -planes_[p].values);
-      for (std::size_t q = 0; q < planes_.size(); ++q)
-        if (q != p) parts_[p] = clipped(parts_[p], planes_[p].values - planes_[q].values);
     }
   }
 
@@ -299,24 +234,24 @@ class FacePress {
     double most = kPlaneExcess;
     std::optional<Plane> found;
     for (std::size_t p = 0; p < planes_.size(); ++p)
-      for (std::size_t i = 0; i < parts_[p].size; ++i) {
+      for (std::size_t i = 0; i < planes_.part(p).size; ++i) {
         // Excess of the true distance over the plane's at a corner of its part.
-        const Vector3d& b = parts_[p].corners[i];
+        const Vector3d& b = planes_.part(p).corners[i];
         const Vector3d place = b[0] * at[0].place + b[1] * at[1].place + b[2] * at[2].place;
         const NearestSurface near = object_.nearest(X_OP_ * place);
-        const double beyond = near.distance - planes_[p].values.dot(b);
+        const double beyond = near.distance - planes_.plane(p).values.dot(b);
         if (beyond <= most) continue;
         most = beyond;
         found = plane_at(at, place, X_PO_.R * near.normal, near.distance);
       }
-    if (found) planes_.push_back(*found);
+    if (found) planes_.add(*found);
     return found.has_value();
   }
 
   /// Adds springs over a part of the triangle, where depth is linear.
   /// @param slope_at  of the distance there by the face's corners
   template <class SlopeAt>
-  void add_part(const Polygon& part, const Vector3d& depth, const Vector3d& normal,
+  void add_part(const TrianglePart& part, const Vector3d& depth, const Vector3d& normal,
                 const SlopeAt& slope_at) {
     if (share_of(part) <= 0) return;
     // Deepest point, and the middle of the part.
@@ -337,53 +272,15 @@ class FacePress {
     });
   }
 
-  /// Calls with points of a part and their shares of the triangle, by which products of two linear
-  /// functions are summed exactly.
-  template <class Call>
-  static void for_points(const Polygon& part, const Call& call) {
-    for (std::size_t i = 1; i + 1 < part.size; ++i) {
-      const std::array<Vector3d, 3> fan{part.corners[0], part.corners[i], part.corners[i + 1]};
-      const double share = share_of(fan[0], fan[1], fan[2]) / 3;
-      for (const Vector3d& corner : fan)
-        call(Vector3d((fan[0] + fan[1] + fan[2]) / 6 + corner / 2), share);
-    }
-  }
-
   /// Adds what the stiffness has of the ridge between two planes.
   void add_ridge(std::size_t p, std::size_t q) {
-    const Vector3d &one = planes_[p].values, more = one - planes_[q].values;
-    const Vector3d turn = planes_[p].normal - planes_[q].normal;
-    // Ends of the ridge on the triangle's sides.
-    std::array<Vector3d, 2> ends;
-    std::size_t found = 0;
-    for (int i = 0; i < 3 && found < 2; ++i) {
-      const int j = (i + 1) % 3;
-      if ((more[i] > 0) != (more[j] > 0))
-        ends[found++] =
-            (more[j] * Vector3d::Unit(i) - more[i] * Vector3d::Unit(j)) / (more[j] - more[i]);
-    }
-    if (found < 2) return;
-    // Part of the ridge inside the object where no other plane is farther.
-    double from = 0, to = 1;
-    const auto cut = [&](const Vector3d& values) {
-      const double a = values.dot(ends[0]), b = values.dot(ends[1]);
-      if (a < 0 && b < 0) to = from;
-      if (a < 0 && b >= 0) from = std::max(from, a / (a - b));
-      if (a >= 0 && b < 0) to = std::min(to, a / (a - b));
-    };
-    cut(-one);
-    for (std::size_t r = 0; r < planes_.size(); ++r)
-      if (r != p && r != q) cut(one - planes_[r].values);
-    if (!(to > from)) return;
-    // Two Gauss points, exact for products of three linear functions. Lengths are in barycentric
-    // coordinates, in which the triangle has the area 1/2.
-    const double length = (to - from) * (ends[1] - ends[0]).head<2>().norm();
-    const double rate = std::hypot(more[0] - more[2], more[1] - more[2]);
-    for (const double side : {-1.0, 1.0}) {
-      const double s = 0.5 * (from + to) + side * (to - from) / std::sqrt(12.0);
-      const Vector3d b = (1 - s) * ends[0] + s * ends[1];
+    const std::optional<internal::PlaneRidge> ridge = planes_.ridge(p, q);
+    if (!ridge) return;
+    const Vector3d turn = planes_.plane(p).normal - planes_.plane(q).normal;
+    for (const Vector3d& b : ridge->points) {
+      const double distance = planes_.plane(p).values.dot(b);  // < 0
       const Row row = FaceCorners(turn * (shapes_ * b).transpose()).reshaped();
-      out_.stiffness += k_ * one.dot(b) * length / rate * row * row.transpose();  // distance < 0
+      out_.stiffness += k_ * distance * ridge->length / ridge->rate * row * row.transpose();
     }
   }
 
@@ -395,8 +292,7 @@ class FacePress {
   // Of the triangle at hand.
   Shapes shapes_;
   double k_ = 0;  // [N/m]
-  std::vector<Plane> planes_;
-  std::vector<Polygon> parts_;
+  internal::TrianglePlanes planes_;
 };
 
 }  // namespace

@@ -2,28 +2,19 @@
 
 /// Tendons of a digit in a scene, pulled by given tensions or by excited muscles.
 
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "dynamics/human/joint_stops.h"
+#include "dynamics/human/muscle_schedule.h"
 #include "dynamics/human/tendon_group.h"
 #include "dynamics/stepping/moving_scene.h"
 #include "tendons/muscle/contraction.h"
 #include "tendons/muscle/finger_motion.h"
 
 namespace thenar {
-
-/// Tension or excitation of one muscle over time: linear between knots, constant before the first
-/// and after the last. Two knots of one time are a jump.
-struct MuscleSchedule {
-  int muscle = 0;  // of the group
-  TimeSpan when{};
-  Eigen::VectorXd time;   // never falling [s] (knots)
-  Eigen::VectorXd value;  // tension [N], or excitation 0..1 [1] (knots)
-};
 
 /// The constants of a pulled digit.
 struct DigitPullModel {
@@ -49,18 +40,6 @@ struct PullInstant {
                                // tension does not depend on it
   TendonStatus status = TendonStatus::kValid;
   std::string warning;  // why not to trust it; may be empty
-};
-
-/// The straight piece of a schedule that begins at or before an instant. Before its begin and after
-/// its end, where trial steps may look, it is constant.
-struct SchedulePiece {
-  double begin = 0, end = std::numeric_limits<double>::infinity();  // [s]
-  double value = 0, last = 0;                                       // at begin and end
-
-  [[nodiscard]] double slope() const { return (last - value) / (end - begin); }  // [1/s]
-  /// Returns the value at t, between those of both ends to the last bit: tensions that end at 0 are
-  /// never below it.
-  [[nodiscard]] double at(double t) const;
 };
 
 /// Tensions of a pull's muscles at once; a copy has room of its own.
@@ -142,7 +121,6 @@ class DigitPull final : public ForceElement {
   [[nodiscard]] const Now& now(const ElementInput& at, ElementNeed need) const;
   void set_arms(const Eigen::VectorXd& q) const;
   [[nodiscard]] bool is_finite(const ElementInput& at) const;
-  void set_pieces(double acting) const;
   void set_states(const ElementInput& at, Now& now) const;
   void set_tensions(double t, ElementNeed need, Now& now) const;
   void add_tension_slopes(const Now& now, ElementAction& out);
@@ -161,30 +139,40 @@ class DigitPull final : public ForceElement {
   void set_excursion_rates(const ElementInput& at, const Now& now, const Eigen::MatrixXd& G,
                            const Eigen::MatrixXd& A, ElementAction& out);
 
+  /// Which muscles contract, which states they have, and the lengths by which these are scaled.
+  struct Muscles {
+    std::vector<int> contracting;  // muscles
+    std::vector<bool> contracts;   // (muscles)
+    bool has_excursion = false, has_fibre = false, feels_speed = false;
+    Eigen::Index count = 0, states = 0;
+    Eigen::VectorXd fibre_length, length_at_optimum;  // of the contraction [m] (muscles)
+  };
+  /// What earlier calls found and later ones begin with.
+  struct Last {
+    GroupSlopes arm_slopes;                    // at the last accept(), where they exist; else
+    Eigen::MatrixXd posture_stiffness;         // (coordinates, coordinates)
+    Eigen::VectorXd tension;                   // of the last act() [N] (muscles)
+    Eigen::VectorXd stiffness_q, stiffness_t;  // where either was found; empty: not yet
+    GroupNodes nodes;                          // of nets at the last accept() [m]
+    Eigen::VectorXd slack_length;  // of lines where excursions are 0 [m] (muscles; empty: not held)
+  };
+  /// Vectors whose memory is used again; they change no answer.
+  struct Scratch {
+    Eigen::VectorXd excursion_rate, accepted_q, by_arm, by_pair;
+  };
+
   std::shared_ptr<const DigitPullModel> model_;
   std::shared_ptr<const TendonGroup> blended_;    // null: the model's own
   std::shared_ptr<const Contraction> compliant_;  // null: the model's own
-  std::vector<int> contracting_;                  // muscles
-  std::vector<bool> contracts_;                   // (muscles)
-  std::vector<std::optional<double>> set_;        // tensions [N], excitations [1] (muscles)
-  bool has_excursion_ = false, has_fibre_ = false, feels_speed_ = false;
-  Eigen::Index muscles_ = 0, states_ = 0;
-  Eigen::VectorXd fibre_length_, length_at_optimum_;  // of the contraction [m] (muscles)
-  // Room that is used again; it changes no answer.
+  Muscles muscles_;
+  Last last_;
+  // Of the last look at a state; used again, they change no answer.
   mutable Now now_;
-  mutable std::optional<GroupArms> arms_;  // none: a net
-  mutable Eigen::VectorXd arms_q_;         // where the arms of now_ are, of tendons without a net
-  mutable std::optional<PullTensions> tensions_;                      // none: none contracts
-  mutable double acting_ = std::numeric_limits<double>::quiet_NaN();  // of the pieces [s]
-  mutable std::vector<SchedulePiece> given_, excited_;                // (muscles)
-  Eigen::VectorXd excursion_rate_, accepted_q_, by_arm_, by_pair_;
-  // What was found at the last accept().
-  GroupSlopes arm_slopes_;                     // where they exist; else
-  Eigen::MatrixXd posture_stiffness_;          // (coordinates, coordinates)
-  Eigen::VectorXd last_tension_;               // of the last act() [N] (muscles)
-  Eigen::VectorXd stiffness_q_, stiffness_t_;  // where either was found; empty: not yet
-  GroupNodes last_nodes_;                      // of nets [m]
-  Eigen::VectorXd slack_length_;  // of lines where excursions are 0 [m] (muscles; empty: not held)
+  mutable std::optional<GroupArms> arms_;         // none: a net
+  mutable Eigen::VectorXd arms_q_;                // where the arms of now_ are, without a net
+  mutable std::optional<PullTensions> tensions_;  // none: none contracts
+  mutable ActingPieces given_, excited_;          // tensions [N], excitations [1]
+  Scratch scratch_;
 };
 
 }  // namespace thenar

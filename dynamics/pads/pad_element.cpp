@@ -56,26 +56,27 @@ Pose<double> PadElement::object_pose(const ElementInput& at) const {
 
 double PadElement::size_of(const Vector6& change) const {
   const Vector3d force = change.tail<3>();
-  const Vector3d moment = change.head<3>() - touch_.centre.cross(force);
+  const Vector3d moment = change.head<3>() - kept_.touch.centre.cross(force);
   return std::max(force.norm(), moment.norm() / kFingertipArm);
 }
 
 PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) const {
   Prediction out;
   out.push.setZero();
-  out.allowed = options_.force_error * std::max(touch_.push.force.norm(), options_.least_force);
-  if (touch_.force <= 0) return out;
+  out.allowed =
+      options_.force_error * std::max(kept_.touch.push.force.norm(), options_.least_force);
+  if (kept_.touch.force <= 0) return out;
   // Elastic push with the stiffness of the last look, relaxed since.
-  const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - t_seen_));
-  const Vector6 more = stiffness_ * motion_from(X_seen_, X_PO);
+  const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - accepted_.t));
+  const Vector6 more = stiffness_ * motion_from(accepted_.X_PO, X_PO);
   for (Eigen::Index k = 0; k < 6; ++k) {
-    const ExponentialMemory& memory = memory_[static_cast<std::size_t>(k)];
+    const ExponentialMemory& memory = accepted_.memory[static_cast<std::size_t>(k)];
     out.push[k] = history_of(weights, memory) + weights.now * (memory.x + more[k]);
   }
   out.share = weights.now;
-  out.change = size_of(out.push - six_of(touch_.push)) / out.allowed;
+  out.change = size_of(out.push - six_of(kept_.touch.push)) / out.allowed;
   // A pad does not pull.
-  if (out.push.tail<3>().dot(touch_.normal) <= 0) {
+  if (out.push.tail<3>().dot(kept_.touch.normal) <= 0) {
     out.push.setZero();
     out.share = 0;
   }
@@ -102,7 +103,7 @@ double PadElement::fastest(const ElementInput& at) const {
 
 bool PadElement::act(const ElementInput& at, ElementAction& out) {
   // Without a touch there is no push.
-  if (touch_.force <= 0) return has_answer();
+  if (kept_.touch.force <= 0) return has_answer();
   const Prediction seen = predict(at.t, object_pose(at));
   if (seen.share == 0) return has_answer();
   // Efforts by the push, against the object's motion relative to the pad, and its symmetric slope.
@@ -116,8 +117,8 @@ bool PadElement::act(const ElementInput& at, ElementAction& out) {
 }
 
 bool PadElement::changed_little(const Prediction& seen, const Pose<double>& X_PO) const {
-  if (touch_.force <= 0) return false;
-  const Vector6 motion = motion_from(X_PO_, X_PO);
+  if (kept_.touch.force <= 0) return false;
+  const Vector6 motion = motion_from(kept_.X_PO, X_PO);
   return seen.change < kStillShare && motion.tail<3>().norm() < kStillWay &&
          motion.head<3>().norm() < kStillTurn;
 }
@@ -126,7 +127,7 @@ void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& 
   // Contact at the end of the motion, from what the pad kept.
   trial_.t = t;
   trial_.X_PO = X_PO;
-  trial_.touch = pad_->move(X_PO, t - t_);
+  trial_.touch = pad_->move(X_PO, t - kept_.t);
   if (trial_.touch.status != Status::kSolved) {
     trial_.error = kNoAnswer;
     return;
@@ -138,34 +139,34 @@ void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& 
 }
 
 void PadElement::catch_up(double t, const Pose<double>& X_PO, double allowed) {
-  if (t_seen_ <= t_ + kSameInstant || touch_.force <= 0) return;
+  if (accepted_.t <= kept_.t + kSameInstant || kept_.touch.force <= 0) return;
   // After a rest that the pad has not seen, a motion would count as spread over the rest. Where the
   // pad would feel that, it is first moved to the end of the rest.
   const std::vector<ExponentialTerm>& terms = pad_->relaxation();
-  const double spread = memory_step(terms, std::max(0.0, t - t_)).now,
-               late = memory_step(terms, std::max(0.0, t - t_seen_)).now;
-  const Vector6 more = stiffness_ * motion_from(X_seen_, X_PO);
+  const double spread = memory_step(terms, std::max(0.0, t - kept_.t)).now,
+               late = memory_step(terms, std::max(0.0, t - accepted_.t)).now;
+  const Vector6 more = stiffness_ * motion_from(accepted_.X_PO, X_PO);
   if (size_of((late - spread) * more) < kStillShare * allowed) return;
-  try_move(t_seen_, X_seen_, predict(t_seen_, X_seen_));
+  try_move(accepted_.t, accepted_.X_PO, predict(accepted_.t, accepted_.X_PO));
   if (trial_.touch.status == Status::kSolved) keep_move(trial_.error > kNewStiffness);
 }
 
 double PadElement::doubt(const ElementInput& at) {
   // A pad without an answer waits, and one that hardly moved has no doubt.
-  if (stale_ && at.t < retry_) return 0;
+  if (lost_.stale && at.t < lost_.retry) return 0;
   const Pose<double> X_PO = object_pose(at);
   const Prediction seen = predict(at.t, X_PO);
   if (changed_little(seen, X_PO)) return 0;
   catch_up(at.t, X_PO, seen.allowed);
   try_move(at.t, X_PO, seen);
   // Steps are not made shorter than this: what jumps in so short a time jumps.
-  const double seconds = at.t - t_seen_;
+  const double seconds = at.t - accepted_.t;
   if (seconds < kLeastPadStep) return 0;
-  if (touch_.force > 0) return trial_.error;
+  if (kept_.touch.force > 0) return trial_.error;
   // Not touched before: an object that moves farther than the gaps may have gone through.
   set_rows(at);
-  const double way = seconds * std::max(speed_, fastest(at)),
-               most = std::max(gap_, trial_.touch.gap) + kFirstDip;
+  const double way = seconds * std::max(accepted_.speed, fastest(at)),
+               most = std::max(accepted_.gap, trial_.touch.gap) + kFirstDip;
   return std::max(trial_.error, way / most);
 }
 
@@ -173,11 +174,11 @@ void PadElement::accept(const ElementInput& at) {
   // Pose at the end of the step, and the push that was predicted for it.
   const Pose<double> X_PO = object_pose(at);
   foresees_ = std::numeric_limits<double>::infinity();
-  anew_ = false;
-  const double seconds = at.t - t_seen_;
-  const bool waits = stale_ && at.t < retry_;
+  lost_.anew = false;
+  const double seconds = at.t - accepted_.t;
+  const bool waits = lost_.stale && at.t < lost_.retry;
   const Prediction seen = predict(at.t, X_PO);
-  if (!waits) stale_ = false;
+  if (!waits) lost_.stale = false;
   // Move the pad, unless the last trial was this very motion.
   if (!waits && !changed_little(seen, X_PO)) {
     const bool is_tried =
@@ -187,13 +188,13 @@ void PadElement::accept(const ElementInput& at) {
       try_move(at.t, X_PO, seen);
     }
     // Begin anew without an answer; otherwise keep the move, whose error bounds the next step.
-    stale_ = trial_.touch.status != Status::kSolved;
-    if (stale_) {
-      if (at.t >= retry_) begin_anew(at.t, X_PO);
+    lost_.stale = trial_.touch.status != Status::kSolved;
+    if (lost_.stale) {
+      if (at.t >= lost_.retry) begin_anew(at.t, X_PO);
     } else {
       const double error = trial_.error;
       keep_move(error > kNewStiffness);
-      if (touch_.force > 0 && seconds > 0)
+      if (kept_.touch.force > 0 && seconds > 0)
         foresees_ = std::max(
             kLeastPadStep,
             seconds * std::clamp(0.9 / std::sqrt(std::max(error, 1e-6)), kStepShrink, kStepGrowth));
@@ -201,11 +202,13 @@ void PadElement::accept(const ElementInput& at) {
   }
   // Apart: no step may be longer than the way to the pad.
   go_on(at.t, X_PO);
-  gap_ = touch_.gap;
-  if (touch_.force > 0 || stale_) return;
+  accepted_.gap = kept_.touch.gap;
+  if (kept_.touch.force > 0 || lost_.stale) return;
   set_rows(at);
-  speed_ = fastest(at);
-  if (speed_ > 0) foresees_ = std::max(kLeastPadStep, kForeseenShare * (gap_ + kFirstDip) / speed_);
+  accepted_.speed = fastest(at);
+  if (accepted_.speed > 0)
+    foresees_ =
+        std::max(kLeastPadStep, kForeseenShare * (accepted_.gap + kFirstDip) / accepted_.speed);
 }
 
 void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
@@ -214,40 +217,40 @@ void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
   PadContact contact;
   for (int i = 0; i <= kWayIn; ++i) {
     Pose<double> X = X_PO;
-    X.p -= kStartDistance * (1 - static_cast<double>(i) / kWayIn) * touch_.normal;
+    X.p -= kStartDistance * (1 - static_cast<double>(i) / kWayIn) * kept_.touch.normal;
     contact = fresh->move(X, 0);
     if (contact.status != Status::kSolved) {
-      retry_ = t + kRetryTime;
+      lost_.retry = t + kRetryTime;
       return;
     }
     fresh->keep();
   }
-  anew_ = touch_.force > 0;  // otherwise it has nothing to forget
+  lost_.anew = kept_.touch.force > 0;  // otherwise it has nothing to forget
   // The fresh pad takes the place of the old one, with nothing remembered.
   pad_ = std::move(fresh);
-  moved_memory_ = {};
+  kept_.memory = {};
   trial_.t = -1;
-  t_ = t;
-  X_PO_ = X_PO;
-  touch_ = contact;
-  stale_ = false;
+  kept_.t = t;
+  kept_.X_PO = X_PO;
+  kept_.touch = contact;
+  lost_.stale = false;
   remember_push(0);
-  stiffness_ = touch_.force > 0 ? pad_->stiffness(Vector6::Ones()) : Matrix6::Zero();
+  stiffness_ = kept_.touch.force > 0 ? pad_->stiffness(Vector6::Ones()) : Matrix6::Zero();
 }
 
 void PadElement::keep_move(bool new_stiffness) {
   // The pad keeps the trial.
-  const double seconds = trial_.t - t_;
-  const Vector6 motion = motion_from(X_PO_, trial_.X_PO);
+  const double seconds = trial_.t - kept_.t;
+  const Vector6 motion = motion_from(kept_.X_PO, trial_.X_PO);
   pad_->keep();
-  t_ = trial_.t;
-  X_PO_ = trial_.X_PO;
+  kept_.t = trial_.t;
+  kept_.X_PO = trial_.X_PO;
   trial_.t = -1;
   // Stiffness where the touch begins, or where a prediction was poor.
-  const bool begins = touch_.force <= 0;
-  touch_ = trial_.touch;
+  const bool begins = kept_.touch.force <= 0;
+  kept_.touch = trial_.touch;
   remember_push(seconds);
-  if (touch_.force <= 0) {
+  if (kept_.touch.force <= 0) {
     stiffness_.setZero();
   } else if (begins || new_stiffness) {
     stiffness_ = pad_->stiffness(motion);
@@ -255,39 +258,39 @@ void PadElement::keep_move(bool new_stiffness) {
 }
 
 void PadElement::remember_push(double seconds) {
-  if (touch_.force <= 0) moved_memory_ = {};
+  if (kept_.touch.force <= 0) kept_.memory = {};
   // The elastic push that the relaxation makes the pad's out of.
   const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, seconds));
-  const Vector6 push = six_of(touch_.push);
-  for (Eigen::Index k = 0; k < 6 && touch_.force > 0; ++k) {
-    ExponentialMemory& memory = moved_memory_[static_cast<std::size_t>(k)];
+  const Vector6 push = six_of(kept_.touch.push);
+  for (Eigen::Index k = 0; k < 6 && kept_.touch.force > 0; ++k) {
+    ExponentialMemory& memory = kept_.memory[static_cast<std::size_t>(k)];
     (void)remember(weights, (push[k] - history_of(weights, memory)) / weights.now, memory);
   }
-  memory_ = moved_memory_;
-  t_seen_ = t_;
-  X_seen_ = X_PO_;
+  accepted_.memory = kept_.memory;
+  accepted_.t = kept_.t;
+  accepted_.X_PO = kept_.X_PO;
 }
 
 PadElement::PushMemory PadElement::memory_at(double t, const Pose<double>& X_PO) const {
-  const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - t_seen_));
-  const Vector6 more = stiffness_ * motion_from(X_seen_, X_PO);
-  PushMemory out = memory_;
+  const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - accepted_.t));
+  const Vector6 more = stiffness_ * motion_from(accepted_.X_PO, X_PO);
+  PushMemory out = accepted_.memory;
   for (std::size_t k = 0; k < 6; ++k)
     (void)remember(weights, out[k].x + more[static_cast<Eigen::Index>(k)], out[k]);
   return out;
 }
 
 void PadElement::go_on(double t, const Pose<double>& X_PO) {
-  if (touch_.force > 0) memory_ = memory_at(t, X_PO);
-  t_seen_ = t;
-  X_seen_ = X_PO;
+  if (kept_.touch.force > 0) accepted_.memory = memory_at(t, X_PO);
+  accepted_.t = t;
+  accepted_.X_PO = X_PO;
 }
 
 double PadElement::energy(const ElementInput& at) {
-  if (touch_.force <= 0) return 0;
+  if (kept_.touch.force <= 0) return 0;
   // The elastic push of now, and what each term has left of it.
   const Pose<double> X_PO = object_pose(at);
-  const Vector6 motion = motion_from(X_PO_, X_PO);
+  const Vector6 motion = motion_from(kept_.X_PO, X_PO);
   const std::vector<ExponentialTerm>& terms = pad_->relaxation();
   const PushMemory memory = memory_at(at.t, X_PO);
   Vector6 push;
@@ -306,7 +309,7 @@ double PadElement::energy(const ElementInput& at) {
 
 void PadElement::add_contacts(const ElementInput& at, std::vector<ContactSample>& out) {
   const Prediction seen = predict(at.t, object_pose(at));
-  if (touch_.force <= 0 || seen.share == 0) return;
+  if (kept_.touch.force <= 0 || seen.share == 0) return;
   // Push at the instant, and the pad's frame in the world.
   const Pose<double> X_WP = at.motion.pose(body_) * X_BP_;
   const Vector3d moment = seen.push.head<3>(), force = seen.push.tail<3>();
@@ -315,22 +318,22 @@ void PadElement::add_contacts(const ElementInput& at, std::vector<ContactSample>
   ContactSample contact;
   contact.a = std::min(body_, other_);
   contact.b = std::max(body_, other_);
-  contact.point = X_WP * touch_.centre;
-  contact.normal = sign * (X_WP.R * touch_.normal);
+  contact.point = X_WP * kept_.touch.centre;
+  contact.normal = sign * (X_WP.R * kept_.touch.normal);
   contact.force = sign * (X_WP.R * force);
-  contact.torsion = touch_.normal.dot(moment - touch_.centre.cross(force));
-  contact.mode = touch_.stick > 0.5 ? ContactMode::kStick : ContactMode::kSlide;
-  contact.area = touch_.area;
-  contact.stick = touch_.stick;
+  contact.torsion = kept_.touch.normal.dot(moment - kept_.touch.centre.cross(force));
+  contact.mode = kept_.touch.stick > 0.5 ? ContactMode::kStick : ContactMode::kSlide;
+  contact.area = kept_.touch.area;
+  contact.stick = kept_.touch.stick;
   out.push_back(contact);
 }
 
 bool PadElement::moves(const ElementInput& at) const {
   if (!has_answer()) return true;
-  if (touch_.force <= 0) return false;
+  if (kept_.touch.force <= 0) return false;
   // Whether it still relaxes by more than a thousandth of what is allowed.
-  const Prediction now = predict(at.t, X_seen_),
-                   later = predict(std::numeric_limits<double>::infinity(), X_seen_);
+  const Prediction now = predict(at.t, accepted_.X_PO),
+                   later = predict(std::numeric_limits<double>::infinity(), accepted_.X_PO);
   return size_of(later.push - now.push) > 1e-3 * now.allowed;
 }
 

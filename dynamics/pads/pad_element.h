@@ -75,7 +75,7 @@ class PadElement final : public ForceElement {
   /// Size of a change of the push: moments about the patch by a lever of half a fingertip [N].
   [[nodiscard]] double size_of(const Vector6& change) const;
   [[nodiscard]] bool changed_little(const Prediction& seen, const Pose<double>& X_PO) const;
-  [[nodiscard]] bool has_answer() const { return !stale_ && !anew_; }
+  [[nodiscard]] bool has_answer() const { return !lost_.stale && !lost_.anew; }
   void try_move(double t, const Pose<double>& X_PO, const Prediction& seen);
   /// Moves the pad to the last accept(), before a motion to X_PO at t that needs it.
   void catch_up(double t, const Pose<double>& X_PO, double allowed);
@@ -94,27 +94,39 @@ class PadElement final : public ForceElement {
   std::unique_ptr<MovingPad> pad_;
   PadElementOptions options_;
 
-  double t_ = 0;         // when the pad moved last [s]
-  Pose<double> X_PO_;    // of the object then
-  PadContact touch_;     // then
-  double t_seen_ = 0;    // of the last accept(), to which memory_ has come [s]
-  Pose<double> X_seen_;  // the same
-  Matrix6 stiffness_ = Matrix6::Zero();
-  PushMemory memory_, moved_memory_;  // of the push; at t_ [N m], [N]
-  double foresees_;
-  double gap_ = 0, speed_ = 0;  // of the object at the last accept(), apart: PadContact, fastest()
-
-  // A move of the pad that is not kept yet.
+  /// The pad at its last move that was kept.
+  struct Kept {
+    double t = 0;       // [s]
+    Pose<double> X_PO;  // of the object
+    PadContact touch;
+    PushMemory memory;  // of the push [N m], [N]
+  };
+  /// The last accept(), which may be later than the pad's move.
+  struct Accepted {
+    double t = 0;               // to which the memory has come [s]
+    Pose<double> X_PO;          // of the object
+    PushMemory memory;          // of the push [N m], [N]
+    double gap = 0, speed = 0;  // of the object apart: PadContact, fastest()
+  };
+  /// A move of the pad that is not kept yet.
   struct Trial {
     double t = -1;
     Pose<double> X_PO;
     PadContact touch;
     double error = 0;  // of the prediction, over what is allowed [1]
   };
+  /// A pad without an answer.
+  struct Lost {
+    double retry = 0;    // when it may begin anew [s]
+    bool anew = false;   // it began anew where the last step ended
+    bool stale = false;  // it had no answer where the last step ended
+  };
+  Kept kept_;
+  Accepted accepted_;
   Trial trial_;
-  double retry_ = 0;    // when a pad without an answer may begin anew [s]
-  bool anew_ = false;   // it began anew where the last step ended
-  bool stale_ = false;  // the pad had no answer where the last step ended
+  Lost lost_;
+  Matrix6 stiffness_ = Matrix6::Zero();  // at the last accept()
+  double foresees_;                      // longest step that the pad lets a scene make [s]
   Eigen::MatrixXd J_;
 };
 

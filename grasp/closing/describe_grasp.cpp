@@ -11,7 +11,8 @@ constexpr double kNamedShare = 1.0 / 3;
 constexpr double kNoTurn = 1e-12;  // Smaller torques and turns are rounding [1]
 
 /// The large parts, those of the first three named `along`, the others `about`.
-std::string large_parts(const ScaledWrench& vector, const char* along, const char* about) {
+std::string large_parts(const Eigen::Matrix<double, 6, 1>& vector, const char* along,
+                        const char* about) {
   const double largest = vector.cwiseAbs().maxCoeff();
   if (!(largest > 0)) return "none";
   std::vector<std::string> parts;
@@ -25,11 +26,11 @@ std::string large_parts(const ScaledWrench& vector, const char* along, const cha
 }  // namespace
 
 std::string direction_words(const ScaledWrench& wrench) {
-  return large_parts(wrench, "force along", "torque about");
+  return large_parts(wrench.vector(), "force along", "torque about");
 }
 
-std::string motion_words(const ScaledWrench& motion) {
-  return large_parts(motion, "along", "turning about");
+std::string motion_words(const ScaledMotion& motion) {
+  return large_parts(motion.vector(), "along", "turning about");
 }
 
 std::string overlap_words(const std::vector<Overlap>& overlaps) {

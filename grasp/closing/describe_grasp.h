@@ -14,7 +14,7 @@ namespace thenar {
 [[nodiscard]] std::string direction_words(const ScaledWrench& wrench);
 
 /// Returns the large parts of a motion: "along -z, turning about +x".
-[[nodiscard]] std::string motion_words(const ScaledWrench& motion);
+[[nodiscard]] std::string motion_words(const ScaledMotion& motion);
 
 /// Returns whether two hard points press on each other within friction: they resist every load but
 /// a torque about the line through them (both friction cones have this line: Nguyen's condition).

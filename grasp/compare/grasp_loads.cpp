@@ -24,8 +24,7 @@ constexpr double kPreloadSlack = 1e-6;  // Slack of hand_forces() where its prog
 std::vector<ScaledWrench> both_ways(int first, int last, double size) {
   std::vector<ScaledWrench> loads;
   for (int axis = first; axis <= last; ++axis)
-    for (const double sign : {-1.0, 1.0})
-      loads.emplace_back(sign * size * ScaledWrench::Unit(axis));
+    for (const double sign : {-1.0, 1.0}) loads.push_back((sign * size) * ScaledWrench::unit(axis));
   return loads;
 }
 
@@ -109,8 +108,7 @@ GraspLoads grasp_loads(const HeldObject& held, const GraspBody& object, double m
     loads.min_grasp_force =
         std::max(loads.min_grasp_force,
                  minimum_grasp_force(friction, load, GraspForceObjective::kSum).objective);
-  ScaledWrench standing = ScaledWrench::Zero();
-  standing.head<3>() = -kEarthGravity * mass * object.X_WB.R.transpose().col(2);
+  const ScaledWrench standing{-kEarthGravity * mass * object.X_WB.R.transpose().col(2), {0, 0, 0}};
   loads.standing_grasp_force =
       minimum_grasp_force(friction, standing, GraspForceObjective::kSum).objective;
 

@@ -68,7 +68,8 @@ WrenchSet cut(const WrenchSet& set, int edges, Vertices vertices) {
     const int number = cap.contact < 0 ? contact++ : cap.contact;
     const Eigen::MatrixXd z = vertices(cap.A.cols(), edges);
     for (Eigen::Index k = 0; k < z.cols(); ++k)
-      out.caps.push_back({cap.c + cap.A * z.col(k), Axes(6, 0), number});
+      out.caps.push_back(
+          {ScaledWrench::from_coordinates(cap.c.vector() + cap.A * z.col(k)), Axes(6, 0), number});
   }
   return out;
 }

@@ -34,21 +34,14 @@ WrenchCap wrench_cap(const Contact& contact, const Eigen::Vector3d& arm, double 
   const int slides = contact.friction > 0 ? 2 : 0, twists = contact.torsion > 0 ? 1 : 0;
   cap.A.resize(6, slides + twists);
   if (slides > 0)
-    cap.A.leftCols<2>() << contact.friction * wrench(t.e1), contact.friction * wrench(t.e2);
+    cap.A.leftCols<2>() << contact.friction * wrench(t.e1).vector(),
+        contact.friction * wrench(t.e2).vector();
   if (twists > 0)
-    cap.A.rightCols<1>() = scaled_wrench({contact.torsion * n, {0, 0, 0}}, torque_scale);
+    cap.A.rightCols<1>() = scaled_wrench({contact.torsion * n, {0, 0, 0}}, torque_scale).vector();
   return cap;
 }
 
 }  // namespace
-
-ScaledWrench scaled_wrench(const Wrench& wrench, double torque_scale) {
-  return (ScaledWrench() << wrench.force, wrench.moment / torque_scale).finished();
-}
-
-Wrench unscaled_wrench(const ScaledWrench& wrench, double torque_scale) {
-  return {torque_scale * wrench.tail<3>(), wrench.head<3>()};
-}
 
 WrenchSet wrench_set(const std::vector<Contact>& contacts, const Eigen::Vector3d& centre,
                      double torque_scale) {
@@ -72,7 +65,7 @@ double support(const WrenchSet& set, const ScaledWrench& u, ForceNorm limit) {
   std::map<int, double> shared;  // best of the caps of numbered contacts, where positive
   for (const WrenchCap& cap : set.caps) {
     // Support of one cap: an ellipsoid.
-    const double reach = u.dot(cap.c) + (cap.A.transpose() * u).norm();
+    const double reach = u.dot(cap.c) + (cap.A.transpose() * u.vector()).norm();
     largest = std::max(largest, reach);
     if (cap.contact < 0)
       sum += std::max(0.0, reach);

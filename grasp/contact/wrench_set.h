@@ -8,26 +8,18 @@
 #include <Eigen/Core>
 
 #include "base/enum_names.h"
-#include "base/spatial.h"
 #include "grasp/contact/contact.h"
+#include "grasp/contact/scaled_wrench.h"
 
 namespace thenar {
-
-using ScaledWrench = Eigen::Matrix<double, 6, 1>;  // force [N], then torque / scale [N] (6)
-
-/// A wrench as six forces: the force first, then the moment divided by a length.
-/// @param torque_scale  above 0 [m]
-[[nodiscard]] ScaledWrench scaled_wrench(const Wrench& wrench, double torque_scale);
-
-/// The inverse of scaled_wrench().
-[[nodiscard]] Wrench unscaled_wrench(const ScaledWrench& wrench, double torque_scale);
 
 /// Wrenches of one contact at unit normal force: an ellipsoid { c + A z : |z| <= 1 }, a disc for
 /// a hard point with friction, a point without, three-dimensional for a soft finger.
 /// Its support function is  h(u) = u' c + |A' u|.
 struct WrenchCap {
-  ScaledWrench c;                                       // frictionless unit wrench (6)
-  Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3> A;  // semi-axes (6, 0..3)
+  ScaledWrench c;                                       // frictionless unit wrench
+  Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3> A;  // semi-axes, rows as WrenchCoordinates
+                                                        // (6, 0..3)
   int contact = -1;  // caps with one number >= 0 share the limit of a patch; -1: their own patch
 };
 

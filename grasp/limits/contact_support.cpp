@@ -212,7 +212,7 @@ class Limits {
     for (const auto& [j, way] : pressers()) largest(j, way) < 0 ? leave(j) : press(j, way);
     // Keep these rows if the hand stays in balance with them.
     if (is_slack() ||
-        minimum_grasp_force(forces_, ScaledWrench::Zero(), GraspForceObjective::kSum).status !=
+        minimum_grasp_force(forces_, ScaledWrench{}, GraspForceObjective::kSum).status !=
             Status::kInfeasible)
       return forces_;
     // No effort keeps the hand in balance and off its joint limits: they are not pressed.

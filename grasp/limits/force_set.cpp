@@ -71,7 +71,8 @@ void bear(ForceSet& forces, const WrenchSet& set, const std::vector<int>& passiv
   for (Index i = 0; i < count; ++i) {
     const Index column = first + i;
     forces.wrench.col(column) =
-        set.caps[static_cast<std::size_t>(passive_contacts[static_cast<std::size_t>(i)])].c;
+        set.caps[static_cast<std::size_t>(passive_contacts[static_cast<std::size_t>(i)])]
+            .c.vector();
     forces.normals(column) = 1;
     add_rows(forces, -Eigen::RowVectorXd::Unit(forces.wrench.cols(), column), VectorXd::Zero(1));
   }
@@ -132,7 +133,7 @@ ForceSet free_forces(const WrenchSet& set) {
   // Columns of each cap: frictionless unit wrench, then its semi-axes.
   Index column = 0;
   for (const WrenchCap& cap : set.caps) {
-    forces.wrench.col(column) = cap.c;
+    forces.wrench.col(column) = cap.c.vector();
     forces.wrench.middleCols(column + 1, cap.A.cols()) = cap.A;
     forces.normals(column) = 1;
     forces.cones.push_back(1 + static_cast<int>(cap.A.cols()));
@@ -192,13 +193,13 @@ ScaledWrench bearable_part(const ForceSet& forces, const ScaledWrench& load) {
   // Directions of no wrench, by the squares of what there is along them.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> axes(forces.wrench *
                                                                         forces.wrench.transpose());
-  ScaledWrench borne = load;
+  WrenchCoordinates borne = load.vector();
   for (Index k = 0; k < 6; ++k) {
     if (axes.eigenvalues()[k] > kNoWrench * axes.eigenvalues()[5]) break;
-    const double along = axes.eigenvectors().col(k).dot(load);
+    const double along = axes.eigenvectors().col(k).dot(load.vector());
     if (std::abs(along) <= kSurePlace * load.norm()) borne -= along * axes.eigenvectors().col(k);
   }
-  return borne;
+  return ScaledWrench::from_coordinates(borne);
 }
 
 ForceSet active_only(ForceSet forces) {
@@ -246,13 +247,15 @@ ContactForces contact_forces(const ForceSet& set, const VectorXd& y) {
   // Active force of each contact.
   for (int i = 0; i < set.contacts; ++i) {
     const int size = set.cones[static_cast<std::size_t>(i)];
-    result.wrenches.emplace_back(set.wrench.middleCols(column, size) * y.segment(column, size));
+    result.wrenches.push_back(ScaledWrench::from_coordinates(set.wrench.middleCols(column, size) *
+                                                             y.segment(column, size)));
     result.normal(i) = y(column);
     column += size;
   }
   // Passive forces add to the contacts that bear them.
   for (const int contact : set.passive_contacts) {
-    result.wrenches[static_cast<std::size_t>(contact)] += set.wrench.col(column) * y(column);
+    result.wrenches[static_cast<std::size_t>(contact)] +=
+        ScaledWrench::from_coordinates(set.wrench.col(column) * y(column));
     result.normal(contact) += y(column++);
   }
   // Efforts in SI units.

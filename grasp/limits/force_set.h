@@ -27,7 +27,8 @@ namespace thenar {
 /// r    reactions of locks, clutches and joint limits [N m]
 /// s    forces by which joint limits push back against active ones [N]; see hand_forces()
 struct ForceSet {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> wrench;  // of y on the object (6, n)
+  Eigen::Matrix<double, 6, Eigen::Dynamic> wrench;  // of y on the object, rows as
+                                                    // WrenchCoordinates (6, n)
   Eigen::MatrixXd A;                                // A y = b: torques balance (r, n)
   Eigen::VectorXd b;                                // (r)
   Eigen::MatrixXd G;                                // h - G y in the cones (m, n)
@@ -94,7 +95,7 @@ struct ForceSet {
 
 /// Contact wrenches, normal forces and efforts at a point y of a force set.
 struct ContactForces {
-  std::vector<ScaledWrench> wrenches;  // of each contact on the object, torque / scale [N] (6)
+  std::vector<ScaledWrench> wrenches;  // of each contact on the object
   Eigen::VectorXd normal;              // force of each contact [N] (contacts)
   Eigen::VectorXd efforts;             // of each actuator [N m] or [N] (actuators)
 };

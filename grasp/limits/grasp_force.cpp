@@ -58,8 +58,8 @@ void bound_by_largest(ConeProgram& program, const ForceSet& forces) {
 
 GraspForce minimum_grasp_force(const ForceSet& forces, const ScaledWrench& whole_load,
                                GraspForceObjective objective) {
-  require(whole_load.allFinite(), "the load must be finite");
-  const ScaledWrench load = bearable_part(forces, whole_load);
+  require(whole_load.is_finite(), "the load must be finite");
+  const WrenchCoordinates load = bearable_part(forces, whole_load).vector();
   // Variables and cones of the force set, and six rows for the equilibrium of the object.
   ConeProgram program{forces.normals.transpose(), {}, {}, forces.G, forces.h, forces.cones};
   program.A.resize(forces.A.rows() + 6, forces.wrench.cols());
@@ -69,8 +69,8 @@ GraspForce minimum_grasp_force(const ForceSet& forces, const ScaledWrench& whole
   if (objective == GraspForceObjective::kLargest) bound_by_largest(program, forces);
   const ConeResult solution = solve(program);
   const VectorXd y = solution.x.head(forces.wrench.cols());
-  return {solution.status, solution.objective, contact_forces(forces, y), forces.wrench * y + load,
-          solution.residual};
+  return {solution.status, solution.objective, contact_forces(forces, y),
+          ScaledWrench::from_coordinates(forces.wrench * y + load), solution.residual};
 }
 
 }  // namespace thenar

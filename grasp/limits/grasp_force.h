@@ -19,9 +19,8 @@ struct [[nodiscard]] GraspForce {
   double objective;      // sum of the normal forces, or that of the most loaded patch [N]; infinite
                          // where infeasible
   ContactForces forces;  // an optimal choice
-  ScaledWrench
-      unbalanced;   // wrench of the contacts plus bearable_part() of the load: rounding [N] (6)
-  double residual;  // largest of the scaled KKT conditions [1]
+  ScaledWrench unbalanced;  // wrench of the contacts plus bearable_part() of the load: rounding
+  double residual;          // largest of the scaled KKT conditions [1]
 };
 
 /// Finds the smallest contact forces in equilibrium with a load:

@@ -75,7 +75,8 @@ void judge_leverage(const ConeProgram& program, double direction, ConeResult& so
 /// Reads the support from a solution; the value is minus the objective.
 WrenchSupport support_of(const ForceSet& forces, const ConeResult& solution) {
   const VectorXd y = solution.x.head(forces.wrench.cols());
-  WrenchSupport reach{solution.status, kNaN, kNaN, forces.wrench * y, contact_forces(forces, y),
+  WrenchSupport reach{solution.status, kNaN, kNaN,
+                      ScaledWrench::from_coordinates(forces.wrench * y), contact_forces(forces, y),
                       // The dual objective bounds the value from above.
                       solution.residual};
   if (solution.status == Status::kSolved) {
@@ -83,7 +84,7 @@ WrenchSupport support_of(const ForceSet& forces, const ConeResult& solution) {
     reach.bound = std::max(reach.value, -solution.dual);
   }
   if (solution.status == Status::kUnbounded) reach.value = reach.bound = kInfinity;
-  if (solution.status != Status::kSolved) reach.wrench.setZero();
+  if (solution.status != Status::kSolved) reach.wrench = {};
   // Without a solution the forces stand for no wrench.
   return reach;
 }
@@ -96,9 +97,9 @@ void require_direction(const VectorXd& d) {
 }  // namespace
 
 WrenchSupport wrench_support(const ForceSet& forces, const ScaledWrench& u) {
-  require_direction(u);
+  require_direction(u.vector());
   ConeProgram program = program_of(forces);
-  program.c = -forces.wrench.transpose() * u;
+  program.c = -forces.wrench.transpose() * u.vector();
   return support_of(forces, solve(program));
 }
 
@@ -124,8 +125,8 @@ WrenchSupport support_along(const ForceSet& forces, const MatrixXd& rows, const 
 }
 
 WrenchSupport load_margin(const ForceSet& forces, const ScaledWrench& d) {
-  return support_along(forces, Eigen::Matrix<double, 6, 6>::Identity(), ScaledWrench::Zero(),
-                       -bearable_part(forces, d));
+  return support_along(forces, Eigen::Matrix<double, 6, 6>::Identity(), WrenchCoordinates::Zero(),
+                       -bearable_part(forces, d).vector());
 }
 
 }  // namespace thenar

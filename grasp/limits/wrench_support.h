@@ -12,7 +12,7 @@ struct [[nodiscard]] WrenchSupport {
   Status status;         // read this first
   double value;          // infinite where unbounded, NaN where infeasible or stalled
   double bound;          // upper bound by the multipliers, >= value; equals value unless solved
-  ScaledWrench wrench;   // at the extreme point; zero unless solved [N] (6)
+  ScaledWrench wrench;   // at the extreme point; zero unless solved
   ContactForces forces;  // that make this wrench
   double residual;       // largest of the KKT conditions [1]
 };

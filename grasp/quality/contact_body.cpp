@@ -61,13 +61,13 @@ int opposite(const Eigen::Matrix2Xd& x, const std::vector<int>& corners, std::si
 
 ContactFace face_of(int dimension, double size) { return {dimension, {}, size, {}, 0}; }
 
-ContactFace edge(const ScaledWrench& from, const ScaledWrench& to) {
+ContactFace edge(const WrenchCoordinates& from, const WrenchCoordinates& to) {
   ContactFace face = face_of(1, 1);
   face.span[0] = to - from;
   return face;
 }
 
-void add_inward(ContactFace& face, const ScaledWrench& along) {
+void add_inward(ContactFace& face, const WrenchCoordinates& along) {
   face.inward[static_cast<std::size_t>(face.inwards++)] = along;
 }
 
@@ -113,7 +113,7 @@ class FaceSolid {
   }
 
  private:
-  [[nodiscard]] const ScaledWrench& point(int i) const {
+  [[nodiscard]] const WrenchCoordinates& point(int i) const {
     return body_.points[static_cast<std::size_t>(i)];
   }
 
@@ -147,7 +147,7 @@ class FaceSolid {
     const std::vector<int> corners = corners_of(flat, tolerance_);
     // Its inward direction leads to the deepest point.
     ContactFace face = face_of(2, area(flat, corners));
-    face.span = {ScaledWrench(Q_ * a), ScaledWrench(Q_ * b), ScaledWrench::Zero()};
+    face.span = {WrenchCoordinates(Q_ * a), WrenchCoordinates(Q_ * b), WrenchCoordinates::Zero()};
     int lowest = 0;
     (void)s.minCoeff(&lowest);
     add_inward(face, point(lowest) - point(on.front()));
@@ -176,20 +176,22 @@ class FaceSolid {
   std::map<std::pair<int, int>, std::vector<int>> edges_;  // by their ends: third corners
 };
 
-std::vector<ScaledWrench> distinct(const std::vector<ScaledWrench>& points, double tolerance) {
-  std::vector<ScaledWrench> kept{ScaledWrench::Zero()};
-  for (const ScaledWrench& point : points)
-    if (std::all_of(kept.begin(), kept.end(),
-                    [&](const ScaledWrench& other) { return (other - point).norm() > tolerance; }))
+std::vector<WrenchCoordinates> distinct(const std::vector<WrenchCoordinates>& points,
+                                        double tolerance) {
+  std::vector<WrenchCoordinates> kept{WrenchCoordinates::Zero()};
+  for (const WrenchCoordinates& point : points)
+    if (std::all_of(kept.begin(), kept.end(), [&](const WrenchCoordinates& other) {
+          return (other - point).norm() > tolerance;
+        }))
       kept.push_back(point);
   return kept;
 }
 
 }  // namespace
 
-std::optional<ContactBody> contact_body(const std::vector<ScaledWrench>& points) {
+std::optional<ContactBody> contact_body(const std::vector<WrenchCoordinates>& points) {
   double size = 0;
-  for (const ScaledWrench& point : points) size = std::max(size, point.norm());
+  for (const WrenchCoordinates& point : points) size = std::max(size, point.norm());
   const double tolerance = kFlat * size;
   // The origin is a corner, too.
   ContactBody body{distinct(points, tolerance), {}};

@@ -40,7 +40,7 @@ void require_options(const WrenchSet& set, const EpsilonOptions& options) {
           "the gap is {}, wanted > 0", options.gap);
   require(options.max_facets > 0, "the hull may have {} facets, wanted > 0", options.max_facets);
   for (std::size_t i = 0; i < set.caps.size(); ++i)
-    require(set.caps[i].c.allFinite() && set.caps[i].A.allFinite(), "wrenches {} are not finite",
+    require(set.caps[i].c.is_finite() && set.caps[i].A.allFinite(), "wrenches {} are not finite",
             i);
 }
 
@@ -48,7 +48,7 @@ Epsilon nothing() {
   Epsilon out{};
   out.converged = true;
   out.has_missing_direction = true;
-  out.missing_direction = ScaledWrench::Unit(0);
+  out.missing_direction = ScaledWrench::unit(0);
   out.worst_wrench = -out.missing_direction;
   return out;
 }
@@ -62,12 +62,12 @@ Epsilon outside(const WrenchSet& set, const Span& span, const EpsilonOptions& op
   out.rank = span.rank;
   out.supports = nearest.supports;
   out.has_missing_direction = true;
-  out.missing_direction = nearest.away;
+  out.missing_direction = ScaledWrench::from_coordinates(nearest.away);
   out.lower = -nearest.x.norm() - support.rounding();
   out.upper = nearest.reach + support.rounding();
   // A flat set has no wrench across its span: epsilon is 0 unless the origin is clearly outside.
   if (span.rank < 6 && !(out.upper < -kUndecidedShare * support.size())) {
-    out.missing_direction = span.basis.col(5);
+    out.missing_direction = ScaledWrench::from_coordinates(span.basis.col(5));
     out.upper = 0;
     if (out.lower > -kUndecidedShare * support.size()) out.lower = 0;
   }
@@ -106,8 +106,8 @@ class EpsilonSearch {
     out.rank = 6;
     out.force_closure = lower_ > 0;
     out.has_missing_direction = false;
-    out.missing_direction = ScaledWrench::Zero();
-    out.worst_wrench = -worst_;
+    out.missing_direction = {};
+    out.worst_wrench = -worst();
     out.converged = upper_ - lower_ <= options_.gap;
     out.supports = supports_;
     out.facets = facets_;
@@ -115,7 +115,7 @@ class EpsilonSearch {
   }
 
   [[nodiscard]] double upper() const { return upper_; }
-  [[nodiscard]] const ScaledWrench& worst() const { return worst_; }
+  [[nodiscard]] ScaledWrench worst() const { return ScaledWrench::from_coordinates(worst_); }
 
  private:
   /// Adds support points to the hull until its nearest facet settles epsilon, or no more fit in.
@@ -173,7 +173,7 @@ class EpsilonSearch {
     return false;
   }
 
-  SupportPoint look(const ScaledWrench& u) {
+  SupportPoint look(const WrenchCoordinates& u) {
     SupportPoint reach = support_(u);
     ++supports_;
     if (reach.h + support_.rounding() < upper_) {
@@ -195,7 +195,7 @@ class EpsilonSearch {
   const SupportFunction& support_;
   const EpsilonOptions& options_;
   double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();
-  ScaledWrench worst_ = ScaledWrench::Unit(0);
+  WrenchCoordinates worst_ = WrenchCoordinates::Unit(0);
   int supports_ = 0, facets_ = 0;
 };
 
@@ -255,7 +255,7 @@ Eigen::VectorXd affine_weights(const Eigen::Matrix<double, 6, Eigen::Dynamic>& p
   const Eigen::Index edges = points.cols() - 1;
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(points.cols());
   if (edges == 0) return weights;
-  const ScaledWrench last = points.rightCols<1>();
+  const WrenchCoordinates last = points.rightCols<1>();
   const Eigen::MatrixXd D = points.leftCols(edges).colwise() - last;
   weights.head(edges) = D.completeOrthogonalDecomposition().solve(-last);
   weights(edges) = 1 - weights.head(edges).sum();
@@ -267,7 +267,7 @@ struct Corral {
   Eigen::Matrix<double, 6, Eigen::Dynamic> points;
   Eigen::VectorXd weights;  // >= 0, sum 1
 
-  void add(const ScaledWrench& p) {
+  void add(const WrenchCoordinates& p) {
     points.conservativeResize(6, points.cols() + 1);
     points.rightCols<1>() = p;
     weights.conservativeResize(points.cols());
@@ -312,12 +312,12 @@ struct Corral {
 
 MinNorm min_norm(const SupportFunction& support, double gap) {
   // Any support point will do as a start.
-  const ScaledWrench start = ScaledWrench::Constant(1 / std::sqrt(6.0));
+  const WrenchCoordinates start = WrenchCoordinates::Constant(1 / std::sqrt(6.0));
   MinNorm out{support(start).p, start, std::numeric_limits<double>::infinity(), 1};
   Corral corral;
   corral.add(out.x);
   corral.weights(0) = 1;
-  ScaledWrench x = out.x;
+  WrenchCoordinates x = out.x;
   while (out.supports < kMaxSupports) {
     end_if_stopped();
     const double length = x.norm();
@@ -325,7 +325,7 @@ MinNorm min_norm(const SupportFunction& support, double gap) {
     // x = 0 to rounding: the origin is in the set.
     if (length <= kZeroShare * support.size()) break;
     // Support point against x: its plane bounds the distance from below.
-    const ScaledWrench u = -x / length;
+    const WrenchCoordinates u = -x / length;
     const SupportPoint reach = support(u);
     ++out.supports;
     if (reach.h < out.reach) {

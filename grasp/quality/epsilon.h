@@ -56,10 +56,10 @@ namespace thenar::internal {
 
 /// Nearest point of a wrench set to the origin, with the bounds of its distance.
 struct [[nodiscard]] MinNorm {
-  ScaledWrench x;     // a point of the set, up to rounding: the distance is at most |x| [1]
-  ScaledWrench away;  // unit direction with the smallest support found
-  double reach;       // h(away): if negative, the distance is at least -reach [1]
-  int supports;       // number of support points computed
+  WrenchCoordinates x;     // a point of the set, up to rounding: the distance is at most |x| [1]
+  WrenchCoordinates away;  // unit direction with the smallest support found
+  double reach;            // h(away): if negative, the distance is at least -reach [1]
+  int supports;            // number of support points computed
 };
 
 /// Finds min |x| over the set by Wolfe's method on support points, until |x| + h(-x/|x|) <= gap or

@@ -18,7 +18,7 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> grasp_matrix(const std::vector<Contact>
   Eigen::Matrix<double, 6, Eigen::Dynamic> G(6, 0);
   for (const WrenchCap& cap : set.caps) {
     G.conservativeResize(6, G.cols() + 1 + cap.A.cols());
-    G.rightCols(1 + cap.A.cols()) << cap.c, cap.A;
+    G.rightCols(1 + cap.A.cols()) << cap.c.vector(), cap.A;
   }
   return G;
 }

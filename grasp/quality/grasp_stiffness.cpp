@@ -94,7 +94,8 @@ GraspStiffness grasp_stiffness(const std::vector<Contact>& contacts, const Eigen
   // The smallest eigenvalue is the softest direction.
   const Eigen::Matrix<double, 6, 6> K = in_series(springs, compliance);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(K);
-  return {K, eigen.eigenvalues()(0), eigen.eigenvectors().col(0)};
+  const Eigen::Matrix<double, 6, 1> softest = eigen.eigenvectors().col(0);
+  return {K, eigen.eigenvalues()(0), {softest.head<3>(), softest.tail<3>()}};
 }
 
 }  // namespace thenar

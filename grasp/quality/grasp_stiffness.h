@@ -24,7 +24,7 @@ struct JointStiffness {
 struct GraspStiffness {
   Eigen::Matrix<double, 6, 6> K;  // [N/m]
   double min_eigenvalue;          // stiffness of the softest direction [N/m]
-  ScaledWrench softest;           // unit displacement, rotation times scale (6)
+  ScaledMotion softest;           // unit displacement, rotation times scale
 };
 
 /// Computes K = G (C_pads + J K_q^-1 J')^-1 G',  C_pads the inverse pad stiffness: springs in

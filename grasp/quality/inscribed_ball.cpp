@@ -32,16 +32,15 @@ class BallSearch {
 
   InscribedBall run() {
     // Most sets contain the zero wrench, about which the ball lies.
-    const GraspForce none =
-        minimum_grasp_force(forces_, ScaledWrench::Zero(), GraspForceObjective::kSum);
+    const GraspForce none = minimum_grasp_force(forces_, ScaledWrench{}, GraspForceObjective::kSum);
     if (none.status == Status::kSolved) {
-      points_.caps.push_back({ScaledWrench::Zero(), {}});
+      points_.caps.push_back({ScaledWrench{}, {}});
       result_.residual = none.residual;
     }
     ++result_.programs;
     // Support in both directions of all six axes.
     for (int i = 0; i < 6 && ok(); ++i)
-      for (const double sign : {1.0, -1.0}) (void)look(sign * ScaledWrench::Unit(i));
+      for (const double sign : {1.0, -1.0}) (void)look(sign * ScaledWrench::unit(i));
     // Refine the nearest facet until the bounds meet or the number of programs is spent.
     while (ok() && result_.programs < options_.max_programs && !refine()) {
     }
@@ -87,7 +86,7 @@ class BallSearch {
     result_.lower = std::min(inner.lower, result_.upper);
     if (result_.upper <= 0 || result_.upper - result_.lower <= gap()) return true;
     // A flat polytope needs points on both sides.
-    const ScaledWrench& u = -inner.worst_wrench;
+    const ScaledWrench u = -inner.worst_wrench;
     exhausted_ = !look(u);
     if (inner.rank < 6) exhausted_ = !look(-u) && exhausted_;
     return exhausted_;
@@ -101,7 +100,7 @@ class BallSearch {
   InscribedBall result_{Status::kSolved,
                         -std::numeric_limits<double>::infinity(),
                         std::numeric_limits<double>::infinity(),
-                        ScaledWrench::Zero(),
+                        ScaledWrench{},
                         0,
                         0};
 };
@@ -114,7 +113,7 @@ bool is_unlimited(ForceSet forces, int axes) {
   forces.h.setZero();
   for (int i = 0; i < axes; ++i)
     for (const double sign : {1.0, -1.0})
-      if (load_margin(forces, sign * ScaledWrench::Unit(i)).status != Status::kUnbounded)
+      if (load_margin(forces, sign * ScaledWrench::unit(i)).status != Status::kUnbounded)
         return false;
   return true;
 }
@@ -124,7 +123,7 @@ InscribedBall inscribed_ball(const ForceSet& forces, const BallOptions& options)
           "gap, max_total_force and max_programs must be positive, got {}, {}, {}", options.gap,
           options.max_total_force, options.max_programs);
   if (is_unlimited(forces, 6))
-    return {Status::kUnbounded, kInfinity, kInfinity, ScaledWrench::Zero(), 12, 0};
+    return {Status::kUnbounded, kInfinity, kInfinity, ScaledWrench{}, 12, 0};
   return BallSearch(forces, options).run();
 }
 

@@ -50,7 +50,7 @@ std::vector<Term> terms(int degree) {
 }
 
 /// Exterior product f ^ v, f of `degree` vectors.
-Form wedge(const Form& f, int degree, const ScaledWrench& v) {
+Form wedge(const Form& f, int degree, const WrenchCoordinates& v) {
   static const std::array<std::vector<Term>, 5> all{terms(0), terms(1), terms(2), terms(3),
                                                     terms(4)};
   Form out{};
@@ -60,8 +60,8 @@ Form wedge(const Form& f, int degree, const ScaledWrench& v) {
 }
 
 /// Normal u of five vectors: det(.., x) = u'x.
-ScaledWrench normal(const Form& five) {
-  ScaledWrench u;
+WrenchCoordinates normal(const Form& five) {
+  WrenchCoordinates u;
   for (int axis = 0; axis < 6; ++axis) {
     const int others = kAllAxes ^ 1 << axis;
     u[axis] = sign(others, axis) * five[static_cast<std::size_t>(others)];
@@ -142,13 +142,13 @@ class Sum {
   }
 
   /// Adds the facet with this normal if it is one.
-  void finish(const ScaledWrench& u, double size, double lengths) {
+  void finish(const WrenchCoordinates& u, double size, double lengths) {
     double way = 0;  // 1: u is an outer normal; -1: -u is
     bool uncertain = false;
     // Outer normals have all neighbouring faces of each chosen face behind them.
     for (auto chosen = chosen_.rbegin(); chosen != chosen_.rend(); ++chosen)
       for (int i = 0; i < chosen->face->inwards; ++i) {
-        const ScaledWrench& inward = chosen->face->inward[static_cast<std::size_t>(i)];
+        const WrenchCoordinates& inward = chosen->face->inward[static_cast<std::size_t>(i)];
         const double t = -u.dot(inward);
         if (std::abs(t) < kTieShare * lengths * inward.norm()) {
           uncertain = true;
@@ -164,9 +164,11 @@ class Sum {
   }
 
   /// Notes that it is uncertain whether this is a facet, which matters if it is large.
-  void tie(const ScaledWrench& u, double lengths) { tie_ = tie_ || u.norm() > no_area_ * lengths; }
+  void tie(const WrenchCoordinates& u, double lengths) {
+    tie_ = tie_ || u.norm() > no_area_ * lengths;
+  }
 
-  void add(const ScaledWrench& u, double size, double lengths) {
+  void add(const WrenchCoordinates& u, double size, double lengths) {
     double h = 0;
     std::size_t next = 0;
     // Support of each contact; a second vertex as far out as the best is a tie.
@@ -174,7 +176,7 @@ class Sum {
       const bool is_chosen = next < chosen_.size() && chosen_[next].contact == c;
       if (is_chosen) ++next;
       double best = -kInfinity, second = -kInfinity;
-      for (const ScaledWrench& point : bodies_[c].points) {
+      for (const WrenchCoordinates& point : bodies_[c].points) {
         const double reach = u.dot(point);
         second = std::max(second, std::min(best, reach));
         best = std::max(best, reach);
@@ -200,13 +202,13 @@ class Sum {
   std::vector<Chosen> chosen_;
   bool tie_ = false, stopped_ = false;
   double volume_ = 0, surface_ = 0;
-  ScaledWrench surplus_ = ScaledWrench::Zero();
+  WrenchCoordinates surplus_ = WrenchCoordinates::Zero();
 
   static std::vector<double> longest_of(const std::vector<ContactBody>& bodies) {
     std::vector<double> longest;
     for (const ContactBody& body : bodies) {
       double length = 0;
-      for (const ScaledWrench& point : body.points) length = std::max(length, point.norm());
+      for (const WrenchCoordinates& point : body.points) length = std::max(length, point.norm());
       longest.push_back(length);
     }
     return longest;
@@ -234,24 +236,24 @@ std::vector<ContactBody> turned(std::vector<ContactBody> bodies, double by) {
     Matrix6 R = Matrix6::Identity();
     for (double& entry : R.reshaped())
       entry += by * (2.0 * static_cast<double>(rng()) / 4294967296.0 - 1);
-    for (ScaledWrench& point : body.points) point = R * point;
+    for (WrenchCoordinates& point : body.points) point = R * point;
     for (ContactFace& face : body.faces) {
-      for (ScaledWrench& along : face.span) along = R * along;
-      for (ScaledWrench& along : face.inward) along = R * along;
+      for (WrenchCoordinates& along : face.span) along = R * along;
+      for (WrenchCoordinates& along : face.inward) along = R * along;
     }
   }
   return bodies;
 }
 
 /// Points of each contact; caps with one number share a contact.
-std::vector<std::vector<ScaledWrench>> grouped(const WrenchSet& set) {
-  std::map<int, std::vector<ScaledWrench>> shared;
-  std::vector<std::vector<ScaledWrench>> groups;
+std::vector<std::vector<WrenchCoordinates>> grouped(const WrenchSet& set) {
+  std::map<int, std::vector<WrenchCoordinates>> shared;
+  std::vector<std::vector<WrenchCoordinates>> groups;
   for (const WrenchCap& cap : set.caps) {
     if (cap.contact >= 0)
-      shared[cap.contact].push_back(cap.c);
+      shared[cap.contact].push_back(cap.c.vector());
     else
-      groups.push_back({cap.c});
+      groups.push_back({cap.c.vector()});
   }
   for (auto& [contact, points] : shared) groups.push_back(std::move(points));
   return groups;
@@ -263,7 +265,7 @@ std::optional<double> minkowski_volume(const WrenchSet& set, double most,
                                        const Progress& progress) {
   // Faces of each contact, if it spans three dimensions at most.
   std::vector<ContactBody> bodies;
-  for (const std::vector<ScaledWrench>& points : grouped(set)) {
+  for (const std::vector<WrenchCoordinates>& points : grouped(set)) {
     std::optional<ContactBody> body = contact_body(points);
     if (!body) return {};
     bodies.push_back(std::move(*body));

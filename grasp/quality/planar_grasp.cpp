@@ -18,11 +18,11 @@ using Points = std::vector<Vector3d>;
 constexpr double kPlanarRounding = 1e-12;  // Rounding of the value, over the largest wrench [1]
 constexpr double kParallelSine = 1e-12;    // Largest sine of the angle between parallel edges [1]
 
-Vector3d in_plane(const ScaledWrench& w) { return {w(0), w(1), w(5)}; }
-
-ScaledWrench in_space(const Vector3d& w) {
-  return (ScaledWrench() << w.x(), w.y(), 0, 0, 0, w.z()).finished();
+Vector3d in_plane(const ScaledWrench& w) {
+  return {w.force.x(), w.force.y(), w.moment_over_length.z()};
 }
+
+ScaledWrench in_space(const Vector3d& w) { return {{w.x(), w.y(), 0}, {0, 0, w.z()}}; }
 
 /// Points of each contact; caps with one number share a contact.
 std::vector<Points> grouped_points(const WrenchSet& set) {
@@ -106,8 +106,8 @@ void require_planar(const WrenchSet& set) {
   require(set.caps.size() <= kMaxPlanarPoints, "a planar grasp has at most {} wrenches, got {}",
           kMaxPlanarPoints, set.caps.size());
   for (std::size_t i = 0; i < set.caps.size(); ++i)
-    require(set.caps[i].c.allFinite() && set.caps[i].A.cols() == 0 &&
-                set.caps[i].c.segment<3>(2).isZero(0),
+    require(set.caps[i].c.is_finite() && set.caps[i].A.cols() == 0 &&
+                set.caps[i].c.vector().segment<3>(2).isZero(0),
             "wrench {} is not one of the plane", i);
 }
 
@@ -126,7 +126,7 @@ WrenchSet planar_wrench_set(const std::vector<Contact>& contacts, const Vector3d
     const Contact& contact = contacts[i];
     const Vector3d t = contact.friction * Vector3d(-contact.n.y(), contact.n.x(), 0),
                    arm = (contact.p - centre) / torque_scale;
-    const ScaledWrench slide = (ScaledWrench() << t, 0, 0, arm.cross(t).z()).finished();
+    const ScaledWrench slide{t, {0, 0, arm.cross(t).z()}};
     const ScaledWrench push = in_space(in_plane(cones.caps[i].c));
     ends.caps.push_back({push + slide, {}, cones.caps[i].contact});
     if (contact.friction > 0) ends.caps.push_back({push - slide, {}, cones.caps[i].contact});
@@ -158,7 +158,7 @@ Epsilon planar_epsilon(const WrenchSet& set, ForceNorm limit) {
       found.upper = search.least + rounding;
       found.force_closure = true;
       found.has_missing_direction = false;
-      found.missing_direction.setZero();
+      found.missing_direction = {};
       found.worst_wrench = -in_space(search.at);
       return found;
     }

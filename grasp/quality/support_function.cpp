@@ -21,8 +21,8 @@ SupportFunction::SupportFunction(const WrenchSet& set, ForceNorm limit) : limit_
     for (std::size_t j = i; j < set.caps.size() && !taken[i]; ++j) {
       const WrenchCap& cap = set.caps[j];
       if (j != i && (taken[j] || cap.contact < 0 || cap.contact != set.caps[i].contact)) continue;
-      caps_.push_back({cap.c, Eigen::Matrix<double, 6, 3>::Zero(), static_cast<int>(cap.A.cols()),
-                       contacts, false});
+      caps_.push_back({cap.c.vector(), Eigen::Matrix<double, 6, 3>::Zero(),
+                       static_cast<int>(cap.A.cols()), contacts, false});
       caps_.back().A.leftCols(cap.A.cols()) = cap.A;
       largest = std::max(largest, cap.c.norm() + cap.A.norm());
       if (j != i) taken[j] = true;
@@ -36,7 +36,7 @@ SupportFunction::SupportFunction(const WrenchSet& set, ForceNorm limit) : limit_
   rounding_ = 32 * std::numeric_limits<double>::epsilon() * size_;
 }
 
-double SupportFunction::reach(const Cap& cap, const ScaledWrench& u) {
+double SupportFunction::reach(const Cap& cap, const WrenchCoordinates& u) {
   double square = 0;
   for (int k = 0; k < cap.axes; ++k) {
     const double a = cap.A.col(k).dot(u);
@@ -45,7 +45,8 @@ double SupportFunction::reach(const Cap& cap, const ScaledWrench& u) {
   return cap.c.dot(u) + std::sqrt(square);
 }
 
-void SupportFunction::add_point(const Cap& cap, const ScaledWrench& u, ScaledWrench& sum) {
+void SupportFunction::add_point(const Cap& cap, const WrenchCoordinates& u,
+                                WrenchCoordinates& sum) {
   sum += cap.c;
   Eigen::Vector3d z = Eigen::Vector3d::Zero();
   for (int k = 0; k < cap.axes; ++k) z(k) = cap.A.col(k).dot(u);
@@ -54,9 +55,9 @@ void SupportFunction::add_point(const Cap& cap, const ScaledWrench& u, ScaledWre
   for (int k = 0; k < cap.axes; ++k) sum += z(k) / length * cap.A.col(k);
 }
 
-SupportPoint SupportFunction::operator()(const ScaledWrench& u) const {
+SupportPoint SupportFunction::operator()(const WrenchCoordinates& u) const {
   constexpr double kNoSupport = -std::numeric_limits<double>::infinity();
-  SupportPoint out{0, ScaledWrench::Zero()};
+  SupportPoint out{0, WrenchCoordinates::Zero()};
   const Cap* best = nullptr;
   double best_reach = kNoSupport;
   // Best cap of each contact; Linf sums those with positive support.
@@ -83,11 +84,11 @@ SupportPoint SupportFunction::operator()(const ScaledWrench& u) const {
 namespace {
 
 /// Unit vector that is orthogonal to the first `count` columns, near the axis least along these.
-ScaledWrench across(const Eigen::Matrix<double, 6, 6>& basis, int count) {
+WrenchCoordinates across(const Eigen::Matrix<double, 6, 6>& basis, int count) {
   const auto used = basis.leftCols(count);
   Eigen::Index axis = 0;
   used.rowwise().squaredNorm().minCoeff(&axis);
-  ScaledWrench u = ScaledWrench::Unit(axis);
+  WrenchCoordinates u = WrenchCoordinates::Unit(axis);
   // Twice is enough: Gram-Schmidt to rounding.
   for (int again = 0; again < 2; ++again) u = (u - used * (used.transpose() * u)).normalized();
   return u;
@@ -100,7 +101,7 @@ Span span_of(const WrenchSet& set) {
   Eigen::Matrix<double, 6, Eigen::Dynamic> all(6, 0);
   for (const WrenchCap& cap : set.caps) {
     all.conservativeResize(6, all.cols() + 1 + cap.A.cols());
-    all.rightCols(1 + cap.A.cols()) << cap.c, cap.A;
+    all.rightCols(1 + cap.A.cols()) << cap.c.vector(), cap.A;
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeFullU);
   const Eigen::VectorXd& sigma = svd.singularValues();
@@ -109,19 +110,19 @@ Span span_of(const WrenchSet& set) {
 
 FirstSimplex first_simplex(const SupportFunction& support, double flat) {
   FirstSimplex out{{}, false, 1};
-  out.points[0] = support(ScaledWrench::Unit(0)).p;
+  out.points[0] = support(WrenchCoordinates::Unit(0)).p;
   Eigen::Matrix<double, 6, 6> basis = Eigen::Matrix<double, 6, 6>::Zero();
   for (int k = 0; k < 6; ++k) {
     // Extent across the affine hull of the points so far.
-    const ScaledWrench u = across(basis, k);
-    const ScaledWrench plus = support(u).p, minus = support(-u).p;
+    const WrenchCoordinates u = across(basis, k);
+    const WrenchCoordinates plus = support(u).p, minus = support(-u).p;
     out.supports += 2;
     const double rise = u.dot(plus - out.points[0]), fall = u.dot(out.points[0] - minus);
     if (std::max(rise, fall) <= flat * support.size()) return out;
     const std::size_t next = static_cast<std::size_t>(k) + 1;
     out.points[next] = rise > fall ? plus : minus;
     // Extend its orthonormal basis by the new edge.
-    ScaledWrench edge = out.points[next] - out.points[0];
+    WrenchCoordinates edge = out.points[next] - out.points[0];
     const auto used = basis.leftCols(k);
     for (int again = 0; again < 2; ++again) edge -= used * (used.transpose() * edge);
     basis.col(k) = edge.normalized();
@@ -181,7 +182,7 @@ ReducedVector descend(const Reduced& M, const ReducedVector& g, double size) {
 /// Newton's method on the sphere for a local minimum of the support, with an active set of caps.
 class Polish {
  public:
-  Polish(const SupportFunction& support, const ScaledWrench& u, bool kinks)
+  Polish(const SupportFunction& support, const WrenchCoordinates& u, bool kinks)
       : support_(support), l1_(support.limit() == ForceNorm::kL1), kinks_(kinks), u_(u) {
     look();
     best_ = u;
@@ -199,7 +200,7 @@ class Polish {
       const Values multipliers = qr.solve(-slope_);
       // A constraint with a multiplier out of bounds leaves the active set.
       if (!grown && release(multipliers)) continue;
-      const ScaledWrench before = u_;
+      const WrenchCoordinates before = u_;
       const double length = move(qr, multipliers);
       if (!std::isfinite(length)) return false;
       look();
@@ -225,7 +226,7 @@ class Polish {
     });
   }
   [[nodiscard]] double best_value() const { return best_h_; }
-  [[nodiscard]] const ScaledWrench& best() const { return best_; }
+  [[nodiscard]] const WrenchCoordinates& best() const { return best_; }
 
  private:
   /// Support of every piece at u, and the value of the whole set.
@@ -273,7 +274,7 @@ class Polish {
   }
 
   /// Gradient of h: c + A A'u / |A'u|, without the second part at a kink.
-  [[nodiscard]] static ScaledWrench slope(const Piece& piece) {
+  [[nodiscard]] static WrenchCoordinates slope(const Piece& piece) {
     if (piece.kink || piece.length == 0) return piece.cap->c;
     return piece.cap->c + piece.cap->A * (piece.z / piece.length);
   }
@@ -350,7 +351,7 @@ class Polish {
     each([&](const Piece& piece, Eigen::Index k) {
       if (piece.kink || piece.length == 0) return;
       const double weight = (k < 0 ? 1 : multipliers(k)) / piece.length;
-      const ScaledWrench a = piece.cap->A * (piece.z / piece.length);
+      const WrenchCoordinates a = piece.cap->A * (piece.z / piece.length);
       H.noalias() += weight * (piece.cap->A * piece.cap->A.transpose());
       H.noalias() -= weight * a * a.transpose();
     });
@@ -408,7 +409,7 @@ class Polish {
   const SupportFunction& support_;
   bool l1_, kinks_;
   std::vector<Piece> pieces_;
-  ScaledWrench u_, best_;
+  WrenchCoordinates u_, best_;
   double value_ = 0, best_h_ = 0;
   Columns columns_;
   Values values_;
@@ -418,7 +419,7 @@ class Polish {
 
 }  // namespace
 
-ScaledWrench descend_support(const SupportFunction& support, const ScaledWrench& u) {
+WrenchCoordinates descend_support(const SupportFunction& support, const WrenchCoordinates& u) {
   // First without kinks; if some are near, again with A'u held at 0 there.
   Polish smooth(support, u, false);
   if (smooth.run() || !smooth.has_kinks()) return smooth.best();

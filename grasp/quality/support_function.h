@@ -10,8 +10,8 @@ namespace thenar::internal {
 
 /// Support in a direction, and the point of the set that attains it.
 struct SupportPoint {
-  double h;        // support h(u)
-  ScaledWrench p;  // a point of the set with p' u = h
+  double h;             // support h(u)
+  WrenchCoordinates p;  // a point of the set with p' u = h
 };
 
 /// Evaluates h(u) and its point for one set and one norm:
@@ -21,7 +21,7 @@ class SupportFunction {
  public:
   /// A cap { c + A z : |z| <= 1 } and the contact that it belongs to.
   struct Cap {
-    ScaledWrench c;
+    WrenchCoordinates c;
     Eigen::Matrix<double, 6, 3> A;
     int axes;              // columns of A in use; the others are 0
     int contact;           // number of the contact, 0, 1, ..
@@ -30,7 +30,7 @@ class SupportFunction {
 
   SupportFunction(const WrenchSet& set, ForceNorm limit);
 
-  [[nodiscard]] SupportPoint operator()(const ScaledWrench& u) const;
+  [[nodiscard]] SupportPoint operator()(const WrenchCoordinates& u) const;
 
   [[nodiscard]] double size() const { return size_; }          // no point is farther from 0 [1]
   [[nodiscard]] double rounding() const { return rounding_; }  // of a computed h(u), |u| = 1 [1]
@@ -38,8 +38,8 @@ class SupportFunction {
   [[nodiscard]] const std::vector<Cap>& caps() const { return caps_; }  // grouped by contact
 
  private:
-  [[nodiscard]] static double reach(const Cap& cap, const ScaledWrench& u);
-  static void add_point(const Cap& cap, const ScaledWrench& u, ScaledWrench& sum);
+  [[nodiscard]] static double reach(const Cap& cap, const WrenchCoordinates& u);
+  static void add_point(const Cap& cap, const WrenchCoordinates& u, WrenchCoordinates& sum);
 
   std::vector<Cap> caps_;  // grouped by contact
   ForceNorm limit_;
@@ -56,7 +56,7 @@ struct Span {
 
 /// Seven support points that span all six dimensions.
 struct FirstSimplex {
-  std::array<ScaledWrench, 7> points;
+  std::array<WrenchCoordinates, 7> points;
   bool found;    // false: the set is flatter than `flat`
   int supports;  // number of support points computed
 };
@@ -75,6 +75,7 @@ struct FirstSimplex {
 /// curvatures of the Hessian are turned round. Caps with A'u about 0, where h has a kink, are held
 /// at A'u = 0 in a second attempt.
 /// @param u  unit (6)
-[[nodiscard]] ScaledWrench descend_support(const SupportFunction& support, const ScaledWrench& u);
+[[nodiscard]] WrenchCoordinates descend_support(const SupportFunction& support,
+                                                const WrenchCoordinates& u);
 
 }  // namespace thenar::internal

@@ -258,17 +258,17 @@ Cone cut_of(const MatrixXd& doubts) {
 }
 
 /// The unproven direction of least support, descended from the mean and from the main directions.
-ScaledWrench least_of(const SupportFunction& support, const MatrixXd& doubts) {
+WrenchCoordinates least_of(const SupportFunction& support, const MatrixXd& doubts) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> main(
       doubts.topLeftCorner<6, 6>());
-  std::vector<ScaledWrench> ways{doubts.col(kTimeIndex).head<6>()};
+  std::vector<WrenchCoordinates> ways{doubts.col(kTimeIndex).head<6>()};
   for (const int k : {5, 4})
     for (const double sign : {1.0, -1.0}) ways.emplace_back(sign * main.eigenvectors().col(k));
-  ScaledWrench best = ScaledWrench::Unit(0);
+  WrenchCoordinates best = WrenchCoordinates::Unit(0);
   double least = std::numeric_limits<double>::infinity();
-  for (const ScaledWrench& way : ways) {
+  for (const WrenchCoordinates& way : ways) {
     if (!(way.norm() > 0) || !way.allFinite()) continue;
-    const ScaledWrench u = descend_support(support, way.normalized());
+    const WrenchCoordinates u = descend_support(support, way.normalized());
     if (const double h = support(u).h; h < least) {
       least = h;
       best = u;
@@ -302,7 +302,8 @@ SupportProof prove_support(const SupportFunction& support, double r, int max_par
     // A direction below r refutes the claim.
     const MatrixXd doubts = doubts_of(problem.form(raised.y), raised.y(raised.y.size() - 1));
     if (!doubts.allFinite()) return proof;
-    if (const ScaledWrench u = least_of(support, doubts); support(u).h + support.rounding() < r) {
+    if (const WrenchCoordinates u = least_of(support, doubts);
+        support(u).h + support.rounding() < r) {
       proof.below = u;
       return proof;
     }

@@ -13,7 +13,7 @@ struct SupportProof {
   bool found;       // h(u) >= r for all |u| = 1, proven
   int parts;        // parts of the sphere that were examined
   double residual;  // least eigenvalue of all forms F, the set's size being 1: > 0 if found [1]
-  std::optional<ScaledWrench> below;  // h(u) < r for this unit u: the claim is false (6)
+  std::optional<WrenchCoordinates> below;  // h(u) < r for this unit u: the claim is false (6)
 };
 
 /// Proves that  h(u) >= r  for every unit u, by sums of products of cones.

@@ -59,10 +59,10 @@ ForceSet slice_along(ForceSet forces, const Eigen::ColPivHouseholderQR<MatrixXd>
 }  // namespace
 
 TaskMargin margin_of_loads(const ForceSet& forces, const std::vector<ScaledWrench>& loads) {
-  TaskMargin margin{Status::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0};
+  TaskMargin margin{Status::kSolved, kInfinity, kInfinity, ScaledWrench{}, 0};
   for (const ScaledWrench& load : loads) {
     // The smallest margin counts; a load without limit sets none.
-    if (load.isZero(0)) continue;
+    if (load.is_zero()) continue;
     const WrenchSupport reach = load_margin(forces, load);
     if (reach.status == Status::kUnbounded) continue;
     margin.residual = max_or_nan(margin.residual, reach.residual);
@@ -75,21 +75,22 @@ TaskMargin margin_of_loads(const ForceSet& forces, const std::vector<ScaledWrenc
   return margin;
 }
 
-TaskMargin margin_of_box(const ForceSet& forces, const ScaledWrench& lower,
-                         const ScaledWrench& upper) {
+TaskMargin margin_of_box(const ForceSet& forces, const ScaledWrench& lowest,
+                         const ScaledWrench& highest) {
+  const WrenchCoordinates lower = lowest.vector(), upper = highest.vector();
   require(lower.allFinite() && upper.allFinite() && (lower.array() <= upper.array()).all(),
           "the box of loads needs finite bounds, lower <= upper");
   // All different corners of the box.
   std::vector<ScaledWrench> corners;
   for (int corner = 0; corner < 64; ++corner) {
-    ScaledWrench load = lower;
+    WrenchCoordinates load = lower;
     bool repeated = false;
     for (int i = 0; i < 6; ++i) {
       const bool high = (corner >> i & 1) != 0;
       if (high) load(i) = upper(i);
       repeated = repeated || (high && lower(i) == upper(i));
     }
-    if (!repeated) corners.push_back(load);
+    if (!repeated) corners.push_back(ScaledWrench::from_coordinates(load));
   }
   return margin_of_loads(forces, corners);
 }
@@ -106,16 +107,17 @@ TaskMargin margin_of_ellipsoid(const ForceSet& forces,
           qr.rank());
   ForceSet sliced = slice_along(forces, qr);
   if (is_unlimited(sliced, static_cast<int>(Q.cols())))
-    return {Status::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0};
+    return {Status::kSolved, kInfinity, kInfinity, ScaledWrench{}, 0};
   // Missing dimensions get a box, wider than the slice, which does not change its ball.
   if (Q.cols() < 6) {
-    const WrenchSupport any = wrench_support(sliced, ScaledWrench::Unit(0));
+    const WrenchSupport any = wrench_support(sliced, ScaledWrench::unit(0));
     const double width = any.status == Status::kSolved ? any.value : options.max_total_force;
     add_box(sliced, 6 - Q.cols(), 2 * std::max(width, 1e-3));
   }
   const InscribedBall ball = inscribed_ball(sliced, options);
   return {ball.status, std::max(0.0, ball.lower), std::max(0.0, ball.upper),
-          Q * ball.worst_load.head(Q.cols()), ball.residual};
+          ScaledWrench::from_coordinates(Q * ball.worst_load.vector().head(Q.cols())),
+          ball.residual};
 }
 
 }  // namespace thenar

@@ -51,26 +51,27 @@ struct Rounded {
 };
 Rounded rounded(const WrenchSet& set, ForceNorm limit) {
   // Centre of the set; sums of Linf need none.
-  ScaledWrench middle = ScaledWrench::Zero();
+  WrenchCoordinates middle = WrenchCoordinates::Zero();
   if (limit == ForceNorm::kL1)
-    for (const WrenchCap& cap : set.caps) middle += cap.c / static_cast<double>(set.caps.size());
+    for (const WrenchCap& cap : set.caps)
+      middle += cap.c.vector() / static_cast<double>(set.caps.size());
   Eigen::Matrix<double, 6, Eigen::Dynamic> all(6, 0);
   const auto append = [&](const Eigen::MatrixXd& columns) {
     all.conservativeResize(6, all.cols() + columns.cols());
     all.rightCols(columns.cols()) = columns;
   };
   for (const WrenchCap& cap : set.caps) {
-    append(cap.c - middle);
+    append(cap.c.vector() - middle);
     append(cap.A);
   }
   // Principal widths of all points.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeThinU);
-  const ScaledWrench widths = svd.singularValues();
+  const WrenchCoordinates widths = svd.singularValues();
   const Eigen::Matrix<double, 6, 6> stretch =
       widths.cwiseInverse().asDiagonal() * svd.matrixU().transpose();
   Rounded out{set, widths.prod()};
   for (WrenchCap& cap : out.set.caps) {
-    cap.c = stretch * (cap.c - middle);
+    cap.c = ScaledWrench::from_coordinates(stretch * (cap.c.vector() - middle));
     cap.A = stretch * cap.A;
   }
   return out;
@@ -96,7 +97,7 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
   // A point that seems to lie beyond a facet again mends a plane that rounding has moved; where it
   // does so time and again, the set is as narrow as its points are rounded.
   std::map<std::array<double, 6>, int> times;
-  const auto may_come = [&](const ScaledWrench& p) {
+  const auto may_come = [&](const WrenchCoordinates& p) {
     std::array<double, 6> key;
     std::copy(p.data(), p.data() + 6, key.begin());
     return ++times[key] <= kMostTimes;
@@ -183,7 +184,7 @@ Volume volume(const WrenchSet& set, const VolumeOptions& options) {
   bool curved = false;
   for (std::size_t i = 0; i < set.caps.size(); ++i) {
     const WrenchCap& cap = set.caps[i];
-    require(cap.c.allFinite() && cap.A.allFinite(), "wrenches {} are not finite", i);
+    require(cap.c.is_finite() && cap.A.allFinite(), "wrenches {} are not finite", i);
     curved = curved || cap.A.cols() > 1;
   }
   if (set.caps.empty() || internal::span_of(set).rank < 6) return {0, 0, 0, true, 0, 0};

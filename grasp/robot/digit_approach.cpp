@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "grasp/robot/approach_direction.h"
 #include "grasp/robot/digit_motion.h"
+#include "grasp/robot/posed_surfaces.h"
 
 namespace thenar {
 namespace {
@@ -32,65 +33,18 @@ Eigen::Matrix3d frame_along(const Vector3d& direction, const Vector3d& side) {
 
 }  // namespace
 
-/// Bounding box of surfaces with the links posed, its sides along the columns of R.
-/// @param links  RobotHand::pose()
-Eigen::AlignedBox3d DigitMotion::box_of(const std::vector<std::size_t>& surfaces,
-                                        const std::vector<Pose<double>>& links,
-                                        const Eigen::Matrix3d& R) const {
-  Eigen::AlignedBox3d box;
-  for (const std::size_t s : surfaces) {
-    const SampledSurface& surface = grip_.surfaces()[s];
-    for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
-      const Vector3d p = surface.p.col(i);
-      box.extend(
-          R.transpose() *
-          (surface.link < 0 ? p : Vector3d(links[static_cast<std::size_t>(surface.link)] * p)));
-    }
-  }
-  return box;
-}
-
-/// The palm: links without digit on the outermost link that has such.
-std::vector<std::size_t> DigitMotion::palm_surfaces() const {
-  const HandLayout& layout = grip_.hand().layout();
-  std::vector<std::size_t> palm;
-  for (std::size_t s = 0; s < grip_.surfaces().size(); ++s) {
-    const SampledSurface& surface = grip_.surfaces()[s];
-    if (!surface.digit.empty()) continue;
-    const int depth = joints_to(layout, surface.link);
-    if (!palm.empty() && depth > joints_to(layout, grip_.surfaces()[palm.front()].link))
-      palm.clear();
-    if (palm.empty() || surface.link == grip_.surfaces()[palm.front()].link) palm.push_back(s);
-  }
-  return palm;
-}
-
-/// Faces of surfaces with the links posed, in the hand's frame. (3, faces) [m^2]
-/// @param links  RobotHand::pose()
-Matrix3Xd DigitMotion::faces_of(const std::vector<std::size_t>& surfaces,
-                                const std::vector<Pose<double>>& links) const {
-  std::vector<Matrix3Xd> faces;
-  for (const std::size_t s : surfaces) {
-    const SampledSurface& surface = grip_.surfaces()[s];
-    faces.push_back(surface.faces);
-    if (surface.link >= 0)
-      faces.back() = links[static_cast<std::size_t>(surface.link)].R * surface.faces;
-  }
-  return side_by_side(faces);
-}
-
 /// Axes of the hinges of a digit that closing drives move; of a digit without, its slide. (3, axes)
-Matrix3Xd DigitMotion::closing_axes(const Digit& digit, std::size_t option,
+Matrix3Xd DigitMotion::closing_axes(const HandDigit& digit, std::size_t option,
                                     const VectorXd& q) const {
   if (slides_only(digit, option)) return curl_way(digit, option);
-  const RobotHand& hand = grip_.hand();
+  const RobotHand& hand = digits_.grip().hand();
   std::vector<bool> closing(hand.layout().coordinates.size(), false);
-  for (std::size_t d = 0; d < drives_.size(); ++d)
-    for (const DrivenCoordinate& driven : drives_[d].moves)
+  for (std::size_t d = 0; d < digits_.drives().size(); ++d)
+    for (const DrivenCoordinate& driven : digits_.drives()[d].moves)
       if (options_[option].speed[d] != 0)
         closing[static_cast<std::size_t>(driven.coordinate)] = true;
   std::vector<Matrix3Xd> axes;
-  for (int link = grip_.surfaces()[digit.last].link; link >= 0;
+  for (int link = digits_.grip().surfaces()[digit.last].link; link >= 0;
        link = hand.layout().parents[static_cast<std::size_t>(link)])
     if (!hand.is_prismatic(link) && closing[static_cast<std::size_t>(hand.coordinate_of(link))])
       axes.emplace_back(hand.axis(q, link));
@@ -98,16 +52,17 @@ Matrix3Xd DigitMotion::closing_axes(const Digit& digit, std::size_t option,
 }
 
 /// Returns whether a digit closes along slides alone.
-bool DigitMotion::slides_only(const Digit& digit, std::size_t option) const {
-  const auto is_slide = [&](int link) { return grip_.hand().is_prismatic(link); };
+bool DigitMotion::slides_only(const HandDigit& digit, std::size_t option) const {
+  const auto is_slide = [&](int link) { return digits_.grip().hand().is_prismatic(link); };
   bool any_hinge = false;
-  for (int link = grip_.surfaces()[digit.last].link; link >= 0;
-       link = grip_.hand().layout().parents[static_cast<std::size_t>(link)])
+  for (int link = digits_.grip().surfaces()[digit.last].link; link >= 0;
+       link = digits_.grip().hand().layout().parents[static_cast<std::size_t>(link)])
     any_hinge = any_hinge || !is_slide(link);
   return !curl_way(digit, option).isZero(0) &&
-         std::all_of(
-             digit.curls.begin(), digit.curls.end(),
-             [&](int d) { return spin(static_cast<std::size_t>(d), digit).norm() < kNoSpin; }) &&
+         std::all_of(digit.curls.begin(), digit.curls.end(),
+                     [&](int d) {
+                       return digits_.spin(static_cast<std::size_t>(d), digit).norm() < kNoSpin;
+                     }) &&
          !any_hinge;
 }
 
@@ -124,16 +79,17 @@ Vector3d DigitMotion::approach_near(const Vector3d& rough, std::size_t option,
   // Faces of sliding jaws, then those of the palm.
   const Vector3d near = axes.line ? across(rough, *axes.line) : rough;
   std::vector<std::size_t> sliding;
-  for (const Digit& digit : digits_)
-    for (std::size_t s = 0; s < grip_.surfaces().size(); ++s)
-      if (grip_.surfaces()[s].digit == digit.name && slides_only(digit, option))
+  for (const HandDigit& digit : digits_.all())
+    for (std::size_t s = 0; s < digits_.grip().surfaces().size(); ++s)
+      if (digits_.grip().surfaces()[s].digit == digit.name && slides_only(digit, option))
         sliding.push_back(s);
-  for (const std::vector<std::size_t>& surfaces : {sliding, palm_surfaces()})
-    if (const auto found = facing_direction(faces_of(surfaces, links), near, kNearAhead, axes.line))
+  for (const std::vector<std::size_t>& surfaces : {sliding, palm_surfaces(digits_.grip())})
+    if (const auto found = facing_direction(faces_of(digits_.grip(), surfaces, links), near,
+                                            kNearAhead, axes.line))
       return *found;
   // Across the line between two parallel hinges.
-  if (axes.line && digits_.size() == 2) {
-    const Vector3d middle = (digits_[1].root - digits_[0].root).cross(*axes.line);
+  if (axes.line && digits_.all().size() == 2) {
+    const Vector3d middle = (digits_.all()[1].root - digits_.all()[0].root).cross(*axes.line);
     const double along = middle.normalized().dot(near);
     if (middle.norm() > kTwoHinges && std::abs(along) >= kNearAhead)
       return std::copysign(1.0, along) * middle.normalized();
@@ -143,19 +99,21 @@ Vector3d DigitMotion::approach_near(const Vector3d& rough, std::size_t option,
 
 PalmApproach DigitMotion::ahead(std::size_t option) const {
   const VectorXd q = half_closed(option);
-  const std::vector<Pose<double>> links = grip_.hand().pose(q);
+  const std::vector<Pose<double>> links = digits_.grip().hand().pose(q);
   // Roughly from the centre of the palm towards the ends.
   const Eigen::Matrix3d hand = Eigen::Matrix3d::Identity();
   Vector3d ends = Vector3d::Zero();
-  for (const Digit& digit : digits_)
-    ends += box_of({digit.last}, links, hand).center() / static_cast<double>(digits_.size());
-  const Eigen::AlignedBox3d palm = box_of(palm_surfaces(), links, hand);
+  for (const HandDigit& digit : digits_.all())
+    ends += box_of(digits_.grip(), {digit.last}, links, hand).center() /
+            static_cast<double>(digits_.all().size());
+  const Eigen::AlignedBox3d palm =
+      box_of(digits_.grip(), palm_surfaces(digits_.grip()), links, hand);
   const Vector3d centre = palm.isEmpty() ? Vector3d(0, 0, 0) : Vector3d(palm.center());
   const Vector3d rough = ends - centre;
   // Along what faces near it tell, and axes where digits close at each other.
   std::vector<Matrix3Xd> all;
   if (!roles(option).palm)
-    for (const Digit& digit : digits_) all.push_back(closing_axes(digit, option, q));
+    for (const HandDigit& digit : digits_.all()) all.push_back(closing_axes(digit, option, q));
   const Matrix3Xd axes = side_by_side(all);
   PalmApproach approach;
   if (rough.norm() > 1e-6)
@@ -164,19 +122,19 @@ PalmApproach DigitMotion::ahead(std::size_t option) const {
   // From the end of the palm's box.
   const Eigen::Matrix3d R =
       frame_along(approach.direction, axes.cols() > 0 ? Vector3d(axes.col(0)) : Vector3d::Zero());
-  const Eigen::AlignedBox3d box = box_of(palm_surfaces(), links, R);
+  const Eigen::AlignedBox3d box = box_of(digits_.grip(), palm_surfaces(digits_.grip()), links, R);
   if (!box.isEmpty()) approach.point = R * (box.center() + Vector3d(0, 0, box.sizes().z() / 2));
   return approach;
 }
 
 /// Direction in which the end of the only digit moves as it closes, from a posture; zero: none. (3)
 Vector3d DigitMotion::last_way(std::size_t option, const VectorXd& q) const {
-  const SampledSurface& end = grip_.surfaces()[digits_.front().last];
+  const SampledSurface& end = digits_.grip().surfaces()[digits_.all().front().last];
   Vector3d sum = Vector3d::Zero();
   if (end.link < 0) return sum;
-  const auto J = grip_.hand().jacobian(q, end.link, end.centre);
-  for (std::size_t d = 0; d < drives_.size(); ++d)
-    for (const DrivenCoordinate& driven : drives_[d].moves)
+  const auto J = digits_.grip().hand().jacobian(q, end.link, end.centre);
+  for (std::size_t d = 0; d < digits_.drives().size(); ++d)
+    for (const DrivenCoordinate& driven : digits_.drives()[d].moves)
       sum += options_[option].speed[d] * driven.ratio * J.col(driven.coordinate).tail<3>();
   return sum.norm() > kNoSpin ? Vector3d(sum.normalized()) : Vector3d::Zero();
 }
@@ -191,18 +149,19 @@ struct DigitMotion::JawWay {
 /// other.
 std::optional<DigitMotion::JawWay> DigitMotion::jaw_way(std::size_t option,
                                                         const VectorXd& q) const {
-  const std::vector<Pose<double>> links = grip_.hand().pose(q);
-  const Digit& digit = digits_.front();
+  const std::vector<Pose<double>> links = digits_.grip().hand().pose(q);
+  const HandDigit& digit = digits_.all().front();
   const Vector3d way = last_way(option, q);
-  const Matrix3Xd palm = points_of(palm_surfaces(), links), end = points_of({digit.last}, links);
+  const Matrix3Xd palm = points_of(digits_.grip(), palm_surfaces(digits_.grip()), links),
+                  end = points_of(digits_.grip(), {digit.last}, links);
   if (palm.cols() == 0 || way.isZero(0)) return {};
   const Vector3d middle = (palm.rowwise().minCoeff() + palm.rowwise().maxCoeff()) / 2;
   const Vector3d inner = (end.rowwise().minCoeff() + end.rowwise().maxCoeff()) / 2;
   if ((inner - middle).cross(way).norm() < 1e-6) return {};
   const Vector3d rough = across(inner - middle, way);
   const ClosingAxes axes = find_closing_axes(closing_axes(digit, option, q));
-  const auto face =
-      facing_direction(faces_of(palm_surfaces(), links), rough, kNearAhead, axes.line);
+  const auto face = facing_direction(faces_of(digits_.grip(), palm_surfaces(digits_.grip()), links),
+                                     rough, kNearAhead, axes.line);
   return JawWay{without_rounding(approach_near(rough, option, axes, links)), face.has_value()};
 }
 
@@ -217,9 +176,9 @@ std::optional<FixedJaw> DigitMotion::fixed_jaw(std::size_t option, const VectorX
     if (const auto there = jaw_way(option, other); there && there->faced) q = other, way = there;
   }
   const Vector3d direction = way->direction;
-  const std::vector<Pose<double>> links = grip_.hand().pose(q);
-  const Matrix3Xd palm = points_of(palm_surfaces(), links),
-                  end = points_of({digits_.front().last}, links);
+  const std::vector<Pose<double>> links = digits_.grip().hand().pose(q);
+  const Matrix3Xd palm = points_of(digits_.grip(), palm_surfaces(digits_.grip()), links),
+                  end = points_of(digits_.grip(), {digits_.all().front().last}, links);
   // The face of the palm before the outer half of the end.
   const Vector3d out = across(-last_way(option, q), direction), side = direction.cross(out);
   const Eigen::RowVectorXd along_end = direction.transpose() * end,
@@ -233,9 +192,10 @@ std::optional<FixedJaw> DigitMotion::fixed_jaw(std::size_t option, const VectorX
       face = std::max(face, out.dot(p));
   if (face == -kInfinity) return {};
   // The outer half of the open jaw; all of one that slides.
-  const Matrix3Xd away = points_of({digits_.front().last}, grip_.hand().pose(open));
-  const Eigen::RowVectorXd lever = (away.colwise() - digits_.front().root).colwise().norm();
-  const bool slides = slides_only(digits_.front(), option);
+  const Matrix3Xd away =
+      points_of(digits_.grip(), {digits_.all().front().last}, digits_.grip().hand().pose(open));
+  const Eigen::RowVectorXd lever = (away.colwise() - digits_.all().front().root).colwise().norm();
+  const bool slides = slides_only(digits_.all().front(), option);
   const double least = slides ? 0 : (lever.minCoeff() + lever.maxCoeff()) / 2;
   double nearest = kInfinity;
   for (Eigen::Index i = 0; i < away.cols(); ++i)

@@ -12,6 +12,7 @@
 #include "grasp/robot/approach_direction.h"
 #include "grasp/robot/ball_grasp.h"
 #include "grasp/robot/closing_options.h"
+#include "grasp/robot/hand_digits.h"
 
 namespace thenar {
 
@@ -40,12 +41,12 @@ class DigitMotion {
   /// @param closing  whether the speeds of the hand's drives state how it closes
   DigitMotion(const BallGrasp& grip, bool closing);
 
-  [[nodiscard]] const std::vector<std::string>& digits() const { return names_; }
+  [[nodiscard]] const std::vector<std::string>& digits() const { return digits_.names(); }
   /// Every coordinate at zero or the nearest limit, digits that are curled there as straight as
   /// they go [rad] or [m] (coordinates)
-  [[nodiscard]] const Eigen::VectorXd& rest() const { return rest_; }
+  [[nodiscard]] const Eigen::VectorXd& rest() const { return digits_.rest(); }
   /// Mean distance from the root of a digit to its tip [m].
-  [[nodiscard]] double mean_digit_length() const;
+  [[nodiscard]] double mean_digit_length() const { return digits_.mean_digit_length(); }
   [[nodiscard]] const std::vector<SenseOption>& options() const { return options_; }
   [[nodiscard]] std::vector<Drive> drives(std::size_t option) const;
   [[nodiscard]] DigitRoles roles(std::size_t option) const;
@@ -61,38 +62,10 @@ class DigitMotion {
                                                   const Eigen::VectorXd& open) const;
 
  private:
-  struct Digit {
-    std::string name;
-    std::size_t first = 0, last = 0;  // surfaces: innermost and outermost
-    Eigen::Vector3d root, tip;        // at rest [m] (3)
-    std::vector<int> curls, turns;    // drives that curl and that turn it
-  };
-
   struct JawWay;
 
-  void find_digits();
-  void sort_drives();
-  void orient();
-  void straighten();
-  void turn_by(int coordinate, double angle);
-  void join_rows();
-  void join_groups(int one, int other, bool reversed);
-  [[nodiscard]] int group_of(const Digit& digit) const;
-  [[nodiscard]] std::vector<int> hinges_of(const Digit& digit) const;
-  // Twist of a digit's tip per unit of a drive, at rest: rotation [rad], then translation [m] (6).
-  [[nodiscard]] Eigen::Matrix<double, 6, 1> twist(std::size_t drive, const Digit& digit) const;
-  [[nodiscard]] Eigen::Vector3d spin(std::size_t drive, const Digit& digit) const;
-  [[nodiscard]] Eigen::Vector3d way(std::size_t drive, const Digit& digit) const;
-  [[nodiscard]] bool moves_alike(std::size_t drive) const;
-  [[nodiscard]] Eigen::Vector3d last_axis(const Digit& digit) const;
-  [[nodiscard]] double sign_against(std::size_t outer, std::size_t drive, const Digit& digit) const;
-  [[nodiscard]] Eigen::VectorXd moved(const std::vector<double>& senses, double share) const;
-  [[nodiscard]] double apart(const Eigen::VectorXd& q) const;
-  [[nodiscard]] Eigen::Matrix3Xd points_of(const std::vector<std::size_t>& surfaces,
-                                           const std::vector<Pose<double>>& links) const;
   [[nodiscard]] Eigen::Vector3d last_way(std::size_t option, const Eigen::VectorXd& q) const;
   [[nodiscard]] std::optional<JawWay> jaw_way(std::size_t option, const Eigen::VectorXd& q) const;
-  [[nodiscard]] double from_palm(const std::vector<Pose<double>>& links) const;
   [[nodiscard]] Eigen::VectorXd open_at(std::size_t option, const Eigen::VectorXd& others,
                                         double farthest) const;
   [[nodiscard]] bool are_jaws() const;
@@ -101,15 +74,9 @@ class DigitMotion {
                                                              std::size_t motor,
                                                              int positions) const;
   [[nodiscard]] Eigen::VectorXd outer_open(std::size_t option, Eigen::VectorXd open) const;
-  [[nodiscard]] std::vector<std::size_t> palm_surfaces() const;
-  [[nodiscard]] Eigen::AlignedBox3d box_of(const std::vector<std::size_t>& surfaces,
-                                           const std::vector<Pose<double>>& links,
-                                           const Eigen::Matrix3d& R) const;
-  [[nodiscard]] Eigen::Matrix3Xd faces_of(const std::vector<std::size_t>& surfaces,
-                                          const std::vector<Pose<double>>& links) const;
-  [[nodiscard]] Eigen::Matrix3Xd closing_axes(const Digit& digit, std::size_t option,
+  [[nodiscard]] Eigen::Matrix3Xd closing_axes(const HandDigit& digit, std::size_t option,
                                               const Eigen::VectorXd& q) const;
-  [[nodiscard]] bool slides_only(const Digit& digit, std::size_t option) const;
+  [[nodiscard]] bool slides_only(const HandDigit& digit, std::size_t option) const;
   [[nodiscard]] Eigen::Vector3d approach_near(const Eigen::Vector3d& rough, std::size_t option,
                                               const ClosingAxes& axes,
                                               const std::vector<Pose<double>>& links) const;
@@ -117,18 +84,9 @@ class DigitMotion {
   [[nodiscard]] Eigen::VectorXd closed(std::size_t option) const;
   [[nodiscard]] std::vector<std::size_t> find_fingers(const std::vector<Eigen::Vector3d>& ways,
                                                       const std::vector<double>& turns) const;
-  [[nodiscard]] Eigen::Vector3d curl_way(const Digit& digit, std::size_t option) const;
-  [[nodiscard]] double turn_range(const Digit& digit) const;
-  [[nodiscard]] double range(std::size_t drive) const;
-  [[nodiscard]] bool turns(std::size_t drive) const;
-  [[nodiscard]] bool spreads(std::size_t drive, const Digit& digit) const;
-
-  const BallGrasp& grip_;
-  std::vector<Drive> drives_;
-  Eigen::VectorXd rest_;
-  std::vector<Digit> digits_;
-  std::vector<std::string> names_;
-  DriveGroups groups_;
+  [[nodiscard]] Eigen::Vector3d curl_way(const HandDigit& digit, std::size_t option) const;
+  [[nodiscard]] double turn_range(const HandDigit& digit) const;
+  HandDigits digits_;
   std::vector<SenseOption> options_;
 };
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "grasp/robot/digit_motion.h"
+#include "grasp/robot/hand_digits.h"
 
 namespace thenar {
 namespace {
@@ -29,7 +29,7 @@ double bend_about(const Vector3d& axis, const Vector3d& inner, const Vector3d& o
 }  // namespace
 
 /// Hinges of a digit that turn about axes parallel to its last one, the innermost first.
-std::vector<int> DigitMotion::hinges_of(const Digit& digit) const {
+std::vector<int> HandDigits::hinges_of(const HandDigit& digit) const {
   const RobotHand& hand = grip_.hand();
   const Vector3d last = last_axis(digit);
   std::vector<int> hinges;
@@ -42,14 +42,14 @@ std::vector<int> DigitMotion::hinges_of(const Digit& digit) const {
 
 /// Turns the hinges of curled digits back at rest, as far as they go, until each link goes on along
 /// the one before. How far the first link is bent is not seen: it counts as the mean of the others.
-void DigitMotion::straighten() {
+void HandDigits::straighten() {
   const RobotHand& hand = grip_.hand();
   const std::vector<Pose<double>> links = hand.pose(rest_);
   const auto point = [&](int link) -> Vector3d {
     return links[static_cast<std::size_t>(link)] * hand.axis_point(link);
   };
   std::vector<std::pair<int, double>> turns;  // coordinates, by how much [rad]
-  for (const Digit& digit : digits_) {
+  for (const HandDigit& digit : digits_) {
     const std::vector<int> hinges = hinges_of(digit);
     if (hinges.size() < 2) continue;
     const Vector3d last = last_axis(digit);
@@ -73,12 +73,12 @@ void DigitMotion::straighten() {
 
 /// Turns a coordinate at rest within its limits, with all that its drive moves, if it comes first
 /// among them and its drive curls digits.
-void DigitMotion::turn_by(int coordinate, double angle) {
+void HandDigits::turn_by(int coordinate, double angle) {
   if (std::abs(angle) < kStraightBend) return;
   const HandLayout& layout = grip_.hand().layout();
   for (std::size_t d = 0; d < drives_.size(); ++d) {
     const DrivenCoordinate& first = drives_[d].moves.front();
-    const bool curls = std::any_of(digits_.begin(), digits_.end(), [&](const Digit& digit) {
+    const bool curls = std::any_of(digits_.begin(), digits_.end(), [&](const HandDigit& digit) {
       return std::find(digit.curls.begin(), digit.curls.end(), static_cast<int>(d)) !=
              digit.curls.end();
     });
@@ -95,9 +95,9 @@ void DigitMotion::turn_by(int coordinate, double angle) {
 }
 
 /// Fingers side by side whose tips move along the same line close the same way.
-void DigitMotion::join_rows() {
+void HandDigits::join_rows() {
   std::vector<Vector3d> ways;
-  for (const Digit& digit : digits_) {
+  for (const HandDigit& digit : digits_) {
     Vector3d sum = Vector3d::Zero();
     for (const int d : digit.curls)
       sum += groups_.orientation[static_cast<std::size_t>(d)] *
@@ -131,12 +131,12 @@ void DigitMotion::join_rows() {
   }
 }
 
-int DigitMotion::group_of(const Digit& digit) const {
+int HandDigits::group_of(const HandDigit& digit) const {
   return groups_.group[static_cast<std::size_t>(digit.curls.front())];
 }
 
 /// Makes one group of two, the first of them turned round where asked.
-void DigitMotion::join_groups(int one, int other, bool reversed) {
+void HandDigits::join_groups(int one, int other, bool reversed) {
   for (std::size_t d = 0; d < drives_.size(); ++d) {
     if (groups_.group[d] != one) continue;
     groups_.group[d] = other;

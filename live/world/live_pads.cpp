@@ -169,8 +169,7 @@ std::vector<Eigen::Vector3d> weight_shares(const LiveWorld& live, const GraspRes
     return {};
   }
   // Find the least contact forces that hold the weight.
-  ScaledWrench load = ScaledWrench::Zero();
-  load.head<3>() = -kWeightOfMass * mass * object.X_WB.R.transpose().col(2);
+  const ScaledWrench load{-kWeightOfMass * mass * object.X_WB.R.transpose().col(2), {0, 0, 0}};
   const GraspForce hold =
       minimum_grasp_force(free_forces(grasp.wrenches), load, GraspForceObjective::kSum);
   if (hold.status != Status::kSolved) {
@@ -178,7 +177,7 @@ std::vector<Eigen::Vector3d> weight_shares(const LiveWorld& live, const GraspRes
     return {};
   }
   std::vector<Eigen::Vector3d> shares;
-  for (const ScaledWrench& wrench : hold.forces.wrenches) shares.push_back(wrench.head<3>());
+  for (const ScaledWrench& wrench : hold.forces.wrenches) shares.push_back(wrench.force);
   return shares;
 }
 

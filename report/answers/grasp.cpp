@@ -149,7 +149,7 @@ Fields matrix_fields(const GraspResult& result) {
 Fields quality_fields(const Epsilon& e) {
   OrderedJson missing, missing_words;
   if (e.has_missing_direction) {
-    missing = to_json(e.missing_direction);
+    missing = to_json(e.missing_direction.vector());
     missing_words = direction_words(e.missing_direction);
   }
   return {{"epsilon", Fields{{"lower", e.lower}, {"upper", e.upper}}},
@@ -157,7 +157,7 @@ Fields quality_fields(const Epsilon& e) {
           {"rank", e.rank},
           {"missing_direction", missing},
           {"missing_direction_words", missing_words},
-          {"worst_wrench", units::kOne, e.worst_wrench},
+          {"worst_wrench", units::kOne, e.worst_wrench.vector()},
           {"worst_wrench_words", direction_words(e.worst_wrench)},
           {"converged", e.converged}};
 }

@@ -29,14 +29,14 @@ Fields ball_fields(const InscribedBall& ball) {
   return {{"lower", ball.lower},
           {"upper", ball.upper},
           {"residual", ball.residual},
-          {"worst_load", units::kOne, ball.worst_load},
+          {"worst_load", units::kOne, ball.worst_load.vector()},
           {"worst_load_words", direction_words(ball.worst_load)}};
 }
 
 Fields stiffness_fields(const GraspStiffness& stiffness) {
   return {{"least", stiffness.min_eigenvalue},
-          {"softest", units::kOne, stiffness.softest},
-          {"softest_words", direction_words(stiffness.softest)},
+          {"softest", units::kOne, stiffness.softest.vector()},
+          {"softest_words", motion_words(stiffness.softest)},
           {"pad_force", units::kNewton, kPadForce},
           {"matrix", units::kOne, stiffness.K}};
 }

@@ -12,10 +12,20 @@
 namespace thenar {
 namespace {
 
-/// Returns a wrench without minus zeros; of a planar grasp f_x, f_y and the torque.
+/// Returns force and torque without minus zeros; of a planar grasp f_x, f_y and the torque.
+OrderedJson loads_json(const Eigen::Vector3d& force, const Eigen::Vector3d& torque, bool planar) {
+  if (planar) return {force.x() + 0.0, force.y() + 0.0, torque.z() + 0.0};
+  Eigen::Matrix<double, 6, 1> both;
+  both << force, torque;
+  return to_json((both.array() + 0.0).matrix());
+}
+
 OrderedJson wrench_json(const ScaledWrench& w, bool planar) {
-  if (planar) return {w(0) + 0.0, w(1) + 0.0, w(5) + 0.0};
-  return to_json((w.array() + 0.0).matrix());
+  return loads_json(w.force, w.moment_over_length, planar);
+}
+
+OrderedJson wrench_json(const Wrench& w, bool planar) {
+  return loads_json(w.force, w.moment, planar);
 }
 
 Fields task_fields(const TaskQuality& task, bool planar) {
@@ -48,10 +58,11 @@ std::string task_words(const TaskQuality& task, bool planar) {
 
 std::string wrench_words(const ScaledWrench& w, bool planar) {
   if (planar)
-    return fmt::format("force ({}), torque / scale {}", fmt::join(cells(w.head<2>(), 4), ", "),
-                       fmt::join(cells(w.tail<1>(), 4), ", "));
-  return fmt::format("force ({}), torque / scale ({})", fmt::join(cells(w.head<3>(), 4), ", "),
-                     fmt::join(cells(w.tail<3>(), 4), ", "));
+    return fmt::format("force ({}), torque / scale {}",
+                       fmt::join(cells(w.force.head<2>(), 4), ", "),
+                       fmt::join(cells(w.moment_over_length.tail<1>(), 4), ", "));
+  return fmt::format("force ({}), torque / scale ({})", fmt::join(cells(w.force, 4), ", "),
+                     fmt::join(cells(w.moment_over_length, 4), ", "));
 }
 
 std::string enclosed(double lower, double upper) {

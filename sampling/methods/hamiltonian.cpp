@@ -75,17 +75,20 @@ class Hamiltonian : public Sampler {
   Eigen::MatrixXd positions_;
   std::vector<StepStats> stats_;
 
-  // Within a step.
-  Waits waits_ = Waits::kForStart;
-  HamiltonianTrajectory* trajectory_ = nullptr;
-  PhasePoint from_, trial_;
-  PhasePoint* moving_ = nullptr;  // its leapfrog waits for a gradient
-  double leap_ = 0;               // length of that leapfrog, negative: back in time [1]
-  double start_energy_ = 0, energy_ = 0;
+  /// What is under way: a trial of a step size, or a trajectory of a step.
+  struct UnderWay {
+    Waits waits = Waits::kForStart;
+    HamiltonianTrajectory* trajectory = nullptr;
+    PhasePoint from, trial;
+    PhasePoint* moving = nullptr;         // its leapfrog waits for a gradient
+    double leap = 0;                      // length of that leapfrog, negative: back in time [1]
+    double start_energy = 0, energy = 0;  // at the beginning, and where it is now
+    int evaluations = 0, broken = 0;      // densities asked for, and those that are not finite
+  };
+  UnderWay now_;
   Eigen::VectorXd gradient_;  // of the tempered density (n)
   Eigen::VectorXd asked_;     // (n)
   Eigen::MatrixXd asks_;      // the same (n, 1)
-  int evaluations_ = 0, broken_ = 0;
 };
 
 Hamiltonian::Hamiltonian(SamplingMethod method, const Eigen::VectorXd& start,
@@ -100,14 +103,14 @@ Hamiltonian::Hamiltonian(SamplingMethod method, const Eigen::VectorXd& start,
       stats_(1) {
   current_.x = start;
   current_.y = warm_up_.whitening().whitened(start);
-  from_.r.resize(start.size());
+  now_.from.r.resize(start.size());
   begin();
 }
 
 // What is asked next: the start, a trial of a step size, or a point of a trajectory.
 void Hamiltonian::begin() {
   if (!usable_) {
-    waits_ = Waits::kForStart;
+    now_.waits = Waits::kForStart;
     asks_ = current_.x;
   } else if (warm_up_.searching()) {
     begin_trial();
@@ -117,52 +120,53 @@ void Hamiltonian::begin() {
 }
 
 void Hamiltonian::begin_trial() {
-  waits_ = Waits::kForTrial;
+  now_.waits = Waits::kForTrial;
   // A fresh momentum each time, and one leapfrog.
   RandomStream random(options_.seed, static_cast<std::uint32_t>(options_.first_chain),
                       stream_step(steps_),
                       kTrialStream + static_cast<std::uint32_t>(warm_up_.tries()));
   draw_momentum(random);
-  trial_ = from_;
-  leap(trial_, warm_up_.step());
+  now_.trial = now_.from;
+  leap(now_.trial, warm_up_.step());
 }
 
 void Hamiltonian::begin_trajectory() {
-  waits_ = Waits::kForPoint;
+  now_.waits = Waits::kForPoint;
   random_ = RandomStream(options_.seed, static_cast<std::uint32_t>(options_.first_chain),
                          stream_step(steps_), kStepStream);
   draw_momentum(random_);
-  current_.energy = start_energy_;
+  current_.energy = now_.start_energy;
   // Until the metric is known a quarter turn in its units leads nowhere; doubling gets there.
-  trajectory_ =
+  now_.trajectory =
       static_length_ && warm_up_.metric_settled(steps_) ? jittered_.get() : doubling_.get();
-  trajectory_->start(from_, warm_up_.step(), random_);
-  leap(trajectory_->moving(), trajectory_->leap());
+  now_.trajectory->start(now_.from, warm_up_.step(), random_);
+  leap(now_.trajectory->moving(), now_.trajectory->leap());
 }
 
 void Hamiltonian::draw_momentum(RandomStream& random) {
   // Momentum, slope and energy at the chain's position.
-  from_.y = current_.y;
-  from_.slope = current_.slope;
-  for (Eigen::Index i = 0; i < from_.r.size(); ++i) from_.r[i] = random.normal();
-  start_energy_ = 0.5 * from_.r.squaredNorm() - tempered(current_.at, 0, options_.beta).value;
+  now_.from.y = current_.y;
+  now_.from.slope = current_.slope;
+  for (Eigen::Index i = 0; i < now_.from.r.size(); ++i) now_.from.r[i] = random.normal();
+  now_.start_energy =
+      0.5 * now_.from.r.squaredNorm() - tempered(current_.at, 0, options_.beta).value;
 }
 
 void Hamiltonian::leap(PhasePoint& point, double step) {
-  moving_ = &point;
-  leap_ = step;
+  now_.moving = &point;
+  now_.leap = step;
   begin_leapfrog(point, warm_up_.whitening(), step);
   warm_up_.whitening().place(point.y, asked_);
   asks_ = asked_;
 }
 
 void Hamiltonian::tell(const Densities& at) {
-  ++evaluations_;
+  ++now_.evaluations;
   const TemperedDensity density = tempered(at, 0, options_.beta);
-  if (density.non_finite) ++broken_;
-  if (waits_ == Waits::kForStart) return learn_start(at);
+  if (density.non_finite) ++now_.broken;
+  if (now_.waits == Waits::kForStart) return learn_start(at);
   const double energy_error = land(at, density);
-  if (waits_ == Waits::kForPoint) return follow(at, energy_error);
+  if (now_.waits == Waits::kForPoint) return follow(at, energy_error);
   warm_up_.learn_trial(energy_error);
   begin();
 }
@@ -182,29 +186,30 @@ void Hamiltonian::learn_start(const Densities& at) {
 double Hamiltonian::land(const Densities& at, const TemperedDensity& density) {
   if (density.value == -kInfinity) return kInfinity;
   weigh(at);
-  end_leapfrog(*moving_, warm_up_.whitening(), gradient_, leap_);
-  energy_ = 0.5 * moving_->r.squaredNorm() - density.value;
-  if (std::isfinite(energy_)) return energy_ - start_energy_;
-  if (!gradient_.allFinite()) ++broken_;
+  end_leapfrog(*now_.moving, warm_up_.whitening(), gradient_, now_.leap);
+  now_.energy = 0.5 * now_.moving->r.squaredNorm() - density.value;
+  if (std::isfinite(now_.energy)) return now_.energy - now_.start_energy;
+  if (!gradient_.allFinite()) ++now_.broken;
   return kInfinity;
 }
 
 void Hamiltonian::follow(const Densities& at, double energy_error) {
   // The candidate, and the choice.
-  const Verdict verdict = trajectory_->judge(energy_error, random_);
+  const Verdict verdict = now_.trajectory->judge(energy_error, random_);
   if (verdict.take) {
     candidate_.x = asked_;
-    candidate_.y = moving_->y;
-    candidate_.slope = moving_->slope;
+    candidate_.y = now_.moving->y;
+    candidate_.slope = now_.moving->slope;
     candidate_.at = at;
-    candidate_.energy = energy_;
+    candidate_.energy = now_.energy;
   }
   if (verdict.adopt) std::swap(current_, candidate_);
   // The next draw, or one leapfrog further.
   if (verdict.end)
-    complete(trajectory_->acceptance(), trajectory_->depth(), energy_error > kMaxEnergyError);
+    complete(now_.trajectory->acceptance(), now_.trajectory->depth(),
+             energy_error > kMaxEnergyError);
   else
-    leap(trajectory_->moving(), trajectory_->leap());
+    leap(now_.trajectory->moving(), now_.trajectory->leap());
 }
 
 void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
@@ -217,11 +222,11 @@ void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
                warm_up_.step(),
                current_.energy,
                depth,
-               evaluations_,
-               broken_,
+               now_.evaluations,
+               now_.broken,
                divergent};
   // What warm-up learns from it, then the next step.
-  evaluations_ = broken_ = 0;
+  now_.evaluations = now_.broken = 0;
   if (usable_ && steps_ <= options_.warm_up) {
     weigh(current_.at);
     if (warm_up_.learn(steps_, current_.x, gradient_, acceptance)) {
@@ -304,7 +309,7 @@ void Hamiltonian::restore(StateReader& from) {
   positions_.col(0) = current_.x;
   usable_ = known_ && usable(current_.at);
   if (known_) whiten();
-  evaluations_ = broken_ = 0;
+  now_.evaluations = now_.broken = 0;
   begin();
 }
 

@@ -83,9 +83,9 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
          {"epsilon", {{"lower", e.lower}, {"upper", e.upper}}},
          {"force_closure", e.force_closure},
          {"verdict", verdict_of(e)},
-         {"missing_direction", missing ? to_json(e.missing_direction) : Json()},
+         {"missing_direction", missing ? to_json(e.missing_direction.vector()) : Json()},
          {"missing_direction_words", missing ? Json(direction_words(e.missing_direction)) : Json()},
-         {"worst_wrench", to_json(e.worst_wrench)},
+         {"worst_wrench", to_json(e.worst_wrench.vector())},
          {"worst_wrench_words", direction_words(e.worst_wrench)},
          {"volume", params["volume"].get<bool>() ? volume_json(result, progress) : OrderedJson()}});
   }

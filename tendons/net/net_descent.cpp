@@ -21,33 +21,29 @@ constexpr double kHardPull = 10;      // Pull at which taut nets swing freely [N
 NetDescent::NetDescent(const Net& net, const NetSolverOptions& options)
     : plan_(net),
       options_(options),
-      at_(plan_),
+      here_(plan_),
       next_(plan_),
       reduced_(plan_.pattern),
       factor_(plan_.pattern),
-      x_(net.nodes.size()),
-      x_next_(net.nodes.size()),
-      step_(plan_.pattern.size()),
-      contact_(plan_.pattern.size()),
-      contact_next_(plan_.pattern.size()) {}
+      step_(plan_.pattern.size()) {}
 
 void NetDescent::project_start(int k) {
   const int i = plan_.node[k];
   const NetNode& node = plan_.net.nodes[i];
   // Bones that the node touches, or lies in.
-  NodeContact& touch = contact_[k];
+  NodeContact& touch = here_.contact[k];
   touch.pressed = touch.touching = 0;
   touch.collapsed = 0;
   double depth = 0;
   for (int s : node.surfaces) {
-    const double gap = gap_world(plan_.net, scene_, s, x_[i]).gap;
+    const double gap = gap_world(plan_.net, scene_, s, here_.x[i]).gap;
     depth = std::min(depth, gap);
     if (std::abs(gap) <= kLyingGap && touch.pressed < 3) touch.surface[touch.pressed++] = s;
   }
   // Moved out of the bones; if this fails it keeps its place.
-  const Vector3d before = x_[i];
-  if (!project_node(plan_.net, scene_, node, x_[i], touch)) {
-    x_[i] = before;
+  const Vector3d before = here_.x[i];
+  if (!project_node(plan_.net, scene_, node, here_.x[i], touch)) {
+    here_.x[i] = before;
     touch.pressed = touch.touching = 0;
   }
   if (depth < -kCarriedGap) pushed_out_.push_back(i);
@@ -55,25 +51,21 @@ void NetDescent::project_start(int k) {
 
 void NetDescent::place(const TreeState<double>& state, const Eigen::Matrix3Xd* start) {
   // Nodes with their links, or where the start has them.
-  for (std::size_t i = 0; i < x_.size(); ++i) {
+  for (std::size_t i = 0; i < here_.x.size(); ++i) {
     const NetNode& node = plan_.net.nodes[i];
-    x_[i] = node.free && start ? Vector3d(start->col(static_cast<Eigen::Index>(i)))
-                               : moved(state, node.link, node.p);
+    here_.x[i] = node.free && start ? Vector3d(start->col(static_cast<Eigen::Index>(i)))
+                                    : moved(state, node.link, node.p);
   }
   // Floating nodes come out of the bones.
   pushed_out_.clear();
   for (int k = 0; k < rows(); ++k) project_start(k);
-  x_next_ = x_;
+  next_.x = here_.x;
 }
 
-void NetDescent::accept() {
-  x_.swap(x_next_);
-  contact_.swap(contact_next_);
-  std::swap(at_, next_);
-}
+void NetDescent::accept() { std::swap(here_, next_); }
 
-void NetDescent::measure(NetEnergy& energy, const std::vector<Vector3d>& x) {
-  evaluate(plan_, scene_, x, energy);
+void NetDescent::measure(Place& at) {
+  evaluate(plan_, scene_, at.x, at.E);
   ++evaluations_;
 }
 
@@ -84,13 +76,13 @@ NetStatus NetDescent::descend(int patience) {
     // Forces left out of balance, and collapsed nodes that their pull no longer holds.
     balance();
     if (release_from_exit()) {
-      measure(at_, x_);
+      measure(here_);
       balance();
     }
     // Balanced: update the multipliers, then tell a minimum from a saddle.
     if (residual_ <= options_.tolerance) {
       if (update_multipliers()) {
-        measure(at_, x_);
+        measure(here_);
         balance();
       } else if (is_minimum()) {
         return NetStatus::kBalanced;
@@ -113,7 +105,7 @@ NetStatus NetDescent::settle(const TreeState<double>& state, const NetDrive& dri
   scene_ = pose_scene(plan_.net, state, drive);
   draws_.assign(plan_.bands.size(), 0);
   place(state, start);
-  measure(at_, x_);
+  measure(here_);
   return descend(patience);
 }
 
@@ -129,8 +121,9 @@ NetStatus NetDescent::load_continuation(const TreeState<double>& state, const Ne
   for (double times = kHardPull / most; times > 0;
        times = times == 1 ? 0 : std::max(times / 10, 1.0)) {
     // Start from the nodes of the pull before.
-    Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(x_.size()));
-    for (std::size_t i = 0; i < x_.size(); ++i) from.col(static_cast<Eigen::Index>(i)) = x_[i];
+    Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(here_.x.size()));
+    for (std::size_t i = 0; i < here_.x.size(); ++i)
+      from.col(static_cast<Eigen::Index>(i)) = here_.x[i];
     const int patience = times == 1 ? options_.max_iterations : options_.max_iterations / 5;
     status = settle(state, {times * drive.tension, drive.length, drive.law}, &from, patience);
     spent += iterations_;
@@ -178,7 +171,7 @@ double NetDescent::wrap_slop(int k, int surface) const {
   for (int b : plan_.wrapping_bands[k]) {
     const NetBand& band = plan_.net.bands[b];
     if (band.over != surface) continue;
-    const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
+    const BandState now = band_state(plan_.net, scene_, b, here_.x[band.a], here_.x[band.b]);
     if (now.chord.bent) sum += now.pull.tension;
   }
   // Slop of the lift, at least what rounding makes of it.
@@ -188,7 +181,8 @@ double NetDescent::wrap_slop(int k, int surface) const {
 }
 
 /// The part along the normal of what bands that bend over a surface pull a node on it with: they
-/// leave along the surface, so all of it is rounding of the node's lift, the same as in at_.g [N].
+/// leave along the surface, so all of it is rounding of the node's lift, the same as in here_.E.g
+/// [N].
 double NetDescent::normal_rounding(int k, int surface, const Vector3d& normal) const {
   double sum = 0;
   // Bands over this surface, in closed form where they bend.
@@ -196,15 +190,16 @@ double NetDescent::normal_rounding(int k, int surface, const Vector3d& normal) c
     const NetBand& band = plan_.net.bands[b];
     BandGeometry run;
     if (band.over != surface || scene_.collapsed[b]) continue;
-    const WrapState bend = wrap_over(scene_.bone[b], x_[band.a], x_[band.b], run);
+    const WrapState bend = wrap_over(scene_.bone[b], here_.x[band.a], here_.x[band.b], run);
     if (bend == WrapState::kStraight) continue;
     // A degenerate wrap: by its string.
     if (bend == WrapState::kDegenerate) {
-      const WrappedString chord = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]).chord;
+      const WrappedString chord =
+          band_state(plan_.net, scene_, b, here_.x[band.a], here_.x[band.b]).chord;
       if (!chord.bent) continue;
       run.ua = chord.slope.head<3>(), run.ub = chord.slope.tail<3>();
     }
-    sum += at_.tension[b] * normal.dot(plan_.bands[b].ka == k ? run.ua : run.ub);
+    sum += here_.E.tension[b] * normal.dot(plan_.bands[b].ka == k ? run.ua : run.ub);
   }
   return sum;
 }
@@ -212,17 +207,17 @@ double NetDescent::normal_rounding(int k, int surface, const Vector3d& normal) c
 void NetDescent::balance() {
   residual_ = 0;
   for (int k = 0; k < rows(); ++k) {
-    NodeContact& c = contact_[k];
+    NodeContact& c = here_.contact[k];
     // Normal forces within the tolerance.
-    const Vector3d& x = x_[plan_.node[k]];
+    const Vector3d& x = here_.x[plan_.node[k]];
     std::array<double, 3> slop{};
     slop.fill(options_.tolerance);
     const int touching = c.touching;
-    balance_node(plan_.net, scene_, x, at_.g[k], slop, c);
+    balance_node(plan_.net, scene_, x, here_.E.g[k], slop, c);
     // A node that lets go of a bone may be held by bands that bend over it.
     if (c.pressed < touching && !plan_.wrapping_bands[k].empty()) {
       for (int i = 0; i < touching; ++i) slop[i] += wrap_slop(k, c.surface[i]);
-      balance_node(plan_.net, scene_, x, at_.g[k], slop, c);
+      balance_node(plan_.net, scene_, x, here_.E.g[k], slop, c);
     }
     residual_ = std::max(residual_, c.left.norm());
   }
@@ -240,11 +235,11 @@ using Eigen::Vector3d;
 /// H - sum force curvature, turned so that pressed normals come first, and these pinned.
 void NetDescent::reduce() {
   for (int k = 0; k < rows(); ++k) {
-    const NodeContact& c = contact_[k];
+    const NodeContact& c = here_.contact[k];
     Matrix3d& D = reduced_.diagonal[k];
     // Turned Hessian of the Lagrangian.
-    D = c.Q * (at_.H.diagonal[k] - c.bend) * c.Q.transpose();
-    double scale = at_.H.diagonal[k].trace();
+    D = c.Q * (here_.E.H.diagonal[k] - c.bend) * c.Q.transpose();
+    double scale = here_.E.H.diagonal[k].trace();
     if (scale <= 0) scale = 1, D.setIdentity();  // nothing holds it: it stays
     // Pinned directions keep a unit row of the same size.
     for (int r = 0; r < c.pinned; ++r) {
@@ -257,9 +252,9 @@ void NetDescent::reduce() {
   for (int s = 0; s < plan_.pattern.blocks(); ++s) {
     const auto [i, j] = plan_.pattern.rows_of(s);
     Matrix3d& B = reduced_.off[s];
-    B = contact_[i].Q * at_.H.off[s] * contact_[j].Q.transpose();
-    B.topRows(contact_[i].pinned).setZero();
-    B.leftCols(contact_[j].pinned).setZero();
+    B = here_.contact[i].Q * here_.E.H.off[s] * here_.contact[j].Q.transpose();
+    B.topRows(here_.contact[i].pinned).setZero();
+    B.leftCols(here_.contact[j].pinned).setZero();
   }
 }
 
@@ -267,14 +262,14 @@ void NetDescent::reduce() {
 double NetDescent::solve_step() {
   // Forces along the free directions.
   for (int k = 0; k < rows(); ++k) {
-    step_[k] = -(contact_[k].Q * at_.g[k]);
-    step_[k].head(contact_[k].pinned).setZero();
+    step_[k] = -(here_.contact[k].Q * here_.E.g[k]);
+    step_[k].head(here_.contact[k].pinned).setZero();
   }
   factor_.solve(step_);
   // Back to world axes.
   double longest = 0;
   for (int k = 0; k < rows(); ++k) {
-    step_[k] = contact_[k].Q.transpose() * step_[k].eval();
+    step_[k] = here_.contact[k].Q.transpose() * step_[k].eval();
     longest = std::max(longest, step_[k].norm());
   }
   return longest;
@@ -304,20 +299,21 @@ bool NetDescent::add_secant_stiffness() {
   bool any = false;
   for (int b = 0; b < static_cast<int>(plan_.bands.size()); ++b) {
     // Tension and length that the step has added.
-    const double more = next_.tension[b] - at_.tension[b], dL = next_.length[b] - at_.length[b];
+    const double more = next_.E.tension[b] - here_.E.tension[b],
+                 dL = next_.E.length[b] - here_.E.length[b];
     if (scene_.pull[b] >= 0 || !(more > 0) || !(dL > 0)) continue;
     const BandPlan& at = plan_.bands[b];
     const NetBand& band = plan_.net.bands[b];
     // Secant stiffness, where it exceeds the tangent one by far.
-    const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
+    const BandState now = band_state(plan_.net, scene_, b, here_.x[band.a], here_.x[band.b]);
     const double k = more / dL - now.pull.stiffness;
     if (!(k > 1e-3 * now.pull.stiffness)) continue;
     // Rank-one terms in the Hessian.
     const Vector3d ua = now.chord.slope.head<3>(), ub = now.chord.slope.tail<3>();
-    if (at.ka >= 0) at_.H.diagonal[at.ka] += k * ua * ua.transpose();
-    if (at.kb >= 0) at_.H.diagonal[at.kb] += k * ub * ub.transpose();
+    if (at.ka >= 0) here_.E.H.diagonal[at.ka] += k * ua * ua.transpose();
+    if (at.kb >= 0) here_.E.H.diagonal[at.kb] += k * ub * ub.transpose();
     if (at.slot >= 0)
-      at_.H.off[at.slot] += at.flip ? k * ub * ua.transpose() : k * ua * ub.transpose();
+      here_.E.H.off[at.slot] += at.flip ? k * ub * ua.transpose() : k * ua * ub.transpose();
     any = true;
   }
   return any;
@@ -342,8 +338,8 @@ constexpr double kKinkStep = 1e-4;
 /// Corrects Newton's step where bands clasp a node. They pull at its lift h as sqrt(h), so the step
 /// dh is taken in sqrt(h), which makes it  h (1 + dh / 2h)^2  and exact.
 void NetDescent::lift(int k, Vector3d& there) const {
-  const NodeContact& c = contact_[k];
-  const Vector3d& x = x_[plan_.node[k]];
+  const NodeContact& c = here_.contact[k];
+  const Vector3d& x = here_.x[plan_.node[k]];
   int before = -1;
   // One surface after the other, those that press already left out.
   for (int b : plan_.wrapping_bands[k]) {
@@ -372,22 +368,22 @@ bool NetDescent::try_step(double part, double& slope) {
   for (int k = 0; k < rows(); ++k) {
     const int i = plan_.node[k];
     // Node and contacts at the end of the step.
-    contact_next_[k] = contact_[k];
-    x_next_[i] = x_[i] + part * step_[k];
+    next_.contact[k] = here_.contact[k];
+    next_.x[i] = here_.x[i] + part * step_[k];
     // Slope of the energy along the straight step.
-    const double straight = part * at_.g[k].dot(step_[k]);
-    if (contact_[k].collapsed > 0 || plan_.net.nodes[i].surfaces.empty()) {
+    const double straight = part * here_.E.g[k].dot(step_[k]);
+    if (here_.contact[k].collapsed > 0 || plan_.net.nodes[i].surfaces.empty()) {
       slope += straight;
       continue;
     }
     // Out of the bones; a node that hits one takes another way.
-    if (!plan_.wrapping_bands[k].empty()) lift(k, x_next_[i]);
-    if (!project_node(plan_.net, scene_, plan_.net.nodes[i], x_next_[i], contact_next_[k]))
+    if (!plan_.wrapping_bands[k].empty()) lift(k, next_.x[i]);
+    if (!project_node(plan_.net, scene_, plan_.net.nodes[i], next_.x[i], next_.contact[k]))
       return false;
-    const bool hit = contact_next_[k].touching > contact_[k].pressed;
-    slope += hit ? at_.g[k].dot(x_next_[i] - x_[i]) : straight;
+    const bool hit = next_.contact[k].touching > here_.contact[k].pressed;
+    slope += hit ? here_.E.g[k].dot(next_.x[i] - here_.x[i]) : straight;
   }
-  measure(next_, x_next_);
+  measure(next_);
   return true;
 }
 
@@ -402,7 +398,7 @@ double NetDescent::step_to_exit() const {
     Vector3d move = Vector3d::Zero();
     if (at.ka >= 0) move += step_[at.ka];
     if (at.kb >= 0) move -= step_[at.kb];
-    const Vector3d d = x_[band.a] - x_[band.b];
+    const Vector3d d = here_.x[band.a] - here_.x[band.b];
     if (is_regularised(scene_, static_cast<int>(b), d.norm())) continue;  // it is there
     // Part of the move at which the length would pass zero.
     const double way = -d.dot(move), whole = move.squaredNorm();
@@ -415,9 +411,9 @@ double NetDescent::step_to_exit() const {
 /// [J].
 double NetDescent::rounding() const {
   double reach = 0, sum = 0;
-  for (const Vector3d& x : x_) reach = std::max(reach, x.norm());
-  for (double T : at_.tension) sum += T;
-  return 2e-16 * reach * sum + 1e-15 * at_.size;
+  for (const Vector3d& x : here_.x) reach = std::max(reach, x.norm());
+  for (double T : here_.E.tension) sum += T;
+  return 2e-16 * reach * sum + 1e-15 * here_.E.size;
 }
 
 /// Shortens the step until E falls. @return whether it did
@@ -432,7 +428,7 @@ bool NetDescent::line_search() {
     double slope = 0;
     const bool possible = try_step(part, slope);
     // Armijo's condition, up to rounding.
-    if (possible && next_.energy <= at_.energy + 1e-4 * std::min(slope, 0.0) + noise) {
+    if (possible && next_.E.energy <= here_.E.energy + 1e-4 * std::min(slope, 0.0) + noise) {
       // Radius for the next step.
       accept();
       if (part < 0.3)

@@ -30,13 +30,22 @@ class NetDescent {
   // A push that exceeds the tolerance only within this is due to stiffness [m]
   static constexpr double kSoft = 1e-4;
 
+  /// Where the nodes are, and what is known there.
+  struct Place {
+    explicit Place(const NetPlan& plan)
+        : E(plan), x(plan.net.nodes.size()), contact(plan.pattern.size()) {}
+    NetEnergy E;
+    std::vector<Eigen::Vector3d> x;    // nodes, world [m]
+    std::vector<NodeContact> contact;  // (rows)
+  };
+
   [[nodiscard]] int rows() const { return plan_.pattern.size(); }
 
   // From the start to equilibrium.
   void place(const TreeState<double>& state, const Eigen::Matrix3Xd* start);
   void project_start(int k);
   void accept();
-  void measure(NetEnergy& energy, const std::vector<Eigen::Vector3d>& x);
+  void measure(Place& at);
   NetStatus descend(int patience);
   NetStatus settle(const TreeState<double>& state, const NetDrive& drive,
                    const Eigen::Matrix3Xd* start, int patience);
@@ -79,11 +88,10 @@ class NetDescent {
   NetPlan plan_;
   NetSolverOptions options_;
   NetScene scene_;
-  NetEnergy at_, next_;
+  Place here_, next_;  // last accepted, and tried
   BlockMatrix reduced_;
   BlockFactor factor_;
-  std::vector<Eigen::Vector3d> x_, x_next_, step_;
-  std::vector<NodeContact> contact_, contact_next_;
+  std::vector<Eigen::Vector3d> step_;  // (rows) [m]
   std::vector<int> pushed_out_;
   std::vector<int> draws_;  // how often each band drew its node in
   double residual_ = 0;     // largest out-of-balance force [N]

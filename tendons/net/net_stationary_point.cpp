@@ -18,13 +18,13 @@ bool NetDescent::collapse_to_exit(int b) {
   if ((at.ka >= 0) == (at.kb >= 0) || draws_[b] > 2) return false;
   const int k = std::max(at.ka, at.kb), i = plan_.node[k];
   // The exit must be outside of the node's bones.
-  const Vector3d exit = x_[at.ka >= 0 ? band.b : band.a];
+  const Vector3d exit = here_.x[at.ka >= 0 ? band.b : band.a];
   for (int s : plan_.net.nodes[i].surfaces)
     if (gap_world(plan_.net, scene_, s, exit).gap < 0) return false;
   // The node rests in the exit.
-  x_[i] = exit;
-  contact_[k].collapsed += scene_.pull[b];
-  contact_[k].touching = contact_[k].pressed = 0;
+  here_.x[i] = exit;
+  here_.contact[k].collapsed += scene_.pull[b];
+  here_.contact[k].touching = here_.contact[k].pressed = 0;
   scene_.collapsed[b] = true;
   ++draws_[b];
   return true;
@@ -36,7 +36,7 @@ bool NetDescent::release_from_exit() {
   // Bands whose node is pulled out of the exit by more than the tolerance.
   for (std::size_t b = 0; b < plan_.bands.size(); ++b) {
     if (!scene_.collapsed[b]) continue;
-    NodeContact& c = contact_[std::max(plan_.bands[b].ka, plan_.bands[b].kb)];
+    NodeContact& c = here_.contact[std::max(plan_.bands[b].ka, plan_.bands[b].kb)];
     if (c.left.norm() <= options_.tolerance) continue;
     scene_.collapsed[b] = false;
     any = true;
@@ -45,7 +45,7 @@ bool NetDescent::release_from_exit() {
   for (std::size_t b = 0; any && b < plan_.bands.size(); ++b) {
     const int k = std::max(plan_.bands[b].ka, plan_.bands[b].kb);
     if (k < 0) continue;  // between two bones
-    NodeContact& c = contact_[k];
+    NodeContact& c = here_.contact[k];
     if (c.collapsed > 0 && !scene_.collapsed[b] && c.left.norm() > options_.tolerance)
       c.collapsed = 0;
   }
@@ -58,7 +58,7 @@ bool NetDescent::update_multipliers() {
   for (int b = 0; b < static_cast<int>(plan_.bands.size()); ++b) {
     // Short bands of constant pull.
     const NetBand& band = plan_.net.bands[b];
-    const Vector3d d = x_[band.a] - x_[band.b];
+    const Vector3d d = here_.x[band.a] - here_.x[band.b];
     if (scene_.collapsed[b] || !is_regularised(scene_, b, d.norm())) continue;
     // Force that the augmented Lagrangian shows there.
     Vector3d p = scene_.multiplier[b] + scene_.penalty[b] * d;
@@ -99,15 +99,15 @@ bool NetDescent::leave_saddle() {
   if (!factor_.negative_direction(step_)) return false;
   double longest = 0;
   for (int k = 0; k < rows(); ++k) {
-    step_[k] = contact_[k].Q.transpose() * step_[k].eval();
+    step_[k] = here_.contact[k].Q.transpose() * step_[k].eval();
     longest = std::max(longest, step_[k].norm());
   }
   // The first step either way that lowers the energy.
-  const double noise = 1e-14 * at_.size;
+  const double noise = 1e-14 * here_.E.size;
   for (double size = 1e-3; size > 1e-7; size *= 0.3)
     for (double way : {size, -size}) {
       double slope = 0;
-      if (!try_step(way / longest, slope) || next_.energy > at_.energy - noise) continue;
+      if (!try_step(way / longest, slope) || next_.E.energy > here_.E.energy - noise) continue;
       accept();
       return true;
     }
@@ -150,7 +150,7 @@ std::vector<int> NetDescent::far_side_bands() const {
     if (plan_.net.bands[b].over < 0 || bone.sphere) continue;
     // A free end behind the axis, near the half plane.
     const auto beyond = [&](int node) {
-      const Vector3d p = x_[node] - bone.center;
+      const Vector3d p = here_.x[node] - bone.center;
       const double along = bone.e1.dot(p), across = bone.e2.dot(p);
       return plan_.net.nodes[node].free && along < 0 && std::abs(across) < -kCutAngle * along;
     };
@@ -167,19 +167,19 @@ void NetDescent::report_band(int b, NetEquilibrium& out) const {
     const int k = std::max(plan_.bands[b].ka, plan_.bands[b].kb);
     // Several pulls that meet in one exit share what they hold.
     const double sign = plan_.bands[b].ka >= 0 ? -1 : 1;
-    const Vector3d force = sign * scene_.pull[b] / contact_[k].collapsed * at_.g[k];
+    const Vector3d force = sign * scene_.pull[b] / here_.contact[k].collapsed * here_.E.g[k];
     out.collapsed.push_back({b, -force});
     out.length(b) = 0;
     out.tension(b) = force.norm();
     return;
   }
   // Length and tension of an ordinary band.
-  out.length(b) = at_.length[b];
-  out.tension(b) = at_.tension[b];
+  out.length(b) = here_.E.length[b];
+  out.tension(b) = here_.E.tension[b];
   // A short band of constant pull shows the force on its node.
-  const double length = (x_[band.a] - x_[band.b]).norm();
+  const double length = (here_.x[band.a] - here_.x[band.b]).norm();
   if (length > kDrawnLength || !is_regularised(scene_, b, length)) return;
-  const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
+  const BandState now = band_state(plan_.net, scene_, b, here_.x[band.a], here_.x[band.b]);
   if (now.chord.bent) return;
   out.collapsed.push_back({b, -now.pull.tension * now.chord.slope.head<3>()});
   out.tension(b) = out.collapsed.back().force.norm();
@@ -191,7 +191,7 @@ std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
   // Residual of a chain of knots, which add up their own, over the tolerance [1]
   constexpr double kKnotTolerances = 10;
   // Nodes held by a taut band, or in an exit.
-  std::vector<bool> held(x_.size(), false);
+  std::vector<bool> held(here_.x.size(), false);
   const auto hold = [&](int band) {
     const NetBand& holds = plan_.net.bands[static_cast<std::size_t>(band)];
     held[holds.a] = held[holds.b] = true;
@@ -201,7 +201,7 @@ std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
   for (const CollapsedBand& collapsed : at.collapsed) hold(collapsed.band);
   // Floating nodes that are left.
   std::vector<int> found;
-  for (std::size_t i = 0; i < x_.size(); ++i)
+  for (std::size_t i = 0; i < here_.x.size(); ++i)
     if (plan_.row[i] >= 0 && !held[i]) found.push_back(static_cast<int>(i));
   return found;
 }
@@ -213,13 +213,14 @@ NetEquilibrium NetDescent::report(NetStatus status) const {
   out.residual = residual_;
   out.iterations = iterations_;
   out.evaluations = evaluations_;
-  out.energy = at_.energy;
+  out.energy = here_.E.energy;
   out.pushed_out = pushed_out_;
   if (status == NetStatus::kStalled) out.far_side_bands = far_side_bands();
   if (!out.far_side_bands.empty()) out.status = NetStatus::kFarSideWrap;
   // Nodes and bands.
-  out.x.resize(3, static_cast<Eigen::Index>(x_.size()));
-  for (Eigen::Index i = 0; i < out.x.cols(); ++i) out.x.col(i) = x_[static_cast<std::size_t>(i)];
+  out.x.resize(3, static_cast<Eigen::Index>(here_.x.size()));
+  for (Eigen::Index i = 0; i < out.x.cols(); ++i)
+    out.x.col(i) = here_.x[static_cast<std::size_t>(i)];
   const int bands = static_cast<int>(plan_.bands.size());
   out.length.resize(bands);
   out.tension.resize(bands);
@@ -229,11 +230,12 @@ NetEquilibrium NetDescent::report(NetStatus status) const {
     out.status = NetStatus::kNodeCollapsed;
   // Contacts, without the rounding of bands that bend over the bone.
   for (int k = 0; k < rows(); ++k)
-    for (int c = 0; c < contact_[k].pressed; ++c)
+    for (int c = 0; c < here_.contact[k].pressed; ++c)
       out.contacts.push_back(
-          {plan_.node[k], contact_[k].surface[c],
-           contact_[k].force[c] - normal_rounding(k, contact_[k].surface[c], contact_[k].normal[c]),
-           contact_[k].normal[c]});
+          {plan_.node[k], here_.contact[k].surface[c],
+           here_.contact[k].force[c] -
+               normal_rounding(k, here_.contact[k].surface[c], here_.contact[k].normal[c]),
+           here_.contact[k].normal[c]});
   out.undetermined = undetermined(out);
   return out;
 }

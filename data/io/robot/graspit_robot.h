@@ -18,16 +18,4 @@ namespace thenar {
 /// Source: [GraspIt] for the format.
 [[nodiscard]] RobotSpec read_graspit_robot(const std::string& path);
 
-/// Drive of a joint parameter, "d2*0.333+40": the degree of freedom, ratio and offset.
-struct GraspitDrive {
-  int dof = -1;          // -1: a constant, in `offset`
-  double ratio = 1;      // [1]
-  double offset = 0;     // in the file's unit [deg] or [mm]
-  bool ignored = false;  // the offset follows '-' alone, for which GraspIt! itself takes 0
-};
-
-/// Parses "d0", "d1*0.5", "d1+40", "d1*0.5-2", "0.5*d1", or a number.
-/// @throws InputError for anything else.
-[[nodiscard]] GraspitDrive parse_graspit_drive(const std::string& text);
-
 }  // namespace thenar

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -148,38 +149,13 @@ class BodyTree {
                 const std::vector<MassProperties>& masses) {
     const auto inertial = std::find_if(parts.begin(), parts.end(),
                                        [](const Part& part) { return is(part, "inertial"); });
-    // The compiler's settings decide where the mass comes from.
-    const std::string& from_geom = source_.compiler.inertia_from_geom;
-    MassProperties mass;
-    if (from_geom == "true" || (from_geom == "auto" && inertial == parts.end())) {
-      mass = together(masses);
-    } else if (inertial != parts.end()) {
-      mass = read_inertial(*inertial);
-    }
-    // A lower bound of the mass.
-    if (mass.mass < source_.compiler.bound_mass) mass.mass = source_.compiler.bound_mass;
+    std::optional<internal::MjcfInertial> stated;
+    if (inertial != parts.end() && source_.compiler.inertia_from_geom != "true")
+      stated = {MjcfElement(source_, inertial->node, inertial->childclass), inertial->X_BF};
+    const MassProperties mass = internal::mass_of_body(source_.compiler, stated, masses);
     link.mass = mass.mass;
     link.com = mass.centre;
     link.inertia = mass.inertia;
-  }
-
-  [[nodiscard]] MassProperties read_inertial(const Part& part) const {
-    const MjcfElement inertial(source_, part.node, part.childclass);
-    if (!inertial.has("mass")) inertial.fail("<inertial> wants mass=\"..\"");
-    Eigen::Matrix3d I = Eigen::Matrix3d::Zero();
-    // A full tensor, or its diagonal.
-    const std::vector<double> full = inertial.numbers("fullinertia");
-    if (!full.empty()) {
-      if (full.size() != 6) inertial.fail("fullinertia wants 6 numbers");
-      I << full[0], full[3], full[4],  //
-          full[3], full[1], full[5],   //
-          full[4], full[5], full[2];
-    } else {
-      I = inertial.vector3("diaginertia", Eigen::Vector3d::Zero()).asDiagonal();
-    }
-    // In the frame of the body.
-    const Pose<double> X = part.X_BF * inertial.pose();
-    return {inertial.number("mass", 0), X.p, X.R * I * X.R.transpose()};
   }
 
   void connect(const std::string& name, const std::string& parent, const Pose<double>& X_PB,

@@ -187,6 +187,25 @@ void note_contact(const MjcfSource& source, const MjcfElement& geom) {
       source.unread.note(node, fmt::format("{} of a <geom> is not read", attribute));
 }
 
+MassProperties read_inertial(const MjcfInertial& stated) {
+  const MjcfElement& inertial = stated.element;
+  if (!inertial.has("mass")) inertial.fail("<inertial> wants mass=\"..\"");
+  Eigen::Matrix3d I = Eigen::Matrix3d::Zero();
+  // A full tensor, or its diagonal.
+  const std::vector<double> full = inertial.numbers("fullinertia");
+  if (!full.empty()) {
+    if (full.size() != 6) inertial.fail("fullinertia wants 6 numbers");
+    I << full[0], full[3], full[4],  //
+        full[3], full[1], full[5],   //
+        full[4], full[5], full[2];
+  } else {
+    I = inertial.vector3("diaginertia", Eigen::Vector3d::Zero()).asDiagonal();
+  }
+  // In the frame of the body.
+  const Pose<double> X = stated.X_BF * inertial.pose();
+  return {inertial.number("mass", 0), X.p, X.R * I * X.R.transpose()};
+}
+
 }  // namespace
 
 MjcfMeshes find_meshes(const MjcfSource& source) {
@@ -231,6 +250,21 @@ MjcfGeom read_geom(const MjcfSource& source, const MjcfMeshes& meshes, const Mjc
   }
   result.shape = std::move(shape);
   return result;
+}
+
+MassProperties mass_of_body(const MjcfCompiler& compiler,
+                            const std::optional<MjcfInertial>& inertial,
+                            const std::vector<MassProperties>& geoms) {
+  MassProperties mass;
+  // The compiler's settings decide where the mass comes from.
+  if (compiler.inertia_from_geom == "true" || (compiler.inertia_from_geom == "auto" && !inertial)) {
+    mass = together(geoms);
+  } else if (inertial) {
+    mass = read_inertial(*inertial);
+  }
+  // A lower bound of the mass.
+  if (mass.mass < compiler.bound_mass) mass.mass = compiler.bound_mass;
+  return mass;
 }
 
 }  // namespace thenar::internal

@@ -68,5 +68,18 @@ using MjcfMeshes = std::map<std::string, pugi::xml_node>;
                                  const MjcfElement& geom, const Pose<double>& X_BF,
                                  const std::string& body, std::vector<std::string>& warnings);
 
+/// The <inertial> of a body, with the frame of the element in the body.
+struct MjcfInertial {
+  MjcfElement element;
+  Pose<double> X_BF;
+};
+
+/// Computes the mass of a body: that of its <inertial> or of its geoms together, as the compiler's
+/// settings decide, and at least their lower bound.
+/// @throws DataError if an <inertial> that counts has no mass, or not six numbers of a tensor
+[[nodiscard]] MassProperties mass_of_body(const MjcfCompiler& compiler,
+                                          const std::optional<MjcfInertial>& inertial,
+                                          const std::vector<MassProperties>& geoms);
+
 }  // namespace internal
 }  // namespace thenar

@@ -12,10 +12,16 @@
 #include "base/file_io.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/link_poses.h"
+#include "data/io/robot/urdf_losses.h"
 #include "geometry/solid.h"
 
 namespace thenar {
 namespace {
+
+using internal::CouplingLine;
+using internal::leader_of;
+using internal::line_of;
+using internal::losses_in_urdf;
 
 std::string numbers(const Eigen::Vector3d& v) {
   return fmt::format("{} {} {}", v.x(), v.y(), v.z());
@@ -35,6 +41,63 @@ void append_origin(pugi::xml_node& node, const Pose<double>& X) {
   set(origin, "rpy", numbers(roll_pitch_yaw(X.R)));
 }
 
+void append_mass(pugi::xml_node& node, const RobotLink& link, const Pose<double>& X) {
+  pugi::xml_node inertial = node.append_child("inertial");
+  // About the centre of mass, in the axes of the URDF link.
+  append_origin(inertial, {Eigen::Matrix3d::Identity(), X * link.com});
+  pugi::xml_node mass = inertial.append_child("mass");
+  set(mass, "value", link.mass);
+  const Eigen::Matrix3d I = X.R * link.inertia * X.R.transpose();
+  pugi::xml_node inertia = inertial.append_child("inertia");
+  set(inertia, "ixx", I(0, 0));
+  set(inertia, "ixy", I(0, 1));
+  set(inertia, "ixz", I(0, 2));
+  set(inertia, "iyy", I(1, 1));
+  set(inertia, "iyz", I(1, 2));
+  set(inertia, "izz", I(2, 2));
+}
+
+/// Appends geometry for contact and for display, each filled by `fill`.
+template <typename Fill>
+void append_geometry(pugi::xml_node& link, const Pose<double>& X, const Fill& fill) {
+  for (const char* use : {"visual", "collision"}) {
+    pugi::xml_node node = link.append_child(use);
+    append_origin(node, X);
+    pugi::xml_node geometry = node.append_child("geometry");
+    fill(geometry);
+  }
+}
+
+void append_sphere(pugi::xml_node& link, const Pose<double>& X, double radius) {
+  append_geometry(link, X, [&](pugi::xml_node& geometry) {
+    pugi::xml_node sphere = geometry.append_child("sphere");
+    set(sphere, "radius", radius);
+  });
+}
+
+void append_cylinder(pugi::xml_node& link, const Pose<double>& X, double radius, double length) {
+  append_geometry(link, X, [&](pugi::xml_node& geometry) {
+    pugi::xml_node cylinder = geometry.append_child("cylinder");
+    set(cylinder, "radius", radius);
+    set(cylinder, "length", length);
+  });
+}
+
+void append_mesh(pugi::xml_node& link, const Pose<double>& X, const std::string& file,
+                 double scale) {
+  append_geometry(link, X, [&](pugi::xml_node& geometry) {
+    pugi::xml_node mesh = geometry.append_child("mesh");
+    set(mesh, "filename", file);
+    set(mesh, "scale", numbers(Eigen::Vector3d::Constant(scale)));
+  });
+}
+
+/// The text of a comment, which must not contain "--".
+std::string comment(std::string text) {
+  for (std::size_t at; (at = text.find("--")) != std::string::npos;) text.replace(at, 2, "- -");
+  return " " + text + " ";
+}
+
 /// Writes one robot.
 class Export {
  public:
@@ -46,7 +109,7 @@ class Export {
     // Links and joints.
     pugi::xml_node top = document.append_child("robot");
     set(top, "name", robot_.name);
-    name_unsaid();
+    out_.warnings = losses_in_urdf(robot_);
     for (const RobotLink& link : robot_.links) append_link(top, link);
     for (const RobotJoint& joint : robot_.joints) append_joint(top, joint);
     // Warnings as comments at the top.
@@ -59,86 +122,6 @@ class Export {
   }
 
  private:
-  /// The text of a comment, which must not contain "--".
-  static std::string comment(std::string text) {
-    for (std::size_t at; (at = text.find("--")) != std::string::npos;) text.replace(at, 2, "- -");
-    return " " + text + " ";
-  }
-
-  /// Warns of a property that URDF cannot express, if any part has it.
-  void leave_out(const std::string& what, const std::vector<std::string>& of) {
-    if (!of.empty())
-      out_.warnings.push_back(
-          fmt::format("URDF has no {}: left out of {}", what, fmt::join(of, ", ")));
-  }
-
-  template <typename Part, typename Has>
-  static std::vector<std::string> names_of(const std::vector<Part>& parts, const Has& has) {
-    std::vector<std::string> names;
-    for (const Part& part : parts)
-      if (has(part)) names.push_back(part.name);
-    return names;
-  }
-
-  void name_unsaid_of_links() {
-    leave_out("materials of contact",
-              names_of(robot_.links, [](const RobotLink& link) { return !link.material.empty(); }));
-    leave_out("digits",
-              names_of(robot_.links, [](const RobotLink& link) { return !link.digit.empty(); }));
-    leave_out("inertia without mass", names_of(robot_.links, [](const RobotLink& link) {
-                return !(link.mass > 0) && !link.inertia.isZero(0);
-              }));
-    const RobotApproach unsaid;
-    if (robot_.approach.point != unsaid.point || robot_.approach.direction != unsaid.direction)
-      leave_out("approach", {robot_.name});
-  }
-
-  void name_unsaid_of_motors() {
-    leave_out("places where closing begins",
-              names_of(robot_.dofs, [](const RobotDof& dof) { return dof.open.has_value(); }));
-    for (const std::string& loop : robot_.open_loops)
-      out_.warnings.push_back("URDF has no loops, open as it is: " + loop);
-    if (robot_.closing_stated)
-      leave_out("direction of closing",
-                names_of(robot_.dofs, [](const RobotDof& dof) { return dof.speed != 0; }));
-    leave_out("nominal efforts, so that they count as known",
-              names_of(robot_.dofs, [](const RobotDof& dof) { return dof.nominal_effort; }));
-    leave_out("worms and brakes",
-              names_of(robot_.dofs, [](const RobotDof& dof) { return !dof.backdrivable; }));
-    for (const RobotDof& dof : robot_.dofs)
-      if (!drives(dof.name))
-        leave_out("motors without joints", {dof.name});
-      else if (leader(dof.name).name != dof.name)
-        out_.warnings.push_back(
-            fmt::format("URDF has no names of motors: '{}' is that of joint '{}'", dof.name,
-                        leader(dof.name).name));
-    for (const RobotJoint& joint : robot_.joints)
-      if (joint.kind != RobotJointKind::kFixed && joint.dof.empty())
-        out_.warnings.push_back(
-            fmt::format("URDF has no joints without motors: '{}' gets one", joint.name));
-  }
-
-  /// Warns of everything that URDF cannot express.
-  void name_unsaid() {
-    name_unsaid_of_links();
-    name_unsaid_of_motors();
-    for (const RobotDof& dof : robot_.dofs)
-      if (dof.kind != DriveCoupling::kRigid)
-        out_.warnings.push_back(fmt::format("URDF has no {} couplings: '{}' is written as rigid",
-                                            name_in(kDriveCouplingNames, dof.kind), dof.name));
-    for (const RobotJoint& joint : robot_.joints)
-      if (!joint.curve.empty())
-        out_.warnings.push_back(
-            fmt::format("URDF has no curved couplings: that of joint '{}' is written as a line, "
-                        "off by up to {:.3g} "
-                        "rad or m",
-                        joint.name, line_of(joint).off));
-    for (const RobotJoint& joint : robot_.joints)
-      if (joint.stiffness != 0)
-        out_.warnings.push_back(
-            fmt::format("URDF has no springs: that of joint '{}' is left out", joint.name));
-  }
-
   /// Pose of the link's frame in that of its URDF link.
   // NOLINTNEXTLINE(readability-identifier-naming): a pose, with its frames
   [[nodiscard]] Pose<double> X_UL(const std::string& link) const {
@@ -153,58 +136,6 @@ class Export {
     const Pose<double> X = X_UL(link.name);
     if (link.mass > 0) append_mass(node, link, X);
     for (const ShapeSpec& shape : link.shapes) append_shape(node, shape, X * shape.X_BS, link.name);
-  }
-
-  static void append_mass(pugi::xml_node& node, const RobotLink& link, const Pose<double>& X) {
-    pugi::xml_node inertial = node.append_child("inertial");
-    // About the centre of mass, in the axes of the URDF link.
-    append_origin(inertial, {Eigen::Matrix3d::Identity(), X * link.com});
-    pugi::xml_node mass = inertial.append_child("mass");
-    set(mass, "value", link.mass);
-    const Eigen::Matrix3d I = X.R * link.inertia * X.R.transpose();
-    pugi::xml_node inertia = inertial.append_child("inertia");
-    set(inertia, "ixx", I(0, 0));
-    set(inertia, "ixy", I(0, 1));
-    set(inertia, "ixz", I(0, 2));
-    set(inertia, "iyy", I(1, 1));
-    set(inertia, "iyz", I(1, 2));
-    set(inertia, "izz", I(2, 2));
-  }
-
-  /// Appends geometry for contact and for display, each filled by `fill`.
-  template <typename Fill>
-  static void append_geometry(pugi::xml_node& link, const Pose<double>& X, const Fill& fill) {
-    for (const char* use : {"visual", "collision"}) {
-      pugi::xml_node node = link.append_child(use);
-      append_origin(node, X);
-      pugi::xml_node geometry = node.append_child("geometry");
-      fill(geometry);
-    }
-  }
-
-  static void append_sphere(pugi::xml_node& link, const Pose<double>& X, double radius) {
-    append_geometry(link, X, [&](pugi::xml_node& geometry) {
-      pugi::xml_node sphere = geometry.append_child("sphere");
-      set(sphere, "radius", radius);
-    });
-  }
-
-  static void append_cylinder(pugi::xml_node& link, const Pose<double>& X, double radius,
-                              double length) {
-    append_geometry(link, X, [&](pugi::xml_node& geometry) {
-      pugi::xml_node cylinder = geometry.append_child("cylinder");
-      set(cylinder, "radius", radius);
-      set(cylinder, "length", length);
-    });
-  }
-
-  static void append_mesh(pugi::xml_node& link, const Pose<double>& X, const std::string& file,
-                          double scale) {
-    append_geometry(link, X, [&](pugi::xml_node& geometry) {
-      pugi::xml_node mesh = geometry.append_child("mesh");
-      set(mesh, "filename", file);
-      set(mesh, "scale", numbers(Eigen::Vector3d::Constant(scale)));
-    });
   }
 
   void append_shape(pugi::xml_node& link, const ShapeSpec& shape, const Pose<double>& X,
@@ -248,21 +179,6 @@ class Export {
     return file;
   }
 
-  [[nodiscard]] bool drives(const std::string& dof) const {
-    return std::any_of(robot_.joints.begin(), robot_.joints.end(),
-                       [&](const RobotJoint& joint) { return joint.dof == dof; });
-  }
-
-  [[nodiscard]] const RobotJoint& leader(const std::string& dof) const {
-    const RobotJoint* first = nullptr;
-    for (const RobotJoint& joint : robot_.joints) {
-      if (joint.dof != dof) continue;
-      if (joint.ratio == 1 && joint.offset == 0 && joint.curve.empty()) return joint;
-      if (first == nullptr || (!first->curve.empty() && joint.curve.empty())) first = &joint;
-    }
-    return *first;
-  }
-
   void append_joint(pugi::xml_node& top, const RobotJoint& joint) {
     pugi::xml_node node = top.append_child("joint");
     // Names, kind and frames.
@@ -291,7 +207,7 @@ class Export {
     for (const RobotDof& dof : robot_.dofs)
       if (dof.name == joint.dof) {
         velocity = std::abs(dof.speed * joint.ratio);
-        if (&leader(dof.name) != &joint) continue;
+        if (&leader_of(robot_, dof.name) != &joint) continue;
         effort = dof.max_effort / std::abs(joint.ratio);
         const double a = joint_value(joint, dof.lower), b = joint_value(joint, dof.upper);
         lower = std::max(lower, std::min(a, b));
@@ -304,39 +220,12 @@ class Export {
     set(limit, "velocity", velocity);
   }
 
-  /// A linear coupling.
-  struct Line {
-    double ratio, offset;
-    double off = 0;  // largest deviation from the curve [rad] or [m]
-  };
-
-  /// The linear coupling of a joint; for a curve the line parallel to its chord with the smallest
-  /// largest deviation.
-  [[nodiscard]] Line line_of(const RobotJoint& joint) const {
-    if (joint.curve.empty()) return {joint.ratio, joint.offset};
-    const auto dof = std::find_if(robot_.dofs.begin(), robot_.dofs.end(),
-                                  [&](const RobotDof& each) { return each.name == joint.dof; });
-    // Chord of the curve.
-    const double span = dof->upper - dof->lower, at_lower = joint_value(joint, dof->lower);
-    const double ratio =
-        span > 0 ? (joint_value(joint, dof->upper) - at_lower) / span : joint.ratio;
-    // Range of deviations from the chord.
-    double least = 0, most = 0;
-    for (int i = 0; i <= 100; ++i) {
-      const double u = dof->lower + span * i / 100;
-      const double off = joint_value(joint, u) - at_lower - ratio * (u - dof->lower);
-      least = std::min(least, off);
-      most = std::max(most, off);
-    }
-    return {ratio, at_lower - ratio * dof->lower + (least + most) / 2, (most - least) / 2};
-  }
-
   /// Mimics the leader: v = r q + b and v_0 = r_0 q + b_0 give v = (r / r_0) v_0 + b - (r / r_0)
   /// b_0.
   void append_mimic(pugi::xml_node& node, const RobotJoint& joint) const {
-    const RobotJoint& first = leader(joint.dof);
+    const RobotJoint& first = leader_of(robot_, joint.dof);
     if (&first == &joint) return;
-    const Line line = line_of(joint);
+    const CouplingLine line = line_of(robot_, joint);
     const double ratio = line.ratio / first.ratio;
     pugi::xml_node mimic = node.append_child("mimic");
     set(mimic, "joint", first.name);

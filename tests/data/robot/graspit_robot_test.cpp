@@ -178,23 +178,6 @@ TEST_F(GraspitRobot, SlidesAlongTheTurnedAxis) {
   EXPECT_TRUE(matrix_near(X.p, Eigen::Vector3d(0, 0.002, 0.025), kGraspitRounding));
 }
 
-TEST(GraspitDrive, ParsesItsForms) {
-  const auto parts = [](const std::string& text) {
-    const GraspitDrive drive = parse_graspit_drive(text);
-    return std::vector<double>{static_cast<double>(drive.dof), drive.ratio, drive.offset,
-                               drive.ignored ? 1. : 0.};
-  };
-  EXPECT_THAT(parts("d0"), ElementsAre(0, 1, 0, 0));
-  EXPECT_THAT(parts(" d12*0.333+40 "), ElementsAre(12, 0.333, 40, 0));
-  EXPECT_THAT(parts("d1 * -1.0 + -5e-1"), ElementsAre(1, -1, -0.5, 0));
-  EXPECT_THAT(parts("d3+90"), ElementsAre(3, 1, 90, 0));
-  EXPECT_THAT(parts("0.5*d2"), ElementsAre(2, 0.5, 0, 0));
-  EXPECT_THAT(parts("-17.5"), ElementsAre(-1, 1, -17.5, 0));
-  EXPECT_THAT(parts("d1-2.46"), ElementsAre(1, 1, -2.46, 1));
-  for (const std::string text : {"", "x1", "d", "d1*", "d1+", "d1 40", "d1*2*3", "nan"})
-    EXPECT_THAT(message_of([&] { (void)parse_graspit_drive(text); }), HasSubstr("wanted")) << text;
-}
-
 TEST_F(GraspitRobot, NamesWhatItDoesNotReadAndWhatIsMissing) {
   const RobotSpec robot =
       read(kDofs + "<eigenGrasps>e.xml</eigenGrasps><virtualContacts>c</virtualContacts><chain>" +

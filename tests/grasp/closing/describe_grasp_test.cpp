@@ -11,10 +11,9 @@ namespace thenar {
 namespace {
 
 TEST(DescribeGrasp, NamesTheLargePartsOfADirection) {
-  ScaledWrench w = ScaledWrench::Zero();
-  EXPECT_EQ(direction_words(w), "none");
-  w << 0, 0, -1, 0.2, 0.5, 0;  // 0.2 is below a third of the largest
-  EXPECT_EQ(direction_words(w), "force along -z, torque about +y");
+  EXPECT_EQ(direction_words({}), "none");
+  // 0.2 is below a third of the largest.
+  EXPECT_EQ(direction_words({{0, 0, -1}, {0.2, 0.5, 0}}), "force along -z, torque about +y");
 }
 
 // Two hard points of friction 0.5 across a ball hold it but for turning about their line; the same

@@ -23,9 +23,9 @@ TEST(Pyramids, StartAlongTheFirstTangent) {
   const WrenchSet set = wrench_set({contact}, Eigen::Vector3d::Zero(), 1);
   const WrenchSet cut = pyramids(set, 4);
   ASSERT_EQ(cut.caps.size(), 4U);
-  ScaledWrench first;
+  WrenchCoordinates first;
   first << 0.5 * tangents(contact.n).e1 + contact.n, 0, 0, 0;
-  EXPECT_TRUE(matrix_near(cut.caps[0].c, first, 1e-15));
+  EXPECT_TRUE(matrix_near(cut.caps[0].c.vector(), first, 1e-15));
 }
 
 TEST(Pyramids, OfSoftFingersHavePoles) {
@@ -34,8 +34,8 @@ TEST(Pyramids, OfSoftFingersHavePoles) {
   contact.torsion = 0.1;
   const WrenchSet cut = pyramids(wrench_set({contact}, Eigen::Vector3d::Zero(), 1), 6);
   ASSERT_EQ(cut.caps.size(), 8U);
-  EXPECT_DOUBLE_EQ(std::abs(cut.caps[6].c(5)), 0.1);
-  EXPECT_DOUBLE_EQ(cut.caps[6].c(5), -cut.caps[7].c(5));
+  EXPECT_DOUBLE_EQ(std::abs(cut.caps[6].c.moment_over_length.z()), 0.1);
+  EXPECT_DOUBLE_EQ(cut.caps[6].c.moment_over_length.z(), -cut.caps[7].c.moment_over_length.z());
 }
 
 TEST(Pyramids, LieInTheConesAndThoseAboutContainThem) {
@@ -47,8 +47,8 @@ TEST(Pyramids, LieInTheConesAndThoseAboutContainThem) {
   const WrenchSet in = pyramids(set, 6), even = polytopes_in(set, 6),
                   about = polytopes_about(set, 6);
   for (int i = 0; i < 1000; ++i) {
-    ScaledWrench u;
-    for (double& x : u) x = uniform(rng, -1, 1);
+    const ScaledWrench u = ScaledWrench::from_coordinates(
+        WrenchCoordinates::NullaryExpr([&] { return uniform(rng, -1, 1); }));
     for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf}) {
       EXPECT_LE(support(in, u, limit), support(set, u, limit) + 1e-12);
       EXPECT_LE(support(even, u, limit), support(set, u, limit) + 1e-12);

@@ -28,7 +28,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kMu = 0.5;
 
 double load(const ForceSet& forces, int axis, double way = 1) {
-  const WrenchSupport reach = load_margin(forces, way * ScaledWrench::Unit(axis));
+  const WrenchSupport reach = load_margin(forces, way * ScaledWrench::unit(axis));
   EXPECT_TRUE(reach.status == Status::kSolved || reach.status == Status::kUnbounded);
   return reach.value;
 }

@@ -82,9 +82,9 @@ TEST(ForceSet, TorquesAreOfTheForcesOfTheWrenchSet) {
       const Eigen::MatrixXd T = torque_map(Crank(), kTurned, {contact}, X_HO);
       ASSERT_EQ(T.cols(), 1 + cap.A.cols());
       for (Eigen::Index k = 0; k < T.cols(); ++k) {
-        const ScaledWrench w = k == 0 ? cap.c : ScaledWrench(cap.A.col(k - 1));
-        const Eigen::Vector3d force = X_HO.R * w.head<3>();
-        const Eigen::Vector3d moment = X_HO.R * w.tail<3>() + X_HO.p.cross(force);
+        const ScaledWrench w = k == 0 ? cap.c : ScaledWrench::from_coordinates(cap.A.col(k - 1));
+        const Eigen::Vector3d force = X_HO.R * w.force;
+        const Eigen::Vector3d moment = X_HO.R * w.moment_over_length + X_HO.p.cross(force);
         EXPECT_NEAR(T(0, k), moment.z(), 1e-15) << turn << ' ' << k;
       }
     }

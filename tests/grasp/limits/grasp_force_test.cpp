@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSolved = 1e-8;  // of forces of order 10 N
 
-ScaledWrench weight(double newton) { return -newton * ScaledWrench::Unit(2); }
+ScaledWrench weight(double newton) { return -newton * ScaledWrench::unit(2); }
 
 // Two fingers on a ball, friction mu, weight w across: each carries w / 2 by friction, so each
 // presses w / (2 mu).
@@ -42,7 +42,7 @@ TEST(GraspForce, KeepsTheLargestForceSmall) {
 TEST(GraspForce, NeedsSoftFingersAgainstTwist) {
   const double w = 2, d = 0.01, e = 0.004, mu = 0.5;
   ScaledWrench load = weight(w);
-  load(3) = w * d / kScale;  // about x, the line of the contacts
+  load.moment_over_length.x() = w * d / kScale;  // about x, the line of the contacts
   EXPECT_EQ(minimum_grasp_force(free_forces(pinch(mu, 0)), load, GraspForceObjective::kSum).status,
             Status::kInfeasible);
   const GraspForce hold =
@@ -52,8 +52,8 @@ TEST(GraspForce, NeedsSoftFingersAgainstTwist) {
 }
 
 TEST(GraspForce, NeedsNothingWithoutLoad) {
-  const GraspForce hold = minimum_grasp_force(free_forces(pinch(0.5, 0)), ScaledWrench::Zero(),
-                                              GraspForceObjective::kSum);
+  const GraspForce hold =
+      minimum_grasp_force(free_forces(pinch(0.5, 0)), ScaledWrench{}, GraspForceObjective::kSum);
   ASSERT_EQ(hold.status, Status::kSolved);
   EXPECT_NEAR(hold.objective, 0, kSolved);
 }

@@ -29,9 +29,7 @@ ForceSet forces_of(const Hand& hand, const VectorXd& q, const std::vector<HandCo
 }
 
 double most(const ForceSet& forces, const Vector3d& along) {
-  ScaledWrench u = ScaledWrench::Zero();
-  u.head<3>() = along;
-  return wrench_support(forces, u).value;
+  return wrench_support(forces, {along, {0, 0, 0}}).value;
 }
 
 /// Largest force along z that leaves no force across, whatever torque comes with it.
@@ -41,9 +39,7 @@ double across(const ForceSet& forces) {
 }
 
 double load(const ForceSet& forces, const Vector3d& push) {
-  ScaledWrench d = ScaledWrench::Zero();
-  d.head<3>() = push;
-  return load_margin(forces, d).value;
+  return load_margin(forces, {push, {0, 0, 0}}).value;
 }
 
 /// Two fingers 80 mm apart that press an object between them 50 mm out: 0.3 N m are 6 N.
@@ -194,7 +190,7 @@ WrenchSupport tendon_finger(double inwards, double passive_elsewhere) {
     tendons.reactions.lower = VectorXd::Zero(1);
     tendons.reactions.upper = VectorXd::Constant(1, kNoTorqueLimit);
   }
-  return wrench_support(hand_forces(set, Vector3d(0.08, 0.03, 0), tendons), ScaledWrench::Unit(1));
+  return wrench_support(hand_forces(set, Vector3d(0.08, 0.03, 0), tendons), ScaledWrench::unit(1));
 }
 
 // 0.03 f = 0.008 t1 limits the tip: f = 10.67 N, t2 = 37.8 N.

@@ -36,8 +36,8 @@ TEST(Withstood, SupportOfUnitForcesIsThatOfTheCaps) {
   std::mt19937 rng(2);
   for (int trial = 0; trial < 100; ++trial) {
     const WrenchSet set = random_friction_set(rng, 1 + trial % 6);
-    const ScaledWrench u =
-        ScaledWrench::NullaryExpr([&] { return 2.0 * rng() / std::mt19937::max() - 1; });
+    const ScaledWrench u = ScaledWrench::from_coordinates(
+        WrenchCoordinates::NullaryExpr([&] { return 2.0 * rng() / std::mt19937::max() - 1; }));
     for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf}) {
       const WrenchSupport reach = wrench_support(unit_forces(set, limit), u);
       ASSERT_EQ(reach.status, Status::kSolved);
@@ -50,16 +50,16 @@ TEST(Withstood, SupportOfUnitForcesIsThatOfTheCaps) {
 // Each finger presses 6 N at most: the pinch bears mu 12 N across.
 TEST(Withstood, LoadAcrossAPinchIsBoundByItsMotors) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
-  const WrenchSupport reach = load_margin(hand, ScaledWrench::Unit(2));
+  const WrenchSupport reach = load_margin(hand, ScaledWrench::unit(2));
   ASSERT_EQ(reach.status, Status::kSolved);
   EXPECT_NEAR(reach.value, 6, kSolvedLoad);
-  EXPECT_TRUE(matrix_near(reach.wrench, -6 * ScaledWrench::Unit(2), kSolvedLoad));
+  EXPECT_TRUE(matrix_near(reach.wrench.vector(), -6 * WrenchCoordinates::Unit(2), kSolvedLoad));
 }
 
 // Along the line of the contacts one finger gives way first: at 6 N, the other one at 0.
 TEST(Withstood, LoadAlongAPinchIsBoundByOneMotor) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
-  EXPECT_NEAR(load_margin(hand, ScaledWrench::Unit(0)).value, 6, kSolvedLoad);
+  EXPECT_NEAR(load_margin(hand, ScaledWrench::unit(0)).value, 6, kSolvedLoad);
 }
 
 // The centre of mass lies beside the line of two points, as rounding has it, or a ten-thousandth of
@@ -68,9 +68,9 @@ TEST(Withstood, APinchBearsWhatItsLinePassesByNoMoreThanPlacesAreKnown) {
   for (const double off : {0.0, 1e-13, 1e-12, 1e-10, 1e-7, 1.9e-6, 1e-4}) {
     const WrenchSet set = wrench_set(pinch_contacts(0.5, 0), {0, off, 0}, kScale);
     const ForceSet hand = hand_forces(set, pinch_torques(0.5, 0), pinch_motors(0, 6));
-    const WrenchSupport reach = load_margin(hand, ScaledWrench::Unit(2));
+    const WrenchSupport reach = load_margin(hand, ScaledWrench::unit(2));
     const GraspForce least =
-        minimum_grasp_force(free_forces(set), ScaledWrench::Unit(2), GraspForceObjective::kSum);
+        minimum_grasp_force(free_forces(set), ScaledWrench::unit(2), GraspForceObjective::kSum);
     if (off > 1e-4 * kScale) {
       EXPECT_TRUE(reach.status != Status::kSolved || reach.value < kSolvedLoad) << off;
       EXPECT_NE(least.status, Status::kSolved) << off;
@@ -88,7 +88,7 @@ TEST(Withstood, CountsPassiveTorques) {
   Actuation motors = pinch_motors(0, 6);
   motors.tau_0.setConstant(2);
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), motors);
-  EXPECT_NEAR(load_margin(hand, ScaledWrench::Unit(2)).value, 8, kSolvedLoad);
+  EXPECT_NEAR(load_margin(hand, ScaledWrench::unit(2)).value, 8, kSolvedLoad);
 }
 
 // One tendon that pulls both fingers shares its 10 N: 5 N each, and none can press more than the
@@ -97,14 +97,14 @@ TEST(Withstood, OneTendonForTwoFingersBalancesThem) {
   const Actuation tendon{Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d::Zero(),
                          Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 10)};
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), tendon);
-  EXPECT_NEAR(load_margin(hand, ScaledWrench::Unit(2)).value, 5, kSolvedLoad);
-  EXPECT_NEAR(load_margin(hand, ScaledWrench::Unit(0)).value, 0, kSolvedLoad);
+  EXPECT_NEAR(load_margin(hand, ScaledWrench::unit(2)).value, 5, kSolvedLoad);
+  EXPECT_NEAR(load_margin(hand, ScaledWrench::unit(0)).value, 0, kSolvedLoad);
 }
 
 TEST(Withstood, IsWithoutLimitWhereActuatorsAre) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0),
                                     pinch_motors(-kNoForceLimit, kNoForceLimit));
-  const WrenchSupport reach = load_margin(hand, ScaledWrench::Unit(2));
+  const WrenchSupport reach = load_margin(hand, ScaledWrench::unit(2));
   EXPECT_EQ(reach.status, Status::kUnbounded);
   EXPECT_EQ(reach.value, kNoForceLimit);
 }
@@ -112,7 +112,7 @@ TEST(Withstood, IsWithoutLimitWhereActuatorsAre) {
 // Motors that must push apart at least 1 N cannot hold a finger on the ball.
 TEST(Withstood, SaysWhereNoForceBalancesTheHand) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(-3, -1));
-  const WrenchSupport reach = load_margin(hand, ScaledWrench::Unit(2));
+  const WrenchSupport reach = load_margin(hand, ScaledWrench::unit(2));
   EXPECT_EQ(reach.status, Status::kInfeasible);
   EXPECT_TRUE(std::isnan(reach.value));
 }
@@ -123,19 +123,19 @@ TEST(Withstood, ToleratesAJointThatFeelsNothing) {
   T.topRows(2) = pinch_torques(0.5, 0);
   const Actuation motors{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
                          Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(6)};
-  EXPECT_NEAR(load_margin(hand_forces(pinch(0.5, 0), T, motors), ScaledWrench::Unit(2)).value, 6,
+  EXPECT_NEAR(load_margin(hand_forces(pinch(0.5, 0), T, motors), ScaledWrench::unit(2)).value, 6,
               kSolvedLoad);
 }
 
 TEST(Withstood, IsZeroWithoutContactsOrFriction) {
-  EXPECT_EQ(load_margin(unit_forces({}, ForceNorm::kL1), ScaledWrench::Unit(2)).value, 0);
-  EXPECT_NEAR(load_margin(unit_forces(pinch(0, 0), ForceNorm::kL1), ScaledWrench::Unit(2)).value, 0,
+  EXPECT_EQ(load_margin(unit_forces({}, ForceNorm::kL1), ScaledWrench::unit(2)).value, 0);
+  EXPECT_NEAR(load_margin(unit_forces(pinch(0, 0), ForceNorm::kL1), ScaledWrench::unit(2)).value, 0,
               kSolvedLoad);
 }
 
 TEST(Withstood, RefusesADirectionOfZero) {
   EXPECT_EQ(message_of([] {
-              (void)load_margin(unit_forces(pinch(0.5, 0), ForceNorm::kL1), ScaledWrench::Zero());
+              (void)load_margin(unit_forces(pinch(0.5, 0), ForceNorm::kL1), ScaledWrench{});
             }),
             "the direction must be finite and not zero, its norm is 0");
 }
@@ -172,7 +172,7 @@ TEST(Withstood, JawsOnBoxesAlwaysHaveAnAnswer) {
     const Actuation motor{Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d::Zero(),
                           Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 40)};
     for (const int axis : {2, 5}) {
-      const WrenchSupport reach = load_margin(hand_forces(set, T, motor), ScaledWrench::Unit(axis));
+      const WrenchSupport reach = load_margin(hand_forces(set, T, motor), ScaledWrench::unit(axis));
       ASSERT_EQ(reach.status, Status::kSolved) << trial;
       ASSERT_LE(reach.residual, 1e-9) << trial;  // ten times what is asked for
     }
@@ -206,7 +206,7 @@ TEST(Withstood, IsWithoutLimitWhereOnlyRoundingOfNormalsLimitsIt) {
   std::mt19937 rng(3);
   for (int trial = 0; trial < 10; ++trial) {
     const ForceSet jaws = worm_jaws(jaws_on_box(rng, 4 + trial % 5), 1e-8);
-    const WrenchSupport reach = load_margin(jaws, ScaledWrench::Unit(0));
+    const WrenchSupport reach = load_margin(jaws, ScaledWrench::unit(0));
     ASSERT_EQ(reach.status, Status::kUnbounded) << trial;
     ASSERT_EQ(reach.value, kNoForceLimit) << trial;
   }

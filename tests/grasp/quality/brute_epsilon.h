@@ -13,8 +13,8 @@
 
 namespace thenar {
 
-inline ScaledWrench random_wrench_direction(std::mt19937& rng) {
-  ScaledWrench u;
+inline WrenchCoordinates random_wrench_direction(std::mt19937& rng) {
+  WrenchCoordinates u;
   do {
     for (double& x : u) x = uniform(rng, -1, 1);
   } while (u.norm() > 1 || u.norm() < 0.1);
@@ -34,29 +34,34 @@ class BruteEpsilon {
   double operator()(std::mt19937& rng, int most, double enough) const {
     double best = 1e300;
     for (int i = 0; i < 10 || (i < most && best > enough); ++i)
-      best = std::min(best, support(set_, descend(random_wrench_direction(rng), i % 5), limit_));
+      best = std::min(
+          best,
+          support(set_,
+                  ScaledWrench::from_coordinates(descend(random_wrench_direction(rng), i % 5)),
+                  limit_));
     return best;
   }
 
  private:
   struct Smooth {
     double h;
-    ScaledWrench slope;  // along the sphere
+    WrenchCoordinates slope;  // along the sphere
   };
 
-  Smooth smooth(const ScaledWrench& u, double t) const {
+  Smooth smooth(const WrenchCoordinates& u, double t) const {
     std::vector<double> reach;
-    std::vector<ScaledWrench> slope;
+    std::vector<WrenchCoordinates> slope;
     for (const WrenchCap& cap : set_.caps) {
       const Eigen::Vector3d z =
           (Eigen::Vector3d() << cap.A.transpose() * u, Eigen::VectorXd::Zero(3 - cap.A.cols()))
               .finished();
       const double length = std::sqrt(z.squaredNorm() + t * t);
-      reach.push_back(cap.c.dot(u) + length);
-      slope.emplace_back(cap.c + cap.A * (z.head(cap.A.cols()) / length));
+      const WrenchCoordinates c = cap.c.vector();
+      reach.push_back(c.dot(u) + length);
+      slope.emplace_back(c + cap.A * (z.head(cap.A.cols()) / length));
     }
     // kLinf joins each contact with 0 alone, kL1 all contacts with each other.
-    Smooth out{0, ScaledWrench::Zero()};
+    Smooth out{0, WrenchCoordinates::Zero()};
     const double top = *std::max_element(reach.begin(), reach.end());
     double sum = 0;
     for (std::size_t i = 0; i < reach.size(); ++i) {
@@ -78,32 +83,32 @@ class BruteEpsilon {
   }
 
   /// @param roughness  0 to start from a very smooth function, which leads to few minima
-  ScaledWrench descend(ScaledWrench u, int roughness) const {
+  WrenchCoordinates descend(WrenchCoordinates u, int roughness) const {
     for (double t = 0.3 * std::pow(3.0, -roughness); t > 1e-7; t /= 4) u = descend_at(u, t);
     return u;
   }
 
   /// BFGS on directions.
-  ScaledWrench descend_at(ScaledWrench u, double t) const {
+  WrenchCoordinates descend_at(WrenchCoordinates u, double t) const {
     using Matrix = Eigen::Matrix<double, 6, 6>;
     Matrix inverse = t * Matrix::Identity();
     Smooth now = smooth(u, t);
     for (int i = 0; i < 60; ++i) {
-      ScaledWrench way = -inverse * now.slope;
+      WrenchCoordinates way = -inverse * now.slope;
       if (way.dot(now.slope) >= 0) {
         inverse = t * Matrix::Identity();
         way = -inverse * now.slope;
       }
       double step = std::min(1.0, 0.5 / (way.norm() + 1e-300));
       Smooth next{};
-      ScaledWrench to;
+      WrenchCoordinates to;
       for (int halvings = 0; halvings < 40; ++halvings, step /= 2) {
         to = (u + step * way).normalized();
         next = smooth(to, t);
         if (next.h <= now.h + 1e-4 * step * way.dot(now.slope)) break;
       }
       if (!(next.h < now.h - 1e-12)) return u;
-      const ScaledWrench s = to - u, y = next.slope - now.slope;
+      const WrenchCoordinates s = to - u, y = next.slope - now.slope;
       const double sy = s.dot(y);
       if (sy > 1e-14) {
         const Matrix left = Matrix::Identity() - s * y.transpose() / sy;

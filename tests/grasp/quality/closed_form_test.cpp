@@ -69,13 +69,10 @@ TEST(ClosedForm, TwoSoftFingersLimitedByFriction) {
   for (const double mu : {0.2, 0.5, 1.0}) {
     const double gap = 1e-3, expected = friction_bound(mu);
     expect_enclosed(epsilon_of(opposed_fingers(mu, 2 * kTorqueScale), gap), expected, gap);
-    ScaledWrench worst = ScaledWrench::Zero();
-    worst(0) = mu;
-    worst(1) = 1;
-    worst(5) = kTorqueScale / kBodyRadius;
+    const ScaledWrench worst{{mu, 1, 0}, {0, 0, kTorqueScale / kBodyRadius}};
     const WrenchSet set =
         wrench_set(opposed_fingers(mu, 2 * kTorqueScale), {0, 0, 0}, kTorqueScale);
-    EXPECT_NEAR(support(set, worst.normalized(), ForceNorm::kL1), expected, kExact);
+    EXPECT_NEAR(support(set, (1 / worst.norm()) * worst, ForceNorm::kL1), expected, kExact);
   }
 }
 
@@ -136,7 +133,7 @@ TEST(ClosedForm, TwoHardFingersMissATwist) {
   const Epsilon found = epsilon_of(opposed_fingers(0.5, 0));
   expect_value(found, 0);
   EXPECT_EQ(found.rank, 5);
-  expect_missing(found, ScaledWrench::Unit(3));
+  expect_missing(found, ScaledWrench::unit(3));
 }
 
 TEST(ClosedForm, CollinearHardPointsMissATwist) {
@@ -145,7 +142,7 @@ TEST(ClosedForm, CollinearHardPointsMissATwist) {
   const Epsilon found = epsilon_of(contacts);
   expect_value(found, 0);
   EXPECT_EQ(found.rank, 5);
-  expect_missing(found, ScaledWrench::Unit(3));
+  expect_missing(found, ScaledWrench::unit(3));
 }
 
 // On a sphere, p and n are parallel: its wrench is the normal, friction is across it.
@@ -181,7 +178,7 @@ TEST(ClosedForm, FingersOnOneSideArePartlyHelpedByFriction) {
     }
     const Epsilon found = epsilon_of(contacts);
     expect_value(found, -(std::cos(phi) - mu * std::sin(phi)));
-    expect_missing(found, ScaledWrench::Unit(2));
+    expect_missing(found, ScaledWrench::unit(2));
   }
 }
 
@@ -195,7 +192,7 @@ TEST(ClosedForm, FrictionlessSphereCanAlwaysTurn) {
   const Epsilon found = epsilon_of(contacts);
   expect_value(found, 0);
   EXPECT_EQ(found.rank, 3);
-  EXPECT_LT(found.missing_direction.head<3>().norm(), kExact);
+  EXPECT_LT(found.missing_direction.force.norm(), kExact);
 }
 
 TEST(ClosedForm, FrictionlessDiscMissesAllButTwoForces) {
@@ -217,7 +214,7 @@ TEST(ClosedForm, CoplanarNormalsMissTheirNormal) {
                                     {{-l, -h, 0}, {0, 1, 0}, 0, 0}});
   expect_value(found, 0);
   EXPECT_EQ(found.rank, 3);
-  EXPECT_NEAR(found.missing_direction.segment<3>(2).norm(), 1, 1e-9);
+  EXPECT_NEAR(found.missing_direction.vector().segment<3>(2).norm(), 1, 1e-9);
 }
 
 /// Four fingers on the faces across axis i, d off the middle along axis j: wrenches (+-1 along i,

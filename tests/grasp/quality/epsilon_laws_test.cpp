@@ -216,10 +216,10 @@ TEST(EpsilonStability, NeedlesBesideTheOriginAreAsFarAsTheyAre) {
   for (int i = 0; i < 100; ++i) {
     WrenchSet set;
     for (int k = 0; k < 12; ++k) {
-      ScaledWrench w;
+      WrenchCoordinates w;
       for (double& x : w) x = uniform(rng, -1, 1) * 1e-9;
       w.head<3>() += Eigen::Vector3d(k < 4 ? 0.25 : 1, k & 1 ? 1 : -1, k & 2 ? 1 : -1);
-      set.caps.push_back({w, decltype(WrenchCap::A)(6, 0), -1});
+      set.caps.push_back({ScaledWrench::from_coordinates(w), decltype(WrenchCap::A)(6, 0), -1});
     }
     const Epsilon e = epsilon(set);
     EXPECT_EQ(e.rank, 6);

@@ -129,7 +129,7 @@ TEST(EpsilonKnown, OfTwoContactsOnOneSide) {
   const double known = -(std::cos(a) - friction * std::sin(a));
   EXPECT_NEAR(e.lower, known, kTol);
   EXPECT_NEAR(e.upper, known, kTol);
-  EXPECT_TRUE(matrix_near(e.missing_direction, -ScaledWrench::Unit(2), 1e-4));
+  EXPECT_TRUE(matrix_near(e.missing_direction.vector(), -WrenchCoordinates::Unit(2), 1e-4));
 }
 
 // Any number of contacts that push along z: -1.
@@ -152,7 +152,7 @@ TEST(EpsilonFlat, TwoHardFingersLackTorqueAboutTheirLine) {
     EXPECT_EQ(e.upper, 0);
     EXPECT_FALSE(e.force_closure);
     ASSERT_TRUE(e.has_missing_direction);
-    EXPECT_NEAR(std::abs(e.missing_direction(3)), 1, kTol);
+    EXPECT_NEAR(std::abs(e.missing_direction.moment_over_length.x()), 1, kTol);
   }
 }
 
@@ -164,7 +164,7 @@ TEST(EpsilonFlat, ContactsOnALineLackTorqueAboutIt) {
   }
   const Epsilon e = epsilon(wrench_set(contacts, Eigen::Vector3d::Zero(), 1));
   EXPECT_EQ(e.rank, 5);
-  EXPECT_NEAR(std::abs(e.missing_direction(3)), 1, kTol);
+  EXPECT_NEAR(std::abs(e.missing_direction.moment_over_length.x()), 1, kTol);
   EXPECT_EQ(e.upper, 0);
 }
 
@@ -192,18 +192,18 @@ TEST(EpsilonFlat, OfNothingIsZeroAndLacksAllDirections) {
 TEST(EpsilonFlat, TheOriginOnTheBoundaryIsNoClosure) {
   WrenchSet set = cross_polytope();
   for (WrenchCap& cap : set.caps)
-    if (cap.c(0) > 0) cap.c(0) = 0;
+    if (cap.c.force.x() > 0) cap.c.force.x() = 0;
   const Epsilon e = epsilon(set);
   EXPECT_EQ(e.rank, 6);
   EXPECT_FALSE(e.force_closure);
   EXPECT_NEAR(e.lower, 0, kTol);
   EXPECT_NEAR(e.upper, 0, kTol);
-  EXPECT_TRUE(matrix_near(e.missing_direction, ScaledWrench::Unit(0), 1e-9));
+  EXPECT_TRUE(matrix_near(e.missing_direction.vector(), WrenchCoordinates::Unit(0), 1e-9));
 }
 
 TEST(Epsilon, RefusesWhatIsNotANumber) {
   WrenchSet set = cross_polytope();
-  set.caps[3].c(2) = std::numeric_limits<double>::quiet_NaN();
+  set.caps[3].c.force.z() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)epsilon(set), InputError);
   EXPECT_THROW((void)epsilon_of(cross_polytope(), ForceNorm::kL1, 0), InputError);
 }

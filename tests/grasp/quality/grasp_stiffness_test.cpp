@@ -30,11 +30,12 @@ GraspStiffness stiffness(const std::vector<PadStiffness>& pads,
 TEST(GraspStiffness, OfAPinchIsDiagonal) {
   const double turn = 2 * 1000 * std::pow(kRadius / kScale, 2);
   const double twist = 2 * 0.3 / (kScale * kScale);
-  const ScaledWrench diagonal = (ScaledWrench() << 4000, 2000, 2000, twist, turn, turn).finished();
+  const WrenchCoordinates diagonal =
+      (WrenchCoordinates() << 4000, 2000, 2000, twist, turn, turn).finished();
   const GraspStiffness found = stiffness(kPads);
   EXPECT_TRUE(matrix_near(found.K, Eigen::MatrixXd(diagonal.asDiagonal()), kExactStiffness));
   EXPECT_NEAR(found.min_eigenvalue, twist, kExactStiffness);
-  EXPECT_NEAR(std::abs(found.softest(3)), 1, kExactStiffness);
+  EXPECT_NEAR(std::abs(found.softest.turn_times_length.x()), 1, kExactStiffness);
 }
 
 // Springs in series: a joint of k at a lever of l yields like a pad of k / l^2.
@@ -51,7 +52,7 @@ TEST(GraspStiffness, IsZeroWithoutContactsAndAlongWhatNoPadResists) {
   EXPECT_TRUE(grasp_stiffness({}, {0, 0, 0}, kScale, {}).K.isZero(0));
   const GraspStiffness hard = stiffness({2, {2000, 1000, 0}});
   EXPECT_NEAR(hard.min_eigenvalue, 0, kExactStiffness);
-  EXPECT_NEAR(std::abs(hard.softest(3)), 1, kExactStiffness);
+  EXPECT_NEAR(std::abs(hard.softest.turn_times_length.x()), 1, kExactStiffness);
 }
 
 TEST(GraspStiffness, RefusesRigidPadsOnRigidFingers) {
@@ -96,7 +97,7 @@ TEST(Manipulability, FingersCarryTheObjectAlong) {
   Eigen::Matrix<double, 6, Eigen::Dynamic> G(6, 8);
   for (Eigen::Index i = 0; i < 2; ++i) {
     const WrenchCap& cap = set.caps[static_cast<std::size_t>(i)];
-    G.middleCols(4 * i, 4) << cap.c, cap.A;
+    G.middleCols(4 * i, 4) << cap.c.vector(), cap.A;
   }
   const Eigen::MatrixXd J = G.transpose();  // both fingers move as one body of six coordinates
   EXPECT_TRUE(

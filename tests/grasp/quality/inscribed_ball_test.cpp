@@ -23,7 +23,7 @@ constexpr double kSolvedBall = 1e-8;
 WrenchSet axes() {
   WrenchSet set;
   for (int i = 0; i < 6; ++i)
-    for (const double sign : {1.0, -1.0}) set.caps.push_back({sign * ScaledWrench::Unit(i), {}});
+    for (const double sign : {1.0, -1.0}) set.caps.push_back({sign * ScaledWrench::unit(i), {}});
   return set;
 }
 
@@ -60,7 +60,7 @@ TEST(InscribedBall, StatesTheResidualOfItsProgrammes) {
   EXPECT_GE(ball.upper + 2 * ball.residual, 1 / std::sqrt(6.0));
 
   const ForceSet hand = hand_forces(pinch(0.25, 0), pinch_torques(0.25, 0), pinch_motors(0, 6));
-  const TaskMargin margin = margin_of_loads(hand, {ScaledWrench::Unit(2), ScaledWrench::Unit(1)});
+  const TaskMargin margin = margin_of_loads(hand, {ScaledWrench::unit(2), ScaledWrench::unit(1)});
   EXPECT_GT(margin.residual, 0);
   EXPECT_LT(margin.residual, 1e-9);
   EXPECT_LE(margin.lower, margin.upper);
@@ -73,7 +73,7 @@ TEST(InscribedBall, IsZeroWhereALoadIsNotWithstood) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
   const InscribedBall ball = inscribed_ball(hand);
   EXPECT_NEAR(ball.upper, 0, kSolvedBall);
-  EXPECT_NEAR(std::abs(ball.worst_load(3)), 1, 1e-3);
+  EXPECT_NEAR(std::abs(ball.worst_load.moment_over_length.x()), 1, 1e-3);
 }
 
 // Both motors off: the only force is none.
@@ -97,7 +97,7 @@ TEST(InscribedBall, KeepsItsBoundsInOrderWhereNothingIsWithstood) {
 
 TEST(TaskWrenches, WorstOfAListCounts) {
   const ForceSet hand = hand_forces(pinch(0.25, 0), pinch_torques(0.25, 0), pinch_motors(0, 6));
-  const ScaledWrench across = ScaledWrench::Unit(2), along = ScaledWrench::Unit(0);
+  const ScaledWrench across = ScaledWrench::unit(2), along = ScaledWrench::unit(0);
   const TaskMargin margin = margin_of_loads(hand, {along, across});
   EXPECT_NEAR(margin.lower, 0.25 * 12, kSolvedBall);
   EXPECT_EQ(margin.worst_load, across);
@@ -106,9 +106,7 @@ TEST(TaskWrenches, WorstOfAListCounts) {
 
 // In the cross-polytope a load with corners (+-a, +-b) is withstood up to 1 / (a + b).
 TEST(TaskWrenches, BoxIsAsGoodAsItsWorstCorner) {
-  ScaledWrench half = ScaledWrench::Zero();
-  half(0) = 2;
-  half(4) = 3;
+  const ScaledWrench half{{2, 0, 0}, {0, 3, 0}};
   const TaskMargin margin = margin_of_box(unit_forces(axes(), ForceNorm::kL1), -half, half);
   EXPECT_NEAR(margin.lower, 1.0 / 5, kSolvedBall);
 }
@@ -116,7 +114,7 @@ TEST(TaskWrenches, BoxIsAsGoodAsItsWorstCorner) {
 // Axes q_i: the cross-polytope's face is at k / sqrt(sum q_i^2), over those that are not zero.
 TEST(TaskWrenches, EllipsoidIsExactInACrossPolytope) {
   const ForceSet forces = unit_forces(axes(), ForceNorm::kL1);
-  const ScaledWrench q = (ScaledWrench() << 1, 2, 3, 0.5, 1, 2).finished();
+  const WrenchCoordinates q = (WrenchCoordinates() << 1, 2, 3, 0.5, 1, 2).finished();
   const TaskMargin full = margin_of_ellipsoid(forces, Eigen::MatrixXd(q.asDiagonal()));
   ASSERT_EQ(full.status, Status::kSolved);
   EXPECT_NEAR(full.upper, 1 / q.norm(), kSolvedBall);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// ScaledWrench sets whose epsilon and volume are known in closed form.
+/// Wrench sets whose epsilon and volume are known in closed form.
 
 #include "grasp/contact/wrench_set.h"
 
@@ -8,7 +8,8 @@ namespace thenar {
 
 using Axes = decltype(WrenchCap::A);
 
-inline const ScaledWrench kHalfAxes = (ScaledWrench() << 1, 0.8, 0.6, 0.3, 0.25, 0.5).finished();
+inline const WrenchCoordinates kHalfAxes =
+    (WrenchCoordinates() << 1, 0.8, 0.6, 0.3, 0.25, 0.5).finished();
 
 /// Explicit wrenches +-a_i e_i; those of one axis share a contact only with
 /// themselves.
@@ -16,7 +17,7 @@ inline WrenchSet cross_polytope() {
   WrenchSet set;
   for (int i = 0; i < 6; ++i)
     for (const double sign : {1.0, -1.0})
-      set.caps.push_back({sign * kHalfAxes(i) * ScaledWrench::Unit(i), Axes(6, 0), -1});
+      set.caps.push_back({(sign * kHalfAxes(i)) * ScaledWrench::unit(i), Axes(6, 0), -1});
   return set;
 }
 
@@ -29,7 +30,8 @@ inline WrenchSet regular_simplex() {
       v(i, j) = (-1.0 / 6 - v.col(i).head(i).dot(v.col(j).head(i))) / v(i, i);
   }
   WrenchSet set;
-  for (int j = 0; j < 7; ++j) set.caps.push_back({v.col(j), Axes(6, 0), -1});
+  for (int j = 0; j < 7; ++j)
+    set.caps.push_back({ScaledWrench::from_coordinates(v.col(j)), Axes(6, 0), -1});
   return set;
 }
 
@@ -55,7 +57,7 @@ inline WrenchSet orthogonal_discs() {
   for (int i = 0; i < 3; ++i) {
     Axes A = Axes::Zero(6, 2);
     A(2 * i, 0) = A(2 * i + 1, 1) = 1;
-    set.caps.push_back({ScaledWrench::Zero(), A, -1});
+    set.caps.push_back({ScaledWrench{}, A, -1});
   }
   return set;
 }
@@ -65,7 +67,7 @@ inline WrenchSet orthogonal_balls() {
   for (int i = 0; i < 2; ++i) {
     Axes A = Axes::Zero(6, 3);
     A.middleRows(3 * i, 3).setIdentity();
-    set.caps.push_back({ScaledWrench::Zero(), A, -1});
+    set.caps.push_back({ScaledWrench{}, A, -1});
   }
   return set;
 }

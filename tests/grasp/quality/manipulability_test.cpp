@@ -21,7 +21,7 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> pinch_components() {
   Eigen::Matrix<double, 6, Eigen::Dynamic> G(6, 8);
   for (Eigen::Index i = 0; i < 2; ++i) {
     const WrenchCap& cap = set.caps[static_cast<std::size_t>(i)];
-    G.middleCols(4 * i, 4) << cap.c, cap.A;
+    G.middleCols(4 * i, 4) << cap.c.vector(), cap.A;
   }
   return G;
 }

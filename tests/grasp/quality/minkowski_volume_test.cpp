@@ -26,7 +26,7 @@ double sum_of(const WrenchSet& set) {
 /// The half axes of the wrench space, so many to a contact.
 WrenchSet axes(int together) {
   WrenchSet set;
-  for (int i = 0; i < 6; ++i) set.caps.push_back({ScaledWrench::Unit(i), {}, i / together});
+  for (int i = 0; i < 6; ++i) set.caps.push_back({ScaledWrench::unit(i), {}, i / together});
   return set;
 }
 
@@ -56,9 +56,9 @@ TEST(SumVolume, OfManyEdgesIsTheProductOfTwoCones) {
   for (int contact = 0; contact < 2; ++contact)
     for (int i = 0; i < kEdges; ++i) {
       const double turn = 2 * M_PI * i / kEdges;
-      ScaledWrench point = ScaledWrench::Zero();
+      WrenchCoordinates point = WrenchCoordinates::Zero();
       point.segment<3>(3 * contact) << 1, std::cos(turn), std::sin(turn);
-      set.caps.push_back({point, {}, contact});
+      set.caps.push_back({ScaledWrench::from_coordinates(point), {}, contact});
     }
   EXPECT_NEAR(sum_of(set), std::pow(0.5 * kEdges * std::sin(2 * M_PI / kEdges) / 3, 2), 1e-9);
 }
@@ -71,7 +71,7 @@ TEST(SumVolume, OfSegmentsIsTheSumOfDeterminants) {
   for (int i = 0; i < 8; ++i) {
     for (int j = 0; j < 6; ++j)
       segments(j, i) = 2.0 * static_cast<double>(rng()) / 4294967296.0 - 1;
-    set.caps.push_back({segments.col(i), {}, -1});
+    set.caps.push_back({ScaledWrench::from_coordinates(segments.col(i)), {}, -1});
   }
   double volume = 0;
   for (int i = 0; i < 8; ++i)

@@ -83,7 +83,7 @@ TEST(PatchLimit, SupportIsThatOfTheCorners) {
   const std::vector<Contact> contacts = jaws(0.5);
   const WrenchSet set = set_of(contacts);
   for (int i = 0; i < 200; ++i) {
-    ScaledWrench u;
+    WrenchCoordinates u;
     for (double& x : u) x = uniform(rng, -1, 1);
     // By hand: the better of 0 and the best corner, of each face by itself.
     double sum = 0;
@@ -97,7 +97,7 @@ TEST(PatchLimit, SupportIsThatOfTheCorners) {
       }
       sum += best;
     }
-    EXPECT_NEAR(support(set, u, ForceNorm::kLinf), sum, 1e-12);
+    EXPECT_NEAR(support(set, ScaledWrench::from_coordinates(u), ForceNorm::kLinf), sum, 1e-12);
   }
 }
 
@@ -147,7 +147,7 @@ TEST(PatchLimit, PointsWithoutPatchesHaveLimitsOfTheirOwn) {
 TEST(PatchLimit, ClosedForms) {
   const WrenchSet set = set_of(jaws(0.3));
   const auto along = [&](int axis) {
-    return support(set, ScaledWrench::Unit(axis), ForceNorm::kLinf);
+    return support(set, ScaledWrench::unit(axis), ForceNorm::kLinf);
   };
   EXPECT_NEAR(along(0), 1, 1e-12);
   EXPECT_NEAR(along(1), 0.6, 1e-12);
@@ -168,9 +168,9 @@ TEST(PatchLimit, VolumeIsOfThePatch) {
   for (const int patch : {0, 1}) {
     Eigen::Matrix3d columns;
     for (int k = 0; k < 3; ++k) {
-      ScaledWrench w = ScaledWrench::Zero();
+      WrenchCoordinates w = WrenchCoordinates::Zero();
       for (int i = 0; i < 3; ++i) columns(i, k) = w(3 * patch + i) = uniform(rng, -1, 1);
-      set.caps.push_back({w, {}, patch});
+      set.caps.push_back({ScaledWrench::from_coordinates(w), {}, patch});
     }
     expected *= std::abs(columns.determinant()) / 6;
   }
@@ -183,7 +183,7 @@ TEST(PatchLimit, VolumeIsOfThePatch) {
 TEST(PatchLimit, LoadsHaveTheSameLimit) {
   for (const std::vector<Contact>& contacts : {jaws(0.5), twice(jaws(0.5))}) {
     const WrenchSupport reach =
-        load_margin(unit_forces(set_of(contacts), ForceNorm::kLinf), ScaledWrench::Unit(1));
+        load_margin(unit_forces(set_of(contacts), ForceNorm::kLinf), ScaledWrench::unit(1));
     EXPECT_NEAR(reach.value, 1, 1e-8);
   }
 }
@@ -195,7 +195,7 @@ TEST(PatchLimit, HoldsNeedTheSameForceOfAPatch) {
   for (const std::vector<Contact>& contacts :
        {jaws(0.5), twice(jaws(0.5)), subdivided(jaws(0.5), rng)}) {
     const GraspForce hold = minimum_grasp_force(
-        free_forces(set_of(contacts)), ScaledWrench::Unit(1), GraspForceObjective::kLargest);
+        free_forces(set_of(contacts)), ScaledWrench::unit(1), GraspForceObjective::kLargest);
     EXPECT_NEAR(hold.objective, 1, 1e-8);
   }
 }
@@ -208,7 +208,8 @@ TEST(PatchLimit, HoldsAndLoadsAreOneNumber) {
        {jaws(0.5), subdivided(jaws(0.8), rng), random_contacts(rng, 5)})
     for (int i = 0; i < 10; ++i) {
       const WrenchSet set = set_of(contacts);
-      const ScaledWrench load = ScaledWrench::NullaryExpr([&] { return uniform(rng, -1, 1); });
+      const ScaledWrench load = ScaledWrench::from_coordinates(
+          WrenchCoordinates::NullaryExpr([&] { return uniform(rng, -1, 1); }));
       for (const auto& [limit, objective] :
            {std::pair(ForceNorm::kL1, GraspForceObjective::kSum),
             std::pair(ForceNorm::kLinf, GraspForceObjective::kLargest)}) {

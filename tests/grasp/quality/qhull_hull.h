@@ -22,10 +22,10 @@ struct QhullHull {
 };
 
 /// @param command  "qhull ..." options; @param points  one after the other
-inline QhullHull qhull_hull(const std::vector<ScaledWrench>& points, const char* command,
+inline QhullHull qhull_hull(const std::vector<WrenchCoordinates>& points, const char* command,
                             bool with_volume) {
   std::vector<double> numbers;
-  for (const ScaledWrench& p : points) numbers.insert(numbers.end(), p.data(), p.data() + 6);
+  for (const WrenchCoordinates& p : points) numbers.insert(numbers.end(), p.data(), p.data() + 6);
   std::vector<char> options(command, command + std::char_traits<char>::length(command) + 1);
   std::FILE* nowhere = std::fopen("/dev/null", "w");
   qhT qh;
@@ -51,18 +51,18 @@ inline QhullHull qhull_hull(const std::vector<ScaledWrench>& points, const char*
 
 /// Points of a polytope: its caps (kL1), or all sums of one or none of each
 /// contact's (kLinf).
-inline std::vector<ScaledWrench> vertices_of(const WrenchSet& polytope, ForceNorm limit) {
-  std::vector<ScaledWrench> all{ScaledWrench::Zero()};
+inline std::vector<WrenchCoordinates> vertices_of(const WrenchSet& polytope, ForceNorm limit) {
+  std::vector<WrenchCoordinates> all{WrenchCoordinates::Zero()};
   if (limit == ForceNorm::kL1) {
     all.clear();
-    for (const WrenchCap& cap : polytope.caps) all.push_back(cap.c);
+    for (const WrenchCap& cap : polytope.caps) all.push_back(cap.c.vector());
     return all;
   }
   for (std::size_t i = 0; i < polytope.caps.size();) {
-    const std::vector<ScaledWrench> before = all;
+    const std::vector<WrenchCoordinates> before = all;
     const int contact = polytope.caps[i].contact;
     for (; i < polytope.caps.size() && polytope.caps[i].contact == contact; ++i)
-      for (const ScaledWrench& p : before) all.emplace_back(p + polytope.caps[i].c);
+      for (const WrenchCoordinates& p : before) all.emplace_back(p + polytope.caps[i].c.vector());
   }
   return all;
 }

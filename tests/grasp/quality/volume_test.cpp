@@ -224,7 +224,7 @@ TEST(Volume, OfNearlyFlatSetsIsThatOfTheWideOnesPressed) {
     const double whole = volume_of(wide, limit).estimate;
     for (const double left : {1e-3, 1e-6, 1e-8}) {
       WrenchSet flat = wide;
-      for (WrenchCap& cap : flat.caps) cap.c(5) *= left;
+      for (WrenchCap& cap : flat.caps) cap.c.moment_over_length.z() *= left;
       EXPECT_NEAR(volume_of(flat, limit).estimate / (whole * left), 1, 1e-6) << left;
     }
   }

@@ -197,9 +197,9 @@ TEST(LiveGrasp, ShowsTheWorstDisturbanceUntilSomethingMoves) {
   const GraspBody& object = found.setting.setup.object;
   const ScaledWrench& worst = found.grasp.quality.worst_wrench;
   EXPECT_TRUE(matrix_near(arrows()[0].from, object.X_WB * object.com, 1e-15));
-  EXPECT_TRUE(matrix_near(arrows()[0].vector, object.X_WB.R * worst.head<3>(), 1e-15));
+  EXPECT_TRUE(matrix_near(arrows()[0].vector, object.X_WB.R * worst.force, 1e-15));
   EXPECT_TRUE(matrix_near(arrows()[1].vector,
-                          object.torque_scale * (object.X_WB.R * worst.tail<3>()), 1e-15));
+                          object.torque_scale * (object.X_WB.R * worst.moment_over_length), 1e-15));
   place_thing(*live, "table", Eigen::Vector3d(0, 0, -0.02), {});
   EXPECT_EQ(arrows()[0].vector.norm() + arrows()[1].vector.norm(), 0);
 }
@@ -216,7 +216,7 @@ TEST(LiveGrasp, OfOneFingerIsNotClosedAndMissesADirection) {
   // Nothing that pushes from above lifts the object: no wrench along the missing direction.
   for (const WrenchCap& cap : found.wrenches.caps)
     EXPECT_LE(cap.c.dot(found.grasp.quality.missing_direction) +
-                  (cap.A.transpose() * found.grasp.quality.missing_direction).norm(),
+                  (cap.A.transpose() * found.grasp.quality.missing_direction.vector()).norm(),
               1e-9);
 }
 
@@ -232,8 +232,7 @@ TEST(LiveGrasp, WrenchSetsHoldTheirForces) {
   EXPECT_EQ(mesh.failed, 0);
   // Corners are wrenches of the set: none goes beyond its support function in any direction.
   for (Eigen::Index i = 0; i < mesh.mesh.vertices.cols(); ++i) {
-    ScaledWrench u = ScaledWrench::Zero();
-    u.head<3>() = mesh.mesh.vertices.col(i).normalized();
+    const ScaledWrench u{mesh.mesh.vertices.col(i).normalized(), {0, 0, 0}};
     EXPECT_LE(mesh.mesh.vertices.col(i).norm(), support(found.wrenches, u, ForceNorm::kL1) + 1e-7);
   }
   // The ball of epsilon fits in.

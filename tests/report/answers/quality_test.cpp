@@ -17,11 +17,11 @@ ContactQualityResult short_of_one_direction() {
   result.torque_scale = 0.1;
   result.epsilon.rank = 5;
   result.epsilon.has_missing_direction = true;
-  result.epsilon.missing_direction = ScaledWrench::Unit(3);
-  result.epsilon.worst_wrench = -ScaledWrench::Unit(3);
+  result.epsilon.missing_direction = ScaledWrench::unit(3);
+  result.epsilon.worst_wrench = -ScaledWrench::unit(3);
   TaskQuality task;
   task.lower = task.upper = 0.5;
-  task.worst_load = ScaledWrench::Unit(1);
+  task.worst_load.force = {0, 1, 0};
   task.grasp_forces = {2.0, std::nullopt, std::numeric_limits<double>::infinity()};
   result.task = task;
   return result;

@@ -1,0 +1,111 @@
+#include "dynamics/scene/scene_drives.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/outside_path.h"
+#include "data/io/toml_node.h"
+#include "dynamics/scene/target_table.h"
+
+namespace thenar {
+namespace {
+
+/// The targets of a drive over time; null: it has no table.
+std::shared_ptr<const TargetTable> table_of(const SceneSpec& scene, const SceneDriveSpec& spec) {
+  if (spec.target_file.empty()) return nullptr;
+  const std::string path = linked_path(scene.folder, spec.target_file);
+  return std::make_shared<TargetTable>(
+      without_straight_knots(parse_target_table(read_text_file(path), path, spec)));
+}
+
+void set_compliance(const SceneSpec& spec, ContactCompliance& out) {
+  const SteppingSpec& stepping = spec.stepping;
+  // Numbers that the file states, or the defaults.
+  out.modulus = stepping.modulus.value_or(out.modulus);
+  out.stiffness = stepping.stiffness.value_or(out.stiffness);
+  out.dissipation = stepping.dissipation.value_or(out.dissipation);
+  out.layer = stepping.layer.value_or(out.layer);
+  out.transition = stepping.transition.value_or(out.transition);
+  if (stepping.friction_ramp.empty()) return;
+  out.ramp = at_line(spec.path, stepping.line, [&] {
+    return value_in(kFrictionRampNames, stepping.friction_ramp, "friction ramp");
+  });
+}
+
+}  // namespace
+
+void add_forces(const SceneSpec& spec, BuiltScene& built) {
+  for (const SceneForceSpec& force : spec.forces) {
+    // Force on a body, by default at its centre of mass.
+    SceneForce out;
+    out.body = at_line(spec.path, force.line,
+                       [&] { return body_named(built.scene.mechanism, force.body); });
+    const MechanismBody& body = built.scene.mechanism.bodies[static_cast<std::size_t>(out.body)];
+    out.point = force.point.value_or(body.mass.com);
+    out.force = force.force;
+    out.moment = force.moment;
+    out.when = {force.from, force.to};
+    built.scene.forces.push_back(out);
+    built.force_names.push_back(force.name);
+  }
+}
+
+void add_drives(const SceneSpec& spec, BuiltScene& built) {
+  const Mechanism& mechanism = built.scene.mechanism;
+  std::vector<std::string> names;
+  for (const MechanismCoordinate& coordinate : mechanism.coordinates)
+    names.push_back(coordinate.name);
+  for (const SceneDriveSpec& drive : spec.drives) {
+    // Coordinate of each drive.
+    SceneDrive out;
+    out.coordinate = at_line(spec.path, drive.line, [&] {
+      return static_cast<int>(index_of_name(drive.coordinate, names, "coordinate"));
+    });
+    // The units of the drive must suit the kind of its joint.
+    const auto joint = std::find_if(
+        mechanism.joints.begin(), mechanism.joints.end(), [&](const MechanismJoint& each) {
+          return is_scalar(each.kind) && each.coordinate == out.coordinate;
+        });
+    const bool turns = joint->kind == JointKind::kHinge;
+    if (turns != drive.turns)
+      throw DataError(spec.path, drive.line,
+                      fmt::format("'{}' {}, but the drive has units of what {}", drive.coordinate,
+                                  turns ? "turns" : "slides", turns ? "slides" : "turns"));
+    // Without a largest effort of its own, the drive has that of the motor.
+    const double known = mechanism.coordinates[static_cast<std::size_t>(out.coordinate)].max_effort;
+    out.bias = drive.effort;
+    out.stiffness = drive.stiffness;
+    out.damping = drive.damping;
+    out.target = drive.target;
+    out.speed = drive.speed;
+    out.max_effort =
+        drive.max_effort.value_or(known > 0 ? known : std::numeric_limits<double>::infinity());
+    out.when = {drive.from, drive.to};
+    out.table = table_of(spec, drive);
+    built.scene.drives.push_back(out);
+    built.drive_names.push_back(drive.name);
+  }
+}
+
+void set_stepping(const SceneSpec& spec, BuiltScene& built) {
+  const SteppingSpec& stepping = spec.stepping;
+  SceneOptions& options = built.options;
+  options.method = at_line(spec.path, stepping.line, [&] {
+    return value_in(kSteppingMethodNames, stepping.method, "method");
+  });
+  // Lengths of steps and samples, or the defaults.
+  options.seconds = stepping.duration;
+  options.sample = stepping.sample;
+  options.step = stepping.step.value_or(options.step);
+  options.longest = stepping.longest.value_or(options.longest);
+  options.tolerance = stepping.tolerance.value_or(options.tolerance);
+  options.recovery = stepping.recovery.value_or(options.recovery);
+  set_compliance(spec, built.options.compliance);
+}
+
+}  // namespace thenar

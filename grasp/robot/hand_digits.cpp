@@ -1,0 +1,248 @@
+#include "grasp/robot/hand_digits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "grasp/robot/posed_surfaces.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kAlongCosine = 0.7;  // Least cosine of a curling joint to the last one's axis [1]
+constexpr double kSameDistance = 1e-9;  // relative change of tip distances that counts as none [1]
+constexpr double kNoMotion = 1e-9;      // rotation or motion that counts as none [1], [m]
+constexpr double kAsFar = 0.85;  // share of a tip's motion from which another moves as far [1]
+
+}  // namespace
+
+HandDigits::HandDigits(const BallGrasp& grip) : grip_(grip), drives_(grip.hand().layout().drives) {
+  const HandLayout& layout = grip.hand().layout();
+  rest_ = layout.lower.cwiseMax(0).cwiseMin(layout.upper);
+  find_digits();
+  sort_drives();
+  // What curls and where tips go is told by straight digits.
+  straighten();
+  find_digits();
+  sort_drives();
+  orient();
+  join_rows();
+}
+
+void HandDigits::find_digits() {
+  digits_.clear();
+  names_.clear();
+  const std::vector<Pose<double>> links = grip_.hand().pose(rest_);
+  const std::vector<SampledSurface>& surfaces = grip_.surfaces();
+  std::vector<int> depth;
+  depth.reserve(surfaces.size());
+  // Innermost and outermost surface of each digit, by depth in the tree.
+  for (const SampledSurface& surface : surfaces)
+    depth.push_back(joints_to(grip_.hand().layout(), surface.link));
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    if (surfaces[s].digit.empty()) continue;
+    auto digit = std::find_if(digits_.begin(), digits_.end(),
+                              [&](const HandDigit& d) { return d.name == surfaces[s].digit; });
+    if (digit == digits_.end()) {
+      digits_.push_back({surfaces[s].digit, s, s, {}, {}, {}, {}});
+      names_.push_back(surfaces[s].digit);
+      continue;
+    }
+    if (depth[s] < depth[digit->first]) digit->first = s;
+    if (depth[s] >= depth[digit->last]) digit->last = s;
+  }
+  const auto centre = [&](std::size_t s) -> Vector3d {
+    const SampledSurface& surface = surfaces[s];
+    return surface.link < 0 ? surface.centre
+                            : links[static_cast<std::size_t>(surface.link)] * surface.centre;
+  };
+  for (HandDigit& digit : digits_) {
+    // The root is the hinge of the digit's first link; for a slide, the link itself.
+    digit.tip = centre(digit.last);
+    digit.root = centre(digit.first);
+    const int link = surfaces[digit.first].link;
+    if (link >= 0 && !grip_.hand().is_prismatic(link))
+      digit.root = links[static_cast<std::size_t>(link)] * grip_.hand().axis_point(link);
+  }
+}
+
+Eigen::Matrix<double, 6, 1> HandDigits::twist(std::size_t drive, const HandDigit& digit) const {
+  const SampledSurface& tip = grip_.surfaces()[digit.last];
+  Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
+  if (tip.link < 0) return sum;
+  const auto J = grip_.hand().jacobian(rest_, tip.link, tip.centre);
+  for (const DrivenCoordinate& moved : drives_[drive].moves)
+    sum += moved.ratio * J.col(moved.coordinate);
+  return sum;
+}
+
+Vector3d HandDigits::spin(std::size_t drive, const HandDigit& digit) const {
+  return twist(drive, digit).head<3>();
+}
+
+Vector3d HandDigits::way(std::size_t drive, const HandDigit& digit) const {
+  return twist(drive, digit).tail<3>();
+}
+
+/// Returns whether a drive moves every tip, and none relative to another: a wrist.
+bool HandDigits::moves_alike(std::size_t drive) const {
+  for (const HandDigit& digit : digits_)
+    if (way(drive, digit).norm() < kNoMotion && spin(drive, digit).norm() < kNoMotion) return false;
+  if (digits_.size() < 2) return false;
+  // Distances between tips are the same with the drive moved either way.
+  std::vector<double> senses(drives_.size(), 0);
+  senses[drive] = 1;
+  const double up = apart(moved(senses, 0.1));
+  senses[drive] = -1;
+  const double down = apart(moved(senses, 0.1));
+  return std::abs(up - down) <= kSameDistance * std::max(up, down);
+}
+
+/// Axis of the last joint of a digit that turns; zero: none does. (3)
+Vector3d HandDigits::last_axis(const HandDigit& digit) const {
+  Vector3d last = Vector3d::Zero();
+  for (int link = grip_.surfaces()[digit.last].link; link >= 0 && last.isZero(0);
+       link = grip_.hand().layout().parents[static_cast<std::size_t>(link)])
+    last = grip_.hand().axis(rest_, link);
+  return last;
+}
+
+void HandDigits::sort_drives() {
+  for (std::size_t d = 0; d < drives_.size(); ++d) {
+    if (moves_alike(d)) continue;
+    // A drive of several digits has the kind that it has for the digit whose tip it moves most.
+    double farthest = -1;
+    bool curls = true;
+    std::vector<HandDigit*> moved;
+    for (HandDigit& digit : digits_) {
+      const Vector3d w = spin(d, digit), v = way(d, digit);
+      if (w.norm() < kNoMotion && v.norm() < kNoMotion) continue;
+      moved.push_back(&digit);
+      if (v.norm() <= farthest) continue;
+      farthest = v.norm();
+      // Parallel to the last axis: it curls; across: it turns.
+      const Vector3d last = last_axis(digit);
+      curls = w.norm() < kNoMotion || last.isZero(0) ||
+              std::abs(w.dot(last)) >= kAlongCosine * w.norm() * last.norm();
+    }
+    for (HandDigit* digit : moved)
+      (curls ? digit->curls : digit->turns).push_back(static_cast<int>(d));
+  }
+}
+
+/// Sign of a drive relative to the outermost of a digit, by rotation or by motion of the tip.
+double HandDigits::sign_against(std::size_t outer, std::size_t drive,
+                                const HandDigit& digit) const {
+  const Vector3d w = spin(drive, digit), w_outer = spin(outer, digit);
+  const bool turn = w.norm() > kNoMotion && w_outer.norm() > kNoMotion;
+  const double along = turn ? w.dot(w_outer) : way(drive, digit).dot(way(outer, digit));
+  return along < 0 ? -1.0 : 1.0;
+}
+
+/// Finds the signs of drives that curl each digit, and which drives belong together.
+void HandDigits::orient() {
+  groups_.orientation.assign(drives_.size(), 0);
+  groups_.group.assign(drives_.size(), -1);
+  for (std::size_t d = 0; d < drives_.size(); ++d)
+    groups_.slides.push_back(
+        std::all_of(digits_.begin(), digits_.end(),
+                    [&](const HandDigit& digit) { return spin(d, digit).norm() < kNoMotion; }));
+  int groups = 0;
+  for (const HandDigit& digit : digits_) {
+    if (digit.curls.empty()) continue;
+    const auto outer = static_cast<std::size_t>(digit.curls.back());
+    const auto sign = [&](std::size_t d) { return sign_against(outer, d, digit); };
+    // A drive that already has a sign sets that of the whole digit.
+    double flip = 1;
+    int group = -1;
+    for (const int c : digit.curls)
+      if (const auto d = static_cast<std::size_t>(c); group < 0 && groups_.group[d] >= 0) {
+        group = groups_.group[d];
+        flip = groups_.orientation[d] * sign(d);
+      }
+    if (group < 0) group = groups++;
+    // The others get their signs relative to it.
+    for (const int c : digit.curls) {
+      const auto d = static_cast<std::size_t>(c);
+      if (groups_.group[d] >= 0) continue;
+      groups_.group[d] = group;
+      groups_.orientation[d] = flip * sign(d);
+    }
+  }
+}
+
+double HandDigits::range(std::size_t drive) const {
+  const HandLayout& layout = grip_.hand().layout();
+  const DrivenCoordinate& first = drives_[drive].moves.front();
+  return (layout.upper[first.coordinate] - layout.lower[first.coordinate]) / std::abs(first.ratio);
+}
+
+/// Posture at a share of the range from rest in the given senses; senses of 0 stay. (coordinates)
+VectorXd HandDigits::moved(const std::vector<double>& senses, double share) const {
+  const HandLayout& layout = grip_.hand().layout();
+  VectorXd q = rest_;
+  for (std::size_t d = 0; d < drives_.size(); ++d)
+    for (const DrivenCoordinate& driven : drives_[d].moves) {
+      const double sense = senses[d] * driven.ratio;
+      if (sense == 0) continue;
+      const double lower = layout.lower[driven.coordinate], upper = layout.upper[driven.coordinate];
+      q[driven.coordinate] += (sense > 0 ? 1 : -1) * share * (upper - lower);
+    }
+  return q.cwiseMax(layout.lower).cwiseMin(layout.upper);
+}
+
+/// Mean distance of points of the only digit's end to the palm's [m].
+double HandDigits::from_palm(const std::vector<Pose<double>>& links) const {
+  const Eigen::Matrix3Xd palm = points_of(grip_, palm_surfaces(grip_), links),
+                         end = points_of(grip_, {digits_.front().last}, links);
+  if (palm.cols() == 0) return 0;
+  double sum = 0;
+  for (const auto& p : end.colwise())
+    sum += std::sqrt((palm.colwise() - p).colwise().squaredNorm().minCoeff());
+  return sum / static_cast<double>(end.cols());
+}
+
+/// Sum of distances between tips; of an only digit from the palm, which may be a fixed jaw [m].
+double HandDigits::apart(const VectorXd& q) const {
+  const std::vector<Pose<double>> links = grip_.hand().pose(q);
+  if (digits_.size() == 1) return from_palm(links);
+  std::vector<Vector3d> tips;
+  for (const HandDigit& digit : digits_) {
+    const SampledSurface& tip = grip_.surfaces()[digit.last];
+    tips.push_back(tip.link < 0 ? tip.centre
+                                : links[static_cast<std::size_t>(tip.link)] * tip.centre);
+  }
+  double sum = 0;
+  for (std::size_t a = 0; a < tips.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) sum += (tips[a] - tips[b]).norm();
+  return sum;
+}
+
+double HandDigits::mean_digit_length() const {
+  double sum = 0;
+  for (const HandDigit& digit : digits_) sum += (digit.tip - digit.root).norm();
+  if (sum > kNoMotion * static_cast<double>(digits_.size()))
+    return sum / static_cast<double>(digits_.size());
+  // Jaws of one link: the distance by which they part.
+  std::vector<double> up(drives_.size(), 1), down(drives_.size(), -1);
+  return std::max(apart(moved(up, 1)), apart(moved(down, 1)));
+}
+
+/// Returns whether a drive rotates any digit, rather than only sliding it.
+bool HandDigits::turns(std::size_t drive) const {
+  return std::any_of(digits_.begin(), digits_.end(),
+                     [&](const HandDigit& digit) { return spin(drive, digit).norm() > kNoMotion; });
+}
+
+/// Returns whether a drive turns other digits about as far as this one.
+bool HandDigits::spreads(std::size_t drive, const HandDigit& digit) const {
+  const double own = way(drive, digit).norm();
+  return std::any_of(digits_.begin(), digits_.end(), [&](const HandDigit& other) {
+    return &other != &digit && way(drive, other).norm() > kAsFar * own;
+  });
+}
+
+}  // namespace thenar

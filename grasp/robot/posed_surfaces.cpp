@@ -1,0 +1,59 @@
+#include "grasp/robot/posed_surfaces.h"
+
+namespace thenar {
+
+std::vector<std::size_t> palm_surfaces(const BallGrasp& grip) {
+  const HandLayout& layout = grip.hand().layout();
+  std::vector<std::size_t> palm;
+  for (std::size_t s = 0; s < grip.surfaces().size(); ++s) {
+    const SampledSurface& surface = grip.surfaces()[s];
+    if (!surface.digit.empty()) continue;
+    const int depth = joints_to(layout, surface.link);
+    if (!palm.empty() && depth > joints_to(layout, grip.surfaces()[palm.front()].link))
+      palm.clear();
+    if (palm.empty() || surface.link == grip.surfaces()[palm.front()].link) palm.push_back(s);
+  }
+  return palm;
+}
+
+Eigen::Matrix3Xd points_of(const BallGrasp& grip, const std::vector<std::size_t>& surfaces,
+                           const std::vector<Pose<double>>& links) {
+  std::vector<Eigen::Matrix3Xd> parts;
+  for (const std::size_t surface : surfaces) {
+    const SampledSurface& points = grip.surfaces()[surface];
+    const Pose<double> X =
+        points.link < 0 ? Pose<double>{} : links[static_cast<std::size_t>(points.link)];
+    parts.emplace_back((X.R * points.p).colwise() + X.p);
+  }
+  return side_by_side(parts);
+}
+
+Eigen::Matrix3Xd faces_of(const BallGrasp& grip, const std::vector<std::size_t>& surfaces,
+                          const std::vector<Pose<double>>& links) {
+  std::vector<Eigen::Matrix3Xd> faces;
+  for (const std::size_t s : surfaces) {
+    const SampledSurface& surface = grip.surfaces()[s];
+    faces.push_back(surface.faces);
+    if (surface.link >= 0)
+      faces.back() = links[static_cast<std::size_t>(surface.link)].R * surface.faces;
+  }
+  return side_by_side(faces);
+}
+
+Eigen::AlignedBox3d box_of(const BallGrasp& grip, const std::vector<std::size_t>& surfaces,
+                           const std::vector<Pose<double>>& links, const Eigen::Matrix3d& R) {
+  Eigen::AlignedBox3d box;
+  for (const std::size_t s : surfaces) {
+    const SampledSurface& surface = grip.surfaces()[s];
+    for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
+      const Eigen::Vector3d p = surface.p.col(i);
+      box.extend(R.transpose() *
+                 (surface.link < 0
+                      ? p
+                      : Eigen::Vector3d(links[static_cast<std::size_t>(surface.link)] * p)));
+    }
+  }
+  return box;
+}
+
+}  // namespace thenar
