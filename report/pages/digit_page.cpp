@@ -1,7 +1,6 @@
 #include "report/pages/digit_page.h"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -12,15 +11,6 @@
 #include "report/provenance.h"
 
 namespace thenar {
-namespace {
-
-constexpr std::size_t kDrawnPostures = 5;
-// From the first posture to the last.
-constexpr std::array<const char*, kDrawnPostures> kTints{"#b8a48a", "#7fa8c9", "#5fa38c", "#c98f5f",
-                                                         "#9a7fb8"};
-
-}  // namespace
-
 Json digit_page(const DigitResult& about, const std::string& what, Json sections,
                 const MeshTable& meshes, const std::string& learnt) {
   const Fidelity fidelity = about.tendons ? about.tendons->digit().fidelity : Fidelity{};
@@ -65,7 +55,7 @@ Json digit_scene(const DigitResult& about, const std::string& caption, MeshTable
   std::size_t tint = 0;
   for (const std::size_t i : drawn_rows(about.outcome.done, kDrawnPostures)) {
     const Eigen::VectorXd& q = about.grid.postures[i];
-    const std::string color = kTints[tint++];
+    const std::string color = kPostureTints[tint++];
     Json bones = bone_layer(digit, q, color);
     if (!about.single()) bones["name"] = title_of(axes, i);
     layers.push_back(bones);
@@ -80,12 +70,8 @@ Json digit_scene(const DigitResult& about, const std::string& caption, MeshTable
     add_skin({subject, digit, pose_tree(digit.model.tree, q)}, meshes, layers);
   }
   const Eigen::Matrix3d& tip = digit.model.tip_axes;
-  return {{"type", "scene"},
-          {"caption", caption},
-          {"up", numbers3(tip.col(1))},
-          {"axes", axis_words(tip)},
-          {"view", numbers3(tip.col(2) + 0.35 * tip.col(1))},
-          {"layers", layers}};
+  return with(digit_scene_block(caption, tip, layers),
+              {{"view", numbers3(tip.col(2) + 0.35 * tip.col(1))}});
 }
 
 double arrow_scale(double largest) { return largest > 0 ? 40 / largest : 1; }
