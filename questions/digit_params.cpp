@@ -7,10 +7,7 @@ namespace {
 
 RequestTable<DigitRequest> subject_params() {
   RequestTable<DigitRequest> table;
-  Param& subject = table.add("subject", text_schema(), &DigitRequest::subject,
-                             "A subject: its name, or its file (TOML).");
-  subject.is_positional = true;
-  subject.member.required = true;
+  table.add_argument("subject", &DigitRequest::subject, "A subject: its name, or its file (TOML).");
   table.add("digit", text_schema(), &DigitRequest::digit,
             "thumb, index, middle, ring or little; the only one if left out.");
   add_posture(table, "posture", &DigitRequest::posture,

@@ -53,19 +53,16 @@ RequestTable<PressRequest> press_params() {
             "Then stands still for so long.");
   table.add("friction", number_schema("", 0), &Request::friction, "Of the skin on the object.");
   table.include(pad, &Request::pad);
-  table
-      .add("force_error", units::kPercent, number_schema("", 0), &Request::force_error,
-           "Estimated error of the force below which the mesh is not refined.")
-      .option = "error";
+  table.add("force_error", units::kPercent, number_schema("", 0), &Request::force_error,
+            "Estimated error of the force below which the mesh is not refined.", "error");
   table.add("max_elements", integer_schema(1, 1e9), &Request::max_elements,
             "A mesh with so many elements is not refined any more.");
   table.add("points", integer_schema(1, 1e9), &Request::points, "Of the curves.");
   table.add("hold_points", integer_schema(1, 1e9), &Request::hold_points,
             "Of the curves while it stands still.");
-  table
-      .add("rungs", flag_schema(), &Request::rungs,
-           "Also compares reduced laws, elements and meshes: error over time; takes minutes.")
-      .option = "chart";
+  table.add("rungs", flag_schema(), &Request::rungs,
+            "Also compares reduced laws, elements and meshes: error over time; takes minutes.",
+            "chart");
   return table;
 }
 
@@ -104,10 +101,8 @@ RequestTable<DigitMotionRequest> digit_motion_params() {
   table.add("gravity", units::kMetrePerSquareSecond, vector_schema(""), &Request::gravity,
             "Free fall in the subject's frame.");
   table.add("seconds", number_schema("", 0), &Request::seconds, "How long.");
-  table
-      .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
-           "Between the instants kept.")
-      .option = "sample-ms";
+  table.add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
+            "Between the instants kept.", "sample-ms");
   table.add("tolerance", number_schema("", 0), &Request::tolerance, "Relative error of one step.");
   return table;
 }
@@ -115,10 +110,8 @@ RequestTable<DigitMotionRequest> digit_motion_params() {
 RequestTable<SceneRequest> scene_params() {
   using Request = SceneRequest;
   RequestTable<Request> table;
-  Param& scene = table.add("scene", text_schema(), &Request::scene,
-                           "A scene of bodies and hands: its name, or its file (TOML).");
-  scene.is_positional = true;
-  scene.member.required = true;
+  table.add_argument("scene", &Request::scene,
+                     "A scene of bodies and hands: its name, or its file (TOML).");
   table.add(
       "method", text_schema(), &Request::method,
       "Stepping: " + listed(names_in(kSteppingMethodNames)) + "; as the scene says if left out.");
@@ -126,20 +119,14 @@ RequestTable<SceneRequest> scene_params() {
       "pads", text_schema(), &Request::pads,
       "Rung of all its pads: " + listed(pad_rung_names()) + "; as the scene says if left out.");
   add_path(table, &Request::path);
-  table
-      .add("on_pins", flag_schema(), &Request::on_pins,
-           "Without its compliant joints: no joint gives.")
-      .option = "";
+  table.add("on_pins", flag_schema(), &Request::on_pins,
+            "Without its compliant joints: no joint gives.", "");
   table.add("seconds", number_schema("", 0), &Request::seconds,
             "How long; as the scene says if left out.");
-  table
-      .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
-           "Between the instants kept; as the scene says if left out.")
-      .option = "sample-ms";
-  table
-      .add("step", units::kMillisecond, number_schema("", 0), &Request::step,
-           "Every step, by time-stepping.")
-      .option = "step-ms";
+  table.add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
+            "Between the instants kept; as the scene says if left out.", "sample-ms");
+  table.add("step", units::kMillisecond, number_schema("", 0), &Request::step,
+            "Every step, by time-stepping.", "step-ms");
   table.add("tolerance", number_schema("", 0), &Request::tolerance,
             "Error of one step, in m and rad.");
   add_data(table, &Request::data);
@@ -177,23 +164,21 @@ RequestTable<SceneRequest> scene_sweep_params() {
 }
 
 void internal::add_motion_questions(std::vector<Question>& all) {
-  all.push_back(make_question("digit_motion", "How a digit moves when its muscles are excited.",
-                              digit_motion_params(), simulate_digit,
-                              R"({"subject": "an_chao_index", "excitation": {"FDP": 0.1},
+  add_question(all, "digit_motion", "How a digit moves when its muscles are excited.",
+               digit_motion_params(), simulate_digit,
+               R"({"subject": "an_chao_index", "excitation": {"FDP": 0.1},
                                   "seconds": 0.05})",
-                              "simulate", QuestionPace::kLasts));
-  all.push_back(make_question("scene", "How a scene of bodies and hands moves.", scene_params(),
-                              simulate, R"({"scene": "incline_slide", "seconds": 0.1})", "simulate",
-                              QuestionPace::kLasts));
-  all.push_back(make_question(
-      "scene_sweep", "How a scene moves when numbers of it vary.", scene_sweep_params(), sweep,
+               "simulate", QuestionPace::kLasts);
+  add_question(all, "scene", "How a scene of bodies and hands moves.", scene_params(), simulate,
+               R"({"scene": "incline_slide", "seconds": 0.1})", "simulate", QuestionPace::kLasts);
+  add_question(
+      all, "scene_sweep", "How a scene moves when numbers of it vary.", scene_sweep_params(), sweep,
       R"({"scene": "incline_slide", "seconds": 0.1, "vary": [{"name": "friction", "from": 0.1,
           "to": 0.3, "count": 2}]})",
-      "simulate", QuestionPace::kLasts));
-  all.push_back(make_question("press", "Force, area, pressure and stick of a pad under an object.",
-                              press_params(), press_pad,
-                              R"({"depth_mm": 0.5, "points": 2, "max_elements": 500})", "pad press",
-                              QuestionPace::kLasts));
+      "simulate", QuestionPace::kLasts);
+  add_question(all, "press", "Force, area, pressure and stick of a pad under an object.",
+               press_params(), press_pad, R"({"depth_mm": 0.5, "points": 2, "max_elements": 500})",
+               "pad press", QuestionPace::kLasts);
 }
 
 }  // namespace thenar
