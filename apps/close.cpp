@@ -17,31 +17,20 @@
 #include "report/pages/grasp.h"
 
 namespace thenar {
-namespace {
-
-struct CloseArguments {
-  Json request = Json::object();
-  Outputs outputs;
-};
-
-void run_close(const CloseArguments& options) {
-  CloseRequest request{world_params().read(options.request)};
-  request.world.pictures = options.outputs.page();
-  const CloseResult found = close_in_world(request, terminal_progress());
-  deliver(options.outputs, found);
-  if (found.outcome.stopped()) throw Stopped("stopped: this is what was found by then");
-}
-
-}  // namespace
-
 void add_close(CLI::App& app) {
-  auto options = std::make_shared<CloseArguments>();
+  auto options = std::make_shared<TypedQuestion>();
   CLI::App* command =
       app.add_subcommand("close", "Close the hand of a world where it stands; say what stopped it");
   add_request_options(*command, world_params().params(), options->request);
   add_output_options(*command, options->outputs, {true, true, true});
   add_examples(*command, {"close arm_cube", "close arm_cube --csv"});
-  command->callback([options] { run_close(*options); });
+  command->callback([options] {
+    CloseRequest request{world_params().read(options->request)};
+    request.world.pictures = options->outputs.page();
+    const CloseResult found = close_in_world(request, terminal_progress());
+    deliver(options->outputs, found);
+    if (found.outcome.stopped()) throw Stopped("stopped: this is what was found by then");
+  });
 }
 
 }  // namespace thenar

@@ -22,11 +22,6 @@
 namespace thenar {
 namespace {
 
-struct CompareArguments {
-  Json request = Json::object();
-  Outputs outputs;
-};
-
 /// Returns a sentence about what is kept when the command is stopped.
 std::string kept_words(const CompareResult& result) {
   const CompareRequest& request = result.request;
@@ -48,8 +43,7 @@ Outputs without_json(Outputs outputs) {
   return outputs;
 }
 
-void run_compare(const CompareArguments& options) {
-  // Record the question before the file is added, which is no part of it.
+void run_compare(const TypedQuestion& options) {
   CompareRequest request = compare_params().read(options.request);
   set_request("compare", compare_params().write(request));
   request.file = options.outputs.one(".json");
@@ -68,7 +62,7 @@ void run_compare(const CompareArguments& options) {
 }  // namespace
 
 void add_compare(CLI::App& app) {
-  auto options = std::make_shared<CompareArguments>();  // lives as long as the callback
+  auto options = std::make_shared<TypedQuestion>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("compare", "Hands on the same objects and tasks");
   add_request_options(*command, compare_params().params(), options->request);
   for (const char* const list : {"--hands", "--objects", "--tasks"})

@@ -12,23 +12,8 @@
 #include "report/explain/explanation.h"
 
 namespace thenar {
-namespace {
-
-struct ExplainArguments {
-  ExplainRequest request;
-  Outputs outputs;
-};
-
-void run_explain(const ExplainArguments& options) {
-  const ThingExplained found = explain_thing(options.request);
-  print_warnings(found.outcome.warnings);
-  deliver(options.outputs, found);
-}
-
-}  // namespace
-
 void add_explain(CLI::App& app) {
-  auto options = std::make_shared<ExplainArguments>();
+  auto options = std::make_shared<Arguments<ExplainRequest>>();
   CLI::App* command =
       app.add_subcommand("explain", "What a file makes thenar build, assume, spend and fit");
   command
@@ -48,7 +33,11 @@ void add_explain(CLI::App& app) {
   add_output_options(*command, options->outputs, {});
   add_examples(*command, {"explain synek2019_middle", "explain mirakhorlo2016 --digit index",
                           "explain synek2019_H01"});
-  command->callback([options] { run_explain(*options); });
+  command->callback([options] {
+    const ThingExplained found = explain_thing(options->request);
+    print_warnings(found.outcome.warnings);
+    deliver(options->outputs, found);
+  });
 }
 
 }  // namespace thenar

@@ -70,10 +70,7 @@ void fit_best(FitArguments& options) {
   require(!result.fit.solution.failed, "the fit failed: {}; the file holds the best point found",
           result.fit.solution.message);
   if (result.outcome.stopped()) throw Stopped("stopped; the file holds the best point so far");
-  const std::string complaint = fit_complaint(result, options.allow_unconverged);
-  if (complaint.empty()) return;
-  if (!options.allow_unconverged) throw Error(complaint);
-  print_warnings({complaint});
+  complain(fit_complaint(result, options.allow_unconverged), options.allow_unconverged);
 }
 
 /// Checks that all requested draws were made. @throws Stopped otherwise
@@ -116,10 +113,8 @@ void sample_posterior_of(FitArguments& options) {
   print_warnings(result->outcome.warnings);
   print_warnings(noise_cautions(*result));
   print_warnings(convergence_cautions(result->run));
-  const std::string complaint = convergence_complaint(result->run, options.allow_unconverged);
-  if (complaint.empty()) return;
-  if (!options.allow_unconverged) throw Error(complaint);
-  print_warnings({complaint});
+  complain(convergence_complaint(result->run, options.allow_unconverged),
+           options.allow_unconverged);
 }
 
 void run_fit(FitArguments& options) {

@@ -21,10 +21,8 @@
 namespace thenar {
 namespace {
 
-struct GraspArguments {
-  Json request = Json::object();
+struct GraspArguments : TypedQuestion {
   std::string save;
-  Outputs outputs;
 };
 
 void run_grasp(const GraspArguments& options) {

@@ -18,14 +18,11 @@
 #include "base/error.h"
 #include "base/words.h"
 #include "report/answers/import.h"
-#include "report/table.h"
 
 namespace thenar {
 namespace {
 
-struct ImportArguments {
-  ImportRequest request;
-  Outputs outputs;
+struct ImportArguments : Arguments<ImportRequest> {
   bool strict = false, allow_missing = false;
   bool unit_stated = false;  // by --scale, also where that is 1
 };

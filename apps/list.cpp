@@ -5,8 +5,6 @@
 
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "api/named/catalogue.h"
 #include "apps/commands.h"
 #include "apps/options.h"
@@ -16,23 +14,8 @@
 #include "report/answers/catalogue.h"
 
 namespace thenar {
-namespace {
-
-struct ListArguments {
-  CatalogueRequest request;
-  Outputs outputs;
-};
-
-void run_list(const ListArguments& options) {
-  const Catalogue found = list_names(options.request);
-  print_warnings(found.warnings);
-  deliver(options.outputs, found);
-}
-
-}  // namespace
-
 void add_list(CLI::App& app) {
-  auto options = std::make_shared<ListArguments>();
+  auto options = std::make_shared<Arguments<CatalogueRequest>>();
   CLI::App* command =
       app.add_subcommand("list", "Names that commands take: subjects, worlds, hands, objects ..");
   command->add_option("what", options->request.what,
@@ -44,7 +27,11 @@ void add_list(CLI::App& app) {
   add_data_option(*command, options->request.data);
   add_output_options(*command, options->outputs, {true, true});
   add_examples(*command, {"list", "list hands", "list muscles mirakhorlo2016 --csv"});
-  command->callback([options] { run_list(*options); });
+  command->callback([options] {
+    const Catalogue found = list_names(options->request);
+    print_warnings(found.warnings);
+    deliver(options->outputs, found);
+  });
 }
 
 }  // namespace thenar

@@ -83,7 +83,7 @@ void hide_empty_defaults(CLI::App& app) {
 }
 
 /// Prints the error of a command line, with a way out. @return the exit code
-int complain(const CLI::App& app, const CLI::ParseError& error) {
+int complain_of_line(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = named_command(app);
   std::string text = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
@@ -102,28 +102,12 @@ int run_command(int argc, char** argv) {
   app.option_defaults()->always_capture_default();
   app.require_subcommand(1);
   app.set_version_flag("--version", THENAR_VERSION);
-  add_list(app);
-  add_validate(app);
-  add_explain(app);
-  add_pose(app);
-  add_digit_commands(app);
-  add_tendon(app);
-  add_simulate(app);
-  add_pad(app);
-  add_study(app);
-  add_fit(app);
-  add_predict(app);
-  add_posterior(app);
-  add_quality(app);
-  add_grasp(app);
-  add_close(app);
-  add_compare(app);
-  add_view(app);
-  add_serve(app);
-  add_import(app);
-  add_demo(app);
-  add_ask(app);
-  add_rerun(app);
+  for (const auto add :
+       {add_list,     add_validate, add_explain, add_pose,    add_digit_commands, add_tendon,
+        add_simulate, add_pad,      add_study,   add_fit,     add_predict,        add_posterior,
+        add_quality,  add_grasp,    add_close,   add_compare, add_view,           add_serve,
+        add_import,   add_demo,     add_ask,     add_rerun})
+    add(app);
   hide_empty_defaults(app);
   // Help and silent errors bring their own exit codes, an interruption has that of its signal.
   try {
@@ -135,7 +119,7 @@ int run_command(int argc, char** argv) {
   } catch (const CLI::RuntimeError& silent) {
     return silent.get_exit_code();
   } catch (const CLI::ParseError& error) {
-    return complain(app, error);
+    return complain_of_line(app, error);
   } catch (const Stopped& e) {
     fmt::print(stderr, "thenar: {}\n", e.what());
     return exit_code_of_interruption();

@@ -39,6 +39,13 @@ struct OutputKinds {
   std::vector<std::string> own = {};  // endings of its own files: ".h5"
 };
 
+/// What is typed of a command: its request, and where the answer goes.
+template <typename Request>
+struct Arguments {
+  Request request = {};
+  Outputs outputs = {};
+};
+
 /// Adds the flags of these kinds, old spellings (--out, --output) included. Files of other endings,
 /// and files that cannot be written, are refused before any work.
 void add_output_options(CLI::App& command, Outputs& outputs, const OutputKinds& kinds);

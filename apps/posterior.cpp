@@ -26,10 +26,7 @@ struct PosteriorArguments {
 
 void warn_of(const PosteriorRun& run, bool allowed) {
   print_warnings(convergence_cautions(run));
-  const std::string complaint = convergence_complaint(run, allowed);
-  if (complaint.empty()) return;
-  if (!allowed) throw Error(complaint);
-  print_warnings({complaint});
+  complain(convergence_complaint(run, allowed), allowed);
 }
 
 void summary(const PosteriorArguments& options) {

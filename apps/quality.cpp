@@ -26,10 +26,8 @@
 namespace thenar {
 namespace {
 
-struct QualityArguments {
+struct QualityArguments : TypedQuestion {
   std::vector<std::string> contacts;
-  Json request = Json::object();
-  Outputs outputs;
 };
 
 std::string json_line(const OrderedJson& json) { return json_text(json, -1) + "\n"; }

@@ -83,10 +83,8 @@ void compare_and_deliver(const SceneRequest& request, const std::vector<std::str
 }
 
 /// What is typed: of a subject, of a scene or of both.
-struct SimulateArguments {
-  Json request = Json::object();
+struct SimulateArguments : TypedQuestion {
   std::vector<std::string> pads;  // rungs
-  Outputs outputs;
 };
 
 void simulate_digit_of(const SimulateArguments& options) {

@@ -21,10 +21,8 @@
 namespace thenar {
 namespace {
 
-struct StudyArguments {
-  ThumbStudyRequest request;
+struct StudyArguments : Arguments<ThumbStudyRequest> {
   bool allow_unconverged = false;
-  Outputs outputs;
 };
 
 void run_thumb(const StudyArguments& options) {
@@ -35,12 +33,7 @@ void run_thumb(const StudyArguments& options) {
   if (!complaint.empty() && !options.allow_unconverged) throw Error(complaint);
 }
 
-struct TypesArguments {
-  ThumbTypesRequest request;
-  Outputs outputs;
-};
-
-void run_types(const TypesArguments& options) {
+void run_types(const Arguments<ThumbTypesRequest>& options) {
   const ThumbTypesResult result = ask_thumb_types(options.request, terminal_progress());
   deliver(options.outputs, result);
   if (!result.types.complete)
@@ -48,7 +41,7 @@ void run_types(const TypesArguments& options) {
 }
 
 void add_types(CLI::App& study) {
-  auto options = std::make_shared<TypesArguments>();  // lives as long as the callback
+  auto options = std::make_shared<Arguments<ThumbTypesRequest>>();  // lives as long as the callback
   CLI::App* types = study.add_subcommand(
       "thumb-types", "Which types of thumbs does the spread of joint axes make, and how many?");
   ThumbTypesRequest& request = options->request;

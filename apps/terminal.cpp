@@ -100,6 +100,12 @@ void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "thenar: warning: {}\n", warning);
 }
 
+void complain(const std::string& complaint, bool allowed) {
+  if (complaint.empty()) return;
+  if (!allowed) throw Error(complaint);
+  print_warnings({complaint});
+}
+
 void tell_if_stopped(std::size_t done, std::size_t asked, const std::string& what) {
   if (done >= asked) return;
   if (done == 0) throw Stopped(fmt::format("stopped before the first {} was done", what));

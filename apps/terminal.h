@@ -20,6 +20,9 @@ namespace thenar {
 /// A line "thenar: warning: .." on stderr for each; to be called before the answer is printed.
 void print_warnings(const std::vector<std::string>& warnings);
 
+/// Warns of what a result is accused of, if anything. @throws Error unless it was allowed
+void complain(const std::string& complaint, bool allowed);
+
 /// Says how much of the work was done where it was stopped, after its answer was delivered.
 /// @param what  "posture"  @throws Stopped if less was done than was asked for
 void tell_if_stopped(std::size_t done, std::size_t asked, const std::string& what);

@@ -12,23 +12,8 @@
 #include "report/answers/validation.h"
 
 namespace thenar {
-namespace {
-
-struct ValidateArguments {
-  ValidateRequest request;
-  Outputs outputs;
-};
-
-void run_validate(const ValidateArguments& options) {
-  const Validation found = validate(options.request);
-  deliver(options.outputs, found);
-  if (!found.valid()) throw CLI::RuntimeError(1);  // exits silently: all has been said
-}
-
-}  // namespace
-
 void add_validate(CLI::App& app) {
-  auto options = std::make_shared<ValidateArguments>();
+  auto options = std::make_shared<Arguments<ValidateRequest>>();
   CLI::App* command = app.add_subcommand("validate", "Say what files are, or what is wrong");
   command
       ->add_option("files", options->request.things,
@@ -42,7 +27,11 @@ void add_validate(CLI::App& app) {
   add_output_options(*command, options->outputs, {true, true});
   add_examples(*command, {"validate data/subjects/*.toml data/experiments/*.toml",
                           "validate synek2019_H01 --subject synek2019_middle"});
-  command->callback([options] { run_validate(*options); });
+  command->callback([options] {
+    const Validation found = validate(options->request);
+    deliver(options->outputs, found);
+    if (!found.valid()) throw CLI::RuntimeError(1);  // exits silently: all has been said
+  });
 }
 
 }  // namespace thenar

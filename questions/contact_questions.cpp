@@ -33,11 +33,8 @@ RequestTable<ContactQualityRequest> contact_params() {
       .add("contacts", text_schema(), &Request::contacts,
            "Contact set: a file (JSON), or a name of contacts/.")
       .is_positional = true;
-  table
-      .add("text", content_schema(kMaxContactText), &Request::text,
-           "The contact set itself (JSON), in place of a file.")
-      .option = "";
-  // The model of friction: exact cones or inscribed pyramids.
+  table.add("text", content_schema(kMaxContactText), &Request::text,
+            "The contact set itself (JSON), in place of a file.", "");
   table.add("edges", integer_schema(0, 1e9), &Request::edges,
             "Friction pyramids of so many edges, 3 to 1000, in place of cones; 0: the true cones. "
             "Soft fingers get double pyramids with poles at their torsion.");
@@ -48,10 +45,9 @@ RequestTable<ContactQualityRequest> contact_params() {
                  "l1: normal forces sum up to 1; linf: those of each patch sum up to 1 at most.");
   table.add("gap", number_schema(""), &Request::gap,
             "Largest certified upper - lower of epsilon, in units of normal force.");
-  table
-      .add("volume", flag_schema(), &Request::volume,
-           "Whether the volume is computed, which takes 80 to 5,000 times as long as epsilon.")
-      .option = "!no-volume";
+  table.add("volume", flag_schema(), &Request::volume,
+            "Whether the volume is computed, which takes 80 to 5,000 times as long as epsilon.",
+            "!no-volume");
   add_data(table, &Request::data);
   return table;
 }
@@ -59,10 +55,7 @@ RequestTable<ContactQualityRequest> contact_params() {
 RequestTable<WorldRequest> world_params() {
   // The world alone is required; it may hold several hands and objects.
   RequestTable<WorldRequest> table;
-  Param& world = table.add("world", text_schema(), &WorldRequest::world,
-                           "A world: its name, or its file (TOML).");
-  world.is_positional = true;
-  world.member.required = true;
+  table.add_argument("world", &WorldRequest::world, "A world: its name, or its file (TOML).");
   table.add("hand", text_schema(), &WorldRequest::hand, "Which hand, where there are several.");
   table.add("object", text_schema(), &WorldRequest::object,
             "Which object, where there are several.");
@@ -79,20 +72,15 @@ RequestTable<GraspRequest> grasp_params() {
   RequestTable<Request> table;
   // The world states where hand and object begin.
   table.include(world_params(), &Request::world);
-  table
-      .add("approach", flag_schema(), &Request::approach,
-           "Approaches along the palm's direction first (default), or closes where the hand is.")
-      .option = "approach,!no-approach";
-  table
-      .add("approach_distance", units::kMetre, number_schema("", 0), &Request::approach_distance,
-           "Farthest approach.")
-      .option = "approach-distance,way";
-  // Random starts replace the hand's pose in the world.
-  table
-      .add("starts", integer_schema(0, 1e9), &Request::starts,
-           "Best of so many random pregrasps, drawn as in comparisons; 0: the world's own; the "
-           "hand may then be any hand by name.")
-      .option = "random";
+  table.add("approach", flag_schema(), &Request::approach,
+            "Approaches along the palm's direction first (default), or closes where the hand is.",
+            "approach,!no-approach");
+  table.add("approach_distance", units::kMetre, number_schema("", 0), &Request::approach_distance,
+            "Farthest approach.", "approach-distance,way");
+  table.add("starts", integer_schema(0, 1e9), &Request::starts,
+            "Best of so many random pregrasps, drawn as in comparisons; 0: the world's own; the "
+            "hand may then be any hand by name.",
+            "random");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
             "Seed of random starts and of robustness.");
   // Robustness repeats the grasp with friction, contacts and pose drawn at random.
@@ -103,18 +91,14 @@ RequestTable<GraspRequest> grasp_params() {
   // Quality: the limit of contact forces, and the certified gap of epsilon.
   table.add_word("norm", kForceNormNames, &Request::limit,
                  "Limit of contact forces: l1 their sum, linf each of them.");
-  table
-      .add("tolerance", number_schema(""), &Request::tolerance,
-           "Largest difference of the certified bounds of epsilon, also of robustness.")
-      .option = "tolerance,gap";
+  table.add("tolerance", number_schema(""), &Request::tolerance,
+            "Largest difference of the certified bounds of epsilon, also of robustness.",
+            "tolerance,gap");
   table.add("edges", integer_schema(0, 1e9), &Request::edges,
             "Friction pyramids of so many edges in epsilon, volume, robustness and wrench sets; 0: "
             "cones, as all other measures have.");
-  // Meshes are large, and nobody reads them in a terminal.
-  table
-      .add("wrench_meshes", flag_schema(), &Request::wrench_meshes,
-           "With JSON, also the wrench set as meshes: projected and cut.")
-      .option = "wrenches";
+  table.add("wrench_meshes", flag_schema(), &Request::wrench_meshes,
+            "With JSON, also the wrench set as meshes: projected and cut.", "wrenches");
   return table;
 }
 
@@ -143,26 +127,22 @@ RequestTable<CompareRequest> compare_params() {
   table.add("materials", text_schema(), &Request::materials,
             "File of materials and friction of your own (TOML), over the built-in table.");
   add_data(table, &Request::data);
-  // A file keeps what is done, pair by pair.
-  Param& output = table.add("output", saved_file_schema(), &Request::file,
-                            "File (.json) that is written after every pair; one that is there is "
-                            "gone on with.");
-  output.option = "";
+  table.add("output", saved_file_schema(), &Request::file,
+            "File (.json) that is written after every pair; one that is there is gone on with.",
+            "");
   return table;
 }
 
 void internal::add_contact_questions(std::vector<Question>& all) {
-  // Epsilon of given contacts is immediate; grasps and comparisons take seconds to hours.
-  all.push_back(
-      make_question("contacts", "How large a wrench, from whatever direction, contacts bear.",
-                    contact_params(), measure, R"({"contacts": "two_soft_fingers"})", "quality"));
-  all.push_back(make_question(
-      "grasp", "Puts the hand of a world on its object and measures the grasp.", grasp_params(),
-      measure_grasp, R"({"world": "jaw_box"})", "grasp", QuestionPace::kLasts));
-  all.push_back(make_question(
-      "compare", "Hands on the same objects and tasks.", compare_params(), compare_hands,
+  add_question(all, "contacts", "How large a wrench, from whatever direction, contacts bear.",
+               contact_params(), measure, R"({"contacts": "two_soft_fingers"})", "quality");
+  add_question(all, "grasp", "Puts the hand of a world on its object and measures the grasp.",
+               grasp_params(), measure_grasp, R"({"world": "jaw_box"})", "grasp",
+               QuestionPace::kLasts);
+  add_question(
+      all, "compare", "Hands on the same objects and tasks.", compare_params(), compare_hands,
       R"({"hands": ["barrett", "parallel_jaw"], "objects": ["sphere_70"], "approaches": 2})",
-      "compare", QuestionPace::kLasts));
+      "compare", QuestionPace::kLasts);
 }
 
 }  // namespace thenar

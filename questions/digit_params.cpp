@@ -7,11 +7,7 @@ namespace {
 
 RequestTable<DigitRequest> subject_params() {
   RequestTable<DigitRequest> table;
-  // The digit: a subject, and one of its digits.
-  Param& subject = table.add("subject", text_schema(), &DigitRequest::subject,
-                             "A subject: its name, or its file (TOML).");
-  subject.is_positional = true;
-  subject.member.required = true;
+  table.add_argument("subject", &DigitRequest::subject, "A subject: its name, or its file (TOML).");
   table.add("digit", text_schema(), &DigitRequest::digit,
             "thumb, index, middle, ring or little; the only one if left out.");
   // The posture, in degrees or radians; frozen joints are no coordinates of the digit any more.

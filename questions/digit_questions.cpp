@@ -72,7 +72,7 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
   RequestTable<Request> table;
   // The load and its direction; without a direction the answer is the set of all loads.
   table.include(linear_digit_params(), &Request::digit);
-  table.add_word("load", kTipLoadNames, &Request::load, "What is asked for.").option = "";
+  table.add_word("load", kTipLoadNames, &Request::load, "What is asked for.", "");
   table.add("direction", vector_schema(""), &Request::direction,
             "x y z of the wanted force, or of the axis of the wanted moment; the whole set if left "
             "out.");
@@ -82,20 +82,12 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
                  "a rigid hold.");
   add_other_load(table, TipLoad::kMoment, "forces", units::kNewton,
                  "Forces beside the moment, along each of the axes.");
-  // Tolerance and frame of the direction.
-  table
-      .add("tolerance", units::kDegree, number_schema(""), &Request::tolerance,
-           "Half angle of the cone the force or moment may lie in.")
-      .option = "tolerance-deg";
-  table
-      .add_word("frame", kDirectionFrameNames, &Request::frame,
-                "world: the subject's frame; tip: proximal, dorsal, radial.")
-      .option = "axes";
-  table
-      .add("whole_set", flag_schema(), &Request::whole_set,
-           "The whole set, also beside a direction.")
-      .option = "set";
-  // Muscles that are paralysed or weak, as in a palsy.
+  table.add("tolerance", units::kDegree, number_schema(""), &Request::tolerance,
+            "Half angle of the cone the force or moment may lie in.", "tolerance-deg");
+  table.add_word("frame", kDirectionFrameNames, &Request::frame,
+                 "world: the subject's frame; tip: proximal, dorsal, radial.", "axes");
+  table.add("whole_set", flag_schema(), &Request::whole_set,
+            "The whole set, also beside a direction.", "set");
   table.add("without", list_schema(text_schema(), 0, 100), &Request::without,
             "Muscles that are paralysed, as under a nerve block; the loss is told.");
   table
@@ -125,16 +117,9 @@ RequestTable<TendonRequest> tension_params() {
 RequestTable<PoseRequest> pose_params() {
   using Request = PoseRequest;
   RequestTable<Request> table;
-  // One question serves subjects and robots, told apart by their file.
-  Param& model = table.add("model", text_schema(), &Request::model,
-                           "A subject or a robot: its name, or its file.");
-  model.is_positional = true;
-  model.member.required = true;
-  table
-      .add("digits", list_schema(text_schema(), 0, 100), &Request::digits,
-           "Digits of a subject to keep; all if left out.")
-      .option = "digit";
-  // The posture and a grid of postures; a digit's frozen joints leave the tree.
+  table.add_argument("model", &Request::model, "A subject or a robot: its name, or its file.");
+  table.add("digits", list_schema(text_schema(), 0, 100), &Request::digits,
+            "Digits of a subject to keep; all if left out.", "digit");
   add_posture(table, "posture", &Request::posture,
               "Angles by joint, or in the order of the joints; others stay at 0. Robots: degrees "
               "of freedom or joints, slides in mm.");
@@ -151,38 +136,32 @@ MomentArmResult compute_arms(const DigitRequest& request, const Progress& progre
 }  // namespace
 
 void add_digit_questions(std::vector<Question>& all) {
-  // Each question has an example that is asked in the tests as it stands.
-  all.push_back(make_question(
-      "pose", "Joints, segments or links, and tips at a posture.", pose_params(), ask_pose,
-      R"({"model": "synek2019_middle", "posture_deg": {"PIP3": 30}})", "pose"));
-  all.push_back(make_question("moment_arms", "Moment arms and length changes of a digit's tendons.",
-                              moment_arm_params(), compute_arms,
-                              R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 20}})",
-                              "moment-arms"));
-  all.push_back(make_question("tip_force", "Force of a fingertip from tendon tensions.",
-                              tip_force_params(), compute_tip_force,
-                              R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 40,
+  add_question(all, "pose", "Joints, segments or links, and tips at a posture.", pose_params(),
+               ask_pose, R"({"model": "synek2019_middle", "posture_deg": {"PIP3": 30}})", "pose");
+  add_question(all, "moment_arms", "Moment arms and length changes of a digit's tendons.",
+               moment_arm_params(), compute_arms,
+               R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 20}})", "moment-arms");
+  add_question(all, "tip_force", "Force of a fingertip from tendon tensions.", tip_force_params(),
+               compute_tip_force,
+               R"({"subject": "synek2019_middle", "posture_deg": {"MCP3_FE": 40,
                                   "PIP3": 55}, "tension_N": {"FDP": 10}})",
-                              "tip-force"));
-  all.push_back(make_question("feasible_force",
-                              "The largest force or moment of a fingertip, or all of them.",
-                              feasible_force_params(), compute_feasible_force,
-                              R"({"subject": "an_chao_index", "posture_deg": {"MCP2_FE": 45,
+               "tip-force");
+  add_question(all, "feasible_force", "The largest force or moment of a fingertip, or all of them.",
+               feasible_force_params(), compute_feasible_force,
+               R"({"subject": "an_chao_index", "posture_deg": {"MCP2_FE": 45,
                                   "PIP2": 45, "DIP2": 10}, "frame": "tip",
                                   "direction": [0, -1, 0]})",
-                              "feasible-force"));
-  // Tendons of a net are solved for equilibrium, at one posture or at many.
-  all.push_back(make_question("tendons", "Bands, slips, torques and tip force of a digit.",
-                              tension_params(), solve_tendons,
-                              R"({"subject": "an_chao_index", "net": "chao_an", "posture_deg":
+               "feasible-force");
+  add_question(all, "tendons", "Bands, slips, torques and tip force of a digit.", tension_params(),
+               solve_tendons,
+               R"({"subject": "an_chao_index", "net": "chao_an", "posture_deg":
                                   {"MCP2_FE": 20, "PIP2": 30}, "tension_N": {"EDC": 2.9}})",
-                              "tendon solve"));
-  all.push_back(make_question("tendon_sweep", "The same over postures.", tension_params(),
-                              sweep_tendons,
-                              R"({"subject": "synek2019_middle", "tension_N": {"EDC": 2.9},
+               "tendon solve");
+  add_question(all, "tendon_sweep", "The same over postures.", tension_params(), sweep_tendons,
+               R"({"subject": "synek2019_middle", "tension_N": {"EDC": 2.9},
                                   "vary_deg": [{"joint": "PIP3", "from": 0, "to": 20,
                                   "step": 10}]})",
-                              "tendon sweep"));
+               "tendon sweep");
 }
 
 }  // namespace thenar::internal

@@ -35,10 +35,7 @@ void add_fit_path(RequestTable<Request>& table, std::optional<Path> Request::*me
 
 template <typename Request>
 void add_experiments(RequestTable<Request>& table, std::vector<std::string> Request::*member) {
-  Param& experiments =
-      table.add("experiments", names_schema(), member, "Experiments: names, or files (TOML).");
-  experiments.is_positional = true;
-  experiments.member.required = true;
+  table.add_argument("experiments", member, "Experiments: names, or files (TOML).", names_schema());
 }
 
 RequestTable<FitSources> source_params() {
@@ -55,11 +52,8 @@ RequestTable<FitSources> source_params() {
   // A net replaces the fractions of the hood.
   table.add("net", text_schema(), &FitSources::net,
             "Extensor net in place of the subject's hood: name or file.");
-  table
-      .add("also_free", names_schema(), &FitSources::also_free,
-           "Also frees the parameters matching these globs.")
-      .option = "free";
-  // Scaling sets the size of the digit before any parameter acts.
+  table.add("also_free", names_schema(), &FitSources::also_free,
+            "Also frees the parameters matching these globs.", "free");
   table.add("scale", word_schema({"subject", "outside"}), &FitSources::scale,
             "Size of the digit before parameters act: the subject's own, or by what each "
             "experiment states in [outside].");
@@ -71,16 +65,13 @@ RequestTable<FitSources> source_params() {
 template <typename Request>
 void add_output(RequestTable<Request>& table, std::string Request::*member,
                 const std::string& about) {
-  table.add("output", saved_file_schema(), member, about).option = "";
+  table.add("output", saved_file_schema(), member, about, "");
 }
 
 RequestTable<PredictRequest> predict_params() {
   using Request = PredictRequest;
   RequestTable<Request> table;
-  // A fit predicts experiments that it may not have seen.
-  Param& fit = table.add("fit", text_schema(), &Request::fit, "File of a fit (.h5).");
-  fit.is_positional = true;
-  fit.member.required = true;
+  table.add_argument("fit", &Request::fit, "File of a fit (.h5).");
   add_experiments(table, &Request::experiments);
   // A fitted specimen is predicted by its own parameters, or by those of the population.
   table.add("population", flag_schema(), &Request::population,
@@ -93,11 +84,8 @@ RequestTable<PredictRequest> predict_params() {
 RequestTable<InferNetRequest> infer_params() {
   using Request = InferNetRequest;
   RequestTable<Request> table;
-  // The forces to explain, and the subject that is said to have produced them.
-  Param& experiment = table.add("experiment", text_schema(), &Request::experiment,
-                                "An experiment: its name, or its file (TOML).");
-  experiment.is_positional = true;
-  experiment.member.required = true;
+  table.add_argument("experiment", &Request::experiment,
+                     "An experiment: its name, or its file (TOML).");
   table.add("subject", text_schema(), &Request::subject, "A subject: its name, or its file (TOML).")
       .member.required = true;
   // The net holds all candidate bands, of which the inference keeps some.
@@ -186,8 +174,7 @@ RequestTable<SampleRequest> posterior_params() {
   RequestTable<Request> table;
   // The same inputs as those of a fit.
   table.include(source_params(), &Request::sources);
-  // The sampler, and how many chains it runs.
-  table.add_word("method", kSamplingMethodNames, &Request::method, "Sampler.").option = "sampler";
+  table.add_word("method", kSamplingMethodNames, &Request::method, "Sampler.", "sampler");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Of the chains.");
   table.add("chains", integer_schema(1, 1e9), &Request::chains,
             "Independent chains, or ensembles.");
@@ -208,52 +195,40 @@ RequestTable<SampleRequest> posterior_params() {
   // Parallel tempering lets chains pass between modes.
   table.add("temperatures", integer_schema(1, 1e9), &Request::temperatures,
             "Rungs of parallel tempering; 1: none.");
-  table
-      .add("min_beta", number_schema("", 0, 1), &Request::min_beta,
-           "Power of the likelihood on the hottest rung.")
-      .option = "least-temper";
+  table.add("min_beta", number_schema("", 0, 1), &Request::min_beta,
+            "Power of the likelihood on the hottest rung.", "least-temper");
   table.add("swap_every", integer_schema(1, 1e9), &Request::swap_every,
             "Steps between swaps of temperatures.");
   table.add("mode_starts", integer_schema(0, 1e9), &Request::mode_starts,
             "Starts of the search for modes; 0: 16, or 4 among more than 1000 coordinates.");
-  // Runs of hours survive a kill by checkpoints.
-  table
-      .add("checkpoint_every", units::kSecond, number_schema("", 0), &Request::checkpoint_every,
-           "Between checkpoints: what a kill may cost.")
-      .option = "checkpoint-every-s";
+  table.add("checkpoint_every", units::kSecond, number_schema("", 0), &Request::checkpoint_every,
+            "Between checkpoints: what a kill may cost.", "checkpoint-every-s");
   table.add("threads", integer_schema(0, 1e9), &Request::threads,
             "0: as many as there are processors.");
   table.add("fixed_noise", flag_schema(), &Request::fixed_noise, "Believes the stated noise.");
   table.add("fresh", flag_schema(), &Request::fresh, "Forgets an interrupted run of this output.");
-  // Chains with divergent trajectories begin anew with smaller steps.
-  table
-      .add("retry_acceptances", list_schema(number_schema("", 0.05, 0.999), 0, 10),
-           &Request::retry_acceptances,
-           "Target acceptances at which chains begin anew whose trajectories diverge.")
-      .option = "";
+  table.add("retry_acceptances", list_schema(number_schema("", 0.05, 0.999), 0, 10),
+            &Request::retry_acceptances,
+            "Target acceptances at which chains begin anew whose trajectories diverge.", "");
   add_output(table, &Request::output, "File of the draws (.nc).");
   return table;
 }
 
 void internal::add_fit_questions(std::vector<Question>& all) {
-  // Fits, posteriors and bands take minutes; predictions are immediate.
-  all.push_back(
-      make_question("fit", "Fits a digit to measured fingertip forces.", fit_params(), fit_digit,
-                    R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle"})", "fit",
-                    QuestionPace::kLasts));
-  all.push_back(make_question("predict", "Forces of an experiment by a fit.", predict_params(),
-                              predict, R"({"fit": "fit.h5", "experiments": ["synek2019_B01"]})",
-                              "predict"));
-  all.push_back(make_question(
-      "posterior", "Draws of all parameters that priors and measured forces allow.",
-      posterior_params(), sample,
-      R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle", "chains": 2,
+  add_question(all, "fit", "Fits a digit to measured fingertip forces.", fit_params(), fit_digit,
+               R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle"})", "fit",
+               QuestionPace::kLasts);
+  add_question(all, "predict", "Forces of an experiment by a fit.", predict_params(), predict,
+               R"({"fit": "fit.h5", "experiments": ["synek2019_B01"]})", "predict");
+  add_question(all, "posterior", "Draws of all parameters that priors and measured forces allow.",
+               posterior_params(), sample,
+               R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle", "chains": 2,
           "warm_up": 50, "draws": 50, "output": "posterior.nc"})",
-      "fit", QuestionPace::kLasts));
-  all.push_back(make_question("bands", "Which bands of a hood measured fingertip forces ask for.",
-                              infer_params(), infer,
-                              R"({"experiment": "synek2019_H01", "subject": "synek2019_middle"})",
-                              "tendon infer", QuestionPace::kLasts));
+               "fit", QuestionPace::kLasts);
+  add_question(all, "bands", "Which bands of a hood measured fingertip forces ask for.",
+               infer_params(), infer,
+               R"({"experiment": "synek2019_H01", "subject": "synek2019_middle"})", "tendon infer",
+               QuestionPace::kLasts);
 }
 
 }  // namespace thenar

@@ -70,36 +70,28 @@ template <typename... Results>
   return std::visit([](auto& each) { return answer_of(std::move(each)); }, result);
 }
 
-/// A question of a request and a result, which answer_of() takes.
+/// Adds a question of a request and a result, which answer_of() takes.
 /// @param example  a request as JSON
 template <typename Request, typename Result>
-[[nodiscard]] Question make_question(const std::string& name, std::string about,
-                                     const RequestTable<Request>& table,
-                                     Result (*ask)(const Request&, const Progress&),
-                                     std::string example, std::string command,
-                                     QuestionPace pace = QuestionPace::kAtOnce) {
-  return {name,
-          std::move(about),
-          table.params(),
-          std::move(example),
-          std::move(command),
-          pace,
-          [name, table, ask](Json json, const std::string& data, const Progress& progress) {
-            // A folder of data in the request goes before that of the caller.
-            if (!data.empty() && !json.contains("data")) json["data"] = data;
-            Request request = table.read(json);
-            // Write the request back in SI with all defaults, so that the record repeats the
-            // answer.
-            const OrderedJson record = table.write(request);
-            // Files that it writes record a run that no command line began.
-            if constexpr (internal::HasRun<Request>::value) {
-              request.run = record_of_run({});
-              request.run.request = request_record(name, record);
-            }
-            Answer answer = answer_of(ask(request, progress));
-            answer.request = record;
-            return answer;
-          }};
+void add_question(std::vector<Question>& all, const std::string& name, std::string about,
+                  const RequestTable<Request>& table,
+                  Result (*ask)(const Request&, const Progress&), std::string example,
+                  std::string command, QuestionPace pace = QuestionPace::kAtOnce) {
+  all.push_back({name, std::move(about), table.params(), std::move(example), std::move(command),
+                 pace,
+                 [name, table, ask](Json json, const std::string& data, const Progress& progress) {
+                   if (!data.empty() && !json.contains("data")) json["data"] = data;
+                   Request request = table.read(json);
+                   const OrderedJson record = table.write(request);
+                   // Files that it writes record a run that no command line began.
+                   if constexpr (internal::HasRun<Request>::value) {
+                     request.run = record_of_run({});
+                     request.run.request = request_record(name, record);
+                   }
+                   Answer answer = answer_of(ask(request, progress));
+                   answer.request = record;
+                   return answer;
+                 }});
 }
 
 }  // namespace thenar

@@ -57,21 +57,16 @@ RequestTable<PressRequest> press_params() {
             "Then stands still for so long.");
   table.add("friction", number_schema("", 0), &Request::friction, "Of the skin on the object.");
   table.include(pad, &Request::pad);
-  // Accuracy of the finite elements, and how many points the curves have.
-  table
-      .add("force_error", units::kPercent, number_schema("", 0), &Request::force_error,
-           "Estimated error of the force below which the mesh is not refined.")
-      .option = "error";
+  table.add("force_error", units::kPercent, number_schema("", 0), &Request::force_error,
+            "Estimated error of the force below which the mesh is not refined.", "error");
   table.add("max_elements", integer_schema(1, 1e9), &Request::max_elements,
             "A mesh with so many elements is not refined any more.");
   table.add("points", integer_schema(1, 1e9), &Request::points, "Of the curves.");
   table.add("hold_points", integer_schema(1, 1e9), &Request::hold_points,
             "Of the curves while it stands still.");
-  // Comparing rungs repeats the press with simpler laws and with finer meshes.
-  table
-      .add("rungs", flag_schema(), &Request::rungs,
-           "Also compares reduced laws, elements and meshes: error over time; takes minutes.")
-      .option = "chart";
+  table.add("rungs", flag_schema(), &Request::rungs,
+            "Also compares reduced laws, elements and meshes: error over time; takes minutes.",
+            "chart");
   return table;
 }
 
@@ -114,10 +109,8 @@ RequestTable<DigitMotionRequest> digit_motion_params() {
             "Free fall in the subject's frame.");
   // Duration, sampling and the tolerance of the integrator.
   table.add("seconds", number_schema("", 0), &Request::seconds, "How long.");
-  table
-      .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
-           "Between the instants kept.")
-      .option = "sample-ms";
+  table.add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
+            "Between the instants kept.", "sample-ms");
   table.add("tolerance", number_schema("", 0), &Request::tolerance, "Relative error of one step.");
   return table;
 }
@@ -125,11 +118,8 @@ RequestTable<DigitMotionRequest> digit_motion_params() {
 RequestTable<SceneRequest> scene_params() {
   using Request = SceneRequest;
   RequestTable<Request> table;
-  // Scenes state all of this themselves; requests replace single numbers.
-  Param& scene = table.add("scene", text_schema(), &Request::scene,
-                           "A scene of bodies and hands: its name, or its file (TOML).");
-  scene.is_positional = true;
-  scene.member.required = true;
+  table.add_argument("scene", &Request::scene,
+                     "A scene of bodies and hands: its name, or its file (TOML).");
   table.add(
       "method", text_schema(), &Request::method,
       "Stepping: " + listed(names_in(kSteppingMethodNames)) + "; as the scene says if left out.");
@@ -137,22 +127,14 @@ RequestTable<SceneRequest> scene_params() {
       "pads", text_schema(), &Request::pads,
       "Rung of all its pads: " + listed(pad_rung_names()) + "; as the scene says if left out.");
   add_path(table, &Request::path);
-  // Compliant joints are taken for pins, to see how much their compliance matters.
-  table
-      .add("on_pins", flag_schema(), &Request::on_pins,
-           "Without its compliant joints: no joint gives.")
-      .option = "";
-  // Duration and sampling, then steps and tolerance of the method.
+  table.add("on_pins", flag_schema(), &Request::on_pins,
+            "Without its compliant joints: no joint gives.", "");
   table.add("seconds", number_schema("", 0), &Request::seconds,
             "How long; as the scene says if left out.");
-  table
-      .add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
-           "Between the instants kept; as the scene says if left out.")
-      .option = "sample-ms";
-  table
-      .add("step", units::kMillisecond, number_schema("", 0), &Request::step,
-           "Every step, by time-stepping.")
-      .option = "step-ms";
+  table.add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
+            "Between the instants kept; as the scene says if left out.", "sample-ms");
+  table.add("step", units::kMillisecond, number_schema("", 0), &Request::step,
+            "Every step, by time-stepping.", "step-ms");
   table.add("tolerance", number_schema("", 0), &Request::tolerance,
             "Error of one step, in m and rad.");
   add_data(table, &Request::data);
@@ -192,24 +174,21 @@ RequestTable<SceneRequest> scene_sweep_params() {
 }
 
 void internal::add_motion_questions(std::vector<Question>& all) {
-  // All of these integrate or press step by step, so they may take long.
-  all.push_back(make_question("digit_motion", "How a digit moves when its muscles are excited.",
-                              digit_motion_params(), simulate_digit,
-                              R"({"subject": "an_chao_index", "excitation": {"FDP": 0.1},
+  add_question(all, "digit_motion", "How a digit moves when its muscles are excited.",
+               digit_motion_params(), simulate_digit,
+               R"({"subject": "an_chao_index", "excitation": {"FDP": 0.1},
                                   "seconds": 0.05})",
-                              "simulate", QuestionPace::kLasts));
-  all.push_back(make_question("scene", "How a scene of bodies and hands moves.", scene_params(),
-                              simulate, R"({"scene": "incline_slide", "seconds": 0.1})", "simulate",
-                              QuestionPace::kLasts));
-  all.push_back(make_question(
-      "scene_sweep", "How a scene moves when numbers of it vary.", scene_sweep_params(), sweep,
+               "simulate", QuestionPace::kLasts);
+  add_question(all, "scene", "How a scene of bodies and hands moves.", scene_params(), simulate,
+               R"({"scene": "incline_slide", "seconds": 0.1})", "simulate", QuestionPace::kLasts);
+  add_question(
+      all, "scene_sweep", "How a scene moves when numbers of it vary.", scene_sweep_params(), sweep,
       R"({"scene": "incline_slide", "seconds": 0.1, "vary": [{"name": "friction", "from": 0.1,
           "to": 0.3, "count": 2}]})",
-      "simulate", QuestionPace::kLasts));
-  all.push_back(make_question("press", "Force, area, pressure and stick of a pad under an object.",
-                              press_params(), press_pad,
-                              R"({"depth_mm": 0.5, "points": 2, "max_elements": 500})", "pad press",
-                              QuestionPace::kLasts));
+      "simulate", QuestionPace::kLasts);
+  add_question(all, "press", "Force, area, pressure and stick of a pad under an object.",
+               press_params(), press_pad, R"({"depth_mm": 0.5, "points": 2, "max_elements": 500})",
+               "pad press", QuestionPace::kLasts);
 }
 
 }  // namespace thenar

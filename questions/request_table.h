@@ -94,28 +94,35 @@ class RequestTable {
     getters_.push_back(std::move(get));
     return params_.back();
   }
-  /// Adds a member of the request.
+  /// Adds a member of the request. @param option  as Param::option
   template <typename Value>
   Param& add(const std::string& key, const FieldUnit& unit, Schema schema, Value Request::*member,
-             const std::string& about) {
+             const std::string& about, const std::optional<std::string>& option = {}) {
     return add(
-        {{key, std::move(schema), about}, unit},
+        {{key, std::move(schema), about}, unit, option},
         [member](Request& request, const Json& value) { take(value, request.*member); },
         [member](const Request& request) { return give(request.*member); });
   }
   /// Adds a member that has no unit.
   template <typename Value>
   Param& add(const std::string& key, Schema schema, Value Request::*member,
-             const std::string& about) {
-    return add(key, units::kOne, std::move(schema), member, about);
+             const std::string& about, const std::optional<std::string>& option = {}) {
+    return add(key, units::kOne, std::move(schema), member, about, option);
+  }
+  /// Adds a name or a file, or several, that are needed: a plain argument of commands.
+  template <typename Value>
+  void add_argument(const std::string& key, Value Request::*member, const std::string& about,
+                    Schema schema = text_schema()) {
+    Param& param = add(key, std::move(schema), member, about);
+    param.is_positional = param.member.required = true;
   }
   /// Adds a word of an enumeration, or of one that may be left out.
   template <typename Enum, std::size_t size, typename Value>
   Param& add_word(const std::string& key, const std::array<EnumName<Enum>, size>& names,
-                  Value Request::*member, const std::string& about) {
-    // A word stands for an enumerator; a member that is unset is left out of the record.
+                  Value Request::*member, const std::string& about,
+                  const std::optional<std::string>& option = {}) {
     return add(
-        {{key, word_schema(names_in(names)), about}, units::kOne},
+        {{key, word_schema(names_in(names)), about}, units::kOne, option},
         [=](Request& request, const Json& value) {
           request.*member = value_in(names, value.get<std::string>(), key);
         },

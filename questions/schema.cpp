@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/numbers.h"
 
 namespace thenar {
 namespace {
@@ -151,15 +152,15 @@ void add_lengths(const Schema& schema, const std::string& of, OrderedJson& out) 
   out["max" + of] = schema.most;
 }
 
+Schema sized_schema(Schema::Kind kind, std::size_t least, std::size_t most,
+                    std::shared_ptr<const Schema> each = nullptr) {
+  return {kind, "", -kInfinity, kInfinity, least, most, std::move(each)};
+}
+
 }  // namespace
 
 Schema number_schema(const std::string& unit, double lower, double upper) {
-  Schema schema;
-  schema.kind = Schema::Kind::kNumber;
-  schema.unit = unit;
-  schema.lower = lower;
-  schema.upper = upper;
-  return schema;
+  return {Schema::Kind::kNumber, unit, lower, upper};
 }
 
 Schema endless_schema(const std::string& unit, double lower) {
@@ -169,17 +170,10 @@ Schema endless_schema(const std::string& unit, double lower) {
 }
 
 Schema integer_schema(double lower, double upper) {
-  Schema schema = number_schema("", lower, upper);
-  schema.kind = Schema::Kind::kInteger;
-  return schema;
+  return {Schema::Kind::kInteger, "", lower, upper};
 }
 
-Schema text_schema(std::size_t most) {
-  Schema schema;
-  schema.kind = Schema::Kind::kText;
-  schema.most = most;
-  return schema;
-}
+Schema text_schema(std::size_t most) { return sized_schema(Schema::Kind::kText, 0, most); }
 
 Schema saved_file_schema() {
   Schema schema = text_schema(kLongestOutsidePath);
@@ -199,25 +193,14 @@ Schema word_schema(std::vector<std::string> words) {
   return schema;
 }
 
-Schema flag_schema() {
-  Schema schema;
-  schema.kind = Schema::Kind::kFlag;
-  return schema;
-}
+Schema flag_schema() { return {Schema::Kind::kFlag}; }
 
 Schema list_schema(const Schema& each, std::size_t least, std::size_t most) {
-  Schema schema;
-  schema.kind = Schema::Kind::kList;
-  schema.each = std::make_shared<Schema>(each);
-  schema.least = least;
-  schema.most = most;
-  return schema;
+  return sized_schema(Schema::Kind::kList, least, most, std::make_shared<Schema>(each));
 }
 
 Schema map_schema(const Schema& each, std::size_t most) {
-  Schema schema = list_schema(each, 0, most);
-  schema.kind = Schema::Kind::kMap;
-  return schema;
+  return sized_schema(Schema::Kind::kMap, 0, most, std::make_shared<Schema>(each));
 }
 
 Schema map_or_list_schema(const Schema& each) {

@@ -19,18 +19,18 @@ struct SchemaMember;
 struct Schema {
   enum class Kind { kNumber, kInteger, kText, kFlag, kList, kObject, kMap };
   Kind kind = Kind::kObject;
-  std::string unit;                                         // of numbers, "rad or m"; empty: none
+  std::string unit = {};                                    // of numbers, "rad or m"; empty: none
   double lower = -std::numeric_limits<double>::infinity();  // of numbers
   double upper = std::numeric_limits<double>::infinity();   // of numbers
-  bool open = false;                                        // of objects: members are not looked at
+  std::size_t least = 0;                         // length of texts (bytes), lists and maps
+  std::size_t most = 1000;                       // the same
+  std::shared_ptr<const Schema> each = nullptr;  // of the entries of a list, or the values of a map
+  bool open = false;                             // of objects: members are not looked at
   bool unnamed = false;  // of maps: a list of the values in a known order will do as well
   bool endless = false;  // of numbers: infinite ones may be given, in JSON as "inf" and "-inf"
-  std::vector<std::string> words;                     // of texts: one of these; empty: any
+  std::vector<std::string> words = {};                // of texts: one of these; empty: any
   std::optional<OutsideUse> use = OutsideUse::kRead;  // of texts; nothing: any bytes
-  std::size_t least = 0;                              // length of texts (bytes), lists and maps
-  std::size_t most = 1000;                            // the same
-  std::shared_ptr<const Schema> each;  // of the entries of a list, or the values of a map
-  std::vector<SchemaMember> members;   // of an object; no others are allowed
+  std::vector<SchemaMember> members = {};             // of an object; no others are allowed
 };
 
 /// A member of an object.

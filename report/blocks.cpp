@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,6 +17,17 @@ Json number_or_text(const std::string& cell) {
 }
 
 }  // namespace
+
+BlockColumn::BlockColumn(const char* text) : name(text) {
+  if (const std::size_t at = name.rfind(':'); at != std::string::npos && at + 2 == name.size()) {
+    digits = name.back() - '0';
+    name.resize(at);
+  }
+  if (const std::size_t at = name.find(" ["); at != std::string::npos) {
+    unit = name.substr(at + 2, name.size() - at - 3);
+    name.resize(at);
+  }
+}
 
 Json opening_json(const std::string& asked, const std::string& done, const std::string& learnt) {
   return {{"asked", asked}, {"done", done}, {"learnt", learnt}};
@@ -41,6 +51,11 @@ Json lines_block(const std::string& caption, const std::string& x_label, const s
           {"series", std::move(series)}};
 }
 
+Json interval_block(const std::string& caption, const std::string& x_label, Json rows) {
+  return {
+      {"type", "interval"}, {"caption", caption}, {"x_label", x_label}, {"rows", std::move(rows)}};
+}
+
 Json table_block(const std::string& caption, const std::vector<BlockColumn>& columns, Json rows) {
   Json heads = Json::array();
   for (const BlockColumn& column : columns) {
@@ -62,6 +77,21 @@ Json table_block(const std::string& caption, const Table& table) {
     rows.push_back(std::move(line));
   }
   return table_block(caption, columns, rows);
+}
+
+Json banner_block(const std::string& title, Json reasons, bool ok) {
+  return {{"type", "banner"}, {"ok", ok}, {"title", title}, {"reasons", std::move(reasons)}};
+}
+
+Json with(Json block, const Json& more) {
+  block.update(more);
+  return block;
+}
+
+Json curve_json(const std::string& name, Json x, Json y, const std::string& style) {
+  Json curve{{"name", name}, {"x", std::move(x)}, {"y", std::move(y)}};
+  if (!style.empty()) curve["style"] = style;
+  return curve;
 }
 
 Json layer(const std::string& name, const std::string& color, Json items) {

@@ -3,6 +3,7 @@
 /// The blocks of a report as JSON; what each may hold is in viewer/README.md.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,6 +15,11 @@ namespace thenar {
 
 /// A column of a table.
 struct BlockColumn {
+  /// @param text  name, unit and digits: "force [N]:3"; the last two may be left out
+  BlockColumn(const char* text);
+  BlockColumn(std::string its_name, std::string its_unit, int its_digits = -1)
+      : name(std::move(its_name)), unit(std::move(its_unit)), digits(its_digits) {}
+
   std::string name;
   std::string unit;  // empty: none
   int digits = -1;   // after the point; -1: four significant
@@ -26,9 +32,19 @@ struct BlockColumn {
                            Json blocks);
 [[nodiscard]] Json text_block(const std::string& text);
 [[nodiscard]] Json row_block(Json blocks);
-/// A chart of curves. @param series  {"name", "x", "y"} each
+/// Whether what follows may be relied on, and why not.
+[[nodiscard]] Json banner_block(const std::string& title, Json reasons, bool ok = false);
+/// A block with further members: {{"search", true}}.
+[[nodiscard]] Json with(Json block, const Json& more);
+/// One of the series of a chart. @param style  "points", "both"; empty: lines
+[[nodiscard]] Json curve_json(const std::string& name, Json x, Json y,
+                              const std::string& style = "");
+/// A chart of curves. @param series  of curve_json()
 [[nodiscard]] Json lines_block(const std::string& caption, const std::string& x_label,
                                const std::string& y_label, Json series);
+/// A chart of intervals, one below the other. @param rows  {"name", "estimate", "low", "high"} each
+[[nodiscard]] Json interval_block(const std::string& caption, const std::string& x_label,
+                                  Json rows);
 [[nodiscard]] Json table_block(const std::string& caption, const std::vector<BlockColumn>& columns,
                                Json rows);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Results as named numbers with units: JSON of commands, replies of servers and rows of tables are
-/// made of the same fields.
+/// Results as named numbers with units: JSON of commands and replies of servers are made of the
+/// same fields.
 
 #include <initializer_list>
 #include <optional>
@@ -42,7 +42,6 @@ inline constexpr FieldUnit kNewtonMetrePerDegree{"N_m_per_rad", "Nm_per_deg", th
 inline constexpr FieldUnit kSecond{"s", "s"};
 inline constexpr FieldUnit kCpuSecond{"s", "s", 1, 1, true};  // processor time of a computation
 inline constexpr FieldUnit kMillisecond{"s", "ms", 1, 1e-3};
-inline constexpr FieldUnit kMetrePerSecond{"m_per_s", "m_per_s"};
 inline constexpr FieldUnit kMetrePerSquareSecond{"m_per_s2", "m_per_s2"};
 inline constexpr FieldUnit kJointDamping{"N_m_s_per_rad", "N_m_s_per_rad"};
 inline constexpr FieldUnit kPercent{"", "percent", 100};
@@ -107,14 +106,11 @@ struct Field {
   /// A list of such parts.
   Field(std::string name, std::vector<Fields> list);
 
-  std::string key;                   // without its unit: "tip_force"
-  FieldUnit unit;                    // of all numbers in `value`
-  OrderedJson value;                 // in SI
-  std::vector<Fields> parts;         // in place of a value
-  bool is_list = false;              // of parts, however many
-  int decimals = -1;                 // of cells; -1: nine significant digits
-  std::vector<std::string> columns;  // of a table, units included; empty: from the key
-  std::string alias;                 // key of earlier versions, written besides
+  std::string key;            // without its unit: "tip_force"
+  FieldUnit unit;             // of all numbers in `value`
+  OrderedJson value;          // in SI
+  std::vector<Fields> parts;  // in place of a value
+  bool is_list = false;       // of parts, however many
 };
 
 /// Fields of a result in the order in which they are written.
@@ -138,6 +134,14 @@ class Fields {
   std::vector<Field> fields_;
 };
 
+/// Parts made of some items. @param make  the fields of one of them
+template <typename Items, typename Make>
+[[nodiscard]] std::vector<Fields> fields_of_each(const Items& items, const Make& make) {
+  std::vector<Fields> list;
+  for (const auto& item : items) list.push_back(make(item));
+  return list;
+}
+
 /// A value in another unit than SI, numbers that are not finite as null.
 [[nodiscard]] OrderedJson value_in(const OrderedJson& si, const FieldUnit& unit, UnitSystem system);
 
@@ -154,9 +158,5 @@ template <typename Result>
     -> decltype(json_of(fields_of(result), UnitSystem::kPrinted)) {
   return json_of(fields_of(result), UnitSystem::kPrinted);
 }
-
-/// A row for each of several results, in printed units: a column for each number, "-" where one has
-/// none. Lists of parts have no columns.
-[[nodiscard]] Table table_of(const std::vector<Fields>& rows);
 
 }  // namespace thenar

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/error.h"
 #include "base/file_io.h"
 
 namespace thenar {

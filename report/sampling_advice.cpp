@@ -1,9 +1,9 @@
 #include "report/sampling_advice.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace thenar {
 namespace {
@@ -78,12 +78,6 @@ Changes changed_settings(const PosteriorRun& run) {
   return changes;
 }
 
-std::string joined_reasons(const std::vector<std::string>& reasons) {
-  std::string text;
-  for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
-  return text;
-}
-
 }  // namespace
 
 std::vector<std::string> with_options(const std::vector<std::string>& arguments,
@@ -123,7 +117,8 @@ std::vector<SamplingAdvice> advise(const PosteriorRun& run) {
   // Settings that answer a cause first: more draws of the same chains would not.
   const Changes changes = changed_settings(run);
   if (!changes.options.empty())
-    add(joined_reasons(changes.reasons) + "; these settings begin anew, with --fresh",
+    add(fmt::format("{}; these settings begin anew, with --fresh",
+                    fmt::join(changes.reasons, "; ")),
         changes.options, true);
   if (!too_short(run)) return advice;
   const std::string draws = fmt::format("{}", 4 * options.draws);

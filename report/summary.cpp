@@ -8,7 +8,6 @@
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "base/words.h"
-#include "report/table.h"
 
 namespace thenar {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "report/table.h"
+#include "report/blocks.h"
 
 namespace thenar {
 namespace {
@@ -40,7 +40,7 @@ SweepAxes axes_of(const PostureGrid& grid, const std::vector<std::string>& joint
   axes.values.resize(static_cast<Eigen::Index>(done),
                      static_cast<Eigen::Index>(grid.varied.size()));
   for (std::size_t k = 0; k < grid.varied.size(); ++k) {
-    axes.names.push_back(joints[static_cast<std::size_t>(grid.varied[k])]);
+    axes.names.push_back(nth(joints, grid.varied[k]));
     axes.units.emplace_back("deg");
     for (std::size_t i = 0; i < done; ++i)
       axes.values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
@@ -80,16 +80,11 @@ Json curve_chart(const SweepAxes& axes, const std::string& caption, const std::s
         y.push_back(cleaned(curve.y(static_cast<Eigen::Index>(i))));
       }
       const std::string family = title_of_first(axes, begin, axes.names.size() - 1);
-      series.push_back({{"name", curve.name + (family.empty() ? "" : ", " + family)},
-                        {"style", axes.row < 2 ? "points" : "lines"},
-                        {"x", x},
-                        {"y", y}});
+      series.push_back(curve_json(curve.name + (family.empty() ? "" : ", " + family), x, y,
+                                  axes.row < 2 ? "points" : "lines"));
     }
-  return {{"type", "lines"},
-          {"caption", caption},
-          {"x_label", axes.names.back() + " [" + axes.units.back() + "]"},
-          {"y_label", y_label},
-          {"series", std::move(series)}};
+  return lines_block(caption, axes.names.back() + " [" + axes.units.back() + "]", y_label,
+                     std::move(series));
 }
 
 std::vector<std::size_t> drawn_rows(std::size_t count, std::size_t most) {

@@ -49,6 +49,8 @@ std::string csv_cell(const std::string& cell) {
 
 }  // namespace
 
+void Table::add_parts(const std::vector<std::vector<std::string>>& parts) { add(row(parts)); }
+
 std::string aligned(const Table& table) {
   std::vector<TextColumn> columns;
   for (std::size_t c = 0; c < table.header.size(); ++c) columns.push_back(column(table, c));

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace thenar {
@@ -11,7 +12,11 @@ namespace thenar {
 /// Rows of cells under a header that carries the units: "angle_deg".
 struct Table {
   std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<std::string>> rows = {};
+
+  void add(std::vector<std::string> cells) { rows.push_back(std::move(cells)); }
+  /// Adds a row put together from lists of cells.
+  void add_parts(const std::vector<std::vector<std::string>>& parts);
 };
 
 /// The table with columns two blanks apart; columns of numbers are flush right.
@@ -38,6 +43,12 @@ template <typename Vector>
   for (int i = 0; i < static_cast<int>(values.size()); ++i)
     result.push_back(shown(values[i], decimals));
   return result;
+}
+
+/// The entry of a list at an index of Eigen: names beside numbers.
+template <typename List, typename Index>
+[[nodiscard]] auto& nth(List&& list, Index i) {
+  return list[static_cast<std::size_t>(i)];
 }
 
 /// A row put together from lists of cells.

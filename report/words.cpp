@@ -23,6 +23,12 @@ std::string angles_in_words(const std::vector<std::string>& names, const Eigen::
   return angles_in_words(names, all, q);
 }
 
+std::string direction_word(const Eigen::RowVector3i& signs) {
+  for (int k = 0; k < 3; ++k)
+    if (signs[k] != 0) return kDirectionWords[k][signs[k] > 0 ? 0 : 1];
+  return "";
+}
+
 std::string positive_motion(const std::string& joint) {
   if (is_flexion_joint(joint)) return "flexion";
   return ends_with(joint, "_AA") ? "abduction" : "pronation";

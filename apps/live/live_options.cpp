@@ -6,7 +6,6 @@
 #include <thread>
 #include <utility>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "api/named/files.h"

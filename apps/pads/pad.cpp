@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -24,9 +23,7 @@
 #include "apps/terminal.h"
 #include "base/error.h"
 #include "base/file_io.h"
-#include "base/nearest_name.h"
 #include "base/progress_parts.h"
-#include "base/units.h"
 #include "report/pads/fit_answer.h"
 #include "report/pads/laws_answer.h"
 
@@ -56,10 +53,8 @@ std::string deliver_with_file(Outputs outputs, const Result& found, const std::s
   return file.empty() || is_written ? "" : fmt::format("; '{}' was not written", file);
 }
 
-struct PadFitArguments {
-  PadFitRequest request;
+struct PadFitArguments : Arguments<PadFitRequest> {
   bool no_mesh_check = false;
-  Outputs outputs;
 };
 
 void run_pad_fit(PadFitArguments options) {
@@ -107,10 +102,8 @@ void add_pad_fit(CLI::App& pad) {
   command->callback([options] { run_pad_fit(*options); });
 }
 
-struct PadLawsArguments {
-  PadLawsRequest request;
+struct PadLawsArguments : Arguments<PadLawsRequest> {
   double error_percent = 4;
-  Outputs outputs;
 };
 
 void run_pad_laws(PadLawsArguments options) {

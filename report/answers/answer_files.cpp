@@ -41,7 +41,6 @@ FileDigests files_of_thing(const std::string& path, const Thing& thing) {
 
 FileDigests files_of(const GraspResult& result) { return result.setting.files; }
 FileDigests files_of(const CloseResult& result) { return files_of(result.grasp); }
-FileDigests files_of(const CompareResult& result) { return result.files; }
 
 FileDigests files_of(const ThingExplained& explained) {
   FileDigests files = files_of_thing(explained.path, explained.thing);
@@ -66,21 +65,13 @@ FileDigests files_of(const std::vector<ContactQualityResult>& results) {
   return files;
 }
 
-FileDigests files_of(const RobotPoses& poses) { return poses.files; }
-FileDigests files_of(const SubjectPoses& poses) { return source_digests(poses.sources); }
-FileDigests files_of(const FeasibleForceResult& answer) { return source_digests(answer.sources); }
-FileDigests files_of(const TipForceResult& answer) { return source_digests(answer.sources); }
-FileDigests files_of(const MomentArmResult& answer) { return source_digests(answer.sources); }
-FileDigests files_of(const DigitMotionResult& motion) { return source_digests(motion.sources); }
 FileDigests files_of(const SceneResult& scene) { return scene.files; }
-FileDigests files_of(const SceneSweepResult& sweep) { return sweep.files; }
 FileDigests files_of(const TendonSolveResult& solution) {
   return source_digests(solution.loaded.sources);
 }
 FileDigests files_of(const TendonSweepResult& sweep) {
   return source_digests(sweep.loaded.sources);
 }
-FileDigests files_of(const InferNetResult& inference) { return source_digests(inference.sources); }
 
 FileDigests files_of(const FitResult& result) {
   return source_digests(sources_of(result.fit.inputs));
@@ -90,7 +81,6 @@ FileDigests files_of(const PredictResult& result) {
   return joined(source_digests(result.sources), file_at(result.request.fit));
 }
 
-FileDigests files_of(const PosteriorResult& result) { return result.files; }
 FileDigests files_of(const PosteriorPrediction& result) { return files_of(result.predicted); }
 
 }  // namespace thenar

@@ -2,6 +2,7 @@
 
 /// Files that an answer came from, for its record: `thenar rerun` names those that have changed.
 
+#include <type_traits>
 #include <vector>
 
 #include "api/close.h"
@@ -26,27 +27,26 @@ namespace thenar {
 
 /// Path -> SHA-256 of each file that was read for an answer, meshes of robots and objects included;
 /// of results (.h5, .nc) that were read the file itself.
+template <typename Result>
+[[nodiscard]] auto files_of(const Result& result) -> decltype(source_digests(result.sources)) {
+  return source_digests(result.sources);
+}
+template <typename Result>
+[[nodiscard]] auto files_of(const Result& result)
+    -> std::enable_if_t<std::is_same_v<decltype(result.files), FileDigests>, FileDigests> {
+  return result.files;
+}
 [[nodiscard]] FileDigests files_of(const GraspResult& result);
 [[nodiscard]] FileDigests files_of(const CloseResult& result);
-[[nodiscard]] FileDigests files_of(const CompareResult& result);
 [[nodiscard]] FileDigests files_of(const ThingExplained& explained);
 [[nodiscard]] FileDigests files_of(const Validation& validation);
 [[nodiscard]] FileDigests files_of(const Imported& imported);
 [[nodiscard]] FileDigests files_of(const std::vector<ContactQualityResult>& results);
-[[nodiscard]] FileDigests files_of(const RobotPoses& poses);
-[[nodiscard]] FileDigests files_of(const SubjectPoses& poses);
-[[nodiscard]] FileDigests files_of(const FeasibleForceResult& answer);
-[[nodiscard]] FileDigests files_of(const TipForceResult& answer);
-[[nodiscard]] FileDigests files_of(const MomentArmResult& answer);
-[[nodiscard]] FileDigests files_of(const DigitMotionResult& motion);
 [[nodiscard]] FileDigests files_of(const SceneResult& scene);
-[[nodiscard]] FileDigests files_of(const SceneSweepResult& sweep);
 [[nodiscard]] FileDigests files_of(const TendonSolveResult& solution);
 [[nodiscard]] FileDigests files_of(const TendonSweepResult& sweep);
-[[nodiscard]] FileDigests files_of(const InferNetResult& inference);
 [[nodiscard]] FileDigests files_of(const FitResult& result);
 [[nodiscard]] FileDigests files_of(const PredictResult& result);
-[[nodiscard]] FileDigests files_of(const PosteriorResult& result);
 [[nodiscard]] FileDigests files_of(const PosteriorPrediction& result);
 
 }  // namespace thenar

@@ -10,10 +10,10 @@ namespace {
 Table table_of_kind(const std::vector<CatalogueEntry>& entries) {
   const bool sources = std::any_of(entries.begin(), entries.end(),
                                    [](const CatalogueEntry& each) { return !each.source.empty(); });
-  Table table{{entries.front().kind, "about"}, {}};
+  Table table{{entries.front().kind, "about"}};
   if (sources) table.header.emplace_back("source");
   for (const CatalogueEntry& entry : entries) {
-    table.rows.push_back({entry.name, or_dash(entry.about)});
+    table.add({entry.name, or_dash(entry.about)});
     if (sources) table.rows.back().push_back(or_dash(entry.source));
   }
   return table;
@@ -46,9 +46,9 @@ OrderedJson json_of(const Catalogue& catalogue) {
 }
 
 Table table_of(const Catalogue& catalogue) {
-  Table table{{"kind", "name", "about", "source", "file"}, {}};
+  Table table{{"kind", "name", "about", "source", "file"}};
   for (const CatalogueEntry& entry : catalogue.entries)
-    table.rows.push_back({entry.kind, entry.name, entry.about, entry.source, entry.file});
+    table.add({entry.kind, entry.name, entry.about, entry.source, entry.file});
   return table;
 }
 

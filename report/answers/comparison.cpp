@@ -12,6 +12,7 @@
 #include "data/io/robot/import_robot.h"
 #include "grasp/compare/closure_counts.h"
 #include "grasp/compare/comparison_file.h"
+#include "report/words.h"
 
 namespace thenar {
 namespace {
@@ -35,23 +36,13 @@ constexpr std::array kVersionWords{
 
 constexpr const char* kEpsilon = "epsilon";  // as BestGrasp::reasons has it
 
-const char* words_of(GraspOutcome outcome) {
-  switch (outcome) {
-    case GraspOutcome::kGrasped:
-      return "touched without force closure";
-    case GraspOutcome::kOverlaps:
-      return "began in something";
-    case GraspOutcome::kMissed:
-      return "missed the object";
-    case GraspOutcome::kBlocked:
-      return "blocked by an obstacle";
-    case GraspOutcome::kTooLong:
-      return "did not end closing";
-    case GraspOutcome::kEmpty:
-      break;
-  }
-  return "closed without touching";
-}
+constexpr std::array kOutcomeWords{
+    EnumName{GraspOutcome::kGrasped, "touched without force closure"},
+    EnumName{GraspOutcome::kOverlaps, "began in something"},
+    EnumName{GraspOutcome::kMissed, "missed the object"},
+    EnumName{GraspOutcome::kBlocked, "blocked by an obstacle"},
+    EnumName{GraspOutcome::kTooLong, "did not end closing"},
+    EnumName{GraspOutcome::kEmpty, "closed without touching"}};
 
 /// Returns the reason of the first load that is unknown and has a reason.
 std::string why_unknown(const HandOnObject& cell) {
@@ -93,14 +84,13 @@ std::vector<std::string> cell_row(const HandOnObject& cell, const std::vector<Gr
 
 Table cell_table(const Comparison& comparison) {
   Table table{{"hand", "object", "closed_percent", "from", "to", "epsilon_median", "epsilon_best",
-               "hand_epsilon_N", "squeeze_6_ways_N"},
-              {}};
+               "hand_epsilon_N", "squeeze_6_ways_N"}};
   const std::vector<GraspTask> loads = loads_of(comparison);
   for (const GraspTask task : loads) {
     table.header.push_back(load_key(task));
     table.header.push_back(structure_key(task));
   }
-  for (const HandOnObject& cell : comparison.cells) table.rows.push_back(cell_row(cell, loads));
+  for (const HandOnObject& cell : comparison.cells) table.add(cell_row(cell, loads));
   // Seldom needed: a column only where there is something to tell.
   std::vector<std::string> unknown;
   for (const HandOnObject& cell : comparison.cells)
@@ -113,27 +103,26 @@ Table cell_table(const Comparison& comparison) {
 }
 
 Table outcome_table(const Comparison& comparison) {
-  Table table{{"hand", "object", "approaches"}, {}};
+  Table table{{"hand", "object", "approaches"}};
   for (const HandOnObject& cell : comparison.cells)
-    if (cell.closures == 0) table.rows.push_back({cell.hand, cell.object, outcome_words(cell)});
+    if (cell.closures == 0) table.add({cell.hand, cell.object, outcome_words(cell)});
   return table;
 }
 
 Table hand_table(const Comparison& comparison) {
   // Two scales, two columns: Kapandji's places of a human thumb, and tips that any thumb meets.
   Table table{{"hand", "kapandji_of_10", "tips_met_percent", "met", "overlap_cm3", "grasp_types",
-               "closing_force_N"},
-              {}};
+               "closing_force_N"}};
   for (const HandAbilities& hand : comparison.abilities) {
     double force = NAN;
     for (const DigitAbility& digit : hand.digits) force = std::fmax(force, digit.closing_force);
     const bool places = is_kapandji(hand);
     const std::optional<std::size_t> types = count_grasp_types(hand);
-    table.rows.push_back({hand.hand, places ? number_or_dash(hand.opposition, 1) : "-",
-                          places ? "-" : number_or_dash(10 * hand.opposition, 0),
-                          std::to_string(hand.reached.size()),
-                          number_or_dash(1e6 * in_two_digits(hand.overlap), 0),
-                          types ? std::to_string(*types) : "-", number_or_dash(force)});
+    table.add({hand.hand, places ? number_or_dash(hand.opposition, 1) : "-",
+               places ? "-" : number_or_dash(10 * hand.opposition, 0),
+               std::to_string(hand.reached.size()),
+               number_or_dash(1e6 * in_two_digits(hand.overlap), 0),
+               types ? std::to_string(*types) : "-", number_or_dash(force)});
   }
   return table;
 }
@@ -217,18 +206,15 @@ std::string unknown_words(const HandOnObject& cell, const std::vector<std::strin
 std::string outcome_words(const HandOnObject& cell) {
   std::vector<std::pair<int, std::string>> ways;
   for (const auto& [outcome, name] : kGraspOutcomeNames) {
-    int count = cell.outcomes[static_cast<std::size_t>(outcome)];
-    // Grasps are those that touched without closing by force; the rest is told by itself.
+    int count = nth(cell.outcomes, outcome);
     if (outcome == GraspOutcome::kGrasped) count -= cell.closures + cell.between_two;
-    if (count > 0) ways.emplace_back(count, words_of(outcome));
+    if (count > 0) ways.emplace_back(count, name_in(kOutcomeWords, outcome));
   }
   if (cell.between_two > 0) ways.emplace_back(cell.between_two, "held between 2 hard points");
   std::stable_sort(ways.begin(), ways.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<std::string> parts;
-  parts.reserve(ways.size());
-  for (const auto& [count, words] : ways) parts.push_back(fmt::format("{} {}", count, words));
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return each_in_words(ways,
+                       [](const auto& way) { return fmt::format("{} {}", way.first, way.second); });
 }
 
 double rounded_to(double value, double error) {

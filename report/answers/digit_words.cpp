@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/units.h"
 #include "base/words.h"
@@ -25,7 +24,7 @@ std::string standing_angles(const DigitResult& about) {
   const std::vector<int>& varied = about.grid.varied;
   for (int i = 0; i < static_cast<int>(q.size()); ++i)
     if (std::count(varied.begin(), varied.end(), i) == 0)
-      text += fmt::format(" {}={:.4g}", about.rows[static_cast<std::size_t>(i)], q[i] / kDegree);
+      text += fmt::format(" {}={:.4g}", nth(about.rows, i), q[i] / kDegree);
   return text;
 }
 
@@ -42,7 +41,7 @@ std::string posture_note(const std::vector<std::string>& joints, double conditio
   return fmt::format(
       "nearly singular posture (condition {:.3g}): one degree of {} changes the force by {:.3g} N, "
       "to first order; goniometers err by several",
-      condition, joints[static_cast<std::size_t>(most)], std::abs(change[most]) * kDegree);
+      condition, nth(joints, most), std::abs(change[most]) * kDegree);
 }
 
 std::string change_line(const std::vector<std::string>& joints, const Eigen::VectorXd& change,
@@ -55,8 +54,7 @@ std::string change_line(const std::vector<std::string>& joints, const Eigen::Vec
   std::string line = unit + " per degree of posture:";
   const double nothing = order.empty() ? 0 : kNoChange * std::abs(change[order.front()]);
   for (const Eigen::Index i : order)
-    line += fmt::format("{} {} {:.3g}", i == order.front() ? "" : ",",
-                        joints[static_cast<std::size_t>(i)],
+    line += fmt::format("{} {} {:.3g}", i == order.front() ? "" : ",", nth(joints, i),
                         std::abs(change[i]) <= nothing ? 0 : change[i] * kDegree);
   return line;
 }

@@ -38,4 +38,19 @@ namespace thenar {
 [[nodiscard]] std::vector<std::string> joint_header(const DigitResult& about);
 [[nodiscard]] std::vector<std::string> joint_cells(const Eigen::VectorXd& q);
 
+/// A row for each posture of an answer about a digit: what varies, then a line of its own; dashes
+/// where it failed. @param line  cells of one of the points, under `header`
+template <typename Answer, typename Line>
+[[nodiscard]] Table posture_table(const Answer& answer, const std::vector<std::string>& header,
+                                  const Line& line) {
+  const SweepAxes axes = axes_of(answer);
+  const std::vector<std::string> none(header.size(), "-");
+  Table table{row({header_of(axes), header})};
+  for (std::size_t i = 0; i < answer.points.size(); ++i) {
+    const auto& point = answer.points[i];
+    table.rows.push_back(row({cells_of(axes, i), point.failure.empty() ? line(point) : none}));
+  }
+  return table;
+}
+
 }  // namespace thenar

@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "report/answers/digit_words.h"
 #include "report/answers/passive_words.h"
+#include "report/words.h"
 #include "tendons/forces/posture_sensitivity.h"
 
 namespace thenar {
@@ -70,12 +71,11 @@ std::string price_cell(const FeasibleForcePoint& point, Index i) {
 }
 
 Table vertex_table(const ForceAxes& axes, const FeasibleForceSet& set, const LoadWords& words) {
-  Table table{{"vertex"}, {}};
+  Table table{{"vertex"}};
   for (const std::string& name : axes.names) table.header.push_back(name + words.suffix);
   const Eigen::MatrixX3d vertices = set.vertices * axes.to_world;
   for (Index k = 0; k < vertices.rows(); ++k)
-    table.rows.push_back(
-        row({{std::to_string(k + 1)}, cells(vertices.row(k), 3 + words.more_decimals)}));
+    table.add_parts({{std::to_string(k + 1)}, cells(vertices.row(k), 3 + words.more_decimals)});
   return table;
 }
 
@@ -96,20 +96,10 @@ std::vector<Fields> limit_fields(const FeasibleForceResult& answer,
   for (const Index i : limiting_muscles(point)) {
     const std::string price = price_header(answer.request.load);
     Fields& limit = list.emplace_back();
-    limit.add("muscle", answer.muscles[static_cast<std::size_t>(i)]);
+    limit.add("muscle", nth(answer.muscles, i));
     limit.add(price, prices.increase(i));
     if (differs(prices, i)) limit.add(price + "_lost", prices.decrease(i));
   }
-  return list;
-}
-
-std::vector<Fields> stop_fields(const FeasibleForcePoint& point) {
-  std::vector<Fields> list;
-  for (const StopAnswer& stop : point.stops)
-    list.push_back({{"joint", stop.joint},
-                    {"torque", units::kNewtonMetre, stop.torque},
-                    {"most", units::kNewtonMetre, stop.most},
-                    {words_of(point.load).suffix.substr(1) + "_per_Nm", stop.price}});
   return list;
 }
 
@@ -143,8 +133,12 @@ void add_largest(const FeasibleForceResult& answer, const FeasibleForcePoint& po
   fields.add("certificate", std::move(certificate));
   fields.add("activation", units::kOne, answer.muscles, largest.activation);
   fields.add("tension", units::kNewton, answer.muscles, largest.tension);
-  if (!point.stops.empty()) fields.add("stops", stop_fields(point));
-  // Prices tell which muscle limits the load; a degenerate optimum has none that is unique.
+  fields.add_some("stops", fields_of_each(point.stops, [&](const StopAnswer& stop) {
+                    return Fields{{"joint", stop.joint},
+                                  {"torque", units::kNewtonMetre, stop.torque},
+                                  {"most", units::kNewtonMetre, stop.most},
+                                  {words.suffix.substr(1) + "_per_Nm", stop.price}};
+                  }));
   if (priced(point)) {
     fields.add("limited_by", limit_fields(answer, point));
     fields.add("degenerate", largest.prices.degenerate());
@@ -227,7 +221,7 @@ std::string shared_note(const FeasibleForceResult& answer, const FeasibleForcePo
     std::vector<std::string> names;
     for (const int i : group) {
       pulled += point.largest->tension[i];
-      names.push_back(answer.muscles[static_cast<std::size_t>(i)]);
+      names.push_back(nth(answer.muscles, i));
     }
     if (pulled > kNoTipForce)
       note += fmt::format("{}{} have the same moment arms: only the sum of their tensions is told",
@@ -303,17 +297,27 @@ std::string power_of(const std::string& unit, int dimension) {
   return fmt::format("{}^{}", unit == "N" ? unit : "(" + unit + ")", dimension);
 }
 
+/// A warning about all forces at a posture; "" if there is none.
+std::string set_note(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
+  if (!answer.map.empty() || point.condition < kNearlyStraight ||
+      answer.request.load == TipLoad::kMoment)
+    return "";
+  return fmt::format(
+      "nearly singular posture (condition {:.3g}): the set changes much within a degree",
+      point.condition);
+}
+
 /// All forces at one posture.
 std::string whole_text(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   // Largest loads along each axis, then the set itself.
   const FeasibleForceSet& set = point.whole->set;
   const ForceAxes& axes = point.axes;
   const LoadWords words = words_of(point.load);
-  Table along{{"direction", "largest" + words.suffix, "status"}, {}};
+  Table along{{"direction", "largest" + words.suffix, "status"}};
   for (std::size_t k = 0; k < point.whole->along.size(); ++k)
-    along.rows.push_back({axis_direction(axes, k),
-                          shown(point.whole->along[k].component, 3 + words.more_decimals),
-                          name_of(point.whole->along[k].status)});
+    along.add({axis_direction(axes, k),
+               shown(point.whole->along[k].component, 3 + words.more_decimals),
+               name_of(point.whole->along[k].status)});
   std::string text =
       fmt::format("All {} the tip can make{}: dimension {}, volume {:.5g} {}, {} vertices\n",
                   words.many, beside(answer), set.dimension, set.volume,
@@ -329,12 +333,8 @@ std::string whole_text(const FeasibleForceResult& answer, const FeasibleForcePoi
                       aligned(along));
   if (set.vertices.rows() > 0)
     text += "Vertices\n" + aligned(vertex_table(axes, set, words)) + "\n";
-  if (answer.map.empty() && point.condition >= kNearlyStraight &&
-      answer.request.load == TipLoad::kForce)
-    text += fmt::format(
-        "note: nearly singular posture (condition {:.3g}): the set changes much within a degree\n",
-        point.condition);
-  return text;
+  const std::string note = set_note(answer, point);
+  return note.empty() ? text : text + "note: " + note + "\n";
 }
 
 /// Cells of the largest force at a posture, for a row. @param none  where there is no force
@@ -396,19 +396,15 @@ bool with_whole(const FeasibleForceResult& answer) {
 
 /// "FDP 0.12, LU 0.03": prices of a row, the dearest first.
 std::string short_limits(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
-  std::string text;
-  for (const Index i : limiting_muscles(point))
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
-                        answer.muscles[static_cast<std::size_t>(i)], price_cell(point, i));
-  return or_dash(text);
+  return or_dash(each_in_words(limiting_muscles(point), [&](Index i) {
+    return nth(answer.muscles, i) + " " + price_cell(point, i);
+  }));
 }
 
 /// "FDP LU": who limits the force, the dearest first.
 std::string limiting_names(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
-  std::string text;
-  for (const Index i : limiting_muscles(point))
-    text += (text.empty() ? "" : " ") + answer.muscles[static_cast<std::size_t>(i)];
-  return text;
+  return each_in_words(
+      limiting_muscles(point), [&](Index i) { return nth(answer.muscles, i); }, " ");
 }
 
 /// Activation and price of a muscle, empty where there is no force.
@@ -446,38 +442,27 @@ std::string notes_text(const FeasibleForceResult& answer) {
 
 /// A row for each posture.
 std::string many_postures(const FeasibleForceResult& answer) {
-  // One row for each posture; a failed one has dashes.
-  const SweepAxes axes = axes_of(answer);
   const ForceAxes force = axes_of_answer(answer);
   const LoadWords words = words_of(answer.request.load);
   std::string text;
-  const auto table_with = [&](const std::vector<std::string>& header, const auto& line) {
-    Table table{row({header_of(axes), header}), {}};
-    for (std::size_t i = 0; i < answer.points.size(); ++i) {
-      const FeasibleForcePoint& point = answer.points[i];
-      table.rows.push_back(row(
-          {cells_of(axes, i),
-           point.failure.empty() ? line(point) : std::vector<std::string>(header.size(), "-")}));
-    }
-    return table;
-  };
   if (answer.request.direction)
     // The largest load along the direction, then the set.
     text += titled(
         fmt::format("Largest {} along the direction{}, {} axes; limits in {} per N of F0",
                     words.one, beside(answer), force.name, words.unit),
-        table_with(row({largest_header(answer, force), {"limited_by"}, loss_header(answer)}),
-                   [&](const FeasibleForcePoint& point) {
-                     std::vector<std::string> line =
-                         row({largest_cells(answer, point, 3, "-"), {short_limits(answer, point)}});
-                     if (point.loss) line = row({line, loss_cells(answer, *point.loss, 3, "-")});
-                     return line;
-                   }));
+        posture_table(
+            answer, row({largest_header(answer, force), {"limited_by"}, loss_header(answer)}),
+            [&](const FeasibleForcePoint& point) {
+              std::vector<std::string> line =
+                  row({largest_cells(answer, point, 3, "-"), {short_limits(answer, point)}});
+              if (point.loss) line = row({line, loss_cells(answer, *point.loss, 3, "-")});
+              return line;
+            }));
   if (with_whole(answer))
     text += titled(fmt::format("All {}: the set, and the largest {} along the {} axes", words.many,
                                pure(answer), force.name),
-                   table_with(whole_header(answer, force),
-                              [](const auto& point) { return whole_cells(point, 3); }));
+                   posture_table(answer, whole_header(answer, force),
+                                 [](const auto& point) { return whole_cells(point, 3); }));
   if (answer.request.direction) text += notes_text(answer);
   return text;
 }
@@ -518,12 +503,11 @@ bool makes_force(const FeasibleForcePoint& point) {
 
 Table limit_table(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   const MaxTipForce& largest = *point.largest;
-  Table muscles{{"muscle", "activation", "tension_N", "F0_N", price_header(answer.request.load)},
-                {}};
+  Table muscles{{"muscle", "activation", "tension_N", "F0_N", price_header(answer.request.load)}};
   for (Index i = 0; i < largest.tension.size(); ++i)
-    muscles.rows.push_back({answer.muscles[static_cast<std::size_t>(i)],
-                            shown(largest.activation[i], 4), shown(largest.tension[i], 2),
-                            shown(answer.max_tension[i], 2), price_cell(point, i)});
+    muscles.add({nth(answer.muscles, i), shown(largest.activation[i], 4),
+                 shown(largest.tension[i], 2), shown(answer.max_tension[i], 2),
+                 price_cell(point, i)});
   return muscles;
 }
 
@@ -574,7 +558,7 @@ std::string limit_words(const FeasibleForceResult& answer, const FeasibleForcePo
   const std::vector<Index> muscles = limiting_muscles(point);
   if (muscles.empty()) return "";
   const ForceLimitPrices& prices = point.largest->prices;
-  const auto name = [&](Index i) { return answer.muscles[static_cast<std::size_t>(i)]; };
+  const auto name = [&](Index i) { return nth(answer.muscles, i); };
   const Index first = muscles.front();
   const std::string unit = words_of(answer.request.load).unit;
   std::string text = fmt::format("limited by {}: 1 N more of its F0 gives {:.3g} {} more",
@@ -605,12 +589,7 @@ std::string note_of(const FeasibleForceResult& answer, const FeasibleForcePoint&
       if (!more.empty()) note += (note.empty() ? "" : "; ") + more;
     if (!note.empty()) return note;
   }
-  if (!point.whole || !answer.map.empty() || point.condition < kNearlyStraight ||
-      answer.request.load == TipLoad::kMoment)
-    return "";
-  return fmt::format(
-      "nearly singular posture (condition {:.3g}): the set changes much within a degree",
-      point.condition);
+  return point.whole ? set_note(answer, point) : "";
 }
 
 std::string text_of(const FeasibleForceResult& answer) {
@@ -638,7 +617,7 @@ Table table_of(const FeasibleForceResult& answer) {
   // Columns depend on the question: direction, loss and set.
   const ForceAxes axes = axes_of_answer(answer);
   const bool whole = with_whole(answer), direction = answer.request.direction.has_value();
-  Table table{joint_header(answer), {}};
+  Table table{joint_header(answer)};
   const auto add = [&](const std::vector<std::string>& names) {
     table.header.insert(table.header.end(), names.begin(), names.end());
   };
@@ -664,7 +643,7 @@ Table table_of(const FeasibleForceResult& answer) {
     }
     line.resize(table.header.size() - 1);
     line.push_back(point.failure.empty() ? note_of(answer, point) : point.failure);
-    table.rows.push_back(std::move(line));
+    table.add(std::move(line));
   }
   return table;
 }

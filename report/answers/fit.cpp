@@ -13,6 +13,7 @@
 #include "report/answers/fitted_value.h"
 #include "report/answers/hood_rows.h"
 #include "report/parameter_words.h"
+#include "report/words.h"
 
 namespace thenar {
 namespace {
@@ -63,7 +64,7 @@ std::vector<Fields> left_out_fields(const FitResult& result) {
 std::vector<Fields> learnt_fields(const Fit& fit) {
   std::vector<Fields> list;
   for (const int i : sorted_by_sd(fit.covariance)) {
-    const CoordinateEstimate& one = fit.covariance.learnt[static_cast<std::size_t>(i)];
+    const CoordinateEstimate& one = nth(fit.covariance.learnt, i);
     Fields& fields =
         list.emplace_back(Fields{{"name", one.name},
                                  {"meaning", meaning_of(one.name, fit.problem.digit())},
@@ -85,7 +86,7 @@ std::string learnt_text(const Fit& fit) {
       "value):\n";
   const std::vector<int> order = sorted_by_sd(fit.covariance);
   for (std::size_t k = 0; k < std::min(kLearntShown, order.size()); ++k) {
-    const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(order[k])];
+    const CoordinateEstimate& learnt = nth(fit.covariance.learnt, order[k]);
     const auto value = value_in_unit(fit, order[k]);
     text +=
         fmt::format("  {:<34} {:+6.2f} +- {:.2f}  {:<18}  {}{}\n", learnt.name, learnt.z, learnt.sd,
@@ -109,8 +110,7 @@ std::vector<std::pair<std::string, double>> shares_of(const Eigen::SparseVector<
   std::vector<std::pair<std::string, double>> shares;
   for (Eigen::SparseVector<double>::InnerIterator at(direction); at; ++at)
     if (std::abs(at.value()) >= kMinNamedShare)
-      shares.emplace_back(without_specimen(names[static_cast<std::size_t>(at.index())]),
-                          at.value());
+      shares.emplace_back(without_specimen(nth(names, at.index())), at.value());
   return shares;
 }
 
@@ -189,13 +189,13 @@ std::string noise_words(const FitResult& result, std::size_t e) {
 
 /// "prior sds as the forces ask for: tendons x 0.01, .."; empty where they are as stated.
 std::string scale_text(const Fit& fit) {
-  std::string text;
-  bool changed = false;
-  for (const ScaledPriors& scale : fit.problem.parameters().scales) {
-    changed = changed || scale.factor != 1;
-    text += fmt::format("{} {} x {:.4g}", text.empty() ? "" : ",", scale.name, scale.factor);
-  }
-  return changed ? "prior sds as the forces ask for:" + text + "\n" : "";
+  const std::vector<ScaledPriors>& scales = fit.problem.parameters().scales;
+  if (std::all_of(scales.begin(), scales.end(), [](const auto& each) { return each.factor == 1; }))
+    return "";
+  return fmt::format("prior sds as the forces ask for: {}\n",
+                     each_in_words(scales, [](const ScaledPriors& scale) {
+                       return fmt::format("{} x {:.4g}", scale.name, scale.factor);
+                     }));
 }
 
 /// A value of a choice in the unit in which people write it: "4 deg".
@@ -322,11 +322,11 @@ Fields fields_of(const FitResult& result) {
                 {"warnings", result.outcome.warnings}};
   if (fit.solution.status == Status::kSolved) fields.add("learnt", learnt_fields(fit));
   fields.add_some("in_sample", in_sample_fields(result));
-  // Scales of priors, and settings that data chose.
-  std::vector<Fields> scales, folds, published;
-  for (const ScaledPriors& scale : fit.problem.parameters().scales)
-    scales.push_back({{"name", scale.name}, {"factor", scale.factor}});
-  fields.add_some("prior_scales", std::move(scales));
+  std::vector<Fields> folds, published;
+  fields.add_some("prior_scales",
+                  fields_of_each(fit.problem.parameters().scales, [](const ScaledPriors& scale) {
+                    return Fields{{"name", scale.name}, {"factor", scale.factor}};
+                  }));
   if (result.chosen) fields.add("chosen_settings", choice_fields(*result.chosen));
   for (const FoldChoice& fold : result.fold_choices)
     folds.emplace_back(choice_fields(fold.settings)).add("fold", fold.fold);
@@ -368,7 +368,7 @@ std::string text_of(const FitResult& result) {
 }
 
 Table choice_table(const FitResult& result) {
-  Table table{{"setting", "tried", "at first", "chosen"}, {}};
+  Table table{{"setting", "tried", "at first", "chosen"}};
   if (!result.chosen || result.chosen->tried.empty()) return table;
   for (const FoldChoice& fold : result.fold_choices) table.header.push_back("without " + fold.fold);
   const std::vector<SettingChoice>& choices = result.chosen->settings.choices;
@@ -382,7 +382,7 @@ Table choice_table(const FitResult& result) {
                                  choice_words(choices[i], choices[i].chosen)};
     for (const FoldChoice& fold : result.fold_choices)
       row.push_back(choice_words(choices[i], fold.settings.settings.choices[i].chosen));
-    table.rows.push_back(std::move(row));
+    table.add(std::move(row));
   }
   return table;
 }
@@ -390,13 +390,11 @@ Table choice_table(const FitResult& result) {
 Table table_of(const FitResult& result) {
   const Fit& fit = result.fit;
   Table table{{"coordinate", "meaning", "estimate_prior_sds", "sd_prior_sds", "at_bound",
-               "not_identifiable_share"},
-              {}};
+               "not_identifiable_share"}};
   for (const int i : sorted_by_sd(fit.covariance)) {
-    const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(i)];
-    table.rows.push_back({learnt.name, meaning_of(learnt.name, fit.problem.digit()),
-                          shown(learnt.z, 6), shown(learnt.sd, 6), learnt.at_bound ? "yes" : "no",
-                          shown(learnt.null_share, 6)});
+    const CoordinateEstimate& learnt = nth(fit.covariance.learnt, i);
+    table.add({learnt.name, meaning_of(learnt.name, fit.problem.digit()), shown(learnt.z, 6),
+               shown(learnt.sd, 6), learnt.at_bound ? "yes" : "no", shown(learnt.null_share, 6)});
   }
   return table;
 }

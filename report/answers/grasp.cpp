@@ -23,7 +23,7 @@ namespace {
 constexpr double kTouchClearance = 2e-4;
 
 const LinkSurface& surface_of(const GraspResult& result, const HandContact& contact) {
-  return result.collision_hand.hand->surfaces()[static_cast<std::size_t>(contact.surface)];
+  return nth(result.collision_hand.hand->surfaces(), contact.surface);
 }
 
 // ---- text
@@ -63,7 +63,7 @@ std::string measures_text(const std::vector<MeasureRow>& rows) {
 std::string starts_text(const GraspResult& result) {
   std::vector<std::string> parts;
   for (const auto& [outcome, name] : kGraspOutcomeNames)
-    if (const int count = result.outcomes[static_cast<std::size_t>(outcome)]; count > 0)
+    if (const int count = nth(result.outcomes, outcome); count > 0)
       parts.push_back(fmt::format("{} {}", count, name));
   return line("random starts",
               fmt::format("{} of seed {}: {}; {} with force closure", result.started(),
@@ -73,13 +73,13 @@ std::string starts_text(const GraspResult& result) {
 /// Returns a table of the contacts; hard points transmit no torsion and show "-" instead of zero.
 std::string contacts_text(const GraspResult& result) {
   const bool soft = result.setting.hand.named.contact != ContactModel::kHardPoint;
-  Table table{{"surface", "x_mm", "y_mm", "z_mm", "nx", "ny", "nz", "friction", "torsion_mm"}, {}};
+  Table table{{"surface", "x_mm", "y_mm", "z_mm", "nx", "ny", "nz", "friction", "torsion_mm"}};
   for (const HandContact& found : result.grasp.contacts) {
     const Contact& c = found.contact;
-    table.rows.push_back(row({{surface_of(result, found).name},
-                              cells(Eigen::Vector3d(1000 * c.p), 2),
-                              cells(c.n, 3),
-                              {shown(c.friction, 2), soft ? shown(1000 * c.torsion, 2) : "-"}}));
+    table.add_parts({{surface_of(result, found).name},
+                     cells(Eigen::Vector3d(1000 * c.p), 2),
+                     cells(c.n, 3),
+                     {shown(c.friction, 2), soft ? shown(1000 * c.torsion, 2) : "-"}});
   }
   return titled(fmt::format("Contacts in the object's frame ({})",
                             soft ? "soft fingers: torsion is the largest torque about the normal "
@@ -89,9 +89,8 @@ std::string contacts_text(const GraspResult& result) {
 }
 
 std::string joints_text(const GraspResult& result) {
-  Table joints{{"coordinate", "value", "stopped by"}, {}};
-  for (const JointRow& row : joint_rows(result))
-    joints.rows.push_back({row.name, row.shown, row.why});
+  Table joints{{"coordinate", "value", "stopped by"}};
+  for (const JointRow& row : joint_rows(result)) joints.add({row.name, row.shown, row.why});
   return joints.rows.empty() ? "" : "\n" + aligned(joints);
 }
 
@@ -165,7 +164,7 @@ Fields quality_fields(const Epsilon& e) {
 Fields start_fields(const GraspResult& result) {
   OrderedJson outcomes = OrderedJson::object();
   for (const auto& [outcome, name] : kGraspOutcomeNames)
-    outcomes[name] = result.outcomes[static_cast<std::size_t>(outcome)];
+    outcomes[name] = nth(result.outcomes, outcome);
   return {{"count", result.started()},
           {"seed", result.request.seed},
           {"best", result.best},
@@ -254,7 +253,7 @@ std::vector<std::string> folded(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
     const auto found = std::find(kinds.begin(), kinds.end(), kind_of(warning));
     if (found != kinds.end()) {
-      ++counts[static_cast<std::size_t>(found - kinds.begin())];
+      ++nth(counts, found - kinds.begin());
       continue;
     }
     kinds.push_back(kind_of(warning));
@@ -335,24 +334,22 @@ Fields fields_of(const CloseResult& result) { return fields_of(result.grasp); }
 
 Table table_of(const GraspResult& result) {
   Table table{{"surface", "digit", "x_mm", "y_mm", "z_mm", "nx", "ny", "nz", "friction",
-               "torsion_mm", "patch"},
-              {}};
+               "torsion_mm", "patch"}};
   for (const HandContact& found : result.grasp.contacts) {
     const Contact& c = found.contact;
     const LinkSurface& surface = surface_of(result, found);
-    table.rows.push_back(
-        row({{surface.name, surface.digit},
-             cells(Eigen::Vector3d(1000 * c.p), 4),
-             cells(c.n, 6),
-             {shown(c.friction, 4), shown(1000 * c.torsion, 4), std::to_string(c.patch)}}));
+    table.add_parts({{surface.name, surface.digit},
+                     cells(Eigen::Vector3d(1000 * c.p), 4),
+                     cells(c.n, 6),
+                     {shown(c.friction, 4), shown(1000 * c.torsion, 4), std::to_string(c.patch)}});
   }
   return table;
 }
 
 Table table_of(const CloseResult& result) {
-  Table table{{"coordinate", "kind", "value_rad_or_m", "stopped_by", "why"}, {}};
+  Table table{{"coordinate", "kind", "value_rad_or_m", "stopped_by", "why"}};
   for (const JointRow& row : joint_rows(result.grasp))
-    table.rows.push_back(
+    table.add(
         {row.name, row.slides ? "slides" : "turns", shown(row.value, 6), row.stopped_by, row.why});
   return table;
 }

@@ -99,7 +99,7 @@ Fields count_fields(const Fit& fit) {
 
 Table hood_row_table(const FitResult& result) {
   const std::vector<HoodRow> rows = hood_rows(result);
-  Table table{{"experiment", "predicted"}, {}};
+  Table table{{"experiment", "predicted"}};
   if (rows.empty()) return table;
   const std::vector<std::string> muscles = muscles_of(rows);
   // The fit without the net stands beside each number, if there is one.
@@ -120,7 +120,7 @@ Table hood_row_table(const FitResult& result) {
       cells.push_back(error_words(row.errors, muscle));
       if (beside) cells.push_back(error_words(row.fractions, muscle));
     }
-    table.rows.push_back(std::move(cells));
+    table.add(std::move(cells));
   }
   return table;
 }

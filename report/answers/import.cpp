@@ -208,9 +208,6 @@ Fields told_of(const MeshContent& content, const Imported& imported) {
   const auto of_solid = [&](const OrderedJson& value) {
     return facts.solid ? value : OrderedJson(nullptr);
   };
-  std::vector<Fields> holes;
-  for (const MeshHole& hole : facts.surface.holes)
-    holes.push_back({{"edges", hole.loop.size()}, {"centre", units::kMetre, hole.centre}});
   const Eigen::Matrix3d inertia = without_noise(facts.unit_mass.inertia);
   return {{"name", std::filesystem::path(imported.request.file).stem()},
           {"kind", "mesh"},
@@ -218,7 +215,12 @@ Fields told_of(const MeshContent& content, const Imported& imported) {
           {"triangles", mesh.triangles.cols()},
           {"parts", facts.parts},
           {"watertight", facts.surface.watertight()},
-          {"holes", std::move(holes)},
+          {"holes",
+           fields_of_each(
+               facts.surface.holes,
+               [](const MeshHole& hole) {
+                 return Fields{{"edges", hole.loop.size()}, {"centre", units::kMetre, hole.centre}};
+               })},
           {"reversed_edges", facts.surface.reversed_edges},
           {"nonmanifold_edges", facts.surface.nonmanifold_edges},
           {"degenerate_triangles", facts.surface.degenerate},

@@ -1,7 +1,6 @@
 #include "report/answers/moment_arms.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/nearest_name.h"
 #include "base/units.h"
@@ -19,12 +18,13 @@ std::vector<std::string> arm_header(const DigitResult& about) {
   return header;
 }
 
-/// Arms of a muscle [mm]; "-" at joints that it does not cross.
+/// Arms of a muscle [mm], "-" at joints that it does not cross, and its change of length [mm].
 std::vector<std::string> arm_cells(const MomentArmResult& answer, const MomentArmPoint& point,
-                                   Index muscle, int decimals) {
+                                   Index muscle) {
   std::vector<std::string> cells;
   for (Index j = 0; j < point.arms.cols(); ++j)
-    cells.push_back(answer.crosses(muscle, j) ? shown(point.arms(muscle, j) / kMm, decimals) : "-");
+    cells.push_back(answer.crosses(muscle, j) ? shown(point.arms(muscle, j) / kMm, 3) : "-");
+  cells.push_back(shown(point.length_change(muscle) / kMm, 3));
   return cells;
 }
 
@@ -33,45 +33,30 @@ void add_point(const MomentArmResult& answer, const MomentArmPoint& point, Field
     fields.add("failure", point.failure);
     return;
   }
-  const DigitResult& about = answer;
   OrderedJson arms = OrderedJson::object();
-  for (std::size_t m = 0; m < about.muscles.size(); ++m) {
-    OrderedJson& of = arms[about.muscles[m]] = OrderedJson::object();
-    for (std::size_t j = 0; j < about.rows.size(); ++j)
+  for (std::size_t m = 0; m < answer.muscles.size(); ++m) {
+    OrderedJson& of = arms[answer.muscles[m]] = OrderedJson::object();
+    for (std::size_t j = 0; j < answer.rows.size(); ++j)
       if (answer.crosses(static_cast<Index>(m), static_cast<Index>(j)))
-        of[about.rows[j]] = point.arms(static_cast<Index>(m), static_cast<Index>(j));
+        of[answer.rows[j]] = point.arms(static_cast<Index>(m), static_cast<Index>(j));
   }
   fields.add("arms", units::kMillimetre, std::move(arms));
-  fields.add("length_change", units::kMillimetre, about.muscles, point.length_change);
+  fields.add("length_change", units::kMillimetre, answer.muscles, point.length_change);
 }
 
 /// Arms of all muscles at one posture.
 Table arm_table(const MomentArmResult& answer, const MomentArmPoint& point) {
-  const DigitResult& about = answer;
-  Table table{row({{"muscle"}, arm_header(about), {"length_change_mm"}}), {}};
-  for (std::size_t m = 0; m < about.muscles.size(); ++m)
-    table.rows.push_back(row({{about.muscles[m]},
-                              arm_cells(answer, point, static_cast<Index>(m), 3),
-                              {shown(point.length_change(static_cast<Index>(m)) / kMm, 3)}}));
+  Table table{row({{"muscle"}, arm_header(answer), {"length_change_mm"}})};
+  for (std::size_t m = 0; m < answer.muscles.size(); ++m)
+    table.add_parts({{answer.muscles[m]}, arm_cells(answer, point, static_cast<Index>(m))});
   return table;
 }
 
 /// A muscle over the postures.
-Table muscle_table(const MomentArmResult& answer, std::size_t m) {
-  const SweepAxes axes = axes_of(answer);
-  Table table{row({header_of(axes), arm_header(answer), {"length_change_mm"}}), {}};
-  for (std::size_t i = 0; i < answer.points.size(); ++i) {
-    const MomentArmPoint& point = answer.points[i];
-    if (!point.failure.empty()) {
-      table.rows.push_back(
-          row({cells_of(axes, i), std::vector<std::string>(answer.rows.size() + 1, "-")}));
-      continue;
-    }
-    table.rows.push_back(row({cells_of(axes, i),
-                              arm_cells(answer, point, static_cast<Index>(m), 3),
-                              {shown(point.length_change(static_cast<Index>(m)) / kMm, 3)}}));
-  }
-  return table;
+Table muscle_table(const MomentArmResult& answer, Index muscle) {
+  return posture_table(
+      answer, row({arm_header(answer), {"length_change_mm"}}),
+      [&](const MomentArmPoint& point) { return arm_cells(answer, point, muscle); });
 }
 
 }  // namespace
@@ -94,15 +79,14 @@ std::string reference_words(const MomentArmResult& answer) {
 }
 
 std::string text_of(const MomentArmResult& answer) {
-  const DigitResult& about = answer;
-  std::string text = text_header(about) + "\n" +
+  std::string text = text_header(answer) + "\n" +
                      fmt::format(
                          "Moment arms [mm], {}; - where a muscle has no arm.\nLength change "
                          "[mm] since {}; longer is positive.\n\n",
-                         sign_words(about.rows), reference_words(answer));
-  if (about.single()) return text + aligned(arm_table(answer, answer.points.front()));
-  for (std::size_t m = 0; m < about.muscles.size(); ++m)
-    text += titled(about.muscles[m], muscle_table(answer, m));
+                         sign_words(answer.rows), reference_words(answer));
+  if (answer.single()) return text + aligned(arm_table(answer, answer.points.front()));
+  for (std::size_t m = 0; m < answer.muscles.size(); ++m)
+    text += titled(answer.muscles[m], muscle_table(answer, static_cast<Index>(m)));
   return text;
 }
 
@@ -112,17 +96,16 @@ Fields fields_of(const MomentArmResult& answer) {
 }
 
 Table table_of(const MomentArmResult& answer) {
-  const DigitResult& about = answer;
   std::vector<std::string> arms;
-  for (const std::string& joint : about.rows) arms.push_back("arm_" + joint + "_mm");
-  Table table{row({joint_header(about), {"muscle"}, arms, {"length_change_mm"}}), {}};
+  for (const std::string& joint : answer.rows) arms.push_back("arm_" + joint + "_mm");
+  Table table{row({joint_header(answer), {"muscle"}, arms, {"length_change_mm"}})};
   for (const MomentArmPoint& point : answer.points)
-    for (std::size_t m = 0; m < about.muscles.size() && point.failure.empty(); ++m)
-      table.rows.push_back(
-          row({joint_cells(point.q),
-               {about.muscles[m]},
-               cells(Eigen::VectorXd(point.arms.row(static_cast<Index>(m)).transpose() / kMm), 6),
-               {shown(point.length_change(static_cast<Index>(m)) / kMm, 6)}}));
+    for (std::size_t m = 0; m < answer.muscles.size() && point.failure.empty(); ++m)
+      table.add_parts(
+          {joint_cells(point.q),
+           {answer.muscles[m]},
+           cells(Eigen::VectorXd(point.arms.row(static_cast<Index>(m)).transpose() / kMm), 6),
+           {shown(point.length_change(static_cast<Index>(m)) / kMm, 6)}});
   return table;
 }
 

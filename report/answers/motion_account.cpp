@@ -1,9 +1,9 @@
 #include "report/answers/motion_account.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/units.h"
+#include "report/words.h"
 
 namespace thenar {
 namespace {
@@ -17,26 +17,24 @@ std::string losses_words(const FlowBalance& balance) {
 
 std::string limits_words(const std::vector<PassedLimit>& limits) {
   if (limits.empty()) return "none";
-  std::vector<std::string> words;
-  for (const PassedLimit& limit : limits)
-    words.push_back(fmt::format("{} by {}", limit.joint, beyond_words(limit)));
-  return fmt::format("{}", fmt::join(words, ", "));
+  return each_in_words(limits, [](const PassedLimit& limit) {
+    return fmt::format("{} by {}", limit.joint, beyond_words(limit));
+  });
 }
 
 }  // namespace
 
 std::vector<Fields> limit_fields(const std::vector<PassedLimit>& limits) {
-  std::vector<Fields> list;
-  for (const PassedLimit& limit : limits)
-    list.push_back({{"joint", limit.joint},
-                    {"beyond", limit.slides ? units::kMetre : units::kRadian, limit.beyond}});
-  return list;
+  return fields_of_each(limits, [](const PassedLimit& limit) {
+    return Fields{{"joint", limit.joint},
+                  {"beyond", limit.slides ? units::kMetre : units::kRadian, limit.beyond}};
+  });
 }
 
 Table account_table(const SceneResult& scene) {
-  Table table{{"measure", "value"}, {}};
+  Table table{{"measure", "value"}};
   const auto add = [&](const std::string& name, const std::string& value) {
-    table.rows.push_back({name, value});
+    table.add({name, value});
   };
   if (scene.measures.worst) {
     add("energy error", energy_error_words(*scene.measures.worst));

@@ -12,8 +12,7 @@ std::string passive_line(const Skeleton& skeleton, const Eigen::VectorXd& q) {
   const Eigen::VectorXd tau = passive_torque(skeleton, q);
   std::string line = "passive moments of joints, counted [N mm]:";
   for (Eigen::Index i = 0; i < tau.size(); ++i)
-    line += fmt::format("{} {} {:.3g}", i == 0 ? "" : ",",
-                        skeleton.coordinate_names[static_cast<std::size_t>(i)],
+    line += fmt::format("{} {} {:.3g}", i == 0 ? "" : ",", nth(skeleton.coordinate_names, i),
                         tau[i] / kNewtonMillimetre);
   return line + "\n";
 }

@@ -23,35 +23,31 @@ std::string direction(const Eigen::Vector3d& d) {
 
 std::string joint_text(const SubjectPose& pose) {
   Table table{{"joint", "angle_deg", "axis_x", "axis_y", "axis_z", "point_x_mm", "point_y_mm",
-               "point_z_mm"},
-              {}};
+               "point_z_mm"}};
   for (const JointNow& joint : pose.joints) {
     const std::string name =
         joint.led_by.empty() ? joint.name : fmt::format("{} (led by {})", joint.name, joint.led_by);
-    table.rows.push_back(row({{name, shown(joint.angle / kDegree, 2)},
-                              cells(joint.axis, 4),
-                              cells(joint.point / kMm, 2)}));
+    table.add_parts({{name, shown(joint.angle / kDegree, 2)},
+                     cells(joint.axis, 4),
+                     cells(joint.point / kMm, 2)});
   }
   return titled("Joints, axes in world directions", table);
 }
 
 std::string segment_text(const SubjectPose& pose) {
   Table table{{"segment", "turned_deg", "proximal_x_mm", "proximal_y_mm", "proximal_z_mm",
-               "distal_x_mm", "distal_y_mm", "distal_z_mm"},
-              {}};
+               "distal_x_mm", "distal_y_mm", "distal_z_mm"}};
   for (const SegmentNow& segment : pose.segments)
-    table.rows.push_back(
-        row({{segment.name, shown(Eigen::AngleAxisd(segment.X.R).angle() / kDegree, 2)},
-             cells(segment.proximal / kMm, 2),
-             cells(segment.distal / kMm, 2)}));
+    table.add_parts({{segment.name, shown(Eigen::AngleAxisd(segment.X.R).angle() / kDegree, 2)},
+                     cells(segment.proximal / kMm, 2),
+                     cells(segment.distal / kMm, 2)});
   return titled("Segments, turned from the reference posture", table);
 }
 
 std::string jacobian_text(const TipNow& tip) {
-  Table table{{"joint", "x_mm_per_rad", "y_mm_per_rad", "z_mm_per_rad"}, {}};
+  Table table{{"joint", "x_mm_per_rad", "y_mm_per_rad", "z_mm_per_rad"}};
   for (std::size_t j = 0; j < tip.joints.size(); ++j)
-    table.rows.push_back(
-        row({{tip.joints[j]}, cells(tip.J.col(static_cast<Eigen::Index>(j)) / kMm, 2)}));
+    table.add_parts({{tip.joints[j]}, cells(tip.J.col(static_cast<Eigen::Index>(j)) / kMm, 2)});
   return titled(fmt::format("How the {} tip moves: {}", tip.digit, mobility_in_words(tip)), table);
 }
 
@@ -71,29 +67,29 @@ Fields tip_fields(const TipNow& tip) {
 }
 
 Fields pose_fields(const SubjectPose& pose) {
-  std::vector<Fields> tips, segments, joints;
-  for (const TipNow& tip : pose.tips) tips.push_back(tip_fields(tip));
-  for (const SegmentNow& segment : pose.segments)
-    segments.push_back({{"name", segment.name},
-                        {"rotation", units::kOne, segment.X.R},
-                        {"translation", units::kMillimetre, segment.X.p},
-                        {"proximal", units::kMillimetre, segment.proximal},
-                        {"distal", units::kMillimetre, segment.distal}});
-  for (const JointNow& joint : pose.joints)
-    joints.push_back({{"name", joint.name},
-                      {"angle", units::kDegree, joint.angle},
-                      {"axis", units::kOne, joint.axis},
-                      {"point", units::kMillimetre, joint.point},
-                      {"led_by", joint.led_by}});
-  return {
-      {"tips", std::move(tips)}, {"segments", std::move(segments)}, {"joints", std::move(joints)}};
+  const auto segment_fields = [](const SegmentNow& segment) {
+    return Fields{{"name", segment.name},
+                  {"rotation", units::kOne, segment.X.R},
+                  {"translation", units::kMillimetre, segment.X.p},
+                  {"proximal", units::kMillimetre, segment.proximal},
+                  {"distal", units::kMillimetre, segment.distal}};
+  };
+  const auto joint_fields = [](const JointNow& joint) {
+    return Fields{{"name", joint.name},
+                  {"angle", units::kDegree, joint.angle},
+                  {"axis", units::kOne, joint.axis},
+                  {"point", units::kMillimetre, joint.point},
+                  {"led_by", joint.led_by}};
+  };
+  return {{"tips", fields_of_each(pose.tips, tip_fields)},
+          {"segments", fields_of_each(pose.segments, segment_fields)},
+          {"joints", fields_of_each(pose.joints, joint_fields)}};
 }
 
 std::string subject_text(const SubjectPose& pose) {
   std::string text = joint_text(pose) + segment_text(pose);
-  Table tips{{"digit", "tip_x_mm", "tip_y_mm", "tip_z_mm"}, {}};
-  for (const TipNow& tip : pose.tips)
-    tips.rows.push_back(row({{tip.digit}, cells(tip.p / kMm, 2)}));
+  Table tips{{"digit", "tip_x_mm", "tip_y_mm", "tip_z_mm"}};
+  for (const TipNow& tip : pose.tips) tips.add_parts({{tip.digit}, cells(tip.p / kMm, 2)});
   text += titled("Tips", tips);
   for (const TipNow& tip : pose.tips) text += jacobian_text(tip);
   return text;
@@ -110,30 +106,27 @@ std::string value_text(const RobotJointNow& joint) {
 std::string robot_text(const RobotPose& pose) {
   // Joints with their axes in the base frame; lengths in mm.
   Table joints{
-      {"joint", "value", "axis_x", "axis_y", "axis_z", "point_x_mm", "point_y_mm", "point_z_mm"},
-      {}};
+      {"joint", "value", "axis_x", "axis_y", "axis_z", "point_x_mm", "point_y_mm", "point_z_mm"}};
   for (const RobotJointNow& joint : pose.joints) {
     const std::string name = joint.dof.empty() || joint.dof == joint.name
                                  ? joint.name
                                  : fmt::format("{} (driven by {})", joint.name, joint.dof);
-    joints.rows.push_back(
-        row({{name, value_text(joint)}, cells(joint.axis, 4), cells(joint.point / kMm, 2)}));
+    joints.add_parts(
+        {{name, value_text(joint)}, cells(joint.axis, 4), cells(joint.point / kMm, 2)});
   }
   std::string text = titled("Joints, axes in directions of the base link", joints);
-  // Links as a place and a quaternion.
-  Table links{{"link", "x_mm", "y_mm", "z_mm", "qw", "qx", "qy", "qz"}, {}};
+  Table links{{"link", "x_mm", "y_mm", "z_mm", "qw", "qx", "qy", "qz"}};
   for (const RobotLinkNow& link : pose.links) {
     const Eigen::Quaterniond q(link.X_BL.R);
-    links.rows.push_back(row({{link.name},
-                              cells(link.X_BL.p / kMm, 2),
-                              {shown(q.w(), 5)},
-                              cells(Eigen::Vector3d(q.vec()), 5)}));
+    links.add_parts({{link.name},
+                     cells(link.X_BL.p / kMm, 2),
+                     {shown(q.w(), 5)},
+                     cells(Eigen::Vector3d(q.vec()), 5)});
   }
   text += titled("Links, frames in the base link", links);
-  // Tips of the digits.
-  Table tips{{"digit", "link", "tip_x_mm", "tip_y_mm", "tip_z_mm"}, {}};
+  Table tips{{"digit", "link", "tip_x_mm", "tip_y_mm", "tip_z_mm"}};
   for (const RobotTipNow& tip : pose.tips)
-    tips.rows.push_back(row({{tip.digit, tip.link}, cells(tip.p / kMm, 2)}));
+    tips.add_parts({{tip.digit, tip.link}, cells(tip.p / kMm, 2)});
   return text + titled("Tips", tips);
 }
 
@@ -174,9 +167,9 @@ std::vector<std::string> place_cells(const std::vector<NamedPlace>& places, int 
 template <typename Poses>
 std::string place_text(const Poses& poses, const std::string& whose) {
   const SweepAxes axes = axes_of(poses);
-  Table table{row({header_of(axes), place_header(places_of(poses.points.front()))}), {}};
+  Table table{row({header_of(axes), place_header(places_of(poses.points.front()))})};
   for (std::size_t i = 0; i < poses.points.size(); ++i)
-    table.rows.push_back(row({cells_of(axes, i), place_cells(places_of(poses.points[i]), 2)}));
+    table.add_parts({cells_of(axes, i), place_cells(places_of(poses.points[i]), 2)});
   return titled(fmt::format("{}, {}", whose, counted(poses.points.size(), "posture")), table);
 }
 
@@ -189,9 +182,8 @@ void add_poses(const Poses& poses, Fields& fields) {
     return;
   }
   fields.add("varied", axes.names);
-  std::vector<Fields> postures;
-  for (const auto& pose : poses.points) postures.push_back(pose_fields(pose));
-  fields.add("postures", std::move(postures));
+  fields.add("postures",
+             fields_of_each(poses.points, [](const auto& pose) { return pose_fields(pose); }));
   if (poses.outcome.stopped()) fields.add("stopped_before", poses.outcome.asked);
 }
 
@@ -272,12 +264,12 @@ Table table_of(const SubjectPoses& poses) {
   for (const std::string& joint : poses.coordinates) angles.push_back(joint + "_deg");
   for (const TipNow& tip : poses.points.front().tips)
     conditions.push_back(tip.digit + "_condition");
-  Table table{row({angles, place_header(places_of(poses.points.front())), conditions}), {}};
+  Table table{row({angles, place_header(places_of(poses.points.front())), conditions})};
   for (const SubjectPose& pose : poses.points) {
     std::vector<std::string> line = row({joint_cells(pose.q), place_cells(places_of(pose), 6)});
     for (const TipNow& tip : pose.tips)
       line.push_back(tip.joints.empty() ? "" : shown(tip.mobility.condition));
-    table.rows.push_back(std::move(line));
+    table.add(std::move(line));
   }
   return table;
 }
@@ -304,7 +296,7 @@ Table table_of(const RobotPoses& poses) {
     std::vector<std::string> line;
     for (const RobotJointNow& joint : pose.joints)
       line.push_back(shown(joint.value / display_unit(joint.slides)));
-    table.rows.push_back(row({line, place_cells(places_of(pose), 6)}));
+    table.add_parts({line, place_cells(places_of(pose), 6)});
   }
   return table;
 }

@@ -8,6 +8,7 @@
 #include "report/answers/prediction.h"
 #include "report/parameter_words.h"
 #include "report/sampling_advice.h"
+#include "report/words.h"
 
 namespace thenar {
 namespace {
@@ -51,27 +52,25 @@ std::string figures_text(const PosteriorRun& run) {
       describe_run(run), c.worst_r_hat, c.min_bulk_ess, c.min_tail_ess, c.divergent, c.non_finite);
   // Rates of swaps between temperatures, where there are several.
   if (run.draws.swap_rate.size() > 0) {
-    std::string rates;
-    for (const double rate : run.draws.swap_rate.rowwise().mean())
-      rates += fmt::format("{}{:.0f}", rates.empty() ? "" : ", ", 100 * rate);
-    text += fmt::format("temperatures swap with the next hotter one in {} % of attempts\n", rates);
+    const Eigen::VectorXd rates = run.draws.swap_rate.rowwise().mean();
+    text += fmt::format(
+        "temperatures swap with the next hotter one in {} % of attempts\n",
+        each_in_words(rates, [](double rate) { return fmt::format("{:.0f}", 100 * rate); }));
   }
   return text;
 }
 
 std::string checks_text(const PosteriorSummary& summary) {
   Table table{{"experiment", "rms_error_N", "relative", "within_50_pct", "within_80_pct",
-               "within_95_pct", "chi_square", "numbers", "p"},
-              {}};
-  // Errors of the mean, coverage of intervals, and a p value of each experiment.
+               "within_95_pct", "chi_square", "numbers", "p"}};
   for (const auto& [prediction, check] : summary.experiments) {
-    table.rows.push_back({prediction.experiment, shown(prediction.error.rms, 3),
-                          shown(prediction.error.relative, 3)});
-    for (const Coverage& coverage : check.coverage)
-      table.rows.back().push_back(shown(100 * coverage.share, 0));
-    for (const std::string& cell : {shown(check.mean_chi_square, 1),
-                                    fmt::format("{}", check.rank_share.size()), shown(check.p, 3)})
-      table.rows.back().push_back(cell);
+    std::vector<std::string> covered;
+    for (const Coverage& each : check.coverage) covered.push_back(shown(100 * each.share, 0));
+    table.add_parts({{prediction.experiment, shown(prediction.error.rms, 3),
+                      shown(prediction.error.relative, 3)},
+                     covered,
+                     {shown(check.mean_chi_square, 1), std::to_string(check.rank_share.size()),
+                      shown(check.p, 3)}});
   }
   std::string text = titled("forces as they would be measured again, beside those measured", table);
   for (const ExperimentCheck& experiment : summary.experiments)
@@ -91,25 +90,23 @@ std::string left_out_text(const PosteriorSummary& summary) {
   text += doubts_text("leave-one-out", loo.warnings);
   Eigen::Index worst;
   if (loo.k.maxCoeff(&worst) > loo.good_k)
-    text += fmt::format("  ! number {} is {}\n", worst + 1,
-                        summary.left_out->observations[static_cast<std::size_t>(worst)]);
+    text +=
+        fmt::format("  ! number {} is {}\n", worst + 1, nth(summary.left_out->observations, worst));
   return text + "\n";
 }
 
 std::string quantities_text(const PosteriorResult& result) {
   const PosteriorSummary& summary = *result.summary;
   Table table{{"parameter", "unit", "mean", "sd", "prior_sd", "q05", "median", "q95", "mcse",
-               "r_hat", "bulk_ess", "tail_ess", "meaning"},
-              {}};
-  // Show the parameters that the data tell most about, beside their priors.
+               "r_hat", "bulk_ess", "tail_ess", "meaning"}};
   const std::vector<std::size_t> order = sorted_by_sd(summary);
   for (std::size_t k = 0; k < std::min(result.rows, order.size()); ++k) {
     const Estimate& e = summary.estimates[order[k]];
     const PosteriorQuantity& q = summary.quantities[order[k]];
-    table.rows.push_back({q.name, q.unit, shown(e.mean), shown(e.sd), shown(prior_sd(q)),
-                          shown(e.q05), shown(e.median), shown(e.q95), shown(e.mcse_mean),
-                          shown(e.r_hat, 3), shown(e.bulk_ess, 0), shown(e.tail_ess, 0),
-                          meaning_of(q.name, result.run.posterior->problem().digit())});
+    table.add({q.name, q.unit, shown(e.mean), shown(e.sd), shown(prior_sd(q)), shown(e.q05),
+               shown(e.median), shown(e.q95), shown(e.mcse_mean), shown(e.r_hat, 3),
+               shown(e.bulk_ess, 0), shown(e.tail_ess, 0),
+               meaning_of(q.name, result.run.posterior->problem().digit())});
   }
   return titled(fmt::format("parameters that the data tell most about ({} of {})",
                             table.rows.size(), order.size()),
@@ -119,7 +116,7 @@ std::string quantities_text(const PosteriorResult& result) {
 /// "the MCP abduction axis lies distal of the MCP flexion axis".
 std::string distal_words(const PosteriorAxes& of, const TendonDigit& digit) {
   const auto axis = [&](int hinge) {
-    return joint_words(digit.names.hinges[static_cast<std::size_t>(hinge)]) + " axis";
+    return joint_words(nth(digit.names.hinges, hinge)) + " axis";
   };
   return fmt::format("the {} lies distal of the {}", axis(of.axes.second), axis(of.axes.first));
 }
@@ -128,11 +125,9 @@ std::string axes_text(const PosteriorResult& result) {
   const PosteriorSummary& summary = *result.summary;
   if (summary.axes.empty()) return "";
   Table table{{"axes", "angle_deg", "q05", "q95", "distance_mm", "q05", "q95", "second_distal_mm",
-               "q05", "q95", "p_second_distal", "prior_p"},
-              {}};
-  // The angle and distance of neighbouring axes, with 90 % intervals.
+               "q05", "q95", "p_second_distal", "prior_p"}};
   for (const PosteriorAxes& of : summary.axes) {
-    table.rows.push_back({of.whose.empty() ? of.axes.name : of.whose + ": " + of.axes.name});
+    table.add({of.whose.empty() ? of.axes.name : of.whose + ": " + of.axes.name});
     for (const Estimate* e : {&of.angle, &of.distance, &of.beyond})
       for (const double value : {e->mean, e->q05, e->q95})
         table.rows.back().push_back(shown(value, 2));
@@ -157,19 +152,16 @@ std::string directions_text(const PosteriorSummary& summary, std::size_t rows) {
 
 /// Masses by the draws beside those of Laplace's approximation before sampling.
 std::string modes_text(const PosteriorRun& run) {
-  Table table{{"mode", "mass", "mcse", "crossings", "cost", "searches", "laplace_mass"}, {}};
+  Table table{{"mode", "mass", "mcse", "crossings", "cost", "searches", "laplace_mass"}};
   for (const ModeMass& mode : run.mode_table.modes) {
-    table.rows.push_back({fmt::format("{}", table.rows.size() + 1), shown(mode.mass, 3),
-                          shown(mode.mcse, 3), fmt::format("{}", mode.crossings)});
-    std::vector<std::string>& row = table.rows.back();
-    if (mode.known < 0) {
-      row.insert(row.end(), 3, "-");
-      continue;
+    std::vector<std::string> search(3, "-");
+    if (mode.known >= 0) {
+      const Mode& found = nth(run.modes, mode.known);
+      search = {shown(found.cost, 2), fmt::format("{}", found.hits), shown(found.laplace_mass, 3)};
     }
-    const Mode& found = run.modes[static_cast<std::size_t>(mode.known)];
-    for (const std::string& cell :
-         {shown(found.cost, 2), fmt::format("{}", found.hits), shown(found.laplace_mass, 3)})
-      row.push_back(cell);
+    table.add_parts({{fmt::format("{}", table.rows.size() + 1), shown(mode.mass, 3),
+                      shown(mode.mcse, 3), fmt::format("{}", mode.crossings)},
+                     search});
   }
   return titled("modes, by the draws in each and by the search before", table) +
          doubts_text("modes", run.mode_table.warnings);
@@ -273,7 +265,7 @@ std::vector<Fields> modes_fields(const PosteriorRun& run) {
                                               {"crossings", mode.crossings},
                                               {"visits", units::kOne, mode.visits}});
     if (mode.known < 0) continue;
-    const Mode& found = run.modes[static_cast<std::size_t>(mode.known)];
+    const Mode& found = nth(run.modes, mode.known);
     fields.append(
         {{"cost", found.cost}, {"searches", found.hits}, {"laplace_mass", found.laplace_mass}});
   }
@@ -281,18 +273,14 @@ std::vector<Fields> modes_fields(const PosteriorRun& run) {
 }
 
 Fields direction_fields(const LearntDirections& found) {
-  std::vector<Fields> list;
-  for (const LearntDirection& direction : found.directions)
-    list.push_back({{"sd_ratio", direction.sd_ratio}, {"text", direction.text}});
   return {{"decided", found.decided},
           {"effective_parameters", found.effective_parameters},
-          {"directions", std::move(list)}};
+          {"directions", fields_of_each(found.directions, [](const LearntDirection& each) {
+             return Fields{{"sd_ratio", each.sd_ratio}, {"text", each.text}};
+           })}};
 }
 
 Fields check_fields(const ExperimentCheck& of) {
-  std::vector<Fields> coverage;
-  for (const Coverage& each : of.check.coverage)
-    coverage.push_back({{"level", each.level}, {"share", each.share}, {"error", each.error}});
   Fields fields{{"experiment", of.prediction.experiment},
                 {"rms_error", units::kNewton, of.prediction.error.rms},
                 {"relative_error", of.prediction.error.relative},
@@ -302,7 +290,10 @@ Fields check_fields(const ExperimentCheck& of) {
                 {"trial_p", units::kOne, of.check.trial_p},
                 {"doubts", of.check.warnings},
                 {"start_has_seen_specimen", of.prediction.calibrated_on_specimen}};
-  fields.add_some("coverage", std::move(coverage));
+  fields.add_some(
+      "coverage", fields_of_each(of.check.coverage, [](const Coverage& each) {
+        return Fields{{"level", each.level}, {"share", each.share}, {"error", each.error}};
+      }));
   return fields;
 }
 
@@ -325,16 +316,14 @@ Fields left_out_fields(const LeftOutObservations& of) {
 void add_summary(const PosteriorResult& result, Fields& fields) {
   const PosteriorSummary& summary = *result.summary;
   const TendonDigit& digit = result.run.posterior->problem().digit();
-  std::vector<Fields> parameters, experiments;
+  std::vector<Fields> parameters;
   for (std::size_t i = 0; i < summary.quantities.size(); ++i)
     parameters.push_back(estimate_fields(summary.quantities[i], summary.estimates[i],
                                          meaning_of(summary.quantities[i].name, digit)));
   fields.add_some("parameters", std::move(parameters));
   fields.add("axes", axes_fields(result));
   fields.add("learnt", direction_fields(summary.directions));
-  for (const ExperimentCheck& experiment : summary.experiments)
-    experiments.push_back(check_fields(experiment));
-  fields.add_some("experiments", std::move(experiments));
+  fields.add_some("experiments", fields_of_each(summary.experiments, check_fields));
   if (summary.left_out) fields.add("leave_one_out", left_out_fields(*summary.left_out));
 }
 
@@ -365,15 +354,13 @@ Fields fields_of(const PosteriorResult& result) {
 
 Table table_of(const PosteriorResult& result) {
   Table table{{"parameter", "meaning", "unit", "mean", "sd", "prior_sd", "q05", "median", "q95",
-               "mcse_mean", "mcse_sd", "r_hat", "bulk_ess", "tail_ess"},
-              {}};
+               "mcse_mean", "mcse_sd", "r_hat", "bulk_ess", "tail_ess"}};
   if (!result.summary) return table;
   const PosteriorSummary& summary = *result.summary;
   for (const std::size_t i : sorted_by_sd(summary)) {
     const Estimate& e = summary.estimates[i];
     const PosteriorQuantity& q = summary.quantities[i];
-    table.rows.push_back(
-        {q.name, meaning_of(q.name, result.run.posterior->problem().digit()), q.unit});
+    table.add({q.name, meaning_of(q.name, result.run.posterior->problem().digit()), q.unit});
     for (const double value : {e.mean, e.sd, prior_sd(q), e.q05, e.median, e.q95, e.mcse_mean,
                                e.mcse_sd, e.r_hat, e.bulk_ess, e.tail_ess})
       table.rows.back().push_back(fmt::format("{:.8g}", value));

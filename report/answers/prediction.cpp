@@ -4,6 +4,7 @@
 
 #include "base/units.h"
 #include "report/answers/fit.h"
+#include "report/words.h"
 
 namespace thenar {
 namespace {
@@ -55,44 +56,40 @@ std::string experiment_text(const PredictedExperiment& one) {
 
 Fields experiment_fields(const PredictedExperiment& one) {
   const Prediction& prediction = one.prediction;
-  // Only components that were measured are told.
-  std::vector<Fields> vectors;
-  for (const PredictedTrial& trial : prediction.trials)
-    vectors.push_back({{"posture", trial.posture},
-                       {"loads", trial.loads},
-                       {"measured", units::kNewton, trial.measured.head(trial.components)},
-                       {"predicted", units::kNewton, trial.predicted.head(trial.components)},
-                       {"sd", units::kNewton, trial.sd.head(trial.components)},
-                       {"error", units::kNewton, (trial.predicted - trial.measured).norm()},
-                       {"direction_error", units::kDegree, direction_error(trial)}});
+  const auto trial_fields = [](const PredictedTrial& trial) {
+    return Fields{{"posture", trial.posture},
+                  {"loads", trial.loads},
+                  {"measured", units::kNewton, trial.measured.head(trial.components)},
+                  {"predicted", units::kNewton, trial.predicted.head(trial.components)},
+                  {"sd", units::kNewton, trial.sd.head(trial.components)},
+                  {"error", units::kNewton, (trial.predicted - trial.measured).norm()},
+                  {"direction_error", units::kDegree, direction_error(trial)}};
+  };
   const bool own = one.by == PredictedBy::kOwn;
-  Fields fields{{"experiment", prediction.experiment},
-                {"specimen", one.experiment.specimen},
-                {"specimen_was_fitted", one.by != PredictedBy::kStranger},
-                {"predicted_by", own ? "own parameters" : "population"},
-                {"start_has_seen_specimen", prediction.calibrated_on_specimen},
-                {"rms_error", units::kNewton, prediction.error.rms},
-                {"relative_error", prediction.error.relative},
-                {"relative_error_flexion_plane", prediction.error.relative_flexion},
-                {"direction_error", units::kDegree, prediction.error.direction},
-                {"covered_95", units::kOne, prediction.error.covered},
-                trivial_field(own ? "superposition" : "mean_of_others", prediction),
-                {own ? "mean_of_others" : "superposition", nullptr},
-                {"vectors", std::move(vectors)}};
-  return fields;
+  return {{"experiment", prediction.experiment},
+          {"specimen", one.experiment.specimen},
+          {"specimen_was_fitted", one.by != PredictedBy::kStranger},
+          {"predicted_by", own ? "own parameters" : "population"},
+          {"start_has_seen_specimen", prediction.calibrated_on_specimen},
+          {"rms_error", units::kNewton, prediction.error.rms},
+          {"relative_error", prediction.error.relative},
+          {"relative_error_flexion_plane", prediction.error.relative_flexion},
+          {"direction_error", units::kDegree, prediction.error.direction},
+          {"covered_95", units::kOne, prediction.error.covered},
+          trivial_field(own ? "superposition" : "mean_of_others", prediction),
+          {own ? "mean_of_others" : "superposition", nullptr},
+          {"vectors", fields_of_each(prediction.trials, trial_fields)}};
 }
 
 }  // namespace
 
 std::string component_names(const Experiment& experiment) {
-  constexpr const char* kNames[] = {"proximal", "dorsal", "radial"};
-  constexpr const char* kOpposites[] = {"distal", "palmar", "ulnar"};
   std::string names;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k)
       if (experiment.axes_of_digit(i, k) != 0)
-        names += fmt::format("{}{}", i > 0 ? " " : "",
-                             experiment.axes_of_digit(i, k) < 0 ? kOpposites[k] : kNames[k]);
+        names += (i > 0 ? " " : "") +
+                 std::string(kDirectionWords[k][experiment.axes_of_digit(i, k) < 0 ? 1 : 0]);
   return names;
 }
 
@@ -104,31 +101,26 @@ std::string in_words(PredictedBy by) {
 }
 
 std::string text_of(const PredictResult& result) {
-  std::string text;
-  for (const PredictedExperiment& one : result.experiments) text += experiment_text(one);
-  return text;
+  return each_in_words(result.experiments, experiment_text, "");
 }
 
 std::vector<Fields> fields_of(const PredictResult& result) {
-  std::vector<Fields> all;
-  for (const PredictedExperiment& one : result.experiments) all.push_back(experiment_fields(one));
-  return all;
+  return fields_of_each(result.experiments, experiment_fields);
 }
 
 Table table_of(const PredictResult& result) {
   Table table{{"experiment", "specimen", "posture", "loads", "components", "measured_1_N",
                "measured_2_N", "measured_3_N", "predicted_1_N", "predicted_2_N", "predicted_3_N",
-               "sd_1_N", "sd_2_N", "sd_3_N", "error_N", "direction_error_deg"},
-              {}};
+               "sd_1_N", "sd_2_N", "sd_3_N", "error_N", "direction_error_deg"}};
   for (const PredictedExperiment& one : result.experiments)
     for (const PredictedTrial& trial : one.prediction.trials)
-      table.rows.push_back(row({{one.prediction.experiment, one.experiment.specimen, trial.posture,
-                                 trial.loads, component_names(one.experiment)},
-                                component_cells(trial.measured, trial.components),
-                                component_cells(trial.predicted, trial.components),
-                                component_cells(trial.sd, trial.components),
-                                {shown((trial.predicted - trial.measured).norm(), 6),
-                                 shown(degrees(direction_error(trial)), 3)}}));
+      table.add_parts({{one.prediction.experiment, one.experiment.specimen, trial.posture,
+                        trial.loads, component_names(one.experiment)},
+                       component_cells(trial.measured, trial.components),
+                       component_cells(trial.predicted, trial.components),
+                       component_cells(trial.sd, trial.components),
+                       {shown((trial.predicted - trial.measured).norm(), 6),
+                        shown(degrees(direction_error(trial)), 3)}});
   return table;
 }
 

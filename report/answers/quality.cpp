@@ -153,17 +153,16 @@ Fields fields_of(const ContactQualityResult& result) {
 
 Table table_of(const std::vector<ContactQualityResult>& results) {
   Table table{{"contacts", "count", "force_closure", "epsilon_lower", "epsilon_upper", "volume",
-               "rank", "least_singular_value", "isotropy", "internal_forces", "squeeze_N"},
-              {}};
-  for (const ContactQualityResult& result : results) table.rows.push_back(quality_row(result));
+               "rank", "least_singular_value", "isotropy", "internal_forces", "squeeze_N"}};
+  for (const ContactQualityResult& result : results) table.add(quality_row(result));
   return table;
 }
 
 Fields fields_of(const std::vector<ContactQualityResult>& results) {
   if (results.size() == 1) return fields_of(results.front());
-  std::vector<Fields> answers;
-  for (const ContactQualityResult& result : results) answers.push_back(fields_of(result));
-  return {{"answers", std::move(answers)}};
+  return {{"answers", fields_of_each(results, [](const ContactQualityResult& result) {
+             return fields_of(result);
+           })}};
 }
 
 }  // namespace thenar

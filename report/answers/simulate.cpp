@@ -12,12 +12,12 @@ namespace {
 /// Angles and speeds at the start and the end.
 Table joint_summary(const Trajectory& t) {
   const Eigen::Index last = t.time.size() - 1;
-  Table table{{"joint", "start_deg", "end_deg", "min_deg", "max_deg", "end_speed_deg_s"}, {}};
+  Table table{{"joint", "start_deg", "end_deg", "min_deg", "max_deg", "end_speed_deg_s"}};
   for (Eigen::Index j = 0; j < t.angle.cols(); ++j) {
     const Eigen::VectorXd angle = t.angle.col(j) / kDegree;
-    table.rows.push_back({t.joints[static_cast<std::size_t>(j)], shown(angle[0], 2),
-                          shown(angle[last], 2), shown(angle.minCoeff(), 2),
-                          shown(angle.maxCoeff(), 2), shown(t.speed(last, j) / kDegree, 2)});
+    table.add({nth(t.joints, j), shown(angle[0], 2), shown(angle[last], 2),
+               shown(angle.minCoeff(), 2), shown(angle.maxCoeff(), 2),
+               shown(t.speed(last, j) / kDegree, 2)});
   }
   return table;
 }
@@ -26,39 +26,26 @@ Table joint_summary(const Trajectory& t) {
 Table muscle_summary(const Trajectory& t) {
   const Eigen::Index last = t.time.size() - 1;
   Table table{{"muscle", "end_activation", "end_tension_N", "max_tension_N", "end_excursion_mm",
-               "end_fibre_per_optimal"},
-              {}};
+               "end_fibre_per_optimal"}};
   for (Eigen::Index m = 0; m < t.tension.cols(); ++m)
-    table.rows.push_back({t.muscles[static_cast<std::size_t>(m)], shown(t.activation(last, m), 4),
-                          shown(t.tension(last, m), 3), shown(t.tension.col(m).maxCoeff(), 3),
-                          shown(t.excursion(last, m) / kMm, 3),
-                          t.fibre.size() > 0 ? shown(t.fibre(last, m), 3) : "-"});
+    table.add({nth(t.muscles, m), shown(t.activation(last, m), 4), shown(t.tension(last, m), 3),
+               shown(t.tension.col(m).maxCoeff(), 3), shown(t.excursion(last, m) / kMm, 3),
+               t.fibre.size() > 0 ? shown(t.fibre(last, m), 3) : "-"});
   return table;
 }
 
 /// The first snaps of the net.
 Table snap_table(const Trajectory& t) {
   constexpr std::size_t kMaxSnaps = 10;  // Most rows of snaps
-  Table table{{"time_s", "band", "moved_mm", "released_mJ"}, {}};
+  Table table{{"time_s", "band", "moved_mm", "released_mJ"}};
   for (std::size_t i = 0; i < std::min(t.snaps.size(), kMaxSnaps); ++i) {
     const MotionSnap& snap = t.snaps[i];
-    table.rows.push_back({shown(snap.time, 6), snap.band, shown(snap.moved / kMm, 3),
-                          shown(1e3 * snap.released, 4)});
+    table.add({shown(snap.time, 6), snap.band, shown(snap.moved / kMm, 3),
+               shown(1e3 * snap.released, 4)});
   }
   if (t.snaps.size() > kMaxSnaps)
-    table.rows.push_back({fmt::format("{} more", t.snaps.size() - kMaxSnaps), "", "", ""});
+    table.add({fmt::format("{} more", t.snaps.size() - kMaxSnaps), "", "", ""});
   return table;
-}
-
-/// All snaps of the net.
-std::vector<Fields> snap_fields(const Trajectory& t) {
-  std::vector<Fields> list;
-  for (const MotionSnap& snap : t.snaps)
-    list.push_back({{"time", units::kSecond, snap.time},
-                    {"band", snap.band},
-                    {"moved", units::kMillimetre, snap.moved},
-                    {"released", units::kJoule, snap.released}});
-  return list;
 }
 
 /// The state at the last instant.
@@ -121,7 +108,13 @@ Fields fields_of(const DigitMotionResult& motion) {
           {"turned_over", units::kJoule, t.balance.turned_over},
           {"stray", units::kMillimetre, t.drift},
           {"drift", units::kMillimetre, t.drift},
-          {"snaps", snap_fields(t)},
+          {"snaps", fields_of_each(t.snaps,
+                                   [](const MotionSnap& snap) {
+                                     return Fields{{"time", units::kSecond, snap.time},
+                                                   {"band", snap.band},
+                                                   {"moved", units::kMillimetre, snap.moved},
+                                                   {"released", units::kJoule, snap.released}};
+                                   })},
           {"released", units::kJoule, released_energy(t)},
           {"tolerance", t.tolerance},
           {"steps", t.counts.steps},
@@ -131,30 +124,21 @@ Fields fields_of(const DigitMotionResult& motion) {
 
 Table table_of(const DigitMotionResult& motion) {
   const TrajectoryTable numbers = trajectory_table(motion.trajectory);
-  Table table{numbers.columns, {}};
+  Table table{numbers.columns};
   for (Eigen::Index i = 0; i < numbers.values.rows(); ++i) {
     std::vector<std::string> cells;
     for (Eigen::Index j = 0; j < numbers.values.cols(); ++j)
       cells.push_back(fmt::format("{:.9g}", numbers.values(i, j) + 0.0));
-    table.rows.push_back(std::move(cells));
+    table.add(std::move(cells));
   }
   return table;
 }
 
 std::string refusal_of(const DigitMotionResult& motion) {
   const Trajectory& t = motion.trajectory;
-  switch (t.status) {
-    case MotionStatus::kCompleted:
-    case MotionStatus::kStopped:
-      return "";
-    case MotionStatus::kLimit:
-    case MotionStatus::kIntegratorFailed:
-      return "the motion is stuck: " + t.warning;
-    case MotionStatus::kNoProgress:
-      return "the motion does not get on: " + t.warning;
-    case MotionStatus::kUnbalanced:
-      break;
-  }
+  if (t.status == MotionStatus::kCompleted || t.status == MotionStatus::kStopped) return "";
+  if (t.status == MotionStatus::kNoProgress) return "the motion does not get on: " + t.warning;
+  if (t.status != MotionStatus::kUnbalanced) return "the motion is stuck: " + t.warning;
   return fmt::format("energy does not balance: error {:.2g} mJ of {:.4g} mJ turned over",
                      1e3 * t.balance.error, 1e3 * t.balance.turned_over);
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <Eigen/Geometry>
 
 #include "base/numbers.h"
@@ -13,12 +12,13 @@
 #include "dynamics/human/joint_stops.h"
 #include "hand/passive_moment.h"
 #include "report/answers/motion_account.h"
+#include "report/words.h"
 
 namespace thenar {
 namespace {
 
 std::string body_name(const SceneResult& scene, int body) {
-  return scene.built->scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
+  return nth(scene.built->scene.mechanism.bodies, body).name;
 }
 
 /// Centre of mass of a body at an instant [m].
@@ -45,17 +45,17 @@ double cpu_per_second(const SceneResult& scene) {
 }
 
 Table body_table(const SceneResult& scene) {
-  Table table{{"body", "x_mm", "y_mm", "z_mm", "moved_mm", "turned_deg", "speed_m_s", "spin_rad_s"},
-              {}};
+  Table table{
+      {"body", "x_mm", "y_mm", "z_mm", "moved_mm", "turned_deg", "speed_m_s", "spin_rad_s"}};
   const std::size_t last = scene.run.samples.size() - 1;
   for (const std::size_t body : scene.measures.moving) {
     const Eigen::Vector3d end = centre(scene, last, body);
     const Eigen::Vector3d way = end - centre(scene, 0, body);
-    table.rows.push_back(row({{scene.built->scene.mechanism.bodies[body].name},
-                              cells(Eigen::Vector3d(end / kMm), 4),
-                              {shown(way.norm() / kMm), shown(turn(scene, body) / kDegree, 3),
-                               shown(scene.measures.velocity[body].linear.norm()),
-                               shown(scene.measures.velocity[body].angular.norm())}}));
+    table.add_parts({{scene.built->scene.mechanism.bodies[body].name},
+                     cells(Eigen::Vector3d(end / kMm), 4),
+                     {shown(way.norm() / kMm), shown(turn(scene, body) / kDegree, 3),
+                      shown(scene.measures.velocity[body].linear.norm()),
+                      shown(scene.measures.velocity[body].angular.norm())}});
   }
   return table;
 }
@@ -67,12 +67,11 @@ const char* mode_word(const PairMeasure& pair) {
 }
 
 Table pair_table(const SceneResult& scene) {
-  Table table{{"pair", "slip_mm", "first_s", "last_s", "largest_force_N", "end_force_N", "end"},
-              {}};
+  Table table{{"pair", "slip_mm", "first_s", "last_s", "largest_force_N", "end_force_N", "end"}};
   for (const PairMeasure& pair : scene.measures.pairs)
-    table.rows.push_back({body_name(scene, pair.a) + " - " + body_name(scene, pair.b),
-                          shown(pair.slip / kMm), shown(pair.first), shown(pair.last),
-                          shown(pair.largest_force), shown(pair.force.norm()), mode_word(pair)});
+    table.add({body_name(scene, pair.a) + " - " + body_name(scene, pair.b), shown(pair.slip / kMm),
+               shown(pair.first), shown(pair.last), shown(pair.largest_force),
+               shown(pair.force.norm()), mode_word(pair)});
   return table;
 }
 
@@ -80,12 +79,12 @@ bool is_pad(const PairMeasure& pair) { return pair.area > 0; }
 
 /// Patches of pads at the end.
 Table patch_table(const SceneResult& scene) {
-  Table table{{"pad", "area_mm2", "force_N", "sticks_%", "torsion_Nmm"}, {}};
+  Table table{{"pad", "area_mm2", "force_N", "sticks_%", "torsion_Nmm"}};
   for (const PairMeasure& pair : scene.measures.pairs)
     if (is_pad(pair))
-      table.rows.push_back({body_name(scene, pair.a) + " - " + body_name(scene, pair.b),
-                            shown(pair.area / (kMm * kMm)), shown(pair.force.norm()),
-                            shown(100 * pair.stick), shown(std::abs(pair.torsion) / kMm)});
+      table.add({body_name(scene, pair.a) + " - " + body_name(scene, pair.b),
+                 shown(pair.area / (kMm * kMm)), shown(pair.force.norm()), shown(100 * pair.stick),
+                 shown(std::abs(pair.torsion) / kMm)});
   return table;
 }
 
@@ -157,7 +156,7 @@ OrderedJson passive_moments(const SceneResult& scene) {
         moment -= joint.stiffness * (q[place] - joint.rest);
         some = true;
       }
-      if (some) json[mechanism.coordinates[static_cast<std::size_t>(c)].name] = moment;
+      if (some) json[nth(mechanism.coordinates, c).name] = moment;
     }
   }
   return json;
@@ -185,12 +184,11 @@ std::vector<Fields> pair_fields(const SceneResult& scene) {
 
 /// Muscles of human hands that pull at some instant.
 Table muscle_table(const SceneResult& scene) {
-  Table table{{"muscle", "tension_N", "largest_N", "activation"}, {}};
+  Table table{{"muscle", "tension_N", "largest_N", "activation"}};
   for (const PullMeasure& muscle : scene.measures.pulls.muscles) {
     if (!muscle.contracts && muscle.tension.isZero(0)) continue;
-    table.rows.push_back({muscle.name, shown(muscle.tension.tail<1>()[0]),
-                          shown(muscle.tension.maxCoeff()),
-                          muscle.contracts ? shown(muscle.activation.tail<1>()[0]) : ""});
+    table.add({muscle.name, shown(muscle.tension.tail<1>()[0]), shown(muscle.tension.maxCoeff()),
+               muscle.contracts ? shown(muscle.activation.tail<1>()[0]) : ""});
   }
   return table;
 }
@@ -264,24 +262,24 @@ Fields outcome_fields(const SceneResult& scene) {
           {"cpu_s_per_simulated_s", units::kMeasuredSeconds, cpu_per_second(scene)}};
 }
 
+/// "friction 0.5, step 0.001": the numbers of a run that are not as in the file.
+std::string varied_words(const SceneResult& scene) {
+  return each_in_words(scene.varied, [](const auto& each) {
+    return fmt::format("{} {:g}", each.first, each.second);
+  });
+}
+
 }  // namespace
 
 std::string method_of(const SceneResult& scene) {
   return name_in(kSteppingMethodNames, scene.built->options.method);
 }
 
-std::string varied_words(const SceneResult& scene) {
-  std::vector<std::string> words;
-  for (const auto& [name, value] : scene.varied)
-    words.push_back(fmt::format("{} {:g}", name, value));
-  return fmt::format("{}", fmt::join(words, ", "));
-}
-
 std::string text_of(const SceneResult& scene) {
   // Bodies and contacts first, then the account of energy and the cost.
   const SceneCost& cost = scene.run.cost;
   const SceneEnergy &start = scene.run.samples.front().energy,
-                            &end = scene.run.samples.back().energy;
+                    &end = scene.run.samples.back().energy;
   std::string text = fmt::format("{}: {} after {:.6g} s\nmethod: {}, {} steps, {} impacts\n\n",
                                  scene.name, name_of(scene.run.status), simulated_seconds(scene),
                                  method_of(scene), cost.steps, cost.impacts);
@@ -326,7 +324,7 @@ Fields fields_of(const SceneResult& scene) {
 
 Table table_of(const SceneResult& scene) {
   const std::vector<std::size_t> moving = scene.measures.moving;
-  Table table{{"time_s", "kinetic_J", "weight_J", "springs_J", "contacts"}, {}};
+  Table table{{"time_s", "kinetic_J", "weight_J", "springs_J", "contacts"}};
   for (const std::size_t body : moving)
     for (const char* axis : {"x", "y", "z"})
       table.header.push_back(
@@ -341,7 +339,7 @@ Table table_of(const SceneResult& scene) {
     for (const std::size_t body : moving)
       for (const double value : centre(scene, i, body))
         cells.push_back(fmt::format("{:.12g}", value + 0.0));
-    table.rows.push_back(std::move(cells));
+    table.add(std::move(cells));
   }
   return table;
 }
@@ -368,27 +366,25 @@ Fields fields_of(const SceneSweepResult& sweep) {
 }
 
 Table table_of(const SceneSweepResult& sweep) {
-  // One row for each run: the numbers that varied, then how it ended.
-  Table table;
-  for (const SceneVariation& each : sweep.request.vary) table.header.push_back(each.name);
-  for (const char* column :
+  std::vector<std::string> varied;
+  for (const SceneVariation& each : sweep.request.vary) varied.push_back(each.name);
+  Table table{row(
+      {varied,
        {"status", "simulated_s", "largest_slip_mm", "penetration_mm", "end_energy_mJ",
-        "dissipated_mJ", "energy_error_%", "limits_passed", "worst_residual", "cpu_ms_per_s"})
-    table.header.emplace_back(column);
+        "dissipated_mJ", "energy_error_%", "limits_passed", "worst_residual", "cpu_ms_per_s"}})};
   for (const SceneResult& scene : sweep.runs) {
     std::vector<std::string> cells;
     for (const auto& [name, value] : scene.varied) cells.push_back(fmt::format("{:.6g}", value));
-    cells.push_back(name_of(scene.run.status));
-    cells.push_back(shown(simulated_seconds(scene)));
-    cells.push_back(shown(largest_slip(scene) / kMm));
-    cells.push_back(shown(scene.run.cost.deepest / kMm));
-    cells.push_back(shown(1e3 * scene.run.samples.back().energy.total()));
-    cells.push_back(shown(1e3 * scene.measures.dissipated));
-    cells.push_back(scene.measures.worst ? shown(100 * scene.measures.worst->share()) : "n/a");
-    cells.push_back(std::to_string(limits_passed(scene).size()));
-    cells.push_back(residual_words(scene));
-    cells.push_back(shown(1e3 * cpu_per_second(scene)));
-    table.rows.push_back(std::move(cells));
+    const SceneRun& run = scene.run;
+    const RunMeasures& measures = scene.measures;
+    table.add_parts(
+        {cells,
+         {name_of(run.status), shown(simulated_seconds(scene)), shown(largest_slip(scene) / kMm),
+          shown(run.cost.deepest / kMm), shown(1e3 * run.samples.back().energy.total()),
+          shown(1e3 * measures.dissipated),
+          measures.worst ? shown(100 * measures.worst->share()) : "n/a",
+          std::to_string(limits_passed(scene).size()), residual_words(scene),
+          shown(1e3 * cpu_per_second(scene))}});
   }
   return table;
 }

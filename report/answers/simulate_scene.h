@@ -26,7 +26,4 @@ namespace thenar {
 /// "events", "time-stepping" ..
 [[nodiscard]] std::string method_of(const SceneResult& scene);
 
-/// "friction 0.5, step 0.001": the numbers of a run that are not as in the file.
-[[nodiscard]] std::string varied_words(const SceneResult& scene);
-
 }  // namespace thenar

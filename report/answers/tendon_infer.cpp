@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/nearest_name.h"
 #include "base/words.h"
@@ -22,16 +23,14 @@ std::string change_words(double value) {
 
 Table belief_table(const InferNetResult& inference) {
   Table table{{"band", "from", "to", "exists", "probability", "log_Bayes_factor", "chi2_without",
-               "parameters_with", "tension_N", "slack_mm", "prior_sd_mm"},
-              {}};
+               "parameters_with", "tension_N", "slack_mm", "prior_sd_mm"}};
   for (std::size_t k = 0; k < inference.free->posterior.bands.size(); ++k) {
     const BandBelief& band = inference.free->posterior.bands[k];
-    table.rows.push_back(
-        {band.name, inference.ends[k].from, inference.ends[k].to, verdict_words(band),
-         probability_words(band) + (band.doubtful ? " ?" : ""), change_words(band.log_odds),
-         change_words(band.misfit_change), change_words(band.effective_change),
-         shown(band.tension, 2), slack_words(band),
-         band.slack ? shown(kMmPerMetre * band.slack->prior_sd, 2) : "-"});
+    table.add({band.name, inference.ends[k].from, inference.ends[k].to, verdict_words(band),
+               probability_words(band) + (band.doubtful ? " ?" : ""), change_words(band.log_odds),
+               change_words(band.misfit_change), change_words(band.effective_change),
+               shown(band.tension, 2), slack_words(band),
+               band.slack ? shown(kMmPerMetre * band.slack->prior_sd, 2) : "-"});
   }
   return table;
 }
@@ -84,7 +83,7 @@ std::string slack_words(const BandBelief& band) {
 std::vector<std::string> posterior_in_words(const FreeInference& free) {
   const BandPosterior& posterior = free.posterior;
   const BandEvidence& best = posterior.sets.front().evidence;
-  std::vector<std::string> lines{
+  return {
       fmt::format("Forces: {} components; {} parameters are free with all bands, by the priors of "
                   "{}.",
                   free.numbers, free.parameters, free.settings),
@@ -95,7 +94,6 @@ std::vector<std::string> posterior_in_words(const FreeInference& free) {
       fmt::format("Most probable set: chi-square {:.1f}, of which the data determine {:.1f} "
                   "parameters; the best set's errors are {:.2f} times the stated noise.",
                   best.misfit, best.effective, posterior.noise)};
-  return lines;
 }
 
 std::string next_in_words(const FreeInference& free) {
@@ -113,17 +111,16 @@ std::string text_of_free(const InferNetResult& inference) {
   std::string text =
       fmt::format("Which bands of net {} do the forces of {} need, with {} free? (subject {})\n\n",
                   inference.net, inference.experiment, listed(free.freed), inference.subject);
-  for (const std::string& line : posterior_in_words(free)) text += line + "\n";
-  text += "\n" + titled(
-                     "Bands of the hood: from probability 0.95 a band exists, below 0.05 it "
-                     "does not; chi2_without: how much worse the forces are explained without "
-                     "it",
-                     belief_table(inference));
-  Table next{{"posture_and_tensions_N", "sets_bit", "slack_bit", "tells_most_of", "of_it_bit"}, {}};
+  text += fmt::format("{}\n\n", fmt::join(posterior_in_words(free), "\n"));
+  text += titled(
+      "Bands of the hood: from probability 0.95 a band exists, below 0.05 it "
+      "does not; chi2_without: how much worse the forces are explained without "
+      "it",
+      belief_table(inference));
+  Table next{{"posture_and_tensions_N", "sets_bit", "slack_bit", "tells_most_of", "of_it_bit"}};
   for (const RankedTrial& trial : free.next)
-    next.rows.push_back({trial.name, shown(trial.information, 3), shown(trial.slack, 3),
-                         trial.most_told.empty() ? "-" : trial.most_told,
-                         shown(trial.of_most_told, 3)});
+    next.add({trial.name, shown(trial.information, 3), shown(trial.slack, 3),
+              trial.most_told.empty() ? "-" : trial.most_told, shown(trial.of_most_told, 3)});
   return text + titled("Measure next. " + next_in_words(free), next);
 }
 
@@ -177,21 +174,19 @@ Fields fields_of_free(const InferNetResult& inference) {
 }
 
 Table table_of_free(const InferNetResult& inference) {
-  Table table{
-      {"band", "from", "to", "verdict", "probability", "probability_error", "log_bayes_factor",
-       "tension_N", "slack_mm", "slack_sd_mm", "slack_prior_sd_mm", "doubtful"},
-      {}};
+  Table table{{"band", "from", "to", "verdict", "probability", "probability_error",
+               "log_bayes_factor", "tension_N", "slack_mm", "slack_sd_mm", "slack_prior_sd_mm",
+               "doubtful"}};
   const auto number = [](double value) { return fmt::format("{:.10g}", value); };
   for (std::size_t k = 0; k < inference.free->posterior.bands.size(); ++k) {
     const BandBelief& band = inference.free->posterior.bands[k];
     const auto slack = [&](double SlackRange::*what) {
       return band.slack ? number(kMmPerMetre * (*band.slack).*what) : "";
     };
-    table.rows.push_back({band.name, inference.ends[k].from, inference.ends[k].to,
-                          to_string(band.verdict), number(band.probability), number(band.error),
-                          number(band.log_odds), number(band.tension), slack(&SlackRange::length),
-                          slack(&SlackRange::sd), slack(&SlackRange::prior_sd),
-                          band.doubtful ? "1" : "0"});
+    table.add({band.name, inference.ends[k].from, inference.ends[k].to, to_string(band.verdict),
+               number(band.probability), number(band.error), number(band.log_odds),
+               number(band.tension), slack(&SlackRange::length), slack(&SlackRange::sd),
+               slack(&SlackRange::prior_sd), band.doubtful ? "1" : "0"});
   }
   return table;
 }
@@ -214,14 +209,19 @@ std::string evidence_words(double evidence) {
   return evidence > 0 ? "no net without it" : "no net with it";
 }
 
+std::vector<std::string> names_of(const BandGroup& group, const InferredNet& inferred) {
+  std::vector<std::string> names;
+  for (const int c : group.bands) names.push_back(nth(inferred.verdicts, c).name);
+  return names;
+}
+
 Table band_verdict_table(const InferNetResult& inference) {
-  Table table{{"band", "from", "to", "exists", "evidence", "stiffness_EA_N", "sd_of_log_EA"}, {}};
+  Table table{{"band", "from", "to", "exists", "evidence", "stiffness_EA_N", "sd_of_log_EA"}};
   for (std::size_t k = 0; k < inference.inferred.verdicts.size(); ++k) {
     const BandVerdict& band = inference.inferred.verdicts[k];
     const bool known = band.EA != 0 && std::isfinite(band.EA_sd);
-    table.rows.push_back({band.name, inference.ends[k].from, inference.ends[k].to,
-                          to_string(band.verdict), evidence_words(band.evidence), stiffness(band),
-                          known ? shown(band.EA_sd, 2) : "-"});
+    table.add({band.name, inference.ends[k].from, inference.ends[k].to, to_string(band.verdict),
+               evidence_words(band.evidence), stiffness(band), known ? shown(band.EA_sd, 2) : "-"});
   }
   return table;
 }
@@ -260,11 +260,8 @@ std::string next_in_words(const InferNetResult& inference) {
 std::vector<std::string> groups_in_words(const InferredNet& inferred) {
   std::vector<std::string> lines;
   for (const BandGroup& group : inferred.groups) {
-    std::vector<std::string> names;
-    for (const int c : group.bands)
-      names.push_back(inferred.verdicts[static_cast<std::size_t>(c)].name);
     lines.push_back(fmt::format("The data cannot tell apart: {} ({} ways to have them).",
-                                listed(names), group.ways.size()));
+                                listed(names_of(group, inferred)), group.ways.size()));
   }
   return lines;
 }
@@ -273,17 +270,16 @@ std::string text_of(const InferNetResult& inference) {
   if (inference.free) return text_of_free(inference);
   std::string text = fmt::format("Which bands of net {} do the forces of {} need? (subject {})\n\n",
                                  inference.net, inference.experiment, inference.subject);
-  for (const std::string& line : fit_in_words(inference)) text += line + "\n";
-  text += "\n" + titled(
-                     "Bands of the hood: evidence above 6 says that the band exists, below -6 "
-                     "that it does not",
-                     band_verdict_table(inference));
+  text += fmt::format("{}\n\n", fmt::join(fit_in_words(inference), "\n"));
+  text += titled(
+      "Bands of the hood: evidence above 6 says that the band exists, below -6 "
+      "that it does not",
+      band_verdict_table(inference));
   const std::vector<std::string> groups = groups_in_words(inference.inferred);
-  for (const std::string& line : groups) text += line + "\n";
-  if (!groups.empty()) text += "\n";
-  Table next{{"posture_and_tensions_N", "disagreement"}, {}};
+  if (!groups.empty()) text += fmt::format("{}\n\n", fmt::join(groups, "\n"));
+  Table next{{"posture_and_tensions_N", "disagreement"}};
   for (const ProposedTest& test : inference.next)
-    next.rows.push_back({test.name, shown(test.disagreement, 2)});
+    next.add({test.name, shown(test.disagreement, 2)});
   return text + titled("Measure next. " + next_in_words(inference), next);
 }
 
@@ -303,12 +299,8 @@ Fields fields_of(const InferNetResult& inference) {
                      {"EA", units::kNewton, band.EA_told || band.EA == 0 ? band.EA : std::nan("")},
                      {"sd_of_log_EA", band.EA_sd}});
   }
-  // Bands that the data cannot tell apart.
-  for (const BandGroup& group : net.groups) {
-    std::vector<std::string> names;
-    for (const int c : group.bands) names.push_back(net.verdicts[static_cast<std::size_t>(c)].name);
-    groups.push_back({{"bands", names}, {"ways", group.ways.size()}});
-  }
+  for (const BandGroup& group : net.groups)
+    groups.push_back({{"bands", names_of(group, net)}, {"ways", group.ways.size()}});
   // Tests.
   for (const ProposedTest& test : inference.next)
     next.push_back({{"test", test.name}, {"disagreement", test.disagreement}});
@@ -335,14 +327,13 @@ Fields fields_of(const InferNetResult& inference) {
 
 Table table_of(const InferNetResult& inference) {
   if (inference.free) return table_of_free(inference);
-  Table table{{"band", "from", "to", "verdict", "evidence", "EA_N", "sd_of_log_EA", "converged"},
-              {}};
+  Table table{{"band", "from", "to", "verdict", "evidence", "EA_N", "sd_of_log_EA", "converged"}};
   for (std::size_t k = 0; k < inference.inferred.verdicts.size(); ++k) {
     const BandVerdict& band = inference.inferred.verdicts[k];
-    table.rows.push_back({band.name, inference.ends[k].from, inference.ends[k].to,
-                          to_string(band.verdict), fmt::format("{:.10g}", band.evidence),
-                          band.EA_told || band.EA == 0 ? fmt::format("{:.10g}", band.EA) : "",
-                          fmt::format("{:.10g}", band.EA_sd), band.converged ? "1" : "0"});
+    table.add({band.name, inference.ends[k].from, inference.ends[k].to, to_string(band.verdict),
+               fmt::format("{:.10g}", band.evidence),
+               band.EA_told || band.EA == 0 ? fmt::format("{:.10g}", band.EA) : "",
+               fmt::format("{:.10g}", band.EA_sd), band.converged ? "1" : "0"});
   }
   return table;
 }

@@ -1,11 +1,13 @@
 #include "report/answers/tendon_solve.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
 #include <fmt/format.h>
 
+#include "base/enum_names.h"
 #include "base/units.h"
 #include "base/words.h"
 #include "hand/passive_moment.h"
@@ -16,7 +18,23 @@
 namespace thenar {
 namespace {
 
-const char* const kTipDirections[] = {"proximal", "dorsal", "radial"};
+const std::vector<std::string> kTipDirections{"proximal", "dorsal", "radial"};
+
+constexpr std::array kTendonStatusNames{EnumName{TendonStatus::kValid, "sound"},
+                                        EnumName{TendonStatus::kApproximate, "rough"},
+                                        EnumName{TendonStatus::kBandInsideBone, "buried"},
+                                        EnumName{TendonStatus::kNodeCollapsed, "drawn in"},
+                                        EnumName{TendonStatus::kOutOfRange, "out of range"},
+                                        EnumName{TendonStatus::kInvalidPath, "astray"},
+                                        EnumName{TendonStatus::kUnstable, "unstable"},
+                                        EnumName{TendonStatus::kOverstrained, "overstrained"},
+                                        EnumName{TendonStatus::kUnbalanced, "unbalanced"}};
+constexpr std::array kNetStatusNames{EnumName{NetStatus::kBalanced, "balanced"},
+                                     EnumName{NetStatus::kUnstable, "unstable"},
+                                     EnumName{NetStatus::kNodeCollapsed, "drawn in"},
+                                     EnumName{NetStatus::kStalled, "stalled"},
+                                     EnumName{NetStatus::kFarSideWrap, "wound round"},
+                                     EnumName{NetStatus::kOverstrained, "overstrained"}};
 
 /// A band of the answer.
 struct BandRow {
@@ -33,8 +51,7 @@ std::vector<BandRow> band_rows(const LoadedDigit& loaded, const DigitPoint& poin
     const NetBand& band = net.bands[k];
     const double tension = point.rest.tension[static_cast<Eigen::Index>(k)];
     const bool bent = band_course(net, state, point.rest, static_cast<int>(k)).bent;
-    rows.push_back({band.name, net.nodes[static_cast<std::size_t>(band.a)].name,
-                    net.nodes[static_cast<std::size_t>(band.b)].name,
+    rows.push_back({band.name, nth(net.nodes, band.a).name, nth(net.nodes, band.b).name,
                     std::string(tension > kTaut ? "taut" : "slack") + (bent ? ", on bone" : ""),
                     point.rest.length[static_cast<Eigen::Index>(k)],
                     band.muscle < 0 ? band.slack : std::nan(""), tension});
@@ -93,8 +110,8 @@ void add_net(const LoadedDigit& loaded, const DigitPoint& point, Fields& fields)
          {"place", units::kMillimetre, point.rest.x.col(static_cast<Eigen::Index>(i))}});
   // Of nodes with bone.
   for (const NetContact& contact : point.rest.contacts)
-    contacts.push_back({{"node", net.nodes[static_cast<std::size_t>(contact.node)].name},
-                        {"surface", net.surfaces[static_cast<std::size_t>(contact.surface)].name},
+    contacts.push_back({{"node", nth(net.nodes, contact.node).name},
+                        {"surface", nth(net.surfaces, contact.surface).name},
                         {"force", units::kNewton, contact.force}});
   fields.add("bands", std::move(bands));
   fields.add("nodes", std::move(nodes));
@@ -103,25 +120,22 @@ void add_net(const LoadedDigit& loaded, const DigitPoint& point, Fields& fields)
 
 std::string net_text(const LoadedDigit& loaded, const DigitPoint& point) {
   const Net& net = loaded.net()->net().net;
-  // Bands, then floating nodes, then forces on bone.
-  Table bands{{"band", "from", "to", "length_mm", "slack_length_mm", "tension_N", "state"}, {}};
+  Table bands{{"band", "from", "to", "length_mm", "slack_length_mm", "tension_N", "state"}};
   for (const BandRow& row : band_rows(loaded, point))
-    bands.rows.push_back({row.name, row.from, row.to, shown(row.length / kMm, 3),
-                          std::isfinite(row.slack) ? shown(row.slack / kMm, 3) : "-",
-                          shown_tension(row.tension), row.state});
+    bands.add({row.name, row.from, row.to, shown(row.length / kMm, 3),
+               std::isfinite(row.slack) ? shown(row.slack / kMm, 3) : "-",
+               shown_tension(row.tension), row.state});
 
-  Table nodes{{"node", "x_mm", "y_mm", "z_mm"}, {}};
+  Table nodes{{"node", "x_mm", "y_mm", "z_mm"}};
   for (std::size_t i = 0; i < net.nodes.size(); ++i)
     if (net.nodes[i].free)
-      nodes.rows.push_back(
-          row({{net.nodes[i].name},
-               cells((point.rest.x.col(static_cast<Eigen::Index>(i)) / kMm).eval(), 3)}));
+      nodes.add_parts({{net.nodes[i].name},
+                       cells((point.rest.x.col(static_cast<Eigen::Index>(i)) / kMm).eval(), 3)});
 
-  Table contacts{{"node", "surface", "force_N"}, {}};
+  Table contacts{{"node", "surface", "force_N"}};
   for (const NetContact& contact : point.rest.contacts)
-    contacts.rows.push_back({net.nodes[static_cast<std::size_t>(contact.node)].name,
-                             net.surfaces[static_cast<std::size_t>(contact.surface)].name,
-                             shown(contact.force, 4)});
+    contacts.add({nth(net.nodes, contact.node).name, nth(net.surfaces, contact.surface).name,
+                  shown(contact.force, 4)});
   return titled("Bands of the extensor hood", bands) +
          titled("Knots of the hood that float, in the subject's frame", nodes) +
          titled("Knots pressed on bone", contacts);
@@ -137,12 +151,12 @@ std::string slip_text(const SlipTension& slips) {
 }
 
 std::string tip_text(const LoadedDigit& loaded, const DigitPoint& point) {
-  Table force{{"direction", "force_N"}, {}};
+  Table force{{"direction", "force_N"}};
   const Eigen::Vector3d along = force_in_tip_axes(loaded, point);
-  for (int k = 0; k < 3; ++k) force.rows.push_back({kTipDirections[k], shown(along[k], 4)});
-  const char* const world[] = {"x of the subject", "y of the subject", "z of the subject"};
-  for (int k = 0; k < 3; ++k) force.rows.push_back({world[k], shown(point.tip.f_W[k], 4)});
-  force.rows.push_back({"magnitude", shown(point.tip.f_W.norm(), 4)});
+  for (int k = 0; k < 3; ++k) force.add({nth(kTipDirections, k), shown(along[k], 4)});
+  for (int k = 0; k < 3; ++k)
+    force.add({fmt::format("{} of the subject", "xyz"[k]), shown(point.tip.f_W[k], 4)});
+  force.add({"magnitude", shown(point.tip.f_W.norm(), 4)});
   std::string text = titled("Force of the pinned fingertip on the world", force);
   text += fmt::format("condition number of the tip's Jacobian: {:.4g}\n", point.tip.condition);
   const std::string note = tip_note(point.tip);
@@ -162,13 +176,21 @@ struct SweepColumn {
   }
 };
 
-std::vector<SweepColumn> angle_columns(const TendonNames& names) {
+/// A column for each of the names. @param value  at a posture, by the place of the name
+std::vector<SweepColumn> columns_of(
+    const std::string& before, const std::vector<std::string>& names, const FieldUnit& unit,
+    const std::function<double(const DigitPoint&, Eigen::Index)>& value) {
   std::vector<SweepColumn> columns;
-  for (std::size_t i = 0; i < names.coordinates.size(); ++i)
-    columns.push_back({names.coordinates[i], units::kDegree, [i](const DigitPoint& point) {
-                         return point.q[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < names.size(); ++i)
+    columns.push_back({before + names[i], unit, [value, i](const DigitPoint& point) {
+                         return value(point, static_cast<Eigen::Index>(i));
                        }});
   return columns;
+}
+
+std::vector<SweepColumn> angle_columns(const TendonNames& names) {
+  return columns_of("", names.coordinates, units::kDegree,
+                    [](const DigitPoint& p, Eigen::Index i) { return p.q[i]; });
 }
 
 std::vector<SweepColumn> slip_columns(const LoadedDigit& loaded) {
@@ -181,45 +203,25 @@ std::vector<SweepColumn> slip_columns(const LoadedDigit& loaded) {
 
 std::vector<SweepColumn> band_columns(const LoadedDigit& loaded) {
   if (loaded.net() == nullptr) return {};
-  std::vector<SweepColumn> columns{
-      {"residual", units::kNewton, [](const DigitPoint& p) { return p.rest.residual; }}};
-  const Net& net = loaded.net()->net().net;
-  for (std::size_t k = 0; k < net.bands.size(); ++k)
-    columns.push_back({"tension_" + net.bands[k].name, units::kNewton, [k](const DigitPoint& p) {
-                         return p.rest.tension[static_cast<Eigen::Index>(k)];
-                       }});
+  std::vector<std::string> bands;
+  for (const NetBand& band : loaded.net()->net().net.bands) bands.push_back(band.name);
+  std::vector<SweepColumn> columns =
+      columns_of("tension_", bands, units::kNewton,
+                 [](const DigitPoint& p, Eigen::Index k) { return p.rest.tension[k]; });
+  columns.insert(columns.begin(),
+                 {"residual", units::kNewton, [](const DigitPoint& p) { return p.rest.residual; }});
   return columns;
 }
 
 std::vector<SweepColumn> force_columns(const LoadedDigit& loaded) {
-  std::vector<SweepColumn> columns;
-  columns.reserve(3);
-  for (int k = 0; k < 3; ++k)
-    columns.push_back(
-        {fmt::format("force_{}", kTipDirections[k]), units::kNewton,
-         [&loaded, k](const DigitPoint& p) { return force_in_tip_axes(loaded, p)[k]; }});
-  return columns;
+  return columns_of(
+      "force_", kTipDirections, units::kNewton,
+      [&loaded](const DigitPoint& p, Eigen::Index k) { return force_in_tip_axes(loaded, p)[k]; });
 }
 
 std::vector<SweepColumn> torque_columns(const TendonNames& names) {
-  std::vector<SweepColumn> columns;
-  for (std::size_t j = 0; j < names.coordinates.size(); ++j)
-    columns.push_back(
-        {"torque_" + names.coordinates[j], units::kNewtonMillimetre,
-         [j](const DigitPoint& p) { return p.pull.tau[static_cast<Eigen::Index>(j)]; }});
-  return columns;
-}
-
-std::vector<SweepColumn> arm_columns(const TendonNames& names) {
-  std::vector<SweepColumn> columns;
-  for (std::size_t m = 0; m < names.muscles.size(); ++m)
-    for (std::size_t j = 0; j < names.coordinates.size(); ++j)
-      columns.push_back({fmt::format("arm_{}_{}", names.muscles[m], names.coordinates[j]),
-                         units::kMillimetre, [m, j](const DigitPoint& p) {
-                           return p.pull.R(static_cast<Eigen::Index>(m),
-                                           static_cast<Eigen::Index>(j));
-                         }});
-  return columns;
+  return columns_of("torque_", names.coordinates, units::kNewtonMillimetre,
+                    [](const DigitPoint& p, Eigen::Index j) { return p.pull.tau[j]; });
 }
 
 std::vector<SweepColumn> joined_columns(std::vector<std::vector<SweepColumn>> parts) {
@@ -232,13 +234,18 @@ std::vector<SweepColumn> joined_columns(std::vector<std::vector<SweepColumn>> pa
 /// Columns of numbers behind angles and status.
 std::vector<SweepColumn> number_columns(const LoadedDigit& loaded) {
   const TendonNames& names = loaded.bones().names;
-  return joined_columns(
-      {slip_columns(loaded),
-       band_columns(loaded),
-       force_columns(loaded),
-       {{"condition", units::kOne, [](const DigitPoint& p) { return p.tip.condition; }}},
-       torque_columns(names),
-       arm_columns(names)});
+  std::vector<std::vector<SweepColumn>> parts{
+      slip_columns(loaded),
+      band_columns(loaded),
+      force_columns(loaded),
+      {{"condition", units::kOne, [](const DigitPoint& p) { return p.tip.condition; }}},
+      torque_columns(names)};
+  for (std::size_t i = 0; i < names.muscles.size(); ++i)
+    parts.push_back(columns_of("arm_" + names.muscles[i] + "_", names.coordinates,
+                               units::kMillimetre, [i](const DigitPoint& p, Eigen::Index j) {
+                                 return p.pull.R(static_cast<Eigen::Index>(i), j);
+                               }));
+  return joined_columns(std::move(parts));
 }
 
 /// Returns the status of the net's search; if the net is in balance, or there is no net, the status
@@ -271,7 +278,7 @@ Table rows_of(const LoadedDigit& loaded, const std::vector<const DigitPoint*>& p
     cells.push_back(point->pull.warning);
     for (const SweepColumn& column : numbers)
       cells.push_back(fmt::format("{:.10g}", column.printed(*point)));
-    table.rows.push_back(std::move(cells));
+    table.add(std::move(cells));
   }
   return table;
 }
@@ -283,7 +290,7 @@ std::string tensions_in_words(const LoadedDigit& loaded) {
   for (Eigen::Index i = 0; i < loaded.t.size(); ++i)
     if (loaded.t[i] > 0)
       pulled += fmt::format("{}{}={:.4g}", pulled.empty() ? "" : " ",
-                            loaded.bones().names.muscles[static_cast<std::size_t>(i)], loaded.t[i]);
+                            nth(loaded.bones().names.muscles, i), loaded.t[i]);
   return pulled;
 }
 
@@ -298,9 +305,9 @@ std::string text_of(const TendonSolveResult& solution) {
   if (loaded.net() != nullptr) text += net_text(loaded, point);
   if (loaded.net() != nullptr || loaded.bones().model.hood) text += slip_text(point.pull.slips);
   // Torques.
-  Table torque{{"joint", "torque_N_mm", "unbalanced_N_mm"}, {}};
+  Table torque{{"joint", "torque_N_mm", "unbalanced_N_mm"}};
   for (std::size_t i = 0; i < names.coordinates.size(); ++i)
-    torque.rows.push_back(
+    torque.add(
         {names.coordinates[i],
          shown(point.pull.tau[static_cast<Eigen::Index>(i)] / kNewtonMillimetre, 4),
          shown(point.tip.tau_residual[static_cast<Eigen::Index>(i)] / kNewtonMillimetre, 4)});
@@ -342,9 +349,7 @@ Fields fields_of(const TendonSolveResult& solution) {
   fields.add("moment_arm", units::kMillimetre, std::move(arms));
   // Force of the tip.
   fields.add("force", units::kNewton, point.tip.f_W);
-  fields.add("force_tip_axes", units::kNewton,
-             std::vector<std::string>(std::begin(kTipDirections), std::end(kTipDirections)),
-             force_in_tip_axes(loaded, point));
+  fields.add("force_tip_axes", units::kNewton, kTipDirections, force_in_tip_axes(loaded, point));
   fields.add("leftover_torque", units::kNewtonMillimetre, names.coordinates,
              point.tip.tau_residual);
   fields.add("condition", point.tip.condition);
@@ -361,14 +366,14 @@ std::string text_of(const TendonSweepResult& sweep) {
   const LoadedDigit& loaded = sweep.loaded;
   const std::vector<SweepColumn> columns = joined_columns(
       {slip_columns(loaded), force_columns(loaded), torque_columns(loaded.bones().names)});
-  Table table{{"quantity", "first", "last", "min", "max"}, {}};
+  Table table{{"quantity", "first", "last", "min", "max"}};
   for (const SweepColumn& column : columns) {
     std::vector<double> values;
     for (const DigitPoint& point : sweep.points) values.push_back(column.printed(point));
     if (values.empty()) continue;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    table.rows.push_back({column.name(), shown(values.front(), 4), shown(values.back(), 4),
-                          shown(*low, 4), shown(*high, 4)});
+    table.add({column.name(), shown(values.front(), 4), shown(values.back(), 4), shown(*low, 4),
+               shown(*high, 4)});
   }
   std::string text = tendon_title(loaded);
   if (has_passive(loaded.bones().skeleton)) text += "passive moments of joints are counted\n";
@@ -421,46 +426,7 @@ std::string refusal_of(const TendonSweepResult& sweep) {
                      first->pull.warning);
 }
 
-std::string name_of(TendonStatus status) {
-  switch (status) {
-    case TendonStatus::kValid:
-      return "sound";
-    case TendonStatus::kApproximate:
-      return "rough";
-    case TendonStatus::kBandInsideBone:
-      return "buried";
-    case TendonStatus::kNodeCollapsed:
-      return "drawn in";
-    case TendonStatus::kOutOfRange:
-      return "out of range";
-    case TendonStatus::kInvalidPath:
-      return "astray";
-    case TendonStatus::kUnstable:
-      return "unstable";
-    case TendonStatus::kOverstrained:
-      return "overstrained";
-    case TendonStatus::kUnbalanced:
-      return "unbalanced";
-  }
-  return "";
-}
-
-std::string name_of(NetStatus status) {
-  switch (status) {
-    case NetStatus::kBalanced:
-      return "balanced";
-    case NetStatus::kUnstable:
-      return "unstable";
-    case NetStatus::kNodeCollapsed:
-      return "drawn in";
-    case NetStatus::kStalled:
-      return "stalled";
-    case NetStatus::kFarSideWrap:
-      return "wound round";
-    case NetStatus::kOverstrained:
-      return "overstrained";
-  }
-  return "";
-}
+std::string name_of(TendonStatus status) { return name_in(kTendonStatusNames, status); }
+std::string name_of(NetStatus status) { return name_in(kNetStatusNames, status); }
 
 }  // namespace thenar

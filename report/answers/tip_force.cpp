@@ -12,14 +12,12 @@ namespace {
 std::string hold_name(TipConstraint hold) { return name_in(kTipConstraintNames, hold); }
 
 void add_point(const TipForceResult& answer, const TipForcePoint& point, Fields& fields) {
-  const DigitResult& about = answer;
-  // A posture without an answer tells its failure alone.
   if (!point.failure.empty()) {
     fields.add("failure", point.failure);
     return;
   }
   fields.add("hold", hold_name(answer.request.hold));
-  fields.add("tension", units::kNewton, about.muscles, answer.tension);
+  fields.add("tension", units::kNewton, answer.muscles, answer.tension);
   fields.add("force", units::kNewton, point.force);
   if (point.tip_axes)
     fields.add("force_tip_axes", units::kNewton,
@@ -27,13 +25,12 @@ void add_point(const TipForceResult& answer, const TipForcePoint& point, Fields&
   fields.add("magnitude", units::kNewton, point.force.norm());
   if (answer.request.hold == TipConstraint::kRigid)
     fields.add("moment", units::kNewtonMillimetre, point.moment);
-  // Joints have torques left over; a map has moments instead.
-  if (about.map.empty()) {
-    fields.add("leftover_torque", units::kNewtonMillimetre, about.rows, point.residual);
+  if (answer.map.empty()) {
+    fields.add("leftover_torque", units::kNewtonMillimetre, answer.rows, point.residual);
     fields.add("condition", point.condition);
-    fields.add("force_change", units::kNewtonPerDegree, about.rows, point.change);
+    fields.add("force_change", units::kNewtonPerDegree, answer.rows, point.change);
   } else {
-    const std::vector<std::string> moments(about.rows.begin() + 3, about.rows.end());
+    const std::vector<std::string> moments(answer.rows.begin() + 3, answer.rows.end());
     fields.add("tip_moment", units::kNewtonMillimetre, moments,
                point.residual.tail(point.residual.size() - 3));
   }
@@ -43,12 +40,10 @@ void add_point(const TipForceResult& answer, const TipForcePoint& point, Fields&
 
 /// Force, moment and what is left over, of one posture or a map.
 std::string one_posture(const TipForceResult& answer, const TipForcePoint& point) {
-  const DigitResult& about = answer;
-  // The force in the world and along the tip's own axes.
-  const bool bones = about.map.empty();
-  Table force{{"axes", "1_N", "2_N", "3_N", "magnitude_N"}, {}};
+  const bool bones = answer.map.empty();
+  Table force{{"axes", "1_N", "2_N", "3_N", "magnitude_N"}};
   const auto add = [&](const std::string& axes, const Eigen::Vector3d& f) {
-    force.rows.push_back(row({{axes}, cells(f, 4), {shown(f.norm(), 4)}}));
+    force.add_parts({{axes}, cells(f, 4), {shown(f.norm(), 4)}});
   };
   add(bones ? "world x y z" : "map x y z", point.force);
   if (point.tip_axes) add("proximal dorsal radial", force_along_tip(point));
@@ -60,40 +55,30 @@ std::string one_posture(const TipForceResult& answer, const TipForcePoint& point
     text += titled("Moment of the tip on the world, about the tip, world axes",
                    {{"x_N_mm", "y_N_mm", "z_N_mm"}, {cells(point.moment / kNewtonMillimetre, 3)}});
   // A map's first rows are forces, balanced exactly; the rest are moments the tip must pass on.
-  Table left{{bones ? "joint" : "moment", "N_mm"}, {}};
-  for (std::size_t i = bones ? 0 : 3; i < about.rows.size(); ++i)
-    left.rows.push_back(
-        {about.rows[i],
-         shown(point.residual[static_cast<Eigen::Index>(i)] / kNewtonMillimetre, 4)});
+  Table left{{bones ? "joint" : "moment", "N_mm"}};
+  for (std::size_t i = bones ? 0 : 3; i < answer.rows.size(); ++i)
+    left.add({answer.rows[i],
+              shown(point.residual[static_cast<Eigen::Index>(i)] / kNewtonMillimetre, 4)});
   text += titled(bones ? "Joint torque left over, that no tip load balances"
                        : "Moment at the tip, that the hold must carry",
                  left);
   if (bones)
     text += fmt::format("condition: {:.4g}\nsize of the force's change, {}\n", point.condition,
-                        change_line(about.rows, point.change));
+                        change_line(answer.rows, point.change));
   const std::string note = note_of(answer, point);
   return note.empty() ? text : text + "note: " + note + "\n";
 }
 
 /// A row for each posture: what varies, the force along the tip's axes, its size.
 std::string many_postures(const TipForceResult& answer) {
-  const SweepAxes axes = axes_of(answer);
-  Table table{
-      row({header_of(axes),
-           {"proximal_N", "dorsal_N", "radial_N", "magnitude_N", "left_over_N_mm", "condition"}}),
-      {}};
-  for (std::size_t i = 0; i < answer.points.size(); ++i) {
-    const TipForcePoint& point = answer.points[i];
-    if (!point.failure.empty()) {
-      table.rows.push_back(row({cells_of(axes, i), std::vector<std::string>(6, "-")}));
-      continue;
-    }
-    table.rows.push_back(row({cells_of(axes, i),
-                              cells(force_along_tip(point), 4),
-                              {shown(point.force.norm(), 4),
-                               shown(point.residual.cwiseAbs().maxCoeff() / kNewtonMillimetre, 4),
-                               shown(point.condition)}}));
-  }
+  const Table table = posture_table(
+      answer, {"proximal_N", "dorsal_N", "radial_N", "magnitude_N", "left_over_N_mm", "condition"},
+      [](const TipForcePoint& point) {
+        return row({cells(force_along_tip(point), 4),
+                    {shown(point.force.norm(), 4),
+                     shown(point.residual.cwiseAbs().maxCoeff() / kNewtonMillimetre, 4),
+                     shown(point.condition)}});
+      });
   return titled(fmt::format("Force of the tip on the world, hold {}, and the largest joint torque "
                             "that it leaves over",
                             hold_name(answer.request.hold)),
@@ -142,17 +127,16 @@ Fields fields_of(const TipForceResult& answer) {
 }
 
 Table table_of(const TipForceResult& answer) {
-  const DigitResult& about = answer;
-  const bool bones = about.map.empty(), rigid = answer.request.hold == TipConstraint::kRigid;
-  Table table{joint_header(about), {}};
+  const bool bones = answer.map.empty(), rigid = answer.request.hold == TipConstraint::kRigid;
+  Table table{joint_header(answer)};
   const auto add = [&](const std::vector<std::string>& names) {
     table.header.insert(table.header.end(), names.begin(), names.end());
   };
   add({"fx_N", "fy_N", "fz_N", "magnitude_N"});
   if (bones) add({"proximal_N", "dorsal_N", "radial_N"});
   if (rigid) add({"mx_N_mm", "my_N_mm", "mz_N_mm"});
-  for (std::size_t i = bones ? 0 : 3; i < about.rows.size(); ++i)
-    add({(bones ? "left_over_" : "moment_") + about.rows[i] + "_N_mm"});
+  for (std::size_t i = bones ? 0 : 3; i < answer.rows.size(); ++i)
+    add({(bones ? "left_over_" : "moment_") + answer.rows[i] + "_N_mm"});
   if (bones) add({"condition"});
   add({"note"});
   // A failed posture keeps its angles and the reason.
@@ -161,20 +145,20 @@ Table table_of(const TipForceResult& answer) {
     if (!point.failure.empty()) {
       line.resize(table.header.size() - 1);
       line.push_back(point.failure);
-      table.rows.push_back(line);
+      table.add(line);
       continue;
     }
     const Eigen::Index left = bones ? point.residual.size() : point.residual.size() - 3;
-    table.rows.push_back(
-        row({line,
-             cells(point.force, 6),
-             {shown(point.force.norm(), 6)},
-             bones ? cells(force_along_tip(point), 6) : std::vector<std::string>{},
-             rigid ? cells(Eigen::Vector3d(point.moment / kNewtonMillimetre), 4)
-                   : std::vector<std::string>{},
-             cells(Eigen::VectorXd(point.residual.tail(left) / kNewtonMillimetre), 4),
-             bones ? std::vector<std::string>{shown(point.condition)} : std::vector<std::string>{},
-             {note_of(answer, point)}}));
+    table.add_parts(
+        {line,
+         cells(point.force, 6),
+         {shown(point.force.norm(), 6)},
+         bones ? cells(force_along_tip(point), 6) : std::vector<std::string>{},
+         rigid ? cells(Eigen::Vector3d(point.moment / kNewtonMillimetre), 4)
+               : std::vector<std::string>{},
+         cells(Eigen::VectorXd(point.residual.tail(left) / kNewtonMillimetre), 4),
+         bones ? std::vector<std::string>{shown(point.condition)} : std::vector<std::string>{},
+         {note_of(answer, point)}});
   }
   return table;
 }

@@ -58,9 +58,9 @@ OrderedJson json_of(const Validation& validation) {
 }
 
 Table table_of(const Validation& validation) {
-  Table table{{"file", "valid", "holds_or_error"}, {}};
+  Table table{{"file", "valid", "holds_or_error"}};
   for (const FileVerdict& file : validation.files)
-    table.rows.push_back({file.path, file.valid() ? "1" : "0", verdict_words(file)});
+    table.add({file.path, file.valid() ? "1" : "0", verdict_words(file)});
   return table;
 }
 

@@ -34,8 +34,7 @@ ShownChains shown_chains(const Quantity& quantity) {
       !quantity.group.empty() && static_cast<std::size_t>(quantity.draws.cols()) > kAllShown;
   std::set<int> seen;
   for (Eigen::Index c = 0; c < quantity.draws.cols(); ++c) {
-    if (shown.by_group && !seen.insert(quantity.group[static_cast<std::size_t>(c)]).second)
-      continue;
+    if (shown.by_group && !seen.insert(nth(quantity.group, c)).second) continue;
     if (shown.columns.size() == kMaxShown) break;
     shown.columns.push_back(c);
     shown.names.push_back(
@@ -77,8 +76,7 @@ Memory memory_of(const Quantity& quantity, const ShownChains& shown) {
   memory.step = std::max<Eigen::Index>(1, last / kLags);
   for (const Eigen::Index c : shown.columns) {
     Eigen::VectorXd points(last / memory.step + 1);
-    for (Eigen::Index k = 0; k < points.size(); ++k)
-      points[k] = rho[static_cast<std::size_t>(c)][k * memory.step];
+    for (Eigen::Index k = 0; k < points.size(); ++k) points[k] = nth(rho, c)[k * memory.step];
     memory.rho.push_back(rounded(points, 1));
   }
   return memory;
@@ -165,11 +163,18 @@ CountBand rank_band(double draws, double chains, int bins, double tau) {
 
 bool worse(double a, double b) { return std::isnan(a) ? !std::isnan(b) : a > b; }
 
+std::vector<const Quantity*> worst_first(const std::vector<Quantity>& quantities) {
+  std::vector<const Quantity*> order;
+  for (const Quantity& quantity : quantities) order.push_back(&quantity);
+  std::stable_sort(order.begin(), order.end(), [](const Quantity* a, const Quantity* b) {
+    return worse(a->estimate.r_hat, b->estimate.r_hat);
+  });
+  return order;
+}
+
 Json chains_block(const std::vector<Quantity>& quantities, const std::string& caption) {
   Json block{{"type", "chains"}, {"caption", caption}, {"quantities", Json::array()}};
   if (quantities.empty()) return block;
-  // All quantities need the same draws; the least converged come first.
-  std::vector<const Quantity*> order;
   for (const Quantity& quantity : quantities) {
     require(quantity.draws.rows() >= 4 && quantity.draws.cols() >= 1,
             "{} has {} draws of {} chains, wanted at least 4 of 1", quantity.name,
@@ -179,17 +184,14 @@ Json chains_block(const std::vector<Quantity>& quantities, const std::string& ca
             "{} has {} draws of {} chains, {} has {} of {}", quantity.name, quantity.draws.rows(),
             quantity.draws.cols(), quantities.front().name, quantities.front().draws.rows(),
             quantities.front().draws.cols());
-    order.push_back(&quantity);
   }
-  std::stable_sort(order.begin(), order.end(), [](const Quantity* a, const Quantity* b) {
-    return worse(a->estimate.r_hat, b->estimate.r_hat);
-  });
   Json draws = Json::array();
   for (const Eigen::Index i : spread(quantities.front().draws.rows(), kTracePoints))
     draws.push_back(i + 1);
   block["chains"] = shown_chains(quantities.front()).names;
   block["draws"] = draws;
-  for (const Quantity* quantity : order) block["quantities"].push_back(quantity_of(*quantity));
+  for (const Quantity* quantity : worst_first(quantities))
+    block["quantities"].push_back(quantity_of(*quantity));
   return block;
 }
 

@@ -46,5 +46,7 @@ struct CountBand {
 
 /// Returns true if R-hat a is worse than b, for sorting with the worst first; NaN is the worst.
 [[nodiscard]] bool worse(double a, double b);
+/// Quantities, the largest R-hat first.
+[[nodiscard]] std::vector<const Quantity*> worst_first(const std::vector<Quantity>& quantities);
 
 }  // namespace thenar

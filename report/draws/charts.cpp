@@ -24,11 +24,8 @@ Json k_series(const LeftOutObservations& left_out, bool trusted) {
     y.push_back(std::round(1000 * k) / 1000);
     names.push_back(left_out.observations[i]);
   }
-  return {{"name", trusted ? "trusted" : "not to be trusted"},
-          {"style", "points"},
-          {"x", x},
-          {"y", y},
-          {trusted ? "hints" : "labels", names}};
+  return with(curve_json(trusted ? "trusted" : "not to be trusted", x, y, "points"),
+              {{trusted ? "hints" : "labels", names}});
 }
 
 /// One curve; faint and nameless if it stays within the band.
@@ -37,26 +34,19 @@ Json curve_of(const std::string& name, const RankBand& band, const Eigen::Vector
   const bool within =
       (count.array() >= band.low.array()).all() && (count.array() <= band.high.array()).all();
   const Eigen::VectorXd difference = count.cast<double>() / simulations - uniform;
-  Json line{{"name", within ? "within the band" : name},
-            {"x", rounded(uniform, 1)},
-            {"y", rounded(difference, 0.1)}};
-  if (within) {
-    line["faint"] = true;
-    line["hints"] = std::vector<std::string>(static_cast<std::size_t>(uniform.size()), name);
-  }
-  return line;
+  const Json x = rounded(uniform, 1), y = rounded(difference, 0.1);
+  if (!within) return curve_json(name, x, y);
+  return with(curve_json("within the band", x, y),
+              {{"faint", true}, {"hints", std::vector<std::string>(x.size(), name)}});
 }
 
 Json band_of(const RankBand& band, const Eigen::VectorXd& uniform, double simulations) {
   const auto edge = [&](const Eigen::VectorXi& count) {
     return rounded(count.cast<double>() / simulations - uniform, 0.1);
   };
-  return {{"name", "95 % band"},
-          {"x", rounded(uniform, 1)},
-          {"y", std::vector<double>(static_cast<std::size_t>(uniform.size()), 0.0)},
-          {"band_low", edge(band.low)},
-          {"band_high", edge(band.high)},
-          {"faint", true}};
+  const Json x = rounded(uniform, 1);
+  return with(curve_json("95 % band", x, std::vector<double>(x.size(), 0.0)),
+              {{"band_low", edge(band.low)}, {"band_high", edge(band.high)}, {"faint", true}});
 }
 
 }  // namespace
@@ -70,19 +60,16 @@ Json pareto_chart(const LeftOutObservations& left_out) {
   Json bad = k_series(left_out, false);
   const std::size_t doubtful = bad["x"].size();
   if (doubtful > 0) series.push_back(std::move(bad));
-  return {
-      {"type", "lines"},
-      {"caption",
-       fmt::format("Pareto k of each of {} observations left out in turn: {} not within "
-                   "{:.2g}. Expected log predictive density {:.1f} \u00b1 {:.1f}, "
-                   "effective number of parameters {:.1f}",
-                   loo.k.size(), doubtful, loo.good_k, loo.elpd, loo.se, loo.effective_parameters)},
-      {"x_label", "observation"},
-      {"y_label", "Pareto k [1]"},
-      {"series", series},
-      {"reference_lines",
-       Json::array({{{"value", loo.good_k},
-                     {"label", fmt::format("{:.2g}: above, not to be trusted", loo.good_k)}}})}};
+  return with(
+      lines_block(fmt::format("Pareto k of each of {} observations left out in turn: {} not within "
+                              "{:.2g}. Expected log predictive density {:.1f} \u00b1 {:.1f}, "
+                              "effective number of parameters {:.1f}",
+                              loo.k.size(), doubtful, loo.good_k, loo.elpd, loo.se,
+                              loo.effective_parameters),
+                  "observation", "Pareto k [1]", series),
+      {{"reference_lines",
+        Json::array({{{"value", loo.good_k},
+                      {"label", fmt::format("{:.2g}: above, not to be trusted", loo.good_k)}}})}});
 }
 
 Json calibration_chart(const CalibrationRanks& calibration) {
@@ -96,37 +83,29 @@ Json calibration_chart(const CalibrationRanks& calibration) {
   const Eigen::VectorXd uniform = band.below.cast<double>() / (calibration.draws + 1);
   Json series = Json::array({band_of(band, uniform, simulations)}), outside = Json::array();
   for (Eigen::Index i = 0; i < count; ++i) {
-    Json line = curve_of(calibration.names[static_cast<std::size_t>(i)], band,
+    Json line = curve_of(nth(calibration.names, i), band,
                          count_below(calibration.rank.row(i).transpose(), band.below), uniform,
                          simulations);
     (line.contains("faint") ? series : outside).push_back(std::move(line));
   }
   for (const Json& line : outside) series.push_back(line);
-  return {{"type", "lines"},
-          {"caption",
-           fmt::format("Calibration by {} simulated experiments: empirical distribution of the "
-                       "true values' ranks among {} draws, less the uniform one. {} of {} curves "
-                       "leave the band, as one in twenty does by chance",
-                       simulations, calibration.draws, outside.size(), count)},
-          {"x_label", "rank of the true value, as a fraction"},
-          {"y_label", "difference of distributions [1]"},
-          {"series", series}};
+  return lines_block(
+      fmt::format("Calibration by {} simulated experiments: empirical distribution of the "
+                  "true values' ranks among {} draws, less the uniform one. {} of {} curves "
+                  "leave the band, as one in twenty does by chance",
+                  simulations, calibration.draws, outside.size(), count),
+      "rank of the true value, as a fraction", "difference of distributions [1]", series);
 }
 
 Json sampler_chart(const std::vector<SamplerCourse>& samplers) {
   Json series = Json::array();
   for (const SamplerCourse& sampler : samplers)
-    series.push_back(
-        {{"name", sampler.name}, {"style", "both"}, {"x", sampler.seconds}, {"y", sampler.error}});
-  return {{"type", "lines"},
-          {"caption",
-           "Error of the posterior mean over wall time, warm-up included. Lower left is "
-           "better; a line that stays high has not found the posterior"},
-          {"x_label", "wall time [s]"},
-          {"y_label", "RMS error of the mean [posterior sds]"},
-          {"log_x", true},
-          {"log_y", true},
-          {"series", series}};
+    series.push_back(curve_json(sampler.name, sampler.seconds, sampler.error, "both"));
+  return with(
+      lines_block("Error of the posterior mean over wall time, warm-up included. Lower left is "
+                  "better; a line that stays high has not found the posterior",
+                  "wall time [s]", "RMS error of the mean [posterior sds]", series),
+      {{"log_x", true}, {"log_y", true}});
 }
 
 }  // namespace thenar

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "report/draws/chains.h"
 #include "sampling/diagnostics/order_statistics.h"
 
@@ -53,28 +52,16 @@ Json corner_quantity(const Quantity& quantity) {
   return out;
 }
 
-/// Indices of the quantities named, or of those that most was learnt about.
-std::vector<std::size_t> shown_first(const std::vector<Quantity>& quantities,
-                                     const std::vector<std::string>& names) {
+/// Indices of the quantities that most was learnt about.
+std::vector<std::size_t> shown_first(const std::vector<Quantity>& quantities) {
   std::vector<std::size_t> order(quantities.size());
   std::iota(order.begin(), order.end(), 0);
-  // Without names choose what was learnt most, in the order of the quantities.
-  if (names.empty()) {
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return learnt(quantities[a]) > learnt(quantities[b]);
-    });
-    order.resize(std::min(order.size(), kCornerShown));
-    std::sort(order.begin(), order.end());
-    return order;
-  }
-  std::vector<std::size_t> shown;
-  for (const std::string& name : names) {
-    const auto at = std::find_if(order.begin(), order.end(),
-                                 [&](std::size_t i) { return quantities[i].name == name; });
-    require(at != order.end(), "there is no quantity {} to show", name);
-    shown.push_back(*at);
-  }
-  return shown;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return learnt(quantities[a]) > learnt(quantities[b]);
+  });
+  order.resize(std::min(order.size(), kCornerShown));
+  std::sort(order.begin(), order.end());
+  return order;
 }
 
 /// A number without the digits that an error of this size leaves open, two of the error's own kept.
@@ -153,13 +140,12 @@ Json row_of(const Learning& what) {
 
 }  // namespace
 
-Json corner_block(const std::vector<Quantity>& quantities, const std::string& caption,
-                  const std::vector<std::string>& shown) {
+Json corner_block(const std::vector<Quantity>& quantities, const std::string& caption) {
   Json list = Json::array();
   for (const Quantity& quantity : quantities) list.push_back(corner_quantity(quantity));
   return {{"type", "corner"},
           {"caption", caption},
-          {"shown", shown_first(quantities, shown)},
+          {"shown", shown_first(quantities)},
           {"quantities", list}};
 }
 
@@ -176,35 +162,21 @@ Json forest_block(const std::vector<Quantity>& quantities, const std::string& ca
   for (std::size_t k = 0; k < known.size(); ++k)
     if (known.size() <= most || k + kMinKnown < most || k + kMinKnown >= known.size())
       rows.push_back(row_of(known[k]));
-  return {{"type", "interval"},
-          {"caption", caption},
-          {"x_label", "distance from the prior mean [prior sds]"},
-          {"rows", rows}};
+  return interval_block(caption, "distance from the prior mean [prior sds]", rows);
 }
 
 Json estimate_table(const std::vector<Quantity>& quantities, const std::string& caption) {
-  // The least converged quantity comes first.
-  std::vector<const Quantity*> order;
-  order.reserve(quantities.size());
-  for (const Quantity& quantity : quantities) order.push_back(&quantity);
-  std::stable_sort(order.begin(), order.end(), [](const Quantity* a, const Quantity* b) {
-    return worse(a->estimate.r_hat, b->estimate.r_hat);
-  });
-  std::vector<BlockColumn> columns{{"quantity", ""},    {"mean", ""},       {"MCSE", ""},
-                                   {"sd", ""},          {"MCSE", ""},       {"5 %", ""},
-                                   {"median", ""},      {"95 %", ""},       {"R-hat", "", 3},
-                                   {"bulk ESS", "", 0}, {"tail ESS", "", 0}};
+  std::vector<BlockColumn> columns{"quantity", "mean", "MCSE",    "sd",         "MCSE",      "5 %",
+                                   "median",   "95 %", "R-hat:3", "bulk ESS:0", "tail ESS:0"};
   const bool known = std::any_of(quantities.begin(), quantities.end(),
                                  [](const Quantity& q) { return !q.meaning.empty(); });
-  if (known) columns.push_back({"meaning", ""});
+  if (known) columns.emplace_back("meaning");
   Json rows = Json::array();
-  for (const Quantity* quantity : order) {
+  for (const Quantity* quantity : worst_first(quantities)) {
     rows.push_back(estimate_row(*quantity));
     if (known) rows.back().push_back(quantity->meaning);
   }
-  Json table = table_block(caption, columns, rows);
-  table["search"] = true;
-  return table;
+  return with(table_block(caption, columns, rows), {{"search", true}});
 }
 
 }  // namespace thenar

@@ -25,10 +25,10 @@ struct Quantity {
   std::string meaning;          // "CMC flexion axis: tilt about the digit's length"; may be empty
 };
 
-/// Densities of single quantities and of pairs, 50 and 90 % regions, the prior as a light outline.
-/// @param shown  names to start with, at most 8; empty: those most was learnt about
-[[nodiscard]] Json corner_block(const std::vector<Quantity>& quantities, const std::string& caption,
-                                const std::vector<std::string>& shown = {});
+/// Densities of single quantities and of pairs, 50 and 90 % regions, the prior as a light outline;
+/// it starts with those that most was learnt about.
+[[nodiscard]] Json corner_block(const std::vector<Quantity>& quantities,
+                                const std::string& caption);
 
 /// Posterior 50 and 90 % intervals beside the prior's, in units of the prior's sd about its mean,
 /// sorted by what was learnt: 1 - sd / prior sd. Quantities without a prior are left out.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "report/words.h"
 
 namespace thenar {
 namespace {
@@ -47,10 +48,8 @@ ModeMeans means_of(const ModeTable& table, const Quantity& quantity) {
 
 /// "0, 100, 98 %" of the chains' draws.
 std::string visits_of(const ModeMass& mode) {
-  std::string text;
-  for (const double share : mode.visits)
-    text += fmt::format("{}{:.0f}", text.empty() ? "" : ", ", 100 * share);
-  return text;
+  return each_in_words(mode.visits,
+                       [](double share) { return fmt::format("{:.0f}", 100 * share); });
 }
 
 }  // namespace
@@ -64,11 +63,8 @@ Json mode_table(const ModeTable& modes, const std::vector<Quantity>& quantities,
                    [](const ModeMeans& a, const ModeMeans& b) { return a.apart > b.apart; });
   means.resize(std::min(most, means.size()));
 
-  std::vector<BlockColumn> columns{{"mode", "", 0},
-                                   {"share of draws", "%", 1},
-                                   {"MCSE", "%", 1},
-                                   {"of each chain", "%"},
-                                   {"crossings", "", 0}};
+  std::vector<BlockColumn> columns{"mode:0", "share of draws [%]:1", "MCSE [%]:1",
+                                   "of each chain [%]", "crossings:0"};
   for (const ModeMeans& of : means)
     columns.push_back({of.quantity->name, of.quantity->unit == "1" ? "" : of.quantity->unit});
   Json rows = Json::array();

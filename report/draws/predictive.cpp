@@ -1,25 +1,19 @@
 #include "report/draws/predictive.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "report/blocks.h"
+#include "report/words.h"
 #include "sampling/diagnostics/order_statistics.h"
 
 namespace thenar {
 namespace {
 
-const char* const kDirections[] = {"proximal", "dorsal", "radial"};
-const char* const kOpposite[] = {"distal", "palmar", "ulnar"};
-
 /// "dorsal" of a component that is one direction of the digit, else its number.
 std::string component_name(const Experiment& experiment, int component) {
   const Eigen::RowVector3i row = experiment.axes_of_digit.row(component);
-  for (int k = 0; k < 3; ++k)
-    if (std::abs(row[k]) == 1 && row.cwiseAbs().sum() == 1)
-      return row[k] > 0 ? kDirections[k] : kOpposite[k];
+  if (row.cwiseAbs().sum() == 1) return direction_word(row);
   return fmt::format("component {}", component + 1);
 }
 
@@ -70,7 +64,7 @@ Json predictive_block(const PredictedForces& predicted) {
   Counts coverage;
   Json groups = Json::array();
   for (Eigen::Index i = 0; i < trials; ++i) {
-    const Trial& trial = experiment.trials[static_cast<std::size_t>(i)];
+    const Trial& trial = nth(experiment.trials, i);
     Json values = Json::array();
     for (int c = 0; c < experiment.components; ++c)
       values.push_back(value_of(trial.force[c], predicted.replicated.row(3 * i + c), coverage));

@@ -8,25 +8,17 @@
 
 #include "base/units.h"
 #include "report/explain/explanation.h"
+#include "report/words.h"
 
 namespace thenar {
 namespace {
-
-/// "proximal", "-dorsal": a force component as a direction of the digit.
-std::string component_in_words(const Eigen::RowVector3i& signs) {
-  constexpr const char* kPositive[] = {"proximal", "dorsal", "radial"};
-  constexpr const char* kNegative[] = {"distal", "palmar", "ulnar"};
-  for (int k = 0; k < 3; ++k)
-    if (signs[k] != 0) return signs[k] > 0 ? kPositive[k] : kNegative[k];
-  return "";
-}
 
 /// "1 proximal, 2 dorsal, 3 radial"
 std::string components_in_words(const Experiment& experiment) {
   std::string words;
   for (int i = 0; i < experiment.components; ++i)
     words += fmt::format("{}{} {}", i > 0 ? ", " : "", i + 1,
-                         component_in_words(experiment.axes_of_digit.row(i)));
+                         direction_word(experiment.axes_of_digit.row(i)));
   return experiment.components == 3
              ? words
              : words + "; the force across the plane of flexion is not fitted";
@@ -50,7 +42,7 @@ std::vector<std::string> sites_in_words(const Experiment& experiment) {
 }
 
 Section explain_protocol(const Experiment& experiment) {
-  Section section{"protocol", "Protocol", {}, {}};
+  Section section{"protocol", "Protocol"};
   section.lines = {
       experiment.description,
       fmt::format("{} of specimen {} ({}); source {}", experiment.digit, experiment.specimen,
@@ -73,7 +65,7 @@ Section explain_postures(const Experiment& experiment) {
   std::set<std::string> joints;
   for (const PostureRecord& posture : experiment.postures)
     for (const auto& [joint, angle] : posture.angles) joints.insert(joint);
-  Section section{"postures", "Postures", {}, {{"posture", "trials"}, {}}};
+  Section section{"postures", "Postures", {{"posture", "trials"}}};
   for (const std::string& joint : joints) section.table.header.push_back(joint + "_deg");
   for (const PostureRecord& posture : experiment.postures) {
     std::size_t trials = 0;
@@ -83,7 +75,7 @@ Section explain_postures(const Experiment& experiment) {
       const auto angle = posture.angles.find(joint);
       cells.push_back(shown(angle == posture.angles.end() ? 0 : angle->second / kDegree, 1));
     }
-    section.table.rows.push_back(cells);
+    section.table.add(cells);
   }
   return section;
 }
@@ -115,19 +107,18 @@ Section explain_trials(const Experiment& experiment) {
   Section section{
       "trials",
       "Trials by the tendons loaded; tensions are after pulley losses, summed",
-      {},
-      {{"loaded", "trials", "tension_from_N", "tension_to_N", "force_from_N", "force_to_N"}, {}}};
+      {{"loaded", "trials", "tension_from_N", "tension_to_N", "force_from_N", "force_to_N"}}};
   for (const auto& [name, spread] : loads)
-    section.table.rows.push_back({name, std::to_string(spread.trials),
-                                  shown(spread.least_tension, 3), shown(spread.most_tension, 3),
-                                  shown(spread.least_force, 3), shown(spread.most_force, 3)});
+    section.table.add({name, std::to_string(spread.trials), shown(spread.least_tension, 3),
+                       shown(spread.most_tension, 3), shown(spread.least_force, 3),
+                       shown(spread.most_force, 3)});
   return section;
 }
 
 }  // namespace
 
 Explanation explain(const Experiment& experiment) {
-  const Section header{"experiment", fmt::format("experiment '{}'", experiment.name), {}, {}};
+  const Section header{"experiment", fmt::format("experiment '{}'", experiment.name)};
   return {header, explain_protocol(experiment), explain_postures(experiment),
           explain_trials(experiment)};
 }

@@ -3,8 +3,6 @@
 #include <cstdlib>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "report/summary.h"
 
 namespace thenar {
@@ -33,7 +31,7 @@ OrderedJson rows_json(const Table& table) {
 
 /// Settings and proportions do nothing by themselves: a line says what they are.
 Explanation explain_plain(const ThingExplained& explained) {
-  Section section{"file", summary_of(explained.thing), {}, {}};
+  Section section{"file", summary_of(explained.thing)};
   if (std::holds_alternative<FitSettings>(explained.thing))
     section.lines.push_back("see what they do: thenar explain SUBJECT --settings " +
                             explained.path);

@@ -11,10 +11,10 @@
 namespace thenar {
 
 struct Section {
-  std::string key;                 // in JSON: "cost"
-  std::string title;               // for people
-  std::vector<std::string> lines;  // sentences above the table
-  Table table;                     // may be empty
+  std::string key;                      // in JSON: "cost"
+  std::string title;                    // for people
+  Table table = {};                     // may be empty
+  std::vector<std::string> lines = {};  // sentences above the table
 };
 
 using Explanation = std::vector<Section>;

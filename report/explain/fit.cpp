@@ -17,28 +17,25 @@ Section explain_status(const Fit& fit) {
   return {
       "status",
       fmt::format("Fit of the {}", fit.problem.experiments().front().digit),
+      {},
       {fmt::format("{} by {}: {}", convergence_word(found), name_of(fit.method), found.message),
        fmt::format("cost {:.5g} after {} evaluations in {:.2g} s; seed {}", found.cost,
                    found.evaluations, found.seconds, fit.seed),
        fmt::format("{}, worth {:.3g} parameters that the data determine",
                    counted(fit.problem.size(), "coordinate"), fit.covariance.effective_parameters),
-       fmt::format("model: {}", describe(fit.problem.digit().fidelity))},
-      {}};
+       fmt::format("model: {}", describe(fit.problem.digit().fidelity))}};
 }
 
 Section explain_error(const FitExplained& found) {
   Section section{"error",
                   "Error of the trials that were fitted",
-                  {},
                   {{"experiment", "trials", "rms_N", "relative_percent", "flexion_plane_percent",
-                    "direction_deg"},
-                   {}}};
+                    "direction_deg"}}};
   for (const Prediction& at : found.predictions) {
     if (at.trials.empty()) continue;  // rows of activations alone
-    section.table.rows.push_back({at.experiment, std::to_string(at.trials.size()),
-                                  shown(at.error.rms, 4), shown(100 * at.error.relative, 1),
-                                  shown(100 * at.error.relative_flexion, 1),
-                                  shown(at.error.direction / kDegree, 1)});
+    section.table.add({at.experiment, std::to_string(at.trials.size()), shown(at.error.rms, 4),
+                       shown(100 * at.error.relative, 1), shown(100 * at.error.relative_flexion, 1),
+                       shown(at.error.direction / kDegree, 1)});
   }
   return section;
 }
@@ -47,13 +44,12 @@ Section explain_error(const FitExplained& found) {
 Section explain_learnt(const Fit& fit) {
   Section section{"learnt",
                   "What the data taught, in units of the prior's sd; sd_after 1: nothing",
-                  {},
-                  {{"coordinate", "estimate", "sd_after", "not_identifiable_share", "means"}, {}}};
+                  {{"coordinate", "estimate", "sd_after", "not_identifiable_share", "means"}}};
   for (const int i : sorted_by_sd(fit.covariance)) {
-    const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(i)];
-    section.table.rows.push_back({learnt.name, shown(learnt.z, 3), shown(learnt.sd, 3),
-                                  shown(learnt.null_share, 3),
-                                  or_dash(meaning_of(learnt.name, fit.problem.digit()))});
+    const CoordinateEstimate& learnt = nth(fit.covariance.learnt, i);
+    section.table.add({learnt.name, shown(learnt.z, 3), shown(learnt.sd, 3),
+                       shown(learnt.null_share, 3),
+                       or_dash(meaning_of(learnt.name, fit.problem.digit()))});
   }
   for (const NullDirection& null : fit.covariance.null_directions)
     section.lines.push_back(null.text);
@@ -62,31 +58,28 @@ Section explain_learnt(const Fit& fit) {
 
 /// Free parameters of the population, or of one specimen, in their own units.
 Section explain_values(const Fit& fit, const FittedValues& fitted, int specimen) {
-  const std::string of =
-      specimen < 0 ? "population" : fit.problem.specimens()[static_cast<std::size_t>(specimen)];
+  const std::string of = specimen < 0 ? "population" : nth(fit.problem.specimens(), specimen);
   Section section{
       "values_" + of,
       specimen < 0 ? "Free parameters of the population" : "Free parameters of specimen " + of,
-      {},
-      {{"parameter", "unit", "before", "after", "sd_after", "means"}, {}}};
-  // Leave out fixed parameters, and those that the population does not have.
+      {{"parameter", "unit", "before", "after", "sd_after", "means"}}};
   const FitParameters& parameters = fit.problem.parameters();
   for (std::size_t p = 0; p < parameters.all.size(); ++p) {
     const Parameter& parameter = parameters.all[p];
     const auto at = static_cast<Eigen::Index>(p);
     if (parameters.coordinate[p] < 0 || (specimen < 0 && parameter.sd == 0)) continue;
-    section.table.rows.push_back({parameter.name, display_unit(parameter),
-                                  shown(display_scale(parameter) * parameter.mean),
-                                  shown(fitted.value[at]), shown(fitted.sd[at]),
-                                  or_dash(meaning_of(parameter.name, fit.problem.digit()))});
+    section.table.add({parameter.name, display_unit(parameter),
+                       shown(display_scale(parameter) * parameter.mean), shown(fitted.value[at]),
+                       shown(fitted.sd[at]),
+                       or_dash(meaning_of(parameter.name, fit.problem.digit()))});
   }
   return section;
 }
 
 Section explain_provenance(const Fit& fit) {
-  Section section{"provenance", "Inputs, kept whole in the file", {}, {{"input", "sha256"}, {}}};
+  Section section{"provenance", "Inputs, kept whole in the file", {{"input", "sha256"}}};
   for (const SourceText& source : sources_of(fit.inputs))
-    section.table.rows.push_back({source.path, sha256(source.text)});
+    section.table.add({source.path, sha256(source.text)});
   if (!fit.run.arguments.empty())
     section.lines.push_back(fmt::format("written by: {}, in {}, on {}, by commit {}",
                                         command_line(fit.run), fit.run.folder, fit.run.date,
@@ -97,9 +90,8 @@ Section explain_provenance(const Fit& fit) {
 }
 
 Section explain_writers(const FitExplained& found) {
-  Section section{"versions", "Written by", {}, {{"program", "version"}, {}}};
-  for (const auto& [program, version] : found.written_by)
-    section.table.rows.push_back({program, version});
+  Section section{"versions", "Written by", {{"program", "version"}}};
+  for (const auto& [program, version] : found.written_by) section.table.add({program, version});
   return section;
 }
 

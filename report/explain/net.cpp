@@ -26,17 +26,15 @@ Section explain_header(const NetDescription& net) {
       fmt::format("net '{}': {}, {}, {}, {}", net.name, counted(net.nodes.size(), "node"),
                   counted(net.bands.size(), "band"), counted(net.muscles.size(), "muscle"),
                   counted(net.surfaces.size(), "surface")),
-      {},
-      {{"reference", "length_mm"}, {}}};
+      {{"reference", "length_mm"}}};
   section.lines = {
       net.description, "source " + net.source,
       "stated on one reference finger; laid on a subject's by the lengths of its bones "
       "and the heights of its extensor"};
   for (const auto& [bone, length] : net.bone_length)
-    section.table.rows.push_back({name_in(kBoneRoleNames, bone) + " bone", shown(length / kMm, 2)});
+    section.table.add({name_in(kBoneRoleNames, bone) + " bone", shown(length / kMm, 2)});
   for (const auto& [joint, height] : net.height)
-    section.table.rows.push_back(
-        {"height over " + name_in(kFingerJointNames, joint), shown(height / kMm, 2)});
+    section.table.add({"height over " + name_in(kFingerJointNames, joint), shown(height / kMm, 2)});
   return section;
 }
 
@@ -44,13 +42,11 @@ Section explain_nodes(const NetDescription& net) {
   Section section{
       "nodes",
       "Nodes",
-      {},
-      {{"node", "kind", "bone", "along", "angle_deg", "height_mm", "or_at", "rests_on"}, {}}};
+      {{"node", "kind", "bone", "along", "angle_deg", "height_mm", "or_at", "rests_on"}}};
   for (const NetNodePlan& node : net.nodes)
-    section.table.rows.push_back(
-        row({{node.name, node.floating ? "floats" : "on bone"},
-             cells_of(node.place),
-             {list_or_dash(node.strand.strands), list_or_dash(node.surfaces)}}));
+    section.table.add_parts({{node.name, node.floating ? "floats" : "on bone"},
+                             cells_of(node.place),
+                             {list_or_dash(node.strand.strands), list_or_dash(node.surfaces)}});
   section.lines = {
       "where a node is, or starts if it floats; `or_at`: a point of the first of these "
       "strands that a subject has goes before that"};
@@ -63,23 +59,20 @@ std::string slack_of(const NetBandPlan& band) {
 }
 
 Section explain_bands(const NetDescription& net) {
-  Section section{"bands",
-                  "Bands",
-                  {},
-                  {{"band", "from", "to", "slack_mm", "EA_N", "toe_strain", "bends_over"}, {}}};
+  Section section{
+      "bands", "Bands", {{"band", "from", "to", "slack_mm", "EA_N", "toe_strain", "bends_over"}}};
   for (const NetBandPlan& band : net.bands)
-    section.table.rows.push_back({band.name, band.from, band.to, slack_of(band), shown(band.EA, 1),
-                                  shown(band.toe, 3), or_dash(band.over)});
+    section.table.add({band.name, band.from, band.to, slack_of(band), shown(band.EA, 1),
+                       shown(band.toe, 3), or_dash(band.over)});
   section.lines = {"fitted: just taut in the straight finger of the subject"};
   return section;
 }
 
 Section explain_muscles(const NetDescription& net) {
-  Section section{
-      "muscles", "Muscles", {}, {{"role", "names", "pulls_at", "share", "bends_over"}, {}}};
+  Section section{"muscles", "Muscles", {{"role", "names", "pulls_at", "share", "bends_over"}}};
   for (const NetMusclePlan& muscle : net.muscles)
     for (const NetPullPlan& pull : muscle.pulls)
-      section.table.rows.push_back(
+      section.table.add(
           {muscle.role + (muscle.optional ? ", if present" : ""), listed(muscle.names), pull.node,
            shown(pull.share, 3) + (pull.relayed ? ", handed on" : ""), or_dash(pull.over)});
   section.lines = {"shares below 1 leave the rest to the bone, along the muscle's whole path"};
@@ -89,19 +82,17 @@ Section explain_muscles(const NetDescription& net) {
 Section explain_surfaces(const NetDescription& net) {
   Section section{"surfaces",
                   "Surfaces",
-                  {},
                   {{"surface", "shape", "bone", "along", "angle_deg", "height_mm", "radius_mm",
-                    "half_length_mm", "axis_along"},
-                   {}}};
+                    "half_length_mm", "axis_along"}}};
   for (const NetSurface& surface : net.surfaces) {
     const bool sphere = surface.shape == SurfaceShape::kSphere;
-    section.table.rows.push_back(
-        row({{surface.name, name_in(kSurfaceShapeNames, surface.shape)},
-             cells_of(surface.center),
-             {shown(surface.radius / kMm, 2), sphere ? "-" : shown(surface.half_length / kMm, 2),
-              sphere           ? "-"
-              : surface.across ? "joint"
-                               : "bone"}}));
+    section.table.add_parts(
+        {{surface.name, name_in(kSurfaceShapeNames, surface.shape)},
+         cells_of(surface.center),
+         {shown(surface.radius / kMm, 2), sphere ? "-" : shown(surface.half_length / kMm, 2),
+          sphere           ? "-"
+          : surface.across ? "joint"
+                           : "bone"}});
   }
   return section;
 }
@@ -109,7 +100,6 @@ Section explain_surfaces(const NetDescription& net) {
 Section explain_slips(const NetDescription& net) {
   return {"slips",
           "Slips, and the bands whose tensions they are",
-          {},
           {{"slip", "bands"},
            {{"central", list_or_dash(net.slips.central)},
             {"radial", list_or_dash(net.slips.radial)},
@@ -119,10 +109,10 @@ Section explain_slips(const NetDescription& net) {
 
 /// Explains the assumptions of a hood that is a net, and of the lower rungs, which it replaces.
 Section explain_tiers(const NetDescription& net) {
-  Section section{"assumes", "Assumptions, by the rung of the hood", {}, {{"rung", "assumes"}, {}}};
+  Section section{"assumes", "Assumptions, by the rung of the hood", {{"rung", "assumes"}}};
   for (const Hood hood : {Hood::kSeparate, Hood::kFractions, Hood::kFloatingNet})
     for (const RungWords& words : explain(Fidelity(hood)))
-      if (words.ladder == "hood") section.table.rows.push_back({words.rung, words.assumes});
+      if (words.ladder == "hood") section.table.add({words.rung, words.assumes});
   section.lines = {
       "bands pull and never push; they have no mass and do not creep",
       net.surfaces.empty() ? "no bone is in the way of a band or a node"

@@ -36,41 +36,42 @@ std::string mass_of(const BodySpec& body) {
 }
 
 Section explain_shapes(const BodySpec& body) {
-  Section section{"shapes", "Shapes, in the body's frame", {}, {}};
-  section.table.header = {"kind", "size_mm", "x_mm", "y_mm", "z_mm"};
+  Section section{
+      "shapes", "Shapes, in the body's frame", {{"kind", "size_mm", "x_mm", "y_mm", "z_mm"}}};
   for (const ShapeSpec& shape : body.shapes)
-    section.table.rows.push_back(row(
-        {{name_of(shape.kind), sizes_of(shape)}, cells(Eigen::Vector3d(shape.X_BS.p / kMm), 1)}));
+    section.table.add_parts(
+        {{name_of(shape.kind), sizes_of(shape)}, cells(Eigen::Vector3d(shape.X_BS.p / kMm), 1)});
   return section;
 }
 
 Section explain_hands(const WorldSpec& world) {
-  Section section{"hands", "Hands and arms", {}, {}};
-  section.table.header = {"name", "file", "x_mm", "y_mm", "z_mm", "carried_by", "posture"};
+  Section section{"hands",
+                  "Hands and arms",
+                  {{"name", "file", "x_mm", "y_mm", "z_mm", "carried_by", "posture"}}};
   for (const PlacedHand& hand : world.hands)
-    section.table.rows.push_back(
-        row({{hand.name, or_dash(hand.file)},
-             cells(Eigen::Vector3d(hand.X_WH.p / kMm), 1),
-             {hand.carrier.empty() ? "-" : hand.carrier + " " + hand.carrier_link,
-              hand.posture.empty() ? "rest" : counted(hand.posture.size(), "coordinate")}}));
+    section.table.add_parts(
+        {{hand.name, or_dash(hand.file)},
+         cells(Eigen::Vector3d(hand.X_WH.p / kMm), 1),
+         {hand.carrier.empty() ? "-" : hand.carrier + " " + hand.carrier_link,
+          hand.posture.empty() ? "rest" : counted(hand.posture.size(), "coordinate")}});
   return section;
 }
 
 Section explain_scene_bodies(const SceneSpec& scene) {
-  Section section{"bodies", "Bodies", {}, {}};
-  section.table.header = {"name", "joint", "on", "material", "mass", "x_mm", "y_mm", "z_mm"};
+  Section section{
+      "bodies", "Bodies", {{"name", "joint", "on", "material", "mass", "x_mm", "y_mm", "z_mm"}}};
   for (const SceneBodySpec& body : scene.bodies)
-    section.table.rows.push_back(
-        row({{body.placed.body.name, name_in(kJointKindNames, body.joint.kind),
-              or_dash(body.joint.parent), or_dash(body.placed.body.material),
-              body.joint.kind == JointKind::kWeld ? "-" : mass_of(body.placed.body)},
-             cells(Eigen::Vector3d(body.placed.X_WB.p / kMm), 1)}));
+    section.table.add_parts(
+        {{body.placed.body.name, name_in(kJointKindNames, body.joint.kind),
+          or_dash(body.joint.parent), or_dash(body.placed.body.material),
+          body.joint.kind == JointKind::kWeld ? "-" : mass_of(body.placed.body)},
+         cells(Eigen::Vector3d(body.placed.X_WB.p / kMm), 1)});
   return section;
 }
 
 /// Pads one by one, as the file has them; "-" is what it leaves to the fingertip and the pair.
 Section explain_pads(const SceneSpec& scene) {
-  Section section{"pads", "Pads", {}, {}};
+  Section section{"pads", "Pads"};
   if (scene.pads.empty()) return section;
   section.lines = {
       "place and scale '-': those of the fingertip; friction '-': that of the pair",
@@ -79,19 +80,19 @@ Section explain_pads(const SceneSpec& scene) {
                           "y_mm", "z_mm",    "scale", "friction", "force_error"};
   const std::vector<std::string> none{"-", "-", "-"};
   for (const ScenePadSpec& pad : scene.pads)
-    section.table.rows.push_back(
-        row({{pad.on, listed(pad.against), pad.rung, pad.pad, or_dash(pad.laws)},
-             pad.X_BP ? cells(Eigen::Vector3d(pad.X_BP->p / kMm), 1) : none,
-             {pad.scale  ? shown(*pad.scale, 3)
-              : pad.X_BP ? "1"
-                         : "-",
-              pad.friction ? shown(*pad.friction, 2) : "-", shown(pad.force_error, 3)}}));
+    section.table.add_parts(
+        {{pad.on, listed(pad.against), pad.rung, pad.pad, or_dash(pad.laws)},
+         pad.X_BP ? cells(Eigen::Vector3d(pad.X_BP->p / kMm), 1) : none,
+         {pad.scale  ? shown(*pad.scale, 3)
+          : pad.X_BP ? "1"
+                     : "-",
+          pad.friction ? shown(*pad.friction, 2) : "-", shown(pad.force_error, 3)}});
   return section;
 }
 
 /// Lists the constants of pads and of their laws, each once.
 Section explain_pad_constants(const SceneSpec& scene) {
-  Section section{"pad_constants", "Constants of pads", {}, {}};
+  Section section{"pad_constants", "Constants of pads"};
   std::set<std::string> told;
   for (const ScenePadSpec& pad : scene.pads) {
     if (told.insert("pad " + pad.pad).second) {
@@ -107,23 +108,23 @@ Section explain_pad_constants(const SceneSpec& scene) {
 }
 
 Section explain_bodies(const WorldSpec& world) {
-  Section section{"bodies", "Bodies", {}, {}};
-  section.table.header = {"name", "role", "material", "mass", "x_mm", "y_mm", "z_mm"};
+  Section section{
+      "bodies", "Bodies", {{"name", "role", "material", "mass", "x_mm", "y_mm", "z_mm"}}};
   for (const PlacedBody& placed : world.bodies)
-    section.table.rows.push_back(
-        row({{placed.body.name, placed.dynamic ? "object" : "obstacle",
-              or_dash(placed.body.material), placed.dynamic ? mass_of(placed.body) : "-"},
-             cells(Eigen::Vector3d(placed.X_WB.p / kMm), 1)}));
+    section.table.add_parts(
+        {{placed.body.name, placed.dynamic ? "object" : "obstacle", or_dash(placed.body.material),
+          placed.dynamic ? mass_of(placed.body) : "-"},
+         cells(Eigen::Vector3d(placed.X_WB.p / kMm), 1)});
   return section;
 }
 
 /// Tabulates the friction between the materials of a world, and of these on skin.
 Section explain_friction(const Materials& materials) {
-  Section section{"friction", "Friction between materials", {}, {}};
-  section.table.header = {"one", "other", "static", "kinetic"};
+  Section section{
+      "friction", "Friction between materials", {{"one", "other", "static", "kinetic"}}};
   for (const auto& [pair, friction] : materials.friction)
-    section.table.rows.push_back({pair.first, pair.second, shown(friction.static_coefficient, 2),
-                                  shown(friction.kinetic_coefficient, 2)});
+    section.table.add({pair.first, pair.second, shown(friction.static_coefficient, 2),
+                       shown(friction.kinetic_coefficient, 2)});
   return section;
 }
 
@@ -142,8 +143,8 @@ std::string driven_words(const RobotJoint& joint) {
 }
 
 Section explain_motors(const RobotSpec& robot) {
-  Section section{"motors", "Motors", {}, {}};
-  section.table.header = {"name", "kind", "from", "to", "closes_at", "effort", "drives"};
+  Section section{
+      "motors", "Motors", {{"name", "kind", "from", "to", "closes_at", "effort", "drives"}}};
   for (const RobotDof& dof : robot.dofs) {
     std::vector<std::string> joints;
     for (const RobotJoint& joint : robot.joints)
@@ -151,49 +152,45 @@ Section explain_motors(const RobotSpec& robot) {
     const bool sliding = slides(robot, dof);
     const std::string effort = shown(dof.max_effort, 2) + (sliding ? " N" : " Nm") +
                                (dof.nominal_effort ? " (nominal)" : "");
-    section.table.rows.push_back({dof.name, name_in(kDriveCouplingNames, dof.kind),
-                                  in_units(dof.lower, sliding), in_units(dof.upper, sliding),
-                                  shown(dof.speed, 2), dof.max_effort > 0 ? effort : "-",
-                                  listed(joints)});
+    section.table.add({dof.name, name_in(kDriveCouplingNames, dof.kind),
+                       in_units(dof.lower, sliding), in_units(dof.upper, sliding),
+                       shown(dof.speed, 2), dof.max_effort > 0 ? effort : "-", listed(joints)});
   }
   return section;
 }
 
 Section explain_robot_joints(const RobotSpec& robot) {
-  Section section{"joints", "Joints", {}, {}};
-  section.table.header = {"name", "kind", "parent", "child", "from", "to", "motor"};
+  Section section{"joints", "Joints", {{"name", "kind", "parent", "child", "from", "to", "motor"}}};
   for (const RobotJoint& joint : robot.joints) {
     const bool sliding = joint.kind == RobotJointKind::kPrismatic;
     const bool fixed = joint.kind == RobotJointKind::kFixed;
-    section.table.rows.push_back({joint.name, name_of(joint.kind), joint.parent, joint.child,
-                                  fixed ? "-" : in_units(joint.lower, sliding),
-                                  fixed ? "-" : in_units(joint.upper, sliding),
-                                  or_dash(joint.dof)});
+    section.table.add({joint.name, name_of(joint.kind), joint.parent, joint.child,
+                       fixed ? "-" : in_units(joint.lower, sliding),
+                       fixed ? "-" : in_units(joint.upper, sliding), or_dash(joint.dof)});
   }
   return section;
 }
 
 Section explain_links(const RobotSpec& robot) {
-  Section section{"links", "Links", {}, {}};
-  section.table.header = {"name", "digit", "mass_g", "material", "shapes"};
+  Section section{"links", "Links", {{"name", "digit", "mass_g", "material", "shapes"}}};
   for (const RobotLink& link : robot.links)
-    section.table.rows.push_back({link.name, or_dash(link.digit),
-                                  link.mass > 0 ? shown(link.mass * 1e3, 1) : "-",
-                                  or_dash(link.material), std::to_string(link.shapes.size())});
+    section.table.add({link.name, or_dash(link.digit),
+                       link.mass > 0 ? shown(link.mass * 1e3, 1) : "-", or_dash(link.material),
+                       std::to_string(link.shapes.size())});
   return section;
 }
 
 }  // namespace
 
 Explanation explain(const BodySpec& body) {
-  Section header{"object", fmt::format("object '{}'", body.name), {}, {}};
+  Section header{"object", fmt::format("object '{}'", body.name)};
   header.lines = {body.description, "source " + or_dash(body.source),
                   "material " + or_dash(body.material), "mass " + mass_of(body)};
   return {header, explain_shapes(body)};
 }
 
 Explanation explain(const WorldSpec& world) {
-  Section header{"world", fmt::format("world '{}'", world.name), {}, {}};
+  Section header{"world", fmt::format("world '{}'", world.name)};
   header.lines = {world.description,
                   "materials " + (world.materials_file.empty() ? std::string("built in")
                                                                : world.materials_file)};
@@ -201,7 +198,7 @@ Explanation explain(const WorldSpec& world) {
 }
 
 Explanation explain(const SceneSpec& scene) {
-  Section header{"scene", summary_of(scene), {}, {}};
+  Section header{"scene", summary_of(scene)};
   header.lines = {or_dash(scene.description), "source " + or_dash(scene.source),
                   "method " + scene.stepping.method};
   WorldSpec hands;
@@ -211,13 +208,11 @@ Explanation explain(const SceneSpec& scene) {
 }
 
 Explanation explain(const Materials& materials) {
-  Section section{"materials", "Materials", {}, {}};
-  section.table.header = {"name", "density_kg_m3", "young_kPa", "layer_mm"};
+  Section section{"materials", "Materials", {{"name", "density_kg_m3", "young_kPa", "layer_mm"}}};
   for (const Material& material : materials.materials)
-    section.table.rows.push_back(
-        {material.name, material.density > 0 ? shown(material.density, 0) : "-",
-         material.young > 0 ? shown(material.young / 1e3, 1) : "rigid",
-         material.young > 0 ? shown(material.layer_thickness / kMm, 2) : "-"});
+    section.table.add({material.name, material.density > 0 ? shown(material.density, 0) : "-",
+                       material.young > 0 ? shown(material.young / 1e3, 1) : "rigid",
+                       material.young > 0 ? shown(material.layer_thickness / kMm, 2) : "-"});
   return {section, explain_friction(materials)};
 }
 
@@ -225,9 +220,7 @@ Explanation explain(const RobotSpec& robot) {
   Section header{
       "robot",
       fmt::format("robot '{}': {}, {}, {}", robot.name, counted(robot.links.size(), "link"),
-                  counted(robot.joints.size(), "joint"), counted(robot.dofs.size(), "motor")),
-      {},
-      {}};
+                  counted(robot.joints.size(), "joint"), counted(robot.dofs.size(), "motor"))};
   header.lines = {or_dash(robot.description), "source " + or_dash(robot.source)};
   return {header, explain_motors(robot), explain_robot_joints(robot), explain_links(robot)};
 }

@@ -14,22 +14,21 @@ namespace thenar {
 namespace {
 
 Section explain_kept(const DigitExplanation& says) {
-  Section section{"kept", "Kept", {}, {{"part", "count", "names"}, {}}};
+  Section section{"kept", "Kept", {{"part", "count", "names"}}};
   const auto add = [&](const std::string& part, const std::vector<std::string>& names) {
-    section.table.rows.push_back({part, std::to_string(names.size()), listed(names)});
+    section.table.add({part, std::to_string(names.size()), listed(names)});
   };
   add("segments", says.segments);
   add("joints", says.joints);
   add("strands", says.strands);
   add("muscles", says.muscles);
-  section.table.rows.push_back(
-      {"hood", says.hood.compare(0, 4, "none") == 0 ? "0" : "1", says.hood});
+  section.table.add({"hood", says.hood.compare(0, 4, "none") == 0 ? "0" : "1", says.hood});
   return section;
 }
 
 /// Parts dropped for the same reason share a row.
 Section explain_dropped(const DigitExplanation& says) {
-  Section section{"dropped", "Dropped", {}, {{"part", "count", "why", "names"}, {}}};
+  Section section{"dropped", "Dropped", {{"part", "count", "why", "names"}}};
   std::vector<std::vector<std::string>> names;
   auto& rows = section.table.rows;
   for (const DroppedPart& part : says.dropped) {
@@ -46,12 +45,10 @@ Section explain_dropped(const DigitExplanation& says) {
 }
 
 Section explain_rungs(const Fidelity& fidelity) {
-  Section section{"fidelity",
-                  "Assumptions of the model that is built",
-                  {},
-                  {{"ladder", "rung", "assumes"}, {}}};
+  Section section{
+      "fidelity", "Assumptions of the model that is built", {{"ladder", "rung", "assumes"}}};
   for (const RungWords& words : explain(fidelity))
-    section.table.rows.push_back({words.ladder, words.rung, words.assumes});
+    section.table.add({words.ladder, words.rung, words.assumes});
   return section;
 }
 
@@ -60,16 +57,15 @@ Section explain_axes(const TendonDigit& built) {
   Section section{
       "axes",
       "Neighbouring joint axes at the reference posture",
+      {{"first", "second", "angle_deg", "distance_mm", "second_distal_mm"}},
       {"distance: length of their common normal; second_distal: how far along the digit "
        "it leads from the first axis to the second, below 0 where the second lies "
-       "proximal"},
-      {{"first", "second", "angle_deg", "distance_mm", "second_distal_mm"}, {}}};
+       "proximal"}};
   for (const NeighbouringAxes& axes : neighbouring_axes(built)) {
     const AxisOffset offset = axis_offset(built.model, axes);
-    section.table.rows.push_back({built.names.hinges[static_cast<std::size_t>(axes.first)],
-                                  built.names.hinges[static_cast<std::size_t>(axes.second)],
-                                  shown(degrees(offset.angle), 1), shown(1e3 * offset.distance, 2),
-                                  shown(1e3 * offset.beyond, 2)});
+    section.table.add({nth(built.names.hinges, axes.first), nth(built.names.hinges, axes.second),
+                       shown(degrees(offset.angle), 1), shown(1e3 * offset.distance, 2),
+                       shown(1e3 * offset.beyond, 2)});
   }
   return section;
 }
@@ -93,7 +89,6 @@ Section explain_questions(const TendonDigit& built) {
   return {
       "questions",
       "Questions",
-      {},
       {{"question", "needs", "can_be_asked"},
        {{"pose", "posed, hinge axes", "yes"},
         {"tip-force", "static, constant moment arms or richer", tendons},
@@ -106,22 +101,21 @@ Section explain_questions(const TendonDigit& built) {
 }
 
 Section explain_muscles(const Subject& subject, const std::vector<std::string>& kept) {
-  Section section{"muscles", "Muscles", {}, {{"muscle", "strand", "F0_N"}, {}}};
+  Section section{"muscles", "Muscles", {{"muscle", "strand", "F0_N"}}};
   for (const std::string& name : kept)
     for (const MuscleUnit& muscle : subject.muscles)
       if (muscle.name == name)
-        section.table.rows.push_back({name, muscle.strand.empty() ? "-" : muscle.strand,
-                                      muscle.max_force ? shown(*muscle.max_force, 2) : "unknown"});
+        section.table.add({name, muscle.strand.empty() ? "-" : muscle.strand,
+                           muscle.max_force ? shown(*muscle.max_force, 2) : "unknown"});
   return section;
 }
 
 Section explain_costs(const std::vector<QuestionCost>& costs) {
   Section section{"cost",
                   "Cost of one evaluation: medians, one thread, this machine, now",
-                  {},
-                  {{"question", "rung", "median_us", "per_second"}, {}}};
+                  {{"question", "rung", "median_us", "per_second"}}};
   for (const QuestionCost& cost : costs)
-    section.table.rows.push_back(
+    section.table.add(
         {cost.question, cost.rung, shown(1e6 * cost.seconds), shown(1 / cost.seconds)});
   return section;
 }
@@ -130,15 +124,15 @@ Section explain_costs(const std::vector<QuestionCost>& costs) {
 std::string state_of(const FitParameters& fit, std::size_t p) {
   const int coordinate = fit.coordinate[p];
   if (coordinate < 0) return "fixed";
-  const int leader = fit.leader[static_cast<std::size_t>(coordinate)];
+  const int leader = nth(fit.leader, coordinate);
   if (leader == static_cast<int>(p)) return "free";
   const std::string ratio = fit.ratio[p] == 1 ? "" : shown(fit.ratio[p]) + " ";
-  return fmt::format("tied to {}{}", ratio, fit.all[static_cast<std::size_t>(leader)].name);
+  return fmt::format("tied to {}{}", ratio, nth(fit.all, leader).name);
 }
 
 /// Every number that a fit may move, and what is believed of it beforehand.
 Section explain_parameters(const DigitExplained& digit) {
-  Section section{"parameters", "Parameters of a fit, under settings " + digit.settings, {}, {}};
+  Section section{"parameters", "Parameters of a fit, under settings " + digit.settings};
   const FitParameters& fit = digit.parameters;
   // Settings of another digit may name parameters that this one lacks.
   if (!digit.settings_trouble.empty())
@@ -163,19 +157,20 @@ Section explain_parameters(const DigitExplained& digit) {
       cells.push_back(shown(value * scale));
     cells.push_back(state_of(fit, p));
     cells.push_back(or_dash(meaning_of(parameter.name, digit.tendons->digit())));
-    section.table.rows.push_back(cells);
+    section.table.add(cells);
   }
   return section;
 }
 
 /// A digit of which nothing but published maps is known.
 Explanation explain_maps(const Subject& subject, const std::string& digit) {
-  Section maps{"tip_maps", "Published maps from tendon tensions to the tip's wrench", {}, {}};
-  maps.table.header = {"map", "rows", "muscles"};
+  Section maps{"tip_maps",
+               "Published maps from tendon tensions to the tip's wrench",
+               {{"map", "rows", "muscles"}}};
   std::vector<std::string> muscles;
   for (const TipMap& map : subject.tip_maps)
     if (map.digit == digit) {
-      maps.table.rows.push_back({map.name, listed(map.rows), listed(map.muscles)});
+      maps.table.add({map.name, listed(map.rows), listed(map.muscles)});
       muscles = map.muscles;
     }
   maps.lines = {"a map stands for one posture; the first is used unless --map names another",
@@ -186,8 +181,7 @@ Explanation explain_maps(const Subject& subject, const std::string& digit) {
 }  // namespace
 
 Explanation explain(const Subject& subject, const DigitExplained& says) {
-  // Header of the subject; a digit with maps alone has no more than these.
-  Section header{"subject", fmt::format("{} of subject '{}'", says.digit, subject.name), {}, {}};
+  Section header{"subject", fmt::format("{} of subject '{}'", says.digit, subject.name)};
   header.lines = {subject.description,
                   fmt::format("{} hand; the base, {}, does not move", subject.side, subject.base)};
   if (subject.base.empty()) header.lines.back() = subject.side + " hand";

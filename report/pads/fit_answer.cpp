@@ -49,7 +49,7 @@ std::string quantity_words(const PressDatum& datum) {
 /// "1 N", "1 N over 5.2 N": what was imposed when a number was measured.
 std::string load_words(const PressRecord& record, const PressDatum& datum) {
   const auto words = [&](int load) {
-    const PressLoad& at = record.course.loads[static_cast<std::size_t>(load)];
+    const PressLoad& at = nth(record.course.loads, load);
     return at.force ? fmt::format("{:.4g} N", *at.force)
                     : fmt::format("{:.4g} mm", at.indentation / kMm);
   };
@@ -125,12 +125,12 @@ std::vector<Fields> data_fields(const FittedPad& fitted) {
 std::vector<Fields> curve_fields(const FittedPad& fitted) {
   std::vector<Fields> list;
   for (std::size_t i = 0; i < fitted.curves.size(); ++i) {
-    std::vector<Fields> points;
-    for (const PressPoint& point : fitted.curves[i].points)
-      points.push_back({{"depth", units::kMillimetre, point.indentation},
-                        {"force", units::kNewton, point.force},
-                        {"area", units::kSquareMillimetre, point.area}});
-    list.push_back({{"press", fitted.problem.records[i].name}, {"points", std::move(points)}});
+    list.push_back({{"press", fitted.problem.records[i].name},
+                    {"points", fields_of_each(fitted.curves[i].points, [](const PressPoint& at) {
+                       return Fields{{"depth", units::kMillimetre, at.indentation},
+                                     {"force", units::kNewton, at.force},
+                                     {"area", units::kSquareMillimetre, at.area}};
+                     })}});
   }
   return list;
 }
@@ -169,18 +169,17 @@ std::string conditions_of(const FittedPad& fitted) {
 Table table_of(const FittedPad& fitted) {
   // Show how much the data say: the sd by the data alone beside the sd with the prior.
   Table table{{"constant", "unit", "start", "value", "sd_factor", "sd_factor_by_data",
-               "prior_factor", "known_by", "finer_cells_factor"},
-              {}};
+               "prior_factor", "known_by", "finer_cells_factor"}};
   for (std::size_t i = 0; i < fitted.fit.estimates.size(); ++i) {
     const ConstantEstimate& each = fitted.fit.estimates[i];
     const FreeConstant& free = fitted.problem.constants[i];
     const DisplayUnit unit = display_unit(free.constant.kind);
     const std::optional<double> finer = finer_factor(fitted, i);
-    table.rows.push_back({constant_name(fitted, i), or_dash(unit.name),
-                          shown(start_of(fitted, i) * unit.per_si), shown(each.value * unit.per_si),
-                          factor_words(each.sd), factor_words(each.sd_by_data),
-                          free.prior_factor ? shown(*free.prior_factor) : "-", known_by(each, free),
-                          finer ? shown(*finer) : "-"});
+    table.add({constant_name(fitted, i), or_dash(unit.name),
+               shown(start_of(fitted, i) * unit.per_si), shown(each.value * unit.per_si),
+               factor_words(each.sd), factor_words(each.sd_by_data),
+               free.prior_factor ? shown(*free.prior_factor) : "-", known_by(each, free),
+               finer ? shown(*finer) : "-"});
   }
   return table;
 }
@@ -198,28 +197,25 @@ std::string constants_note(const FittedPad& fitted) {
 
 Table data_table(const FittedPad& fitted) {
   Table table{{"press", "load", "quantity", "unit", "measured", "sd", "predicted", "off_by_sds",
-               "finer_cells", "source"},
-              {}};
+               "finer_cells", "source"}};
   for_data(fitted, [&](const PressRecord& record, const PressDatum& datum,
                        const PressPrediction& pad, const DisplayUnit& unit) {
-    table.rows.push_back({record.name, load_words(record, datum), quantity_words(datum),
-                          or_dash(unit.name), shown(datum.value * unit.per_si),
-                          shown(datum.sd * unit.per_si), shown(pad.value * unit.per_si),
-                          shown((pad.value - datum.value) / datum.sd, 2),
-                          pad.finer ? shown(*pad.finer * unit.per_si) : "-", datum.source});
+    table.add({record.name, load_words(record, datum), quantity_words(datum), or_dash(unit.name),
+               shown(datum.value * unit.per_si), shown(datum.sd * unit.per_si),
+               shown(pad.value * unit.per_si), shown((pad.value - datum.value) / datum.sd, 2),
+               pad.finer ? shown(*pad.finer * unit.per_si) : "-", datum.source});
   });
   return table;
 }
 
 Table correlation_table(const FittedPad& fitted) {
-  Table table{{"constant"}, {}};
+  Table table{{"constant"}};
   const std::size_t count = fitted.fit.estimates.size();
   if (count < 2 || !all_known(fitted)) return table;
   for (std::size_t i = 0; i < count; ++i) table.header.push_back(constant_name(fitted, i));
   for (std::size_t i = 0; i < count; ++i)
-    table.rows.push_back(
-        row({{constant_name(fitted, i)},
-             cells(fitted.fit.correlations.row(static_cast<Eigen::Index>(i)), 3)}));
+    table.add_parts({{constant_name(fitted, i)},
+                     cells(fitted.fit.correlations.row(static_cast<Eigen::Index>(i)), 3)});
   return table;
 }
 

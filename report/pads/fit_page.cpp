@@ -42,13 +42,12 @@ std::vector<ChartDatum> chart_data(const PressRecord& record, const FittedCurve&
   // Data that are shares of another datum are scaled by the pad's own value there.
   for (const PressDatum& datum : record.data) {
     if ((datum.quantity == PressQuantity::kArea) != areas) continue;
-    const PressLoad& load = record.course.loads[static_cast<std::size_t>(datum.load)];
+    const PressLoad& load = nth(record.course.loads, datum.load);
     const PressPoint& pad = point_at(curve, load);
     double scale = display_unit(datum).per_si;
     if (datum.over)
-      scale = shown_quantity(
-          datum.quantity,
-          point_at(curve, record.course.loads[static_cast<std::size_t>(*datum.over)]));
+      scale =
+          shown_quantity(datum.quantity, point_at(curve, nth(record.course.loads, *datum.over)));
     const double value = scale * datum.value, sd = scale * datum.sd;
     // Areas stand over force, indentations and forces over each other.
     if (areas)
@@ -61,10 +60,6 @@ std::vector<ChartDatum> chart_data(const PressRecord& record, const FittedCurve&
   return out;
 }
 
-Json series_of(const std::string& name, const std::string& style, Json x, Json y) {
-  return {{"name", name}, {"x", std::move(x)}, {"y", std::move(y)}, {"style", style}};
-}
-
 /// The pad's curve, and the data with a bar of one sd to either side.
 Json curve_chart(const std::string& caption, const std::vector<std::string>& labels,
                  Json curve_series, const std::vector<ChartDatum>& data) {
@@ -74,11 +69,11 @@ Json curve_chart(const std::string& caption, const std::vector<std::string>& lab
     x.push_back(each.x);
     y.push_back(each.y);
   }
-  if (!data.empty()) series.push_back(series_of("measured, 1 sd", "points", x, y));
+  if (!data.empty()) series.push_back(curve_json("measured, 1 sd", x, y, "points"));
   for (const ChartDatum& each : data)
-    series.push_back(series_of("measured, 1 sd", "lines",
-                               {std::max(0.0, each.x - each.sd_x), each.x + each.sd_x},
-                               {std::max(0.0, each.y - each.sd_y), each.y + each.sd_y}));
+    series.push_back(curve_json("measured, 1 sd",
+                                {std::max(0.0, each.x - each.sd_x), each.x + each.sd_x},
+                                {std::max(0.0, each.y - each.sd_y), each.y + each.sd_y}, "lines"));
   return lines_block(caption, labels[0], labels[1], std::move(series));
 }
 
@@ -92,10 +87,10 @@ Json press_charts(const PressRecord& record, const FittedCurve& curve) {
   }
   return row_block(
       {curve_chart(fmt::format("Force over depth, press '{}'", record.name),
-                   {"depth [mm]", "force [N]"}, series_of("fitted pad", "lines", depth, force),
+                   {"depth [mm]", "force [N]"}, curve_json("fitted pad", depth, force, "lines"),
                    chart_data(record, curve, false)),
        curve_chart(fmt::format("Contact area over force, press '{}'", record.name),
-                   {"force [N]", "area [mm2]"}, series_of("fitted pad", "lines", force, area),
+                   {"force [N]", "area [mm2]"}, curve_json("fitted pad", force, area, "lines"),
                    chart_data(record, curve, true))});
 }
 
@@ -126,8 +121,8 @@ Json source_section(const FittedPad& fitted) {
     rows.push_back({key, own == fitted.data.own_sources.end() ? "data/sources.bib" : own->second});
   }
   return section("sources", "Sources of the data", "",
-                 Json::array({table_block("What citation keys stand for",
-                                          {{"key", ""}, {"source", ""}}, std::move(rows))}));
+                 Json::array({table_block("What citation keys stand for", {"key", "source"},
+                                          std::move(rows))}));
 }
 
 Json fit_banner(const FittedPad& fitted) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -133,7 +132,7 @@ std::string conditions_of(const PadLaws& found) {
 }
 
 Table table_of(const PadLaws& found) {
-  Table table{{"law", "error", "force_%", "area_%", "radius_%", "torsion_%", "shear_%"}, {}};
+  Table table{{"law", "error", "force_%", "area_%", "radius_%", "torsion_%", "shear_%"}};
   if (!found.has_laws()) return table;
   for (const ErrorsOfLaw& law : kErrorsOfLaws)
     for (const auto& [name, kind] :
@@ -141,7 +140,7 @@ Table table_of(const PadLaws& found) {
       std::vector<std::string> row{law.name, name};
       for (const QuantityOfLaw& quantity : kQuantitiesOfLaws)
         row.push_back(shown(100 * (found.calibration.laws.*law.error.*quantity.error.*kind), 1));
-      table.rows.push_back(std::move(row));
+      table.add(std::move(row));
     }
   return table;
 }
@@ -154,11 +153,9 @@ std::string errors_note() {
 }
 
 Table press_table(const PadLaws& found) {
-  Table table{
-      {"press", "for", "depth_mm", "gap_radius_mm", "force_N", "force_error_%", "area_mm2",
-       "aspect", "arm_mm", "power_law_N", "soft_finger_N", "bed_N", "bed_area_mm2", "bed_arm_mm"},
-      {}};
-  // Elements first, then each law at the same depth.
+  Table table{{"press", "for", "depth_mm", "gap_radius_mm", "force_N", "force_error_%", "area_mm2",
+               "aspect", "arm_mm", "power_law_N", "soft_finger_N", "bed_N", "bed_area_mm2",
+               "bed_arm_mm"}};
   for (const LawPress& press : found.presses) {
     const MeasuredPress& by = press.elements;
     std::vector<std::string> row{by.trial,
@@ -178,7 +175,7 @@ Table press_table(const PadLaws& found) {
     add(&LawForces::bed, 1);
     add(&LawForces::bed_area, kSquareMm);
     add(&LawForces::bed_arm, kMm);
-    table.rows.push_back(std::move(row));
+    table.add(std::move(row));
   }
   return table;
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "report/blocks.h"
 #include "report/pads/laws_answer.h"
 #include "report/pads/pad_blocks.h"
@@ -22,7 +20,7 @@ Json law_series(const PadLaws& found, const std::string& name, double LawForces:
     x.push_back(press.elements.force);
     y.push_back(*press.laws.*law);
   }
-  return {{"name", name}, {"x", std::move(x)}, {"y", std::move(y)}, {"style", "points"}};
+  return curve_json(name, std::move(x), std::move(y), "points");
 }
 
 Json force_chart(const PadLaws& found, bool fitted) {

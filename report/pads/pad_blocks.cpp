@@ -1,5 +1,7 @@
 #include "report/pads/pad_blocks.h"
 
+#include "report/blocks.h"
+
 namespace thenar {
 
 Json pad_banner(const std::string& refusal, const std::vector<std::string>& warnings,
@@ -7,11 +9,8 @@ Json pad_banner(const std::string& refusal, const std::vector<std::string>& warn
   std::vector<std::string> reasons = warnings;
   if (!refusal.empty()) reasons.insert(reasons.begin(), refusal);
   const bool ok = refusal.empty();
-  return {{"type", "banner"},
-          {"ok", ok},
-          {"caution", ok && !reasons.empty()},
-          {"title", ok ? title : failed_title},
-          {"reasons", reasons}};
+  return with(banner_block(ok ? title : failed_title, reasons, ok),
+              {{"caution", ok && !reasons.empty()}});
 }
 
 }  // namespace thenar

@@ -12,15 +12,9 @@ namespace thenar {
 namespace {
 
 const char* word_of(SkinContact contact) {
-  switch (contact) {
-    case SkinContact::kSticks:
-      return "sticks";
-    case SkinContact::kSlips:
-      return "slips";
-    case SkinContact::kFree:
-      break;
-  }
-  return "free";
+  return contact == SkinContact::kSticks  ? "sticks"
+         : contact == SkinContact::kSlips ? "slips"
+                                          : "free";
 }
 
 /// "a plane", "an edge of 0.5 mm"; of files their names alone.
@@ -61,7 +55,7 @@ Fields instant_fields(const PressInstant& now) {
 std::vector<Fields> patch_fields(const PressedSkin& skin) {
   std::vector<Fields> nodes;
   for (Eigen::Index k = 0; k < skin.pressure.size(); ++k) {
-    const SkinContact contact = skin.contact[static_cast<std::size_t>(k)];
+    const SkinContact contact = nth(skin.contact, k);
     if (contact == SkinContact::kFree) continue;
     nodes.push_back({{"place", units::kMillimetre, skin.places.col(k)},
                      {"at_rest", units::kMillimetre, skin.at_rest.col(k)},
@@ -125,24 +119,20 @@ std::string conditions_of(const PressResult& pressed) {
 
 Table table_of(const PressResult& pressed) {
   Table table{{"phase", "time_s", "depth_mm", "force_N", "area_mm2", "stick",
-               "largest_pressure_kPa", "force_error", "elements", "cpu_s"},
-              {}};
+               "largest_pressure_kPa", "force_error", "elements", "cpu_s"}};
   for (const PressInstant& now : pressed.instants)
-    table.rows.push_back({name_of(now.phase), shown(now.time), shown(now.depth / kMm),
-                          shown(now.force), shown(now.area / kSquareMm), shown(now.stick, 3),
-                          shown(now.pressure / kKilopascal), shown(now.force_error, 4),
-                          std::to_string(now.elements), shown(now.cpu)});
+    table.add({name_of(now.phase), shown(now.time), shown(now.depth / kMm), shown(now.force),
+               shown(now.area / kSquareMm), shown(now.stick, 3), shown(now.pressure / kKilopascal),
+               shown(now.force_error, 4), std::to_string(now.elements), shown(now.cpu)});
   return table;
 }
 
 Table rung_table(const PressResult& pressed) {
   Table table{{"element", "mesh", "elements", "force_N", "error", "area_mm2", "torsion_mm", "cpu_s",
-               "note"},
-              {}};
-  // The finest rung is the measure of all others, and has no error of its own.
+               "note"}};
   for (const PressRung& rung : pressed.rungs) {
     const bool solved = rung.failure.empty();
-    table.rows.push_back(
+    table.add(
         {rung.element, rung.mesh, rung.reduced ? "-" : std::to_string(rung.elements),
          solved ? shown(rung.force) : "-", solved && !rung.finest ? shown(rung.error, 4) : "-",
          rung.area ? shown(*rung.area / kSquareMm) : "-",
@@ -182,9 +172,7 @@ Fields fields_of(const PressResult& pressed) {
   if (!pressed.instants.empty()) fields.append(instant_fields(pressed.instants.back()));
   fields.add("object_place", units::kMillimetre, pressed.X_PO.p);
   fields.add("along", units::kOne, pressed.touch.along);
-  std::vector<Fields> instants;
-  for (const PressInstant& now : pressed.instants) instants.push_back(instant_fields(now));
-  fields.add("instants", std::move(instants));
+  fields.add("instants", fields_of_each(pressed.instants, instant_fields));
   fields.add("patch", patch_fields(pressed.skin));
   if (!pressed.rungs.empty()) fields.add("rungs", rung_fields(pressed.rungs));
   fields.add("warnings", pressed.outcome.warnings);

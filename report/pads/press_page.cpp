@@ -6,8 +6,6 @@
 #include <map>
 #include <set>
 
-#include <fmt/format.h>
-
 #include "base/units.h"
 #include "report/blocks.h"
 #include "report/pads/pad_blocks.h"
@@ -135,7 +133,7 @@ PressedSkin near_patch(const PressedSkin& skin) {
   // Bound the patch, and keep what lies within a multiple of its size.
   Eigen::AlignedBox3d patch;
   for (Index k = 0; k < skin.places.cols(); ++k)
-    if (skin.contact[static_cast<std::size_t>(k)] != SkinContact::kFree)
+    if (nth(skin.contact, k) != SkinContact::kFree)
       patch.extend(Eigen::Vector3d(skin.places.col(k)));
   if (patch.isEmpty()) return skin;
   const double reach = 0.5 * kMapSizeRatio * patch.diagonal().norm();
@@ -151,7 +149,7 @@ PressedSkin near_patch(const PressedSkin& skin) {
   part.at_rest = skin.at_rest(Eigen::all, nodes);
   part.pressure = skin.pressure(nodes);
   part.normal = skin.normal(nodes);
-  for (const int node : nodes) part.contact.push_back(skin.contact[static_cast<std::size_t>(node)]);
+  for (const int node : nodes) part.contact.push_back(nth(skin.contact, node));
   return part;
 }
 
@@ -200,7 +198,7 @@ Json press_curve(const PressResult& pressed, const std::string& name,
       xs.push_back(x(now));
       ys.push_back(y(now));
     }
-  return {{"name", name}, {"x", std::move(xs)}, {"y", std::move(ys)}, {"style", "both"}};
+  return curve_json(name, std::move(xs), std::move(ys), "both");
 }
 
 double depth_of(const PressInstant& now) { return now.depth / kMm; }
@@ -223,10 +221,10 @@ Json curve_section(const PressResult& pressed) {
          return now.area > 0 ? number_or_null(now.force / now.area / kKilopascal) : Json();
        })});
   Json stick =
-      lines_block("Share of the normal force on skin that sticks", "force [N]", "share [1]",
-                  {press_curve(pressed, name, way, force_of,
-                               [](const PressInstant& now) { return now.stick; })});
-  stick["reference_lines"] = Json::array({{{"value", 0}}});  // the axis begins there
+      with(lines_block("Share of the normal force on skin that sticks", "force [N]", "share [1]",
+                       {press_curve(pressed, name, way, force_of,
+                                    [](const PressInstant& now) { return now.stick; })}),
+           {{"reference_lines", Json::array({{{"value", 0}}})}});  // the axis begins there
   return section("curves", "Force, depth and area", "",
                  Json::array({row_block({std::move(force), std::move(area)}),
                               row_block({std::move(pressure), std::move(stick)}),
@@ -244,13 +242,12 @@ Json relaxation_section(const PressResult& pressed) {
   const PressInstant* end = pressed.end_of_way();
   const double began = end != nullptr ? end->time : 0;
   if (pressed.request.hold > 0) {
-    Json held =
+    charts.push_back(with(
         lines_block("Force while the object stands still", "time since it stopped [s]", "force [N]",
                     {press_curve(
                         pressed, pressed.pad.spec.name, {PressPhase::kHold},
-                        [&](const PressInstant& now) { return now.time - began; }, force_of)});
-    held["log_x"] = true;
-    charts.push_back(std::move(held));
+                        [&](const PressInstant& now) { return now.time - began; }, force_of)}),
+        {{"log_x", true}}));
   }
   return section("relaxation", "Relaxation", "", Json::array({row_block(std::move(charts))}));
 }
@@ -263,13 +260,8 @@ Json rung_section(const PressResult& pressed) {
     const std::string name = rung.reduced   ? rung.element
                              : rung.refined ? rung.element + ", refined"
                                             : rung.element + ", even";
-    Json& curve = series
-                      .emplace(name, Json{{"name", name},
-                                          {"x", Json::array()},
-                                          {"y", Json::array()},
-                                          {"style", "both"},
-                                          {"labels", Json::array()}})
-                      .first->second;
+    Json& curve =
+        series.emplace(name, curve_json(name, Json::array(), Json::array(), "both")).first->second;
     curve["x"].push_back(rung.cpu);
     curve["y"].push_back(rung.error);
     curve["labels"].push_back(rung.reduced ? rung.element : rung.mesh);
@@ -279,10 +271,9 @@ Json rung_section(const PressResult& pressed) {
   Json list = Json::array();
   for (auto& [name, curve] : series) list.push_back(std::move(curve));
   if (!list.empty()) {
-    Json chart = lines_block("Error of the force against the finest over processor time",
-                             "processor time [s]", "relative error [1]", std::move(list));
-    chart["log_x"] = chart["log_y"] = true;
-    blocks.push_back(std::move(chart));
+    blocks.push_back(with(lines_block("Error of the force against the finest over processor time",
+                                      "processor time [s]", "relative error [1]", std::move(list)),
+                          {{"log_x", true}, {"log_y", true}}));
   }
   blocks.push_back(table_block("Laws, elements and meshes", rung_table(pressed)));
   return section(

@@ -26,14 +26,11 @@ Json error_chart(const RungComparison& comparison, const std::string& caption,
     const RungRun& run = comparison.runs[i];
     const double error = error_of(run.error);
     if (i == comparison.finest || !refusal_of(run.scene).empty() || !(error > 0)) continue;
-    series.push_back({{"name", run.rung},
-                      {"x", Json::array({cpu_per_second(run)})},
-                      {"y", Json::array({error})},
-                      {"style", "points"}});
+    series.push_back(
+        curve_json(run.rung, Json::array({cpu_per_second(run)}), Json::array({error}), "points"));
   }
-  Json chart = lines_block(caption, "processor time for a simulated second [s]", label, series);
-  chart["log_x"] = chart["log_y"] = true;
-  return chart;
+  return with(lines_block(caption, "processor time for a simulated second [s]", label, series),
+              {{"log_x", true}, {"log_y", true}});
 }
 
 Json rung_table(const RungComparison& comparison) {
@@ -45,15 +42,8 @@ Json rung_table(const RungComparison& comparison) {
                     run.error.place_end / kMm, run.error.place_largest / kMm,
                     run.error.turn_end / kDegree});
   return table_block("Rungs: processor time for a simulated second, and errors",
-                     {{"rung", ""},
-                      {"status", ""},
-                      {"unsolved", "", 0},
-                      {"time", "s"},
-                      {"forces, end", "%"},
-                      {"forces, all", "%"},
-                      {"places, end", "mm"},
-                      {"places, most", "mm"},
-                      {"turn", "deg", 2}},
+                     {"rung", "status", "unsolved:0", "time [s]", "forces, end [%]",
+                      "forces, all [%]", "places, end [mm]", "places, most [mm]", "turn [deg]:2"},
                      std::move(rows));
 }
 
@@ -64,11 +54,11 @@ Json force_chart(const RungComparison& comparison, std::size_t pad, const std::s
     const std::vector<SceneSample>& samples = run.scene.run.samples;
     Json t = Json::array(), force = Json::array();
     for (const Eigen::Index i : spread(static_cast<Eigen::Index>(samples.size()), kCurveInstants)) {
-      const SceneSample& sample = samples[static_cast<std::size_t>(i)];
+      const SceneSample& sample = nth(samples, i);
       t.push_back(sample.t);
       force.push_back(pad_loads(comparison, sample)[pad].force);
     }
-    series.push_back({{"name", run.rung}, {"x", std::move(t)}, {"y", std::move(force)}});
+    series.push_back(curve_json(run.rung, std::move(t), std::move(force)));
   }
   return lines_block(name, "time [s]", "normal force [N]", std::move(series));
 }
@@ -77,26 +67,17 @@ Json rung_banner(const RungComparison& comparison) {
   // A comparison without a sound finest run is not to be used.
   const std::string refusal = refusal_of(comparison);
   const std::vector<std::string>& warnings = comparison.outcome.warnings;
-  if (!refusal.empty())
-    return {{"type", "banner"},
-            {"ok", false},
-            {"title", "Do not use this comparison"},
-            {"reasons", Json::array({refusal})}};
-  return {{"type", "banner"},
-          {"ok", true},
-          {"caution", !warnings.empty()},
-          {"title", fmt::format("{}On the rung {} all contact problems were solved",
-                                warnings.empty() ? "" : "Read the cautions below. ",
-                                comparison.runs[comparison.finest].rung)},
-          {"reasons", warnings}};
+  if (!refusal.empty()) return banner_block("Do not use this comparison", Json::array({refusal}));
+  return used_banner(fmt::format("On the rung {} all contact problems were solved",
+                                 comparison.runs[comparison.finest].rung),
+                     warnings);
 }
 
 std::string pad_name(const RungComparison& comparison, std::size_t pad) {
   const std::vector<MechanismBody>& bodies =
       comparison.runs.front().scene.built->scene.mechanism.bodies;
   const auto [a, b] = comparison.pads[pad];
-  return bodies[static_cast<std::size_t>(a)].name + " - " +
-         bodies[static_cast<std::size_t>(b)].name;
+  return nth(bodies, a).name + " - " + nth(bodies, b).name;
 }
 
 std::vector<PadLoad> end_loads(const RungComparison& comparison, const RungRun& run) {
@@ -117,29 +98,26 @@ std::string finest_words(const RungComparison& comparison) {
 
 Table table_of(const RungComparison& comparison) {
   Table table{{"rung", "status", "unsolved", "cpu_s_per_s", "force_error_%", "force_error_all_%",
-               "place_mm", "place_largest_mm", "turn_deg"},
-              {}};
+               "place_mm", "place_largest_mm", "turn_deg"}};
   for (const RungRun& run : comparison.runs) {
     const RungError& error = run.error;
-    table.rows.push_back({run.rung, name_of(run.scene.run.status),
-                          std::to_string(run.scene.run.cost.unsolved), shown(cpu_per_second(run)),
-                          shown(100 * error.force_end), shown(100 * error.force_all),
-                          shown(error.place_end / kMm), shown(error.place_largest / kMm),
-                          shown(error.turn_end / kDegree)});
+    table.add({run.rung, name_of(run.scene.run.status), std::to_string(run.scene.run.cost.unsolved),
+               shown(cpu_per_second(run)), shown(100 * error.force_end),
+               shown(100 * error.force_all), shown(error.place_end / kMm),
+               shown(error.place_largest / kMm), shown(error.turn_end / kDegree)});
   }
   return table;
 }
 
 Table pad_table_of(const RungComparison& comparison) {
-  Table table{{"pad", "rung", "force_N", "area_mm2", "sticks_%", "torsion_Nmm"}, {}};
+  Table table{{"pad", "rung", "force_N", "area_mm2", "sticks_%", "torsion_Nmm"}};
   for (std::size_t pad = 0; pad < comparison.pads.size(); ++pad)
     for (const RungRun& run : comparison.runs) {
       const PadLoad load = end_loads(comparison, run)[pad];
       const bool soft = load.area > 0;
-      table.rows.push_back({pad_name(comparison, pad), run.rung, shown(load.force),
-                            soft ? shown(load.area / (kMm * kMm)) : "-",
-                            soft ? shown(100 * load.stick) : "-",
-                            soft ? shown(std::abs(load.torsion) / kMm) : "-"});
+      table.add({pad_name(comparison, pad), run.rung, shown(load.force),
+                 soft ? shown(load.area / (kMm * kMm)) : "-", soft ? shown(100 * load.stick) : "-",
+                 soft ? shown(std::abs(load.torsion) / kMm) : "-"});
     }
   return table;
 }

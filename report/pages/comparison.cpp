@@ -101,9 +101,7 @@ Json best_row(const Comparison& comparison, const BodySpec& object,
     if (cell.object != object.name || cell.best.empty() || picture == nullptr) continue;
     blocks.push_back(best_picture(cell, setup_of(object, cell.scale), *picture, meshes));
   }
-  Json row = row_block(std::move(blocks));
-  row["narrow"] = true;
-  return row;
+  return with(row_block(std::move(blocks)), {{"narrow", true}});
 }
 
 /// Hands without a grasp of an object, said in words.
@@ -143,29 +141,25 @@ Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshe
     const Hand& hand = *picture.drawn;
     const Eigen::VectorXd q = open_posture(hand.layout());
     const HandPicture shown{hand, q, upright(hand, q), picture.patches};
-    Json block =
+    blocks.push_back(
         thumbnail_block(fmt::format("{}: {}, {}", picture.hand,
                                     counted(hand.layout().coordinates.size(), "coordinate"),
                                     counted(hand.layout().actuators.size(), "actuator")),
-                        Eigen::Vector3d(1, -0.25, 0.35), hand_layers(shown, meshes));
-    blocks.push_back(std::move(block));
+                        Eigen::Vector3d(1, -0.25, 0.35), hand_layers(shown, meshes)));
     if (picture.patches.empty()) continue;
     blocks.push_back(thumbnail_block(picture.hand + " from the back, with its nails",
                                      Eigen::Vector3d(-1, 0.25, 0.35), hand_layers(shown, meshes)));
   }
-  Json row = row_block(std::move(blocks));
-  row["narrow"] = true;
   return section("hands", "The hands",
                  "Open as they begin to close, seen at the palm, human hands from the back, too; "
                  "fingers point up, z.",
-                 Json::array({row}));
+                 Json::array({with(row_block(std::move(blocks)), {{"narrow", true}})}));
 }
 
 Json compare_page(const Comparison& comparison, const std::vector<BodySpec>& objects,
                   const std::vector<ComparePicture>& pictures, MeshTable& meshes,
                   const Progress& progress) {
-  Json sections = Json::array();
-  sections.push_back(glance_section(comparison));
+  Json sections = Json::array({glance_section(comparison)});
   if (!pictures.empty()) sections.push_back(hands_section(pictures, meshes));
   sections.push_back(cells_section(comparison));
   sections.push_back(distribution_section(comparison));

@@ -96,16 +96,13 @@ Json banner(const Comparison& comparison) {
   std::vector<std::string> grave;
   std::copy_if(comparison.warnings.begin(), comparison.warnings.end(), std::back_inserter(grave),
                is_grave);
-  return {{"type", "banner"},
-          {"ok", comparison.complete && grave.empty()},
-          {"title", title},
-          {"reasons", grave}};
+  return banner_block(title, grave, comparison.complete && grave.empty());
 }
 
 /// Hands down, objects across.
 Json matrix(const Comparison& comparison, const std::string& caption, int digits,
             const std::function<Json(const HandOnObject&)>& value) {
-  std::vector<BlockColumn> columns{{"hand", "", -1}};
+  std::vector<BlockColumn> columns{"hand"};
   for (const std::string& object : comparison.objects) columns.push_back({object, "", digits});
   Json rows = Json::array();
   for (const std::string& hand : comparison.hands) {
@@ -151,35 +148,39 @@ Json success_row(const HandOnObject& cell, const std::vector<std::string>& tasks
 }
 
 Json all_cells(const Comparison& comparison) {
-  // Columns of grasps, then those of the loads of each task.
-  std::vector<BlockColumn> columns{{"hand", "", -1},
-                                   {"object", "", -1},
-                                   {"force closure", "%", 0},
-                                   {"95 % interval", "%", -1},
-                                   {"epsilon, median", "", 3},
-                                   {"epsilon, best", "", 3},
-                                   {"epsilon within hand limits, best", "N", 2},
-                                   {"grasp force, worst of 6 directions", "N", 2},
-                                   {"grasp force, standing", "N", 2}};
+  std::vector<BlockColumn> columns{"hand",
+                                   "object",
+                                   "force closure [%]:0",
+                                   "95 % interval [%]",
+                                   "epsilon, median:3",
+                                   "epsilon, best:3",
+                                   "epsilon within hand limits, best [N]:2",
+                                   "grasp force, worst of 6 directions [N]:2",
+                                   "grasp force, standing [N]:2"};
   const std::vector<BlockColumn> loads = load_columns(comparison);
   columns.insert(columns.end(), loads.begin(), loads.end());
   // One row for each hand on each object.
   Json rows = Json::array();
   for (const HandOnObject& cell : comparison.cells)
     rows.push_back(success_row(cell, comparison.tasks));
-  Json table = table_block(
-      "Every hand on every object. Force closure: share of approaches that end in it. Epsilon of "
-      "these grasps: by their contacts alone, and within hand limits: with the efforts of motors "
-      "or tendons and the hand's rigid structure. Grasp force: least sum of normal forces by which "
-      "friction alone holds the weight, in the worst of 6 directions of gravity (each axis of the "
-      "object, both ways), and as the object stands, z up, which is what `thenar grasp` states. "
-      "Loads after it: supported by efforts and friction alone, and with the rigid structure, "
-      "whose "
-      "strength no source states. " +
-          load_rule(),
-      columns, rows);
-  table["search"] = true;
-  return table;
+  return with(
+      table_block(
+          "Every hand on every object. Force closure: share of approaches that end in it. Epsilon "
+          "of "
+          "these grasps: by their contacts alone, and within hand limits: with the efforts of "
+          "motors "
+          "or tendons and the hand's rigid structure. Grasp force: least sum of normal forces by "
+          "which "
+          "friction alone holds the weight, in the worst of 6 directions of gravity (each axis of "
+          "the "
+          "object, both ways), and as the object stands, z up, which is what `thenar grasp` "
+          "states. "
+          "Loads after it: supported by efforts and friction alone, and with the rigid structure, "
+          "whose "
+          "strength no source states. " +
+              load_rule(),
+          columns, rows),
+      {{"search", true}});
 }
 
 /// Returns the outcomes of approaches, for each hand and object without a closure.
@@ -324,11 +325,7 @@ Json chart(const Comparison& comparison, const std::string& object, const std::s
   Json rows = Json::array();
   for (const HandOnObject& cell : comparison.cells)
     if (cell.object == object) rows.push_back(row(cell));
-  return readable({{"type", "interval"},
-                   {"caption", caption},
-                   {"x_label", label},
-                   {"key", kKey},
-                   {"rows", std::move(rows)}});
+  return readable(with(interval_block(caption, label, std::move(rows)), {{"key", kKey}}));
 }
 
 }  // namespace
@@ -349,13 +346,8 @@ Json glance_section(const Comparison& comparison) {
       "object, and of these the median. Bold: more force closures than those of each other hand, "
       "beyond chance (Fisher's exact test, p < 0.05; intervals may overlap all the same). Types "
       "of grasp: n/a where no approach ended in a pinch, as none was offered.",
-      {{"hand", "", -1},
-       {"force closure", "%", 1},
-       {"95 % interval", "%", -1},
-       {"objects grasped", "", 0},
-       {"epsilon", "", 3},
-       {"epsilon within hand limits", "N", 2},
-       {"types of grasp", "", 0}},
+      {"hand", "force closure [%]:1", "95 % interval [%]", "objects grasped:0", "epsilon:3",
+       "epsilon within hand limits [N]:2", "types of grasp:0"},
       rows);
   // Highlight a hand only if its lead is beyond chance.
   if (!hand_of_most_closures(comparison).empty()) {
@@ -393,18 +385,16 @@ Json cells_section(const Comparison& comparison) {
   const Json outcomes = outcome_rows(comparison);
   if (!outcomes.empty())
     blocks.push_back(table_block("Where no approach ended in force closure: how they ended.",
-                                 {{"hand", "", -1}, {"object", "", -1}, {"approaches", "", -1}},
-                                 outcomes));
+                                 {"hand", "object", "approaches"}, outcomes));
   const Json unknown = unknown_rows(comparison);
   if (!unknown.empty())
     blocks.push_back(table_block(
         "Loads that are not known, of how many grasps; the numbers above are of the others.",
-        {{"hand", "", -1}, {"object", "", -1}, {"not known", "", -1}}, unknown));
+        {"hand", "object", "not known"}, unknown));
   const Json reasons = reason_rows(comparison);
   if (!reasons.empty())
-    blocks.push_back(table_block(
-        "Why loads of the best grasps are zero or unknown.",
-        {{"hand", "", -1}, {"load", "", -1}, {"why", "", -1}, {"grasps", "", 0}}, reasons));
+    blocks.push_back(table_block("Why loads of the best grasps are zero or unknown.",
+                                 {"hand", "load", "why", "grasps:0"}, reasons));
   return section("grasps", "Hands by objects", "", std::move(blocks));
 }
 
@@ -434,30 +424,20 @@ Json abilities_section(const Comparison& comparison) {
       "opposing tip and any other tip reach, to two digits. Strongest tip: its force in the "
       "direction of closing, digits half bent. Types of grasp: n/a where no approach ended in a "
       "pinch.",
-      {{"hand", "", -1},
-       {"reach", "mm", 0},
-       {"Kapandji", "of 10", 0},
-       {"thumb meets", "", -1},
-       {"workspace shared", "cm\u00b3", 0},
-       {"strongest tip", "N", 1},
-       {"types of grasp", "", 0}},
+      {"hand", "reach [mm]:0", "Kapandji [of 10]:0", "thumb meets", "workspace shared [cm\u00b3]:0",
+       "strongest tip [N]:1", "types of grasp:0"},
       ability_rows(comparison)));
   blocks.push_back(
       table_block("Digits. Workspaces of tips that move in a plane or on a curve have "
                   "no volume.",
-                  {{"hand", "", -1},
-                   {"digit", "", -1},
-                   {"dimension", "", 0},
-                   {"workspace", "cm\u00b3", -1},
-                   {"error", "cm\u00b3", -1},
-                   {"force in closing", "N", 1},
-                   {"largest force", "N", 1}},
+                  {"hand", "digit", "dimension:0", "workspace [cm\u00b3]", "error [cm\u00b3]",
+                   "force in closing [N]:1", "largest force [N]:1"},
                   digit_rows(comparison)));
   // Types of grasp over all objects.
   const Json types = type_rows(comparison);
   if (!types.empty())
     blocks.push_back(table_block("Types of the grasps with force closure, over all objects.",
-                                 {{"hand", "", -1}, {"type", "", -1}, {"grasps", "", 0}}, types));
+                                 {"hand", "type", "grasps:0"}, types));
   return section("abilities", "What the hands can do", "", blocks);
 }
 
@@ -466,7 +446,7 @@ Json reading_section(const Comparison& comparison) {
   if (!comparison.warnings.empty()) {
     Json rows = Json::array();
     for (const std::string& warning : comparison.warnings) rows.push_back(Json::array({warning}));
-    blocks.push_back(table_block("Warnings.", {{"warning", "", -1}}, rows));
+    blocks.push_back(table_block("Warnings.", {"warning"}, rows));
   }
   return section("reading", "How to read this", reading_words(comparison), blocks);
 }

@@ -1,7 +1,6 @@
 #include "report/pages/digit_page.h"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -12,15 +11,6 @@
 #include "report/provenance.h"
 
 namespace thenar {
-namespace {
-
-constexpr std::size_t kDrawnPostures = 5;
-// From the first posture to the last.
-constexpr std::array<const char*, kDrawnPostures> kTints{"#b8a48a", "#7fa8c9", "#5fa38c", "#c98f5f",
-                                                         "#9a7fb8"};
-
-}  // namespace
-
 Json digit_page(const DigitResult& about, const std::string& what, Json sections,
                 const MeshTable& meshes, const std::string& learnt) {
   // Provenance tells the model that was built, which may be less than was asked for.
@@ -67,7 +57,7 @@ Json digit_scene(const DigitResult& about, const std::string& caption, MeshTable
   std::size_t tint = 0;
   for (const std::size_t i : drawn_rows(about.outcome.done, kDrawnPostures)) {
     const Eigen::VectorXd& q = about.grid.postures[i];
-    const std::string color = kTints[tint++];
+    const std::string color = kPostureTints[tint++];
     Json bones = bone_layer(digit, q, color);
     if (!about.single()) bones["name"] = title_of(axes, i);
     layers.push_back(bones);
@@ -84,12 +74,8 @@ Json digit_scene(const DigitResult& about, const std::string& caption, MeshTable
   }
   // Look from the radial side and a little from the back.
   const Eigen::Matrix3d& tip = digit.model.tip_axes;
-  return {{"type", "scene"},
-          {"caption", caption},
-          {"up", numbers3(tip.col(1))},
-          {"axes", axis_words(tip)},
-          {"view", numbers3(tip.col(2) + 0.35 * tip.col(1))},
-          {"layers", layers}};
+  return with(digit_scene_block(caption, tip, layers),
+              {{"view", numbers3(tip.col(2) + 0.35 * tip.col(1))}});
 }
 
 double arrow_scale(double largest) { return largest > 0 ? 40 / largest : 1; }

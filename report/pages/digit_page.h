@@ -2,6 +2,7 @@
 
 /// Pages about one digit: poses, moment arms, forces of its tip; and what they have in common.
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -26,6 +27,11 @@ namespace thenar {
 [[nodiscard]] Json page_of(const TipForceResult& answer);
 /// The largest forces in space, what limits them, over the joints that vary.
 [[nodiscard]] Json page_of(const FeasibleForceResult& answer);
+
+/// Colours of the postures that are drawn at most, from the first to the last.
+inline constexpr std::size_t kDrawnPostures = 5;
+inline constexpr std::array<const char*, kDrawnPostures> kPostureTints{
+    "#b8a48a", "#7fa8c9", "#5fa38c", "#c98f5f", "#9a7fb8"};
 
 /// The frame of such a page. @param what  "tip forces";  @param meshes  that its scenes name
 /// @param learnt  for its first paragraph, in sentences

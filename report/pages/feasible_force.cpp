@@ -1,10 +1,8 @@
 #include "report/pages/digit_page.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/numbers.h"
 #include "base/units.h"

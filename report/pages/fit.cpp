@@ -1,7 +1,6 @@
 #include "report/pages/fit.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -16,12 +15,13 @@
 #include "report/parameter_words.h"
 #include "report/picture/digit_layers.h"
 #include "report/picture/skin_layer.h"
+#include "report/words.h"
 
 namespace thenar {
 namespace {
 
 Json interval_row(const Fit& fit, int entry) {
-  const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(entry)];
+  const CoordinateEstimate& learnt = nth(fit.covariance.learnt, entry);
   Json row{{"name", learnt.name},
            {"estimate", learnt.z},
            {"low", learnt.z - 1.96 * learnt.sd},
@@ -37,22 +37,18 @@ Json coordinate_table(const Fit& fit) {
   // Order by the sd that is left: what the data tell most comes first.
   Json rows = Json::array();
   for (const int i : sorted_by_sd(fit.covariance)) {
-    const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(i)];
+    const CoordinateEstimate& learnt = nth(fit.covariance.learnt, i);
     const auto value = value_in_unit(fit, i);
     rows.push_back({learnt.name, meaning_of(learnt.name, fit.problem.digit()), learnt.z, learnt.sd,
                     value ? words_of(*value) : "", learnt.at_bound ? "yes" : ""});
   }
-  Json table = table_block(
-      "Every coordinate of the fit, the best known first; sd 1: nothing was learnt about it",
-      {{"coordinate", ""},
-       {"meaning", ""},
-       {"estimate", "prior sd", 2},
-       {"sd", "prior sd", 2},
-       {"value", ""},
-       {"at its bound", ""}},
-      rows);
-  table["search"] = true;
-  return table;
+  return with(
+      table_block(
+          "Every coordinate of the fit, the best known first; sd 1: nothing was learnt about it",
+          {"coordinate", "meaning", "estimate [prior sd]:2", "sd [prior sd]:2", "value",
+           "at its bound"},
+          rows),
+      {{"search", true}});
 }
 
 /// The largest misfit that chance cannot explain, in sds of the stated noise; 0 without one.
@@ -94,12 +90,7 @@ Json ending_banner(const FitResult& result) {
 /// Returns the banners about the ending of the fit and its warnings.
 Json ending_blocks(const FitResult& result) {
   Json blocks = Json::array({ending_banner(result)});
-  if (!result.outcome.warnings.empty())
-    blocks.push_back({{"type", "banner"},
-                      {"ok", false},
-                      {"caution", true},
-                      {"title", "Before trusting the predictions"},
-                      {"reasons", result.outcome.warnings}});
+  if (!result.outcome.warnings.empty()) blocks.push_back(caution_banner(result.outcome.warnings));
   return blocks;
 }
 
@@ -141,32 +132,27 @@ Json error_table(const FitResult& result) {
       "under the same load, taken as it is (of one specimen alone: at its other postures). Times "
       "the noise: root of chi-square per degree of freedom, near 1 where model and stated noise "
       "are right",
-      {{"experiment", ""},
-       {"predicted", ""},
-       {"trials", "", 0},
-       {"RMS error", "N", 3},
-       {"relative error", "", 3},
-       {"in plane", "", 3},
-       {"mean of others", "", 3},
-       {"angle", "deg", 1},
-       {"times the noise", "", 1},
-       {"within 95 % band", "%", 0}},
+      {"experiment", "predicted", "trials:0", "RMS error [N]:3", "relative error:3", "in plane:3",
+       "mean of others:3", "angle [deg]:1", "times the noise:1", "within 95 % band [%]:0"},
       rows);
+}
+
+/// A table whose cells stay texts.
+Json text_table_block(const std::string& caption, const Table& table) {
+  std::vector<BlockColumn> columns;
+  for (const std::string& column : table.header) columns.push_back({column, ""});
+  return table_block(caption, columns, table.rows);
 }
 
 /// Errors of the hood's muscles, beside those with fractions; none where the digit has no hood.
 std::optional<Json> hood_row_block(const FitResult& result) {
   const Table table = hood_row_table(result);
   if (table.rows.empty()) return std::nullopt;
-  std::vector<BlockColumn> columns;
-  for (const std::string& column : table.header) columns.push_back({column, ""});
-  Json rows = Json::array();
-  for (const std::vector<std::string>& row : table.rows) rows.push_back(row);
   std::string caption =
       "Relative errors of the trials under one muscle of the extensor hood, alone. " +
       hood_count_words(result.fit);
   if (result.fractions) caption += ". " + hood_count_words(result.fractions->fit);
-  return table_block(caption, columns, rows);
+  return text_table_block(caption, table);
 }
 
 Json force_section(const FitResult& result) {
@@ -197,12 +183,6 @@ Json force_section(const FitResult& result) {
 /// Returns the section about chosen settings: values, the criterion, and the agreement of the
 /// folds.
 Json choice_section(const FitResult& result) {
-  // The chosen settings, and what every fold chose by itself.
-  const Table table = choice_table(result);
-  std::vector<BlockColumn> columns;
-  for (const std::string& column : table.header) columns.push_back({column, ""});
-  Json rows = Json::array();
-  for (const std::vector<std::string>& row : table.rows) rows.push_back(row);
   const ChosenSettings& chosen = *result.chosen;
   return section(
       "settings", "Settings that left-out data chose",
@@ -213,17 +193,15 @@ Json choice_section(const FitResult& result) {
                   "not guide it: there every fold chose anew, from the trials that it kept.",
                   chosen.tried.size(), judged_words(chosen), chosen.tried.front().loss, chosen.loss,
                   chosen.tried.front().error, chosen.error),
-      Json::array({table_block("Settings, and what each fold chose. Folds that disagree do not "
-                               "know better than chance",
-                               columns, rows)}));
+      Json::array(
+          {text_table_block("Settings, and what each fold chose. Folds that disagree do not "
+                            "know better than chance",
+                            choice_table(result))}));
 }
 
 /// "synek2019_H01, synek2019_H02".
 std::string names_of(const FitResult& result) {
-  std::string text;
-  for (const Prediction& prediction : result.in_sample)
-    text += (text.empty() ? "" : ", ") + prediction.experiment;
-  return text;
+  return each_in_words(result.in_sample, [](const Prediction& one) { return one.experiment; });
 }
 
 /// "thumb", "middle finger".
@@ -311,8 +289,7 @@ std::string name_rules(const Fit& fit) {
   for (const Rule& rule : rules) {
     const bool occurs =
         std::any_of(parameters.leader.begin(), parameters.leader.end(), [&](const int p) {
-          return std::count(rule.kinds.begin(), rule.kinds.end(),
-                            parameters.all[static_cast<std::size_t>(p)].kind) > 0;
+          return std::count(rule.kinds.begin(), rule.kinds.end(), nth(parameters.all, p).kind) > 0;
         });
     if (occurs) text += (text.empty() ? "Names: " : "; ") + std::string(rule.text);
   }
@@ -334,12 +311,10 @@ Json learnt_forest(const Fit& fit, const std::string& whose, std::size_t shown) 
                 "the {} parameters that the forces tell most about, and four that they "
                 "tell least about",
                 shown);
-  return {{"type", "interval"},
-          {"caption", fmt::format("{}: {}. Bars are 95 % intervals in prior sds; at the right "
-                                  "estimate and sd",
-                                  whose, which)},
-          {"x_label", "estimate in prior standard deviations"},
-          {"rows", rows}};
+  return interval_block(fmt::format("{}: {}. Bars are 95 % intervals in prior sds; at the right "
+                                    "estimate and sd",
+                                    whose, which),
+                        "estimate in prior standard deviations", rows);
 }
 
 Json open_directions(const Fit& fit, const std::string& whose) {
@@ -349,20 +324,19 @@ Json open_directions(const Fit& fit, const std::string& whose) {
       fmt::format("{}: along {} of {} directions no measured force changes, and the prior alone "
                   "decides them ({} force components were measured)",
                   whose, rows.size(), fit.problem.size(), measured_numbers(fit.problem)),
-      {{"direction, in prior sds", ""}}, rows);
+      {"direction, in prior sds"}, rows);
 }
 
 Json fitted_scene(const Fit& fit, int specimen, MeshTable& meshes) {
   // Draw the digit before and after the fit, in one posture.
   const TendonDigit& before = fit.problem.digit_of(specimen);
   const TendonDigit after = fitted_digit(fit, specimen);
-  const std::string& name = fit.problem.specimens()[static_cast<std::size_t>(specimen)];
+  const std::string& name = nth(fit.problem.specimens(), specimen);
   // The first posture of an experiment of the specimen.
   const std::vector<Experiment>& experiments = fit.problem.experiments();
   const auto own = std::find_if(experiments.begin(), experiments.end(),
                                 [&](const Experiment& e) { return e.specimen == name; });
-  const ExperimentPlan& plan =
-      fit.problem.plans()[static_cast<std::size_t>(own - experiments.begin())];
+  const ExperimentPlan& plan = nth(fit.problem.plans(), own - experiments.begin());
   const Eigen::VectorXd q = plan.postures.front();
   // Skin is that of the subject, so it is drawn only where the fit keeps the subject's size.
   Json layers = Json::array({bone_layer(before, q, "#b8a48a"),
@@ -375,15 +349,13 @@ Json fitted_scene(const Fit& fit, int specimen, MeshTable& meshes) {
     const Subject subject = parse_subject(source.text, source.path);
     add_skin({subject, before, pose_tree(before.model.tree, q)}, meshes, layers);
   }
-  return {
-      {"type", "scene"},
-      {"caption",
-       fmt::format("{} in posture {}: grey before the fit; tendons orange and axes blue after it",
-                   name, plan.posture_names.front())},
-      {"link", "fingers"},
-      {"up", numbers3(before.model.tip_axes.col(1))},
-      {"axes", axis_words(before.model.tip_axes)},
-      {"layers", std::move(layers)}};
+  return with(
+      digit_scene_block(
+          fmt::format(
+              "{} in posture {}: grey before the fit; tendons orange and axes blue after it", name,
+              plan.posture_names.front()),
+          before.model.tip_axes, std::move(layers)),
+      {{"link", "fingers"}});
 }
 
 Json page_of(const FitResult& result) {

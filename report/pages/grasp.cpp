@@ -29,10 +29,7 @@ Json outcome_banner(const GraspResult& result) {
   std::vector<std::string> grave;
   std::copy_if(result.outcome.warnings.begin(), result.outcome.warnings.end(),
                std::back_inserter(grave), is_grave);
-  return {{"type", "banner"},
-          {"ok", ok && grave.empty()},
-          {"title", outcome_words(grasp)},
-          {"reasons", grave}};
+  return banner_block(outcome_words(grasp), grave, ok && grave.empty());
 }
 
 HandPicture picture_of(const GraspResult& result) {
@@ -63,7 +60,7 @@ Json warning_section(const GraspResult& result) {
   return section(
       "warnings", "Assumptions", "",
       Json::array({table_block("What was assumed of the hand and its object, or left out.",
-                               {{"assumption", "", -1}}, rows)}));
+                               {"assumption"}, rows)}));
 }
 
 /// A table, and what is to be said of its rows below it: notes are too long for columns.
@@ -73,8 +70,7 @@ Json measure_blocks(const std::string& caption, const std::vector<MeasureRow>& m
     rows.push_back({each.name, each.value});
     if (!each.note.empty()) notes.push_back(text_block(each.name + ": " + each.note + "."));
   }
-  return joined(Json::array({table_block(caption, {{"measure", "", -1}, {"value", "", -1}}, rows)}),
-                notes);
+  return joined(Json::array({table_block(caption, {"measure", "value"}, rows)}), notes);
 }
 
 Json measure_section(const GraspResult& result) {
@@ -112,8 +108,7 @@ Json contact_section(const GraspResult& result) {
   Json rows = Json::array();
   for (const HandContact& found : result.grasp.contacts) {
     const Contact& c = found.contact;
-    const LinkSurface& surface =
-        result.collision_hand.hand->surfaces()[static_cast<std::size_t>(found.surface)];
+    const LinkSurface& surface = nth(result.collision_hand.hand->surfaces(), found.surface);
     rows.push_back({surface.name, surface.digit, tidy(1000 * c.p.x()), tidy(1000 * c.p.y()),
                     tidy(1000 * c.p.z()), tidy(c.n.x()), tidy(c.n.y()), tidy(c.n.z()), c.friction,
                     soft ? Json(1000 * c.torsion) : Json("-")});
@@ -125,16 +120,8 @@ Json contact_section(const GraspResult& result) {
           torsion_words(result),
       Json::array({table_block(fmt::format("{} with {}.", counted(rows.size(), "contact"),
                                            result.setting.setup.object.name),
-                               {{"surface", "", -1},
-                                {"digit", "", -1},
-                                {"x", "mm", 2},
-                                {"y", "mm", 2},
-                                {"z", "mm", 2},
-                                {"n x", "", 3},
-                                {"n y", "", 3},
-                                {"n z", "", 3},
-                                {"friction", "", 2},
-                                {"torsion", "mm", 2}},
+                               {"surface", "digit", "x [mm]:2", "y [mm]:2", "z [mm]:2", "n x:3",
+                                "n y:3", "n z:3", "friction:2", "torsion [mm]:2"},
                                rows)}));
 }
 
@@ -142,9 +129,8 @@ Json joint_section(const GraspResult& result) {
   Json rows = Json::array();
   for (const JointRow& row : joint_rows(result)) rows.push_back({row.name, row.shown, row.why});
   return section("joints", "What stopped every joint", "",
-                 Json::array({table_block(
-                     "Coordinates of the hand when it came to rest.",
-                     {{"coordinate", "", -1}, {"value", "", -1}, {"stopped by", "", -1}}, rows)}));
+                 Json::array({table_block("Coordinates of the hand when it came to rest.",
+                                          {"coordinate", "value", "stopped by"}, rows)}));
 }
 
 Json provenance_of(const GraspResult& result) {

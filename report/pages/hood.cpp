@@ -22,14 +22,8 @@ Json error_table(const std::vector<HoodComparison>& comparisons) {
       "calibrated on the specimen before): of all trials, of those whose muscles pull on the hood "
       "alone, and the distance from the finest rung, each relative to the forces; time for one "
       "posture under one load, a net started where it rests.",
-      {{"specimen", "", -1},
-       {"hood", "", -1},
-       {"subject has seen it", ""},
-       {"error", "1", 3},
-       {"error, hood muscles", "1", 3},
-       {"off finest", "1", 3},
-       {"time", "\u00b5s", 1},
-       {"trials in trouble", "", 0}},
+      {"specimen", "hood", "subject has seen it", "error [1]:3", "error, hood muscles [1]:3",
+       "off finest [1]:3", "time [\u00b5s]:1", "trials in trouble:0"},
       rows);
 }
 
@@ -40,17 +34,12 @@ Json time_chart(const HoodComparison& comparison, const std::string& caption,
   // Each model is one point: its error over its cost.
   Json series = Json::array();
   for (const HoodRung& rung : comparison.rungs)
-    series.push_back({{"name", rung_name(rung)},
-                      {"style", "points"},
-                      {"x", {1e6 * rung.seconds}},
-                      {"y", {measure(rung)}}});
-  return {{"type", "lines"},
-          {"caption", caption + " of " + comparison.experiment +
-                          " over the time for one posture. Lower left is better."},
-          {"x_label", "time [\u00b5s]"},
-          {"y_label", y_label},
-          {"log_x", true},
-          {"series", series}};
+    series.push_back(curve_json(rung_name(rung), Json::array({1e6 * rung.seconds}),
+                                Json::array({measure(rung)}), "points"));
+  return with(lines_block(caption + " of " + comparison.experiment +
+                              " over the time for one posture. Lower left is better.",
+                          "time [\u00b5s]", y_label, series),
+              {{"log_x", true}});
 }
 
 /// Error against what was measured, and distance from the finest rung, for every specimen.

@@ -1,6 +1,5 @@
 #include "report/pages/digit_page.h"
 
-#include "base/numbers.h"
 #include "base/units.h"
 #include "report/answers/digit_words.h"
 #include "report/answers/moment_arms.h"
@@ -18,12 +17,12 @@ Json arm_charts_of(const MomentArmResult& answer) {
   const SweepAxes axes = axes_of(about);
   Json charts = Json::array();
   for (Index j = 0; j < answer.crosses.cols(); ++j) {
-    const std::string& joint = about.rows[static_cast<std::size_t>(j)];
+    const std::string& joint = nth(about.rows, j);
     std::vector<Curve> curves;
     for (Index m = 0; m < answer.crosses.rows(); ++m)
       if (answer.crosses(m, j))
         curves.push_back(
-            curve_over(answer.points, about.muscles[static_cast<std::size_t>(m)],
+            curve_over(answer.points, nth(about.muscles, m),
                        [m, j](const MomentArmPoint& p) { return p.arms(m, j) / kMm; }));
     charts.push_back(curve_chart(axes, "Moment arms about " + joint,
                                  "arm, " + positive_motion(joint) + " positive [mm]", curves));
@@ -32,7 +31,7 @@ Json arm_charts_of(const MomentArmResult& answer) {
   std::vector<Curve> lengths;
   for (Index m = 0; m < answer.crosses.rows(); ++m)
     lengths.push_back(
-        curve_over(answer.points, about.muscles[static_cast<std::size_t>(m)],
+        curve_over(answer.points, nth(about.muscles, m),
                    [m](const MomentArmPoint& p) { return p.length_change(m) / kMm; }));
   charts.push_back(curve_chart(axes, "Length change since the posture " + reference_words(answer),
                                "change, longer positive [mm]", lengths));

@@ -7,36 +7,21 @@
 #include "report/picture/digit_layers.h"
 #include "report/picture/skin_layer.h"
 #include "report/provenance.h"
+#include "report/sweep_axes.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Index;
 
-Json numbers(const Eigen::VectorXd& values) {
-  Json list = Json::array();
-  for (Index i = 0; i < values.size(); ++i) list.push_back(values[i]);
-  return list;
-}
-
 /// One line a column over time.
 Json lines(const std::string& caption, const std::string& label, const Trajectory& trajectory,
            const std::vector<std::string>& names, const Eigen::MatrixXd& values) {
-  const Json time = numbers(trajectory.time);
+  const Json time = to_json(trajectory.time);
   Json series = Json::array();
   for (Index j = 0; j < values.cols(); ++j)
-    series.push_back(
-        {{"name", names[static_cast<std::size_t>(j)]}, {"x", time}, {"y", numbers(values.col(j))}});
+    series.push_back(curve_json(nth(names, j), time, to_json(values.col(j))));
   return lines_block(caption, "time [s]", label, std::move(series));
-}
-
-/// Instants evenly spread over the time, the first and the last among them: they play smoothly.
-std::vector<Index> shown_instants(Index count, Index most) {
-  std::vector<Index> instants;
-  const Index wanted = std::min(count, most);
-  for (Index k = 0; k < wanted; ++k)
-    instants.push_back(wanted == 1 ? 0 : (k * (count - 1) + (wanted - 1) / 2) / (wanted - 1));
-  return instants;
 }
 
 /// The coordinate axis of the subject's frame that is nearest to the back of the digit: away from
@@ -56,13 +41,14 @@ Eigen::Vector3d dorsal_axis(const TendonDigit& digit) {
 }
 
 Json scene(const DigitMotionResult& motion, MeshTable& meshes) {
-  constexpr Index kMaxInstants = 48;  // Most instants that are drawn
-  // Draw bones, tendons and skin at some instants, which the viewer plays.
+  constexpr std::size_t kMaxInstants = 48;  // Most instants that are drawn
   const TendonDigit& digit = motion.tendons->digit();
   const Trajectory& trajectory = motion.trajectory;
   const Subject subject = parse_subject(motion.sources.front().text, motion.sources.front().path);
   Json layers = Json::array();
-  for (const Index i : shown_instants(trajectory.time.size(), kMaxInstants)) {
+  const auto count = static_cast<std::size_t>(trajectory.time.size());
+  for (const std::size_t at : drawn_rows(count, kMaxInstants)) {
+    const auto i = static_cast<Index>(at);
     const Eigen::VectorXd q = trajectory.angle.row(i);
     Json bones = bone_layer(digit, q, "#b8a48a");
     bones["name"] = fmt::format("bones at {:.3g} s", trajectory.time[i]);

@@ -1,9 +1,5 @@
 #include "report/pages/digit_page.h"
 
-#include <array>
-
-#include <fmt/format.h>
-
 #include "base/units.h"
 #include "report/answers/pose.h"
 #include "report/blocks.h"
@@ -12,10 +8,6 @@
 
 namespace thenar {
 namespace {
-
-constexpr std::size_t kDrawnPoses = 5;
-constexpr std::array<const char*, kDrawnPoses> kPoseTints{"#b8a48a", "#7fa8c9", "#5fa38c",
-                                                          "#c98f5f", "#9a7fb8"};
 
 void add_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, Json& items) {
   if ((b - a).norm() > 1e-6)
@@ -33,8 +25,7 @@ Json bones_of(const SubjectPose& pose) {
 Json bones_of(const RobotPose& pose) {
   Json items = Json::array();
   for (const RobotLinkNow& link : pose.links)
-    if (link.parent >= 0)
-      add_segment(pose.links[static_cast<std::size_t>(link.parent)].X_BL.p, link.X_BL.p, items);
+    if (link.parent >= 0) add_segment(nth(pose.links, link.parent).X_BL.p, link.X_BL.p, items);
   for (const RobotTipNow& tip : pose.tips)
     for (const RobotLinkNow& link : pose.links)
       if (link.name == tip.link) add_segment(link.X_BL.p, tip.p, items);
@@ -70,8 +61,8 @@ Json pose_scene(const Poses& poses, const std::string& caption) {
   const SweepAxes axes = axes_of(poses);
   Json layers = Json::array();
   std::size_t tint = 0;
-  for (const std::size_t i : drawn_rows(poses.points.size(), kDrawnPoses))
-    layers.push_back(layer(axes.single() ? "bones" : title_of(axes, i), kPoseTints[tint++],
+  for (const std::size_t i : drawn_rows(poses.points.size(), kDrawnPostures))
+    layers.push_back(layer(axes.single() ? "bones" : title_of(axes, i), kPostureTints[tint++],
                            bones_of(poses.points[i])));
   layers.push_back(axes_layer(poses.points.front()));
   layers.push_back(tip_layer(poses.points.front()));

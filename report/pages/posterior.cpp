@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "kinematics_fit/prediction.h"
 #include "posterior/hand_posterior.h"
@@ -34,13 +35,12 @@ void add(const PosteriorPicture& picture, const std::string& id, const std::stri
     const Json warning{{"type", "banner"}, {"ok", false}, {"title", kNotConverged}};
     blocks.insert(blocks.begin(), warning);
   }
-  sections.push_back(section(picture.prefix + id, titled(picture, title), text, std::move(blocks)));
+  sections.push_back(section(id, titled(picture, title), text, std::move(blocks)));
 }
 
 /// A banner of warnings, if there are any.
 void add_doubts(const std::string& title, const std::vector<std::string>& warnings, Json& blocks) {
-  if (!warnings.empty())
-    blocks.push_back({{"type", "banner"}, {"ok", false}, {"title", title}, {"reasons", warnings}});
+  if (!warnings.empty()) blocks.push_back(banner_block(title, warnings));
 }
 
 Json convergence_blocks(const PosteriorPicture& picture) {
@@ -74,15 +74,14 @@ Json learnt_blocks(const PosteriorPicture& picture) {
     blocks.push_back(corner_block(
         picture.quantities,
         "Densities of single quantities and of pairs: regions that hold 50 and 90 % of the draws, "
-        "and the draws outside",
-        picture.corner));
+        "and the draws outside"));
   return blocks;
 }
 
 Json axis_blocks(const PosteriorPicture& picture) {
   if (!picture.digit || picture.clouds.empty()) return Json::array();
   return Json::array({axis_cloud_picture(
-      *picture.digit, picture.posture, picture.clouds, picture.truth,
+      *picture.digit, picture.posture, picture.clouds, {},
       "Every line is an axis at one draw, through the point nearest to the bones; the axes before "
       "the fit are named")});
 }
@@ -112,13 +111,6 @@ Json mode_blocks(const PosteriorPicture& picture) {
   Json blocks = Json::array();
   add_doubts("The shares of the modes are not to be trusted", picture.modes->warnings, blocks);
   blocks.push_back(mode_table(*picture.modes, picture.quantities));
-  return blocks;
-}
-
-Json calibration_blocks(const PosteriorPicture& picture) {
-  Json blocks = Json::array();
-  add_doubts("The sampler is not calibrated", picture.calibration->warnings, blocks);
-  blocks.push_back(calibration_chart(*picture.calibration));
   return blocks;
 }
 
@@ -163,8 +155,6 @@ void add_quantities(const PosteriorRun& run, const PictureOptions& options,
                                   read[i].prior,
                                   {},
                                   meaning_of(read[i].name, digit)});
-    if (const auto known = options.truth.find(read[i].name); known != options.truth.end())
-      picture.quantities.back().truth = known->second;
   }
   // Say which quantities are shown, if not all are.
   picture.run = describe_run(run);
@@ -210,7 +200,6 @@ PosteriorPicture posterior_picture(const PosteriorRun& run, const PictureOptions
   // Convergence and advice, then quantities, axes, forces and modes.
   PosteriorPicture picture;
   picture.title = options.title;
-  picture.prefix = options.prefix;
   picture.convergence = run.convergence;
   picture.warnings = problem.warnings();
   for (const SamplingAdvice& one : advise(run))
@@ -232,22 +221,16 @@ Json convergence_banner(const Convergence& convergence, const std::string& run) 
                   convergence.worst_r_hat, convergence.min_bulk_ess, convergence.min_tail_ess, run);
   // Chains that disagree void all numbers; cautions do not.
   if (!convergence.warnings.empty())
-    return {{"type", "banner"},
-            {"ok", false},
-            {"title", kNotConverged},
-            {"reasons", convergence.warnings},
-            {"text",
-             "No number of this posterior may be relied on: chains that disagree, or remember too "
-             "long, do not describe the distribution that they sample. " +
-                 run}};
-  const bool caution = !convergence.cautions.empty();
-  Json banner{{"type", "banner"},
-              {"ok", true},
-              {"title", caution ? "The chains agree, with a caution" : "The chains agree"},
-              {"reasons", convergence.cautions},
-              {"text", figures}};
-  if (caution) banner["caution"] = true;
-  return banner;
+    return with(
+        banner_block(kNotConverged, convergence.warnings),
+        {{"text",
+          "No number of this posterior may be relied on: chains that disagree, or remember too "
+          "long, do not describe the distribution that they sample. " +
+              run}});
+  const Json banner =
+      with(banner_block("The chains agree", convergence.cautions, true), {{"text", figures}});
+  if (convergence.cautions.empty()) return banner;
+  return with(banner, {{"title", "The chains agree, with a caution"}, {"caution", true}});
 }
 
 Json posterior_sections(const PosteriorPicture& picture) {
@@ -260,24 +243,15 @@ Json posterior_sections(const PosteriorPicture& picture) {
   add(picture, "axes", "axes in space", "", axis_blocks(picture), sections);
   add(picture, "predictions", "measured and predicted forces", "", forces_blocks(picture),
       sections);
-  if (picture.calibration)
-    add(picture, "calibration", "calibration of the method", "", calibration_blocks(picture),
-        sections);
-  if (!picture.samplers.empty())
-    add(picture, "samplers", "speed and accuracy of the samplers", "",
-        Json::array({sampler_chart(picture.samplers)}), sections);
   return sections;
 }
 
 Json page_of(const PosteriorResult& result) {
   const PosteriorRun& run = result.run;
   const FitProblem& problem = run.posterior->problem();
-  std::string title;
-  for (const std::string& specimen : problem.specimens())
-    title += (title.empty() ? "" : ", ") + specimen;
   Json provenance = fit_provenance(run.inputs, {}, problem.digit().fidelity, run.run);
   provenance["seed"] = fmt::format("{}", run.settings.run.sampler.seed);
-  return {{"title", "thenar: posterior of " + title},
+  return {{"title", fmt::format("thenar: posterior of {}", fmt::join(problem.specimens(), ", "))},
           {"subtitle", describe_run(run)},
           {"opening",
            opening_json("Which digits agree with the measured forces, and how sure are we?",

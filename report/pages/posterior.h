@@ -5,7 +5,6 @@
 /// Everything is plain numbers, so that any sampler, study or file can fill it; what is left empty
 /// is left out of the page.
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,33 +20,26 @@ namespace thenar {
 
 /// Content of a page about a posterior.
 struct PosteriorPicture {
-  std::string title;   // "H01 and H02"; heads the sections
-  std::string prefix;  // of section ids, where a page shows several
+  std::string title;  // "H01 and H02"; heads the sections
   std::vector<Quantity> quantities;
   std::vector<std::string> warnings;  // of the experiments, the subject, and noise
                                       // that is far larger than stated
   std::vector<std::string> advice;    // what may help, sentences
   Convergence convergence;            // its estimates are not used: quantities have them
   std::string run;                    // one sentence: sampler, chains, draws, seconds
-  std::vector<std::string> corner;    // quantities to start the corner plot with
   std::optional<ModeTable> modes;
   std::optional<TendonDigit> digit;  // before the fit; absent: no scene
   Eigen::VectorXd posture;           // to draw it in [rad]
   std::vector<AxisCloud> clouds;
-  std::optional<TendonModel<double>> truth;  // digit that simulated data were made with
   std::vector<PredictedForces> predicted;
   std::optional<LeftOutObservations> left_out;
-  std::optional<CalibrationRanks> calibration;
-  std::vector<SamplerCourse> samplers;
 };
 
 /// Options of the picture of a sampled posterior.
 struct PictureOptions {
-  std::string title;                    // heads the sections
-  std::string prefix;                   // of section ids, where a page shows several posteriors
-  std::map<std::string, double> truth;  // by quantity, if the data were made with it [display unit]
-  std::size_t most = 64;                // quantities shown: those learnt most about, and the eight
-                                        // with the largest R-hat
+  std::string title;      // heads the sections
+  std::size_t most = 64;  // quantities shown: those learnt most about, and the eight with the
+                          // largest R-hat
 };
 
 /// A sampled posterior as the picture that posterior_sections() draws.

@@ -53,12 +53,8 @@ Json error_table(const PredictedExperiment& one) {
   return table_block(
       "Errors of all trials: in space, in the flexion plane alone, and the median angle between "
       "predicted and measured",
-      {{"trials", "", 0},
-       {"RMS error", "N", 3},
-       {"relative error", "", 3},
-       {"in plane", "", 3},
-       {"angle", "deg", 1},
-       {"within 95 % band", "%", 0}},
+      {"trials:0", "RMS error [N]:3", "relative error:3", "in plane:3", "angle [deg]:1",
+       "within 95 % band [%]:0"},
       Json::array({{error.trials, error.rms, error.relative, error.relative_flexion,
                     degrees(error.direction),
                     error.covered ? Json(100 * *error.covered) : Json(nullptr)}}));
@@ -75,19 +71,17 @@ Json trial_table(const PredictedExperiment& one) {
     cells.push_back(degrees(direction_error(t)));
     rows.push_back(std::move(cells));
   }
-  // Measured, predicted and sd, component by component.
-  std::vector<BlockColumn> columns{{"posture", ""}, {"loads", ""}};
+  std::vector<BlockColumn> columns{"posture", "loads"};
   for (const char* what : {"measured", "predicted", "sd"})
     for (const char* component : {"1", "2", "3"})
       columns.push_back({fmt::format("{} {}", what, component), "N", 3});
-  columns.push_back({"error", "N", 3});
-  columns.push_back({"angle", "deg", 1});
-  Json table =
+  columns.emplace_back("error [N]:3");
+  columns.emplace_back("angle [deg]:1");
+  return with(
       table_block(fmt::format("Every trial; its components are ({}) of {}",
                               component_names(one.experiment), one.experiment.force_segment),
-                  columns, rows);
-  table["search"] = true;
-  return table;
+                  columns, rows),
+      {{"search", true}});
 }
 
 }  // namespace
@@ -129,7 +123,7 @@ std::optional<Json> beside_trivial_table(const Prediction& prediction) {
     rows.push_back(row);
   }
   if (rows.empty()) return std::nullopt;
-  std::vector<BlockColumn> columns{{"loaded", ""}, {"trials", "", 0}};
+  std::vector<BlockColumn> columns{"loaded", "trials:0"};
   for (const char* direction : {"proximal", "dorsal", "radial"})
     for (const char* what : {direction, "model off", "others off"})
       columns.push_back({what, "N", 2});
@@ -142,7 +136,14 @@ std::optional<Json> beside_trivial_table(const Prediction& prediction) {
       columns, rows);
 }
 
-Json prediction_sections(const PredictResult& result, const std::string& prefix) {
+Json caution_banner(const std::vector<std::string>& warnings) {
+  return with(banner_block("Before trusting the predictions", warnings), {{"caution", true}});
+}
+
+namespace {
+
+/// One section for each experiment: who predicts, errors, arrows with their bands, and every trial.
+Json prediction_sections(const PredictResult& result) {
   Json sections = Json::array();
   // Say first whether the specimen was fitted, as errors mean different things.
   for (const PredictedExperiment& one : result.experiments) {
@@ -160,12 +161,14 @@ Json prediction_sections(const PredictResult& result, const std::string& prefix)
                                  "predictive distribution: what is not known of the parameters, "
                                  "and the noise"));
     blocks.push_back(trial_table(one));
-    sections.push_back(section(fmt::format("{}prediction-{}", prefix, sections.size() + 1),
+    sections.push_back(section(fmt::format("prediction-{}", sections.size() + 1),
                                one.prediction.experiment + ": measured and predicted forces", text,
                                blocks));
   }
   return sections;
 }
+
+}  // namespace
 
 Json page_of(const PredictResult& result) {
   // Sum up by the relative error of each experiment.
@@ -179,11 +182,7 @@ Json page_of(const PredictResult& result) {
   Json sections = prediction_sections(result);
   if (!result.outcome.warnings.empty())
     sections[0]["blocks"].insert(sections[0]["blocks"].begin(),
-                                 Json{{"type", "banner"},
-                                      {"ok", false},
-                                      {"caution", true},
-                                      {"title", "Before trusting the predictions"},
-                                      {"reasons", result.outcome.warnings}});
+                                 caution_banner(result.outcome.warnings));
   return {{"title", "thenar: predicted fingertip forces"},
           {"subtitle", "by " + result.request.fit},
           {"opening",

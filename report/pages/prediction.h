@@ -22,9 +22,8 @@ namespace thenar {
 /// nothing where nobody else measured these loads. Components must be proximal, dorsal, radial.
 [[nodiscard]] std::optional<Json> beside_trivial_table(const Prediction& prediction);
 
-/// One section for each experiment: who predicts, errors, arrows with their bands, and every trial.
-/// @param prefix  of the sections' ids
-[[nodiscard]] Json prediction_sections(const PredictResult& result, const std::string& prefix = "");
+/// Warnings that predictions have.
+[[nodiscard]] Json caution_banner(const std::vector<std::string>& warnings);
 
 /// The page of what a fit predicts.
 [[nodiscard]] Json page_of(const PredictResult& result);

@@ -10,7 +10,6 @@
 #include "base/units.h"
 #include "report/answers/motion_account.h"
 #include "report/answers/simulate_scene.h"
-#include "report/picture/mesh_table.h"
 #include "report/provenance.h"
 
 namespace thenar {
@@ -47,14 +46,13 @@ std::vector<double> still_times(const SceneResult& scene, const std::vector<Inde
     double most = 0;
     for (const std::size_t b : scene.measures.moving) {
       const auto centre = [&](Index i) {
-        return Eigen::Vector3d(scene.measures.X_WB[static_cast<std::size_t>(i)][b] *
-                               bodies[b].mass.com);
+        return Eigen::Vector3d(nth(scene.measures.X_WB, i)[b] * bodies[b].mass.com);
       };
       most = std::max(most, (centre(played[k]) - centre(played[k - 1])).norm());
     }
     way[k] = way[k - 1] + most;
   }
-  const auto time = [&](std::size_t k) { return samples[static_cast<std::size_t>(played[k])].t; };
+  const auto time = [&](std::size_t k) { return nth(samples, played[k]).t; };
   const double span = time(played.size() - 1) - time(0);
   const auto share = [&](std::size_t k) {
     const double gone = way.back() > 0 ? way[k] / way.back() : 0;
@@ -141,9 +139,7 @@ class SceneFilm {
         items.back()["color"] = colors_.at(scene_.built->owner[b]);
     }
     if (items.empty()) return;
-    Json fixed = layer("stands still", kFixedColor, std::move(items));
-    fixed["fit"] = false;
-    layers.push_back(std::move(fixed));
+    layers.push_back(with(layer("stands still", kFixedColor, std::move(items)), {{"fit", false}}));
   }
 
   /// A circle of an area around a contact, across its normal.
@@ -197,9 +193,9 @@ class SceneFilm {
           std::tuple<const char*, const char*, Json&>{"patches of pads", kPatchColor, patches},
           std::tuple<const char*, const char*, Json&>{"share that sticks", kStickColor, stuck}}) {
       if (list.empty()) continue;
-      Json shown = layer(fmt::format("{} at {:.3g} s", what, sample.t), color, std::move(list));
-      shown["time"] = sample.t;
-      layers.push_back(std::move(shown));
+      layers.push_back(
+          with(layer(fmt::format("{} at {:.3g} s", what, sample.t), color, std::move(list)),
+               {{"time", sample.t}}));
     }
   }
 
@@ -216,8 +212,7 @@ class TimeChart {
  public:
   explicit TimeChart(const SceneResult& scene)
       : scene_(scene), instants_(spread(static_cast<Index>(scene.run.samples.size()), 2000)) {
-    for (const Index i : instants_)
-      time_.push_back(scene.run.samples[static_cast<std::size_t>(i)].t);
+    for (const Index i : instants_) time_.push_back(nth(scene.run.samples, i).t);
   }
 
   /// Adds a curve. @param at  value at an instant; null where it has none
@@ -226,7 +221,7 @@ class TimeChart {
     if (series_.size() >= kMaxCurves) return;
     Json y = Json::array();
     for (const Index i : instants_) y.push_back(at(static_cast<std::size_t>(i)));
-    series_.push_back({{"name", name}, {"x", time_}, {"y", std::move(y)}});
+    series_.push_back(curve_json(name, time_, std::move(y)));
   }
 
   [[nodiscard]] Json block(const std::string& caption, const std::string& label) const {
@@ -277,15 +272,12 @@ Json force_chart(const SceneResult& scene) {
   TimeChart chart(scene);
   const std::vector<MechanismBody>& bodies = scene.built->scene.mechanism.bodies;
   for (const PairMeasure& pair : scene.measures.pairs)
-    chart.add(bodies[static_cast<std::size_t>(pair.a)].name + " - " +
-                  bodies[static_cast<std::size_t>(pair.b)].name,
-              [&](std::size_t i) {
-                double force = 0;
-                for (const ContactSample& contact : scene.run.samples[i].contacts)
-                  if (contact.a == pair.a && contact.b == pair.b)
-                    force += contact.force.dot(contact.normal);
-                return force;
-              });
+    chart.add(nth(bodies, pair.a).name + " - " + nth(bodies, pair.b).name, [&](std::size_t i) {
+      double force = 0;
+      for (const ContactSample& contact : scene.run.samples[i].contacts)
+        if (contact.a == pair.a && contact.b == pair.b) force += contact.force.dot(contact.normal);
+      return force;
+    });
   return chart.block("Normal force of each pair of bodies, sum of its points", "force [N]");
 }
 
@@ -315,25 +307,21 @@ Json film_of(const SceneResult& scene, Index instants, MeshTable& meshes) {
   return SceneFilm(scene, meshes).block(instants);
 }
 
+Json used_banner(const std::string& solved, const std::vector<std::string>& warnings) {
+  const bool caution = !warnings.empty();
+  return with(banner_block((caution ? "Read the cautions below. " : "") + solved, warnings, true),
+              {{"caution", caution}});
+}
+
 Json run_banner(const SceneResult& scene) {
   // A refused motion says why; otherwise the solver's residual is told.
   const std::string refusal = refusal_of(scene);
-  if (!refusal.empty())
-    return {{"type", "banner"},
-            {"ok", false},
-            {"title", "Do not use this motion"},
-            {"reasons", Json::array({refusal})}};
-  const std::vector<std::string>& warnings = scene.outcome.warnings;
-  const std::string solved =
-      has_contact_problems(scene)
-          ? fmt::format("All contact problems were solved; worst residual {:.2g}",
-                        scene.run.cost.worst_residual)
-          : "Contacts are springs: the error of each step is below the tolerance";
-  return {{"type", "banner"},
-          {"ok", true},
-          {"caution", !warnings.empty()},
-          {"title", (warnings.empty() ? "" : "Read the cautions below. ") + solved},
-          {"reasons", warnings}};
+  if (!refusal.empty()) return banner_block("Do not use this motion", Json::array({refusal}));
+  return used_banner(has_contact_problems(scene)
+                         ? fmt::format("All contact problems were solved; worst residual {:.2g}",
+                                       scene.run.cost.worst_residual)
+                         : "Contacts are springs: the error of each step is below the tolerance",
+                     scene.outcome.warnings);
 }
 
 Json opening_of(const SceneResult& scene) {
@@ -342,9 +330,8 @@ Json opening_of(const SceneResult& scene) {
   std::vector<std::string> touching;
   for (const PairMeasure& pair : scene.measures.pairs)
     if (pair.points > 0)
-      touching.push_back(
-          fmt::format("{} and {} ({:.3g} N)", bodies[static_cast<std::size_t>(pair.a)].name,
-                      bodies[static_cast<std::size_t>(pair.b)].name, pair.force.norm()));
+      touching.push_back(fmt::format("{} and {} ({:.3g} N)", nth(bodies, pair.a).name,
+                                     nth(bodies, pair.b).name, pair.force.norm()));
   return opening_json(
       "What happens in this scene: " + scene.description + "?",
       fmt::format("{:.6g} s were simulated by {}, {} steps.", scene.run.samples.back().t,

@@ -20,6 +20,9 @@ namespace thenar {
 /// Returns a banner with the reliability of the run, and its assumptions.
 [[nodiscard]] Json run_banner(const SceneResult& scene);
 
+/// A banner of a motion that may be used, with cautions. @param solved  why it may, in words
+[[nodiscard]] Json used_banner(const std::string& solved, const std::vector<std::string>& warnings);
+
 /// Slip, penetration and energy of all runs.
 [[nodiscard]] Json page_of(const SceneSweepResult& sweep);
 

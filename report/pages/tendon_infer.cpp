@@ -25,29 +25,25 @@ Json verdict_block(const InferNetResult& inference) {
                                                  : Json("no net with it"),
                     EA, known ? Json(band.EA_sd) : Json("-")});
   }
-  Json table = table_block(
-      "Every band that may exist. Evidence: by how much the forces are explained worse without the "
-      "band (chi-square, in units of the errors that the best net leaves); above 6 it exists, "
-      "below -6 it does not, between the forces leave it open. \"No net without it\": without the "
-      "band no "
-      "net carries the loads. EA: stiffness, tension per unit strain.",
-      {{"band", ""},
-       {"from", ""},
-       {"to", ""},
-       {"exists", ""},
-       {"evidence", "", 1},
-       {"stiffness EA", "N", 1},
-       {"sd of log EA", "", 2}},
-      rows);
-  table["search"] = true;
-  return table;
+  return with(
+      table_block(
+          "Every band that may exist. Evidence: by how much the forces are explained worse without "
+          "the "
+          "band (chi-square, in units of the errors that the best net leaves); above 6 it exists, "
+          "below -6 it does not, between the forces leave it open. \"No net without it\": without "
+          "the "
+          "band no "
+          "net carries the loads. EA: stiffness, tension per unit strain.",
+          {"band", "from", "to", "exists", "evidence:1", "stiffness EA [N]:1", "sd of log EA:2"},
+          rows),
+      {{"search", true}});
 }
 
 Json next_block(const InferNetResult& inference) {
   Json rows = Json::array();
   for (const ProposedTest& test : inference.next) rows.push_back({test.name, test.disagreement});
   return table_block("What to measure next. " + next_in_words(inference),
-                     {{"posture and tensions", "N"}, {"disagreement", "", 2}}, rows);
+                     {"posture and tensions [N]", "disagreement:2"}, rows);
 }
 
 Json belief_block(const InferNetResult& inference) {
@@ -60,25 +56,20 @@ Json belief_block(const InferNetResult& inference) {
                     probability_words(band), number(band.log_odds), number(band.misfit_change),
                     band.tension, slack_words(band), band.doubtful ? "doubtful" : ""});
   }
-  Json table = table_block(
-      "Every band in question. From probability 0.95 it exists, below 0.05 it does not. Log Bayes "
-      "factor: for the band, all that is free averaged out. Chi-square: how much worse the best "
-      "set "
-      "without the band explains the forces than the best with it. Slack length with its posterior "
-      "sd, in the best set that has the band. Doubtful: nothing vouches for the approximation.",
-      {{"band", ""},
-       {"from", ""},
-       {"to", ""},
-       {"exists", ""},
-       {"probability", ""},
-       {"log Bayes factor", "", 1},
-       {"chi-square without", "", 1},
-       {"largest tension", "N", 2},
-       {"slack length", "mm"},
-       {"doubtful", ""}},
-      rows);
-  table["search"] = true;
-  return table;
+  return with(
+      table_block(
+          "Every band in question. From probability 0.95 it exists, below 0.05 it does not. Log "
+          "Bayes "
+          "factor: for the band, all that is free averaged out. Chi-square: how much worse the "
+          "best "
+          "set "
+          "without the band explains the forces than the best with it. Slack length with its "
+          "posterior "
+          "sd, in the best set that has the band. Doubtful: nothing vouches for the approximation.",
+          {"band", "from", "to", "exists", "probability", "log Bayes factor:1",
+           "chi-square without:1", "largest tension [N]:2", "slack length [mm]", "doubtful"},
+          rows),
+      {{"search", true}});
 }
 
 Json next_free_block(const FreeInference& free) {
@@ -87,19 +78,9 @@ Json next_free_block(const FreeInference& free) {
     rows.push_back(
         {trial.name, trial.information, trial.slack, trial.most_told, trial.of_most_told});
   return table_block("What to measure next. " + next_in_words(free),
-                     {{"posture and tensions", "N"},
-                      {"about the sets", "bit", 3},
-                      {"about slack lengths", "bit", 3},
-                      {"tells most of", ""},
-                      {"of it", "bit", 3}},
+                     {"posture and tensions [N]", "about the sets [bit]:3",
+                      "about slack lengths [bit]:3", "tells most of", "of it [bit]:3"},
                      rows);
-}
-
-Json doubts_block(const std::vector<std::string>& warnings) {
-  return {{"type", "banner"},
-          {"ok", false},
-          {"title", "Some verdicts are not to be relied on"},
-          {"reasons", warnings}};
 }
 
 }  // namespace
@@ -122,7 +103,8 @@ Json page_of(const InferNetResult& inference) {
   for (const std::string& line : groups_in_words(inference.inferred)) text += line + " ";
   Json blocks = Json::array();
   if (!inference.outcome.warnings.empty())
-    blocks.push_back(doubts_block(inference.outcome.warnings));
+    blocks.push_back(
+        banner_block("Some verdicts are not to be relied on", inference.outcome.warnings));
   blocks.push_back(inference.free ? belief_block(inference) : verdict_block(inference));
   blocks.push_back(inference.free ? next_free_block(*inference.free) : next_block(inference));
   return {

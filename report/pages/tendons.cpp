@@ -8,10 +8,12 @@
 
 #include "base/units.h"
 #include "report/answers/tendon_solve.h"
+#include "report/pages/digit_page.h"
 #include "report/picture/digit_layers.h"
 #include "report/picture/net_layers.h"
 #include "report/picture/skin_layer.h"
 #include "report/provenance.h"
+#include "report/words.h"
 
 namespace thenar {
 namespace {
@@ -19,17 +21,15 @@ namespace {
 const TendonNames& names_of(const TendonSweepResult& sweep) { return sweep.loaded.bones().names; }
 
 std::string coordinate_name(const TendonSweepResult& sweep, int coordinate) {
-  return names_of(sweep).coordinates[static_cast<std::size_t>(coordinate)];
+  return nth(names_of(sweep).coordinates, coordinate);
 }
 
 /// "PIP3 = 30" of the coordinates given [deg].
 std::string angles(const TendonSweepResult& sweep, const DigitPoint& point,
                    const std::vector<int>& coordinates) {
-  std::string text;
-  for (const int c : coordinates)
-    text += fmt::format("{}{} = {:.4g}\u00b0", text.empty() ? "" : ", ", coordinate_name(sweep, c),
-                        point.q[c] / kDegree);
-  return text;
+  return each_in_words(coordinates, [&](int c) {
+    return fmt::format("{} = {:.4g}\u00b0", coordinate_name(sweep, c), point.q[c] / kDegree);
+  });
 }
 
 /// All coordinates that are not zero.
@@ -65,7 +65,7 @@ void add_series(const TendonSweepResult& sweep, const std::string& name, const V
     const std::string row = angles(sweep, sweep.points[begin], others);
     const char* between = name.empty() || row.empty() ? "" : ", ";
     const std::string of = fmt::format("{}{}{}", name, between, row);
-    series.push_back({{"name", of.empty() ? "net" : of}, {"x", x}, {"y", y}});
+    series.push_back(curve_json(of.empty() ? "net" : of, x, y));
   }
 }
 
@@ -73,15 +73,6 @@ Json chart(const TendonSweepResult& sweep, const std::string& caption, const std
            Json series) {
   return lines_block(caption, coordinate_name(sweep, sweep.loaded.grid.varied.back()) + " [deg]",
                      y_label, std::move(series));
-}
-
-/// Points to draw, spread over the sweep, the first and the last among them.
-std::vector<std::size_t> shown_points(std::size_t count, std::size_t most) {
-  std::vector<std::size_t> shown;
-  const std::size_t wanted = std::min(count, most);
-  for (std::size_t k = 0; k < wanted; ++k)
-    shown.push_back(wanted == 1 ? 0 : (k * (count - 1) + (wanted - 1) / 2) / (wanted - 1));
-  return shown;
 }
 
 /// The next of 1, 2, 3, 5, 10 times a power of ten.
@@ -114,16 +105,14 @@ Json picture_of(const NetPicture& picture, const DigitPoint& point, MeshTable& m
   Eigen::Matrix3d directions;
   directions << palm.along, palm.dorsal, palm.radial;
   const Eigen::Vector3d view = 0.75 * palm.dorsal + palm.radial - 0.2 * palm.along;
-  return {{"type", "scene"},
-          {"caption", title(sweep, point) + (point.snapped ? "; the net has just snapped" : "") +
-                          (point.pull.warning.empty() ? "" : "; " + point.pull.warning)},
-          {"up", numbers3(palm.dorsal)},
-          {"axes", axis_words(directions)},
-          {"view", numbers3(view)},
-          {"link", "net"},
-          {"color_scale",
-           {{"label", "tension [N]"}, {"low", 0}, {"high", highest}, {"dashed", "slack"}}},
-          {"layers", layers}};
+  return with(
+      digit_scene_block(title(sweep, point) + (point.snapped ? "; the net has just snapped" : "") +
+                            (point.pull.warning.empty() ? "" : "; " + point.pull.warning),
+                        directions, layers),
+      {{"view", numbers3(view)},
+       {"link", "net"},
+       {"color_scale",
+        {{"label", "tension [N]"}, {"low", 0}, {"high", highest}, {"dashed", "slack"}}}});
 }
 
 /// Returns the positive sense of a coordinate. Joints of ab-adduction are named "MCP3_AA".
@@ -144,8 +133,8 @@ Json arm_charts(const TendonSweepResult& sweep) {
     for (Eigen::Index m = 0; m < sweep.loaded.t.size(); ++m) {
       if (sweep.loaded.t[m] == 0) continue;
       add_series(
-          sweep, muscles[static_cast<std::size_t>(m)],
-          [&](const DigitPoint& point) { return 1e3 * point.pull.R(m, c); }, series);
+          sweep, nth(muscles, m), [&](const DigitPoint& point) { return 1e3 * point.pull.R(m, c); },
+          series);
     }
     const std::string name = coordinate_name(sweep, c);
     charts.push_back(chart(sweep, "Moment arms about " + name,
@@ -180,21 +169,17 @@ double above_rounding(double tension) { return tension < 1e-6 ? 0 : tension; }
 /// Bands by posture.
 Json band_table(const TendonSweepResult& sweep, const Net& net,
                 const std::vector<std::size_t>& shown) {
-  // One column for each posture that is shown.
-  std::vector<BlockColumn> columns{{"band", "", -1}, {"from", "", -1}, {"to", "", -1}};
+  std::vector<BlockColumn> columns{"band", "from", "to"};
   for (const std::size_t i : shown) columns.push_back({title(sweep, sweep.points[i]), "N", 3});
   Json rows = Json::array();
   for (std::size_t k = 0; k < net.bands.size(); ++k) {
     const NetBand& band = net.bands[k];
-    Json row = Json::array({band.name, net.nodes[static_cast<std::size_t>(band.a)].name,
-                            net.nodes[static_cast<std::size_t>(band.b)].name});
+    Json row = Json::array({band.name, nth(net.nodes, band.a).name, nth(net.nodes, band.b).name});
     for (const std::size_t i : shown)
       row.push_back(above_rounding(sweep.points[i].rest.tension[static_cast<Eigen::Index>(k)]));
     rows.push_back(row);
   }
-  Json table = table_block("Tension of every band; 0 is slack.", columns, rows);
-  table["search"] = true;
-  return table;
+  return with(table_block("Tension of every band; 0 is slack.", columns, rows), {{"search", true}});
 }
 
 /// Returns a line about postures where the sweep is not to be trusted; empty if there are none.
@@ -211,7 +196,7 @@ Json net_section(const TendonSweepResult& sweep, const NetTendons& net, MeshTabl
   Json blocks = net_scenes(sweep, 4, meshes);
   if (sweep.loaded.grid.row > 1)
     for (const Json& block : slip_charts(sweep)) blocks.push_back(block);
-  blocks.push_back(band_table(sweep, net.net().net, shown_points(sweep.points.size(), 4)));
+  blocks.push_back(band_table(sweep, net.net().net, drawn_rows(sweep.points.size(), 4)));
   return section(
       "net", "The net at rest",
       "Bands are coloured by their tension; slack ones are dashed. Surfaces on which the "
@@ -250,7 +235,7 @@ Json sections_of(const TendonSweepResult& sweep, MeshTable& meshes) {
 Json net_scenes(const TendonSweepResult& sweep, std::size_t most, MeshTable& meshes) {
   const NetTendons* net = sweep.loaded.net();
   if (net == nullptr) return Json::array();
-  const std::vector<std::size_t> shown = shown_points(sweep.points.size(), most);
+  const std::vector<std::size_t> shown = drawn_rows(sweep.points.size(), most);
   // All pictures have one scale of tensions.
   double highest = 0;
   for (const std::size_t i : shown)
@@ -258,16 +243,10 @@ Json net_scenes(const TendonSweepResult& sweep, std::size_t most, MeshTable& mes
   NetPicture picture{sweep, *net, {}, round_up(highest)};
   if (const std::vector<SourceText>& sources = sweep.loaded.sources; !sources.empty())
     picture.subject = parse_subject(sources.front().text, sources.front().path);
-  // Two pictures stand in a row.
-  Json rows = Json::array(), row = Json::array();
-  for (const std::size_t i : shown) {
-    row.push_back(picture_of(picture, sweep.points[i], meshes));
-    if (row.size() < 2) continue;
-    rows.push_back(row_block(row));
-    row = Json::array();
-  }
-  if (!row.empty()) rows.push_back(row.front());
-  return rows;
+  Json pictures = Json::array();
+  for (const std::size_t i : shown)
+    pictures.push_back(picture_of(picture, sweep.points[i], meshes));
+  return paired(pictures);
 }
 
 Json slip_charts(const TendonSweepResult& sweep) {

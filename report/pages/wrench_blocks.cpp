@@ -27,23 +27,20 @@ std::string enclosed(const Epsilon& e) {
 Json number_table(const GraspResult& result) {
   // Bounds of epsilon, and what its units are.
   const Epsilon& e = result.grasp.quality;
-  Json rows = Json::array();
-  rows.push_back({"signed epsilon", enclosed(e)});
-  rows.push_back({"force closure", e.force_closure ? "yes" : "no"});
-  rows.push_back({"rank of the wrenches", fmt::format("{} of 6", e.rank)});
-  rows.push_back({"limit of forces", result.request.limit == ForceNorm::kL1
-                                         ? "normal forces sum up to 1 (L1)"
-                                         : "each normal force is at most 1 (L-infinity)"});
-  rows.push_back({"torques divided by",
-                  fmt::format("{:.1f} mm, the reach of the object from its centre of mass",
-                              1000 * result.setting.setup.object.torque_scale)});
-  // Directions without any wrench come before the weakest one.
-  if (e.has_missing_direction)
-    rows.push_back({"no wrench along", direction_words(e.missing_direction)});
-  rows.push_back({e.has_missing_direction ? "does not withstand" : "weakest against",
-                  direction_words(e.worst_wrench)});
-  return table_block("Directions in the object's frame, torques about its centre of mass.",
-                     {{"measure", "", -1}, {"value", "", -1}}, rows);
+  Table table{{"measure", "value"},
+              {{"signed epsilon", enclosed(e)},
+               {"force closure", e.force_closure ? "yes" : "no"},
+               {"rank of the wrenches", fmt::format("{} of 6", e.rank)},
+               {"limit of forces", result.request.limit == ForceNorm::kL1
+                                       ? "normal forces sum up to 1 (L1)"
+                                       : "each normal force is at most 1 (L-infinity)"},
+               {"torques divided by",
+                fmt::format("{:.1f} mm, the reach of the object from its centre of mass",
+                            1000 * result.setting.setup.object.torque_scale)}}};
+  if (e.has_missing_direction) table.add({"no wrench along", direction_words(e.missing_direction)});
+  table.add({e.has_missing_direction ? "does not withstand" : "weakest against",
+             direction_words(e.worst_wrench)});
+  return table_block("Directions in the object's frame, torques about its centre of mass.", table);
 }
 
 /// The caps with all friction, torsion too, times a factor.
@@ -66,16 +63,13 @@ Json friction_chart(const GraspResult& result) {
     low.push_back(e.lower);
     high.push_back(e.upper);
   }
-  return {
-      {"type", "lines"},
-      {"caption", "Signed epsilon of the same contacts with less and more friction."},
-      {"x_label", "friction, times that of the materials [1]"},
-      {"y_label", "epsilon [1]"},
-      {"series",
-       Json::array(
-           {{{"name", "epsilon"}, {"x", x}, {"y", y}, {"band_low", low}, {"band_high", high}}})},
-      {"reference_lines", Json::array({{{"value", 0}, {"label", "force closure above"}},
-                                       {{"axis", "x"}, {"value", 1}, {"label", "as it is"}}})}};
+  return with(
+      lines_block("Signed epsilon of the same contacts with less and more friction.",
+                  "friction, times that of the materials [1]", "epsilon [1]",
+                  Json::array({with(curve_json("epsilon", x, y),
+                                    {{"band_low", low}, {"band_high", high}})})),
+      {{"reference_lines", Json::array({{{"value", 0}, {"label", "force closure above"}},
+                                        {{"axis", "x"}, {"value", 1}, {"label", "as it is"}}})}});
 }
 
 Json mesh_layer(const std::string& name, const std::string& color, double opacity,
@@ -110,17 +104,14 @@ Json set_scene(const GraspResult& result, int first, const std::string& caption,
   const auto draw = [&](PictureKind kind) {
     return wrench_set_mesh(forces, coordinates, kind, kEdgePieces);
   };
-  Json layers = Json::array({axes_layer()});
-  layers.push_back(
-      mesh_layer("all wrenches", kShadow, 0.25, draw(PictureKind::kProjection), meshes));
+  Json layers = Json::array({axes_layer(), mesh_layer("all wrenches", kShadow, 0.25,
+                                                      draw(PictureKind::kProjection), meshes)});
   const WrenchSetMesh slice = draw(PictureKind::kSlice);
   if (result.grasp.quality.force_closure && slice.failed == 0)
     layers.push_back(
         mesh_layer(first == 0 ? "without torque" : "without force", kSlice, 0.75, slice, meshes));
-  Json block = picture_block(caption, kSlanted, std::move(layers));
-  block["unit"] = "N";
-  block["link"] = "wrenches";
-  return block;
+  return with(picture_block(caption, kSlanted, std::move(layers)),
+              {{"unit", "N"}, {"link", "wrenches"}});
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "kinematics_fit/model/predict_forces.h"
 #include "kinematics_fit/model/specimen_model.h"
-#include "report/blocks.h"
 #include "report/picture/digit_layers.h"
 #include "tendons/neighbouring_axes.h"
 
@@ -67,12 +66,7 @@ Json axis_cloud_picture(const TendonDigit& start, const Eigen::VectorXd& q,
     true_digit.model = *truth;
     layers.push_back(axis_layer(true_digit, q, "true axes", "#009e73", 1.2 * kAxisLength, false));
   }
-  return {{"type", "scene"},
-          {"caption", caption},
-          {"link", "axis-clouds"},
-          {"up", numbers3(start.model.tip_axes.col(1))},
-          {"axes", axis_words(start.model.tip_axes)},
-          {"layers", layers}};
+  return with(digit_scene_block(caption, start.model.tip_axes, layers), {{"link", "axis-clouds"}});
 }
 
 }  // namespace thenar

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "report/words.h"
 #include "tendons/neighbouring_axes.h"
 
 namespace thenar {
@@ -15,14 +16,21 @@ Eigen::Vector3d tip_of(const TendonModel<double>& model, const TreeState<double>
 }  // namespace
 
 Json axis_words(const Eigen::Matrix3d& directions) {
-  static constexpr const char* kWords[3][2] = {
-      {"proximal", "distal"}, {"dorsal", "palmar"}, {"radial", "ulnar"}};
   const double near = std::cos(30 * kDegree);
   Json words = Json::array({"", "", ""});
   for (Eigen::Index axis = 0; axis < 3; ++axis)
     for (Eigen::Index k = 0; k < 3; ++k)
-      if (std::abs(directions(axis, k)) > near) words[axis] = kWords[k][directions(axis, k) < 0];
+      if (std::abs(directions(axis, k)) > near)
+        words[axis] = kDirectionWords[k][directions(axis, k) < 0];
   return words;
+}
+
+Json digit_scene_block(const std::string& caption, const Eigen::Matrix3d& tip, Json layers) {
+  return {{"type", "scene"},
+          {"caption", caption},
+          {"up", numbers3(tip.col(1))},
+          {"axes", axis_words(tip)},
+          {"layers", std::move(layers)}};
 }
 
 Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& color) {

@@ -32,4 +32,8 @@ namespace thenar {
                                    const FeasibleForceSet& set, double mm_per_N,
                                    const std::string& color);
 
+/// A scene of a digit, its back up. @param tip  proximal, dorsal and radial in columns (3 x 3)
+[[nodiscard]] Json digit_scene_block(const std::string& caption, const Eigen::Matrix3d& tip,
+                                     Json layers);
+
 }  // namespace thenar

@@ -36,8 +36,7 @@ std::vector<Blocker> blockers_of(const HandPicture& hand, const GraspSetup& setu
   const std::vector<Pose<double>> links = hand.hand.pose(hand.q);
   std::vector<Blocker> blockers;
   for (const LinkSurface& surface : hand.hand.surfaces()) {
-    const Pose<double> X_WL =
-        surface.link < 0 ? hand.X_WH : hand.X_WH * links[static_cast<std::size_t>(surface.link)];
+    const Pose<double> X_WL = surface.link < 0 ? hand.X_WH : hand.X_WH * nth(links, surface.link);
     if (!surface.solid->visual.empty()) blockers.push_back(blocker(surface.solid->visual, X_WL));
   }
   for (const GraspBody& body : setup.obstacles)

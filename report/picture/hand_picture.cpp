@@ -64,12 +64,6 @@ MeshLook look_of(const LinkSurface& surface, const std::vector<SkinPatch>& patch
   return look;
 }
 
-/// A layer that the view need not hold.
-Json out_of_fit(Json layer) {
-  layer["fit"] = false;
-  return layer;
-}
-
 Json body_item(const GraspBody& body, MeshTable& meshes) {
   return mesh_item(meshes.add(body.solid.visual, {kBodyCrease, {}}), body.X_WB);
 }
@@ -88,9 +82,8 @@ Json hand_layers(const HandPicture& picture, MeshTable& meshes) {
     for (std::size_t s = 0; s < hand.surfaces().size(); ++s) {
       const LinkSurface& surface = hand.surfaces()[s];
       if (surface.digit != digits[d] || surface.solid->visual.empty()) continue;
-      const Pose<double> X = surface.link < 0
-                                 ? picture.X_WH
-                                 : picture.X_WH * links[static_cast<std::size_t>(surface.link)];
+      const Pose<double> X =
+          surface.link < 0 ? picture.X_WH : picture.X_WH * nth(links, surface.link);
       const MeshLook look = look_of(surface, picture.patches);
       (s < static_cast<std::size_t>(picture.carrier_surfaces) ? carriers : items)
           .push_back(mesh_item(meshes.add(surface.solid->visual, look), X));
@@ -99,7 +92,8 @@ Json hand_layers(const HandPicture& picture, MeshTable& meshes) {
     const std::string name = digits[d].empty() ? "palm" : digits[d];
     layers.push_back(layer(name, color_of(hand, digits[d], d), std::move(items)));
   }
-  if (!carriers.empty()) layers.push_back(out_of_fit(layer("carrier", kCarrier, carriers)));
+  if (!carriers.empty())
+    layers.push_back(with(layer("carrier", kCarrier, carriers), {{"fit", false}}));
   return layers;
 }
 
@@ -110,7 +104,7 @@ Json setup_layers(const GraspSetup& setup, MeshTable& meshes) {
   Json items = Json::array();
   for (const GraspBody& body : setup.obstacles) items.push_back(body_item(body, meshes));
   if (items.empty()) return layers;
-  layers.push_back(out_of_fit(layer("obstacles", kObstacle, std::move(items))));
+  layers.push_back(with(layer("obstacles", kObstacle, std::move(items)), {{"fit", false}}));
   return layers;
 }
 
@@ -146,9 +140,7 @@ Json picture_block(const std::string& caption, const Eigen::Vector3d& view, Json
 }
 
 Json thumbnail_block(const std::string& caption, const Eigen::Vector3d& view, Json layers) {
-  Json block = picture_block(caption, view, std::move(layers));
-  block["compact"] = true;
-  return block;
+  return with(picture_block(caption, view, std::move(layers)), {{"compact", true}});
 }
 
 Json joined(Json layers, const Json& more) {

@@ -1,7 +1,5 @@
 #include "report/picture/net_layers.h"
 
-#include <fmt/format.h>
-
 #include "tendons/net/band_course.h"
 
 namespace thenar {
@@ -100,7 +98,7 @@ Json muscle_layer(const NetTendons& tendons, const TreeState<double>& state,
     if (points.size() < 2) continue;
     Json item = line(points);
     const double pull = muscle.to_net * t[muscle.muscle];
-    item["label"] = names[static_cast<std::size_t>(muscle.muscle)];
+    item["label"] = nth(names, muscle.muscle);
     item["width"] = 4;
     item[pull > 0 ? "value" : "dashed"] = pull > 0 ? Json(pull) : Json(true);
     items.push_back(item);

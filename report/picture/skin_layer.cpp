@@ -63,8 +63,7 @@ Json skin_layer(const SkinnedDigit& digit, MeshTable& meshes) {
     const Pose<double>& at = skeleton.segment_at.at(bone.segment);
     mesh.vertices = ((at.R * mesh.vertices).colwise() + at.p).eval();
     const MeshLook look{-1, nail_colors(mesh, patches, own->name, link->second)};
-    const Pose<double> X =
-        link->second < 0 ? Pose<double>{} : digit.at[static_cast<std::size_t>(link->second)].X;
+    const Pose<double> X = link->second < 0 ? Pose<double>{} : nth(digit.at, link->second).X;
     Json item = mesh_item(meshes.add(mesh, look), X);
     item["opacity"] = kSeenThrough;
     items.push_back(std::move(item));

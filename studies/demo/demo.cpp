@@ -151,8 +151,7 @@ Json thumb_page(const std::vector<DemoThumb>& thumbs, MeshTable& meshes) {
     scenes.push_back(thumb_scene(thumb, meshes));
     rows.push_back(thumb_row(thumb));
   }
-  std::vector<BlockColumn> columns{
-      {"thumb", "", -1}, {"dimension", "", 0}, {"corners", "", 0}, {"volume", "N\u00b3", 0}};
+  std::vector<BlockColumn> columns{"thumb", "dimension:0", "corners:0", "volume [N\u00b3]:0"};
   for (const char* direction : kDirectionNames) columns.push_back({direction, "N", 1});
   return section(
       "thumbs", "The thumb: orthogonal and skewed axes",
@@ -183,78 +182,58 @@ Json posteriors_at_a_glance(const std::vector<DemoPosterior>& posteriors) {
       rows.push_back(posterior_row(posterior, prediction, "never fitted"));
     runs.push_back(chains_row(posterior));
   }
-  return section("posteriors", "Posteriors at a glance",
-                 "Draws in place of a single best point show how much the forces determine. Errors "
-                 "are those of the posterior mean; intervals are predictive, noise included.",
-                 Json::array({table_block("Predicted forces",
-                                          {{"posterior", ""},
-                                           {"experiment", ""},
-                                           {"how", ""},
-                                           {"relative error", "", 3},
-                                           {"in flexion", "", 3},
-                                           {"within 95 %", "%", 0}},
-                                          rows),
-                              table_block("Runs of the sampler (NUTS, 4 chains)",
-                                          {{"posterior", ""},
-                                           {"entries", "", 0},
-                                           {"worst R-hat", "", 4},
-                                           {"least bulk ESS", "", 0},
-                                           {"divergent", "", 0},
-                                           {"modes", "", 0},
-                                           {"elpd, one trial left out", "", 1},
-                                           {"se", "", 1},
-                                           {"effective parameters", "", 1},
-                                           {"Pareto k too large", "", 0},
-                                           {"sampling", "s", 1}},
-                                          runs)}));
+  return section(
+      "posteriors", "Posteriors at a glance",
+      "Draws in place of a single best point show how much the forces determine. Errors "
+      "are those of the posterior mean; intervals are predictive, noise included.",
+      Json::array({table_block("Predicted forces",
+                               {"posterior", "experiment", "how", "relative error:3",
+                                "in flexion:3", "within 95 % [%]:0"},
+                               rows),
+                   table_block("Runs of the sampler (NUTS, 4 chains)",
+                               {"posterior", "entries:0", "worst R-hat:4", "least bulk ESS:0",
+                                "divergent:0", "modes:0", "elpd, one trial left out:1", "se:1",
+                                "effective parameters:1", "Pareto k too large:0", "sampling [s]:1"},
+                               runs)}));
 }
 
 namespace {
 
-/// A page of some sections.
+/// A page of some sections. @param figure  type of the block that stands for it
 SetPage question(const std::string& file, const std::string& title, const Finding& finding,
-                 Json sections, const MeshTable& meshes = {}) {
-  return {file,
-          title,
-          finding.opening,
-          finding.line,
-          {{"title", title}, {"meshes", meshes.json()}, {"sections", std::move(sections)}},
-          nullptr};
+                 Json sections, const char* figure, const MeshTable& meshes = {}) {
+  return page_for(file, title, finding,
+                  {{"title", title}, {"meshes", meshes.json()}, {"sections", std::move(sections)}},
+                  figure);
 }
 
 /// Pages on the fitted fingers.
 std::vector<SetPage> finger_pages(const DemoResult& demo) {
   const std::vector<SpecimenStudy>& studies = demo.specimens;
-  // The figure of a page is the first picture of its kind, which the front page shows too.
-  SetPage forces =
-      question("forces.html", "How well are fingertip forces predicted?", force_finding(studies),
-               Json::array({accuracy_page(studies), force_page(studies), solver_page(studies)}));
-  forces.figure = first_block(forces.page, "bars");
-  // Pages with scenes carry the meshes of their bones and skin.
   MeshTable meshes;
   Json in_space = finger_page(studies, meshes);
-  SetPage finger =
+  return {
+      question("forces.html", "How well are fingertip forces predicted?", force_finding(studies),
+               Json::array({accuracy_page(studies), force_page(studies), solver_page(studies)}),
+               "bars"),
       question("finger.html", "What do forces tell about a finger?", finger_finding(studies),
-               Json::array({std::move(in_space), parameter_page(studies)}), meshes);
-  finger.figure = first_block(finger.page, "scene");
-  SetPage population = question("population.html", "Does it carry to another hand?",
-                                population_finding(*demo.population),
-                                Json::array({population_page(*demo.population, studies)}));
-  population.figure = first_block(population.page, "vectors");
-  return {std::move(forces), std::move(finger), std::move(population)};
+               Json::array({std::move(in_space), parameter_page(studies)}), "scene", meshes),
+      question("population.html", "Does it carry to another hand?",
+               population_finding(*demo.population),
+               Json::array({population_page(*demo.population, studies)}), "vectors")};
 }
 
 /// All posteriors at a glance, and a page of each.
 std::vector<SetPage> posterior_pages(const std::vector<DemoPosterior>& posteriors) {
   std::vector<SetPage> pages{question("posteriors.html", "How sure are we?",
                                       posterior_finding(posteriors),
-                                      Json::array({posteriors_at_a_glance(posteriors)}))};
+                                      Json::array({posteriors_at_a_glance(posteriors)}), "")};
   for (const DemoPosterior& posterior : posteriors) {
     PictureOptions options;
     options.title = "Posterior of " + posterior.name;
     pages.push_back(question("posterior_" + posterior.name + ".html", options.title,
                              posterior_finding(posterior),
-                             posterior_sections(posterior_picture(posterior.run, options))));
+                             posterior_sections(posterior_picture(posterior.run, options)), ""));
     if (pages.front().figure.is_null())
       pages.front().figure = first_block(pages.back().page, "corner");
   }
@@ -263,36 +242,22 @@ std::vector<SetPage> posterior_pages(const std::vector<DemoPosterior>& posterior
 
 /// Pages on hoods and thumbs.
 std::vector<SetPage> model_pages(const DemoResult& demo) {
-  // Sweep of the hood under constant tensions, and all models of it.
-  MeshTable hood_meshes;
+  MeshTable hood_meshes, thumb_meshes;
   Json nets = hood_page(demo.hood.sweep, demo.hood.rungs, hood_meshes);
-  SetPage hood = question("hood.html", "How should the extensor hood be modelled?",
-                          hood_finding(demo.hood), Json::array({std::move(nets)}), hood_meshes);
-  hood.figure = first_block(hood.page, "row");
-  // Thumbs with orthogonal and skewed axes, then the fits to made-up forces.
-  MeshTable thumb_meshes;
   const Json thumbs = thumb_page(demo.thumbs, thumb_meshes);
   const ThumbStudy& study = demo.thumb_study.study;
-  SetPage thumb =
-      question("thumbs.html", "What do skewed axes cost a thumb?", thumb_finding(study, thumbs),
-               Json::array({thumbs, thumb_study_section(study)}), thumb_meshes);
-  thumb.figure = first_block(thumb.page, "row");
-  // Recovery of the founding paper, with the origin of its own data.
   const ThumbRecoveryResult& recovery = demo.thumb_recovery;
   SetPage founding = question(
       "founding_thumb.html", "Are a thumb's axes found as in [Miller2005]?",
       thumb_recovery_finding(recovery),
-      Json::array({thumb_recovery_section(recovery.recovery), measured_lessons_section(recovery)}));
-  founding.figure = first_block(founding.page, "scene");
+      Json::array({thumb_recovery_section(recovery.recovery), measured_lessons_section(recovery)}),
+      "scene");
   founding.page["provenance"] = provenance_of(recovery);
-  return {std::move(hood), std::move(thumb), std::move(founding)};
-}
-
-/// A page of a question that a command answers, too.
-SetPage page_for(const char* file, const char* title, const Finding& finding, Json page,
-                 const char* figure) {
-  Json shown = first_block(page, figure);
-  return {file, title, finding.opening, finding.line, std::move(page), std::move(shown)};
+  return {question("hood.html", "How should the extensor hood be modelled?",
+                   hood_finding(demo.hood), Json::array({std::move(nets)}), "row", hood_meshes),
+          question("thumbs.html", "What do skewed axes cost a thumb?", thumb_finding(study, thumbs),
+                   Json::array({thumbs, thumb_study_section(study)}), "row", thumb_meshes),
+          std::move(founding)};
 }
 
 /// Pages on hands that grasp and on pads.

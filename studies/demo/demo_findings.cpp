@@ -1,12 +1,12 @@
 #include "studies/demo/demo_findings.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/units.h"
+#include "report/words.h"
 #include "studies/pages/fit_study_page.h"
 #include "studies/pages/measured_lessons.h"
 #include "studies/pages/thumb_recovery.h"
@@ -21,10 +21,12 @@ const std::string& specimen_of(const SpecimenStudy& study) {
 /// "0.295 (H01) and 0.371 (H02)": a number for each specimen.
 template <typename Value>
 std::string of_each(const std::vector<SpecimenStudy>& studies, const Value& value) {
-  std::vector<std::string> parts;
-  for (const SpecimenStudy& study : studies)
-    parts.push_back(fmt::format("{:.3f} ({})", value(study), specimen_of(study)));
-  return fmt::format("{}", fmt::join(parts, " and "));
+  return each_in_words(
+      studies,
+      [&](const SpecimenStudy& study) {
+        return fmt::format("{:.3f} ({})", value(study), specimen_of(study));
+      },
+      " and ");
 }
 
 double left_out_error(const SpecimenStudy& study) {
@@ -48,6 +50,12 @@ std::string share(std::size_t part, std::size_t whole) {
 }
 
 }  // namespace
+
+SetPage page_for(const std::string& file, const std::string& title, const Finding& finding,
+                 Json page, const char* figure) {
+  Json shown = first_block(page, figure);
+  return {file, title, finding.opening, finding.line, std::move(page), std::move(shown)};
+}
 
 Finding force_finding(const std::vector<SpecimenStudy>& studies) {
   // Count the fingers on which the fit beats the best prediction without a fit.
@@ -208,12 +216,9 @@ Finding thumb_finding(const ThumbStudy& study, const Json& page) {
   // Both models on the same made-up forces.
   std::vector<std::string> off;
   for (const ThumbFit& fit : study.fits) {
-    const ThumbFitSettings& s = fit.settings;
-    if (s.arms != Arms::kFixed || s.noise != 0.1 || s.postures != 2 || s.skewness != 1 ||
-        s.with_tasks || s.prior_width != 1)
-      continue;
-    off.push_back(
-        fmt::format("{:.1f} % ({})", 100 * fit.relative_error, s.skewed ? "skewed" : "orthogonal"));
+    if (!is_compared(fit.settings)) continue;
+    off.push_back(fmt::format("{:.1f} % ({})", 100 * fit.relative_error,
+                              fit.settings.skewed ? "skewed" : "orthogonal"));
   }
   const std::string errors = fmt::format("{}", fmt::join(off, " and "));
   return {{"What do skewed axes cost a thumb, and can forces tell that its axes are skewed?",

@@ -20,6 +20,10 @@ struct Finding {
   std::string line;
 };
 
+/// A page with what was found. @param figure  type of the block that stands for it; "": none
+[[nodiscard]] SetPage page_for(const std::string& file, const std::string& title,
+                               const Finding& finding, Json page, const char* figure);
+
 /// Returns the finding about the accuracy of predicted forces.
 [[nodiscard]] Finding force_finding(const std::vector<SpecimenStudy>& studies);
 /// Returns the finding about the parameters of a finger that forces determine.

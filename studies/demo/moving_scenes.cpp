@@ -1,7 +1,5 @@
 #include "studies/demo/demo.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "base/units.h"
@@ -18,7 +16,7 @@ Json pad_series(const std::string& name, const std::vector<PadState>& states) {
     force.push_back(state.force);
     angle.push_back(state.angle / kDegree);
   }
-  return {{"name", name}, {"x", std::move(force)}, {"y", std::move(angle)}, {"style", "both"}};
+  return curve_json(name, std::move(force), std::move(angle), "both");
 }
 
 /// The angle of the pad over the force of the grip.
@@ -58,7 +56,7 @@ Json work_series(const std::vector<WorkPoint>& points, SteppingMethod method, Js
     error.push_back(point.error / kMm);
     hints.push_back(setting);
   }
-  return {{"name", name}, {"x", cpu}, {"y", error}, {"hints", hints}, {"style", "both"}};
+  return with(curve_json(name, cpu, error, "both"), {{"hints", hints}});
 }
 
 Json work_section(const std::vector<WorkPoint>& points) {
@@ -73,42 +71,28 @@ Json work_section(const std::vector<WorkPoint>& points) {
       "order; \"time-stepping\" takes steps of a fixed length and is of second order: ten times "
       "the work for a hundredth of the error. Times were measured on this machine, each the least "
       "of five runs.",
-      Json::array({{{"type", "lines"},
-                    {"caption", "Error of the ball's place at the end, over processor time"},
-                    {"x_label", "processor time [ms]"},
-                    {"y_label", "error [mm]"},
-                    {"log_x", true},
-                    {"log_y", true},
-                    {"series", std::move(series)}},
+      Json::array({with(lines_block("Error of the ball's place at the end, over processor time",
+                                    "processor time [ms]", "error [mm]", std::move(series)),
+                        {{"log_x", true}, {"log_y", true}}),
                    table_block("Runs of the chart",
-                               {{"method", ""},
-                                {"setting", ""},
-                                {"status", ""},
-                                {"steps", "", 0},
-                                {"processor time", "ms"},
-                                {"error", "mm"}},
+                               {"method", "setting", "status", "steps:0", "processor time [ms]",
+                                "error [mm]"},
                                std::move(rows))}));
 }
 
 }  // namespace
 
 std::vector<SetPage> moving_scene_pages(const DemoMotion& motion) {
-  const auto page = [](const char* file, const char* title, Finding finding, Json whole) {
-    return SetPage{file,  title,  std::move(finding.opening), std::move(finding.line),
-                   whole, nullptr};
-  };
-  SetPage glass = page("wine_glass.html", "A wine glass is squeezed out",
-                       glass_finding(motion.glass), page_of(motion.glass));
-  glass.figure = first_block(glass.page, "scene");
-  SetPage thumb = page("thumb_mug.html", "A thumb rolls onto its pad", thumb_mug_finding(motion),
-                       page_of(motion.thumb));
+  const char* const title = "How accurate is a motion in steps?";
+  SetPage thumb = page_for("thumb_mug.html", "A thumb rolls onto its pad",
+                           thumb_mug_finding(motion), page_of(motion.thumb), "");
   thumb.page["sections"].insert(thumb.page["sections"].begin(), pad_section(motion));
   thumb.figure = pad_chart(motion);
-  const Json work = work_section(motion.work);
-  SetPage stepping =
-      page("stepping.html", "How accurate is a motion in steps?", stepping_finding(motion.work),
-           {{"title", "How accurate is a motion in steps?"}, {"sections", Json::array({work})}});
-  return {std::move(glass), std::move(thumb), std::move(stepping)};
+  return {page_for("wine_glass.html", "A wine glass is squeezed out", glass_finding(motion.glass),
+                   page_of(motion.glass), "scene"),
+          std::move(thumb),
+          page_for("stepping.html", title, stepping_finding(motion.work),
+                   {{"title", title}, {"sections", Json::array({work_section(motion.work)})}}, "")};
 }
 
 }  // namespace thenar

@@ -64,17 +64,14 @@ Json profiles(const SpecimenStudy& study) {
       x.push_back(point.z);
       y.push_back(point.rise);
     }
-    series.push_back({{"name", profile.name}, {"style", "both"}, {"x", x}, {"y", y}});
+    series.push_back(curve_json(profile.name, x, y, "both"));
   }
-  // Half the 95 % quantile of chi-square with one degree of freedom is 1.92.
-  return {{"type", "lines"},
-          {"caption", fmt::format("{}: profiles of the best known parameters, priors included; a "
-                                  "profile is inside the line within its 95 % interval",
-                                  study.fit.problem.specimens().front())},
-          {"x_label", "held at [prior sds]"},
-          {"y_label", "rise of the cost"},
-          {"series", series},
-          {"reference_lines", Json::array({{{"value", 1.92}, {"label", "95 %"}}})}};
+  return with(
+      lines_block(fmt::format("{}: profiles of the best known parameters, priors included; a "
+                              "profile is inside the line within its 95 % interval",
+                              study.fit.problem.specimens().front()),
+                  "held at [prior sds]", "rise of the cost", series),
+      {{"reference_lines", Json::array({{{"value", 1.92}, {"label", "95 %"}}})}});
 }
 
 Json population_row(const std::string& specimen, const std::string& what,
@@ -95,13 +92,8 @@ Json accuracy_page(const std::vector<SpecimenStudy>& studies) {
   Json table = table_block(
       "Errors on the same 24 force vectors of each specimen: in space, in the flexion plane alone, "
       "and the median angle between predicted and measured",
-      {{"specimen", ""},
-       {"prediction", ""},
-       {"has seen", ""},
-       {"relative error", "", 3},
-       {"in plane", "", 3},
-       {"RMS error", "N", 3},
-       {"angle", "deg", 1}},
+      {"specimen", "prediction", "has seen", "relative error:3", "in plane:3", "RMS error [N]:3",
+       "angle [deg]:1"},
       rows);
   return section(
       "accuracy", "How well the forces are predicted",
@@ -148,10 +140,9 @@ Json solver_page(const std::vector<SpecimenStudy>& studies) {
       const Solution& s = run.solution;
       rows.push_back({specimen, name_of(run.method), convergence_word(s), s.cost,
                       run.error.relative, s.evaluations, s.seconds});
-      series.push_back({{"name", fmt::format("{} {}", specimen, name_of(run.method))},
-                        {"style", "points"},
-                        {"x", {s.seconds}},
-                        {"y", {std::max(s.cost / best - 1, 1e-12)}}});
+      series.push_back(curve_json(fmt::format("{} {}", specimen, name_of(run.method)),
+                                  Json::array({s.seconds}),
+                                  Json::array({std::max(s.cost / best - 1, 1e-12)}), "points"));
     }
   }
   return section(
@@ -160,21 +151,12 @@ Json solver_page(const std::vector<SpecimenStudy>& studies) {
       "derivatives; the two of NLopt use none.",
       Json::array(
           {table_block("Solvers on the same problem",
-                       {{"specimen", ""},
-                        {"method", ""},
-                        {"status", ""},
-                        {"cost", "", 4},
-                        {"relative error", "", 3},
-                        {"evaluations", "", 0},
-                        {"time", "s", 3}},
+                       {"specimen", "method", "status", "cost:4", "relative error:3",
+                        "evaluations:0", "time [s]:3"},
                        rows),
-           {{"type", "lines"},
-            {"caption", "Cost above the best known, over wall time (1e-12 stands for none)"},
-            {"x_label", "wall time [s]"},
-            {"y_label", "relative excess of cost"},
-            {"log_x", true},
-            {"log_y", true},
-            {"series", series}}}));
+           with(lines_block("Cost above the best known, over wall time (1e-12 stands for none)",
+                            "wall time [s]", "relative excess of cost", series),
+                {{"log_x", true}, {"log_y", true}})}));
 }
 
 Json parameter_page(const std::vector<SpecimenStudy>& studies) {
@@ -225,17 +207,11 @@ Json population_page(const PopulationStudy& study, const std::vector<SpecimenStu
     for (const BaselinePrediction& baseline : unseen.baselines)
       rows.push_back(population_row(unseen.specimen, baseline.name, baseline.prediction));
   }
-  // Compare with forces of the other specimens taken as they are, a prediction that any model must
-  // beat.
-  Json blocks = Json::array({table_block("Specimens predicted by what others have taught",
-                                         {{"specimen", ""},
-                                          {"prediction", ""},
-                                          {"subject has seen it", ""},
-                                          {"relative error", "", 3},
-                                          {"in plane", "", 3},
-                                          {"RMS error", "N", 3},
-                                          {"in 95 % interval", "%", 0}},
-                                         rows)});
+  Json blocks =
+      Json::array({table_block("Specimens predicted by what others have taught",
+                               {"specimen", "prediction", "subject has seen it", "relative error:3",
+                                "in plane:3", "RMS error [N]:3", "in 95 % interval [%]:0"},
+                               rows)});
   for (std::size_t e = 0; e < study.own.size(); ++e)
     if (std::optional<Json> table = beside_trivial_table(
             in_digit_axes(study.specimens.experiments[e], study.fit.problem.experiments()[e])))

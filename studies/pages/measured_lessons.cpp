@@ -9,6 +9,7 @@
 #include "base/special_functions.h"
 #include "base/units.h"
 #include "data/io/toml_table.h"
+#include "report/words.h"
 #include "studies/pages/thumb_recovery.h"
 
 namespace thenar {
@@ -48,19 +49,14 @@ Json measured_row(const MeasuredNumber& of, const std::vector<Eigen::RowVectorXd
 
 /// Muscles that a trial pulls: "10 N of FPL".
 std::string words_of_pull(const Trial& trial) {
-  std::vector<std::string> muscles;
-  for (const auto& [muscle, tension] : trial.tension)
-    muscles.push_back(fmt::format("{:g} N of {}", tension, muscle));
-  return fmt::format("{}", fmt::join(muscles, ", "));
+  return each_in_words(trial.tension, [](const auto& pull) {
+    return fmt::format("{:g} N of {}", pull.second, pull.first);
+  });
 }
 
 /// "palmar" of component i of an experiment's forces.
 std::string component_word(const Experiment& of, int i) {
-  constexpr const char* kWords[3][2] = {
-      {"proximal", "distal"}, {"dorsal", "palmar"}, {"radial", "ulnar"}};
-  for (int k = 0; k < 3; ++k)
-    if (of.axes_of_digit(i, k) != 0) return kWords[k][of.axes_of_digit(i, k) > 0 ? 0 : 1];
-  return "none";
+  return direction_word(of.axes_of_digit.row(i));
 }
 
 /// Numbers that were measured: three of each trial, and one of each block [1].
@@ -104,15 +100,13 @@ Json measured_table(const MeasuredLessons& of) {
         of_draws(
             [&](const MeasuredPredictions& p) -> Eigen::RowVectorXd { return p.loss.row(row); })));
   }
-  // Two columns for each set of draws: mean and sd of its predictions.
-  std::vector<BlockColumn> columns{
-      {"measured", ""}, {"value", "", 2}, {"sd", "", 2}, {"the shipped thumb", "", 2}};
+  std::vector<BlockColumn> columns{"measured", "value:2", "sd:2", "the shipped thumb:2"};
   for (const ReweightedDraws& draws : of.reweighted) {
     columns.push_back({draws.name + ": mean", "", 2});
-    columns.push_back({"sd", "", 2});
+    columns.emplace_back("sd:2");
   }
-  columns.push_back({"assumed", ""});
-  columns.push_back({"source", ""});
+  columns.emplace_back("assumed");
+  columns.emplace_back("source");
   return table_block(
       "What was measured in people, and what model thumbs predict: the shipped one, and the draws "
       "of prior and posterior (means and sds over draws). Thumbs that cannot press in key pinch "
@@ -152,30 +146,19 @@ Json update_table(const MeasuredLessons& of) {
       "chains, whose efficiency counts in Pareto k and in errors of ratios, not in this size. Do "
       "not trust a row whose Pareto k is above its limit: too few draws agree with what was "
       "measured",
-      {{"draws of", ""},
-       {"added", ""},
-       {"how many", "", 0},
-       {"effective size", "", 0},
-       {"Pareto k", "", 2},
-       {"limit", "", 2},
-       {"reliable", ""},
-       {"sd kept, rms", "%", 0},
-       {"least", "%", 0},
-       {"of", ""},
-       {"most", "%", 0},
-       {"largest shift of a mean", "sds", 2},
-       {"of", ""}},
+      {"draws of", "added", "how many:0", "effective size:0", "Pareto k:2", "limit:2", "reliable",
+       "sd kept, rms [%]:0", "least [%]:0", "of", "most [%]:0", "largest shift of a mean [sds]:2",
+       "of"},
       std::move(rows));
 }
 
 Json tilt_table(const MeasuredLessons& of) {
-  // The sd before and after both measurements, and their ratio with its Monte Carlo error.
-  std::vector<BlockColumn> columns{{"tilt", ""}};
+  std::vector<BlockColumn> columns{"tilt"};
   for (const ReweightedDraws& draws : of.reweighted) {
     columns.push_back({"sd " + draws.name, "deg", 1});
-    columns.push_back({"with both measurements", "deg", 1});
-    columns.push_back({"ratio", "", 2});
-    columns.push_back({"its error", "", 2});
+    columns.emplace_back("with both measurements [deg]:1");
+    columns.emplace_back("ratio:2");
+    columns.emplace_back("its error:2");
   }
   Json rows = Json::array();
   for (std::size_t i = 0; i < of.reweighted.front().names.size(); ++i) {
@@ -213,26 +196,22 @@ Json kept_chart(const MeasuredLessons& of) {
            {"low", with.sd_ratio[at] - kNormal95HalfWidth * with.sd_ratio_error[at]},
            {"high", with.sd_ratio[at] + kNormal95HalfWidth * with.sd_ratio_error[at]}});
     }
-  return {
-      {"type", "interval"},
-      {"caption",
-       "What both measurements leave of the sd of every tilt; bars are 95 % of Monte Carlo error"},
-      {"key", "sd with the measurements over sd without"},
-      {"x_label", "share of the sd that is left [1]"},
-      {"rows", std::move(rows)},
-      {"reference_lines", Json::array({{{"value", 1}, {"label", "nothing learnt"}}})}};
+  return with(interval_block("What both measurements leave of the sd of every tilt; bars are 95 % "
+                             "of Monte Carlo error",
+                             "share of the sd that is left [1]", std::move(rows)),
+              {{"key", "sd with the measurements over sd without"},
+               {"reference_lines", Json::array({{{"value", 1}, {"label", "nothing learnt"}}})}});
 }
 
 /// "10 N of FPL make 1.67 N at the tip, 46 degrees from proximal towards palmar", of all trials.
 std::string words_of_forces(const Experiment& of) {
-  std::vector<std::string> words;
-  for (const Trial& trial : of.trials) {
+  const auto words = [&](const Trial& trial) {
     const Eigen::Vector3d& f = trial.force;
-    words.push_back(fmt::format("{} make {:.2f} N at the tip, {:.0f} degrees from {} towards {}",
-                                words_of_pull(trial), f.norm(), degrees(std::atan2(f.y(), f.x())),
-                                component_word(of, 0), component_word(of, 1)));
-  }
-  return fmt::format("{}", fmt::join(words, "; "));
+    return fmt::format("{} make {:.2f} N at the tip, {:.0f} degrees from {} towards {}",
+                       words_of_pull(trial), f.norm(), degrees(std::atan2(f.y(), f.x())),
+                       component_word(of, 0), component_word(of, 1));
+  };
+  return each_in_words(of.trials, words, "; ");
 }
 
 /// Returns the assumptions about the losses, as stated by the file.
@@ -420,9 +399,9 @@ KeptShares kept_shares(const ReweightedDraws& draws, const DataUpdate& update) {
   kept.least = tilts.sd_ratio.minCoeff(&least);
   kept.most = tilts.sd_ratio.maxCoeff();
   (void)tilts.mean_shift.cwiseAbs().maxCoeff(&shifted);
-  kept.least_name = words_of_axis_parameter(draws.names[static_cast<std::size_t>(least)]);
+  kept.least_name = words_of_axis_parameter(nth(draws.names, least));
   kept.largest_shift = tilts.mean_shift[shifted];
-  kept.largest_shift_name = words_of_axis_parameter(draws.names[static_cast<std::size_t>(shifted)]);
+  kept.largest_shift_name = words_of_axis_parameter(nth(draws.names, shifted));
   kept.narrower =
       static_cast<int>((tilts.sd_ratio.array() + 2 * tilts.sd_ratio_error.array() < 1).count());
   kept.undecided = static_cast<int>((tilts.sd_ratio.array() > kUndecidedShare).count());

@@ -20,16 +20,6 @@ Fields score_fields(const TaskScores& tasks) {
           {"torque_sd", units::kNewtonMetre, tasks.torque_sd}};
 }
 
-std::vector<Fields> type_fields(const ThumbFit& fit, DigitDirection toward) {
-  std::vector<Fields> list;
-  for (const TypeProbability& each : fit.types)
-    list.push_back({{"mcse", each.mcse},
-                    {"posterior", each.posterior},
-                    {"prior", each.prior},
-                    {"type", describe_type(each.type, toward)}});
-  return list;
-}
-
 /// "flexion distal, ulnar": the order of the MCP axes, and the side of the normal.
 std::string short_type(const ThumbType& type, DigitDirection toward) {
   const std::string all = describe_type(type, toward);
@@ -40,8 +30,7 @@ std::string short_type(const ThumbType& type, DigitDirection toward) {
 /// Types of the thumbs of all skewed fits, after the forces with Monte Carlo errors, and before
 /// them [%].
 Table type_table(const ThumbStudy& study) {
-  // Columns follow the types of the first fit that has some.
-  Table table{{"fit"}, {}};
+  Table table{{"fit"}};
   for (const ThumbFit& fit : study.fits) {
     if (fit.types.empty()) continue;
     std::vector<std::string> line{describe_fit(fit.settings)}, before{"  before the forces"};
@@ -52,8 +41,8 @@ Table type_table(const ThumbStudy& study) {
       line.push_back(fmt::format("{:.1f} +- {:.1f}", 100 * each.posterior, 100 * each.mcse));
       before.push_back(fmt::format("{:.1f}", 100 * each.prior));
     }
-    table.rows.push_back(std::move(line));
-    table.rows.push_back(std::move(before));
+    table.add(std::move(line));
+    table.add(std::move(before));
   }
   return table;
 }
@@ -66,16 +55,13 @@ Fields fit_fields(const ThumbFit& fit, DigitDirection toward) {
                 {"converged", fit.converged()},
                 {"elpd", fit.left_out.elpd},
                 {"elpd_se", fit.left_out.se}};
-  std::vector<Fields> learnt;
-  for (const LearntNumber& number : fit.learnt)
-    learnt.push_back({{"mean", number.mean},
-                      {"meaning", meaning_of(number.name, digit)},
-                      {"name", number.name},
-                      {"prior_sd", number.prior_sd},
-                      {"sd", number.sd},
-                      {"truth", units::kOne, number.truth},
-                      {"unit", number.unit}});
-  if (!learnt.empty()) fields.add("learnt", std::move(learnt));
+  fields.add_some("learnt", fields_of_each(fit.learnt, [&](const LearntNumber& number) {
+                    return Fields{
+                        {"mean", number.mean}, {"meaning", meaning_of(number.name, digit)},
+                        {"name", number.name}, {"prior_sd", number.prior_sd},
+                        {"sd", number.sd},     {"truth", units::kOne, number.truth},
+                        {"unit", number.unit}};
+                  }));
   fields.append({{"modes", fit.run.modes.size()},
                  {"noise", fit.settings.noise},
                  {"postures", fit.settings.postures},
@@ -87,18 +73,22 @@ Fields fit_fields(const ThumbFit& fit, DigitDirection toward) {
                  {"skewness", fit.settings.skewness},
                  {"tasks", score_fields(fit.tasks)},
                  {"tasks_fitted", fit.settings.with_tasks}});
-  if (!fit.types.empty()) fields.add("types", type_fields(fit, toward));
+  fields.add_some("types", fields_of_each(fit.types, [&](const TypeProbability& each) {
+                    return Fields{{"mcse", each.mcse},
+                                  {"posterior", each.posterior},
+                                  {"prior", each.prior},
+                                  {"type", describe_type(each.type, toward)}};
+                  }));
   return fields;
 }
 
 Fields calibration_fields(const ThumbCalibration& calibration) {
   Fields fields{{"covered_90", calibration.covered}, {"not_converged", calibration.not_converged}};
-  std::vector<Fields> parameters;
-  for (const ParameterCalibration& parameter : calibration.judged.parameters)
-    parameters.push_back({{"band_p", parameter.band_p},
-                          {"chi_square_p", parameter.chi_square_p},
-                          {"name", parameter.name}});
-  if (!parameters.empty()) fields.add("parameters", std::move(parameters));
+  fields.add_some(
+      "parameters",
+      fields_of_each(calibration.judged.parameters, [](const ParameterCalibration& of) {
+        return Fields{{"band_p", of.band_p}, {"chi_square_p", of.chi_square_p}, {"name", of.name}};
+      }));
   fields.append(
       {{"reasons", calibration.judged.warnings}, {"simulations", calibration.rank.cols()}});
   return fields;
@@ -111,31 +101,30 @@ Fields fields_of(const ThumbStudyResult& result) {
   const ThumbStudy& study = result.study;
   Fields fields;
   if (result.calibration) fields.add("calibration", calibration_fields(*result.calibration));
-  std::vector<Fields> fits, references;
-  for (const ThumbFit& fit : study.fits) fits.push_back(fit_fields(fit, study.criteria.toward));
-  for (const ThumbReference& reference : study.references)
-    references.push_back({{"noise", reference.noise},
-                          {"skewness", reference.skewness},
-                          {"start_pulls_direction", units::kDegree, reference.direction},
-                          {"start_tasks", score_fields(reference.start)},
-                          {"truth_tasks", score_fields(reference.truth)}});
   fields.append({{"complete", study.complete},
-                 {"fits", std::move(fits)},
-                 {"not_fitted", std::move(references)}});
+                 {"fits", fields_of_each(study.fits,
+                                         [&](const ThumbFit& fit) {
+                                           return fit_fields(fit, study.criteria.toward);
+                                         })},
+                 {"not_fitted", fields_of_each(study.references, [](const ThumbReference& of) {
+                    return Fields{{"noise", of.noise},
+                                  {"skewness", of.skewness},
+                                  {"start_pulls_direction", units::kDegree, of.direction},
+                                  {"start_tasks", score_fields(of.start)},
+                                  {"truth_tasks", score_fields(of.truth)}};
+                  })}});
   return fields;
 }
 
 Table table_of(const ThumbStudyResult& result) {
   Table table{{"fit", "pulls_deg", "off_truth_percent", "tasks_deg", "torque_Nm",
-               "explained_percent", "elpd", "modes", "R_hat", "chains_agree"},
-              {}};
+               "explained_percent", "elpd", "modes", "R_hat", "chains_agree"}};
   for (const ThumbFit& fit : result.study.fits)
-    table.rows.push_back(
-        {describe_fit(fit.settings), shown(degrees(fit.direction), 1),
-         shown(100 * fit.relative_error, 1), shown(degrees(fit.tasks.direction), 1),
-         shown(fit.tasks.torque, 3), shown(100 * fit.tasks.explained, 0),
-         shown(fit.left_out.elpd, 1), fmt::format("{}", fit.run.modes.size()),
-         shown(fit.run.convergence.worst_r_hat, 4), fit.converged() ? "yes" : "NO"});
+    table.add({describe_fit(fit.settings), shown(degrees(fit.direction), 1),
+               shown(100 * fit.relative_error, 1), shown(degrees(fit.tasks.direction), 1),
+               shown(fit.tasks.torque, 3), shown(100 * fit.tasks.explained, 0),
+               shown(fit.left_out.elpd, 1), fmt::format("{}", fit.run.modes.size()),
+               shown(fit.run.convergence.worst_r_hat, 4), fit.converged() ? "yes" : "NO"});
   return table;
 }
 

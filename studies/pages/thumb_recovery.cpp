@@ -5,13 +5,13 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/numbers.h"
 #include "base/special_functions.h"
 #include "base/units.h"
 #include "posterior/hand_posterior.h"
 #include "report/pages/posterior.h"
+#include "report/words.h"
 
 namespace thenar {
 namespace {
@@ -72,10 +72,7 @@ std::string introduction(const ThumbRecovery& of) {
 
 /// "a, b" or "none".
 std::string listed_parameters(const std::vector<std::string>& names) {
-  std::vector<std::string> words;
-  words.reserve(names.size());
-  for (const std::string& name : names) words.push_back(words_of_axis_parameter(name));
-  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
+  return names.empty() ? "none" : each_in_words(names, words_of_axis_parameter);
 }
 
 Json axis_table(const ThumbRecovery& of) {
@@ -89,14 +86,9 @@ Json axis_table(const ThumbRecovery& of) {
       "Directions of the axes: angles from the true axis, before and after. 95 % of the draws "
       "lie within the stated angle of their mean. What is left of the prior's sd is the rms of "
       "both tilts",
-      {{"axis", ""},
-       {"start is off", "deg", 1},
-       {"least squares is off", "deg", 1},
-       {"chains are off", "deg", 1},
-       {"95 % of draws within", "deg", 1},
-       {"truth among them", ""},
-       {"least squares keeps", "% of prior sd", 0},
-       {"chains keep", "% of prior sd", 0}},
+      {"axis", "start is off [deg]:1", "least squares is off [deg]:1", "chains are off [deg]:1",
+       "95 % of draws within [deg]:1", "truth among them", "least squares keeps [% of prior sd]:0",
+       "chains keep [% of prior sd]:0"},
       std::move(rows));
 }
 
@@ -121,12 +113,11 @@ Json interval_chart(const ThumbRecovery& of, const char* unit, const char* what)
     rows.push_back(interval_of(number, "least squares", number.fit));
     rows.push_back(interval_of(number, "chains", number.drawn));
   }
-  return {{"type", "interval"},
-          {"caption", fmt::format("{} of the axes from those of the start, with 95 % intervals of "
-                                  "both methods, of the prior, and the truth",
-                                  what)},
-          {"x_label", fmt::format("from the start [{}]", unit)},
-          {"rows", std::move(rows)}};
+  return interval_block(
+      fmt::format("{} of the axes from those of the start, with 95 % intervals of both methods, of "
+                  "the prior, and the truth",
+                  what),
+      fmt::format("from the start [{}]", unit), std::move(rows));
 }
 
 /// The start states its places to 0.01 mm: what is less is its rounding, and no truth.
@@ -140,17 +131,11 @@ Json number_table(const ThumbRecovery& of) {
                     number.fit.value, number.fit.sd, number.drawn.value, number.drawn.sd,
                     100 * number.fit.sd / number.prior_sd,
                     100 * number.drawn.sd / number.prior_sd});
-  return table_block("Every tilt and shift beside the truth",
-                     {{"number", ""},
-                      {"unit", ""},
-                      {"truth", "", 2},
-                      {"least squares", "", 2},
-                      {"sd", "", 2},
-                      {"mean of draws", "", 2},
-                      {"sd", "", 2},
-                      {"least squares keeps", "% of prior sd", 0},
-                      {"chains keep", "% of prior sd", 0}},
-                     std::move(rows));
+  return table_block(
+      "Every tilt and shift beside the truth",
+      {"number", "unit", "truth:2", "least squares:2", "sd:2", "mean of draws:2", "sd:2",
+       "least squares keeps [% of prior sd]:0", "chains keep [% of prior sd]:0"},
+      std::move(rows));
 }
 
 /// Describes the asymmetry of the draws of a number: their reach to either side of the mean.
@@ -192,12 +177,10 @@ std::string agreement_words(const ThumbRecovery& of) {
 Json fit_banner(const ThumbRecovery& of) {
   const Solution& solution = of.fit->solution;
   const bool ok = solution.status == Status::kSolved;
-  return {
-      {"type", "banner"},
-      {"ok", ok},
-      {"title", ok ? "Least squares has converged" : "Least squares has NOT converged"},
-      {"reasons", ok ? Json::array() : Json::array({solution.message})},
-      {"text", fmt::format("{} evaluations, {:.1f} s", solution.evaluations, solution.seconds)}};
+  return with(
+      banner_block(ok ? "Least squares has converged" : "Least squares has NOT converged",
+                   ok ? Json::array() : Json::array({solution.message}), ok),
+      {{"text", fmt::format("{} evaluations, {:.1f} s", solution.evaluations, solution.seconds)}});
 }
 
 Json clouds_of(const ThumbRecovery& of) {

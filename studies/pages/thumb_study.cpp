@@ -9,6 +9,7 @@
 #include "posterior/hand_posterior.h"
 #include "report/pages/posterior.h"
 #include "report/picture/axis_cloud.h"
+#include "report/picture/hand_picture.h"
 #include "report/provenance.h"
 
 namespace thenar {
@@ -33,11 +34,6 @@ Json scores(const TaskScores& tasks) {
           100 * tasks.explained};
 }
 
-Json with_cells(Json a, const Json& b) {
-  for (const Json& cell : b) a.push_back(cell);
-  return a;
-}
-
 /// The orthogonal fit of the same data.
 const ThumbFit* rival_of(const ThumbStudy& study, const ThumbFit& fit) {
   const ThumbFitSettings& s = fit.settings;
@@ -55,14 +51,13 @@ Json fit_row(const ThumbStudy& study, const ThumbFit& fit) {
   // Errors of pulls, then scores of tasks.
   Json row{describe_fit(fit.settings), degrees(fit.direction), degrees(fit.direction_sd),
            100 * fit.relative_error};
-  row = with_cells(std::move(row), scores(fit.tasks));
-  // Compare with the orthogonal model on the same data, by expected log predictive density.
+  row = joined(std::move(row), scores(fit.tasks));
   const ThumbFit* rival = rival_of(study, fit);
   if (rival != nullptr) {
     const ElpdDifference gain = compare_elpd(fit.left_out, rival->left_out);
-    row = with_cells(std::move(row), {gain.elpd, gain.se});
+    row = joined(std::move(row), {gain.elpd, gain.se});
   } else {
-    row = with_cells(std::move(row), {nullptr, nullptr});
+    row = joined(std::move(row), {nullptr, nullptr});
   }
   // Tell whether the left-out density and the chains may be believed.
   row.push_back((fit.left_out.k.array() > fit.left_out.good_k).count());
@@ -76,8 +71,8 @@ Json reference_row(const char* name, const ThumbReference& reference, const Json
   Json row{
       fmt::format("{}, {:.0f} % noise{}", name, 100 * reference.noise,
                   reference.skewness == 1 ? "" : fmt::format(", {} x skew", reference.skewness))};
-  row = with_cells(with_cells(std::move(row), pulls), scores(tasks));
-  return with_cells(std::move(row), {nullptr, nullptr, nullptr, nullptr, "not fitted"});
+  row = joined(joined(std::move(row), pulls), scores(tasks));
+  return joined(std::move(row), {nullptr, nullptr, nullptr, nullptr, "not fitted"});
 }
 
 Json convergence_block(const ThumbStudy& study) {
@@ -88,13 +83,12 @@ Json convergence_block(const ThumbStudy& study) {
       warnings.push_back(describe_fit(fit.settings) + ": " + reason);
   if (!study.complete) warnings.push_back("the study was stopped: some fits are missing");
   const bool ok = warnings.empty();
-  return {{"type", "banner"},
-          {"ok", ok},
-          {"title", ok ? "The chains of all fits agree" : "Some fits are NOT to be relied on"},
-          {"reasons", warnings},
-          {"text",
-           fmt::format("{} fits by NUTS, 4 chains each, every number must have an R-hat below 1.01",
-                       study.fits.size())}};
+  return with(
+      banner_block(ok ? "The chains of all fits agree" : "Some fits are NOT to be relied on",
+                   warnings, ok),
+      {{"text",
+        fmt::format("{} fits by NUTS, 4 chains each, every number must have an R-hat below 1.01",
+                    study.fits.size())}});
 }
 
 /// Both models' clouds of one fit at 10 % noise, with the true axes.
@@ -102,13 +96,11 @@ Json clouds_block(const ThumbStudy& study) {
   // Choose the fits whose settings are those of the main comparison.
   std::vector<AxisCloud> clouds;
   for (const ThumbFit& fit : study.fits) {
-    const ThumbFitSettings& s = fit.settings;
-    if (s.arms != Arms::kFixed || s.noise != 0.1 || s.postures != 2 || s.skewness != 1 ||
-        s.with_tasks || s.prior_width != 1)
-      continue;
+    if (!is_compared(fit.settings)) continue;
     const HandPosterior& posterior = *fit.run.posterior;
-    clouds.push_back(axis_cloud(s.skewed ? "skewed" : "orthogonal", posterior.problem().digit(),
-                                posterior.problem().parameters(), posterior.moving_parameters(),
+    clouds.push_back(axis_cloud(fit.settings.skewed ? "skewed" : "orthogonal",
+                                posterior.problem().digit(), posterior.problem().parameters(),
+                                posterior.moving_parameters(),
                                 posterior.values(pooled(fit.run.draws)).specimens.front()));
   }
   if (clouds.empty()) return Json::array();
@@ -121,20 +113,20 @@ Json clouds_block(const ThumbStudy& study) {
 }  // namespace
 
 Json thumb_comparison_table(const ThumbStudy& study) {
-  const std::vector<BlockColumn> columns{{"thumb", ""},
-                                         {"pulls misdirected", "deg", 1},
-                                         {"sd", "deg", 1},
-                                         {"off the truth", "%", 1},
-                                         {"tasks misdirected", "deg", 1},
-                                         {"sd", "deg", 1},
-                                         {"torque left", "N m", 3},
-                                         {"sd", "N m", 3},
-                                         {"explained", "%", 0},
-                                         {"elpd gained", "", 1},
-                                         {"se", "", 1},
-                                         {"Pareto k too large", "", 0},
-                                         {"R-hat", "", 4},
-                                         {"chains agree", ""}};
+  const std::vector<BlockColumn> columns{"thumb",
+                                         "pulls misdirected [deg]:1",
+                                         "sd [deg]:1",
+                                         "off the truth [%]:1",
+                                         "tasks misdirected [deg]:1",
+                                         "sd [deg]:1",
+                                         "torque left [N m]:3",
+                                         "sd [N m]:3",
+                                         "explained [%]:0",
+                                         "elpd gained:1",
+                                         "se:1",
+                                         "Pareto k too large:0",
+                                         "R-hat:4",
+                                         "chains agree"};
   Json rows = Json::array();
   // Thumbs without a fit come first: the start, and the truth, which no fit can beat.
   for (const ThumbReference& reference : study.references) {
@@ -202,24 +194,22 @@ Json learnt_chart(const ThumbStudy& study, Over over, Arms arms) {
   // One line for each part of an axis.
   Json lines = Json::array();
   for (const auto& [part, points] : learnt_axes(study, over, arms)) {
-    Json line{{"name", part}, {"style", "both"}, {"x", Json::array()}, {"y", Json::array()}};
-    for (const auto& [x, learnt] : points) {
-      line["x"].push_back(x);
-      line["y"].push_back(learnt.ratios / learnt.count);
+    Json x = Json::array(), y = Json::array();
+    for (const auto& [at, learnt] : points) {
+      x.push_back(at);
+      y.push_back(learnt.ratios / learnt.count);
     }
-    lines.push_back(std::move(line));
+    lines.push_back(curve_json(part, std::move(x), std::move(y), "both"));
   }
-  return {{"type", "lines"},
-          {"caption",
-           fmt::format("What is left of the prior's sd of each axis of the skewed thumb, over the "
-                       "{}; arms {}. 1: nothing was learnt",
-                       over == Over::kNoise ? "noise of the load cell, two postures"
-                                            : "number of postures, 10 % noise",
-                       arms == Arms::kFixed ? "known" : "free")},
-          {"x_label", over == Over::kNoise ? "noise [%]" : "postures"},
-          {"y_label", "posterior sd / prior sd [1]"},
-          {"series", lines},
-          {"reference_lines", Json::array({{{"value", 1}, {"label", "nothing learnt"}}})}};
+  return with(
+      lines_block(
+          fmt::format("What is left of the prior's sd of each axis of the skewed thumb, over the "
+                      "{}; arms {}. 1: nothing was learnt",
+                      over == Over::kNoise ? "noise of the load cell, two postures"
+                                           : "number of postures, 10 % noise",
+                      arms == Arms::kFixed ? "known" : "free"),
+          over == Over::kNoise ? "noise [%]" : "postures", "posterior sd / prior sd [1]", lines),
+      {{"reference_lines", Json::array({{{"value", 1}, {"label", "nothing learnt"}}})}});
 }
 
 Json thumb_mode_table(const ThumbStudy& study) {
@@ -229,7 +219,7 @@ Json thumb_mode_table(const ThumbStudy& study) {
     for (std::size_t m = 0; m < fit.run.mode_table.modes.size(); ++m) {
       const ModeMass& mode = fit.run.mode_table.modes[m];
       const bool known = mode.known >= 0;
-      const Mode* found = known ? &fit.run.modes[static_cast<std::size_t>(mode.known)] : nullptr;
+      const Mode* found = known ? &nth(fit.run.modes, mode.known) : nullptr;
       rows.push_back(
           {describe_fit(fit.settings), m + 1, known ? Json(found->cost) : Json(nullptr),
            known ? Json(found->hits) : Json(nullptr),
@@ -241,15 +231,8 @@ Json thumb_mode_table(const ThumbStudy& study) {
       "Modes of every posterior: searches from many starts that ended there, the share that "
       "Laplace's approximation gives it, and the share of the draws. A fit with a single row has "
       "one mode",
-      {{"fit", ""},
-       {"mode", "", 0},
-       {"cost", "", 2},
-       {"searches", "", 0},
-       {"Laplace", "%", 1},
-       {"share of draws", "%", 1},
-       {"MCSE", "%", 1},
-       {"crossings", "", 0},
-       {"doubt", ""}},
+      {"fit", "mode:0", "cost:2", "searches:0", "Laplace [%]:1", "share of draws [%]:1",
+       "MCSE [%]:1", "crossings:0", "doubt"},
       std::move(rows));
 }
 
@@ -264,8 +247,7 @@ Json thumb_type_table(const ThumbStudy& study) {
       "Types of thumbs [SantosValeroCuevas2006] that the skewed model may be: by the order of the "
       "MCP axes, and by the side of the common normal of two successive axes. Shares of draws "
       "before the forces and after",
-      {{"fit", ""}, {"type", ""}, {"before", "%", 1}, {"after", "%", 1}, {"MCSE", "%", 1}},
-      std::move(rows));
+      {"fit", "type", "before [%]:1", "after [%]:1", "MCSE [%]:1"}, std::move(rows));
 }
 
 Json thumb_study_section(const ThumbStudy& study,
@@ -280,18 +262,15 @@ Json thumb_study_section(const ThumbStudy& study,
     }
     if (!charts.empty()) blocks.push_back(row_block(std::move(charts)));
   }
-  // Axes in space, then modes and types, where there are several.
-  blocks = with_cells(std::move(blocks), clouds_block(study));
+  blocks = joined(std::move(blocks), clouds_block(study));
   blocks.push_back(thumb_mode_table(study));
   Json types = thumb_type_table(study);
   if (!types["rows"].empty()) blocks.push_back(std::move(types));
   // Calibration tells whether the sampler finds the true thumb as often as it claims.
   if (calibration && !calibration->judged.parameters.empty()) {
     if (!calibration->judged.warnings.empty())
-      blocks.push_back({{"type", "banner"},
-                        {"ok", false},
-                        {"title", "The sampler is not calibrated on thumbs"},
-                        {"reasons", calibration->judged.warnings}});
+      blocks.push_back(
+          banner_block("The sampler is not calibrated on thumbs", calibration->judged.warnings));
     blocks.push_back(calibration_chart({calibration->names, calibration->rank, calibration->ranked,
                                         calibration->judged.warnings}));
   }

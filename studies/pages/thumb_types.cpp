@@ -1,6 +1,7 @@
 #include "studies/pages/thumb_types.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/units.h"
 #include "report/blocks.h"
@@ -23,19 +24,13 @@ Json distribution_table(const DigitVariability& variability) {
   // Keep what was assumed beside what was published.
   Json rows = Json::array();
   for (const AxisVariability& axis : variability.axes) {
-    std::string assumed;
-    for (const std::string& key : axis.assumed) assumed += (assumed.empty() ? "" : ", ") + key;
     rows.push_back({axis.joint, 1e3 * axis.along, 1e3 * axis.along_sd, 1e3 * axis.across_sd,
-                    degrees(axis.tilt_sd), assumed, axis.source});
+                    degrees(axis.tilt_sd), fmt::format("{}", fmt::join(axis.assumed, ", ")),
+                    axis.source});
   }
   return table_block("What was drawn from: shifts from the mean thumb and tilts about it",
-                     {{"axis", ""},
-                      {"along", "mm", 1},
-                      {"sd along", "mm", 1},
-                      {"sd across", "mm", 1},
-                      {"sd of tilts", "deg", 1},
-                      {"assumed", ""},
-                      {"source", ""}},
+                     {"axis", "along [mm]:1", "sd along [mm]:1", "sd across [mm]:1",
+                      "sd of tilts [deg]:1", "assumed", "source"},
                      std::move(rows));
 }
 
@@ -47,7 +42,7 @@ Json normals_table(const ThumbTypes& types) {
   return table_block(
       "Draws in which the common normal of successive axes points distally, dorsally "
       "and radially",
-      {{"axes", ""}, {"distal", "%", 1}, {"dorsal", "%", 1}, {"radial", "%", 1}}, std::move(rows));
+      {"axes", "distal [%]:1", "dorsal [%]:1", "radial [%]:1"}, std::move(rows));
 }
 
 }  // namespace

@@ -67,9 +67,7 @@ Fields fields_of(const ThumbTypesResult& result) {
   // The distribution that was drawn from comes with the shares.
   const ThumbTypes& types = result.types;
   Fields fields{{"complete", types.complete}};
-  std::vector<Fields> axes, shares, normals;
-  for (const AxisVariability& axis : types.variability.axes) axes.push_back(axis_fields(axis));
-  if (!axes.empty()) fields.add("distribution", std::move(axes));
+  fields.add_some("distribution", fields_of_each(types.variability.axes, axis_fields));
   fields.add("draws", types.draws);
   if (types.draws == 0) {
     fields.add("seed", result.seed);
@@ -77,45 +75,43 @@ Fields fields_of(const ThumbTypesResult& result) {
   }
   // The order at the MCP joint, the ways of all common normals, and the four types.
   fields.add("mcp_flexion_distal", order_fields(types));
-  for (const NormalShares& normal : types.normals)
-    normals.push_back({{"distal", normal.toward[0]},
-                       {"dorsal", normal.toward[1]},
-                       {"first", normal.first},
-                       {"radial", normal.toward[2]},
-                       {"second", normal.second}});
-  if (!normals.empty()) fields.add("normals", std::move(normals));
+  fields.add_some("normals", fields_of_each(types.normals, [](const NormalShares& normal) {
+                    return Fields{{"distal", normal.toward[0]},
+                                  {"dorsal", normal.toward[1]},
+                                  {"first", normal.first},
+                                  {"radial", normal.toward[2]},
+                                  {"second", normal.second}};
+                  }));
   fields.add("seed", result.seed);
-  for (const ThumbTypeShare& share : types.types) shares.push_back(type_fields(types, share));
-  fields.add("types", std::move(shares));
+  fields.add("types", fields_of_each(types.types, [&](const ThumbTypeShare& share) {
+               return type_fields(types, share);
+             }));
   return fields;
 }
 
 Table share_table(const ThumbTypesResult& result) {
-  Table table{{"type", "meaning", "draws", "share_percent", "from_percent", "to_percent"}, {}};
-  // Wilson's interval stays within 0 to 1 even for rare types.
+  Table table{{"type", "meaning", "draws", "share_percent", "from_percent", "to_percent"}};
   const ThumbTypes& types = result.types;
   if (types.draws == 0) return table;
   for (const ThumbTypeShare& share : types.types) {
     const ConfidenceInterval interval = wilson_interval(share.count, types.draws);
-    table.rows.push_back({fmt::format("{}", share.type.index() + 1),
-                          describe_type(share.type, types.variability.second.toward),
-                          fmt::format("{}", share.count),
-                          shown(100.0 * share.count / types.draws, 1),
-                          shown(100 * interval.lower, 1), shown(100 * interval.upper, 1)});
+    table.add({fmt::format("{}", share.type.index() + 1),
+               describe_type(share.type, types.variability.second.toward),
+               fmt::format("{}", share.count), shown(100.0 * share.count / types.draws, 1),
+               shown(100 * interval.lower, 1), shown(100 * interval.upper, 1)});
   }
   return table;
 }
 
 Table table_of(const ThumbTypesResult& result) {
-  Table table{{"type", "joint", "theta_deg", "d_mm", "a_mm", "alpha_deg"}, {}};
+  Table table{{"type", "joint", "theta_deg", "d_mm", "a_mm", "alpha_deg"}};
   for (const ThumbTypeShare& share : result.types.types)
     for (std::size_t i = 0; i < share.rows.size(); ++i) {
       const auto& [mean, sd] = share.rows[i];
-      table.rows.push_back(
-          {fmt::format("{}", share.type.index() + 1), result.types.variability.axes[i].joint,
-           plus_minus(degrees(mean.theta), degrees(sd.theta)), plus_minus(1e3 * mean.d, 1e3 * sd.d),
-           plus_minus(1e3 * mean.a, 1e3 * sd.a),
-           plus_minus(degrees(mean.alpha), degrees(sd.alpha))});
+      table.add({fmt::format("{}", share.type.index() + 1), result.types.variability.axes[i].joint,
+                 plus_minus(degrees(mean.theta), degrees(sd.theta)),
+                 plus_minus(1e3 * mean.d, 1e3 * sd.d), plus_minus(1e3 * mean.a, 1e3 * sd.a),
+                 plus_minus(degrees(mean.alpha), degrees(sd.alpha))});
     }
   return table;
 }

@@ -1,14 +1,12 @@
 #include "studies/questions/demo.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "base/error.h"
-#include "base/parallel_tasks.h"
 #include "base/units.h"
 #include "data/io/scene/scene_pad.h"
 #include "posterior/run/posterior_file.h"

@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/force_jacobian.h"
-#include "kinematics_fit/trivial_prediction.h"
 
 namespace thenar {
 namespace {

@@ -16,6 +16,12 @@ TendonModel<double> DrawnModels::at(Eigen::Index k) const {
       .digit;
 }
 
+std::vector<TendonModel<double>> DrawnModels::all() const {
+  std::vector<TendonModel<double>> models;
+  for (Eigen::Index k = 0; k < count(); ++k) models.push_back(at(k));
+  return models;
+}
+
 Eigen::MatrixXd DrawnModels::values(ParameterKind kind) const {
   const std::vector<Parameter>& all = posterior_.problem().parameters().all;
   std::vector<int> rows;

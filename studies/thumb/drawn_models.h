@@ -20,6 +20,9 @@ class DrawnModels {
   /// The model of the first specimen at point k, 0 .. count() - 1.
   [[nodiscard]] TendonModel<double> at(Eigen::Index k) const;
 
+  /// The models at all points.
+  [[nodiscard]] std::vector<TendonModel<double>> all() const;
+
   /// Values of parameters of one kind at all points [SI] (parameters that move, count).
   [[nodiscard]] Eigen::MatrixXd values(ParameterKind kind) const;
 

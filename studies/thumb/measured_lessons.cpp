@@ -23,14 +23,6 @@ Eigen::VectorXd forces_with(const TendonDigit& digit, Experiment experiment, Tip
   return true_forces(digit, experiment).reshaped();
 }
 
-/// The models of all points of a posterior.
-std::vector<TendonModel<double>> all_models(const internal::DrawnModels& drawn) {
-  std::vector<TendonModel<double>> models;
-  models.reserve(static_cast<std::size_t>(drawn.count()));
-  for (Eigen::Index k = 0; k < drawn.count(); ++k) models.push_back(drawn.at(k));
-  return models;
-}
-
 /// Draws of a prior or a posterior, updated by each addition.
 ReweightedDraws reweight_draws(const std::string& name, const HandPosterior& posterior,
                                const Eigen::MatrixXd& x, int chains, const MeasuredLessons& of,
@@ -41,8 +33,8 @@ ReweightedDraws reweight_draws(const std::string& name, const HandPosterior& pos
   const internal::DrawnModels drawn(posterior, x);
   draws.names = drawn.names(ParameterKind::kAxisDirection);
   draws.tilts = drawn.values(ParameterKind::kAxisDirection);
-  draws.predicted = predict_measured(posterior.problem().digit(), all_models(drawn), of.force,
-                                     of.losses, progress);
+  draws.predicted =
+      predict_measured(posterior.problem().digit(), drawn.all(), of.force, of.losses, progress);
   if (progress.stop()) return draws;
 
   // Draws weighed by them.

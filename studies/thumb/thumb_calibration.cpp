@@ -83,9 +83,7 @@ ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
   sampling.mode_starts = settings.mode_starts;
 
   // The protocol, its sds from the thumb at the start, and the prior of the fit.
-  const Subject subject = parse_subject(inputs.start.text, inputs.start.path);
-  const TendonDigit start =
-      build_tendon_digit(with_passive(subject, PassiveMoments::kOff), "thumb");
+  const TendonDigit start = internal::thumb_of(inputs.start);
   SimulatedPullOptions pulls;
   pulls.noise = settings.thumb.noise;
   pulls.postures = settings.thumb.postures;

@@ -22,21 +22,6 @@ const std::vector<std::string> kArms{"arm/FPL/*",       "arm/EPL/*",           "
                                      "arm/ADPt/CMC1_*", "arm/ADPt/MCP1_*",     "arm/ADPo/CMC1_*",
                                      "arm/ADPo/MCP1_*", "arm/1stDI_MC1/CMC1_*"};
 
-PosteriorSettings posterior_settings(const ThumbStudyInputs& inputs,
-                                     const ThumbFitSettings& settings,
-                                     const ThumbStudySettings& study) {
-  // The file of settings decides about priors and noise, the study about the length of chains.
-  const SourceText& file = settings.skewed ? inputs.skewed : inputs.orthogonal;
-  PosteriorSettings out;
-  out.posterior = posterior_options(file);
-  out.run.draws = study.draws;
-  out.run.sampler.warm_up = study.warm_up;
-  out.run.sampler.seed = study.seed;
-  out.run.progress.stop_requested = study.progress.stop_requested;
-  out.mode_starts = study.mode_starts;
-  return out;
-}
-
 /// Angles between the posterior mean of the pulls' forces and those measured, and how far that mean
 /// is from the true forces.
 void score_pulls(const ThumbData& data, ThumbFit& out) {
@@ -206,7 +191,9 @@ ThumbFit run_thumb_fit(const ThumbStudyInputs& inputs, const ThumbFitSettings& s
   ThumbFit out;
   out.settings = settings;
   const FitInputs fit = thumb_fit_inputs(inputs, settings, data);
-  out.run = sample_with_retries(fit, posterior_settings(inputs, settings, study), study.retries);
+  out.run = sample_with_retries(
+      fit, chain_settings(settings.skewed ? inputs.skewed : inputs.orthogonal, study),
+      study.retries);
   if (!out.run.draws.complete) return out;
   // Scores on pulls, tasks, parameters and left-out trials.
   score_pulls(data, out);

@@ -31,6 +31,19 @@ struct DirectionErrors {
 [[nodiscard]] FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs,
                                          const ThumbFitSettings& settings, const ThumbData& data);
 
+/// Settings of the chains of a study or a recovery. @param file  settings with priors
+template <typename Study>
+[[nodiscard]] PosteriorSettings chain_settings(const SourceText& file, const Study& study) {
+  PosteriorSettings out;
+  out.posterior = posterior_options(file);
+  out.run.draws = study.draws;
+  out.run.sampler.warm_up = study.warm_up;
+  out.run.sampler.seed = study.seed;
+  out.run.progress.stop_requested = study.progress.stop_requested;
+  out.mode_starts = study.mode_starts;
+  return out;
+}
+
 /// Samples a posterior; while chains disagree, samples again with twice as many draws and shorter
 /// steps.
 /// @param retries  at most [1]

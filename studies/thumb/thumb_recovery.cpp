@@ -40,17 +40,6 @@ ThumbFitSettings free_axes(const ThumbRecoverySettings& settings) {
   return fit;
 }
 
-PosteriorSettings chains_of(const ThumbRecovery& of) {
-  PosteriorSettings out;
-  out.posterior = posterior_options(of.inputs.skewed);
-  out.run.draws = of.settings.draws;
-  out.run.sampler.warm_up = of.settings.warm_up;
-  out.run.sampler.seed = of.settings.seed;
-  out.run.progress.stop_requested = of.settings.progress.stop_requested;
-  out.mode_starts = of.settings.mode_starts;
-  return out;
-}
-
 /// Mean, sd and central 95 % interval of draws.
 RecoveredValue summary_of(const Eigen::MatrixXd& draws) {
   const Eigen::VectorXd rising = sorted(draws);
@@ -122,8 +111,7 @@ std::vector<RecoveredAxis> compare_axes(const ThumbRecovery& of) {
                                    displacements(problem.coordinates(), of.fit->solution.z, 0)))
           .digit;
   const internal::DrawnModels models(*of.run.posterior, pooled(of.run.draws));
-  std::vector<TendonModel<double>> drawn;
-  for (Eigen::Index k = 0; k < models.count(); ++k) drawn.push_back(models.at(k));
+  const std::vector<TendonModel<double>> drawn = models.all();
 
   std::vector<RecoveredAxis> axes;
   for (std::size_t h = 0; h < of.truth.model.tree.size(); ++h) {
@@ -195,7 +183,8 @@ ThumbRecovery recover_thumb(const ThumbStudyInputs& inputs, const ThumbRecoveryS
 
   // Draws from the posterior of the same priors and data.
   settings.progress(0.2, "a made-up thumb: chains");
-  out.run = internal::sample_with_retries(fit, chains_of(out), settings.retries);
+  out.run = internal::sample_with_retries(fit, internal::chain_settings(inputs.skewed, settings),
+                                          settings.retries);
   if (!out.run.draws.complete) return out;
 
   // Both beside the truth.

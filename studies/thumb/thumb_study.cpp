@@ -71,6 +71,11 @@ ThumbStudySettings quick_thumb_study() {
   return settings;
 }
 
+bool is_compared(const ThumbFitSettings& s) {
+  return s.arms == Arms::kFixed && s.noise == 0.1 && s.postures == 2 && s.skewness == 1 &&
+         !s.with_tasks && s.prior_width == 1;
+}
+
 std::string describe_fit(const ThumbFitSettings& settings) {
   return fmt::format(
       "{}, arms {}, {:.0f} % noise, {} {}{}{}{}", settings.skewed ? "skewed" : "orthogonal",

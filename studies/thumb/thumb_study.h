@@ -44,6 +44,9 @@ struct ThumbFitSettings {
   double prior_width = 1;   // factor on the prior sds of axes [1]
 };
 
+/// Returns true for a fit of either model that pages compare: arms known, 10 % noise, 2 postures.
+[[nodiscard]] bool is_compared(const ThumbFitSettings& settings);
+
 struct ThumbStudySettings {
   std::vector<ThumbFitSettings> fits;  // empty: nothing is done
   long draws = 1000, warm_up = 1000;   // of each of 4 chains [1]

@@ -1,6 +1,5 @@
 #include "studies/thumb/thumb_truth.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>

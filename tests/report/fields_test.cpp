@@ -44,39 +44,10 @@ TEST(Fields, AreNullWhereThereIsNoNumber) {
             R"({"a_N":null,"b_mm":null,"c_mm":[null,1000.0]})");
 }
 
-TEST(Fields, KeepKeysOfEarlierVersions) {
-  Fields fields;
-  fields.add("tip_force", units::kNewton, 2.5).alias = "tip_force";
-  EXPECT_EQ(json_text(json_of(fields, UnitSystem::kSi), -1),
-            R"({"tip_force_N":2.5,"tip_force":2.5})");
-}
-
 TEST(Fields, LeaveOutInSiWhatTheClockMeasured) {
   const Fields fields{{"cpu", units::kCpuSecond, 0.25}, {"time", units::kSecond, 2.0}};
   EXPECT_EQ(json_text(json_of(fields, UnitSystem::kSi), -1), R"({"time_s":2.0})");
   EXPECT_EQ(json_text(json_of(fields, UnitSystem::kPrinted), -1), R"({"cpu_s":0.25,"time_s":2.0})");
-}
-
-TEST(Fields, AreRowsOfATable) {
-  Fields other{{"hold", "rigid"}, {"note", "singular"}};
-  const Table table = table_of({sample(), other});
-  EXPECT_EQ(table.header, (std::vector<std::string>{"hold", "note", "angle_deg", "force_x_N",
-                                                    "force_y_N", "force_z_N", "arm_PIP3_mm",
-                                                    "arm_DIP3_mm", "check_gap_N", "check_solved"}));
-  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"pinned", "-", "30", "1", "-2", "0.5", "7.1",
-                                                     "-2", "1e-09", "yes"}));
-  EXPECT_EQ(table.rows[1], (std::vector<std::string>{"rigid", "singular", "-", "-", "-", "-", "-",
-                                                     "-", "-", "-"}));
-}
-
-TEST(Fields, TakeNamesOfColumnsAndDecimals) {
-  Fields fields;
-  Field& force = fields.add("force", units::kNewton, Eigen::Vector2d(1.23456, 2));
-  force.columns = {"fx_N", "fy_N"};
-  force.decimals = 2;
-  const Table table = table_of({fields});
-  EXPECT_EQ(table.header, (std::vector<std::string>{"fx_N", "fy_N"}));
-  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"1.23", "2.00"}));
 }
 
 }  // namespace

@@ -77,13 +77,7 @@ TEST(CornerBlock, ThinsAllQuantitiesAtTheSameDraws) {
     EXPECT_NEAR(2 * list[0]["draws"][i].get<double>(), list[1]["draws"][i].get<double>(), 2e-3);
 }
 
-TEST(CornerBlock, StartsWithWhatIsAskedFor) {
-  const std::vector<Quantity> all{quantity("a", 0, 1, 1), quantity("b", 0, 1, 1)};
-  EXPECT_EQ(corner_block(all, "", {"b", "a"})["shown"], Json({1, 0}));
-  EXPECT_THROW((void)corner_block(all, "", {"c"}), InputError);
-}
-
-TEST(CornerBlock, StartsWithWhatWasLearntIfNotAsked) {
+TEST(CornerBlock, StartsWithWhatWasLearnt) {
   std::vector<Quantity> all;
   for (int i = 0; i < 7; ++i) all.push_back(quantity("wide", 0, 0.9, 1));
   all.push_back(quantity("known", 0, 0.1, 1));
