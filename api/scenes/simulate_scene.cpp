@@ -26,6 +26,7 @@
 #include "dynamics/compliant/simbody_scene.h"
 #include "dynamics/scene/run_bytes.h"
 #include "dynamics/stepping/limit_excess.h"
+#include "dynamics/stepping/simulate_scene.h"
 #include "sampling/run/communicator.h"
 
 namespace thenar {

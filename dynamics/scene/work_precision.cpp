@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "dynamics/stepping/simulate_scene.h"
 
 namespace thenar {
 namespace {

@@ -11,6 +11,7 @@
 #include <Eigen/LU>
 
 #include "dynamics/scene/build_scene.h"
+#include "dynamics/stepping/simulate_scene.h"
 #include "grasp/closing/approach_sampling.h"
 #include "grasp/closing/grasp.h"
 #include "grasp/robot/robot_hand.h"

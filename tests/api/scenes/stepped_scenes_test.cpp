@@ -9,6 +9,7 @@
 #include "api/scenes/simulate_scene.h"
 #include "base/file_io.h"
 #include "dynamics/stepping/scene_stepper.h"
+#include "dynamics/stepping/simulate_scene.h"
 #include "tests/data_folder.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"

@@ -13,6 +13,7 @@
 #include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/scene/build_scene.h"
 #include "dynamics/stepping/meeting_pairs.h"
+#include "dynamics/stepping/simulate_scene.h"
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"

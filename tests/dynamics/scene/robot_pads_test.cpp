@@ -11,6 +11,7 @@
 
 #include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/scene/scene_pads.h"
+#include "dynamics/stepping/simulate_scene.h"
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "data/io/scene/scene.h"
 #include "dynamics/scene/build_scene.h"
+#include "dynamics/stepping/simulate_scene.h"
 #include "tests/data_folder.h"
 
 namespace thenar {

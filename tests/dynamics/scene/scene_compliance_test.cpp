@@ -10,6 +10,7 @@
 #include "dynamics/scene/build_scene.h"
 #include "dynamics/scene/measure_run.h"
 #include "dynamics/stepping/contact_step.h"
+#include "dynamics/stepping/simulate_scene.h"
 #include "tests/data_folder.h"
 #include "tests/message_of.h"
 

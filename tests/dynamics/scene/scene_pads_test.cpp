@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/pads/pad_element.h"
+#include "dynamics/stepping/simulate_scene.h"
 #include "hand/skin/skin_landmarks.h"
 #include "tests/message_of.h"
 

@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "dynamics/scene/build_scene.h"
 #include "dynamics/scene/measure_run.h"
+#include "dynamics/stepping/simulate_scene.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
 

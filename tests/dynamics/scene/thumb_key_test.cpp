@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "dynamics/scene/build_scene.h"
+#include "dynamics/stepping/simulate_scene.h"
 #include "tests/data_folder.h"
 
 namespace thenar {
