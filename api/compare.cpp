@@ -114,6 +114,7 @@ std::vector<BodySpec> objects_of(const CompareRequest& request) {
   std::vector<BodySpec> objects;
   for (const std::string& name : request.objects)
     objects.push_back(read_object(object_file(name, request.data)));
+  objects.insert(objects.end(), request.own_objects.begin(), request.own_objects.end());
   return objects;
 }
 
@@ -121,8 +122,10 @@ std::vector<BodySpec> objects_of(const CompareRequest& request) {
 void require_object_materials(const CompareRequest& request, const std::vector<BodySpec>& objects,
                               const Materials& table) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const std::vector<std::string> unknown = unknown_materials(
-        object_file(request.objects[i], request.data), {objects[i].material}, table);
+    const std::string named = i < request.objects.size()
+                                  ? object_file(request.objects[i], request.data)
+                                  : objects[i].name;
+    const std::vector<std::string> unknown = unknown_materials(named, {objects[i].material}, table);
     require(unknown.empty(), "{}; a materials file may give others",
             unknown.empty() ? "" : unknown.front());
   }
@@ -299,13 +302,14 @@ CompareResult compare_hands(const CompareRequest& request, const Progress& progr
   // Count pairs of a hand and an object, each of which is one cell of the table.
   CompareResult result;
   result.request = request;
-  result.outcome = {Status::kStopped, 0, request.hands.size() * request.objects.size(), "pair", {}};
   result.objects = objects_of(request);
+  result.outcome = {Status::kStopped, 0, request.hands.size() * result.objects.size(), "pair", {}};
   // Objects without a material get the default; hands warn of it.
   std::vector<std::string> without_material;
   for (std::size_t i = 0; i < result.objects.size(); ++i)
     if (result.objects[i].material.empty()) {
-      without_material.push_back(request.objects[i]);
+      without_material.push_back(i < request.objects.size() ? request.objects[i]
+                                                            : result.objects[i].name);
       result.objects[i].material = kDefaultMaterial;
     }
   const Materials materials = materials_of_file(request.materials);

@@ -25,6 +25,7 @@ struct CompareRequest {
                                  "robonaut",         "parallel_jaw", "robotiq_2f85"};
   std::vector<std::string> objects{"sphere_70", "cube_50", "can", "box",
                                    "pen",       "mug",     "egg", "jar_lid"};
+  std::vector<BodySpec> own_objects = {};  // behind those by name, as make_body() gives them
   std::vector<std::string> tasks{"force-closure", "hold-weight"};  // also "pull", "turn"
   std::string data;             // folder with robots/ and objects/; empty: the usual ones
   int approaches = 20;          // of every hand to every object

@@ -6,5 +6,6 @@
 #include "api/scenes/compare_rungs.h"
 #include "api/scenes/read_scene_run.h"
 #include "api/scenes/scene_account.h"
+#include "api/scenes/scene_builder.h"
 #include "api/scenes/simulate_scene.h"
 #include "api/scenes/world_scene.h"

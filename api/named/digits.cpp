@@ -144,7 +144,8 @@ SourceText subject_source(const std::string& name_or_path, const std::string& da
 DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
   // Read the subject with passive moments or without them.
   DigitCase at;
-  at.sources = {subject_source(request.subject, request.data)};
+  at.sources = {request.subject_text.empty() ? subject_source(request.subject, request.data)
+                                             : SourceText{request.subject, request.subject_text}};
   at.passive = request.passive;
   at.subject = with_passive(parse_subject(at.sources.front().text, at.sources.front().path),
                             request.passive);

@@ -12,9 +12,9 @@
 
 #include "api/named/posture.h"
 #include "base/fidelity.h"
+#include "base/provenance.h"
 #include "data/io/net_description.h"
 #include "data/io/subject.h"
-#include "base/provenance.h"
 #include "tendons/digit_tendons.h"
 #include "tendons/forces/posture_sensitivity.h"
 #include "tendons/net/net_tendons.h"
@@ -25,6 +25,8 @@ namespace thenar {
 /// Options that select a digit, its posture and its model rungs.
 struct DigitRequest {
   std::string subject;       // a file, or the name of one of subjects/
+  std::string subject_text;  // of a subject as its file would have it, in place of a file;
+                             // `subject` then is what messages and records call it
   std::string digit;         // empty: the only one that the subject has
   std::string data;          // folder with subjects/ ..; empty: the usual ones
   PostureRequest posture;    // joints not named are at 0

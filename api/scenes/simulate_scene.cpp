@@ -219,13 +219,17 @@ OpenScene open_scene(const SceneSpec& scene, const std::string& data,
   OpenScene out;
   out.files = scene.files;
   out.built = build_scene(scene, hands_of_scene(scene, data, out.files, path));
-  out.sources = texts_of(scene.path, out.files);
+  if (!scene.files.empty()) out.sources = texts_of(scene.path, out.files);  // else: not of a file
   return out;
 }
 
 RequestedScene open_requested_scene(const SceneRequest& request) {
-  // Read the scene, then change what the request states.
-  RequestedScene read{read_scene(scene_file(request)), {}, request};
+  return open_requested_scene(read_scene(scene_file(request)), request);
+}
+
+RequestedScene open_requested_scene(SceneSpec scene, const SceneRequest& request) {
+  // Change what the request states.
+  RequestedScene read{std::move(scene), {}, request};
   if (request.on_pins) read.spec.compliances.clear();
   if (!request.pads.empty()) {
     (void)index_of_name(request.pads, pad_rung_names(), "rung of pads");
@@ -251,6 +255,12 @@ RequestedScene open_requested_scene(const SceneRequest& request) {
 SceneResult simulate_scene(const SceneRequest& request, const Progress& progress) {
   require(request.vary.empty(), "wanted one run, got numbers that vary");
   return simulated(open_requested_scene(request), {}, progress);
+}
+
+SceneResult simulate_scene(const SceneSpec& scene, const SceneRequest& request,
+                           const Progress& progress) {
+  require(request.vary.empty(), "wanted one run, got numbers that vary");
+  return simulated(open_requested_scene(scene, request), {}, progress);
 }
 
 namespace {
@@ -573,6 +583,8 @@ void add_names(const SceneResult& scene, ResultFile& file) {
 }  // namespace
 
 void write_scene_run(const SceneResult& scene, const std::string& path, const RunRecord& run) {
+  require(!scene.sources.empty(), "scene '{}' has no file, by which its run could be read again",
+          scene.name);
   ResultFile file;
   add_names(scene, file);
   add_instants(scene, "", file);

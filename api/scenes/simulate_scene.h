@@ -96,6 +96,7 @@ struct RequestedScene {
 /// Reads and opens the scene that is asked for, with the method, pads and times of the request.
 /// @throws as open_scene(), or InputError where the request names what is not there.
 [[nodiscard]] RequestedScene open_requested_scene(const SceneRequest& request);
+[[nodiscard]] RequestedScene open_requested_scene(SceneSpec scene, const SceneRequest& request);
 
 /// Returns the data from which the hands of a scene are built, in the order of the scene.
 /// @param data, path  as of open_scene()
@@ -108,6 +109,12 @@ struct RequestedScene {
 /// Simulates one run of a scene; `request.vary` must be empty.
 /// @throws InputError or DataError saying what is unknown or wrong.
 [[nodiscard]] SceneResult simulate_scene(const SceneRequest& request,
+                                         const Progress& progress = {});
+
+/// Simulates one run of a scene that a program has built, see SceneBuilder.
+/// @param request  whose `scene` is not used
+/// @throws InputError or DataError, in which the scene's name stands for its file.
+[[nodiscard]] SceneResult simulate_scene(const SceneSpec& scene, const SceneRequest& request = {},
                                          const Progress& progress = {});
 
 /// Simulates a run for each combination of the numbers that vary, several at once; each run is the
@@ -126,7 +133,8 @@ inline constexpr const char* kSceneRunFormat = "thenar scene run 1";
 
 /// Writes all instants as HDF5, dimensions labelled as xarray expects, with the texts and hashes of
 /// all sources and the record of the run; of a sweep a summary of all runs, and each in a group.
-/// @throws InputError if the file cannot be written.
+/// @throws InputError if the file cannot be written, or the scene has no file: a run is read with
+/// it.
 void write_scene_run(const SceneResult& scene, const std::string& path, const RunRecord& run = {});
 void write_scene_sweep(const SceneSweepResult& sweep, const std::string& path,
                        const RunRecord& run = {});
