@@ -16,9 +16,9 @@ namespace thenar {
 namespace {
 
 /// Joins the parts of a scene, and adds all that acts on them.
-class SceneBuilder {
+class SceneAssembler {
  public:
-  SceneBuilder(const SceneSpec& spec, const std::vector<SceneHand>& hands)
+  SceneAssembler(const SceneSpec& spec, const std::vector<SceneHand>& hands)
       : spec_(spec), hands_(hands) {}
 
   BuiltScene build() {
@@ -138,7 +138,7 @@ class SceneBuilder {
 }  // namespace
 
 BuiltScene build_scene(const SceneSpec& spec, const std::vector<SceneHand>& hands) {
-  return SceneBuilder(spec, hands).build();
+  return SceneAssembler(spec, hands).build();
 }
 
 }  // namespace thenar
