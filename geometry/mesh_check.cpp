@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
-#include "geometry/triangle_mesh.h"
 
 namespace thenar {
 namespace {

@@ -15,7 +15,6 @@
 #include "geometry/cached_mesh.h"
 #include "geometry/nearest_grid.h"
 #include "geometry/surface_crossings.h"
-#include "geometry/triangle_mesh.h"
 #include "geometry/triangle_tree.h"
 #include "geometry/winding_number.h"
 

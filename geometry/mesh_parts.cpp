@@ -10,9 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
-#include "geometry/mesh_check.h"
 #include "geometry/mesh_faults.h"
-#include "geometry/triangle_mesh.h"
 #include "geometry/triangle_tree.h"
 #include "geometry/winding_number.h"
 

@@ -1,7 +1,6 @@
 #include "geometry/triangle_mesh.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace thenar {
 

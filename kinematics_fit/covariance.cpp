@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "kinematics_fit/fit_residuals.h"
-#include "solvers/arrow_factor.h"
 
 namespace thenar {
 namespace {

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "base/provenance.h"
 #include "data/io/net_description.h"
 #include "data/io/result_layout.h"
 #include "kinematics_fit/axis_pivots.h"

@@ -1,7 +1,6 @@
 #include "kinematics_fit/force_jacobian.h"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <utility>
 

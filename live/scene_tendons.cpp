@@ -1,7 +1,6 @@
 #include "live/scene_tendons.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/error.h"

@@ -1,7 +1,6 @@
 #include "posterior/hand_posterior.h"
 
 #include <cmath>
-#include <limits>
 
 #include "base/error.h"
 #include "base/random_stream.h"

@@ -9,7 +9,6 @@
 
 #include "base/units.h"
 #include "kinematics_fit/specimen_prior.h"
-#include "posterior/simd_loops.h"
 #include "posterior/tilt_density.h"
 
 namespace thenar::internal {

@@ -1,7 +1,6 @@
 #include "solvers/arrow_factor.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <Eigen/QR>

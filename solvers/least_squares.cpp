@@ -1,11 +1,9 @@
 #include "solvers/least_squares.h"
 
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include <Eigen/QR>
 

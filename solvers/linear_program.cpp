@@ -1,6 +1,5 @@
 #include "solvers/linear_program.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 

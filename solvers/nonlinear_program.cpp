@@ -5,7 +5,6 @@
 #include <exception>
 #include <limits>
 #include <mutex>
-#include <utility>
 
 #define HAVE_CSTDDEF  // Ipopt 3.11 asks for it and leaves its own configuration out
 #include <IpIpoptApplication.hpp>

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/error.h"
 #include "base/nearest_name.h"
 #include "data/io/toml_text.h"
 

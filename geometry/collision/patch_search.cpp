@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/collision/collision_tree.h"
 #include "geometry/collision/empty_space.h"
 
 namespace thenar {

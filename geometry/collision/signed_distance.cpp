@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "geometry/collision/collision_tree.h"
 #include "geometry/collision/empty_space.h"
 #include "geometry/collision/segment_bounds.h"
 

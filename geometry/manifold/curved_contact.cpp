@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "base/units.h"
 #include "geometry/collision/segment_bounds.h"

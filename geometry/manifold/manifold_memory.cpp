@@ -1,7 +1,6 @@
 #include "geometry/manifold/manifold_memory.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace thenar {

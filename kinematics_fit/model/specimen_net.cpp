@@ -1,7 +1,6 @@
 #include "kinematics_fit/model/specimen_net.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace thenar {
 

@@ -7,12 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "base/provenance.h"
 #include "data/io/result_layout.h"
 #include "posterior/run/posterior_groups.h"
 #include "posterior/run/posterior_quantities.h"
-#include "posterior/run/sample_posterior.h"
 
 namespace thenar::internal {
 namespace {

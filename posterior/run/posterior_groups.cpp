@@ -4,8 +4,6 @@
 #include <functional>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include "kinematics_fit/prediction.h"
 #include "posterior/run/posterior_quantities.h"
 #include "posterior/run/predict_draws.h"

@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/numbers.h"
-#include "base/spatial.h"
 #include "base/units.h"
 #include "solvers/bound_prices.h"
 #include "solvers/linear_program.h"

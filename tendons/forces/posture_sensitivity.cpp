@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 #include "base/error.h"

@@ -1,11 +1,8 @@
 #include "tendons/muscle/finger_motion.h"
 
-#include <cmath>
-
 #include <Eigen/Cholesky>
 
 #include "base/error.h"
-#include "tendons/digit_tendons.h"
 
 namespace thenar {
 namespace {

@@ -1,7 +1,6 @@
 #include "tendons/net/build_net.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include <fmt/ranges.h>

@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "tendons/net/node_contact.h"
-
 namespace thenar::internal {
 namespace {
 

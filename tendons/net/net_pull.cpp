@@ -1,7 +1,6 @@
 #include "tendons/net/net_pull.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/error.h"

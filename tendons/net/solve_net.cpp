@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "tendons/net/net.h"
 #include "tendons/net/net_descent.h"
 
 namespace thenar {

@@ -1,7 +1,6 @@
 #include "tendons/wrapping/arm_slopes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <Eigen/Geometry>

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "tendons/wrapping/path_tangency.h"
 #include "tendons/wrapping/planar_wrap.h"
 
 namespace thenar {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 namespace thenar {
 namespace {

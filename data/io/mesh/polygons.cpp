@@ -1,10 +1,7 @@
 #include "data/io/mesh/polygons.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <limits>
 #include <set>
 
 #include <Eigen/Geometry>

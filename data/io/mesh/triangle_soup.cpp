@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -13,7 +12,6 @@
 
 #include "base/error.h"
 #include "geometry/mesh_parts.h"
-#include "geometry/triangle_mesh.h"
 
 namespace thenar {
 namespace {

@@ -1,7 +1,6 @@
 #include "data/io/robot/mjcf_parts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 #include "data/io/robot/mjcf_actuators.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>

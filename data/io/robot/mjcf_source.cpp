@@ -1,10 +1,7 @@
 #include "data/io/robot/mjcf_source.h"
 
 #include <filesystem>
-#include <map>
-#include <memory>
 #include <set>
-#include <string>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -14,8 +11,6 @@
 #include "base/outside_path.h"
 #include "base/units.h"
 #include "data/io/file_guard.h"
-#include "data/io/graspit/xml_file.h"
-#include "data/io/robot/import_xml.h"
 
 namespace thenar::internal {
 namespace {
