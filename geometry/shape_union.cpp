@@ -95,8 +95,6 @@ std::shared_ptr<const Shape> join(std::vector<std::shared_ptr<const Shape>> part
 
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr std::size_t kMaxParts = 64;  // Most parts of a smooth union
 
 /// Returns the most by which the blend reduces equal distances of `parts` shapes, over the blend

@@ -213,7 +213,6 @@ MatrixXd HandPosterior::pointwise(const Points& x) const {
 // Between a posterior's x, the z of its fit, and the numbers that people read.
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr std::uint32_t kPriorStream = 0x7072696f;  // purpose of random numbers

@@ -153,7 +153,6 @@ Displaced displace(const PosteriorParts& parts, const EntryMotion& motion) {
 // Priors in x: normal for every entry, times von Mises-Fisher over normal for axis directions.
 namespace {
 
-using Eigen::Index;
 using Lane = std::array<double, kBlockPoints>;
 
 /// One pair of tilts at one point: where it is, and by what it is moved.

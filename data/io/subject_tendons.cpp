@@ -97,8 +97,6 @@ void read_muscles(TomlTable& top, SubjectDraft& draft) {
 
 namespace {
 
-using Eigen::Vector3d;
-
 /// Largest distance of an origin from the strand on which it rides [m]: two digitisations of one
 /// landmark differ by as much.
 constexpr double kRideReach = 1e-3;
@@ -225,7 +223,6 @@ void check_path(const TomlTable& table, const Strand& strand, const SubjectDraft
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
 
 Vector3d read_size(TomlTable& table, SurfaceShape shape) {
   const auto positive = [&](const char* key) {

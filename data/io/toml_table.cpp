@@ -1,9 +1,11 @@
 #include "data/io/toml_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "base/enum_names.h"
 #include "base/nearest_name.h"
 #include "data/io/toml_text.h"
 
@@ -21,32 +23,14 @@ std::vector<std::string> keys_of(const std::string& base, Dimension dimension) {
 }
 
 bool holds(Range range, double value) {
-  switch (range) {
-    case Range::kAny:
-      return true;
-    case Range::kNotNegative:
-      return value >= 0;
-    case Range::kPositive:
-      return value > 0;
-    case Range::kFraction:
-      break;
-  }
-  return value >= 0 && value <= 1;
+  if (range == Range::kAny) return true;
+  return range == Range::kPositive ? value > 0
+                                   : value >= 0 && (range == Range::kNotNegative || value <= 1);
 }
 
-std::string range_name(Range range) {
-  switch (range) {
-    case Range::kAny:
-      return "finite";
-    case Range::kNotNegative:
-      return ">= 0";
-    case Range::kPositive:
-      return "> 0";
-    case Range::kFraction:
-      break;
-  }
-  return "in 0..1";
-}
+constexpr std::array kRangeNames{
+    EnumName{Range::kAny, "finite"}, EnumName{Range::kNotNegative, ">= 0"},
+    EnumName{Range::kPositive, "> 0"}, EnumName{Range::kFraction, "in 0..1"}};
 
 bool contains(const std::set<std::string>& names, const std::string& name) {
   return names.count(name) == 1;
@@ -57,47 +41,6 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }
 
 }  // namespace
-
-double largest_of(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::kNumber:
-      return 1e12;  // as of contacts: beyond it products lose all digits
-    case Dimension::kLength:
-      return 100;  // way of a mobile base
-    case Dimension::kAngle:
-      return 1e9;  // joints without end, as other programs state their range
-    case Dimension::kMass:
-      return 1e4;  // a mobile robot: 300 kg
-    case Dimension::kForce:
-    case Dimension::kMoment:
-      return 1e9;  // drives without limit, as other programs state them
-    case Dimension::kArea:
-      return 1;  // physiological cross-section of a large muscle: 0.03 m2
-    case Dimension::kInertia:
-      return 1e5;
-    case Dimension::kStress:
-      return 1e13;  // Young's modulus of diamond: 1.2e12 Pa
-    case Dimension::kAcceleration:
-      return 1e4;
-    case Dimension::kDensity:
-      return 1e5;  // osmium: 2.3e4 kg/m3
-    case Dimension::kAngularStiffness:
-    case Dimension::kAngularDamping:
-      return 1e6;
-    case Dimension::kTime:
-      return 1e6;  // eleven days
-    case Dimension::kSpeed:
-      return 1e4;
-    case Dimension::kAngularSpeed:
-      return 1e6;  // of the fastest rotor
-    case Dimension::kInverseSpeed:
-      return 1e6;  // dissipation: contacts that hardly close
-    case Dimension::kLinearStiffness:
-    case Dimension::kLinearDamping:
-      break;
-  }
-  return 1e12;
-}
 
 std::string with_si_unit(double value, Dimension dimension) {
   for (const Unit& unit : units_of(dimension))
@@ -318,7 +261,8 @@ double TomlTable::value(const TomlNode& node, const std::string& key, Range rang
   if (!std::isfinite(node.number))
     fail_at(node.line, fmt::format("wanted '{}' as a finite number, got {}", key, node.number));
   if (!holds(range, node.number))
-    fail_at(node.line, fmt::format("wanted '{}' {}, got {}", key, range_name(range), node.number));
+    fail_at(node.line,
+            fmt::format("wanted '{}' {}, got {}", key, name_in(kRangeNames, range), node.number));
   if (sources_.empty())
     fail_at(node.line, fmt::format("'{}' has no source: add source = \"Key\" to its table or to "
                                    "the top of the file",

@@ -271,16 +271,11 @@ VectorXd FingerMotion::scale() const {
                contraction().has_fibre_state() ? length : VectorXd(), 1e-3, 1e-3});
 }
 
-}  // namespace thenar
-
 // Slopes of the equations of motion, for the integrator.
 
-namespace thenar {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 /// d(R q')/dq at fixed q' and tensions t, by differences of what is itself a slope [m/s/rad]
 /// (muscles, coordinates).

@@ -79,11 +79,7 @@ bool NetDescent::update_multipliers() {
   return changed;
 }
 
-}  // namespace thenar::internal
-
 // Telling a minimum from a saddle, and leaving it.
-
-namespace thenar::internal {
 
 /// Returns whether no small move lowers E: positive curvature, but for rounding, in all free
 /// directions.
@@ -125,14 +121,9 @@ bool NetDescent::leave_saddle_early() {
   return true;
 }
 
-}  // namespace thenar::internal
-
 // What is said of a net at rest.
 
-namespace thenar::internal {
 namespace {
-
-using Eigen::Vector3d;
 
 // Half angle about the half-plane opposite to a band's side [rad]
 constexpr double kCutAngle = 1e-6;

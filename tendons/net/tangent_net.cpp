@@ -160,7 +160,6 @@ NetPerturbation joint_perturbation(const Net& net, const Tree<double>& tree,
   return with_bones(net, joint_velocity_tree(tree, state, coordinate));
 }
 
-using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
@@ -305,9 +304,6 @@ Matrix3Xd node_rates(const TangentNet& tangent, const NetPerturbation& input) {
 
 namespace {
 
-using Eigen::Index;
-using Eigen::Matrix3Xd;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// A force on a link at a point, with their rates.

@@ -292,8 +292,6 @@ void ChainTangent::rates(const Vector3d& a_dot, const Vector3d& b_dot,
 
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr std::size_t kSurfaceBeads = 24;  // a surface
 // Factor on the moves of beads in the first three quarters of the sweeps [1]
 constexpr double kOverRelaxation = 1.7;

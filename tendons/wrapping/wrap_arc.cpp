@@ -218,9 +218,6 @@ std::optional<WrapArc> initial_arc(const BoneSurface& surface, const Vector3d& a
 
 namespace {
 
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-
 /// Unrolled, the string is a straight line: z grows in step with the way run across the axis.
 std::optional<RoundArc> over_cylinder(double r, const Vector3d& a, const Vector3d& b,
                                       const Vector3d& side) {
