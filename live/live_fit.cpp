@@ -93,7 +93,7 @@ LiveFit::LiveFit(const std::string& path) : source_(read_fit_source(path)) {
   require(!trials_.empty(), "'{}' was fitted to no trials, only to activations", path);
   for (std::size_t s = 0; s < source_.specimens.size(); ++s)
     looks_.push_back(look_of(static_cast<int>(s)));
-  for (const std::string& warning : looks_.front().bodies.warnings)
+  for (const std::string& warning : looks_.front().picture->warnings())
     source_.warnings.push_back(warning);
   show(0);
   shape_changes_ = changes_ = 0;
@@ -108,26 +108,18 @@ LiveFit::Look LiveFit::look_of(int specimen) const {
   Look look;
   look.model = specimen_model<double>(before, problem.parameters(), values.estimate);
   const TendonDigit digit = specimen_digit(before, look.model);
-  look.tendons = tendons_of_fit(digit);
-  look.lines = std::make_unique<DigitLines>(source_.subject, name, look.tendons);
-  look.bodies = digit_bodies(
-      source_.subject, name, digit,
+  look.picture = std::make_unique<DigitPicture>(
+      source_.subject, name, tendons_of_fit(digit), Eigen::VectorXd::Zero(digit.model.coordinates),
       problem.scaling() == Scaling::kSubject ? DigitLook::kAnatomy : DigitLook::kCapsules);
   // Axes of some draws.
   std::vector<TendonModel<double>> drawn;
   for (const std::vector<double>& draw : values.drawn)
     drawn.push_back(specimen_model<double>(before, problem.parameters(), draw).digit);
   look.pairs = pairs_of(digit, values);
-  look.shape.bodies = look.bodies.bodies;
-  look.shape.joints = look.bodies.joints;
-  look.shape.lines = look.lines->lines();
-  look.shape.arrows = axis_arrows(digit.names.hinges);
+  look.shape = look.picture->shape();
   look.shape.arrows.push_back({"measured", LiveArrowKind::kMeasured});
   look.shape.arrows.push_back({"predicted", LiveArrowKind::kPredicted});
-  if (!drawn.empty()) look.shape.clouds = axis_clouds(drawn, digit, look.bodies);
-  aim_at_digit(look.bodies, digit.model,
-               pose_tree(digit.model.tree, Eigen::VectorXd::Zero(digit.model.coordinates).eval()),
-               look.shape);
+  if (!drawn.empty()) look.shape.clouds = axis_clouds(drawn, digit, look.picture->bodies());
   return look;
 }
 
@@ -156,7 +148,7 @@ void LiveFit::show(int trial) {
   // A net at rest under them.
   rest_ = {};
   net_trouble_.clear();
-  if (const auto* net = dynamic_cast<const NetTendons*>(look.tendons.get())) {
+  if (const auto* net = dynamic_cast<const NetTendons*>(&look.picture->tendons())) {
     rest_ = follow_from_straight(*net, posed_.angles, tension_).rest;
     net_trouble_ = net_warning(net->net().net, posed_.state, rest_);
   }
@@ -190,15 +182,7 @@ std::vector<std::string> LiveFit::warnings() const {
 }
 
 LiveInstant LiveFit::instant() const {
-  const Look& look = looks_[specimen()];
-  const TendonModel<double>& model = digit().model;
-  LiveInstant instant;
-  instant.bodies = body_poses(look.bodies, posed_.state);
-  instant.joints = hinge_angles(model, posed_.angles);
-  instant.line_points = look.lines->points(posed_.state, rest_);
-  for (Eigen::Vector3d& p : instant.line_points) p = placed() * p;
-  instant.tensions = look.lines->tensions(posed_.angles, tension_, rest_);
-  instant.arrows = axis_vectors(look.bodies, model, posed_.state);
+  LiveInstant instant = looks_[specimen()].picture->instant(posed_.angles, tension_, rest_);
   const ForcePlace place = force_place();
   const PredictedTrial& trial = predicted(shown_);
   for (const Eigen::Vector3d* force : {&trial.measured, &trial.predicted})
