@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <type_traits>
 
 #include "kinematics_fit/prediction.h"
 #include "posterior/run/posterior_quantities.h"
@@ -189,23 +190,12 @@ InferenceGroup statistics_group(const PosteriorRun& run) {
 
   // Densities.
   add("lp", "log posterior", [](const StepStats& s) { return s.log_prior + s.log_likelihood; });
-  add("log_prior", "log prior", [](const StepStats& s) { return s.log_prior; });
-  add("log_likelihood", "log likelihood", [](const StepStats& s) { return s.log_likelihood; });
-  // The sampler's own figures.
-  add("acceptance_rate", "mean probability of acceptance",
-      [](const StepStats& s) { return s.acceptance; });
-  add("step_size", "of the leapfrog", [](const StepStats& s) { return s.step_size; });
-  add("energy", "Hamiltonian", [](const StepStats& s) { return s.energy; });
-  add("tree_depth", "of the trajectory", [](const StepStats& s) { return s.depth; }).integer = true;
-  add("n_steps", "densities asked for", [](const StepStats& s) { return s.evaluations; }).integer =
-      true;
-  // Counts and flags.
-  add("broken", "densities that were NaN", [](const StepStats& s) {
-    return s.non_finite;
-  }).integer = true;
-  add("diverging", "energy error above 1000", [](const StepStats& s) {
-    return s.divergent ? 1 : 0;
-  }).boolean = true;
+  each_step_field([&](const char* name, const char* description, auto StepStats::*field) {
+    InferenceArray& array = add(name, description, [&](const StepStats& s) { return s.*field; });
+    using Value = std::decay_t<decltype(StepStats().*field)>;
+    array.integer = std::is_same_v<Value, int>;
+    array.boolean = std::is_same_v<Value, bool>;
+  });
   return group;
 }
 
