@@ -1,6 +1,5 @@
 #include "geometry/mesh_distance.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>
@@ -11,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/lists.h"
 #include "base/provenance.h"
 #include "geometry/cached_mesh.h"
 #include "geometry/nearest_grid.h"
@@ -160,8 +160,7 @@ class CrossedMeshDistance final : public Shape {
 std::shared_ptr<const Shape> made(const TriangleMesh& mesh) {
   TriangleTree tree(mesh);
   const std::vector<bool> meeting = internal::crossing_triangles(mesh, tree);
-  if (std::find(meeting.begin(), meeting.end(), true) == meeting.end())
-    return std::make_shared<MeshDistance>(mesh, std::move(tree));
+  if (!contains(meeting, true)) return std::make_shared<MeshDistance>(mesh, std::move(tree));
   return std::make_shared<CrossedMeshDistance>(mesh, std::move(tree), meeting);
 }
 

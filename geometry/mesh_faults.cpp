@@ -1,11 +1,11 @@
 #include "geometry/mesh_faults.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
+#include "base/lists.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_parts.h"
 
@@ -50,9 +50,8 @@ bool is_flat(const TriangleMesh& mesh) {
 }
 
 bool any_is_flat(const std::vector<ShapeSpec>& shapes) {
-  return std::any_of(shapes.begin(), shapes.end(), [](const ShapeSpec& shape) {
-    return !shape.mesh.empty() && is_flat(shape.mesh);
-  });
+  return any_of(shapes,
+                [](const ShapeSpec& shape) { return !shape.mesh.empty() && is_flat(shape.mesh); });
 }
 
 MeshFaults find_mesh_faults(const TriangleMesh& mesh) {

@@ -1,11 +1,11 @@
 #include "kinematics_fit/force_jacobian.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include <ceres/jet.h>
 
+#include "base/lists.h"
 #include "hand/axis_distance.h"
 #include "kinematics_fit/model/net_trials.h"
 #include "tendons/net/net_derivatives.h"
@@ -84,10 +84,9 @@ internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& of, const Tree
 bool is_still(const internal::NetPerturbation& input) {
   const auto zero = [](const auto& v) { return v.isZero(0); };
   return zero(input.tension) && zero(input.node) && zero(input.radius) &&
-         std::all_of(input.axis.begin(), input.axis.end(), zero) &&
-         std::all_of(input.point.begin(), input.point.end(), zero) &&
-         std::all_of(input.link.begin(), input.link.end(),
-                     [&](const internal::BodyTwist& body) { return zero(body.v) && zero(body.w); });
+         all_of(input.axis, zero) && all_of(input.point, zero) &&
+         all_of(input.link,
+                [&](const internal::BodyTwist& body) { return zero(body.v) && zero(body.w); });
 }
 
 /// A specimen's net at rest in all trials, with its derivatives: by implicit differentiation.

@@ -9,6 +9,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "base/lists.h"
 #include "kinematics_fit/fit_residuals.h"
 
 namespace thenar {
@@ -28,9 +29,7 @@ double preferred(int step) {
 }
 
 std::vector<double> factors_at(const std::vector<int>& steps) {
-  std::vector<double> factors;
-  for (const int step : steps) factors.push_back(preferred(step));
-  return factors;
+  return transformed(steps, [&](const int step) { return preferred(step); });
 }
 
 /// The largest step of a factor of no more than `most`.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "geometry/solid.h"
 #include "hand/skin/human_surfaces.h"
 #include "hand/skin/skin_body.h"
@@ -36,10 +37,7 @@ class BodyList {
     bodies_.push_back(std::move(body));
     links_.push_back(link);
   }
-  [[nodiscard]] int body_of(int link) const {
-    const auto found = std::find(links_.begin(), links_.end(), link);
-    return found == links_.end() ? -1 : static_cast<int>(found - links_.begin());
-  }
+  [[nodiscard]] int body_of(int link) const { return place_in(links_, link); }
   void take_into(DigitBodies& out) {
     out.bodies = std::move(bodies_);
     out.links = std::move(links_);
@@ -175,19 +173,15 @@ DigitBodies digit_bodies(const Subject& subject, const std::string& name, const 
 }
 
 std::vector<Pose<double>> body_poses(const DigitBodies& bodies, const TreeState<double>& state) {
-  std::vector<Pose<double>> poses;
-  poses.reserve(bodies.links.size());
-  for (const int link : bodies.links)
-    poses.push_back(link < 0 ? bodies.X_WS : bodies.X_WS * state[static_cast<std::size_t>(link)].X);
-  return poses;
+  return transformed(bodies.links, [&](const int link) {
+    return link < 0 ? bodies.X_WS : bodies.X_WS * state[static_cast<std::size_t>(link)].X;
+  });
 }
 
 std::vector<double> hinge_angles(const TendonModel<double>& model, const Eigen::VectorXd& q) {
-  std::vector<double> angles;
-  angles.reserve(model.tree.size());
-  for (const Hinge<double>& hinge : model.tree)
-    angles.push_back(hinge.ratio * q[hinge.coordinate] + hinge.offset);
-  return angles;
+  return transformed(model.tree, [&](const Hinge<double>& hinge) {
+    return hinge.ratio * q[hinge.coordinate] + hinge.offset;
+  });
 }
 
 std::vector<LiveArrow> axis_arrows(const std::vector<std::string>& names) {

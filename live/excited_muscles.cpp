@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "tendons/net/net_tendons.h"
 
@@ -29,9 +30,8 @@ ExcitedMuscles::ExcitedMuscles(const Subject& subject, std::shared_ptr<const Dig
   const TendonDigit& digit = tendons_->digit();
   for (std::size_t m = 0; m < digit.names.muscles.size(); ++m) {
     const std::string& name = digit.names.muscles[m];
-    const auto unit = std::find_if(subject.muscles.begin(), subject.muscles.end(),
-                                   [&](const MuscleUnit& each) { return each.name == name; });
-    require(unit != subject.muscles.end(), "subject '{}' has no muscle '{}'", subject.name, name);
+    const MuscleUnit* unit = find_named(subject.muscles, name);
+    require(unit != nullptr, "subject '{}' has no muscle '{}'", subject.name, name);
     muscles_.push_back({name, digit.max_tension[static_cast<Eigen::Index>(m)], unit->fibre_length,
                         unit->tendon_slack, unit->pennation});
   }

@@ -6,6 +6,7 @@
 
 #include "api/moment_arms.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
 #include "base/units.h"
@@ -67,8 +68,7 @@ LiveDigit::LiveDigit(const DigitRequest& request) {
   require(case_.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': ask tip-force",
           case_.digit, case_.subject.name, case_.map);
   const TendonDigit& digit = case_.bones();
-  for (std::string& warning : lower_rungs(request, digit.fidelity))
-    warnings_.push_back(std::move(warning));
+  append_all(warnings_, lower_rungs(request, digit.fidelity));
   muscles_ = std::make_unique<ExcitedMuscles>(case_.subject, case_.tendons);
   build_shape();
   // No muscle pulls at first.
@@ -82,7 +82,7 @@ LiveDigit::LiveDigit(const DigitRequest& request) {
 void LiveDigit::build_shape() {
   picture_ = std::make_unique<DigitPicture>(case_.subject, case_.digit, case_.tendons,
                                             case_.grid.postures.front());
-  warnings_.insert(warnings_.end(), picture_->warnings().begin(), picture_->warnings().end());
+  append_all(warnings_, picture_->warnings());
   shape_ = picture_->shape();
   shape_.arrows.push_back({"tip force", LiveArrowKind::kForce});
 }
@@ -149,16 +149,13 @@ void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitatio
   now.warnings = muscles_->warnings(excitation);
   add_doubts(now.point, now.warnings);
   const TendonDigit& bones = case_.bones();
-  for (std::string& warning :
-       overload_warnings(bones.names.muscles, bones.max_tension, now.tension))
-    now.warnings.push_back(std::move(warning));
-  for (std::string& warning : reversal_warnings(
-           case_.net != nullptr ? case_.net->linear() : *case_.tendons, {{}, 1, {q}, {}}))
-    now.warnings.push_back(std::move(warning));
+  append_all(now.warnings, overload_warnings(bones.names.muscles, bones.max_tension, now.tension));
+  append_all(now.warnings,
+             reversal_warnings(case_.net != nullptr ? case_.net->linear() : *case_.tendons,
+                               {{}, 1, {q}, {}}));
   if (case_.bones().fidelity.path != Path::kFitted) {
     const DigitTendons& linear = case_.net != nullptr ? case_.net->linear() : *case_.tendons;
-    for (std::string& warning : collapse_warnings(linear, q))
-      now.warnings.push_back(std::move(warning));
+    append_all(now.warnings, collapse_warnings(linear, q));
   }
   now_ = std::move(now);
 }

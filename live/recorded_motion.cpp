@@ -1,19 +1,17 @@
 #include "live/recorded_motion.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <Eigen/Geometry>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 
 namespace thenar {
 namespace {
 
 std::vector<double> times_of(const std::vector<SceneSample>& samples) {
-  std::vector<double> times;
-  for (const SceneSample& sample : samples) times.push_back(sample.t);
-  return times;
+  return transformed(samples, [&](const SceneSample& sample) { return sample.t; });
 }
 
 /// The positions a share of the way from one instant to the next.
@@ -42,8 +40,7 @@ RecordedMotion::RecordedMotion(RecordedScene run)
       picture_(scene_picture(run_.built, run_.camera)),
       model_(tree_model(run_.built.scene.mechanism)) {
   for (const std::string& muscle : picture_.tendons.muscles()) {
-    const auto found = std::find(run_.muscles.begin(), run_.muscles.end(), muscle);
-    tension_of_.push_back(found == run_.muscles.end() ? -1 : found - run_.muscles.begin());
+    tension_of_.push_back(place_in(run_.muscles, muscle));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "data/io/toml_table.h"
 
@@ -140,9 +141,10 @@ void read_noise(TomlTable& table, Experiment& experiment) {
 PostureRecord read_posture(TomlTable& table, const Experiment& experiment) {
   PostureRecord posture{table.text("name"), table.named(Dimension::kAngle, "angles")};
   // Names of postures are unique.
-  for (const PostureRecord& other : experiment.postures)
-    if (other.name == posture.name)
-      table.fail(fmt::format("posture '{}' is given twice", posture.name), "name");
+  if (find_named(experiment.postures, posture.name) != nullptr)
+    for (const PostureRecord& other : experiment.postures)
+      if (other.name == posture.name)
+        table.fail(fmt::format("posture '{}' is given twice", posture.name), "name");
   table.done();
   return posture;
 }

@@ -1,11 +1,11 @@
 #include "data/io/toml_table.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "base/enum_names.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "data/io/toml_text.h"
 
@@ -17,9 +17,7 @@ std::string key_of(const std::string& base, const Unit& unit) {
 }
 
 std::vector<std::string> keys_of(const std::string& base, Dimension dimension) {
-  std::vector<std::string> keys;
-  for (const Unit& unit : units_of(dimension)) keys.push_back(key_of(base, unit));
-  return keys;
+  return transformed(units_of(dimension), [&](const Unit& unit) { return key_of(base, unit); });
 }
 
 bool holds(Range range, double value) {
@@ -31,14 +29,6 @@ bool holds(Range range, double value) {
 constexpr std::array kRangeNames{
     EnumName{Range::kAny, "finite"}, EnumName{Range::kNotNegative, ">= 0"},
     EnumName{Range::kPositive, "> 0"}, EnumName{Range::kFraction, "in 0..1"}};
-
-bool contains(const std::set<std::string>& names, const std::string& name) {
-  return names.count(name) == 1;
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 }  // namespace
 
@@ -204,7 +194,7 @@ void TomlTable::done() const {
   // A known quantity with a wrong unit deserves its own message.
   for (const Quantity& wanted : asked_) refuse_wrong_unit(wanted);
   for (const auto& [key, node] : node_->members)
-    if (!contains(known_, key))
+    if (known_.count(key) == 0)
       fail_at(node.line, fmt::format("unknown key '{}'{}", key,
                                      did_you_mean(key, {known_.begin(), known_.end()})));
 }
@@ -287,9 +277,7 @@ std::vector<double> TomlTable::values(const TomlNode& node, const std::string& k
   const int size = static_cast<int>(node.items.size());
   if (count > 0 && size != count)
     fail_at(node.line, fmt::format("wanted {} numbers in '{}', got {}", count, key, size));
-  std::vector<double> result;
-  for (const TomlNode& item : node.items) result.push_back(value(item, key, range));
-  return result;
+  return transformed(node.items, [&](const TomlNode& item) { return value(item, key, range); });
 }
 
 TomlTable TomlTable::inner(const TomlNode& node, const std::string& title) const {
@@ -300,7 +288,7 @@ TomlTable TomlTable::inner(const TomlNode& node, const std::string& title) const
 void TomlTable::refuse_misspelt(const std::string& wanted) const {
   const int near = wanted.size() < 6 ? 1 : 2;  // letters that may differ
   for (const auto& [key, node] : node_->members)
-    if (!contains(known_, key) && edit_distance(key, wanted) <= near)
+    if (known_.count(key) == 0 && edit_distance(key, wanted) <= near)
       fail_at(node.line, fmt::format("unknown key '{}', did you mean '{}'?", key, wanted));
 }
 
@@ -308,7 +296,7 @@ void TomlTable::refuse_misspelt(const std::string& wanted) const {
 void TomlTable::refuse_wrong_unit(const Quantity& wanted) const {
   for (const Unit& unit : all_units()) {
     const std::string key = key_of(wanted.base, unit);
-    if (node_->find(key) == nullptr || contains(known_, key)) continue;
+    if (node_->find(key) == nullptr || known_.count(key) > 0) continue;
     fail(fmt::format("wanted {} ({}), got '{}'", dimension_name(wanted.dimension),
                      fmt::join(keys_of(wanted.base, wanted.dimension), ", "), key),
          key);

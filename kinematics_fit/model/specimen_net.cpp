@@ -1,6 +1,6 @@
 #include "kinematics_fit/model/specimen_net.h"
 
-#include <algorithm>
+#include "base/lists.h"
 
 namespace thenar {
 
@@ -11,8 +11,7 @@ bool lies_at(const PathNode<double>& point, int link, const Eigen::Vector3d& p) 
 }
 
 bool pulls_net(const BuiltNet& built, const Eigen::VectorXd& t) {
-  return std::any_of(built.pulls.begin(), built.pulls.end(),
-                     [&](const MuscleAttachment& pull) { return t[pull.muscle] > 0; });
+  return any_of(built.pulls, [&](const MuscleAttachment& pull) { return t[pull.muscle] > 0; });
 }
 
 std::optional<double> first_share(const BuiltNet& built, int m) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
 #include "kinematics_fit/prediction.h"
 
 namespace thenar {
@@ -92,11 +93,8 @@ std::vector<std::string> observation_names(const FitProblem& problem, Observed w
 
 std::vector<Estimate> estimates_of(const std::vector<PosteriorQuantity>& quantities,
                                    const std::vector<int>& group) {
-  std::vector<Estimate> estimates;
-  estimates.reserve(quantities.size());
-  for (const PosteriorQuantity& q : quantities)
-    estimates.push_back(estimate(q.name, q.draws, group));
-  return estimates;
+  return transformed(quantities,
+                     [&](const PosteriorQuantity& q) { return estimate(q.name, q.draws, group); });
 }
 
 }  // namespace thenar

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/net/band_course.h"
 #include "tendons/wrapping/wrapped_string.h"
 
@@ -31,9 +32,7 @@ double band_length(const Net& net, const TreeState<double>& state, const NetBand
 }  // namespace
 
 std::vector<double> start_lengths(const Net& net, const TreeState<double>& state) {
-  std::vector<double> lengths;
-  for (const NetBand& band : net.bands) lengths.push_back(band_length(net, state, band));
-  return lengths;
+  return transformed(net.bands, [&](const NetBand& band) { return band_length(net, state, band); });
 }
 
 double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd& load,

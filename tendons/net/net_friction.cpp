@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/net/net.h"
 #include "tendons/net/node_contact.h"
 
@@ -129,8 +130,7 @@ class Rounds {
     rest.tension = rest.tension.head(bands).eval();
     // A friction band that collapsed is no finding about the net.
     const auto foreign = [&](const CollapsedBand& collapsed) { return collapsed.band >= bands; };
-    rest.collapsed.erase(std::remove_if(rest.collapsed.begin(), rest.collapsed.end(), foreign),
-                         rest.collapsed.end());
+    erase_where(rest.collapsed, foreign);
     if (rest.status == NetStatus::kNodeCollapsed && rest.collapsed.empty())
       rest.status = NetStatus::kBalanced;
     x_ = rest.x;
@@ -217,8 +217,7 @@ class Rounds {
   }
 
   [[nodiscard]] bool gives_up() const {
-    return std::any_of(rubs_.begin(), rubs_.end(),
-                       [](const Rub& rub) { return rub.returns > kMaxReturns; });
+    return any_of(rubs_, [](const Rub& rub) { return rub.returns > kMaxReturns; });
   }
 
   /// Writes what bones do to nodes, in place of contacts that hold what friction bands pull

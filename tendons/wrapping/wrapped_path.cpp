@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/units.h"
 #include "tendons/wrapping/path_solver.h"
 #include "tendons/wrapping/planar_wrap.h"
@@ -108,9 +109,8 @@ void check(const WrappedPath& path, const PathSet& set, const Skeleton& skeleton
 }
 
 bool crosses_a_joint(const WrappedPath& path) {
-  return std::any_of(path.points.begin(), path.points.end(), [&](const WrapPoint& point) {
-    return point.link != path.points.front().link;
-  });
+  return any_of(path.points,
+                [&](const WrapPoint& point) { return point.link != path.points.front().link; });
 }
 
 /// Points and surfaces on the kept links; those on dropped segments end the path.
@@ -186,13 +186,12 @@ PathSet build(const Subject& subject, const Skeleton& skeleton,
   set.surfaces = place_surfaces(subject, skeleton);
   const auto wanted = [&](const Strand& strand) {
     const auto carries = [&](const std::string& name) {
-      return std::any_of(subject.strands.begin(), subject.strands.end(), [&](const Strand& other) {
+      return any_of(subject.strands, [&](const Strand& other) {
         return other.name == name && !other.path.empty() &&
                other.path.back().rides_on == strand.name;
       });
     };
-    return only == nullptr || std::find(only->begin(), only->end(), strand.name) != only->end() ||
-           std::any_of(only->begin(), only->end(), carries);
+    return only == nullptr || contains(*only, strand.name) || any_of(*only, carries);
   };
   // Paths in file order; a rider stands behind its carrier.
   for (const Strand& strand : subject.strands) {

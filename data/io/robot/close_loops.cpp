@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <Eigen/Dense>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "data/io/robot/import_couplings.h"
@@ -59,13 +60,13 @@ std::vector<LoopGroup> groups_of(RobotSpec& robot, const std::vector<LoopClosure
     if (joined.dofs.empty()) continue;  // nothing moves the two places
     // Merge all groups that share one with this closure.
     for (auto group = groups.begin(); group != groups.end();) {
-      const bool shared = std::any_of(joined.dofs.begin(), joined.dofs.end(),
-                                      [&](const auto& dof) { return group->dofs.count(dof) > 0; });
+      const bool shared =
+          any_of(joined.dofs, [&](const auto& dof) { return group->dofs.count(dof) > 0; });
       if (!shared) {
         ++group;
         continue;
       }
-      joined.closures.insert(joined.closures.end(), group->closures.begin(), group->closures.end());
+      append_all(joined.closures, group->closures);
       joined.dofs.insert(group->dofs.begin(), group->dofs.end());
       group = groups.erase(group);
     }
@@ -135,18 +136,6 @@ void couple(RobotSpec& robot, const std::string& passive, const std::string& mot
     joint.ratio = ratio * c[1];
     for (Eigen::Index k = 2; k < c.size(); ++k) joint.curve.push_back(ratio * c[k]);
   }
-}
-
-/// Widens the limits of followers by the error of their polynomials.
-void widen_limits(RobotSpec& robot, const RobotDof& motor) {
-  for (RobotJoint& joint : robot.joints)
-    if (joint.dof == motor.name && !joint.curve.empty())
-      for (int i = 0; i <= kGapChecks; ++i) {
-        const double value =
-            joint_value(joint, motor.lower + (motor.upper - motor.lower) * i / kGapChecks);
-        joint.lower = std::min(joint.lower, value);  // by what the polynomial is off
-        joint.upper = std::max(joint.upper, value);
-      }
 }
 
 /// The largest gap in the whole range, with joints coupled [m].
@@ -281,13 +270,12 @@ class LoopSolver {
       dof.upper = motor.upper;
     }
     // Passive degrees of freedom are no longer needed.
-    const auto passive = [&](const RobotDof& dof) {
-      return std::any_of(linkage.passives().begin(), linkage.passives().end(),
-                         [&](const PassiveJoint& each) { return each.name == dof.name; });
-    };
-    robot_.dofs.erase(std::remove_if(robot_.dofs.begin(), robot_.dofs.end(), passive),
-                      robot_.dofs.end());
-    widen_limits(robot_, motor);
+    erase_where(robot_.dofs, [&](const RobotDof& dof) {
+      return find_named(linkage.passives(), dof.name) != nullptr;
+    });
+    // By what the polynomials are off.
+    for (RobotJoint& joint : robot_.joints)
+      if (joint.dof == motor.name && !joint.curve.empty()) widen_limits(joint, motor, kGapChecks);
   }
 
   RobotSpec& robot_;

@@ -1,3 +1,4 @@
+#include "base/lists.h"
 #include "data/io/robot/mjcf_parts.h"
 
 #include <algorithm>
@@ -52,12 +53,6 @@ class MjcfDrive {
   }
 
  private:
-  [[nodiscard]] const FixedTendon* find_tendon(const std::string& name) const {
-    for (const FixedTendon& tendon : tendons_)
-      if (tendon.name == name) return &tendon;
-    return nullptr;
-  }
-
   void read_equalities() {
     for (const pugi::xml_node section : source_.file.root().children("equality"))
       for (const pugi::xml_node node : section.children()) {
@@ -126,7 +121,7 @@ class MjcfDrive {
 
   /// Coupling  c1 (q1 - ref1) + c2 (q2 - ref2) = a0.
   void couple_through_tendon(const pugi::xml_node& node, const MjcfElement& equality) {
-    const FixedTendon* tendon = find_tendon(required_text(source_.file, node, "tendon1"));
+    const FixedTendon* tendon = find_named(tendons_, required_text(source_.file, node, "tendon1"));
     if (tendon == nullptr || tendon->terms.size() != 2 || !node.attribute("tendon2").empty()) {
       source_.unread.note(node,
                           "<tendon> equality of other than one fixed tendon of two joints is not "
@@ -179,9 +174,8 @@ class MjcfDrive {
     const TendonTerm &leader = tendon.terms[first_leads ? 0 : 1],
                      &follower = tendon.terms[first_leads ? 1 : 0];
     // A joint follows only one other.
-    const bool again =
-        std::any_of(couplings_.begin(), couplings_.end(),
-                    [&](const FollowerCoupling& other) { return other.joint == follower.joint; });
+    const bool again = any_of(
+        couplings_, [&](const FollowerCoupling& other) { return other.joint == follower.joint; });
     if (follower.coefficient == 0 || again) {
       robot_.warnings.push_back(fmt::format(
           "limits of tendon '{}' ({:.4g} to {:.4g}) are not kept: {}", tendon.name,
@@ -205,21 +199,19 @@ class MjcfDrive {
   }
 
   [[nodiscard]] bool has_actuator(const std::string& joint) const {
-    return std::any_of(actuators_.begin(), actuators_.end(),
-                       [&](const MjcfActuator& actuator) { return actuator.joint == joint; });
+    return any_of(actuators_,
+                  [&](const MjcfActuator& actuator) { return actuator.joint == joint; });
   }
 
   [[nodiscard]] bool is_driven(const FixedTendon& tendon) const {
-    return std::any_of(actuators_.begin(), actuators_.end(), [&](const MjcfActuator& actuator) {
-      return actuator.tendon == tendon.name;
-    });
+    return any_of(actuators_,
+                  [&](const MjcfActuator& actuator) { return actuator.tendon == tendon.name; });
   }
 
   /// Adds a coupling, unless its joint follows another already.
   void add_coupling(const FollowerCoupling& coupling, const pugi::xml_node& node) {
-    const bool again =
-        std::any_of(couplings_.begin(), couplings_.end(),
-                    [&](const FollowerCoupling& other) { return other.joint == coupling.joint; });
+    const bool again = any_of(
+        couplings_, [&](const FollowerCoupling& other) { return other.joint == coupling.joint; });
     if (again) {
       source_.unread.note(node, fmt::format("joint '{}' follows another already; its equality with "
                                             "'{}' is not kept",
@@ -298,7 +290,7 @@ class MjcfDrive {
   }
 
   void drive_through_tendon(const MjcfActuator& actuator) {
-    const FixedTendon& tendon = *find_tendon(actuator.tendon);
+    const FixedTendon& tendon = *find_named(tendons_, actuator.tendon);
     const std::map<std::string, double> by_dof = gradient(tendon);
     double squares = 0;
     for (const auto& [name, coefficient] : by_dof) squares += coefficient * coefficient;
@@ -362,12 +354,10 @@ class MjcfDrive {
         std::find_if(robot_.dofs.begin(), robot_.dofs.end(),
                      [&](const RobotDof& dof) { return by_dof.count(dof.name) > 0; });
     robot_.dofs.insert(place, shared);
-    robot_.dofs.erase(std::remove_if(robot_.dofs.begin(), robot_.dofs.end(),
-                                     [&](const RobotDof& dof) {
-                                       const auto part = by_dof.find(dof.name);
-                                       return part != by_dof.end() && part->second != 0;
-                                     }),
-                      robot_.dofs.end());
+    erase_where(robot_.dofs, [&](const RobotDof& dof) {
+      const auto part = by_dof.find(dof.name);
+      return part != by_dof.end() && part->second != 0;
+    });
     moved_.insert(shared.name);
     by_dof_[shared.name].push_back(actuator.name);
   }

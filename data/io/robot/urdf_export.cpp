@@ -1,3 +1,4 @@
+#include "base/lists.h"
 #include "data/io/robot/urdf.h"
 
 #include <algorithm>
@@ -249,8 +250,7 @@ class Export {
   }
 
   [[nodiscard]] bool drives(const std::string& dof) const {
-    return std::any_of(robot_.joints.begin(), robot_.joints.end(),
-                       [&](const RobotJoint& joint) { return joint.dof == dof; });
+    return any_of(robot_.joints, [&](const RobotJoint& joint) { return joint.dof == dof; });
   }
 
   [[nodiscard]] const RobotJoint& leader(const std::string& dof) const {
@@ -314,8 +314,7 @@ class Export {
   /// largest deviation.
   [[nodiscard]] Line line_of(const RobotJoint& joint) const {
     if (joint.curve.empty()) return {joint.ratio, joint.offset};
-    const auto dof = std::find_if(robot_.dofs.begin(), robot_.dofs.end(),
-                                  [&](const RobotDof& each) { return each.name == joint.dof; });
+    const RobotDof* dof = find_named(robot_.dofs, joint.dof);
     // Chord of the curve.
     const double span = dof->upper - dof->lower, at_lower = joint_value(joint, dof->lower);
     const double ratio =
