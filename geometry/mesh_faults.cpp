@@ -26,8 +26,7 @@ Eigen::Matrix3Xd used_corners(const TriangleMesh& mesh) {
 /// A hole that a corner on an edge leaves: all its corners are in line.
 bool is_seam(const TriangleMesh& mesh, const MeshHole& hole) {
   Eigen::Matrix3Xd loop(3, static_cast<Eigen::Index>(hole.loop.size()));
-  for (Eigen::Index i = 0; i < loop.cols(); ++i)
-    loop.col(i) = mesh.vertices.col(hole.loop[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < loop.cols(); ++i) loop.col(i) = mesh.vertices.col(hole.loop[i]);
   // The corner farthest from the first gives the line.
   Eigen::Index far = 0;
   const Eigen::Matrix3Xd r = loop.colwise() - loop.col(0);

@@ -140,7 +140,7 @@ FittedValues fitted_values(const Fit& fit, int specimen) {
   const Eigen::VectorXd unseen = unseen_variance(fit.problem.coordinates());
   if (specimen < 0)
     for (int c = 0; c < parameters.coordinates(); ++c) {
-      const Parameter& p = parameters.all[static_cast<std::size_t>(parameters.leader[c])];
+      const Parameter& p = parameters.all[parameters.leader[c]];
       variance[c] += unseen[c] - p.between_sd * p.between_sd;
     }
 

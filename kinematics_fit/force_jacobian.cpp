@@ -68,12 +68,12 @@ internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& of, const Tree
   for (Eigen::Index s = 0; s < input.radius.size(); ++s) input.radius[s] = of.radius[s].v[lane];
   // Tensions: pulls, and laws of bands in terms of log EA and log slack.
   for (Eigen::Index b = 0; b < input.tension.size(); ++b) {
-    const int muscle = net.bands[static_cast<std::size_t>(b)].muscle;
+    const int muscle = net.bands[b].muscle;
     if (muscle >= 0) {
       input.tension[b] = pulls[muscle].v[lane];
       continue;
     }
-    const internal::BandState& band = tangent.band[static_cast<std::size_t>(b)];
+    const internal::BandState& band = tangent.band[b];
     input.tension[b] =
         band.pull.tension * of.EA[b].v[lane] / of.EA[b].a -
         band.pull.stiffness * band.chord.length * of.slack[b].v[lane] / of.slack[b].a;
@@ -152,7 +152,7 @@ Eigen::Matrix3Xd force_values(const TendonDigit& digit, const FitParameters& par
   const NetTrials nets = net_trials(model, plan);
   return predict_forces<double>(
       model, plan, [&](const PosedSpecimen<double>& /*at*/, Eigen::Index i) -> Eigen::VectorXd {
-        return nets.trials[static_cast<std::size_t>(i)]->tau;
+        return nets.trials[i]->tau;
       });
 }
 

@@ -22,8 +22,7 @@ std::vector<std::string> hood_muscles(const TendonDigit& digit) {
     for (const NetMuscle& muscle : digit.net->muscles) found.push_back(muscle.muscle);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  return transformed(found,
-                     [&](const int m) { return digit.names.muscles[static_cast<std::size_t>(m)]; });
+  return transformed(found, [&](const int m) { return digit.names.muscles[m]; });
 }
 
 std::optional<HoodRowErrors> hood_row_errors(const Prediction& prediction,

@@ -165,8 +165,7 @@ DigitBodies digit_bodies(const Subject& subject, const std::string& name, const 
   // Links of universal joints have no flesh, but a joint wants a body.
   for (int link = 0; link < static_cast<int>(digit.model.tree.size()); ++link)
     if (list.body_of(link) < 0)
-      list.add(digit.names.hinges[static_cast<std::size_t>(link)] + " link", LiveRole::kBone, link,
-               nullptr);
+      list.add(digit.names.hinges[link] + " link", LiveRole::kBone, link, nullptr);
   out.joints = joints_of(name, digit, list);
   list.take_into(out);
   return out;
@@ -174,7 +173,7 @@ DigitBodies digit_bodies(const Subject& subject, const std::string& name, const 
 
 std::vector<Pose<double>> body_poses(const DigitBodies& bodies, const TreeState<double>& state) {
   return transformed(bodies.links, [&](const int link) {
-    return link < 0 ? bodies.X_WS : bodies.X_WS * state[static_cast<std::size_t>(link)].X;
+    return link < 0 ? bodies.X_WS : bodies.X_WS * state[link].X;
   });
 }
 

@@ -32,8 +32,8 @@ ExcitedMuscles::ExcitedMuscles(const Subject& subject, std::shared_ptr<const Dig
     const std::string& name = digit.names.muscles[m];
     const MuscleUnit* unit = find_named(subject.muscles, name);
     require(unit != nullptr, "subject '{}' has no muscle '{}'", subject.name, name);
-    muscles_.push_back({name, digit.max_tension[static_cast<Eigen::Index>(m)], unit->fibre_length,
-                        unit->tendon_slack, unit->pennation});
+    muscles_.push_back(
+        {name, digit.max_tension[m], unit->fibre_length, unit->tendon_slack, unit->pennation});
   }
   // Where lengths are counted from.
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(digit.model.coordinates);
@@ -54,7 +54,7 @@ Eigen::VectorXd ExcitedMuscles::tensions(const Eigen::VectorXd& excitation,
   const Eigen::VectorXd longer = lengthening(q);
   for (Eigen::Index m = 0; m < held.size(); ++m) {
     if (std::isnan(excitation[m])) continue;
-    const Musculotendon& muscle = muscles_[static_cast<std::size_t>(m)];
+    const Musculotendon& muscle = muscles_[m];
     require(excitation[m] >= 0 && excitation[m] <= 1,
             "wanted an excitation of '{}' from 0 to 1, got {}", muscle.name, excitation[m]);
     require(std::isfinite(muscle.F0),
@@ -70,7 +70,7 @@ Eigen::VectorXd ExcitedMuscles::tensions(const Eigen::VectorXd& excitation,
 std::vector<std::string> ExcitedMuscles::warnings(const Eigen::VectorXd& excitation) const {
   std::vector<std::string> without, all;
   for (Eigen::Index m = 0; m < excitation.size(); ++m) {
-    const Musculotendon& muscle = muscles_[static_cast<std::size_t>(m)];
+    const Musculotendon& muscle = muscles_[m];
     if (!std::isnan(excitation[m]) && !(muscle.optimal_fibre_length > 0))
       without.push_back(muscle.name);
   }

@@ -36,9 +36,9 @@ DigitCase open_digit(const DigitRequest& request, std::vector<std::string>& warn
 Eigen::VectorXd rounded_to_limits(const Skeleton& skeleton, Eigen::VectorXd q,
                                   std::vector<std::string>& limited) {
   for (int i = 0; i < skeleton.coordinates(); ++i) {
-    const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
+    const CoordinateLimits& limits = skeleton.limits[i];
     const double inside = std::clamp(q[i], limits.lower, limits.upper);
-    if (inside != q[i]) limited.push_back(skeleton.coordinate_names[static_cast<std::size_t>(i)]);
+    if (inside != q[i]) limited.push_back(skeleton.coordinate_names[i]);
     q[i] = inside;
   }
   return q;
@@ -93,8 +93,7 @@ Eigen::VectorXd LiveDigit::with_angles(const std::map<std::string, double>& post
   Eigen::VectorXd q = now_.point.q;
   for (const auto& [name, angle] : posture) {
     require(std::isfinite(angle), "wanted an angle of '{}' [rad], got {}", name, angle);
-    q[static_cast<Eigen::Index>(index_of_name(name, skeleton.coordinate_names, "free joint"))] =
-        angle;
+    q[index_of_name(name, skeleton.coordinate_names, "free joint")] = angle;
   }
   return rounded_to_limits(skeleton, q, limited);
 }
@@ -103,13 +102,13 @@ Eigen::VectorXd LiveDigit::with_excitations(const DigitInputs& inputs) const {
   const std::vector<std::string>& muscles = case_.bones().names.muscles;
   Eigen::VectorXd excitation = now_.excitation;
   for (const auto& [name, tension] : inputs.tension)
-    excitation[static_cast<Eigen::Index>(index_of_name(name, muscles, "muscle"))] = kNaN;
+    excitation[index_of_name(name, muscles, "muscle")] = kNaN;
   for (const auto& [name, value] : inputs.excitation) {
     require(inputs.tension.count(name) == 0, "wanted a tension or an excitation of '{}', got both",
             name);
     require(value >= 0 && value <= 1, "wanted an excitation of '{}' from 0 to 1, got {}", name,
             value);
-    excitation[static_cast<Eigen::Index>(index_of_name(name, muscles, "muscle"))] = value;
+    excitation[index_of_name(name, muscles, "muscle")] = value;
   }
   return excitation;
 }
@@ -123,7 +122,7 @@ std::vector<std::string> LiveDigit::set(const DigitInputs& inputs) {
   const Eigen::VectorXd named = tensions(case_, inputs.tension);
   Eigen::VectorXd t = now_.tension;
   for (Eigen::Index m = 0; m < t.size(); ++m)
-    if (inputs.tension.count(muscles[static_cast<std::size_t>(m)]) > 0) t[m] = named[m];
+    if (inputs.tension.count(muscles[m]) > 0) t[m] = named[m];
   solve(q, excitation, t);
   ++changes_;
   return limited;
@@ -219,8 +218,8 @@ DigitCurves LiveDigit::sweep(const std::string& joint, int count, const Progress
                      Eigen::MatrixXd::Constant(muscles, postures, kNaN),
                      Eigen::MatrixXd::Constant(muscles, postures, kNaN), answer.outcome.warnings};
   for (Eigen::Index k = 0; k < postures; ++k) {
-    const MomentArmPoint& point = answer.points[static_cast<std::size_t>(k)];
-    curves.angle[k] = point.q[static_cast<Eigen::Index>(i)];
+    const MomentArmPoint& point = answer.points[k];
+    curves.angle[k] = point.q[i];
     if (!point.failure.empty()) continue;
     curves.arms.col(k) = point.arms.col(static_cast<Eigen::Index>(i));
     curves.lengths.col(k) = point.length_change;
@@ -247,7 +246,7 @@ DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& g
   bool doubtful = false;
   // Postures of the sweep; those that are not trusted leave gaps, and the first doubt is told.
   for (Eigen::Index k = 0; k < postures; ++k) {
-    const DigitPoint& point = points[static_cast<std::size_t>(k)];
+    const DigitPoint& point = points[k];
     curves.angle[k] = point.q[varied];
     if (!doubtful) {
       const std::string doubt = doubt_at(point);

@@ -42,7 +42,7 @@ std::vector<LiveCloud> axis_clouds(const std::vector<TendonModel<double>>& drawn
       // The base may have no body: then it is the world that carries them.
       const auto body = std::find(bodies.links.begin(), bodies.links.end(), parent);
       const bool bare = body == bodies.links.end();
-      const Pose<double> X = parent >= 0 ? state[static_cast<std::size_t>(parent)].X.inverse()
+      const Pose<double> X = parent >= 0 ? state[parent].X.inverse()
                              : bare      ? bodies.X_WS
                                          : Pose<double>();
       clouds[i].body = bare ? -1 : static_cast<int>(body - bodies.links.begin());
@@ -102,7 +102,7 @@ LiveFit::LiveFit(const std::string& path) : source_(read_fit_source(path)) {
 LiveFit::Look LiveFit::look_of(int specimen) const {
   const FitProblem& problem = source_.problem;
   const TendonDigit& before = problem.digit_of(specimen);
-  const SpecimenValues& values = source_.specimens[static_cast<std::size_t>(specimen)];
+  const SpecimenValues& values = source_.specimens[specimen];
   const std::string& name = problem.experiments().front().digit;
   // The fitted digit, with bones of the subject where it has its size.
   Look look;
@@ -124,16 +124,15 @@ LiveFit::Look LiveFit::look_of(int specimen) const {
 }
 
 const ExperimentPlan& LiveFit::plan() const {
-  const LiveTrial& at = trials_[static_cast<std::size_t>(shown_)];
-  return source_.problem.plans()[static_cast<std::size_t>(at.experiment)];
+  const LiveTrial& at = trials_[shown_];
+  return source_.problem.plans()[at.experiment];
 }
 
 const PredictedTrial& LiveFit::predicted(int trial) const {
   require(trial >= 0 && trial < static_cast<int>(trials_.size()),
           "wanted one of {} trials, counted from 0, got {}", trials_.size(), trial);
-  const LiveTrial& at = trials_[static_cast<std::size_t>(trial)];
-  return source_.predictions[static_cast<std::size_t>(at.experiment)]
-      .trials[static_cast<std::size_t>(at.trial)];
+  const LiveTrial& at = trials_[trial];
+  return source_.predictions[at.experiment].trials[at.trial];
 }
 
 void LiveFit::show(int trial) {
@@ -141,7 +140,7 @@ void LiveFit::show(int trial) {
   const std::size_t before = specimen();
   shown_ = trial;
   const Look& look = looks_[specimen()];
-  const auto i = static_cast<std::size_t>(trials_[static_cast<std::size_t>(trial)].trial);
+  const auto i = static_cast<std::size_t>(trials_[trial].trial);
   // The posture with its errors, and the tensions that arrive.
   posed_ = pose_specimen(look.model, plan(), static_cast<std::size_t>(plan().posture_of_trial[i]));
   tension_ = look.model.gain.cwiseProduct(plan().tension[i]);
@@ -157,19 +156,17 @@ void LiveFit::show(int trial) {
 }
 
 LiveFit::ForcePlace LiveFit::force_place() const {
-  const LiveTrial& at = trials_[static_cast<std::size_t>(shown_)];
+  const LiveTrial& at = trials_[shown_];
   const TendonModel<double>& model = digit().model;
   const auto axes = [&](int link) -> Eigen::Matrix3d {
-    return link < 0
-               ? model.tip_axes
-               : Eigen::Matrix3d(posed_.state[static_cast<std::size_t>(link)].X.R * model.tip_axes);
+    return link < 0 ? model.tip_axes : Eigen::Matrix3d(posed_.state[link].X.R * model.tip_axes);
   };
   // At the tip, on a segment that is held in its place, or on the mount.
   const int other = site_of(plan(), static_cast<std::size_t>(at.trial));
   if (other < 0)
     return {moved(posed_.state, model.tip_link, model.tip),
             axes(model.tip_link) * posed_.cell.transpose()};
-  const PlannedSite& site = plan().sites[static_cast<std::size_t>(other)];
+  const PlannedSite& site = plan().sites[other];
   const Eigen::Vector3d from = site.link >= 0 ? moved(posed_.state, site.link, site.point)
                                               : axis_points(model, posed_.state).front();
   return {from, axes(site.axes_link) * plan().components.transpose()};

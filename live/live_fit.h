@@ -75,7 +75,7 @@ class LiveFit final : public LiveModel {
   };
   [[nodiscard]] Look look_of(int specimen) const;
   [[nodiscard]] std::size_t specimen() const {
-    return static_cast<std::size_t>(trials_[static_cast<std::size_t>(shown_)].specimen);
+    return static_cast<std::size_t>(trials_[shown_].specimen);
   }
   [[nodiscard]] const ExperimentPlan& plan() const;
   /// Point where the force of the trial was measured, and the rotation of its components into the

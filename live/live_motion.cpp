@@ -323,7 +323,7 @@ std::vector<ElementValue> LiveMotion::muscles() const {
 Eigen::VectorXd LiveMotion::tension() const {
   Eigen::VectorXd out(static_cast<Eigen::Index>(tension_at_.size()));
   for (std::size_t m = 0; m < tension_at_.size(); ++m)
-    out[static_cast<Eigen::Index>(m)] = history_.at(shown_).readings[tension_at_[m]];
+    out[m] = history_.at(shown_).readings[tension_at_[m]];
   return out;
 }
 

@@ -27,7 +27,7 @@ LiveInstant RecordedDigitMotion::instant() const {
 
 MotionEnergy RecordedDigitMotion::energy() const {
   const auto now = [&](const auto& all) {
-    return straight_number([&](std::size_t i) { return all[static_cast<Eigen::Index>(i)]; });
+    return straight_number([&](std::size_t i) { return all[i]; });
   };
   MotionEnergy out;
   out.kinetic = out.weight = out.springs = kNaN;

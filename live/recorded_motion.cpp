@@ -50,7 +50,7 @@ Eigen::VectorXd RecordedMotion::tension() const {
   if (run_.muscles.empty()) return out;
   const Eigen::VectorXd recorded = straight(run_.tension);
   for (std::size_t m = 0; m < tension_of_.size(); ++m)
-    if (tension_of_[m] >= 0) out[static_cast<Eigen::Index>(m)] = recorded[tension_of_[m]];
+    if (tension_of_[m] >= 0) out[m] = recorded[tension_of_[m]];
   return out;
 }
 
@@ -119,7 +119,7 @@ TimelineState RecordedMotion::state(const MotionParts& parts) const {
   if (parts.muscles && !run_.muscles.empty()) {
     const Eigen::VectorXd tensions = straight(run_.tension);
     for (std::size_t m = 0; m < run_.muscles.size(); ++m)
-      out.muscles.push_back({run_.muscles[m], "N", tensions[static_cast<Eigen::Index>(m)]});
+      out.muscles.push_back({run_.muscles[m], "N", tensions[m]});
   }
   return out;
 }

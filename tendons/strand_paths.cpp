@@ -49,7 +49,7 @@ class WrappedStrands : public StrandPaths {
     // Strand of each path; those that only carry another have none.
     strand_of_.assign(set_.paths.size(), -1);
     for (std::size_t s = 0; s < path_of_.size(); ++s)
-      if (path_of_[s] >= 0) strand_of_[static_cast<std::size_t>(path_of_[s])] = static_cast<int>(s);
+      if (path_of_[s] >= 0) strand_of_[path_of_[s]] = static_cast<int>(s);
   }
 
   [[nodiscard]] StrandArms arms(const TreeState<double>& state,
@@ -113,8 +113,7 @@ class WrappedStrands : public StrandPaths {
     // Constant arms give lengths that are linear in the posture.
     Eigen::VectorXd length = -constant_ * q;
     for (std::size_t s = 0; s < path_of_.size(); ++s)
-      if (path_of_[s] >= 0)
-        length[static_cast<Eigen::Index>(s)] = shapes[static_cast<std::size_t>(path_of_[s])].length;
+      if (path_of_[s] >= 0) length[s] = shapes[path_of_[s]].length;
     return length;
   }
 
@@ -199,8 +198,8 @@ class FittedStrands : public StrandPaths {
     for (Eigen::Index j = 0; j < q.size(); ++j)
       if (q[j] < box_.lower[j] || q[j] > box_.upper[j]) {
         arms.status = TendonStatus::kOutOfRange;
-        arms.warning = fmt::format("joint '{}' is outside the range that paths were fitted over",
-                                   names_[static_cast<std::size_t>(j)]);
+        arms.warning =
+            fmt::format("joint '{}' is outside the range that paths were fitted over", names_[j]);
       }
     return arms;
   }
@@ -216,7 +215,7 @@ class FittedStrands : public StrandPaths {
       const FittedLength fitted = fitted_length(paths_[k], q);
       slopes.length[row_[k]] = fitted.length;
       slopes.R.row(row_[k]) = fitted.arms;
-      slopes.dR[static_cast<std::size_t>(row_[k])] = arm_derivatives(paths_[k], q);
+      slopes.dR[row_[k]] = arm_derivatives(paths_[k], q);
     }
     return slopes;
   }

@@ -102,7 +102,7 @@ class DigitBuilder {
   [[nodiscard]] PostureAngle angle_of(const JointAxis& joint) const {
     const int i = place_in(built_.names.hinges, joint.name);
     if (i >= 0) {
-      const Hinge<double>& hinge = built_.model.tree[static_cast<std::size_t>(i)];
+      const Hinge<double>& hinge = built_.model.tree[i];
       return {hinge.coordinate, hinge.ratio, hinge.offset};
     }
     const auto& frozen = built_.skeleton.frozen;
@@ -169,7 +169,7 @@ class DigitBuilder {
     for (const auto& [joint, arm] : strand.arms) {
       const int i = place_in(built_.names.hinges, joint);
       if (i < 0) continue;  // welded
-      const Hinge<double>& hinge = built_.model.tree[static_cast<std::size_t>(i)];
+      const Hinge<double>& hinge = built_.model.tree[i];
       arms[hinge.coordinate] += hinge.ratio * arm;
     }
     return arms;
@@ -239,7 +239,7 @@ class DigitBuilder {
         const int strand = built_.model.pulls[m];
         int& action = built_.actions(static_cast<Eigen::Index>(m), j);
         // A stated arm has a sign; a name says what a joint of flexion does.
-        const double arm = stated_arm(names.strands[static_cast<std::size_t>(strand)], joint.name);
+        const double arm = stated_arm(names.strands[strand], joint.name);
         if (arm != 0)
           action = arm > 0 ? 1 : -1;
         else if (std::abs(flexes) > kFlexionCosine)
@@ -321,8 +321,7 @@ TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q) {
 }
 
 Eigen::Matrix3d tip_axes(const TendonDigit& digit, const Eigen::VectorXd& q) {
-  return pose_tree(digit.model.tree, q)[static_cast<std::size_t>(digit.model.tip_link)].X.R *
-         digit.model.tip_axes;
+  return pose_tree(digit.model.tree, q)[digit.model.tip_link].X.R * digit.model.tip_axes;
 }
 
 }  // namespace thenar

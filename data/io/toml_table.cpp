@@ -135,8 +135,7 @@ Eigen::Matrix3d TomlTable::rows3(const std::string& key) {
     fail(fmt::format("wanted '{}' as 3 rows, got {}", key, node.items.size()), key);
   Eigen::Matrix3d rows;
   for (int i = 0; i < 3; ++i) {
-    const std::vector<double> row =
-        values(node.items[static_cast<std::size_t>(i)], key, 3, Range::kAny);
+    const std::vector<double> row = values(node.items[i], key, 3, Range::kAny);
     rows.row(i) << row[0], row[1], row[2];
   }
   return rows;

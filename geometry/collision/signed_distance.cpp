@@ -133,7 +133,7 @@ class DistanceSearch {
     int best = 0;
     std::vector<int> nodes{0};
     while (!nodes.empty()) {
-      const CollisionNode& node = a_.nodes[static_cast<std::size_t>(nodes.back())];
+      const CollisionNode& node = a_.nodes[nodes.back()];
       nodes.pop_back();
       if (n.dot(node.ball.c) - node.ball.r >= least) continue;
       // Inner nodes: both children.
@@ -143,7 +143,7 @@ class DistanceSearch {
         continue;
       }
       // The triangle's lowest corner.
-      const SweptTriangle& t = a_.triangles[static_cast<std::size_t>(node.triangle)];
+      const SweptTriangle& t = a_.triangles[node.triangle];
       const double low = (n.transpose() * t.corners).minCoeff() - t.radius;
       if (low < least) least = low, best = node.triangle;
     }
@@ -161,12 +161,11 @@ class DistanceSearch {
   }
 
   [[nodiscard]] Eigen::Matrix3d corners_of(int triangle) const {
-    return (X_BA_.R * a_.triangles[static_cast<std::size_t>(triangle)].corners).colwise() + X_BA_.p;
+    return (X_BA_.R * a_.triangles[triangle].corners).colwise() + X_BA_.p;
   }
 
   Piece whole(int triangle) {
-    return evaluated(corners_of(triangle), a_.triangles[static_cast<std::size_t>(triangle)].radius,
-                     triangle);
+    return evaluated(corners_of(triangle), a_.triangles[triangle].radius, triangle);
   }
 
   Piece evaluated(const Eigen::Matrix3d& corners, double radius, int triangle) {
@@ -211,9 +210,7 @@ class DistanceSearch {
     return std::max(by_ball, seen.distance + lowest - piece.radius);
   }
 
-  [[nodiscard]] bool is_segment(int triangle) const {
-    return a_.triangles[static_cast<std::size_t>(triangle)].n.isZero(0);
-  }
+  [[nodiscard]] bool is_segment(int triangle) const { return a_.triangles[triangle].n.isZero(0); }
 
   /// Bounds a segment by planes of B from both sides. Returns the bound, kNothing if a plane does
   /// not support B.
@@ -288,12 +285,12 @@ class DistanceSearch {
 
   void add_node(int index, double parent) {
     // Outside of the region that counts.
-    const CollisionNode& node = a_.nodes[static_cast<std::size_t>(index)];
+    const CollisionNode& node = a_.nodes[index];
     const Ball ball = posed(node);
     if (!near(ball)) return;
     // A leaf is a triangle.
     if (node.triangle >= 0) {
-      const double radius = a_.triangles[static_cast<std::size_t>(node.triangle)].radius;
+      const double radius = a_.triangles[node.triangle].radius;
       return add_piece(corners_of(node.triangle), radius, node.triangle, parent);
     }
     // A node's ball, against empty space and against B.
@@ -307,13 +304,13 @@ class DistanceSearch {
   void expand(const Candidate& candidate) {
     // A node: both children.
     if (candidate.node >= 0) {
-      const CollisionNode& node = a_.nodes[static_cast<std::size_t>(candidate.node)];
+      const CollisionNode& node = a_.nodes[candidate.node];
       add_node(node.left, candidate.bound);
       add_node(node.right, candidate.bound);
       return;
     }
     // A piece: look for better points, then sharpen its bound, then halve it.
-    const Piece piece = pieces_[static_cast<std::size_t>(candidate.piece)];
+    const Piece piece = pieces_[candidate.piece];
     descend(piece);
     const double bound = std::max({candidate.bound, empty_.bound(piece.corners, piece.radius),
                                    piece.seen.supports ? kNothing : lifted(piece)});

@@ -65,13 +65,12 @@ FitProblem BandProblems::with(const Topology& present) const {
 Eigen::VectorXd carried_over(const std::vector<std::string>& names, const Eigen::VectorXd& z,
                              const FitProblem& to) {
   std::map<std::string, double> known;
-  for (std::size_t i = 0; i < names.size(); ++i) known[names[i]] = z[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < names.size(); ++i) known[names[i]] = z[i];
   // Entries by name.
   Eigen::VectorXd out = Eigen::VectorXd::Zero(to.size());
   const std::vector<std::string> wanted = to.coordinates().names();
   for (std::size_t i = 0; i < wanted.size(); ++i)
-    if (const auto at = known.find(wanted[i]); at != known.end())
-      out[static_cast<Eigen::Index>(i)] = at->second;
+    if (const auto at = known.find(wanted[i]); at != known.end()) out[i] = at->second;
   return out.cwiseMax(to.coordinates().lower()).cwiseMin(to.coordinates().upper());
 }
 

@@ -115,8 +115,8 @@ TrialForces trial_forces(const DigitTendons& tendons, const Experiment& experime
   std::vector<double> seconds;
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
     // Nets are brought from the straight finger; only the rest at the posture is timed.
-    const VectorXd& q = plan.postures[static_cast<std::size_t>(plan.posture_of_trial[i])];
-    const VectorXd& t = plan.tension[static_cast<std::size_t>(i)];
+    const VectorXd& q = plan.postures[plan.posture_of_trial[i]];
+    const VectorXd& t = plan.tension[i];
     const Eigen::Matrix3Xd start = start_from_straight(tendons, q, t);
     const auto began = std::chrono::steady_clock::now();
     const TendonTorque pull = tendons.evaluate(q, t, start);

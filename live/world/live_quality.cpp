@@ -78,8 +78,7 @@ LiveContacts contacts_of(const LiveWorld& live, const LivePair& pair) {
   out.contacts = contacts_at(live, meeting);
   out.X_WO = meeting.setup.object.X_WB;
   for (const HandContact& contact : out.contacts)
-    out.links.push_back(
-        meeting.stands.built->model().surfaces()[static_cast<std::size_t>(contact.surface)].name);
+    out.links.push_back(meeting.stands.built->model().surfaces()[contact.surface].name);
   out.warnings = deep_overlaps(meeting);
   return out;
 }

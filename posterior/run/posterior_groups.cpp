@@ -64,8 +64,7 @@ void add_names(InferenceGroup& group, const std::string& dimension,
 Eigen::MatrixXd family_rows(const Eigen::MatrixXd& all, const std::vector<Eigen::Index>& rows,
                             double scale) {
   Eigen::MatrixXd picked(static_cast<Eigen::Index>(rows.size()), all.cols());
-  for (Eigen::Index i = 0; i < picked.rows(); ++i)
-    picked.row(i) = scale * all.row(rows[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < picked.rows(); ++i) picked.row(i) = scale * all.row(rows[i]);
   return picked;
 }
 
@@ -82,8 +81,7 @@ std::vector<Family> families(const HandPosterior& posterior) {
   const std::vector<int> moving = posterior.moving_parameters();
   for (std::size_t row = 0; row < moving.size(); ++row) {
     // Kinds become names of variables.
-    const Parameter& p =
-        posterior.problem().parameters().all[static_cast<std::size_t>(moving[row])];
+    const Parameter& p = posterior.problem().parameters().all[moving[row]];
     std::string name = name_of(p.kind);
     std::replace(name.begin(), name.end(), '/', '_');
     // The family of this kind, made when it is first met.

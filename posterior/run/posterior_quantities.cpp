@@ -40,7 +40,7 @@ std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int
                                   const Eigen::MatrixXd& before) {
     for (Eigen::Index i = 0; i < drawn.rows(); ++i) {
       // In display units.
-      const auto at = static_cast<std::size_t>(moving[static_cast<std::size_t>(i)]);
+      const auto at = static_cast<std::size_t>(moving[i]);
       const Parameter& p = problem.parameters().all[at];
       const double scale = display_scale(p);
       // A mounting belongs to one specimen: the population has none of its own.
@@ -60,8 +60,8 @@ std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int
   const auto add_factors = [&](const std::string& kind, const std::vector<std::string>& names,
                                const Eigen::MatrixXd& drawn, const Eigen::MatrixXd& before) {
     for (Eigen::Index i = 0; i < drawn.rows(); ++i)
-      found.push_back({kind + names[static_cast<std::size_t>(i)], "1",
-                       by_chain(drawn.row(i), chains), before.row(i).transpose()});
+      found.push_back(
+          {kind + names[i], "1", by_chain(drawn.row(i), chains), before.row(i).transpose()});
   };
   if (run.settings.posterior.learn_noise)
     add_factors("noise/", experiment_names(problem), values.noise, prior.noise);

@@ -57,8 +57,7 @@ TipStatics statics_from_tip_map(const Subject& subject, const TipMap& map) {
     axes.col(static_cast<Eigen::Index>(k)) = axis_of(moments[k]);
 
   Eigen::VectorXd F0(map.A.cols());
-  for (Eigen::Index i = 0; i < F0.size(); ++i)
-    F0[i] = max_tension(subject, map.muscles[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < F0.size(); ++i) F0[i] = max_tension(subject, map.muscles[i]);
   TipStatics statics = statics_from_matrix(A, axes, F0);
   statics.muscles = map.muscles;
   return statics;

@@ -103,8 +103,7 @@ void FingerMotion::rest_on_tendons(MotionState& state, const MotionInstant& now)
 VectorXd FingerMotion::tendon_ends(const VectorXd& projected_fibre) const {
   VectorXd ends = slack_length_ + projected_fibre;
   for (Index m = 0; m < muscles_; ++m)
-    ends[m] -=
-        musculotendon_length_at_optimum(contraction().muscles()[static_cast<std::size_t>(m)]);
+    ends[m] -= musculotendon_length_at_optimum(contraction().muscles()[m]);
   return ends;
 }
 
@@ -114,7 +113,7 @@ VectorXd FingerMotion::line_excursion(const MotionState& state, const MotionInst
 
 MuscleState FingerMotion::muscle_state(const MotionState& state, const VectorXd& excursion,
                                        int m) const {
-  const Musculotendon& muscle = contraction().muscles()[static_cast<std::size_t>(m)];
+  const Musculotendon& muscle = contraction().muscles()[m];
   const double projected_fibre = state.projected_fibre.size() > 0 ? state.projected_fibre[m] : 0;
   return {state.activation[m], musculotendon_length_at_optimum(muscle) + excursion[m], 0,
           projected_fibre};

@@ -124,7 +124,7 @@ class Recorder {
     // First instant at which the drift is too large.
     if (before <= kStrayExcursion) strayed_ = time;
     kept_.drift = drift;
-    strays_ = kept_.muscles[static_cast<std::size_t>(most)];
+    strays_ = kept_.muscles[most];
   }
 
   /// Puts the reason of the end before all other warnings.

@@ -84,7 +84,7 @@ class NetBuilder {
     const int n = static_cast<int>(points.size()), k = at.point < 0 ? n + at.point : at.point;
     require(k >= 0 && k < n, "net '{}' asks for point {} of strand '{}', which has {}", plan_.name,
             at.point, strand->name, n);
-    return points[static_cast<std::size_t>(k)];
+    return points[k];
   }
 
   void add_node(const NetNodePlan& plan) {
@@ -101,8 +101,8 @@ class NetBuilder {
   /// Direction in the surface's frame, at `angle` about the bone that carries it.
   [[nodiscard]] Vector3d side_on(int surface, double angle) const {
     if (surface < 0) return Vector3d::UnitX();
-    const NetSurface& plan = plan_.surfaces[static_cast<std::size_t>(surface)];
-    return built_.net.surfaces[static_cast<std::size_t>(surface)].X.R.transpose() *
+    const NetSurface& plan = plan_.surfaces[surface];
+    return built_.net.surfaces[surface].X.R.transpose() *
            around(built_.frame.bone(plan.center.bone), angle);
   }
 
@@ -130,7 +130,7 @@ class NetBuilder {
 
   /// Returns whether the link is this bone's, or nearer to the base.
   [[nodiscard]] bool within(int link, const FingerBone& bone) const {
-    for (int i = bone.link; i >= 0; i = digit_.skeleton.tree[static_cast<std::size_t>(i)].parent)
+    for (int i = bone.link; i >= 0; i = digit_.skeleton.tree[i].parent)
       if (i == link) return true;
     return link < 0;
   }
@@ -297,8 +297,7 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
   }
   // Fit under an even load of the muscles.
   Eigen::VectorXd load(built.net.muscles.size());
-  for (Eigen::Index p = 0; p < load.size(); ++p)
-    load[p] = options.taut_load * built.pulls[static_cast<std::size_t>(p)].share;
+  for (Eigen::Index p = 0; p < load.size(); ++p) load[p] = options.taut_load * built.pulls[p].share;
   const double off = fit_slack(built.net, straight, load, fitted);
   require(off < kSlackLeft,
           "slack lengths of net '{}' could not be fitted to the finger of '{}': strains differ "
@@ -311,8 +310,8 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
 BuiltNet cut(const BuiltNet& built, const std::string& band) {
   // Only passive bands can be cut.
   const int gone = band_named(built.net, band);
-  require(built.net.bands[static_cast<std::size_t>(gone)].muscle < 0,
-          "band '{}' is a muscle's: give it no tension instead", band);
+  require(built.net.bands[gone].muscle < 0, "band '{}' is a muscle's: give it no tension instead",
+          band);
   // Indices of the slips move up.
   BuiltNet left = built;
   left.net.bands.erase(left.net.bands.begin() + gone);

@@ -16,8 +16,7 @@ namespace {
 std::vector<PostureAngle> angles_of(const TendonDigit& whole, const TendonDigit& digit) {
   const auto& names = digit.names.coordinates;
   for (std::size_t i = 0; i < whole.names.hinges.size(); ++i) {
-    const std::string& leader =
-        whole.names.coordinates[static_cast<std::size_t>(whole.model.tree[i].coordinate)];
+    const std::string& leader = whole.names.coordinates[whole.model.tree[i].coordinate];
     if (digit.skeleton.frozen.count(whole.names.hinges[i]) > 0 &&
         digit.skeleton.frozen.count(leader) == 0)
       return {};

@@ -17,8 +17,7 @@ TendonDigit with_muscles(TendonDigit digit, const std::vector<std::string>& name
   digit.model.pulls.clear();
   for (std::size_t m = 0; m < all.names.muscles.size(); ++m) {
     if (!contains(named, all.names.muscles[m])) continue;
-    digit.max_tension[static_cast<Eigen::Index>(digit.model.pulls.size())] =
-        all.max_tension[static_cast<Eigen::Index>(m)];
+    digit.max_tension[digit.model.pulls.size()] = all.max_tension[m];
     digit.actions.row(static_cast<Eigen::Index>(digit.model.pulls.size())) =
         all.actions.row(static_cast<Eigen::Index>(m));
     digit.names.muscles.push_back(all.names.muscles[m]);
@@ -66,7 +65,7 @@ class NetCarrier {
   /// Muscles by their numbers in the digit; those that it has not pull with nothing.
   void carry_muscles(BuiltNet& built) const {
     const auto number = [&](int muscle) {
-      return place_in(digit_.names.muscles, whole_.names.muscles[static_cast<std::size_t>(muscle)]);
+      return place_in(digit_.names.muscles, whole_.names.muscles[muscle]);
     };
     for (MuscleAttachment& pull : built.pulls) {
       pull.muscle = number(pull.muscle);
@@ -93,8 +92,7 @@ class NetCarrier {
     // Of the straight posture, the angles that are left.
     Eigen::VectorXd straight(digit_.model.coordinates);
     for (Eigen::Index j = 0; j < straight.size(); ++j)
-      straight[j] = frame.straight[place_in(whole_.names.coordinates,
-                                            digit_.names.coordinates[static_cast<std::size_t>(j)])];
+      straight[j] = frame.straight[place_in(whole_.names.coordinates, digit_.names.coordinates[j])];
     frame.straight = straight;
   }
 

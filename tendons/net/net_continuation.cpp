@@ -161,7 +161,7 @@ class NetWalk {
     // Band whose tension changed most.
     Eigen::Index most = 0;
     (next.tension - rest.tension).cwiseAbs().maxCoeff(&most);
-    snap.band = net_.bands[static_cast<std::size_t>(most)].name;
+    snap.band = net_.bands[most].name;
     walk_.snaps.push_back(std::move(snap));
   }
 

@@ -153,7 +153,7 @@ std::vector<int> NetDescent::far_side_bands() const {
 
 /// Length and tension of a band, and what it holds where it has no length.
 void NetDescent::report_band(int b, NetEquilibrium& out) const {
-  const NetBand& band = plan_.net.bands[static_cast<std::size_t>(b)];
+  const NetBand& band = plan_.net.bands[b];
   if (scene_.collapsed[b]) {
     const int k = std::max(plan_.bands[b].ka, plan_.bands[b].kb);
     // Several pulls that meet in one exit share what they hold.
@@ -184,7 +184,7 @@ std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
   // Nodes held by a taut band, or in an exit.
   std::vector<bool> held(x_.size(), false);
   const auto hold = [&](int band) {
-    const NetBand& holds = plan_.net.bands[static_cast<std::size_t>(band)];
+    const NetBand& holds = plan_.net.bands[band];
     held[holds.a] = held[holds.b] = true;
   };
   for (int b = 0; b < at.tension.size(); ++b)
@@ -210,7 +210,7 @@ NetEquilibrium NetDescent::report(NetStatus status) const {
   if (!out.far_side_bands.empty()) out.status = NetStatus::kFarSideWrap;
   // Nodes and bands.
   out.x.resize(3, static_cast<Eigen::Index>(x_.size()));
-  for (Eigen::Index i = 0; i < out.x.cols(); ++i) out.x.col(i) = x_[static_cast<std::size_t>(i)];
+  for (Eigen::Index i = 0; i < out.x.cols(); ++i) out.x.col(i) = x_[i];
   const int bands = static_cast<int>(plan_.bands.size());
   out.length.resize(bands);
   out.tension.resize(bands);

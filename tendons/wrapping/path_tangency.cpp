@@ -86,7 +86,7 @@ Tangency tangency_of(const Vector3d& a, const Vector3d& b, const Ends& ends, int
   // Four conditions a surface; its runs end at its neighbours, or at a and b.
   Tangency system{Unknowns::Zero(4 * m), System::Zero(4 * m, 4 * m)};
   for (int i = 0; i < m; ++i) {
-    const ArcEnds& here = ends[static_cast<std::size_t>(i)];
+    const ArcEnds& here = ends[i];
     const ArcEnd* before = i > 0 ? &ends[static_cast<std::size_t>(i) - 1].off : nullptr;
     const ArcEnd* after = i + 1 < m ? &ends[static_cast<std::size_t>(i) + 1].on : nullptr;
     const RunEnd to_before =

@@ -68,7 +68,7 @@ void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
     for (int n = 0; n < postures; ++n) {
       int rest = n;
       for (int j : joints) {
-        const auto& limit = skeleton.limits[static_cast<std::size_t>(j)];
+        const auto& limit = skeleton.limits[j];
         const bool ranges = limit.upper - limit.lower < 2 * kPi - 1e-9;
         q[j] = ranges ? limit.lower + 0.5 * (rest % 3) * (limit.upper - limit.lower) : 0;
         rest /= 3;
@@ -76,9 +76,7 @@ void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
       // Where the point stands in the cylinder's frame.
       const TreeState<double> state = pose_tree(skeleton.tree, q);
       const Vector3d base_p = moved(state, point.link, point.p);
-      const Pose<double> X = surface.link < 0
-                                 ? surface.X
-                                 : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+      const Pose<double> X = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
       const Vector3d is = X.inverse() * base_p;
       require(
           !crossed_far_side(bend.side_S.head<2>(), was.head<2>(), is.head<2>()),
@@ -101,9 +99,9 @@ void check(const WrappedPath& path, const PathSet& set, const Skeleton& skeleton
             path.bends[k].size(), k + 1, kMaxWraps);
     // Points beside a surface stay outside it and on its near side.
     for (const PathWrap& bend : path.bends[k]) {
-      check_outside(path, k, set.surfaces[static_cast<std::size_t>(bend.surface)]);
-      check_outside(path, k + 1, set.surfaces[static_cast<std::size_t>(bend.surface)]);
-      check_sides(path, k, bend, set.surfaces[static_cast<std::size_t>(bend.surface)], skeleton);
+      check_outside(path, k, set.surfaces[bend.surface]);
+      check_outside(path, k + 1, set.surfaces[bend.surface]);
+      check_sides(path, k, bend, set.surfaces[bend.surface], skeleton);
     }
   }
 }
@@ -127,7 +125,7 @@ WrappedPath kept_path(const Strand& strand, const Skeleton& skeleton, const Path
     // A surface bends the run that follows the last point.
     if (!element.surface.empty()) {
       const int surface = index_of(set.surfaces, element.surface);
-      const Pose<double>& X = set.surfaces[static_cast<std::size_t>(surface)].X;
+      const Pose<double>& X = set.surfaces[surface].X;
       if (!path.points.empty()) bends.push_back({surface, X.inverse() * p});
       continue;
     }
@@ -171,8 +169,7 @@ void set_ride(WrappedPath& path, const std::string& carrier, const PathSet& set,
   PathSolver solver(set);
   const auto& shapes = solver.solve(pose_tree(skeleton.tree, rest));
   // Nearest place to the origin, which must be close.
-  const PathPlace place =
-      nearest_place(shapes[static_cast<std::size_t>(path.carrier)], path.points.back().p);
+  const PathPlace place = nearest_place(shapes[path.carrier], path.points.back().p);
   require(place.off <= kRideReach,
           "the origin of strand '{}' rides on '{}' but lies {:.3g} mm from it, more than {:.3g} mm",
           path.name, carrier, 1e3 * place.off, 1e3 * kRideReach);

@@ -109,8 +109,7 @@ VectorXd polynomial(const std::vector<double>& u, const VectorXd& values, int de
   for (const double each : u) scale = std::max(scale, std::abs(each));
   MatrixXd powers(values.size(), degree + 1);
   for (Eigen::Index i = 0; i < values.size(); ++i)
-    for (int k = 0; k <= degree; ++k)
-      powers(i, k) = std::pow(u[static_cast<std::size_t>(i)] / scale, k);
+    for (int k = 0; k <= degree; ++k) powers(i, k) = std::pow(u[i] / scale, k);
   VectorXd c = powers.colPivHouseholderQr().solve(values);
   for (int k = 0; k <= degree; ++k) c[k] /= std::pow(scale, k);
   return c;
@@ -212,7 +211,7 @@ class LoopSolver {
     // Start with passive joints at zero, or at the nearest limit.
     VectorXd at(count);
     for (Eigen::Index i = 0; i < count; ++i) {
-      const PassiveJoint& passive = linkage.passives()[static_cast<std::size_t>(i)];
+      const PassiveJoint& passive = linkage.passives()[i];
       at[i] = std::clamp(0.0, passive.lower, passive.upper);
     }
     // The file's own posture first, then others over the range.
@@ -235,8 +234,7 @@ class LoopSolver {
       // Fit every passive joint, and measure the gap of the coupled robot.
       for (std::size_t i = 0; i < linkage.passives().size(); ++i) {
         VectorXd values(static_cast<Eigen::Index>(track.u.size()));
-        for (std::size_t k = 0; k < track.u.size(); ++k)
-          values[static_cast<Eigen::Index>(k)] = track.y[k][static_cast<Eigen::Index>(i)];
+        for (std::size_t k = 0; k < track.u.size(); ++k) values[k] = track.y[k][i];
         const bool still = values.maxCoeff() - values.minCoeff() < kStillRange;
         couple(coupled, linkage.passives()[i].name, motor.name,
                still ? VectorXd::Constant(1, values.mean()) : polynomial(track.u, values, degree));

@@ -299,7 +299,7 @@ class GraspitTranslation {
     // Units by the kind of joint.
     const double unit = turns ? kDegree : kGraspitLength;
     const double effort = turns ? kGraspitMoment : kGraspitForce / kGraspitLength;
-    joint.dof = robot_.dofs[static_cast<std::size_t>(driven.dof)].name;
+    joint.dof = robot_.dofs[driven.dof].name;
     joint.ratio = driven.ratio;
     if (joint.ratio == 0) file_.fail(node, "a joint cannot follow with ratio 0");
     for (const char* limit : {"minValue", "maxValue"})

@@ -110,7 +110,7 @@ class MjcfDrive {
         next[i + 1] += c[i];
         next[i] -= c[i] * ref_.at(second);
       }
-      next[0] += a[static_cast<std::size_t>(k)];
+      next[0] += a[k];
       c = std::move(next);
     }
     while (c.size() > 2 && c.back() == 0) c.pop_back();

@@ -29,7 +29,7 @@ std::array<bool, 5> read_ways(TomlTable& table) {
     const auto at = std::find(names.begin(), names.end(), word);
     if (at == names.end())
       table.fail(fmt::format("there is no way '{}'{}", word, did_you_mean(word, names)), "ways");
-    gives[static_cast<std::size_t>(at - names.begin())] = true;
+    gives[at - names.begin()] = true;
   }
   return gives;
 }

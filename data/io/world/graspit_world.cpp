@@ -189,8 +189,8 @@ class WorldReader {
     const int chain = whole_number(node, "parentChain", kMaxChains);
     if (parent == child) file_.fail(node, "a robot cannot carry itself");
     // A connection needs both robots.
-    const std::optional<Placed>& carrier = robots_[static_cast<std::size_t>(parent)];
-    const std::optional<Placed>& carried = robots_[static_cast<std::size_t>(child)];
+    const std::optional<Placed>& carrier = robots_[parent];
+    const std::optional<Placed>& carried = robots_[child];
     if (!carrier || !carried)
       return warn(node, fmt::format("robot {} carries robot {}, one of which is left out: so is "
                                     "the <connection>",
