@@ -32,6 +32,13 @@ template <typename List>
   return found == std::end(list) ? nullptr : &*found;
 }
 
+/// Index in a vector of the first entry whose member `name` is this; -1: there is none.
+template <typename Entry>
+[[nodiscard]] int place_named(const std::vector<Entry>& list, const std::string& name) {
+  const Entry* found = find_named(list, name);
+  return found == nullptr ? -1 : static_cast<int>(found - list.data());
+}
+
 /// Returns whether an entry passes a test.
 template <typename List, typename Test>
 [[nodiscard]] bool any_of(const List& list, const Test& test) {

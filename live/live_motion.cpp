@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 
 namespace thenar {
@@ -49,11 +50,9 @@ LiveMotion::LiveMotion(MotionSource source, const HistoryLimits& limits)
   moving_ = moving_bodies(scene().mechanism, stepper_.model());
   readings_ = stepper_.readings();
   for (const std::string& muscle : picture_.tendons.muscles()) {
-    const auto found =
-        std::find_if(readings_.begin(), readings_.end(),
-                     [&](const ElementValue& value) { return value.name == muscle; });
-    require(found != readings_.end(), "no element says what pulls '{}'", muscle);
-    tension_at_.push_back(static_cast<std::size_t>(found - readings_.begin()));
+    const int found = place_named(readings_, muscle);
+    require(found >= 0, "no element says what pulls '{}'", muscle);
+    tension_at_.push_back(static_cast<std::size_t>(found));
   }
   begin();
 }

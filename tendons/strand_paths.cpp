@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/wrapping/arm_slopes.h"
 #include "tendons/wrapping/fitted_path.h"
 #include "tendons/wrapping/path_arms.h"
@@ -40,12 +41,8 @@ class WrappedStrands : public StrandPaths {
   WrappedStrands(PathSet set, const TendonDigit& digit)
       : set_(std::move(set)), tree_(digit.model.tree), constant_(digit.model.constant_arms) {
     // Path of each strand; those without one keep constant arms.
-    for (const std::string& name : digit.names.strands) {
-      const auto found = std::find_if(set_.paths.begin(), set_.paths.end(),
-                                      [&](const WrappedPath& path) { return path.name == name; });
-      path_of_.push_back(found == set_.paths.end() ? -1
-                                                   : static_cast<int>(found - set_.paths.begin()));
-    }
+    for (const std::string& name : digit.names.strands)
+      path_of_.push_back(place_named(set_.paths, name));
     // Strand of each path; those that only carry another have none.
     strand_of_.assign(set_.paths.size(), -1);
     for (std::size_t s = 0; s < path_of_.size(); ++s)

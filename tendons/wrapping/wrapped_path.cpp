@@ -19,19 +19,6 @@ using Eigen::Vector3d;
 constexpr double kRideReach = 1e-3;
 constexpr double kPointInside = 1e-9;  // Largest depth of a point in a surface beside it [m]
 
-int index_of(const std::vector<BoneSurface>& surfaces, const std::string& name) {
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-    if (surfaces[i].name == name) return static_cast<int>(i);
-  return -1;
-}
-
-/// Index of a path, or -1.
-int index_of(const std::vector<WrappedPath>& paths, const std::string& name) {
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    if (paths[i].name == name) return static_cast<int>(i);
-  return -1;
-}
-
 void check_outside(const WrappedPath& path, std::size_t point, const BoneSurface& surface) {
   const Vector3d p = surface.X.inverse() * path.points[point].p;
   const double depth = level(surface, p) < 0 ? -probe(surface, p).gap : 0;
@@ -124,7 +111,7 @@ WrappedPath kept_path(const Strand& strand, const Skeleton& skeleton, const Path
     const Vector3d p = skeleton.segment_at.at(element.segment) * element.p;
     // A surface bends the run that follows the last point.
     if (!element.surface.empty()) {
-      const int surface = index_of(set.surfaces, element.surface);
+      const int surface = place_named(set.surfaces, element.surface);
       const Pose<double>& X = set.surfaces[surface].X;
       if (!path.points.empty()) bends.push_back({surface, X.inverse() * p});
       continue;
@@ -162,7 +149,7 @@ PathPlace nearest_place(const PathShape& shape, const Vector3d& p) {
 /// Lets the origin ride, if the carrier is there to carry it.
 void set_ride(WrappedPath& path, const std::string& carrier, const PathSet& set,
               const Skeleton& skeleton) {
-  path.carrier = index_of(set.paths, carrier);
+  path.carrier = place_named(set.paths, carrier);
   if (path.carrier < 0) return;
   // Carrier at the reference posture.
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(skeleton.coordinates());

@@ -26,6 +26,8 @@ TEST(Lists, FindEntriesByName) {
   std::vector<Entry> list{{"a", 1}, {"b", 2}, {"b", 3}};
   find_named(list, "b")->value = 7;
   EXPECT_EQ(list[1].value, 7);
+  EXPECT_EQ(place_named(list, "b"), 1);
+  EXPECT_EQ(place_named(list, "c"), -1);
   EXPECT_EQ(find_named(std::as_const(list), "c"), nullptr);
 }
 
