@@ -66,7 +66,7 @@ struct DimensionRow {
   double largest;  // [SI]
 };
 constexpr DimensionRow kDimensions[] = {
-    {Dimension::kNumber, "a plain number", 1e12},  // as of contacts: beyond it products lose all
+    {Dimension::kNumber, "a plain number", 1e12},  // as of contacts: beyond, no digit is left
     {Dimension::kLength, "a length", 100},         // way of a mobile base
     {Dimension::kAngle, "an angle", 1e9},          // joints without end, as other programs state it
     {Dimension::kMass, "a mass", 1e4},             // a mobile robot: 300 kg
