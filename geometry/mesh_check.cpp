@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
-#include "geometry/triangle_mesh.h"
 
 namespace thenar {
 namespace {
@@ -220,7 +219,7 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
   std::vector<bool> again(count, false);
   for (std::size_t i = 1; i < count; ++i)
     if (std::equal(by_corners[i].begin(), by_corners[i].begin() + 3, by_corners[i - 1].begin()))
-      again[static_cast<std::size_t>(by_corners[i][3])] = true;
+      again[by_corners[i][3]] = true;
   // Keep the rest, unless it has no area.
   std::vector<Vector3i> kept;
   for (std::size_t t = 0; t < count; ++t) {

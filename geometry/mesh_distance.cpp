@@ -1,6 +1,5 @@
 #include "geometry/mesh_distance.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>
@@ -11,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/lists.h"
 #include "base/provenance.h"
 #include "geometry/cached_mesh.h"
 #include "geometry/nearest_grid.h"
 #include "geometry/surface_crossings.h"
-#include "geometry/triangle_mesh.h"
 #include "geometry/triangle_tree.h"
 #include "geometry/winding_number.h"
 
@@ -44,22 +43,19 @@ std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh, const Triangl
   for (std::size_t i = 0; i < tree.forms().size(); ++i) {
     const TriangleForm& form = tree.forms()[i];
     const Vector3i v = mesh.triangles.col(tree.order()[i]);
-    of_triangle[static_cast<std::size_t>(tree.order()[i])] = form.normal;
+    of_triangle[tree.order()[i]] = form.normal;
     for (int k = 0; k < 3; ++k) at_vertex.col(v(k)) += angle_at(form, k) * form.normal;
   }
   // Places of the mesh's triangles in the tree.
   std::vector<int> place(tree.forms().size());  // of each of the mesh's triangles in the tree
-  for (std::size_t i = 0; i < place.size(); ++i)
-    place[static_cast<std::size_t>(tree.order()[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < place.size(); ++i) place[tree.order()[i]] = static_cast<int>(i);
   // Normals at edges: the sum of both faces.
   std::vector<Pseudonormals> all(tree.forms().size());
   for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
     Vector3d sum = Vector3d::Zero();
+    for (const MeshSide* side = first; side != last; ++side) sum += of_triangle[side->triangle];
     for (const MeshSide* side = first; side != last; ++side)
-      sum += of_triangle[static_cast<std::size_t>(side->triangle)];
-    for (const MeshSide* side = first; side != last; ++side)
-      all[static_cast<std::size_t>(place[static_cast<std::size_t>(side->triangle)])]
-          .edge[static_cast<std::size_t>(side->side)] = sum;
+      all[place[side->triangle]].edge[side->side] = sum;
   });
   // Each corner takes that of its vertex.
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -122,7 +118,7 @@ TriangleMesh boundary_of(const TriangleMesh& mesh, const TriangleTree& tree,
     const Vector3d outside =
         (form.corner[0] + form.corner[1] + form.corner[2]) / 3 + off * form.normal;
     // The winding number falls by one to the outer side.
-    if (meeting[static_cast<std::size_t>(number)] || internal::windings(tree, outside) == 0)
+    if (meeting[number] || internal::windings(tree, outside) == 0)
       kept.triangles.col(count++) = mesh.triangles.col(number);
   }
   kept.triangles.conservativeResize(3, count);
@@ -161,8 +157,7 @@ class CrossedMeshDistance final : public Shape {
 std::shared_ptr<const Shape> made(const TriangleMesh& mesh) {
   TriangleTree tree(mesh);
   const std::vector<bool> meeting = internal::crossing_triangles(mesh, tree);
-  if (std::find(meeting.begin(), meeting.end(), true) == meeting.end())
-    return std::make_shared<MeshDistance>(mesh, std::move(tree));
+  if (!contains(meeting, true)) return std::make_shared<MeshDistance>(mesh, std::move(tree));
   return std::make_shared<CrossedMeshDistance>(mesh, std::move(tree), meeting);
 }
 

@@ -1,11 +1,11 @@
 #include "geometry/mesh_faults.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
+#include "base/lists.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_parts.h"
 
@@ -26,8 +26,7 @@ Eigen::Matrix3Xd used_corners(const TriangleMesh& mesh) {
 /// A hole that a corner on an edge leaves: all its corners are in line.
 bool is_seam(const TriangleMesh& mesh, const MeshHole& hole) {
   Eigen::Matrix3Xd loop(3, static_cast<Eigen::Index>(hole.loop.size()));
-  for (Eigen::Index i = 0; i < loop.cols(); ++i)
-    loop.col(i) = mesh.vertices.col(hole.loop[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < loop.cols(); ++i) loop.col(i) = mesh.vertices.col(hole.loop[i]);
   // The corner farthest from the first gives the line.
   Eigen::Index far = 0;
   const Eigen::Matrix3Xd r = loop.colwise() - loop.col(0);
@@ -50,9 +49,8 @@ bool is_flat(const TriangleMesh& mesh) {
 }
 
 bool any_is_flat(const std::vector<ShapeSpec>& shapes) {
-  return std::any_of(shapes.begin(), shapes.end(), [](const ShapeSpec& shape) {
-    return !shape.mesh.empty() && is_flat(shape.mesh);
-  });
+  return any_of(shapes,
+                [](const ShapeSpec& shape) { return !shape.mesh.empty() && is_flat(shape.mesh); });
 }
 
 MeshFaults find_mesh_faults(const TriangleMesh& mesh) {

@@ -10,9 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
-#include "geometry/mesh_check.h"
 #include "geometry/mesh_faults.h"
-#include "geometry/triangle_mesh.h"
 #include "geometry/triangle_tree.h"
 #include "geometry/winding_number.h"
 
@@ -35,7 +33,7 @@ TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangl
   for (std::size_t i = 0; i < triangles.size(); ++i)
     for (int k = 0; k < 3; ++k) {
       const int old = mesh.triangles(k, triangles[i]);
-      int& now = number[static_cast<std::size_t>(old)];
+      int& now = number[old];
       if (now < 0) {
         now = static_cast<int>(vertices.size());
         vertices.push_back(old);
@@ -46,7 +44,7 @@ TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangl
   part.vertices.resize(3, static_cast<Eigen::Index>(vertices.size()));
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     part.vertices.col(static_cast<Eigen::Index>(i)) = mesh.vertices.col(vertices[i]);
-    number[static_cast<std::size_t>(vertices[i])] = -1;
+    number[vertices[i]] = -1;
   }
   return part;
 }
@@ -161,8 +159,8 @@ std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
       for (int k = 0; k < 3; ++k) {
         const int other = across(k, members[i]);
         if (other < 0) continue;
-        if (seen[static_cast<std::size_t>(other)]) continue;
-        seen[static_cast<std::size_t>(other)] = true;
+        if (seen[other]) continue;
+        seen[other] = true;
         members.push_back(other);
       }
     // The whole mesh is one part.

@@ -1,7 +1,6 @@
 #include "geometry/nearest_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>

@@ -63,14 +63,13 @@ TriangleMesh welded(const TriangleMesh& mesh, double near) {
       for (const int other : at->second)
         if ((mesh.vertices.col(other) - p).norm() <= near) found = other;
     }
-    stands_for[static_cast<std::size_t>(i)] = found;
+    stands_for[i] = found;
     if (found == i) cells[{cell(0), cell(1), cell(2)}].push_back(i);
   }
   // Triangles that keep three different corners.
   std::vector<Vector3i> kept;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Vector3i v = mesh.triangles.col(t).unaryExpr(
-        [&](int i) { return stands_for[static_cast<std::size_t>(i)]; });
+    const Vector3i v = mesh.triangles.col(t).unaryExpr([&](int i) { return stands_for[i]; });
     if (v(0) != v(1) && v(1) != v(2) && v(2) != v(0)) kept.push_back(v);
   }
   return with(mesh, kept);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/stop_scope.h"
 #include "base/units.h"
 #include "geometry/convex_body.h"
@@ -204,9 +205,7 @@ std::vector<UnionPart> parts_of(const std::vector<ShapeSpec>& shapes) {
     for (int k = 0; k < 3; ++k)
       corners[2 * k] = part.box.min()[k], corners[2 * k + 1] = part.box.max()[k];
     std::vector<ShapeSpec>& alike = known[corners];
-    if (std::any_of(alike.begin(), alike.end(),
-                    [&](const ShapeSpec& other) { return is_same(other, shape); }))
-      return;
+    if (any_of(alike, [&](const ShapeSpec& other) { return is_same(other, shape); })) return;
     alike.push_back(shape);
     parts.push_back(std::move(part));
   };
@@ -434,8 +433,7 @@ Summed sum_cubes(const std::vector<const UnionPart*>& parts, double looks) {
   Moments all;
   for (const UnionPart* part : parts) all += part->moments;
   // The excess of parts that overlap little is smaller than their union, and so is its error.
-  bool excess = std::all_of(parts.begin(), parts.end(),
-                            [](const UnionPart* part) { return part->has_moments; });
+  bool excess = all_of(parts, [](const UnionPart* part) { return part->has_moments; });
   std::optional<Summed> result;
   double before = 0;  // volume of the sum at the depth before [m^3]
   for (int depth = kFirstDepth; depth <= kTreeDepth; ++depth) {

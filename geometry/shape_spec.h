@@ -53,4 +53,11 @@ struct ShapeSpec {
   Pose<double> X_BS;                // the shape's frame in its body's
 };
 
+/// Number of entries of `size` that a kind uses.
+[[nodiscard]] inline int size_entries(ShapeKind kind) {
+  if (kind == ShapeKind::kMesh) return 0;
+  if (kind == ShapeKind::kSphere) return 1;
+  return kind == ShapeKind::kCylinder || kind == ShapeKind::kCapsule ? 2 : 3;
+}
+
 }  // namespace thenar

@@ -21,24 +21,9 @@ using Eigen::Vector2d, Eigen::Vector3d;
 // Sizes and places beyond these are of no thing that a hand meets, and lose all their digits.
 constexpr double kLeastSize = 1e-9, kLargestSize = 1e6;  // [m]
 
-/// Returns the number of entries of `size` that a kind uses.
-int sizes_of(ShapeKind kind) {
-  switch (kind) {
-    case ShapeKind::kSphere:
-      return 1;
-    case ShapeKind::kCylinder:
-    case ShapeKind::kCapsule:
-      return 2;
-    case ShapeKind::kMesh:
-      return 0;
-    default:
-      return 3;
-  }
-}
-
 void check(const ShapeSpec& spec) {
   // Sizes and exponents in range.
-  for (int i = 0; i < sizes_of(spec.kind); ++i)
+  for (int i = 0; i < size_entries(spec.kind); ++i)
     require(spec.size(i) >= kLeastSize && spec.size(i) <= kLargestSize,
             "size {} of a {}: wanted {:g} to {:g} m, got {} m", i, name_of(spec.kind), kLeastSize,
             kLargestSize, spec.size(i));

@@ -77,7 +77,7 @@ class CrossingSearch {
 
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree
   void within(int at) {
-    const Node& node = tree_.nodes()[static_cast<std::size_t>(at)];
+    const Node& node = tree_.nodes()[at];
     for (int i = 0; i < node.count; ++i)
       for (int j = i + 1; j < node.count; ++j) compare(node.first + i, node.first + j);
     if (node.count > 0) return;
@@ -88,8 +88,8 @@ class CrossingSearch {
 
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree
   void between(int a, int b) {
-    const Node& one = tree_.nodes()[static_cast<std::size_t>(a)];
-    const Node& other = tree_.nodes()[static_cast<std::size_t>(b)];
+    const Node& one = tree_.nodes()[a];
+    const Node& other = tree_.nodes()[b];
     if (given_up() || apart(one.box, other.box)) return;
     if (one.count > 0 && other.count > 0) {
       for (int i = 0; i < one.count; ++i)
@@ -113,24 +113,22 @@ class CrossingSearch {
     if (apart(boxes_[a], boxes_[b])) return;
     ++compared_;
     if (!cross(i, j)) return;
-    const auto number = [&](int at) {
-      return static_cast<std::size_t>(tree_.order()[static_cast<std::size_t>(at)]);
-    };
+    const auto number = [&](int at) { return static_cast<std::size_t>(tree_.order()[at]); };
     found_[number(i)] = found_[number(j)] = true;
   }
 
   [[nodiscard]] bool cross(int i, int j) const {
-    const TriangleForm& a = tree_.forms()[static_cast<std::size_t>(i)];
-    const TriangleForm& b = tree_.forms()[static_cast<std::size_t>(j)];
-    const Vector3i of_a = mesh_.triangles.col(tree_.order()[static_cast<std::size_t>(i)]);
-    const Vector3i of_b = mesh_.triangles.col(tree_.order()[static_cast<std::size_t>(j)]);
+    const TriangleForm& a = tree_.forms()[i];
+    const TriangleForm& b = tree_.forms()[j];
+    const Vector3i of_a = mesh_.triangles.col(tree_.order()[i]);
+    const Vector3i of_b = mesh_.triangles.col(tree_.order()[j]);
     // Common corners: their places in both triangles.
     std::array<bool, 3> shared_a{}, shared_b{};
     int shared = 0;
     for (int k = 0; k < 3; ++k)
       for (int l = 0; l < 3; ++l)
         if (of_a(k) == of_b(l)) {
-          shared_a[static_cast<std::size_t>(k)] = shared_b[static_cast<std::size_t>(l)] = true;
+          shared_a[k] = shared_b[l] = true;
           ++shared;
         }
     if (shared == 3) return true;

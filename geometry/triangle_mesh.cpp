@@ -1,7 +1,6 @@
 #include "geometry/triangle_mesh.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace thenar {
 
@@ -19,8 +18,7 @@ std::vector<MeshSide> sides_by_edge(const TriangleMesh& mesh) {
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
     for (int k = 0; k < 3; ++k) {
       const auto [low, high] = edge_of(t, k);
-      sides[static_cast<std::size_t>(next[static_cast<std::size_t>(low)]++)] = {
-          low, high, static_cast<int>(t), k, mesh.triangles(k, t) == low};
+      sides[next[low]++] = {low, high, static_cast<int>(t), k, mesh.triangles(k, t) == low};
     }
   // They were dealt in the order of triangles and sides, which a stable sort keeps.
   for (std::size_t i = 0; i + 1 < first.size(); ++i)

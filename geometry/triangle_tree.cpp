@@ -1,7 +1,6 @@
 #include "geometry/triangle_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 

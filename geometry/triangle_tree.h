@@ -125,7 +125,7 @@ class TriangleTree {
 
 inline void TriangleTree::ask(int i, const Eigen::Vector3d& p, NearestTriangle& best) const {
   FootPoint foot;
-  if (!forms_[static_cast<std::size_t>(i)].find_foot(p, best.limit, foot)) return;
+  if (!forms_[i].find_foot(p, best.limit, foot)) return;
   if (foot.squared > best.foot.squared || (foot.squared == best.foot.squared && i >= best.triangle))
     return;
   best = {foot, i, foot.squared * (1 + relative_) + absolute_};

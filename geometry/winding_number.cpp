@@ -70,10 +70,10 @@ std::optional<int> along(const TriangleTree& tree, const Ray& ray) {
   stack[waiting++] = 0;
   while (waiting > 0) {
     const int at = stack[--waiting];
-    const TriangleTree::Node& node = tree.nodes()[static_cast<std::size_t>(at)];
+    const TriangleTree::Node& node = tree.nodes()[at];
     if (!ray.reaches(node.box)) continue;
     for (int i = node.first; i < node.first + node.count; ++i) {
-      const std::optional<int> crossed = ray.crossing(tree.forms()[static_cast<std::size_t>(i)]);
+      const std::optional<int> crossed = ray.crossing(tree.forms()[i]);
       if (!crossed) return std::nullopt;
       sum += *crossed;
     }

@@ -25,7 +25,7 @@ Residuals activation_residuals(const ActivationTask& task,
   Eigen::Vector3d error = task.sd.array().isFinite().select(-task.force, Eigen::Vector3d::Zero());
   Eigen::Matrix3d S = noise.cwiseAbs2().asDiagonal();
   for (Eigen::Index j = 0; j < pulls; ++j) {
-    const MuscleTension& pull = task.pulls[static_cast<std::size_t>(j)];
+    const MuscleTension& pull = task.pulls[j];
     error += pull.tension * A.col(j);
     S += pull.variance * A.col(j) * A.col(j).transpose();
   }
@@ -48,7 +48,7 @@ Residuals activation_residuals(const ActivationTask& task,
     Eigen::Vector3d by_error = Eigen::Vector3d::Zero();
     Eigen::Matrix3d by_S = Eigen::Matrix3d::Zero();
     for (Eigen::Index j = 0; j < pulls; ++j) {
-      const MuscleTension& pull = task.pulls[static_cast<std::size_t>(j)];
+      const MuscleTension& pull = task.pulls[j];
       const Eigen::Vector3d slope = A_u.block<3, 1>(3 * j, c);
       by_error += pull.tension * slope;
       by_S += pull.variance * (slope * A.col(j).transpose() + A.col(j) * slope.transpose());

@@ -20,7 +20,7 @@ std::vector<int> entries_of_kind(const FitCoordinates& coordinates, ParameterKin
   const FitParameters& parameters = coordinates.parameters();
   std::vector<int> found;
   for (int c = 0; c < parameters.coordinates(); ++c) {
-    if (parameters.all[static_cast<std::size_t>(parameters.leader[c])].kind != kind) continue;
+    if (parameters.all[parameters.leader[c]].kind != kind) continue;
     const CoordinateEntries& of = coordinates.entries(c);
     if (of.population >= 0) found.push_back(of.population);
     if (of.deviation >= 0) found.push_back(of.deviation);
@@ -36,8 +36,7 @@ Eigen::MatrixXd correlations(const FitProblem& problem, const Eigen::VectorXd& z
   const std::vector<int> scale = scale_of_entries(problem.coordinates());
   Eigen::MatrixXd J = specimen_residuals(problem, z, specimen).J;
   for (const int k : cell)
-    if (scale[static_cast<std::size_t>(k)] >= 0)
-      J.col(k) /= scales[static_cast<std::size_t>(scale[static_cast<std::size_t>(k)])].factor;
+    if (scale[k] >= 0) J.col(k) /= scales[scale[k]].factor;
   const Eigen::MatrixXd C = (J.transpose() * J + Eigen::MatrixXd::Identity(J.cols(), J.cols()))
                                 .llt()
                                 .solve(Eigen::MatrixXd::Identity(J.cols(), J.cols()));

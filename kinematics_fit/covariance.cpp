@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "kinematics_fit/fit_residuals.h"
-#include "solvers/arrow_factor.h"
 
 namespace thenar {
 namespace {
@@ -42,7 +41,7 @@ std::string describe(const Direction& direction, const std::vector<std::string>&
   std::string text;
   for (auto at = shares.begin(); at != end; ++at) {
     const auto& [share, index] = *at;
-    const std::string& name = names[static_cast<std::size_t>(index)];
+    const std::string& name = names[index];
     if (at != shares.begin() && std::abs(share) < 0.1) break;
     if (std::abs(share) > 0.995)
       text = name;
@@ -186,10 +185,8 @@ Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd
 std::vector<int> sorted_by_sd(const Covariance& covariance) {
   std::vector<int> order(covariance.learnt.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return covariance.learnt[static_cast<std::size_t>(a)].sd <
-           covariance.learnt[static_cast<std::size_t>(b)].sd;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return covariance.learnt[a].sd < covariance.learnt[b].sd; });
   return order;
 }
 

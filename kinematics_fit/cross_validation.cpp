@@ -1,7 +1,6 @@
 #include "kinematics_fit/cross_validation.h"
 
 #include <algorithm>
-#include <array>
 
 #include "base/error.h"
 #include "kinematics_fit/covariance.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "base/provenance.h"
+#include "base/lists.h"
 #include "data/io/net_description.h"
 #include "data/io/result_layout.h"
 #include "kinematics_fit/axis_pivots.h"
@@ -30,8 +30,7 @@ std::vector<std::string> posture_names(const std::vector<Experiment>& experiment
   std::vector<std::string> names;
   for (const Experiment& experiment : experiments)
     for (const PostureRecord& posture : experiment.postures)
-      if (std::find(names.begin(), names.end(), posture.name) == names.end())
-        names.push_back(posture.name);
+      if (!contains(names, posture.name)) names.push_back(posture.name);
   return names;
 }
 
@@ -73,7 +72,7 @@ SourceText built_in_settings(const std::string& digit) {
 std::vector<SourceText> sources_of(const FitInputs& inputs) {
   std::vector<SourceText> sources{inputs.subject, inputs.settings};
   if (inputs.net) sources.push_back(*inputs.net);
-  sources.insert(sources.end(), inputs.experiments.begin(), inputs.experiments.end());
+  append_all(sources, inputs.experiments);
   return sources;
 }
 
@@ -141,7 +140,7 @@ FittedValues fitted_values(const Fit& fit, int specimen) {
   const Eigen::VectorXd unseen = unseen_variance(fit.problem.coordinates());
   if (specimen < 0)
     for (int c = 0; c < parameters.coordinates(); ++c) {
-      const Parameter& p = parameters.all[static_cast<std::size_t>(parameters.leader[c])];
+      const Parameter& p = parameters.all[parameters.leader[c]];
       variance[c] += unseen[c] - p.between_sd * p.between_sd;
     }
 
@@ -194,8 +193,7 @@ void add_seen(const FitProblem& problem, ResultFile& file) {
       sources.push_back(on.source);
       continue;
     }
-    if (std::find(experiments.begin(), experiments.end(), on.experiment) != experiments.end())
-      continue;
+    if (contains(experiments, on.experiment)) continue;
     experiments.push_back(on.experiment);
     specimens.push_back(on.specimen);
   }
@@ -333,7 +331,7 @@ void add_covariance(const Fit& fit, ResultFile& file) {
     const Eigen::MatrixXd C = fit.covariance.C.of(specimen);
     values.insert(values.end(), C.data(), C.data() + C.size());  // symmetric
     const std::vector<int> on = fit.problem.coordinates().entries_of_specimen(specimen);
-    entries.insert(entries.end(), on.begin(), on.end());
+    append_all(entries, on);
   }
   const std::size_t count = entries.size() / specimens;
   file.arrays["fit/covariance"] = {

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "data/io/doubled_trials.h"
 #include "kinematics_fit/force_jacobian.h"
 #include "kinematics_fit/model/experiment_plan.h"
@@ -18,8 +19,7 @@ namespace {
 std::vector<std::string> specimen_names(const std::vector<Experiment>& experiments) {
   std::vector<std::string> names;
   for (const Experiment& experiment : experiments)
-    if (std::find(names.begin(), names.end(), experiment.specimen) == names.end())
-      names.push_back(experiment.specimen);
+    if (!contains(names, experiment.specimen)) names.push_back(experiment.specimen);
   return names;
 }
 
@@ -119,16 +119,13 @@ std::vector<std::string> FitProblem::warnings() const {
   // Postures, tensions and calibration of every experiment.
   std::vector<std::string> all;
   for (std::size_t e = 0; e < plans_.size(); ++e)
-    for (std::string& warning : experiment_warnings(digit_, plans_[e], experiments_[e]))
-      all.push_back(std::move(warning));
+    append_all(all, experiment_warnings(digit_, plans_[e], experiments_[e]));
 
   // One name for two postures.
-  for (std::string& warning : posture_name_warnings(experiments_))
-    all.push_back(std::move(warning));
+  append_all(all, posture_name_warnings(experiments_));
 
   // Rows that count twice.
-  for (std::string& warning : doubled_trial_warnings(experiments_))
-    all.push_back(std::move(warning));
+  append_all(all, doubled_trial_warnings(experiments_));
 
   // Data that least squares leaves aside.
   for (const Experiment& experiment : experiments_)
@@ -146,8 +143,7 @@ std::vector<std::string> FitProblem::warnings() const {
                       experiment.name, experiment.activations.size()));
 
   // Tendons that cannot move.
-  for (std::string& warning : fixed_geometry_warnings(parameters()))
-    all.push_back(std::move(warning));
+  append_all(all, fixed_geometry_warnings(parameters()));
   return all;
 }
 
@@ -169,16 +165,12 @@ FitProblem subset(const FitProblem& problem,
     // which no trial is left: they were measured there, too.
     std::vector<Trial>& trials = experiment.trials;
     const std::set<std::string> before = postures_of(trials);
-    trials.erase(std::remove_if(trials.begin(), trials.end(),
-                                [&](const Trial& trial) { return !keep(experiment, trial); }),
-                 trials.end());
+    erase_where(trials, [&](const Trial& trial) { return !keep(experiment, trial); });
     const std::set<std::string> after = postures_of(trials);
     std::vector<ActivationRow>& rows = experiment.activations;
-    rows.erase(std::remove_if(rows.begin(), rows.end(),
-                              [&](const ActivationRow& row) {
-                                return before.count(row.posture) > after.count(row.posture);
-                              }),
-               rows.end());
+    erase_where(rows, [&](const ActivationRow& row) {
+      return before.count(row.posture) > after.count(row.posture);
+    });
     if (!trials.empty()) kept.push_back(std::move(experiment));
   }
   return {problem.digit(),        problem.parameters(),     std::move(kept),

@@ -90,12 +90,12 @@ Residuals activation_rows(const FitProblem& problem, int e, const Eigen::VectorX
   if (jacobian) out.J.resize(4 * count, unit.J.cols());
   for (Eigen::Index k = 0; k < count; ++k) {
     // Forces of the row's own unit pulls.
-    const ActivationTask& task = rows.tasks[static_cast<std::size_t>(k)];
+    const ActivationTask& task = rows.tasks[k];
     const auto pulls = static_cast<Eigen::Index>(task.pulls.size());
     Eigen::Matrix3Xd A(3, pulls);
     Eigen::MatrixXd A_u(3 * pulls, out.J.cols());
     for (Eigen::Index j = 0; j < pulls; ++j) {
-      const Eigen::Index column = task.pulls[static_cast<std::size_t>(j)].column;
+      const Eigen::Index column = task.pulls[j].column;
       A.col(j) = unit.force.col(column);
       if (jacobian) A_u.middleRows(3 * j, 3) = unit.J.middleRows(3 * column, 3);
     }

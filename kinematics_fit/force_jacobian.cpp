@@ -1,12 +1,11 @@
 #include "kinematics_fit/force_jacobian.h"
 
-#include <algorithm>
-#include <memory>
 #include <optional>
 #include <utility>
 
 #include <ceres/jet.h>
 
+#include "base/lists.h"
 #include "hand/axis_distance.h"
 #include "kinematics_fit/model/net_trials.h"
 #include "tendons/net/net_derivatives.h"
@@ -69,12 +68,12 @@ internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& of, const Tree
   for (Eigen::Index s = 0; s < input.radius.size(); ++s) input.radius[s] = of.radius[s].v[lane];
   // Tensions: pulls, and laws of bands in terms of log EA and log slack.
   for (Eigen::Index b = 0; b < input.tension.size(); ++b) {
-    const int muscle = net.bands[static_cast<std::size_t>(b)].muscle;
+    const int muscle = net.bands[b].muscle;
     if (muscle >= 0) {
       input.tension[b] = pulls[muscle].v[lane];
       continue;
     }
-    const internal::BandState& band = tangent.band[static_cast<std::size_t>(b)];
+    const internal::BandState& band = tangent.band[b];
     input.tension[b] =
         band.pull.tension * of.EA[b].v[lane] / of.EA[b].a -
         band.pull.stiffness * band.chord.length * of.slack[b].v[lane] / of.slack[b].a;
@@ -85,10 +84,9 @@ internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& of, const Tree
 bool is_still(const internal::NetPerturbation& input) {
   const auto zero = [](const auto& v) { return v.isZero(0); };
   return zero(input.tension) && zero(input.node) && zero(input.radius) &&
-         std::all_of(input.axis.begin(), input.axis.end(), zero) &&
-         std::all_of(input.point.begin(), input.point.end(), zero) &&
-         std::all_of(input.link.begin(), input.link.end(),
-                     [&](const internal::BodyTwist& body) { return zero(body.v) && zero(body.w); });
+         all_of(input.axis, zero) && all_of(input.point, zero) &&
+         all_of(input.link,
+                [&](const internal::BodyTwist& body) { return zero(body.v) && zero(body.w); });
 }
 
 /// A specimen's net at rest in all trials, with its derivatives: by implicit differentiation.
@@ -154,7 +152,7 @@ Eigen::Matrix3Xd force_values(const TendonDigit& digit, const FitParameters& par
   const NetTrials nets = net_trials(model, plan);
   return predict_forces<double>(
       model, plan, [&](const PosedSpecimen<double>& /*at*/, Eigen::Index i) -> Eigen::VectorXd {
-        return nets.trials[static_cast<std::size_t>(i)]->tau;
+        return nets.trials[i]->tau;
       });
 }
 

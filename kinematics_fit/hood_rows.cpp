@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "base/lists.h"
 #include "tendons/net/build_net.h"
 
 namespace thenar {
 namespace {
 
 bool all_zero(const std::vector<PredictedTrial>& trials) {
-  return std::all_of(trials.begin(), trials.end(),
-                     [](const PredictedTrial& trial) { return trial.measured.isZero(0); });
+  return all_of(trials, [](const PredictedTrial& trial) { return trial.measured.isZero(0); });
 }
 
 }  // namespace
@@ -22,9 +22,7 @@ std::vector<std::string> hood_muscles(const TendonDigit& digit) {
     for (const NetMuscle& muscle : digit.net->muscles) found.push_back(muscle.muscle);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  std::vector<std::string> names;
-  for (const int m : found) names.push_back(digit.names.muscles[static_cast<std::size_t>(m)]);
-  return names;
+  return transformed(found, [&](const int m) { return digit.names.muscles[m]; });
 }
 
 std::optional<HoodRowErrors> hood_row_errors(const Prediction& prediction,
@@ -33,9 +31,8 @@ std::optional<HoodRowErrors> hood_row_errors(const Prediction& prediction,
   std::vector<std::string> order;
   std::vector<PredictedTrial> all;
   for (const PredictedTrial& trial : prediction.trials) {
-    if (std::find(muscles.begin(), muscles.end(), trial.loads) == muscles.end()) continue;
-    if (std::find(order.begin(), order.end(), trial.loads) == order.end())
-      order.push_back(trial.loads);
+    if (!contains(muscles, trial.loads)) continue;
+    if (!contains(order, trial.loads)) order.push_back(trial.loads);
     all.push_back(trial);
   }
   if (all_zero(all)) return {};

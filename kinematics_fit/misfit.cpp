@@ -25,7 +25,7 @@ double plain_squares(const Eigen::VectorXd& r, double robust_scale) {
 
 /// Force components of finite sd, of trials and of rows of activations.
 int fitted_numbers(const FitProblem& problem, int e) {
-  const ExperimentPlan& plan = problem.plans()[static_cast<std::size_t>(e)];
+  const ExperimentPlan& plan = problem.plans()[e];
   return static_cast<int>((plan.sd.array() < HUGE_VAL).count()) +
          plan.measured * static_cast<int>(problem.activations_of(e).tasks.size());
 }
@@ -58,8 +58,7 @@ std::vector<Misfit> misfits(const FitProblem& problem, const Eigen::VectorXd& z,
     // Residuals, and how much of them the parameters that move this specimen take up.
     const Residuals data = data_residuals(problem, z, e, WithJacobian::kNo);
     const int forces = force_rows(problem, e);
-    const double effective =
-        covariance.leverage[static_cast<std::size_t>(e)].leftCols(forces).squaredNorm();
+    const double effective = covariance.leverage[e].leftCols(forces).squaredNorm();
     all.push_back(misfit(plain_squares(data.r.head(forces), problem.robust_scale()),
                          fitted_numbers(problem, e), effective));
   }

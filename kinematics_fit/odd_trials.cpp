@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
@@ -65,7 +64,7 @@ Eigen::Index rows_of(const FitProblem& problem, int e) { return force_rows(probl
 /// Odd trials of an experiment, the furthest first, without those that are odd for the sake of
 /// further ones alone.
 std::vector<OddTrial> odd_of(const FitProblem& problem, int e, const Leverage& of, double rows) {
-  const ExperimentPlan& plan = problem.plans()[static_cast<std::size_t>(e)];
+  const ExperimentPlan& plan = problem.plans()[e];
   const auto tail_of = [&](Eigen::Index i, double squared) {
     const auto fitted = i < plan.sd.cols() ? (plan.sd.col(i).array() < HUGE_VAL).count()
                                            : Eigen::Index{plan.measured};
@@ -103,8 +102,7 @@ std::vector<OddTrial> odd_trials(const FitProblem& problem, const Eigen::VectorX
   for (int e = 0; e < experiments; ++e) rows += static_cast<double>(rows_of(problem, e));
   for (int e = 0; e < experiments; ++e) {
     // Residuals that are not fitted are 0, and so are their slopes.
-    Leverage of{data_residuals(problem, z, e, WithJacobian::kNo).r,
-                covariance.leverage[static_cast<std::size_t>(e)]};
+    Leverage of{data_residuals(problem, z, e, WithJacobian::kNo).r, covariance.leverage[e]};
     for (Eigen::Index i = 0; i < rows_of(problem, e); ++i)
       of.r.segment<3>(3 * i) =
           plain_residual(Eigen::Vector3d(of.r.segment<3>(3 * i)), problem.robust_scale());
@@ -120,7 +118,7 @@ std::vector<std::string> describe(const FitProblem& problem, const std::vector<O
   constexpr std::size_t kMaxNamedTrials = 3;
   std::vector<std::string> warnings;
   for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
-    const Experiment& experiment = problem.experiments()[static_cast<std::size_t>(e)];
+    const Experiment& experiment = problem.experiments()[e];
     // The oddest by name.
     std::vector<std::string> names;
     for (const OddTrial& each : odd)

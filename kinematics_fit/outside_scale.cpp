@@ -43,7 +43,7 @@ class OutsideScale {
   }
 
   [[nodiscard]] Vector3d operator()(int link, const Vector3d& p) const {
-    return scaled(link < 0 ? base_ : bones_[static_cast<std::size_t>(link)], p);
+    return scaled(link < 0 ? base_ : bones_[link], p);
   }
 
  private:

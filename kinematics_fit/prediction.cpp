@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "kinematics_fit/model/shared_postures.h"
 #include "kinematics_fit/predictive_moments.h"
 #include "kinematics_fit/specimen_prior.h"
@@ -69,9 +70,7 @@ FitParameters add_posture_errors(FitParameters fitted, const Experiment& experim
   // A posture that the fit does not name gets its own key.
   for (const PostureRecord& posture : experiment.postures) {
     const auto& names = fitted.postures;
-    if (known.postures.empty() ||
-        std::find(names.begin(), names.end(), posture.name) != names.end())
-      continue;
+    if (known.postures.empty() || contains(names, posture.name)) continue;
     const auto key = static_cast<int>(names.size());
     fitted.postures.push_back(posture.name);
     // Everything that the first of the known postures has of its own, by the mean of their priors.

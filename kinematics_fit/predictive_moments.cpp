@@ -28,8 +28,7 @@ CoordinateOrder order_of(const FitParameters& parameters, const TendonDigit& dig
   CoordinateOrder order;
   for (const bool linear : {false, true}) {
     for (int c = 0; c < parameters.coordinates(); ++c)
-      if (forces_linear_in(parameters.all[static_cast<std::size_t>(parameters.leader[c])], digit) ==
-          linear)
+      if (forces_linear_in(parameters.all[parameters.leader[c]], digit) == linear)
         order.all.push_back(c);
     if (!linear) order.bent = static_cast<Eigen::Index>(order.all.size());
   }
@@ -58,7 +57,7 @@ Eigen::VectorXd within_bounds(const FitParameters& parameters, const Eigen::Vect
                               const Eigen::VectorXd& step) {
   Eigen::VectorXd u = center + step;
   for (int c = 0; c < parameters.coordinates(); ++c) {
-    const Parameter& p = parameters.all[static_cast<std::size_t>(parameters.leader[c])];
+    const Parameter& p = parameters.all[parameters.leader[c]];
     // A centre beyond its bounds, as of tilts of a specimen, moves no further out.
     const double lower = std::min(center[c], p.lower - p.mean);
     const double upper = std::max(center[c], p.upper - p.mean);
@@ -160,7 +159,7 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
   if (std::find(out.by_draws.begin(), out.by_draws.end(), true) == out.by_draws.end()) return out;
   const Eigen::MatrixXd draws = drawn_forces(digit, parameters, plan, center, V, kernel.get());
   for (Eigen::Index row = 0; row < 3 * trials; ++row) {
-    if (!out.by_draws[static_cast<std::size_t>(row / 3)]) continue;
+    if (!out.by_draws[row / 3]) continue;
     const RobustMoments moments = robust_moments(draws.row(row));
     out.mean.reshaped()[row] = moments.median;
     out.variance[row] = moments.sd * moments.sd;

@@ -9,6 +9,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "base/lists.h"
 #include "kinematics_fit/fit_residuals.h"
 
 namespace thenar {
@@ -23,14 +24,11 @@ constexpr int kSmallestStep = -2 * kStepsPerDecade;        // Step of the smalle
 double preferred(int step) {
   const int decade =
       step >= 0 ? step / kStepsPerDecade : -((kStepsPerDecade - 1 - step) / kStepsPerDecade);
-  return kPreferredNumbers[static_cast<std::size_t>(step - decade * kStepsPerDecade)] *
-         std::pow(10.0, decade);
+  return kPreferredNumbers[step - decade * kStepsPerDecade] * std::pow(10.0, decade);
 }
 
 std::vector<double> factors_at(const std::vector<int>& steps) {
-  std::vector<double> factors;
-  for (const int step : steps) factors.push_back(preferred(step));
-  return factors;
+  return transformed(steps, [&](const int step) { return preferred(step); });
 }
 
 /// The largest step of a factor of no more than `most`.
@@ -156,8 +154,8 @@ Eigen::VectorXd carried(const FitProblem& from, Eigen::VectorXd z, const FitProb
     const int first = specimen == 0 ? 0 : coordinates.population_entries();
     for (std::size_t k = static_cast<std::size_t>(first); k < entries.size(); ++k)
       if (scale[k] >= 0)
-        z[entries[k]] *= from.parameters().scales[static_cast<std::size_t>(scale[k])].factor /
-                         to.parameters().scales[static_cast<std::size_t>(scale[k])].factor;
+        z[entries[k]] *=
+            from.parameters().scales[scale[k]].factor / to.parameters().scales[scale[k]].factor;
   }
   return z;
 }
@@ -222,7 +220,7 @@ std::vector<int> scale_of_entries(const FitCoordinates& coordinates) {
   std::vector<int> scale(coordinates.population_entries() + coordinates.deviations(), -1);
   for (int c = 0; c < parameters.coordinates(); ++c) {
     const CoordinateEntries& of = coordinates.entries(c);
-    const int at = parameters.scale[static_cast<std::size_t>(parameters.leader[c])];
+    const int at = parameters.scale[parameters.leader[c]];
     if (of.population >= 0) scale[of.population] = at;
     if (of.deviation >= 0) scale[of.deviation] = at;
   }

@@ -57,7 +57,7 @@ std::optional<double> crossing(const std::vector<double>& x, const std::vector<d
     const double b = std::sqrt(rises[outer]);
     const auto beyond = k - 2 * direction;
     if (inner == static_cast<std::size_t>(lowest) && beyond >= 0 && beyond < size) {
-      const double c = std::sqrt(std::max(0.0, rises[static_cast<std::size_t>(beyond)]));
+      const double c = std::sqrt(std::max(0.0, rises[beyond]));
       const double same = (b - a) / (x[outer] - x[inner]) - (a + c) / (x[inner] - x[beyond]);
       const double other = (b + a) / (x[outer] - x[inner]) - (c - a) / (x[inner] - x[beyond]);
       if (std::abs(other) < std::abs(same)) a = -a;
@@ -106,7 +106,7 @@ Profile profile_likelihood(const LeastSquares& problem, const Eigen::VectorXd& z
 Profile profile_likelihood(const FitProblem& problem, const Eigen::VectorXd& z, int i,
                            const ProfileOptions& options) {
   Profile profile = profile_likelihood(least_squares(problem), z, i, options);
-  profile.name = problem.coordinates().names()[static_cast<std::size_t>(i)];
+  profile.name = problem.coordinates().names()[i];
   return profile;
 }
 

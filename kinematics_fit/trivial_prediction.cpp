@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "kinematics_fit/force_jacobian.h"
 #include "kinematics_fit/model/shared_postures.h"
 
@@ -170,10 +171,7 @@ Prediction mean_of_other_postures(const Experiment& experiment) {
   Prediction out{experiment.name, {}, {}};
   for (const Trial& trial : experiment.trials) {
     Experiment others = experiment;
-    others.trials.erase(
-        std::remove_if(others.trials.begin(), others.trials.end(),
-                       [&](const Trial& other) { return other.posture == trial.posture; }),
-        others.trials.end());
+    erase_where(others.trials, [&](const Trial& other) { return other.posture == trial.posture; });
     if (const auto force = trivial_force(experiment, trial, {others}))
       out.trials.push_back({trial.posture, describe_loads(trial), trial.force, *force,
                             Eigen::Vector3d::Zero(), experiment.components});

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "geometry/solid.h"
 #include "hand/skin/human_surfaces.h"
 #include "hand/skin/skin_body.h"
@@ -36,10 +37,7 @@ class BodyList {
     bodies_.push_back(std::move(body));
     links_.push_back(link);
   }
-  [[nodiscard]] int body_of(int link) const {
-    const auto found = std::find(links_.begin(), links_.end(), link);
-    return found == links_.end() ? -1 : static_cast<int>(found - links_.begin());
-  }
+  [[nodiscard]] int body_of(int link) const { return place_in(links_, link); }
   void take_into(DigitBodies& out) {
     out.bodies = std::move(bodies_);
     out.links = std::move(links_);
@@ -172,28 +170,22 @@ DigitBodies digit_bodies(const Subject& subject, const std::string& name, const 
   // Links of universal joints have no flesh, but a joint wants a body.
   for (int link = 0; link < static_cast<int>(digit.model.tree.size()); ++link)
     if (list.body_of(link) < 0)
-      list.add(digit.names.hinges[static_cast<std::size_t>(link)] + " link", LiveRole::kBone, link,
-               nullptr);
-  // Joints come last, because each refers to the body that it moves.
+      list.add(digit.names.hinges[link] + " link", LiveRole::kBone, link, nullptr);
   out.joints = joints_of(name, digit, list);
   list.take_into(out);
   return out;
 }
 
 std::vector<Pose<double>> body_poses(const DigitBodies& bodies, const TreeState<double>& state) {
-  std::vector<Pose<double>> poses;
-  poses.reserve(bodies.links.size());
-  for (const int link : bodies.links)
-    poses.push_back(link < 0 ? bodies.X_WS : bodies.X_WS * state[static_cast<std::size_t>(link)].X);
-  return poses;
+  return transformed(bodies.links, [&](const int link) {
+    return link < 0 ? bodies.X_WS : bodies.X_WS * state[link].X;
+  });
 }
 
 std::vector<double> hinge_angles(const TendonModel<double>& model, const Eigen::VectorXd& q) {
-  std::vector<double> angles;
-  angles.reserve(model.tree.size());
-  for (const Hinge<double>& hinge : model.tree)
-    angles.push_back(hinge.ratio * q[hinge.coordinate] + hinge.offset);
-  return angles;
+  return transformed(model.tree, [&](const Hinge<double>& hinge) {
+    return hinge.ratio * q[hinge.coordinate] + hinge.offset;
+  });
 }
 
 std::vector<LiveArrow> axis_arrows(const std::vector<std::string>& names) {

@@ -103,8 +103,7 @@ void DigitLines::add_net(const std::string& digit) {
   const BuiltNet& built = net_->net();
   // Whole tendons: of muscles that do not enter the net, or only with a part.
   std::vector<double> whole(muscles.size(), 1);
-  for (const NetMuscle& muscle : built.muscles)
-    whole[static_cast<std::size_t>(muscle.muscle)] -= muscle.to_net;
+  for (const NetMuscle& muscle : built.muscles) whole[muscle.muscle] -= muscle.to_net;
   for (std::size_t m = 0; m < muscles.size(); ++m)
     if (whole[m] > kNoShare) add_strand(model().pulls[m], digit);
   // Muscles up to the net, then its bands.
@@ -113,7 +112,7 @@ void DigitLines::add_net(const std::string& digit) {
     source.muscle = static_cast<int>(k);
     const int points = count_points(built.muscles[k].own);
     if (points > 1)
-      add(muscles[static_cast<std::size_t>(built.muscles[k].muscle)] + " to net", digit, source,
+      add(muscles[built.muscles[k].muscle] + " to net", digit, source,
           std::min(points, kMostPoints));
   }
   for (std::size_t k = 0; k < built.net.bands.size(); ++k) {
@@ -143,11 +142,9 @@ std::vector<Vector3d> DigitLines::course(std::size_t line, const TreeState<doubl
   // A band of the net, a muscle up to the net, a wrapped tendon, or straight runs.
   const Source& source = sources_[line];
   if (source.band >= 0) return band_course(net_->net().net, state, rest, source.band).points;
-  if (source.muscle >= 0)
-    return points_of(net_->net().muscles[static_cast<std::size_t>(source.muscle)].own, state);
+  if (source.muscle >= 0) return points_of(net_->net().muscles[source.muscle].own, state);
   const auto strand = static_cast<std::size_t>(source.strand);
-  if (path_of_strand_[strand] >= 0)
-    return wrapped(shapes[static_cast<std::size_t>(path_of_strand_[strand])], state);
+  if (path_of_strand_[strand] >= 0) return wrapped(shapes[path_of_strand_[strand]], state);
   return points_of(model().paths[strand], state);
 }
 
@@ -184,7 +181,7 @@ std::vector<double> DigitLines::tensions(const Eigen::VectorXd& q, const Eigen::
     if (source.strand >= 0) {
       tensions.push_back(strands[source.strand]);
     } else if (source.muscle >= 0) {
-      const NetMuscle& muscle = net_->net().muscles[static_cast<std::size_t>(source.muscle)];
+      const NetMuscle& muscle = net_->net().muscles[source.muscle];
       tensions.push_back(muscle.to_net * t[muscle.muscle]);
     } else {
       const double tension = rest.tension[source.band];

@@ -5,9 +5,10 @@
 namespace thenar {
 
 DigitPicture::DigitPicture(const Subject& subject, const std::string& name,
-                           std::shared_ptr<const DigitTendons> tendons, const Eigen::VectorXd& q)
+                           std::shared_ptr<const DigitTendons> tendons, const Eigen::VectorXd& q,
+                           DigitLook look)
     : tendons_(std::move(tendons)),
-      bodies_(digit_bodies(subject, name, tendons_->digit(), DigitLook::kAnatomy)),
+      bodies_(digit_bodies(subject, name, tendons_->digit(), look)),
       lines_(subject, name, tendons_) {
   const TendonDigit& digit = tendons_->digit();
   shape_.bodies = bodies_.bodies;

@@ -16,11 +16,15 @@ class DigitPicture {
  public:
   /// @param tendons  of that digit of the subject; it is shared
   /// @param q        posture that the camera aims at [rad] (coordinates)
+  /// @param look     whether bones and skin are those of the subject
   DigitPicture(const Subject& subject, const std::string& name,
-               std::shared_ptr<const DigitTendons> tendons, const Eigen::VectorXd& q);
+               std::shared_ptr<const DigitTendons> tendons, const Eigen::VectorXd& q,
+               DigitLook look = DigitLook::kAnatomy);
 
   /// Returns the constant parts of the picture; its arrows are the axes of the joints alone.
   [[nodiscard]] const LiveShape& shape() const { return shape_; }
+  [[nodiscard]] const DigitTendons& tendons() const { return *tendons_; }
+  [[nodiscard]] const DigitBodies& bodies() const { return bodies_; }
   /// The subject's frame in the picture.
   [[nodiscard]] const Pose<double>& placed() const { return bodies_.X_WS; }
   /// Returns warnings about bones that are drawn as capsules.

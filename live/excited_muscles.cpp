@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "tendons/net/net_tendons.h"
 
@@ -30,11 +31,10 @@ ExcitedMuscles::ExcitedMuscles(const Subject& subject, std::shared_ptr<const Dig
   const TendonDigit& digit = tendons_->digit();
   for (std::size_t m = 0; m < digit.names.muscles.size(); ++m) {
     const std::string& name = digit.names.muscles[m];
-    const auto unit = std::find_if(subject.muscles.begin(), subject.muscles.end(),
-                                   [&](const MuscleUnit& each) { return each.name == name; });
-    require(unit != subject.muscles.end(), "subject '{}' has no muscle '{}'", subject.name, name);
-    muscles_.push_back({name, digit.max_tension[static_cast<Eigen::Index>(m)], unit->fibre_length,
-                        unit->tendon_slack, unit->pennation});
+    const MuscleUnit* unit = find_named(subject.muscles, name);
+    require(unit != nullptr, "subject '{}' has no muscle '{}'", subject.name, name);
+    muscles_.push_back(
+        {name, digit.max_tension[m], unit->fibre_length, unit->tendon_slack, unit->pennation});
   }
   // Where lengths are counted from.
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(digit.model.coordinates);
@@ -56,7 +56,7 @@ Eigen::VectorXd ExcitedMuscles::tensions(const Eigen::VectorXd& excitation,
   const Eigen::VectorXd longer = lengthening(q);
   for (Eigen::Index m = 0; m < held.size(); ++m) {
     if (std::isnan(excitation[m])) continue;
-    const Musculotendon& muscle = muscles_[static_cast<std::size_t>(m)];
+    const Musculotendon& muscle = muscles_[m];
     require(excitation[m] >= 0 && excitation[m] <= 1,
             "wanted an excitation of '{}' from 0 to 1, got {}", muscle.name, excitation[m]);
     // Hill's model needs the maximum isometric force; without a fibre length that force scales with
@@ -75,7 +75,7 @@ std::vector<std::string> ExcitedMuscles::warnings(const Eigen::VectorXd& excitat
   // Tell which muscles ignore their force-length curve.
   std::vector<std::string> without, all;
   for (Eigen::Index m = 0; m < excitation.size(); ++m) {
-    const Musculotendon& muscle = muscles_[static_cast<std::size_t>(m)];
+    const Musculotendon& muscle = muscles_[m];
     if (!std::isnan(excitation[m]) && !(muscle.optimal_fibre_length > 0))
       without.push_back(muscle.name);
   }

@@ -4,8 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "api/fit.h"
 #include "api/named/files.h"
 #include "api/posterior.h"

@@ -6,6 +6,7 @@
 
 #include "api/moment_arms.h"
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
 #include "base/units.h"
@@ -38,9 +39,9 @@ Eigen::VectorXd rounded_to_limits(const Skeleton& skeleton, Eigen::VectorXd q,
                                   std::vector<std::string>& limited) {
   // Clamp each coordinate and report those that would have left their range.
   for (int i = 0; i < skeleton.coordinates(); ++i) {
-    const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
+    const CoordinateLimits& limits = skeleton.limits[i];
     const double inside = std::clamp(q[i], limits.lower, limits.upper);
-    if (inside != q[i]) limited.push_back(skeleton.coordinate_names[static_cast<std::size_t>(i)]);
+    if (inside != q[i]) limited.push_back(skeleton.coordinate_names[i]);
     q[i] = inside;
   }
   return q;
@@ -70,9 +71,7 @@ LiveDigit::LiveDigit(const DigitRequest& request) {
   require(case_.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': ask tip-force",
           case_.digit, case_.subject.name, case_.map);
   const TendonDigit& digit = case_.bones();
-  // Tell where the digit was built on lower rungs than asked for.
-  for (std::string& warning : lower_rungs(request, digit.fidelity))
-    warnings_.push_back(std::move(warning));
+  append_all(warnings_, lower_rungs(request, digit.fidelity));
   muscles_ = std::make_unique<ExcitedMuscles>(case_.subject, case_.tendons);
   build_shape();
   // No muscle pulls at first.
@@ -86,7 +85,7 @@ LiveDigit::LiveDigit(const DigitRequest& request) {
 void LiveDigit::build_shape() {
   picture_ = std::make_unique<DigitPicture>(case_.subject, case_.digit, case_.tendons,
                                             case_.grid.postures.front());
-  warnings_.insert(warnings_.end(), picture_->warnings().begin(), picture_->warnings().end());
+  append_all(warnings_, picture_->warnings());
   shape_ = picture_->shape();
   shape_.arrows.push_back({"tip force", LiveArrowKind::kForce});
 }
@@ -98,8 +97,7 @@ Eigen::VectorXd LiveDigit::with_angles(const std::map<std::string, double>& post
   Eigen::VectorXd q = now_.point.q;
   for (const auto& [name, angle] : posture) {
     require(std::isfinite(angle), "wanted an angle of '{}' [rad], got {}", name, angle);
-    q[static_cast<Eigen::Index>(index_of_name(name, skeleton.coordinate_names, "free joint"))] =
-        angle;
+    q[index_of_name(name, skeleton.coordinate_names, "free joint")] = angle;
   }
   return rounded_to_limits(skeleton, q, limited);
 }
@@ -109,13 +107,13 @@ Eigen::VectorXd LiveDigit::with_excitations(const DigitInputs& inputs) const {
   // A muscle has either a tension or an excitation; naming one takes the other away.
   Eigen::VectorXd excitation = now_.excitation;
   for (const auto& [name, tension] : inputs.tension)
-    excitation[static_cast<Eigen::Index>(index_of_name(name, muscles, "muscle"))] = kNaN;
+    excitation[index_of_name(name, muscles, "muscle")] = kNaN;
   for (const auto& [name, value] : inputs.excitation) {
     require(inputs.tension.count(name) == 0, "wanted a tension or an excitation of '{}', got both",
             name);
     require(value >= 0 && value <= 1, "wanted an excitation of '{}' from 0 to 1, got {}", name,
             value);
-    excitation[static_cast<Eigen::Index>(index_of_name(name, muscles, "muscle"))] = value;
+    excitation[index_of_name(name, muscles, "muscle")] = value;
   }
   return excitation;
 }
@@ -129,8 +127,7 @@ std::vector<std::string> LiveDigit::set(const DigitInputs& inputs) {
   const Eigen::VectorXd named = tensions(case_, inputs.tension);
   Eigen::VectorXd t = now_.tension;
   for (Eigen::Index m = 0; m < t.size(); ++m)
-    if (inputs.tension.count(muscles[static_cast<std::size_t>(m)]) > 0) t[m] = named[m];
-  // Count the change only once it was solved.
+    if (inputs.tension.count(muscles[m]) > 0) t[m] = named[m];
   solve(q, excitation, t);
   ++changes_;
   return limited;
@@ -157,16 +154,13 @@ void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitatio
   now.warnings = muscles_->warnings(excitation);
   add_doubts(now.point, now.warnings);
   const TendonDigit& bones = case_.bones();
-  for (std::string& warning :
-       overload_warnings(bones.names.muscles, bones.max_tension, now.tension))
-    now.warnings.push_back(std::move(warning));
-  for (std::string& warning : reversal_warnings(
-           case_.net != nullptr ? case_.net->linear() : *case_.tendons, {{}, 1, {q}, {}}))
-    now.warnings.push_back(std::move(warning));
+  append_all(now.warnings, overload_warnings(bones.names.muscles, bones.max_tension, now.tension));
+  append_all(now.warnings,
+             reversal_warnings(case_.net != nullptr ? case_.net->linear() : *case_.tendons,
+                               {{}, 1, {q}, {}}));
   if (case_.bones().fidelity.path != Path::kFitted) {
     const DigitTendons& linear = case_.net != nullptr ? case_.net->linear() : *case_.tendons;
-    for (std::string& warning : collapse_warnings(linear, q))
-      now.warnings.push_back(std::move(warning));
+    append_all(now.warnings, collapse_warnings(linear, q));
   }
   now_ = std::move(now);
 }
@@ -232,8 +226,8 @@ DigitCurves LiveDigit::sweep(const std::string& joint, int count, const Progress
                      Eigen::MatrixXd::Constant(muscles, postures, kNaN),
                      Eigen::MatrixXd::Constant(muscles, postures, kNaN), answer.outcome.warnings};
   for (Eigen::Index k = 0; k < postures; ++k) {
-    const MomentArmPoint& point = answer.points[static_cast<std::size_t>(k)];
-    curves.angle[k] = point.q[static_cast<Eigen::Index>(i)];
+    const MomentArmPoint& point = answer.points[k];
+    curves.angle[k] = point.q[i];
     if (!point.failure.empty()) continue;
     curves.arms.col(k) = point.arms.col(static_cast<Eigen::Index>(i));
     curves.lengths.col(k) = point.length_change;
@@ -260,7 +254,7 @@ DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& g
   bool doubtful = false;
   // Postures of the sweep; those that are not trusted leave gaps, and the first doubt is told.
   for (Eigen::Index k = 0; k < postures; ++k) {
-    const DigitPoint& point = points[static_cast<std::size_t>(k)];
+    const DigitPoint& point = points[k];
     curves.angle[k] = point.q[varied];
     if (!doubtful) {
       const std::string doubt = doubt_at(point);

@@ -43,7 +43,7 @@ std::vector<LiveCloud> axis_clouds(const std::vector<TendonModel<double>>& drawn
       // The base may have no body: then it is the world that carries them.
       const auto body = std::find(bodies.links.begin(), bodies.links.end(), parent);
       const bool bare = body == bodies.links.end();
-      const Pose<double> X = parent >= 0 ? state[static_cast<std::size_t>(parent)].X.inverse()
+      const Pose<double> X = parent >= 0 ? state[parent].X.inverse()
                              : bare      ? bodies.X_WS
                                          : Pose<double>();
       clouds[i].body = bare ? -1 : static_cast<int>(body - bodies.links.begin());
@@ -98,7 +98,7 @@ LiveFit::LiveFit(const std::string& path) : source_(read_fit_source(path)) {
   // Build one picture for each specimen, whose geometry the fit may have changed.
   for (std::size_t s = 0; s < source_.specimens.size(); ++s)
     looks_.push_back(look_of(static_cast<int>(s)));
-  for (const std::string& warning : looks_.front().bodies.warnings)
+  for (const std::string& warning : looks_.front().picture->warnings())
     source_.warnings.push_back(warning);
   show(0);
   shape_changes_ = changes_ = 0;
@@ -108,46 +108,37 @@ LiveFit::Look LiveFit::look_of(int specimen) const {
   const FitProblem& problem = source_.problem;
   // Start from the digit before the fit, which parameters shift.
   const TendonDigit& before = problem.digit_of(specimen);
-  const SpecimenValues& values = source_.specimens[static_cast<std::size_t>(specimen)];
+  const SpecimenValues& values = source_.specimens[specimen];
   const std::string& name = problem.experiments().front().digit;
   // The fitted digit, with bones of the subject where it has its size.
   Look look;
   look.model = specimen_model<double>(before, problem.parameters(), values.estimate);
   const TendonDigit digit = specimen_digit(before, look.model);
-  look.tendons = tendons_of_fit(digit);
-  look.lines = std::make_unique<DigitLines>(source_.subject, name, look.tendons);
-  look.bodies = digit_bodies(
-      source_.subject, name, digit,
+  look.picture = std::make_unique<DigitPicture>(
+      source_.subject, name, tendons_of_fit(digit), Eigen::VectorXd::Zero(digit.model.coordinates),
       problem.scaling() == Scaling::kSubject ? DigitLook::kAnatomy : DigitLook::kCapsules);
   // Axes of some draws.
   std::vector<TendonModel<double>> drawn;
   for (const std::vector<double>& draw : values.drawn)
     drawn.push_back(specimen_model<double>(before, problem.parameters(), draw).digit);
   look.pairs = pairs_of(digit, values);
-  look.shape.bodies = look.bodies.bodies;
-  look.shape.joints = look.bodies.joints;
-  look.shape.lines = look.lines->lines();
-  look.shape.arrows = axis_arrows(digit.names.hinges);
+  look.shape = look.picture->shape();
   look.shape.arrows.push_back({"measured", LiveArrowKind::kMeasured});
   look.shape.arrows.push_back({"predicted", LiveArrowKind::kPredicted});
-  if (!drawn.empty()) look.shape.clouds = axis_clouds(drawn, digit, look.bodies);
-  aim_at_digit(look.bodies, digit.model,
-               pose_tree(digit.model.tree, Eigen::VectorXd::Zero(digit.model.coordinates).eval()),
-               look.shape);
+  if (!drawn.empty()) look.shape.clouds = axis_clouds(drawn, digit, look.picture->bodies());
   return look;
 }
 
 const ExperimentPlan& LiveFit::plan() const {
-  const LiveTrial& at = trials_[static_cast<std::size_t>(shown_)];
-  return source_.problem.plans()[static_cast<std::size_t>(at.experiment)];
+  const LiveTrial& at = trials_[shown_];
+  return source_.problem.plans()[at.experiment];
 }
 
 const PredictedTrial& LiveFit::predicted(int trial) const {
   require(trial >= 0 && trial < static_cast<int>(trials_.size()),
           "wanted one of {} trials, counted from 0, got {}", trials_.size(), trial);
-  const LiveTrial& at = trials_[static_cast<std::size_t>(trial)];
-  return source_.predictions[static_cast<std::size_t>(at.experiment)]
-      .trials[static_cast<std::size_t>(at.trial)];
+  const LiveTrial& at = trials_[trial];
+  return source_.predictions[at.experiment].trials[at.trial];
 }
 
 void LiveFit::show(int trial) {
@@ -156,14 +147,14 @@ void LiveFit::show(int trial) {
   const std::size_t before = specimen();
   shown_ = trial;
   const Look& look = looks_[specimen()];
-  const auto i = static_cast<std::size_t>(trials_[static_cast<std::size_t>(trial)].trial);
+  const auto i = static_cast<std::size_t>(trials_[trial].trial);
   // The posture with its errors, and the tensions that arrive.
   posed_ = pose_specimen(look.model, plan(), static_cast<std::size_t>(plan().posture_of_trial[i]));
   tension_ = look.model.gain.cwiseProduct(plan().tension[i]);
   // A net at rest under them.
   rest_ = {};
   net_trouble_.clear();
-  if (const auto* net = dynamic_cast<const NetTendons*>(look.tendons.get())) {
+  if (const auto* net = dynamic_cast<const NetTendons*>(&look.picture->tendons())) {
     rest_ = follow_from_straight(*net, posed_.angles, tension_).rest;
     net_trouble_ = net_warning(net->net().net, posed_.state, rest_);
   }
@@ -172,20 +163,17 @@ void LiveFit::show(int trial) {
 }
 
 LiveFit::ForcePlace LiveFit::force_place() const {
-  const LiveTrial& at = trials_[static_cast<std::size_t>(shown_)];
-  // Forces are stated along axes of the load cell or the segment, and drawn in the world.
+  const LiveTrial& at = trials_[shown_];
   const TendonModel<double>& model = digit().model;
   const auto axes = [&](int link) -> Eigen::Matrix3d {
-    return link < 0
-               ? model.tip_axes
-               : Eigen::Matrix3d(posed_.state[static_cast<std::size_t>(link)].X.R * model.tip_axes);
+    return link < 0 ? model.tip_axes : Eigen::Matrix3d(posed_.state[link].X.R * model.tip_axes);
   };
   // At the tip, on a segment that is held in its place, or on the mount.
   const int other = site_of(plan(), static_cast<std::size_t>(at.trial));
   if (other < 0)
     return {moved(posed_.state, model.tip_link, model.tip),
             axes(model.tip_link) * posed_.cell.transpose()};
-  const PlannedSite& site = plan().sites[static_cast<std::size_t>(other)];
+  const PlannedSite& site = plan().sites[other];
   const Eigen::Vector3d from = site.link >= 0 ? moved(posed_.state, site.link, site.point)
                                               : axis_points(model, posed_.state).front();
   return {from, axes(site.axes_link) * plan().components.transpose()};
@@ -198,16 +186,7 @@ std::vector<std::string> LiveFit::warnings() const {
 }
 
 LiveInstant LiveFit::instant() const {
-  // Pose the specimen, then add the measured and the predicted force at the same place.
-  const Look& look = looks_[specimen()];
-  const TendonModel<double>& model = digit().model;
-  LiveInstant instant;
-  instant.bodies = body_poses(look.bodies, posed_.state);
-  instant.joints = hinge_angles(model, posed_.angles);
-  instant.line_points = look.lines->points(posed_.state, rest_);
-  for (Eigen::Vector3d& p : instant.line_points) p = placed() * p;
-  instant.tensions = look.lines->tensions(posed_.angles, tension_, rest_);
-  instant.arrows = axis_vectors(look.bodies, model, posed_.state);
+  LiveInstant instant = looks_[specimen()].picture->instant(posed_.angles, tension_, rest_);
   const ForcePlace place = force_place();
   const PredictedTrial& trial = predicted(shown_);
   for (const Eigen::Vector3d* force : {&trial.measured, &trial.predicted})

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "kinematics_fit/model/predict_forces.h"
-#include "live/digit_bodies.h"
-#include "live/digit_lines.h"
+#include "live/digit_picture.h"
 #include "live/fit_source.h"
 #include "live/live_picture.h"
 #include "tendons/neighbouring_axes.h"
@@ -48,14 +47,16 @@ class LiveFit final : public LiveModel {
   [[nodiscard]] int shown() const { return shown_; }
   [[nodiscard]] const PredictedTrial& predicted(int trial) const;
   /// The digit of the specimen that is shown, as fitted.
-  [[nodiscard]] const TendonDigit& digit() const { return looks_[specimen()].tendons->digit(); }
+  [[nodiscard]] const TendonDigit& digit() const {
+    return looks_[specimen()].picture->tendons().digit();
+  }
   /// Returns the digit's posture with the fitted errors of angles [rad] (coordinates).
   [[nodiscard]] Eigen::VectorXd posture() const { return posed_.angles; }
   [[nodiscard]] const std::vector<LiveAxisPair>& axis_pairs() const {
     return looks_[specimen()].pairs;
   }
   /// The subject's frame in the picture; everything but the picture is in the subject's frame.
-  [[nodiscard]] const Pose<double>& placed() const { return looks_[specimen()].bodies.X_WS; }
+  [[nodiscard]] const Pose<double>& placed() const { return looks_[specimen()].picture->placed(); }
   /// Returns warnings about the file, and about a net that is not at rest in the trial.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
@@ -68,15 +69,13 @@ class LiveFit final : public LiveModel {
   /// One specimen as it is drawn.
   struct Look {
     SpecimenModel<double> model;
-    std::shared_ptr<const DigitTendons> tendons;  // fitted; shared with the lines
-    DigitBodies bodies;
-    std::unique_ptr<DigitLines> lines;
+    std::unique_ptr<DigitPicture> picture;  // of the fitted tendons
     std::vector<LiveAxisPair> pairs;
-    LiveShape shape;
+    LiveShape shape;  // that of the picture, with forces and draws
   };
   [[nodiscard]] Look look_of(int specimen) const;
   [[nodiscard]] std::size_t specimen() const {
-    return static_cast<std::size_t>(trials_[static_cast<std::size_t>(shown_)].specimen);
+    return static_cast<std::size_t>(trials_[shown_].specimen);
   }
   [[nodiscard]] const ExperimentPlan& plan() const;
   /// Point where the force of the trial was measured, and the rotation of its components into the

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
+#include "base/nearest_name.h"
 
 namespace thenar {
 namespace {
@@ -23,11 +25,9 @@ LiveMotion::LiveMotion(MotionSource source, const HistoryLimits& limits)
   moving_ = moving_bodies(scene().mechanism, stepper_.model());
   readings_ = stepper_.readings();
   for (const std::string& muscle : picture_.tendons.muscles()) {
-    const auto found =
-        std::find_if(readings_.begin(), readings_.end(),
-                     [&](const ElementValue& value) { return value.name == muscle; });
-    require(found != readings_.end(), "no element says what pulls '{}'", muscle);
-    tension_at_.push_back(static_cast<std::size_t>(found - readings_.begin()));
+    const int found = place_named(readings_, muscle);
+    require(found >= 0, "no element says what pulls '{}'", muscle);
+    tension_at_.push_back(static_cast<std::size_t>(found));
   }
   begin();
 }
@@ -202,7 +202,7 @@ std::vector<ElementValue> LiveMotion::muscles() const {
 Eigen::VectorXd LiveMotion::tension() const {
   Eigen::VectorXd out(static_cast<Eigen::Index>(tension_at_.size()));
   for (std::size_t m = 0; m < tension_at_.size(); ++m)
-    out[static_cast<Eigen::Index>(m)] = history_.at(shown_).readings[tension_at_[m]];
+    out[m] = history_.at(shown_).readings[tension_at_[m]];
   return out;
 }
 

@@ -1,10 +1,10 @@
 #include "live/live_picture.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -25,9 +25,7 @@ bool is_finite(const LiveInstant& instant) {
     return each.point.allFinite() && each.normal.allFinite() && each.force.allFinite() &&
            std::isfinite(each.friction);
   };
-  const auto all = [](const auto& list, const auto& test) {
-    return std::all_of(list.begin(), list.end(), test);
-  };
+  const auto all = [](const auto& list, const auto& test) { return all_of(list, test); };
   return std::isfinite(instant.time) && all(instant.bodies, poses) && all(instant.joints, values) &&
          all(instant.line_points, points) && all(instant.arrows, vectors) &&
          all(instant.contacts, contacts);

@@ -1,7 +1,6 @@
 #include "live/motion_history.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/error.h"

@@ -28,7 +28,7 @@ LiveInstant RecordedDigitMotion::instant() const {
 MotionEnergy RecordedDigitMotion::energy() const {
   // Interpolate the recorded energies between their instants.
   const auto now = [&](const auto& all) {
-    return straight_number([&](std::size_t i) { return all[static_cast<Eigen::Index>(i)]; });
+    return straight_number([&](std::size_t i) { return all[i]; });
   };
   MotionEnergy out;
   // Only the total is recorded; its balance counts from the first instant: E_0 - E + work -

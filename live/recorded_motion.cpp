@@ -1,19 +1,17 @@
 #include "live/recorded_motion.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <Eigen/Geometry>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 
 namespace thenar {
 namespace {
 
 std::vector<double> times_of(const std::vector<SceneSample>& samples) {
-  std::vector<double> times;
-  for (const SceneSample& sample : samples) times.push_back(sample.t);
-  return times;
+  return transformed(samples, [&](const SceneSample& sample) { return sample.t; });
 }
 
 /// The positions a share of the way from one instant to the next.
@@ -44,8 +42,7 @@ RecordedMotion::RecordedMotion(RecordedScene run)
       model_(tree_model(run_.built.scene.mechanism)) {
   // Match the muscles that are drawn with those that were recorded; -1 marks an unknown tension.
   for (const std::string& muscle : picture_.tendons.muscles()) {
-    const auto found = std::find(run_.muscles.begin(), run_.muscles.end(), muscle);
-    tension_of_.push_back(found == run_.muscles.end() ? -1 : found - run_.muscles.begin());
+    tension_of_.push_back(place_in(run_.muscles, muscle));
   }
 }
 
@@ -55,7 +52,7 @@ Eigen::VectorXd RecordedMotion::tension() const {
   if (run_.muscles.empty()) return out;
   const Eigen::VectorXd recorded = straight(run_.tension);
   for (std::size_t m = 0; m < tension_of_.size(); ++m)
-    if (tension_of_[m] >= 0) out[static_cast<Eigen::Index>(m)] = recorded[tension_of_[m]];
+    if (tension_of_[m] >= 0) out[m] = recorded[tension_of_[m]];
   return out;
 }
 
@@ -124,7 +121,7 @@ TimelineState RecordedMotion::state(const MotionParts& parts) const {
   if (parts.muscles && !run_.muscles.empty()) {
     const Eigen::VectorXd tensions = straight(run_.tension);
     for (std::size_t m = 0; m < run_.muscles.size(); ++m)
-      out.muscles.push_back({run_.muscles[m], "N", tensions[static_cast<Eigen::Index>(m)]});
+      out.muscles.push_back({run_.muscles[m], "N", tensions[m]});
   }
   return out;
 }

@@ -23,9 +23,8 @@ int leader_of(const Mechanism& mechanism, int coordinate) {
 
 /// Returns true if a body is fixed to the world through all bodies that carry it.
 bool stands_still(const Mechanism& mechanism, std::size_t body) {
-  for (int at = static_cast<int>(body); at >= 0;
-       at = mechanism.joints[static_cast<std::size_t>(at)].parent)
-    if (mechanism.joints[static_cast<std::size_t>(at)].kind != JointKind::kWeld) return false;
+  for (int at = static_cast<int>(body); at >= 0; at = mechanism.joints[at].parent)
+    if (mechanism.joints[at].kind != JointKind::kWeld) return false;
   return true;
 }
 
@@ -164,7 +163,7 @@ LiveInstant scene_instant(const ScenePicture& picture, const MovingScene& scene,
   LiveInstant out;
   out.time = view.t;
   // Bodies and joints; a joint that follows is shown at its own value.
-  const auto pose = [&](int body) { return view.X_WB[static_cast<std::size_t>(body)]; };
+  const auto pose = [&](int body) { return view.X_WB[body]; };
   for (const int body : picture.body_of) out.bodies.push_back(pose(body));
   for (std::size_t k = 0; k < picture.joint_of.size(); ++k) {
     const auto i = static_cast<std::size_t>(picture.joint_of[k]);
@@ -183,8 +182,8 @@ LiveInstant scene_instant(const ScenePicture& picture, const MovingScene& scene,
   // Contacts refer to bodies as they are drawn; friction sets the width of the cone.
   for (const ContactSample& contact : view.contacts) {
     LiveContact shown;
-    shown.a = picture.shown_as[static_cast<std::size_t>(contact.a)];
-    shown.b = picture.shown_as[static_cast<std::size_t>(contact.b)];
+    shown.a = picture.shown_as[contact.a];
+    shown.b = picture.shown_as[contact.b];
     shown.point = contact.point;
     shown.normal = contact.normal;
     shown.force = contact.force;

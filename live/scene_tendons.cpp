@@ -1,7 +1,6 @@
 #include "live/scene_tendons.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/error.h"
@@ -53,12 +52,11 @@ void SceneTendons::add(const BuiltScene& built, const DigitPull& pull) {
   // Each digit has its own tendons, whose coordinates are some of the scene's.
   for (const TendonGroup::Digit& digit : model.tendons->digits()) {
     Part part{digit.tendons, 0, {}, {}, strand_paths(digit.tendons->digit())};
-    for (const int c : digit.coordinates)
-      part.q.push_back(model.places.q[static_cast<std::size_t>(c)]);
+    for (const int c : digit.coordinates) part.q.push_back(model.places.q[c]);
     for (const int m : digit.muscles) part.muscle.push_back(first + m);
     if (part.q.empty()) continue;
     part.base = base_of(built, part.q.front());
-    const std::string& hand = built.owner[static_cast<std::size_t>(part.base)];
+    const std::string& hand = built.owner[part.base];
     for (const StrandPath& path : part.paths)
       lines_.push_back({path.name, hand + "/" + digit_name(digit.tendons->digit()), false,
                         static_cast<int>(path.nodes.size())});
@@ -73,7 +71,7 @@ std::vector<Eigen::Vector3d> SceneTendons::points(const Eigen::VectorXd& q,
   for (const Part& part : parts_) {
     const Eigen::VectorXd own = q(part.q);
     const TreeState<double> state = pose_tree(part.tendons->digit().model.tree, own);
-    const Pose<double>& X_WH = X_WB[static_cast<std::size_t>(part.base)];
+    const Pose<double>& X_WH = X_WB[part.base];
     for (const StrandPath& path : part.paths)
       for (const PathNode<double>& node : path.nodes)
         points.push_back(X_WH * moved(state, node.link, node.p));

@@ -1,7 +1,6 @@
 #include "posterior/hand_posterior.h"
 
 #include <cmath>
-#include <limits>
 
 #include "base/error.h"
 #include "base/random_stream.h"
@@ -214,7 +213,6 @@ MatrixXd HandPosterior::pointwise(const Points& x) const {
 // Between a posterior's x, the z of its fit, and the numbers that people read.
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr std::uint32_t kPriorStream = 0x7072696f;  // purpose of random numbers
@@ -297,7 +295,7 @@ VectorXd HandPosterior::fit_coordinates(const VectorXd& x) const {
                          ? 1
                          : std::exp(parts_->options.specimen_scale_sd *
                                     x[entries.specimen_scale_offset() + entry.specimen_scale]);
-    const double own = x[static_cast<Index>(i)];
+    const double own = x[i];
     z[entry.z] = entry.centre < 0 ? k * entry_image(entry, k, own)
                                   : centred_entry(*parts_, entry, k, z, own);
   }
@@ -313,8 +311,7 @@ VectorXd HandPosterior::from_fit(const VectorXd& z) const {
   VectorXd x = VectorXd::Zero(size());
   for (std::size_t i = 0; i < entries.coordinates.size(); ++i) {
     const CoordinateEntry& entry = entries.coordinates[i];
-    x[static_cast<Index>(i)] =
-        entry.centre < 0 ? entry_from(entry, 1, entry.sd * at[entry.z]) : at[entry.z];
+    x[i] = entry.centre < 0 ? entry_from(entry, 1, entry.sd * at[entry.z]) : at[entry.z];
   }
   return x;
 }

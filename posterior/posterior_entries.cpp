@@ -1,6 +1,5 @@
 #include "posterior/posterior_entries.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace thenar {

@@ -9,7 +9,6 @@
 
 #include "base/units.h"
 #include "kinematics_fit/specimen_prior.h"
-#include "posterior/simd_loops.h"
 #include "posterior/tilt_density.h"
 
 namespace thenar::internal {
@@ -154,7 +153,6 @@ Displaced displace(const PosteriorParts& parts, const EntryMotion& motion) {
 // Priors in x: normal for every entry, times von Mises-Fisher over normal for axis directions.
 namespace {
 
-using Eigen::Index;
 using Lane = std::array<double, kBlockPoints>;
 
 /// One pair of tilts at one point: where it is, and by what it is moved.

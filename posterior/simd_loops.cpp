@@ -1,6 +1,5 @@
 #include "posterior/simd_loops.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/for_all_processors.h"

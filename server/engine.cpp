@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/lists.h"
 #include "base/progress_parts.h"
 #include "live/live_abilities.h"
 #include "server/replay.h"
@@ -63,9 +64,7 @@ int Engine::join(std::shared_ptr<EngineClient> client) {
 void Engine::leave(int client) {
   const std::lock_guard<std::mutex> lock(mutex_);
   clients_.erase(client);
-  jobs_.erase(std::remove_if(jobs_.begin(), jobs_.end(),
-                             [&](const Job& job) { return job.client == client; }),
-              jobs_.end());
+  erase_where(jobs_, [&](const Job& job) { return job.client == client; });
   if (running_ == client) stop_ = true;
   // The others are told that one is gone.
   jobs_.push_back({0, [] {}});
@@ -110,8 +109,7 @@ void Engine::stop_running(int client, const RpcRequest& request) {
 bool Engine::waits(int client) {
   const std::lock_guard<std::mutex> lock(mutex_);
   return hello_.is_null() || running_ == client ||
-         std::any_of(jobs_.begin(), jobs_.end(),
-                     [&](const Job& job) { return job.client == client; });
+         any_of(jobs_, [&](const Job& job) { return job.client == client; });
 }
 
 RpcAnswer Engine::answer_at_once(const RpcRequest& request) {

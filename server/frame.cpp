@@ -130,8 +130,7 @@ OrderedJson frame_json(const LiveShape& shape, const LiveInstant& instant, unsig
                             {"points", std::move(points)}});
   }
   const auto name = [&](int body) {
-    return body < 0 ? OrderedJson()
-                    : OrderedJson(shape.bodies[static_cast<std::size_t>(body)].name);
+    return body < 0 ? OrderedJson() : OrderedJson(shape.bodies[body].name);
   };
   for (const LiveContact& contact : instant.contacts)
     out["contacts"].push_back({{"a", name(contact.a)},

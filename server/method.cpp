@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 
 namespace thenar {
@@ -23,16 +24,12 @@ void MethodTable::add(RpcMethod method) {
 }
 
 bool MethodTable::has(const std::string& name) const {
-  return std::any_of(methods_.begin(), methods_.end(),
-                     [&](const RpcMethod& method) { return method.name == name; });
+  return find_named(methods_, name) != nullptr;
 }
 
 const RpcMethod& MethodTable::at(const std::string& name) const {
-  const auto found = std::find_if(methods_.begin(), methods_.end(),
-                                  [&](const RpcMethod& method) { return method.name == name; });
-  if (found != methods_.end()) return *found;
-  std::vector<std::string> names;
-  for (const RpcMethod& method : methods_) names.push_back(method.name);
+  if (const RpcMethod* found = find_named(methods_, name)) return *found;
+  const auto names = transformed(methods_, [](const RpcMethod& method) { return method.name; });
   throw InputError(
       fmt::format("no method '{}'{}; session.methods lists all", name, did_you_mean(name, names)));
 }

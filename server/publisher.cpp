@@ -1,10 +1,10 @@
 #include "server/publisher.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "base/lists.h"
 #include "server/frame.h"
 #include "server/rpc.h"
 #include "server/scene_message.h"
@@ -17,8 +17,7 @@ constexpr std::chrono::milliseconds kClockTick{100};  // between two states that
 constexpr auto kNever = Publisher::Clock::time_point::max();
 
 bool is_watched(const EngineClients& clients) {
-  return std::any_of(clients.begin(), clients.end(),
-                     [](const auto& client) { return client->watches(); });
+  return any_of(clients, [](const auto& client) { return client->watches(); });
 }
 
 /// A state without the time of a motion, which changes at every step.

@@ -1,7 +1,6 @@
 #include "server/replay.h"
 
 #include <atomic>
-#include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

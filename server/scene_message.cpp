@@ -1,6 +1,5 @@
 #include "server/scene_message.h"
 
-#include <array>
 #include <vector>
 
 #include <nlohmann/json.hpp>

@@ -7,31 +7,18 @@
 namespace thenar {
 
 std::string Session::what_is(LiveMode mode) {
-  switch (mode) {
-    case LiveMode::kWorld:
-      return "world";
-    case LiveMode::kMotion:
-      return "scene that moves";
-    case LiveMode::kTendons:
-      return "digit";
-    case LiveMode::kFit:
-      break;
-  }
-  return "fit";
+  constexpr std::array kThings{
+      EnumName{LiveMode::kWorld, "world"}, EnumName{LiveMode::kMotion, "scene that moves"},
+      EnumName{LiveMode::kTendons, "digit"}, EnumName{LiveMode::kFit, "fit"}};
+  return name_in(kThings, mode);
 }
 
 std::string Session::opener_of(LiveMode mode) {
-  switch (mode) {
-    case LiveMode::kWorld:
-      return "world.new or world.load";
-    case LiveMode::kMotion:
-      return "motion.open or motion.record";
-    case LiveMode::kTendons:
-      return "tendons.open";
-    case LiveMode::kFit:
-      break;
-  }
-  return "fit.open";
+  constexpr std::array kOpeners{EnumName{LiveMode::kWorld, "world.new or world.load"},
+                                EnumName{LiveMode::kMotion, "motion.open or motion.record"},
+                                EnumName{LiveMode::kTendons, "tendons.open"},
+                                EnumName{LiveMode::kFit, "fit.open"}};
+  return name_in(kOpeners, mode);
 }
 
 unsigned long Session::revision() const {

@@ -12,7 +12,6 @@
 #include <mutex>
 #include <string>
 
-#include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 

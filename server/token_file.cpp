@@ -32,8 +32,8 @@ struct stat write_own(const std::string& path, const std::string& text) {
   return about;
 }
 
-}  // namespace
-
+/// Returns the folders for tokens, of which the first that can be made is used:
+/// $XDG_RUNTIME_DIR/thenar, $XDG_CACHE_HOME/thenar or ~/.cache/thenar.
 std::vector<std::string> token_folders() {
   std::vector<std::string> folders;
   const auto add = [&](const char* variable, const char* below) {
@@ -45,6 +45,8 @@ std::vector<std::string> token_folders() {
   add("HOME", "/.cache/thenar");
   return folders;
 }
+
+}  // namespace
 
 TokenFile::TokenFile(int port, const std::string& token) {
   std::string why = "none of XDG_RUNTIME_DIR, XDG_CACHE_HOME and HOME is set";

@@ -8,10 +8,6 @@
 
 namespace thenar {
 
-/// Returns the folders for tokens, of which the first that can be made is used:
-/// $XDG_RUNTIME_DIR/thenar, $XDG_CACHE_HOME/thenar or ~/.cache/thenar.
-[[nodiscard]] std::vector<std::string> token_folders();
-
 /// FOLDER/PORT.token, which holds the token and the end of a line, for as long as it lives. The
 /// folder is of mode 700, the file of mode 600 from its beginning.
 class TokenFile {

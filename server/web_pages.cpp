@@ -1,7 +1,6 @@
 #include "server/web_pages.h"
 
 #include <map>
-#include <string_view>
 
 #include <fmt/format.h>
 

@@ -30,8 +30,8 @@ VectorXd AndersonMixing::next(const VectorXd& motion) {
   const auto count = static_cast<Index>(changes_.size());
   MatrixXd change(motion.size(), count), step(motion.size(), count);
   for (Index k = 0; k < count; ++k) {
-    change.col(k) = changes_[static_cast<std::size_t>(k)];
-    step.col(k) = steps_[static_cast<std::size_t>(k)];
+    change.col(k) = changes_[k];
+    step.col(k) = steps_[k];
   }
   step_ -= (step + change) * change.colPivHouseholderQr().solve(motion);
   return step_;

@@ -1,7 +1,6 @@
 #include "solvers/arrow_factor.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <Eigen/QR>
@@ -90,7 +89,7 @@ VectorXd ArrowMatrix::diagonal() const {
   VectorXd all(layout.size());
   all.head(layout.shared) = shared.diagonal();
   for (int b = 0; b < layout.blocks; ++b)
-    all.segment(layout.first(b), layout.own) = own[static_cast<std::size_t>(b)].diagonal();
+    all.segment(layout.first(b), layout.own) = own[b].diagonal();
   return all;
 }
 
@@ -125,7 +124,7 @@ VectorXd ArrowFactor::whiten(const VectorXd& g) const {
 MatrixXd ArrowFactor::whiten(const ArrowRows& rows) const {
   MatrixXd own, shared = rows.shared.transpose();
   if (rows.block >= 0) {
-    const Block& block = blocks_[static_cast<std::size_t>(rows.block)];
+    const Block& block = blocks_[rows.block];
     own = block.R.transpose().triangularView<Eigen::Lower>().solve(rows.own.transpose());
     shared -= block.S.transpose() * own;
   }

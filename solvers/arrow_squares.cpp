@@ -22,7 +22,7 @@ MatrixXd stack(const std::vector<MatrixXd>& parts, const std::vector<bool>& free
     row += part.rows();
   }
   for (Index j = 0; j < columns; ++j)
-    if (!free[static_cast<std::size_t>(j)]) all.col(j).setZero();
+    if (!free[j]) all.col(j).setZero();
   return all;
 }
 
@@ -66,14 +66,14 @@ void ArrowSquares::add(int block, const MatrixXd& J) {
   if (block < 0)
     shared += J.transpose() * J;
   else
-    rows[static_cast<std::size_t>(block)].plus.push_back(J);
+    rows[block].plus.push_back(J);
 }
 
 void ArrowSquares::take(int block, const MatrixXd& J) {
   if (block < 0)
     shared -= J.transpose() * J;
   else
-    rows[static_cast<std::size_t>(block)].minus.push_back(J);
+    rows[block].minus.push_back(J);
 }
 
 void ArrowSquares::scale(double factor) {
@@ -94,11 +94,11 @@ std::optional<ArrowSquaresFactor::Block> ArrowSquaresFactor::eliminate(
   Block out;
   out.u = matrix.diagonal.segment(Index{layout.own} * block, layout.own);
   for (Index i = 0; i < out.u.size(); ++i) {
-    if (!here[static_cast<std::size_t>(layout.shared + i)]) out.u[i] = 1;
+    if (!here[layout.shared + i]) out.u[i] = 1;
     if (!(out.u[i] > 0)) return {};
     out.u[i] = 1 / std::sqrt(out.u[i]);
   }
-  const ArrowSquares::Rows& rows = matrix.rows[static_cast<std::size_t>(block)];
+  const ArrowSquares::Rows& rows = matrix.rows[block];
   MatrixXd P = stack(rows.plus, here, layout.shared + layout.own);
   MatrixXd N = stack(rows.minus, here, layout.shared + layout.own);
   P.rightCols(layout.own) = P.rightCols(layout.own) * out.u.asDiagonal();
@@ -140,7 +140,7 @@ std::optional<ArrowSquaresFactor> ArrowSquaresFactor::factor(const ArrowSquares&
   // Blocks first, then what they leave of the shared coordinates.
   MatrixXd shared = matrix.shared;
   for (Index i = 0; i < shared.rows(); ++i) {
-    if (free[static_cast<std::size_t>(i)]) continue;
+    if (free[i]) continue;
     shared.row(i).setZero();
     shared.col(i).setZero();
     shared(i, i) = 1;
@@ -161,7 +161,7 @@ std::optional<ArrowSquaresFactor> ArrowSquaresFactor::factor(const ArrowSquares&
 VectorXd ArrowSquaresFactor::solve(const VectorXd& g) const {
   VectorXd x = g;
   for (Index i = 0; i < x.size(); ++i)
-    if (!free_[static_cast<std::size_t>(i)]) x[i] = 0;
+    if (!free_[i]) x[i] = 0;
   // W v, the rows taken away with a minus.
   const auto weigh = [](const Block& block, VectorXd v) {
     v.tail(v.size() - block.plus) *= -1;
@@ -170,14 +170,14 @@ VectorXd ArrowSquaresFactor::solve(const VectorXd& g) const {
   // Forward through the blocks, then back from the shared coordinates.
   auto shared = x.head(layout_.shared);
   for (int b = 0; b < layout_.blocks; ++b) {
-    const Block& block = blocks_[static_cast<std::size_t>(b)];
+    const Block& block = blocks_[b];
     auto own = x.segment(layout_.first(b), layout_.own);
     own.array() *= block.u.array();
     shared -= block.shared.transpose() * weigh(block, block.own * own);
   }
   shared_.solveInPlace(shared);
   for (int b = 0; b < layout_.blocks; ++b) {
-    const Block& block = blocks_[static_cast<std::size_t>(b)];
+    const Block& block = blocks_[b];
     auto own = x.segment(layout_.first(b), layout_.own);
     own -= block.own.transpose() * weigh(block, block.own * own + block.shared * shared);
     own.array() *= block.u.array();

@@ -72,8 +72,8 @@ LinearProgram optimal_duals(const Vertex& vertex) {
   duals.upper = VectorXd::Zero(rows);
   // A row pulls towards the bound that it stands at.
   for (Index k = 0; k < rows; ++k) {
-    const Index i = vertex.binding[static_cast<std::size_t>(k)];
-    const Standing& at = vertex.rows[static_cast<std::size_t>(i)];
+    const Index i = vertex.binding[k];
+    const Standing& at = vertex.rows[i];
     duals.A.col(k) = program.A.row(i).transpose();
     if (at.at_upper) duals.upper(k) = kInfinity;
     if (at.at_lower) duals.lower(k) = -kInfinity;
@@ -82,7 +82,7 @@ LinearProgram optimal_duals(const Vertex& vertex) {
   duals.row_lower = program.objective;
   duals.row_upper = program.objective;
   for (Index j = 0; j < n; ++j) {
-    const Standing& at = vertex.columns[static_cast<std::size_t>(j)];
+    const Standing& at = vertex.columns[j];
     if (at.at_upper) duals.row_lower(j) = -kInfinity;
     if (at.at_lower) duals.row_upper(j) = kInfinity;
   }
@@ -113,7 +113,7 @@ BoundPrices upper_bound_prices(const LinearProgram& program, const LinearResult&
 
   // Only a bound that a variable stands at has a price.
   for (Index j = 0; j < n; ++j) {
-    if (!vertex.columns[static_cast<std::size_t>(j)].at_upper) continue;
+    if (!vertex.columns[j].at_upper) continue;
     const double least = unique ? left(j) : -largest_price(duals, program, j, -1);
     const double most = unique ? left(j) : largest_price(duals, program, j, 1);
     prices.increase(j) = std::isnan(least) ? kNaN : std::max(0.0, least);

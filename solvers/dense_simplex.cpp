@@ -52,7 +52,7 @@ class DenseSimplex {
     is_basic_.assign(static_cast<std::size_t>(n_ + rows_), false);
     for (Index i = 0; i < rows_; ++i) {
       basis_.basic.push_back(n_ + i);
-      is_basic_[static_cast<std::size_t>(n_ + i)] = true;
+      is_basic_[n_ + i] = true;
     }
   }
 
@@ -77,7 +77,7 @@ class DenseSimplex {
   }
 
  private:
-  [[nodiscard]] Index basic(Index k) const { return basis_.basic[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] Index basic(Index k) const { return basis_.basic[k]; }
 
   /// Factors the basis and puts its variables where the others leave them.
   void place_basic() {
@@ -119,7 +119,7 @@ class DenseSimplex {
     double steepest = kLeastPrice;
     for (Index j = 0; j < n_ + rows_; ++j) {
       // Dantzig's rule, or Bland's least index.
-      if (is_basic_[static_cast<std::size_t>(j)] || std::abs(d(j)) <= steepest) continue;
+      if (is_basic_[j] || std::abs(d(j)) <= steepest) continue;
       const double bound = d(j) > 0 ? upper_(j) : lower_(j);
       if (basis_.at(j) == bound) continue;
       best = Entering{j, d(j) > 0 ? 1.0 : -1.0};
@@ -164,9 +164,9 @@ class DenseSimplex {
     }
     const Index left = basic(move.leaving);
     basis_.at(left) = move.bound;
-    is_basic_[static_cast<std::size_t>(left)] = false;
-    is_basic_[static_cast<std::size_t>(j)] = true;
-    basis_.basic[static_cast<std::size_t>(move.leaving)] = j;
+    is_basic_[left] = false;
+    is_basic_[j] = true;
+    basis_.basic[move.leaving] = j;
   }
 
   Index n_, rows_;

@@ -47,9 +47,7 @@ class Hull {
   /// nothing was done
   bool insert(const HullPoint& p, int facet);
 
-  [[nodiscard]] const Plane& plane(int facet) const {
-    return planes_[static_cast<std::size_t>(facet)];
-  }
+  [[nodiscard]] const Plane& plane(int facet) const { return planes_[facet]; }
   [[nodiscard]] int facets() const { return alive_; }
   [[nodiscard]] double error() const { return error_; }  // largest of all planes so far
   [[nodiscard]] double volume() const;                   // signed simplices: folds cancel

@@ -1,11 +1,9 @@
 #include "solvers/least_squares.h"
 
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include <Eigen/QR>
 
@@ -16,14 +14,11 @@ namespace {
 
 Solution dispatch(const LeastSquares& problem, const Eigen::VectorXd& start,
                   const SolveOptions& options) {
-  switch (options.method) {
-    case LeastSquaresMethod::kCeres:
-      return internal::solve_ceres(problem, start, options);
-    case LeastSquaresMethod::kIpopt:
-      return internal::solve_ipopt_least_squares(problem, start, options);
-    default:
-      return internal::solve_nlopt(problem, start, options);
-  }
+  if (options.method == LeastSquaresMethod::kCeres)
+    return internal::solve_ceres(problem, start, options);
+  return options.method == LeastSquaresMethod::kIpopt
+             ? internal::solve_ipopt_least_squares(problem, start, options)
+             : internal::solve_nlopt(problem, start, options);
 }
 
 /// A point that breaks constraints is no solution, whatever the solver calls it.
@@ -402,16 +397,11 @@ std::string name_of(LeastSquaresMethod method) { return name_in(kLeastSquaresMet
 
 std::string convergence_word(const Solution& solution) {
   if (solution.failed) return "failed";
-  switch (solution.status) {
-    case Status::kSolved:
-      return "converged";
-    case Status::kLimit:
-      return "limit reached";
-    case Status::kStopped:
-      return "stopped";
-    default:
-      return "not stationary";
-  }
+  constexpr std::array kWords{EnumName{Status::kSolved, "converged"},
+                              EnumName{Status::kLimit, "limit reached"},
+                              EnumName{Status::kStopped, "stopped"}};
+  const std::string word = name_in(kWords, solution.status);
+  return word.empty() ? "not stationary" : word;
 }
 
 }  // namespace thenar

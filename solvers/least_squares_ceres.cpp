@@ -62,16 +62,9 @@ class Listener final : public ceres::IterationCallback {
 };
 
 Status status_of(const ceres::Solver::Summary& summary) {
-  switch (summary.termination_type) {
-    case ceres::CONVERGENCE:
-      return Status::kSolved;
-    case ceres::NO_CONVERGENCE:
-      return Status::kLimit;
-    case ceres::USER_SUCCESS:
-      return Status::kStopped;
-    default:
-      return Status::kStalled;
-  }
+  if (summary.termination_type == ceres::CONVERGENCE) return Status::kSolved;
+  if (summary.termination_type == ceres::NO_CONVERGENCE) return Status::kLimit;
+  return summary.termination_type == ceres::USER_SUCCESS ? Status::kStopped : Status::kStalled;
 }
 
 }  // namespace

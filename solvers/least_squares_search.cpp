@@ -332,13 +332,13 @@ class KinkSearch {
 
   void add(VectorXd gradient, VectorXd z) {
     for (Eigen::Index i = 0; i < gradient.size(); ++i)
-      if (!free_[static_cast<std::size_t>(i)]) gradient[i] = 0;
+      if (!free_[i]) gradient[i] = 0;
     sides_.push_back({std::move(z), std::move(gradient)});
     // The mean of all sides that is smallest in sds.
     const auto n = static_cast<Eigen::Index>(sides_.size());
     MatrixXd G(z_.size(), n), solved(z_.size(), n);
     for (Eigen::Index i = 0; i < n; ++i) {
-      G.col(i) = sides_[static_cast<std::size_t>(i)].gradient;
+      G.col(i) = sides_[i].gradient;
       solved.col(i) = factor_->solve(G.col(i));
     }
     const MatrixXd products = G.transpose() * solved;

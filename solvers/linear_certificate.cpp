@@ -74,7 +74,7 @@ PrimalDualPoint vertex_of(const LinearProgram& program, const SimplexBasis& basi
   costs.head(n) = program.objective;
   MatrixXd B(rows, rows);
   for (Index k = 0; k < rows; ++k) {
-    const Index variable = basis.basic[static_cast<std::size_t>(k)];
+    const Index variable = basis.basic[k];
     B.col(k) = column(program, variable);
     basic_costs(k) = costs(variable);
     all(variable) = 0;
@@ -91,7 +91,7 @@ PrimalDualPoint vertex_of(const LinearProgram& program, const SimplexBasis& basi
   const VectorXd duals = refined(lu_turned, B_turned, basic_costs.cast<long double>());
 
   // The vertex within its bounds.
-  for (Index k = 0; k < rows; ++k) all(basis.basic[static_cast<std::size_t>(k)]) = values(k);
+  for (Index k = 0; k < rows; ++k) all(basis.basic[k]) = values(k);
   const VectorXd x = all.head(n);
   if (!x.allFinite()) return {x, duals};
   return {x.cwiseMax(program.lower).cwiseMin(program.upper), duals};

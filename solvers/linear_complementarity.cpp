@@ -34,11 +34,11 @@ class LemkeTableau {
     all_.col(2 * n_).setConstant(-1);
     all_.col(2 * n_ + 1) = problem.q;
     table_ = all_;
-    for (Index i = 0; i < n_; ++i) basis_[static_cast<std::size_t>(i)] = i;
+    for (Index i = 0; i < n_; ++i) basis_[i] = i;
   }
 
   [[nodiscard]] Index artificial() const { return 2 * n_; }
-  [[nodiscard]] Index in_row(Index row) const { return basis_[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] Index in_row(Index row) const { return basis_[row]; }
   [[nodiscard]] Index complement(Index variable) const {
     return variable < n_ ? variable + n_ : variable - n_;
   }
@@ -68,7 +68,7 @@ class LemkeTableau {
   }
 
   void pivot(Index row, Index column) {
-    basis_[static_cast<std::size_t>(row)] = column;
+    basis_[row] = column;
     if (++pivots_ % kPivotsPerTableau == 0 && rebuild()) return;
     table_.row(row) /= table_(row, column);
     const VectorXd a = table_.col(column);

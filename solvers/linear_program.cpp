@@ -1,6 +1,5 @@
 #include "solvers/linear_program.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -106,18 +105,9 @@ Proposal propose(const LinearProgram& program, Method method) {
   ClpSimplex simplex;
   load(simplex, program);
   method == Method::kClpPrimal ? simplex.primal() : simplex.dual();
-  const auto end = [&] {
-    switch (simplex.status()) {
-      case 0:
-        return Status::kSolved;
-      case 1:
-        return Status::kInfeasible;
-      case 2:
-        return Status::kUnbounded;
-      default:
-        return Status::kStalled;
-    }
-  }();
+  constexpr Status kEnds[] = {Status::kSolved, Status::kInfeasible, Status::kUnbounded};
+  const int status = simplex.status();
+  const Status end = status >= 0 && status < 3 ? kEnds[status] : Status::kStalled;
   return {end, basis_of(simplex, program)};
 }
 

@@ -5,7 +5,6 @@
 #include <exception>
 #include <limits>
 #include <mutex>
-#include <utility>
 
 #define HAVE_CSTDDEF  // Ipopt 3.11 asks for it and leaves its own configuration out
 #include <IpIpoptApplication.hpp>
@@ -178,37 +177,30 @@ void check(const NonlinearProgram& program, const VectorXd& x0) {
 }
 
 struct IpoptEnding {
+  Ipopt::ApplicationReturnStatus of;
   Status status;
   const char* message;
 };
+constexpr IpoptEnding kIpoptEndings[] = {
+    {Ipopt::Solve_Succeeded, Status::kSolved, "solved"},
+    {Ipopt::Feasible_Point_Found, Status::kSolved, "feasible point found"},
+    {Ipopt::Solved_To_Acceptable_Level, Status::kSolved, "solved to the acceptable level"},
+    {Ipopt::Infeasible_Problem_Detected, Status::kInfeasible,
+     "converged to a point of local infeasibility"},
+    {Ipopt::Diverging_Iterates, Status::kUnbounded, "iterates diverge"},
+    {Ipopt::Maximum_Iterations_Exceeded, Status::kLimit, "iteration limit reached"},
+    {Ipopt::Search_Direction_Becomes_Too_Small, Status::kStalled,
+     "search direction becomes too small"},
+    {Ipopt::Restoration_Failed, Status::kStalled, "restoration failed"},
+    {Ipopt::Error_In_Step_Computation, Status::kStalled, "no step could be computed"},
+    {Ipopt::Not_Enough_Degrees_Of_Freedom, Status::kStalled,
+     "more equality constraints than variables"},
+    {Ipopt::Invalid_Number_Detected, Status::kStalled, "a function value is not finite"}};
 
 IpoptEnding ending_of(Ipopt::ApplicationReturnStatus status) {
-  switch (status) {
-    case Ipopt::Solve_Succeeded:
-      return {Status::kSolved, "solved"};
-    case Ipopt::Feasible_Point_Found:
-      return {Status::kSolved, "feasible point found"};
-    case Ipopt::Solved_To_Acceptable_Level:
-      return {Status::kSolved, "solved to the acceptable level"};
-    case Ipopt::Infeasible_Problem_Detected:
-      return {Status::kInfeasible, "converged to a point of local infeasibility"};
-    case Ipopt::Diverging_Iterates:
-      return {Status::kUnbounded, "iterates diverge"};
-    case Ipopt::Maximum_Iterations_Exceeded:
-      return {Status::kLimit, "iteration limit reached"};
-    case Ipopt::Search_Direction_Becomes_Too_Small:
-      return {Status::kStalled, "search direction becomes too small"};
-    case Ipopt::Restoration_Failed:
-      return {Status::kStalled, "restoration failed"};
-    case Ipopt::Error_In_Step_Computation:
-      return {Status::kStalled, "no step could be computed"};
-    case Ipopt::Not_Enough_Degrees_Of_Freedom:
-      return {Status::kStalled, "more equality constraints than variables"};
-    case Ipopt::Invalid_Number_Detected:
-      return {Status::kStalled, "a function value is not finite"};
-    default:
-      return {Status::kStalled, "the solver gave up"};
-  }
+  for (const IpoptEnding& ending : kIpoptEndings)
+    if (ending.of == status) return ending;
+  return {status, Status::kStalled, "the solver gave up"};
 }
 
 enum class Barrier { kAdaptive, kMonotone };

@@ -91,7 +91,7 @@ NonlinearProgram program_over_interior(const RelativeInterior& interior) {
   program.row_lower.resize(rows);
   program.row_upper.resize(rows);
   for (Index row = 0; row < rows; ++row) {
-    const Index i = bounded[static_cast<std::size_t>(row)];
+    const Index i = bounded[row];
     Z.row(row) = interior.Z.row(i);
     program.row_lower(row) = interior.lower(i) - interior.z0(i);
     program.row_upper(row) = interior.upper(i) - interior.z0(i);

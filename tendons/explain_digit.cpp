@@ -7,10 +7,6 @@
 namespace thenar {
 namespace {
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// Sorts every part of the subject into kept and dropped.
 class Explainer {
  public:

@@ -24,8 +24,8 @@ void check(const TendonDigit& digit, const VectorXd& q, const VectorXd& t) {
   require(t.size() == muscles, "there are {} tensions for {} muscles", t.size(), muscles);
   for (Eigen::Index m = 0; m < muscles; ++m)
     require(t[m] >= 0 && t[m] <= std::numeric_limits<double>::max(),
-            "tension of muscle '{}' must be finite and >= 0, got {} N",
-            digit.names.muscles[static_cast<std::size_t>(m)], t[m]);
+            "tension of muscle '{}' must be finite and >= 0, got {} N", digit.names.muscles[m],
+            t[m]);
 }
 
 /// Moment arms of straight runs through via points, or constant ones, from the digit's own model.
@@ -49,8 +49,7 @@ class StraightStrands : public StrandPaths {
     // Constant arms give lengths that are linear in the posture.
     VectorXd length = -model_.constant_arms * q;
     for (std::size_t s = 0; s < model_.paths.size(); ++s)
-      if (!model_.paths[s].empty())
-        length[static_cast<Eigen::Index>(s)] = path_length(state, model_.paths[s]);
+      if (!model_.paths[s].empty()) length[s] = path_length(state, model_.paths[s]);
     return length;
   }
 
@@ -228,7 +227,7 @@ class LinearTendons : public DigitTendons {
                   const MatrixXd& bending, MatrixXd& by_posture) const {
     const auto& [s, f, f_rate] = strand;
     const TendonModel<double>& model = digit_.model;
-    const MatrixXd& dR = strands.dR[static_cast<std::size_t>(s)];
+    const MatrixXd& dR = strands.dR[s];
     const double mu = model.friction[s];
     if (mu == 0 && f_rate == 0) {
       by_posture += f * dR;

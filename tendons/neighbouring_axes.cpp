@@ -25,11 +25,9 @@ std::vector<NeighbouringAxes> neighbouring_axes(const TendonDigit& digit) {
   const TendonModel<double>& model = digit.model;
   std::vector<NeighbouringAxes> pairs;
   for_each_hinge_to_base(model.tree, model.tip_link, [&](int second) {
-    const int first = model.tree[static_cast<std::size_t>(second)].parent;
+    const int first = model.tree[second].parent;
     if (first < 0) return;
-    const auto name = [&](int hinge) {
-      return digit.names.hinges[static_cast<std::size_t>(hinge)];
-    };
+    const auto name = [&](int hinge) { return digit.names.hinges[hinge]; };
     pairs.push_back({first, second, name(first) + "-" + name(second)});
   });
   std::reverse(pairs.begin(), pairs.end());
@@ -37,8 +35,7 @@ std::vector<NeighbouringAxes> neighbouring_axes(const TendonDigit& digit) {
 }
 
 AxisOffset axis_offset(const TendonModel<double>& model, const NeighbouringAxes& axes) {
-  return axis_offset(model.tree[static_cast<std::size_t>(axes.first)],
-                     model.tree[static_cast<std::size_t>(axes.second)], -model.tip_axes.col(0));
+  return axis_offset(model.tree[axes.first], model.tree[axes.second], -model.tip_axes.col(0));
 }
 
 std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,

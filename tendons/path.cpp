@@ -27,10 +27,10 @@ void find_motions(const Tree<double>& tree, const TreeState<double>& state, cons
   for (int a = run.link_a, b = run.link_b; a != b;) {
     const bool on_b = b > a;
     const int i = on_b ? b : a;
-    const auto& at = state[static_cast<std::size_t>(i)];
+    const auto& at = state[i];
     const Vector3d r = at.axis.cross((on_b ? run.b : run.a) - at.point);
     moves.push_back({i, on_b, on_b ? r : Vector3d(-r)});
-    (on_b ? b : a) = tree[static_cast<std::size_t>(i)].parent;
+    (on_b ? b : a) = tree[i].parent;
   }
 }
 
@@ -53,10 +53,8 @@ Eigen::MatrixXd arm_derivatives(const Tree<double>& tree, const TreeState<double
       for (const RunMotion& y : moves) {
         const RunMotion &inner = x.hinge < y.hinge ? x : y, &outer = x.hinge < y.hinge ? y : x;
         double bend = (x.r.dot(y.r) - u.dot(x.r) * u.dot(y.r)) / length;
-        if (x.on_b == y.on_b)
-          bend += u.dot(state[static_cast<std::size_t>(inner.hinge)].axis.cross(outer.r));
-        const auto &one = tree[static_cast<std::size_t>(x.hinge)],
-                   &other = tree[static_cast<std::size_t>(y.hinge)];
+        if (x.on_b == y.on_b) bend += u.dot(state[inner.hinge].axis.cross(outer.r));
+        const auto &one = tree[x.hinge], &other = tree[y.hinge];
         dR(one.coordinate, other.coordinate) -= one.ratio * other.ratio * bend;
       }
   }

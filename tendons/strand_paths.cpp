@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/wrapping/arm_slopes.h"
 #include "tendons/wrapping/fitted_path.h"
 #include "tendons/wrapping/path_arms.h"
@@ -40,16 +41,12 @@ class WrappedStrands : public StrandPaths {
   WrappedStrands(PathSet set, const TendonDigit& digit)
       : set_(std::move(set)), tree_(digit.model.tree), constant_(digit.model.constant_arms) {
     // Path of each strand; those without one keep constant arms.
-    for (const std::string& name : digit.names.strands) {
-      const auto found = std::find_if(set_.paths.begin(), set_.paths.end(),
-                                      [&](const WrappedPath& path) { return path.name == name; });
-      path_of_.push_back(found == set_.paths.end() ? -1
-                                                   : static_cast<int>(found - set_.paths.begin()));
-    }
+    for (const std::string& name : digit.names.strands)
+      path_of_.push_back(place_named(set_.paths, name));
     // Strand of each path; those that only carry another have none.
     strand_of_.assign(set_.paths.size(), -1);
     for (std::size_t s = 0; s < path_of_.size(); ++s)
-      if (path_of_[s] >= 0) strand_of_[static_cast<std::size_t>(path_of_[s])] = static_cast<int>(s);
+      if (path_of_[s] >= 0) strand_of_[path_of_[s]] = static_cast<int>(s);
   }
 
   [[nodiscard]] StrandArms arms(const TreeState<double>& state,
@@ -113,8 +110,7 @@ class WrappedStrands : public StrandPaths {
     // Constant arms give lengths that are linear in the posture.
     Eigen::VectorXd length = -constant_ * q;
     for (std::size_t s = 0; s < path_of_.size(); ++s)
-      if (path_of_[s] >= 0)
-        length[static_cast<Eigen::Index>(s)] = shapes[static_cast<std::size_t>(path_of_[s])].length;
+      if (path_of_[s] >= 0) length[s] = shapes[path_of_[s]].length;
     return length;
   }
 
@@ -199,8 +195,8 @@ class FittedStrands : public StrandPaths {
     for (Eigen::Index j = 0; j < q.size(); ++j)
       if (q[j] < box_.lower[j] || q[j] > box_.upper[j]) {
         arms.status = TendonStatus::kOutOfRange;
-        arms.warning = fmt::format("joint '{}' is outside the range that paths were fitted over",
-                                   names_[static_cast<std::size_t>(j)]);
+        arms.warning =
+            fmt::format("joint '{}' is outside the range that paths were fitted over", names_[j]);
       }
     return arms;
   }
@@ -216,7 +212,7 @@ class FittedStrands : public StrandPaths {
       const FittedLength fitted = fitted_length(paths_[k], q);
       slopes.length[row_[k]] = fitted.length;
       slopes.R.row(row_[k]) = fitted.arms;
-      slopes.dR[static_cast<std::size_t>(row_[k])] = arm_derivatives(paths_[k], q);
+      slopes.dR[row_[k]] = arm_derivatives(paths_[k], q);
     }
     return slopes;
   }

@@ -4,18 +4,14 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/name_conventions.h"
 
 namespace thenar {
 namespace {
 
-/// Index of a name, or -1.
-int find(const std::vector<std::string>& names, const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
-}
-
 const Digit& digit_of(const Subject& subject, const std::string& name) {
+  if (const Digit* digit = find_named(subject.digits, name)) return *digit;
   for (const Digit& digit : subject.digits)
     if (digit.name == name) return digit;
   throw InputError(fmt::format("subject '{}' has no digit '{}'", subject.name, name));
@@ -43,8 +39,7 @@ TendonPath<double> kept_path(const Skeleton& skeleton, const Strand& strand) {
 constexpr double kFlexionCosine = 0.7071;
 
 bool crosses_a_joint(const TendonPath<double>& path) {
-  return std::any_of(path.begin(), path.end(),
-                     [&](const PathNode<double>& node) { return node.link != path.front().link; });
+  return any_of(path, [&](const PathNode<double>& node) { return node.link != path.front().link; });
 }
 
 /// Joints frozen by name, and the wrist_mode unless it is free.
@@ -105,9 +100,9 @@ class DigitBuilder {
 
   /// The angle that a joint of the digit takes, or is frozen at.
   [[nodiscard]] PostureAngle angle_of(const JointAxis& joint) const {
-    const int i = find(built_.names.hinges, joint.name);
+    const int i = place_in(built_.names.hinges, joint.name);
     if (i >= 0) {
-      const Hinge<double>& hinge = built_.model.tree[static_cast<std::size_t>(i)];
+      const Hinge<double>& hinge = built_.model.tree[i];
       return {hinge.coordinate, hinge.ratio, hinge.offset};
     }
     const auto& frozen = built_.skeleton.frozen;
@@ -135,7 +130,7 @@ class DigitBuilder {
   /// Returns whether the strand reaches the segment that the joint moves.
   static bool reaches(const Strand& strand, const JointAxis& joint) {
     if (strand.path.empty()) return strand.arms.count(joint.name) > 0;
-    return std::any_of(strand.path.begin(), strand.path.end(), [&](const PathPoint& point) {
+    return any_of(strand.path, [&](const PathPoint& point) {
       return point.surface.empty() && point.segment == joint.child;
     });
   }
@@ -143,8 +138,7 @@ class DigitBuilder {
   /// Flexion of the joint before the last one that the central slip crosses.
   [[nodiscard]] PostureAngle knuckle(const std::string& central_slip) const {
     // Flexion joints from the wrist outwards, and how many of them the slip crosses.
-    const auto slip = std::find_if(subject_.strands.begin(), subject_.strands.end(),
-                                   [&](const Strand& s) { return s.name == central_slip; });
+    const Strand* slip = find_named(subject_.strands, central_slip);
     std::vector<PostureAngle> flexions;  // from the wrist outwards, flexion positive
     std::size_t crossed = 0;             // of them up to the middle phalanx
     for (const JointAxis& joint : subject_.joints) {
@@ -163,8 +157,8 @@ class DigitBuilder {
   [[nodiscard]] Path built_path() const {
     const auto& paths = built_.model.paths;
     if (paths.empty()) return Path::kNone;
-    const bool constant = std::all_of(paths.begin(), paths.end(),
-                                      [](const TendonPath<double>& path) { return path.empty(); });
+    const bool constant =
+        all_of(paths, [](const TendonPath<double>& path) { return path.empty(); });
     return constant ? Path::kConstant : std::min(options_.path, Path::kViaPoint);
   }
 
@@ -173,9 +167,9 @@ class DigitBuilder {
   [[nodiscard]] Eigen::RowVectorXd arms_of(const Strand& strand) const {
     Eigen::RowVectorXd arms = Eigen::RowVectorXd::Zero(built_.model.coordinates);
     for (const auto& [joint, arm] : strand.arms) {
-      const int i = find(built_.names.hinges, joint);
+      const int i = place_in(built_.names.hinges, joint);
       if (i < 0) continue;  // welded
-      const Hinge<double>& hinge = built_.model.tree[static_cast<std::size_t>(i)];
+      const Hinge<double>& hinge = built_.model.tree[i];
       arms[hinge.coordinate] += hinge.ratio * arm;
     }
     return arms;
@@ -187,21 +181,18 @@ class DigitBuilder {
     if (!digit_.hood || options_.hood != Hood::kFractions) return false;
     const HoodRule& rule = *digit_.hood;
     const auto pulls = [&](const HoodBranch& branch) {
-      return std::any_of(subject_.muscles.begin(), subject_.muscles.end(), [&](const auto& m) {
-        return m.name == branch.muscle && m.strand == strand;
-      });
+      return any_of(subject_.muscles,
+                    [&](const auto& m) { return m.name == branch.muscle && m.strand == strand; });
     };
     return strand == rule.central_slip || strand == rule.radial_band || strand == rule.ulnar_band ||
-           strand == rule.terminal_slip ||
-           std::any_of(rule.branches.begin(), rule.branches.end(), pulls);
+           strand == rule.terminal_slip || any_of(rule.branches, pulls);
   }
 
   /// Returns whether a muscle that counts whatever it crosses pulls the strand.
   [[nodiscard]] bool is_kept(const std::string& strand) const {
     const std::vector<std::string>& kept = options_.kept;
-    return std::any_of(subject_.muscles.begin(), subject_.muscles.end(), [&](const auto& m) {
-      return m.strand == strand && std::count(kept.begin(), kept.end(), m.name) > 0;
-    });
+    return any_of(subject_.muscles,
+                  [&](const auto& m) { return m.strand == strand && contains(kept, m.name); });
   }
 
   void add_strand(const Strand& strand) {
@@ -226,7 +217,7 @@ class DigitBuilder {
   }
 
   void add_muscle(const MuscleUnit& muscle) {
-    const int strand = find(built_.names.strands, muscle.strand);
+    const int strand = place_in(built_.names.strands, muscle.strand);
     if (strand < 0) return;
     built_.model.pulls.push_back(strand);
     built_.names.muscles.push_back(muscle.name);
@@ -240,15 +231,15 @@ class DigitBuilder {
                            built_.model.coordinates);
     const std::vector<std::string> shared = shared_joints(subject_);
     for (const JointAxis& joint : subject_.joints) {
-      const int j = find(names.coordinates, joint.name);
+      const int j = place_in(names.coordinates, joint.name);
       if (j < 0) continue;
       // The digit's sense of flexion is no other digit's.
-      const double flexes = find(shared, joint.name) < 0 ? flexion(joint) : 0;
+      const double flexes = place_in(shared, joint.name) < 0 ? flexion(joint) : 0;
       for (std::size_t m = 0; m < names.muscles.size(); ++m) {
         const int strand = built_.model.pulls[m];
         int& action = built_.actions(static_cast<Eigen::Index>(m), j);
         // A stated arm has a sign; a name says what a joint of flexion does.
-        const double arm = stated_arm(names.strands[static_cast<std::size_t>(strand)], joint.name);
+        const double arm = stated_arm(names.strands[strand], joint.name);
         if (arm != 0)
           action = arm > 0 ? 1 : -1;
         else if (std::abs(flexes) > kFlexionCosine)
@@ -268,7 +259,7 @@ class DigitBuilder {
   }
 
   [[nodiscard]] int hood_row(const std::string& strand) const {
-    const int row = find(built_.names.strands, strand);
+    const int row = place_in(built_.names.strands, strand);
     require(row >= 0, "hood of digit '{}' names strand '{}', which crosses none of its joints",
             digit_.name, strand);
     return row;
@@ -281,7 +272,7 @@ class DigitBuilder {
     built_.model.knuckle = knuckle(rule.central_slip);
     // Shares of the muscles that feed the hood.
     for (const HoodBranch& branch : rule.branches) {
-      const int muscle = find(built_.names.muscles, branch.muscle);
+      const int muscle = place_in(built_.names.muscles, branch.muscle);
       require(muscle >= 0, "hood of digit '{}' names muscle '{}', which crosses none of its joints",
               digit_.name, branch.muscle);
       built_.model.hood_shares.push_back(
@@ -303,9 +294,7 @@ Path default_path(const Subject& subject) {
     return !point.surface.empty() || !point.rides_on.empty();
   };
   const bool more =
-      std::any_of(subject.strands.begin(), subject.strands.end(), [&](const Strand& strand) {
-        return std::any_of(strand.path.begin(), strand.path.end(), bends);
-      });
+      any_of(subject.strands, [&](const Strand& strand) { return any_of(strand.path, bends); });
   return more ? Path::kWrapped : Path::kViaPoint;
 }
 
@@ -332,8 +321,7 @@ TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q) {
 }
 
 Eigen::Matrix3d tip_axes(const TendonDigit& digit, const Eigen::VectorXd& q) {
-  return pose_tree(digit.model.tree, q)[static_cast<std::size_t>(digit.model.tip_link)].X.R *
-         digit.model.tip_axes;
+  return pose_tree(digit.model.tree, q)[digit.model.tip_link].X.R * digit.model.tip_axes;
 }
 
 }  // namespace thenar

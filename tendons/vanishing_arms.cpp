@@ -29,8 +29,8 @@ std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eige
   const Eigen::MatrixXd here = arms_at(q);
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     // Flexion joints with a range.
-    const std::string& joint = digit.names.coordinates[static_cast<std::size_t>(j)];
-    const auto& limit = digit.skeleton.limits[static_cast<std::size_t>(j)];
+    const std::string& joint = digit.names.coordinates[j];
+    const auto& limit = digit.skeleton.limits[j];
     if (!is_flexion_joint(joint) || limit.upper - limit.lower > 2 * kPi - 1e-9) continue;
     // Largest arms over the joint's range.
     Eigen::VectorXd most = here.col(j);
@@ -41,7 +41,7 @@ std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eige
     }
     // Long flexors whose arm is a small part of that.
     for (Eigen::Index m = 0; m < most.size(); ++m) {
-      const std::string& muscle = digit.names.muscles[static_cast<std::size_t>(m)];
+      const std::string& muscle = digit.names.muscles[m];
       if (is_long_flexor(muscle) && most[m] > kLeastArm && here(m, j) < kArmShare * most[m])
         found.push_back({muscle, joint, here(m, j), most[m]});
     }
@@ -55,8 +55,7 @@ std::vector<ReversedArm> reversed_arms(const TendonDigit& digit, const Eigen::Ma
   for (Eigen::Index m = 0; m < digit.actions.rows(); ++m)
     for (Eigen::Index j = 0; j < digit.actions.cols(); ++j)
       if (digit.actions(m, j) * R(m, j) < -kAcrossArm)
-        found.push_back({digit.names.muscles[static_cast<std::size_t>(m)],
-                         digit.names.coordinates[static_cast<std::size_t>(j)], R(m, j)});
+        found.push_back({digit.names.muscles[m], digit.names.coordinates[j], R(m, j)});
   return found;
 }
 

@@ -1,7 +1,6 @@
 #include "data/io/contact_file.h"
 
 #include <set>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
+
 namespace thenar {
 namespace {
 
@@ -16,8 +18,8 @@ struct PlacedTrial {
 
 /// Joint angles of a trial's posture [rad]; none where the experiment has no such posture.
 std::map<std::string, double> angles_of(const PlacedTrial& of) {
-  for (const PostureRecord& posture : of.experiment->postures)
-    if (posture.name == of.trial->posture) return posture.angles;
+  const PostureRecord* posture = find_named(of.experiment->postures, of.trial->posture);
+  if (posture != nullptr) return posture->angles;
   return {};
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "data/io/toml_table.h"
 
@@ -93,7 +94,7 @@ ReadComponents read_force_axes(TomlTable& table, Experiment& experiment) {
   experiment.components = static_cast<int>(words.size());
   Eigen::Matrix3i axes = Eigen::Matrix3i::Zero();
   for (int i = 0; i < experiment.components; ++i)
-    axes.row(i) = signed_axis(table, words[static_cast<std::size_t>(i)], "components");
+    axes.row(i) = signed_axis(table, words[i], "components");
   if (experiment.components == 2 && axes.col(2).any())
     table.fail(
         "wanted 2 'components' in the plane of flexion: one proximal or distal, one dorsal "
@@ -113,7 +114,7 @@ ReadComponents read_force_axes(TomlTable& table, Experiment& experiment) {
   experiment.components = static_cast<int>(read.fitted.size());
   experiment.axes_of_digit.setZero();
   for (int i = 0; i < experiment.components; ++i)
-    experiment.axes_of_digit.row(i) = axes.row(read.fitted[static_cast<std::size_t>(i)]);
+    experiment.axes_of_digit.row(i) = axes.row(read.fitted[i]);
   table.done();
   return read;
 }
@@ -140,9 +141,10 @@ void read_noise(TomlTable& table, Experiment& experiment) {
 PostureRecord read_posture(TomlTable& table, const Experiment& experiment) {
   PostureRecord posture{table.text("name"), table.named(Dimension::kAngle, "angles")};
   // Names of postures are unique.
-  for (const PostureRecord& other : experiment.postures)
-    if (other.name == posture.name)
-      table.fail(fmt::format("posture '{}' is given twice", posture.name), "name");
+  if (find_named(experiment.postures, posture.name) != nullptr)
+    for (const PostureRecord& other : experiment.postures)
+      if (other.name == posture.name)
+        table.fail(fmt::format("posture '{}' is given twice", posture.name), "name");
   table.done();
   return posture;
 }
@@ -179,8 +181,7 @@ Vector3d read_components(TomlTable& table, const std::string& key, const ReadCom
                          Range range, double others) {
   const std::vector<double> stated = table.numbers(Dimension::kForce, key, read.stated, range);
   Vector3d v = Vector3d::Constant(others);
-  for (std::size_t i = 0; i < read.fitted.size(); ++i)
-    v[static_cast<Eigen::Index>(i)] = stated[static_cast<std::size_t>(read.fitted[i])];
+  for (std::size_t i = 0; i < read.fitted.size(); ++i) v[i] = stated[read.fitted[i]];
   return v;
 }
 

@@ -1,9 +1,9 @@
 #include "data/io/file_kind.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "data/io/checked_file.h"
 #include "data/io/file_guard.h"
 #include "data/io/toml_node.h"
@@ -12,8 +12,7 @@ namespace thenar {
 namespace {
 
 bool has_any(const TomlNode& table, const std::vector<std::string>& keys) {
-  return std::any_of(keys.begin(), keys.end(),
-                     [&](const std::string& key) { return table.find(key) != nullptr; });
+  return any_of(keys, [&](const std::string& key) { return table.find(key) != nullptr; });
 }
 
 /// Proportions have digits as fractions of a hand's length.

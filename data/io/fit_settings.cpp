@@ -1,6 +1,5 @@
 #include "data/io/fit_settings.h"
 
-#include <array>
 #include <cmath>
 #include <map>
 #include <sstream>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <ctime>
 #include <numeric>
@@ -208,16 +207,11 @@ void write_inference(const InferenceFile& file, const std::string& path) {
 
 namespace {
 
-void check_read(int status, const std::string& what) {
-  require(status == NC_NOERR, "netCDF could not {}: {}", what, nc_strerror(status));
-}
-
 /// An open file in memory, with the number of its bytes that are left for texts.
 class Reading {
  public:
   explicit Reading(std::string& bytes) : bytes_(bytes), left_(bytes.size()) {
-    check_read(nc_open_mem("inference", NC_NOWRITE, bytes_.size(), bytes_.data(), &file_),
-               "open it");
+    check(nc_open_mem("inference", NC_NOWRITE, bytes_.size(), bytes_.data(), &file_), "open it");
   }
   ~Reading() { (void)nc_close(file_); }
   Reading(const Reading&) = delete;
@@ -236,7 +230,7 @@ class Reading {
   template <typename Get>
   std::string text(const std::string& what, const Get& get) {
     char* chars = nullptr;
-    check_read(get(&chars), "read " + what);
+    check(get(&chars), "read " + what);
     std::string found = chars == nullptr ? "" : chars;
     (void)nc_free_string(1, &chars);
     take(found.size(), what);
@@ -259,7 +253,7 @@ std::string get_text(Reading& reading, int group, int variable, const std::strin
   if (type == NC_CHAR) {
     reading.take(length, what);
     std::string text(length, '\0');
-    check_read(nc_get_att_text(group, variable, name.c_str(), text.data()), "read " + what);
+    check(nc_get_att_text(group, variable, name.c_str(), text.data()), "read " + what);
     return text;
   }
   require(type == NC_STRING && length == 1, "{} is no text", what);
@@ -269,7 +263,7 @@ std::string get_text(Reading& reading, int group, int variable, const std::strin
 
 std::string name_of_dimension(int group, int dimension) {
   char name[NC_MAX_NAME + 1];
-  check_read(nc_inq_dimname(group, dimension, name), "read a dimension");
+  check(nc_inq_dimname(group, dimension, name), "read a dimension");
   return name;
 }
 
@@ -284,11 +278,10 @@ VariableShape get_shape(int group, int variable) {
   char name[NC_MAX_NAME + 1];
   VariableShape shape;
   int rank = 0;
-  check_read(nc_inq_var(group, variable, name, &shape.type, &rank, nullptr, nullptr),
-             "read a variable");
+  check(nc_inq_var(group, variable, name, &shape.type, &rank, nullptr, nullptr), "read a variable");
   shape.name = name;
   std::vector<int> over(static_cast<std::size_t>(rank));
-  check_read(nc_inq_vardimid(group, variable, over.data()), "read a variable");
+  check(nc_inq_vardimid(group, variable, over.data()), "read a variable");
   for (const int dimension : over) shape.dimensions.push_back(name_of_dimension(group, dimension));
   return shape;
 }
@@ -341,7 +334,7 @@ void get_variable(Reading& reading, int group, int variable, InferenceGroup& out
   array.integer = shape.type == NC_INT64;
   array.values.resize(size_of(shape, out, reading.size()));
   if (!array.values.empty())
-    check_read(nc_get_var_double(group, variable, array.values.data()), "read " + shape.name);
+    check(nc_get_var_double(group, variable, array.values.data()), "read " + shape.name);
   out.arrays[shape.name] = std::move(array);
 }
 
@@ -349,16 +342,16 @@ InferenceGroup get_group(Reading& reading, int group) {
   InferenceGroup out;
   int count = 0;
   // Dimensions with their lengths.
-  check_read(nc_inq_dimids(group, &count, nullptr, 0), "list dimensions");
+  check(nc_inq_dimids(group, &count, nullptr, 0), "list dimensions");
   std::vector<int> dimensions(static_cast<std::size_t>(count));
-  check_read(nc_inq_dimids(group, &count, dimensions.data(), 0), "list dimensions");
+  check(nc_inq_dimids(group, &count, dimensions.data(), 0), "list dimensions");
   for (const int dimension : dimensions) {
     std::size_t length = 0;
-    check_read(nc_inq_dimlen(group, dimension, &length), "read a dimension");
+    check(nc_inq_dimlen(group, dimension, &length), "read a dimension");
     out.lengths[name_of_dimension(group, dimension)] = length;
   }
   // Variables over these.
-  check_read(nc_inq_nvars(group, &count), "list variables");
+  check(nc_inq_nvars(group, &count), "list variables");
   for (int variable = 0; variable < count; ++variable) get_variable(reading, group, variable, out);
   return out;
 }
@@ -366,11 +359,11 @@ InferenceGroup get_group(Reading& reading, int group) {
 std::map<std::string, std::string> get_attributes(Reading& reading) {
   const int file = reading.file();
   int count = 0;
-  check_read(nc_inq_natts(file, &count), "list attributes");
+  check(nc_inq_natts(file, &count), "list attributes");
   std::map<std::string, std::string> attributes;
   for (int i = 0; i < count; ++i) {
     char name[NC_MAX_NAME + 1];
-    check_read(nc_inq_attname(file, NC_GLOBAL, i, name), "list attributes");
+    check(nc_inq_attname(file, NC_GLOBAL, i, name), "list attributes");
     attributes[name] = get_text(reading, file, NC_GLOBAL, name);
   }
   return attributes;
@@ -385,12 +378,12 @@ InferenceFile read_open(Reading& reading, Checksum checksum, const std::string& 
   out.attributes.erase(kProgram);
   // Groups of the file.
   int count = 0;
-  check_read(nc_inq_grps(reading.file(), &count, nullptr), "list groups");
+  check(nc_inq_grps(reading.file(), &count, nullptr), "list groups");
   std::vector<int> groups(static_cast<std::size_t>(count));
-  check_read(nc_inq_grps(reading.file(), &count, groups.data()), "list groups");
+  check(nc_inq_grps(reading.file(), &count, groups.data()), "list groups");
   for (const int group : groups) {
     char name[NC_MAX_NAME + 1];
-    check_read(nc_inq_grpname(group, name), "list groups");
+    check(nc_inq_grpname(group, name), "list groups");
     out.groups[name] = get_group(reading, group);
   }
   return out;

@@ -196,7 +196,7 @@ std::string dumped(const Json& json, int indent) {
 
 const JsonNode* JsonNode::find(const std::string& name) const {
   const auto at = std::find(names.begin(), names.end(), name);
-  return at == names.end() ? nullptr : &items[static_cast<std::size_t>(at - names.begin())];
+  return at == names.end() ? nullptr : &items[at - names.begin()];
 }
 
 JsonNode* JsonNode::find(const std::string& name) {

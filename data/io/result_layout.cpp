@@ -1,7 +1,5 @@
 #include "data/io/result_layout.h"
 
-#include <utility>
-
 #include "base/error.h"
 #include "data/io/layout_check.h"
 

@@ -1,10 +1,10 @@
-#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
 
+#include "base/lists.h"
 #include "data/io/dh.h"
 #include "data/io/subject_parts.h"
 
@@ -96,7 +96,7 @@ void read_segments(TomlTable& top, SubjectDraft& draft) {
   const std::vector<std::string> names = names_of(draft.subject.segments);
   // An alias must not hide a segment.
   for (const auto& [alias, name] : draft.aliases)
-    if (std::find(names.begin(), names.end(), alias) != names.end())
+    if (contains(names, alias))
       top.fail(fmt::format("'{}' is both a segment and an alias of '{}'", alias, name));
   if (names.empty()) return;
   // The base is one of the segments.
@@ -206,9 +206,8 @@ JointAxis read_joint(TomlTable& table, const std::string& parent, const Pose<dou
   JointAxis joint;
   // Names are unique.
   joint.name = table.text("joint");
-  for (const JointAxis& other : draft.subject.joints)
-    if (other.name == joint.name)
-      table.fail(fmt::format("joint '{}' is given twice", joint.name), "joint");
+  if (find_named(draft.subject.joints, joint.name) != nullptr)
+    table.fail(fmt::format("joint '{}' is given twice", joint.name), "joint");
   joint.parent = parent;
   joint.child = segment_reference(table, "child", draft);
   read_range(table, joint);

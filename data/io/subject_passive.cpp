@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/lists.h"
 #include "data/io/subject_parts.h"
 
 namespace thenar::internal {
@@ -19,8 +20,7 @@ PassiveEnd read_passive_end(TomlTable& table, const std::string& key) {
 /// The joint of that name, which no earlier table may have given passive moments.
 JointAxis& passive_joint(TomlTable& table, const std::string& name, SubjectDraft& draft) {
   check_reference(table, "joints", "joint", name, names_of(draft.subject.joints));
-  JointAxis& joint = *std::find_if(draft.subject.joints.begin(), draft.subject.joints.end(),
-                                   [&](const JointAxis& each) { return each.name == name; });
+  JointAxis& joint = *find_named(draft.subject.joints, name);
   if (has_passive(joint))
     table.fail(fmt::format("joint '{}' has a passive moment already", name), "joints");
   return joint;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/lists.h"
 #include "base/spatial.h"
 #include "data/io/subject_parts.h"
 
@@ -97,8 +98,6 @@ void read_muscles(TomlTable& top, SubjectDraft& draft) {
 
 namespace {
 
-using Eigen::Vector3d;
-
 /// Largest distance of an origin from the strand on which it rides [m]: two digitisations of one
 /// landmark differ by as much.
 constexpr double kRideReach = 1e-3;
@@ -117,8 +116,7 @@ PathPoint read_point(TomlTable& table, const SubjectDraft& draft) {
   PathPoint point;
   // In a published frame, or directly in the subject's.
   if (table.has("frame")) {
-    std::vector<std::string> names;
-    for (const auto& [name, unused] : draft.frames) names.push_back(name);
+    const std::vector<std::string> names = map_keys(draft.frames);
     const PointFrame& frame = draft.frames.at(reference(table, "frame", "frame", names));
     point.segment = frame.segment;
     point.p = frame.origin + frame.axes.transpose() * read_coordinates(table, frame);
@@ -136,6 +134,7 @@ PathPoint read_point(TomlTable& table, const SubjectDraft& draft) {
 PathPoint read_bend(TomlTable& table, const SubjectDraft& draft) {
   PathPoint bend;
   bend.surface = reference(table, "surface", "surface", names_of(draft.subject.surfaces));
+  bend.segment = find_named(draft.subject.surfaces, bend.surface)->segment;
   for (const Surface& surface : draft.subject.surfaces)
     if (surface.name == bend.surface) bend.segment = surface.segment;
   bend.p = table.vector(Dimension::kLength, "side");
@@ -150,8 +149,7 @@ double distance_to_run(const Vector3d& p, const Vector3d& a, const Vector3d& b) 
 }
 
 bool bends(const std::vector<PathPoint>& path) {
-  return std::any_of(path.begin(), path.end(),
-                     [](const PathPoint& point) { return !point.surface.empty(); });
+  return any_of(path, [](const PathPoint& point) { return !point.surface.empty(); });
 }
 
 /// Distance from a point to the straight lines between a path's points, at the reference posture
@@ -225,7 +223,6 @@ void check_path(const TomlTable& table, const Strand& strand, const SubjectDraft
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
 
 Vector3d read_size(TomlTable& table, SurfaceShape shape) {
   const auto positive = [&](const char* key) {

@@ -44,7 +44,7 @@ class TimeTableReader {
     table_.time.resize(rows);
     table_.value.resize(rows, static_cast<Eigen::Index>(table_.columns.size()));
     for (Eigen::Index k = 0; k < rows; ++k) {
-      const std::vector<double>& row = rows_[static_cast<std::size_t>(k)];
+      const std::vector<double>& row = rows_[k];
       table_.time[k] = row.front();
       for (std::size_t i = 1; i < row.size(); ++i)
         table_.value(k, static_cast<Eigen::Index>(i) - 1) = row[i];

@@ -3,8 +3,10 @@
 #include "data/io/toml_node.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
+#include "base/enum_names.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "data/io/file_guard.h"
@@ -136,21 +138,11 @@ TomlNode parse_toml(const std::string& text, const std::string& path) {
 }
 
 std::string kind_name(TomlKind kind) {
-  switch (kind) {
-    case TomlKind::kText:
-      return "a text";
-    case TomlKind::kNumber:
-      return "a number";
-    case TomlKind::kFlag:
-      return "true or false";
-    case TomlKind::kDate:
-      return "a date";
-    case TomlKind::kArray:
-      return "a list";
-    case TomlKind::kTable:
-      break;
-  }
-  return "a table";
+  constexpr std::array kNames{
+      EnumName{TomlKind::kText, "a text"},        EnumName{TomlKind::kNumber, "a number"},
+      EnumName{TomlKind::kFlag, "true or false"}, EnumName{TomlKind::kDate, "a date"},
+      EnumName{TomlKind::kArray, "a list"},       EnumName{TomlKind::kTable, "a table"}};
+  return name_in(kNames, kind);
 }
 
 std::string read_text_file(const std::string& path) {

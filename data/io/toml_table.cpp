@@ -1,10 +1,11 @@
 #include "data/io/toml_table.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
-#include "base/error.h"
+#include "base/enum_names.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "data/io/toml_text.h"
 
@@ -16,89 +17,20 @@ std::string key_of(const std::string& base, const Unit& unit) {
 }
 
 std::vector<std::string> keys_of(const std::string& base, Dimension dimension) {
-  std::vector<std::string> keys;
-  for (const Unit& unit : units_of(dimension)) keys.push_back(key_of(base, unit));
-  return keys;
+  return transformed(units_of(dimension), [&](const Unit& unit) { return key_of(base, unit); });
 }
 
 bool holds(Range range, double value) {
-  switch (range) {
-    case Range::kAny:
-      return true;
-    case Range::kNotNegative:
-      return value >= 0;
-    case Range::kPositive:
-      return value > 0;
-    case Range::kFraction:
-      break;
-  }
-  return value >= 0 && value <= 1;
+  if (range == Range::kAny) return true;
+  return range == Range::kPositive ? value > 0
+                                   : value >= 0 && (range == Range::kNotNegative || value <= 1);
 }
 
-std::string range_name(Range range) {
-  switch (range) {
-    case Range::kAny:
-      return "finite";
-    case Range::kNotNegative:
-      return ">= 0";
-    case Range::kPositive:
-      return "> 0";
-    case Range::kFraction:
-      break;
-  }
-  return "in 0..1";
-}
-
-bool contains(const std::set<std::string>& names, const std::string& name) {
-  return names.count(name) == 1;
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
+constexpr std::array kRangeNames{
+    EnumName{Range::kAny, "finite"}, EnumName{Range::kNotNegative, ">= 0"},
+    EnumName{Range::kPositive, "> 0"}, EnumName{Range::kFraction, "in 0..1"}};
 
 }  // namespace
-
-double largest_of(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::kNumber:
-      return 1e12;  // as of contacts: beyond it products lose all digits
-    case Dimension::kLength:
-      return 100;  // way of a mobile base
-    case Dimension::kAngle:
-      return 1e9;  // joints without end, as other programs state their range
-    case Dimension::kMass:
-      return 1e4;  // a mobile robot: 300 kg
-    case Dimension::kForce:
-    case Dimension::kMoment:
-      return 1e9;  // drives without limit, as other programs state them
-    case Dimension::kArea:
-      return 1;  // physiological cross-section of a large muscle: 0.03 m2
-    case Dimension::kInertia:
-      return 1e5;
-    case Dimension::kStress:
-      return 1e13;  // Young's modulus of diamond: 1.2e12 Pa
-    case Dimension::kAcceleration:
-      return 1e4;
-    case Dimension::kDensity:
-      return 1e5;  // osmium: 2.3e4 kg/m3
-    case Dimension::kAngularStiffness:
-    case Dimension::kAngularDamping:
-      return 1e6;
-    case Dimension::kTime:
-      return 1e6;  // eleven days
-    case Dimension::kSpeed:
-      return 1e4;
-    case Dimension::kAngularSpeed:
-      return 1e6;  // of the fastest rotor
-    case Dimension::kInverseSpeed:
-      return 1e6;  // dissipation: contacts that hardly close
-    case Dimension::kLinearStiffness:
-    case Dimension::kLinearDamping:
-      break;
-  }
-  return 1e12;
-}
 
 std::string with_si_unit(double value, Dimension dimension) {
   for (const Unit& unit : units_of(dimension))
@@ -203,8 +135,7 @@ Eigen::Matrix3d TomlTable::rows3(const std::string& key) {
     fail(fmt::format("wanted '{}' as 3 rows, got {}", key, node.items.size()), key);
   Eigen::Matrix3d rows;
   for (int i = 0; i < 3; ++i) {
-    const std::vector<double> row =
-        values(node.items[static_cast<std::size_t>(i)], key, 3, Range::kAny);
+    const std::vector<double> row = values(node.items[i], key, 3, Range::kAny);
     rows.row(i) << row[0], row[1], row[2];
   }
   return rows;
@@ -262,7 +193,7 @@ void TomlTable::done() const {
   // A known quantity with a wrong unit deserves its own message.
   for (const Quantity& wanted : asked_) refuse_wrong_unit(wanted);
   for (const auto& [key, node] : node_->members)
-    if (!contains(known_, key))
+    if (known_.count(key) == 0)
       fail_at(node.line, fmt::format("unknown key '{}'{}", key,
                                      did_you_mean(key, {known_.begin(), known_.end()})));
 }
@@ -319,7 +250,8 @@ double TomlTable::value(const TomlNode& node, const std::string& key, Range rang
   if (!std::isfinite(node.number))
     fail_at(node.line, fmt::format("wanted '{}' as a finite number, got {}", key, node.number));
   if (!holds(range, node.number))
-    fail_at(node.line, fmt::format("wanted '{}' {}, got {}", key, range_name(range), node.number));
+    fail_at(node.line,
+            fmt::format("wanted '{}' {}, got {}", key, name_in(kRangeNames, range), node.number));
   if (sources_.empty())
     fail_at(node.line, fmt::format("'{}' has no source: add source = \"Key\" to its table or to "
                                    "the top of the file",
@@ -344,9 +276,7 @@ std::vector<double> TomlTable::values(const TomlNode& node, const std::string& k
   const int size = static_cast<int>(node.items.size());
   if (count > 0 && size != count)
     fail_at(node.line, fmt::format("wanted {} numbers in '{}', got {}", count, key, size));
-  std::vector<double> result;
-  for (const TomlNode& item : node.items) result.push_back(value(item, key, range));
-  return result;
+  return transformed(node.items, [&](const TomlNode& item) { return value(item, key, range); });
 }
 
 TomlTable TomlTable::inner(const TomlNode& node, const std::string& title) const {
@@ -357,7 +287,7 @@ TomlTable TomlTable::inner(const TomlNode& node, const std::string& title) const
 void TomlTable::refuse_misspelt(const std::string& wanted) const {
   const int near = wanted.size() < 6 ? 1 : 2;  // letters that may differ
   for (const auto& [key, node] : node_->members)
-    if (!contains(known_, key) && edit_distance(key, wanted) <= near)
+    if (known_.count(key) == 0 && edit_distance(key, wanted) <= near)
       fail_at(node.line, fmt::format("unknown key '{}', did you mean '{}'?", key, wanted));
 }
 
@@ -365,7 +295,7 @@ void TomlTable::refuse_misspelt(const std::string& wanted) const {
 void TomlTable::refuse_wrong_unit(const Quantity& wanted) const {
   for (const Unit& unit : all_units()) {
     const std::string key = key_of(wanted.base, unit);
-    if (node_->find(key) == nullptr || contains(known_, key)) continue;
+    if (node_->find(key) == nullptr || known_.count(key) > 0) continue;
     fail(fmt::format("wanted {} ({}), got '{}'", dimension_name(wanted.dimension),
                      fmt::join(keys_of(wanted.base, wanted.dimension), ", "), key),
          key);

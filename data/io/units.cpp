@@ -1,5 +1,8 @@
 #include "data/io/units.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "base/units.h"
 
 namespace thenar {
@@ -55,48 +58,43 @@ std::vector<Unit> units_of(Dimension dimension) {
   return found;
 }
 
-std::string dimension_name(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::kNumber:
-      return "a plain number";
-    case Dimension::kLength:
-      return "a length";
-    case Dimension::kAngle:
-      return "an angle";
-    case Dimension::kMass:
-      return "a mass";
-    case Dimension::kForce:
-      return "a force";
-    case Dimension::kMoment:
-      return "a moment";
-    case Dimension::kArea:
-      return "an area";
-    case Dimension::kInertia:
-      return "a moment of inertia";
-    case Dimension::kStress:
-      return "a stress";
-    case Dimension::kAcceleration:
-      return "an acceleration";
-    case Dimension::kDensity:
-      return "a density";
-    case Dimension::kAngularStiffness:
-      return "an angular stiffness";
-    case Dimension::kAngularDamping:
-      return "an angular damping";
-    case Dimension::kLinearStiffness:
-      return "a stiffness";
-    case Dimension::kLinearDamping:
-      return "a damping";
-    case Dimension::kTime:
-      return "a time";
-    case Dimension::kSpeed:
-      return "a speed";
-    case Dimension::kAngularSpeed:
-      return "an angular speed";
-    case Dimension::kInverseSpeed:
-      break;
-  }
-  return "an inverse speed";
+namespace {
+
+struct DimensionRow {
+  Dimension dimension;
+  const char* name;
+  double largest;  // [SI]
+};
+constexpr DimensionRow kDimensions[] = {
+    {Dimension::kNumber, "a plain number", 1e12},  // as of contacts: beyond, no digit is left
+    {Dimension::kLength, "a length", 100},         // way of a mobile base
+    {Dimension::kAngle, "an angle", 1e9},          // joints without end, as other programs state it
+    {Dimension::kMass, "a mass", 1e4},             // a mobile robot: 300 kg
+    {Dimension::kForce, "a force", 1e9},    // drives without limit, as other programs state it
+    {Dimension::kMoment, "a moment", 1e9},  // the same
+    {Dimension::kArea, "an area", 1},  // physiological cross-section of a large muscle: 0.03 m2
+    {Dimension::kInertia, "a moment of inertia", 1e5},
+    {Dimension::kStress, "a stress", 1e13},  // Young's modulus of diamond: 1.2e12 Pa
+    {Dimension::kAcceleration, "an acceleration", 1e4},
+    {Dimension::kDensity, "a density", 1e5},  // osmium: 2.3e4 kg/m3
+    {Dimension::kAngularStiffness, "an angular stiffness", 1e6},
+    {Dimension::kAngularDamping, "an angular damping", 1e6},
+    {Dimension::kLinearStiffness, "a stiffness", 1e12},
+    {Dimension::kLinearDamping, "a damping", 1e12},
+    {Dimension::kTime, "a time", 1e6},  // eleven days
+    {Dimension::kSpeed, "a speed", 1e4},
+    {Dimension::kAngularSpeed, "an angular speed", 1e6},   // of the fastest rotor
+    {Dimension::kInverseSpeed, "an inverse speed", 1e6}};  // dissipation: contacts hardly close
+
+const DimensionRow& row_of(Dimension dimension) {
+  return *std::find_if(std::begin(kDimensions), std::end(kDimensions),
+                       [&](const DimensionRow& row) { return row.dimension == dimension; });
 }
+
+}  // namespace
+
+std::string dimension_name(Dimension dimension) { return row_of(dimension).name; }
+
+double largest_of(Dimension dimension) { return row_of(dimension).largest; }
 
 }  // namespace thenar

@@ -32,13 +32,12 @@ class TreeBuilder {
     const Eigen::AlignedBox3d box = box_around(first, last);
     const int middle = split(first, last, box);
     const int left = build(first, middle), right = build(middle, last);
-    body_.nodes[static_cast<std::size_t>(index)] = {ball_around(first, last, box.center()), left,
-                                                    right, -1};
+    body_.nodes[index] = {ball_around(first, last, box.center()), left, right, -1};
     return index;
   }
 
  private:
-  SweptTriangle& triangle(int i) { return body_.triangles[static_cast<std::size_t>(i)]; }
+  SweptTriangle& triangle(int i) { return body_.triangles[i]; }
 
   Eigen::AlignedBox3d box_around(int first, int last) {
     Eigen::AlignedBox3d box;

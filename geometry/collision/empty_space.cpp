@@ -1,6 +1,5 @@
 #include "geometry/collision/empty_space.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

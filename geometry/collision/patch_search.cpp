@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/collision/collision_tree.h"
 #include "geometry/collision/empty_space.h"
 
 namespace thenar {
@@ -48,7 +47,7 @@ class PatchSearch {
     // Depth-first through the tree; far nodes are left out.
     std::vector<int> nodes{0};
     while (!nodes.empty()) {
-      const CollisionNode& node = a_.nodes[static_cast<std::size_t>(nodes.back())];
+      const CollisionNode& node = a_.nodes[nodes.back()];
       nodes.pop_back();
       if (far({X_BA_ * node.ball.c, node.ball.r})) continue;
       if (node.triangle >= 0) {
@@ -98,7 +97,7 @@ class PatchSearch {
 
   void search(int triangle) {
     // The triangle in B's frame; halves go back onto the stack.
-    const SweptTriangle& t = a_.triangles[static_cast<std::size_t>(triangle)];
+    const SweptTriangle& t = a_.triangles[triangle];
     std::vector<Part> parts{{(X_BA_.R * t.corners).colwise() + X_BA_.p, t.radius, {}}};
     while (!parts.empty()) {
       Part part = parts.back();

@@ -143,12 +143,11 @@ class DistanceSearch {
   }
 
   [[nodiscard]] Eigen::Matrix3d corners_of(int triangle) const {
-    return (X_BA_.R * a_.triangles[static_cast<std::size_t>(triangle)].corners).colwise() + X_BA_.p;
+    return (X_BA_.R * a_.triangles[triangle].corners).colwise() + X_BA_.p;
   }
 
   Piece whole(int triangle) {
-    return evaluated(corners_of(triangle), a_.triangles[static_cast<std::size_t>(triangle)].radius,
-                     triangle);
+    return evaluated(corners_of(triangle), a_.triangles[triangle].radius, triangle);
   }
 
   Piece evaluated(const Eigen::Matrix3d& corners, double radius, int triangle) {
@@ -190,12 +189,12 @@ class DistanceSearch {
 
   void add_node(int index, double parent) {
     // Outside of the region that counts.
-    const CollisionNode& node = a_.nodes[static_cast<std::size_t>(index)];
+    const CollisionNode& node = a_.nodes[index];
     const Ball ball = posed(node);
     if (!near(ball)) return;
     // A leaf is a triangle.
     if (node.triangle >= 0) {
-      const double radius = a_.triangles[static_cast<std::size_t>(node.triangle)].radius;
+      const double radius = a_.triangles[node.triangle].radius;
       return add_piece(corners_of(node.triangle), radius, node.triangle, parent);
     }
     // A node's ball, against empty space and against B.
@@ -210,13 +209,13 @@ class DistanceSearch {
   void expand(const Candidate& candidate) {
     // A node: both children.
     if (candidate.node >= 0) {
-      const CollisionNode& node = a_.nodes[static_cast<std::size_t>(candidate.node)];
+      const CollisionNode& node = a_.nodes[candidate.node];
       add_node(node.left, candidate.bound);
       add_node(node.right, candidate.bound);
       return;
     }
     // A piece: look for better points, then sharpen its bound, then halve it.
-    const Piece piece = pieces_[static_cast<std::size_t>(candidate.piece)];
+    const Piece piece = pieces_[candidate.piece];
     descend(piece);
     const double bound =
         std::max({candidate.bound, record_.empty().bound(piece.corners, piece.radius),

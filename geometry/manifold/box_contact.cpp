@@ -116,15 +116,15 @@ struct CutCorner {
 struct CutPolygon {
   std::array<CutCorner, 12> corners;
   int count = 0;
-  void add(const Vector3d& p, int line) { corners[static_cast<std::size_t>(count++)] = {p, line}; }
+  void add(const Vector3d& p, int line) { corners[count++] = {p, line}; }
 };
 
 /// Keeps the part of a polygon with  n.x <= offset.
 CutPolygon cut(const CutPolygon& polygon, const Vector3d& n, double offset, int line) {
   CutPolygon kept;
   for (int i = 0; i < polygon.count; ++i) {
-    const CutCorner& from = polygon.corners[static_cast<std::size_t>(i)];
-    const CutCorner& to = polygon.corners[static_cast<std::size_t>((i + 1) % polygon.count)];
+    const CutCorner& from = polygon.corners[i];
+    const CutCorner& to = polygon.corners[(i + 1) % polygon.count];
     const double here = n.dot(from.p) - offset, there = n.dot(to.p) - offset;
     if (here <= 0) {
       // Leaving: the corner, then the point on the plane, from which the plane leads on.
@@ -166,11 +166,10 @@ class FaceCut {
         inner_(face_corners(other.axis, other.positive)) {
     normal_ = (face.positive ? 1 : -1) * cutting.R.col(face.axis);
     offset_ = normal_.dot(cutting.c) + cutting.half(face.axis);
-    for (int i = 0; i < 4; ++i) polygon_.add(box.corner(inner_[static_cast<std::size_t>(i)]), i);
+    for (int i = 0; i < 4; ++i) polygon_.add(box.corner(inner_[i]), i);
     // The planes through the sides of the cutting face.
     for (int i = 0; i < 4 && polygon_.count > 0; ++i) {
-      const int from = outer_[static_cast<std::size_t>(i)],
-                to = outer_[static_cast<std::size_t>((i + 1) % 4)];
+      const int from = outer_[i], to = outer_[(i + 1) % 4];
       const int along = (from ^ to) == 1   ? 0
                         : (from ^ to) == 2 ? 1
                                            : 2,
@@ -182,9 +181,7 @@ class FaceCut {
   }
 
   [[nodiscard]] int count() const { return polygon_.count; }
-  [[nodiscard]] const Vector3d& at(int i) const {
-    return polygon_.corners[static_cast<std::size_t>(i)].p;
-  }
+  [[nodiscard]] const Vector3d& at(int i) const { return polygon_.corners[i].p; }
   [[nodiscard]] const Vector3d& normal() const { return normal_; }
   /// Height above the cutting face [m].
   [[nodiscard]] double height(int i) const { return normal_.dot(at(i)) - offset_; }
@@ -192,12 +189,9 @@ class FaceCut {
   /// Returns the key of the features that meet in a corner of the polygon.
   /// @param flipped  the cutting box is A
   [[nodiscard]] std::uint64_t feature(int i, bool flipped) const {
-    const int before =
-        polygon_.corners[static_cast<std::size_t>((i + polygon_.count - 1) % polygon_.count)].line;
-    const int after = polygon_.corners[static_cast<std::size_t>(i)].line;
-    const auto corner = [](const std::array<int, 4>& face, int side) {
-      return face[static_cast<std::size_t>(side % 4)];
-    };
+    const int before = polygon_.corners[(i + polygon_.count - 1) % polygon_.count].line;
+    const int after = polygon_.corners[i].line;
+    const auto corner = [](const std::array<int, 4>& face, int side) { return face[side % 4]; };
     if (before < 4 && after < 4)
       return feature_key(flipped ? FeatureKind::kVertexB : FeatureKind::kVertexA,
                          corner(inner_, after), 0);

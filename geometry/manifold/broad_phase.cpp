@@ -29,9 +29,7 @@ bool BroadPhase::excluded(int a, int b) const {
 
 const std::vector<BodyPair>& BroadPhase::update(const std::vector<Eigen::AlignedBox3d>& boxes) {
   require(boxes.size() == bodies_, "{} boxes for {} bodies", boxes.size(), bodies_);
-  const auto box = [&](int i) -> const Eigen::AlignedBox3d& {
-    return boxes[static_cast<std::size_t>(i)];
-  };
+  const auto box = [&](int i) -> const Eigen::AlignedBox3d& { return boxes[i]; };
   // The axis along which centres vary most.
   Eigen::Array3d sum = Eigen::Array3d::Zero(), squares = sum;
   for (std::size_t i = 0; i < bodies_; ++i) {

@@ -37,8 +37,8 @@ const ContactManifold& CollisionPair::update(const Pose<double>& X_WA, const Pos
     // Skipped while the bound exceeds the motion since then.
     PartPair& pair = parts_[i];
     PartMemory& memory = pair.memory;
-    const CollisionPart& a = a_->parts[static_cast<std::size_t>(pair.a)];
-    const CollisionPart& b = b_->parts[static_cast<std::size_t>(pair.b)];
+    const CollisionPart& a = a_->parts[pair.a];
+    const CollisionPart& b = b_->parts[pair.b];
     const Pose<double> X = b.X_BP.inverse() * X_BA * a.X_BP;
     if (memory.seen) {
       const double left = memory.bound - motion_bound(a.ball, b.ball, memory.X_BA, X);

@@ -32,8 +32,7 @@ const std::vector<BodyContact>& CollisionWorld::update(const std::vector<Pose<do
   near_pairs_ = 0;
   for (const BodyPair& near : broad_.update(boxes_)) {
     ++near_pairs_;
-    const ContactManifold& manifold = pair_of(near).update(
-        X_WB[static_cast<std::size_t>(near.a)], X_WB[static_cast<std::size_t>(near.b)], margin);
+    const ContactManifold& manifold = pair_of(near).update(X_WB[near.a], X_WB[near.b], margin);
     if (!manifold.empty()) contacts_.push_back({near.a, near.b, &manifold});
   }
   return contacts_;

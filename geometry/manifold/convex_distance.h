@@ -33,7 +33,7 @@ class Simplex {
   /// Adds a point, the fifth never. Keeps what spans the point nearest to the origin.
   /// @return that point; 0: the origin is within
   Eigen::Vector3d add(const SupportPoints& point) {
-    points_[static_cast<std::size_t>(count_++)] = point;
+    points_[count_++] = point;
     // The nearest point of every face that has the new corner.
     double least = std::numeric_limits<double>::infinity();
     unsigned best_set = 0;
@@ -52,7 +52,7 @@ class Simplex {
     for (int i = 0; i < count_; ++i)
       if (best_set & (1U << static_cast<unsigned>(i))) {
         weights_(kept) = best_weights(i);
-        points_[static_cast<std::size_t>(kept++)] = points_[static_cast<std::size_t>(i)];
+        points_[kept++] = points_[i];
       }
     count_ = kept;
     return best;
@@ -61,14 +61,14 @@ class Simplex {
   [[nodiscard]] int count() const { return count_; }
   [[nodiscard]] bool has(const Eigen::Vector3d& difference) const {
     for (int i = 0; i < count_; ++i)
-      if (points_[static_cast<std::size_t>(i)].difference() == difference) return true;
+      if (points_[i].difference() == difference) return true;
     return false;
   }
   [[nodiscard]] SupportPoints nearest() const {
     SupportPoints at;
     for (int i = 0; i < count_; ++i) {
-      at.on_a += weights_(i) * points_[static_cast<std::size_t>(i)].on_a;
-      at.on_b += weights_(i) * points_[static_cast<std::size_t>(i)].on_b;
+      at.on_a += weights_(i) * points_[i].on_a;
+      at.on_b += weights_(i) * points_[i].on_b;
     }
     return at;
   }
@@ -79,10 +79,8 @@ class Simplex {
     std::array<int, 4> at{};
     int n = 0;
     for (int i = 0; i < count_; ++i)
-      if (set & (1U << static_cast<unsigned>(i))) at[static_cast<std::size_t>(n++)] = i;
-    const auto corner = [&](int k) -> Eigen::Vector3d {
-      return points_[static_cast<std::size_t>(at[static_cast<std::size_t>(k)])].difference();
-    };
+      if (set & (1U << static_cast<unsigned>(i))) at[n++] = i;
+    const auto corner = [&](int k) -> Eigen::Vector3d { return points_[at[k]].difference(); };
     const Eigen::Vector3d first = corner(0);
     if (n == 1) {
       weights(at[0]) = 1;

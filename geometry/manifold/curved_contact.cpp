@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "base/units.h"
 #include "geometry/collision/segment_bounds.h"
@@ -65,7 +64,7 @@ std::optional<double> cylinder_on_face(const CollisionPart& a, const CollisionPa
   const std::size_t first = points.size();
   for (const int cap : {0, 1}) {
     // One of the points follows the lowest one.
-    double& phase = memory.phase[static_cast<std::size_t>(cap)];
+    double& phase = memory.phase[cap];
     const double behind = std::remainder(lowest - phase, kSectorAngle), lag = lag_of(lean);
     if (lean > kUprightLean && std::abs(behind) > lag) phase += behind - std::copysign(lag, behind);
     for (int k = 0; k < 6; ++k) {

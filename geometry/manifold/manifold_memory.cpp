@@ -1,7 +1,6 @@
 #include "geometry/manifold/manifold_memory.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace thenar {
@@ -31,7 +30,7 @@ bool is_other_region(const ManifoldPoint& point, const ContactManifold& kept) {
 
 bool ManifoldMemory::was_kept(std::uint64_t feature) const {
   for (int i = 0; i < count_; ++i)
-    if (last_[static_cast<std::size_t>(i)].feature == feature) return true;
+    if (last_[i].feature == feature) return true;
   return false;
 }
 
@@ -58,8 +57,7 @@ void ManifoldMemory::reduce(std::vector<ManifoldPoint>& points, double margin,
   // Then the farthest from those that are kept.
   std::size_t next = first;
   for (;;) {
-    const ManifoldPoint& kept = manifold.points[static_cast<std::size_t>(manifold.count++)] =
-        points[next];
+    const ManifoldPoint& kept = manifold.points[manifold.count++] = points[next];
     if (manifold.count == ContactManifold::kMaxPoints) return;
     double farthest = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -86,7 +84,7 @@ void ManifoldMemory::name(const Pose<double>& X_WA, const Pose<double>& X_WB, do
   // The same features keep their ids.
   std::array<bool, ContactManifold::kMaxPoints> taken{};
   for (int i = 0; i < manifold.count; ++i) {
-    ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
+    ManifoldPoint& point = manifold.points[i];
     point.id = -1;
     point.age = 0;
     for (int k = 0; k < count_ && point.id < 0; ++k) {
@@ -100,7 +98,7 @@ void ManifoldMemory::name(const Pose<double>& X_WA, const Pose<double>& X_WB, do
   // Others take over that of the nearest point that is gone, if it was here.
   const Pose<double> X_AW = X_WA.inverse(), X_BW = X_WB.inverse();
   for (int i = 0; i < manifold.count; ++i) {
-    ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
+    ManifoldPoint& point = manifold.points[i];
     if (point.id >= 0) continue;
     const Vector3d on_a = X_AW * point.on_a, on_b = X_BW * point.on_b;
     double nearest = kSamePlace + 2 * motion;
@@ -136,10 +134,9 @@ void ManifoldMemory::keep(std::vector<ManifoldPoint>& points, const Pose<double>
   const Pose<double> X_AW = X_WA.inverse(), X_BW = X_WB.inverse();
   count_ = manifold.count;
   for (int i = 0; i < count_; ++i) {
-    const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
-    last_[static_cast<std::size_t>(i)] = {
-        X_AW * point.on_a, X_BW * point.on_b, X_BW.R * point.normal,
-        point.feature,     point.id,          point.age};
+    const ManifoldPoint& point = manifold.points[i];
+    last_[i] = {X_AW * point.on_a, X_BW * point.on_b, X_BW.R * point.normal,
+                point.feature,     point.id,          point.age};
   }
 }
 

@@ -40,19 +40,17 @@ class PairSearch {
 
  private:
   void look_at(int node_a, int node_b) {
-    const CollisionNode& a = a_.nodes[static_cast<std::size_t>(node_a)];
-    const CollisionNode& b = b_.nodes[static_cast<std::size_t>(node_b)];
+    const CollisionNode& a = a_.nodes[node_a];
+    const CollisionNode& b = b_.nodes[node_b];
     const double apart = a.ball.r + b.ball.r + reach_;
     if ((X_BA_ * a.ball.c - b.ball.c).squaredNorm() > apart * apart) return;
     // The larger node gives way to its children.
     const bool leaf_a = a.triangle >= 0, leaf_b = b.triangle >= 0;
     if (leaf_a && leaf_b) return add_faces(a, b);
     // Of a large face the triangle tells more than its ball.
-    if (leaf_a && !ball_near_face(X_AB_ * b.ball.c, b.ball.r + reach_,
-                                  a_.faces[static_cast<std::size_t>(a.triangle)]))
+    if (leaf_a && !ball_near_face(X_AB_ * b.ball.c, b.ball.r + reach_, a_.faces[a.triangle]))
       return;
-    if (leaf_b && !ball_near_face(X_BA_ * a.ball.c, a.ball.r + reach_,
-                                  b_.faces[static_cast<std::size_t>(b.triangle)]))
+    if (leaf_b && !ball_near_face(X_BA_ * a.ball.c, a.ball.r + reach_, b_.faces[b.triangle]))
       return;
     if (!leaf_a && (leaf_b || a.ball.r > b.ball.r)) {
       near_.stack.push_back({a.left, node_b});
@@ -64,17 +62,17 @@ class PairSearch {
   }
 
   void add_faces(const CollisionNode& node_a, const CollisionNode& node_b) {
-    const PolyhedronFace& a = a_.faces[static_cast<std::size_t>(node_a.triangle)];
-    const PolyhedronFace& b = b_.faces[static_cast<std::size_t>(node_b.triangle)];
+    const PolyhedronFace& a = a_.faces[node_a.triangle];
+    const PolyhedronFace& b = b_.faces[node_b.triangle];
     if (!ball_near_face(X_BA_ * node_a.ball.c, node_a.ball.r + reach_, b) ||
         !ball_near_face(X_AB_ * node_b.ball.c, node_b.ball.r + reach_, a))
       return;
     // Corners near the other's face, edges near the other's edges.
     for (const int i : a.own_corners)
-      if (i >= 0 && ball_near_face(X_BA_ * a_.corners[static_cast<std::size_t>(i)].p, reach_, b))
+      if (i >= 0 && ball_near_face(X_BA_ * a_.corners[i].p, reach_, b))
         near_.corners_a.push_back(i);
     for (const int i : b.own_corners)
-      if (i >= 0 && ball_near_face(X_AB_ * b_.corners[static_cast<std::size_t>(i)].p, reach_, a))
+      if (i >= 0 && ball_near_face(X_AB_ * b_.corners[i].p, reach_, a))
         near_.corners_b.push_back(i);
     for (const int i : a.own_edges)
       for (const int j : b.own_edges)
@@ -82,8 +80,8 @@ class PairSearch {
   }
 
   void add_edges(int i, int j) {
-    const PolyhedronEdge& a = a_.edges[static_cast<std::size_t>(i)];
-    const PolyhedronEdge& b = b_.edges[static_cast<std::size_t>(j)];
+    const PolyhedronEdge& a = a_.edges[i];
+    const PolyhedronEdge& b = b_.edges[j];
     const Vector3d from = X_BA_ * a.from, way = X_BA_.R * a.way;
     const SegmentPlaces at = nearest_on_segments(from, way, b.from, b.way);
     if ((from + at.s * way - b.from - at.t * b.way).squaredNorm() <= reach_ * reach_)
@@ -120,7 +118,7 @@ void add_deep_corners(const Polyhedron& body, const Pose<double>& X_SP, const Sh
                       double depth, std::vector<int>& corners) {
   // Depth grows by no more than the way gone.
   const auto look = [&](const auto& self, int index) -> void {
-    const CollisionNode& node = body.nodes[static_cast<std::size_t>(index)];
+    const CollisionNode& node = body.nodes[index];
     const Vector3d c = X_SP * node.ball.c;
     const double box = std::sqrt(shape.bounds().squaredExteriorDistance(c));
     if (box > node.ball.r || shape.distance(c) - node.ball.r > -depth) return;
@@ -129,9 +127,8 @@ void add_deep_corners(const Polyhedron& body, const Pose<double>& X_SP, const Sh
       self(self, node.right);
       return;
     }
-    for (const int i : body.faces[static_cast<std::size_t>(node.triangle)].own_corners)
-      if (i >= 0 && shape.distance(X_SP * body.corners[static_cast<std::size_t>(i)].p) < -depth)
-        corners.push_back(i);
+    for (const int i : body.faces[node.triangle].own_corners)
+      if (i >= 0 && shape.distance(X_SP * body.corners[i].p) < -depth) corners.push_back(i);
   };
   look(look, 0);
   sort_unique(corners);
@@ -153,7 +150,7 @@ void find_near_faces(const Vector3d& from, const Vector3d& to, const Polyhedron&
   near.faces_b.clear();
   near.stack.push_back({0, 0});
   while (!near.stack.empty()) {
-    const CollisionNode& node = b.nodes[static_cast<std::size_t>(near.stack.back()[0])];
+    const CollisionNode& node = b.nodes[near.stack.back()[0]];
     near.stack.pop_back();
     // Balls around faces against the segment; then the faces.
     const Vector3d nearest = nearest_in_segment(from, to, node.ball.c);
@@ -164,7 +161,7 @@ void find_near_faces(const Vector3d& from, const Vector3d& to, const Polyhedron&
       near.stack.push_back({node.right, 0});
       continue;
     }
-    const PolyhedronFace& face = b.faces[static_cast<std::size_t>(node.triangle)];
+    const PolyhedronFace& face = b.faces[node.triangle];
     const double h0 = face.n.dot(from - face.corners.col(0)),
                  h1 = face.n.dot(to - face.corners.col(0));
     if (std::min(h0, h1) > reach || std::max(h0, h1) < -reach) continue;

@@ -31,7 +31,7 @@ class PolyhedronBuilder {
     built_->nodes = std::move(tree.nodes);
     place_.resize(static_cast<std::size_t>(mesh_.triangles.cols()));
     for (const SweptTriangle& triangle : tree.triangles) {
-      place_[static_cast<std::size_t>(triangle.source)] = static_cast<int>(built_->faces.size());
+      place_[triangle.source] = static_cast<int>(built_->faces.size());
       PolyhedronFace face;
       face.corners = triangle.corners;
       face.n = triangle.n;
@@ -42,8 +42,7 @@ class PolyhedronBuilder {
   }
 
   int plane_of(int face) {
-    while (plane_[static_cast<std::size_t>(face)] != face)
-      face = plane_[static_cast<std::size_t>(face)];
+    while (plane_[face] != face) face = plane_[face];
     return face;
   }
 
@@ -51,18 +50,18 @@ class PolyhedronBuilder {
     corner_of_.assign(static_cast<std::size_t>(mesh_.vertices.cols()), -1);
     neighbours_.resize(static_cast<std::size_t>(mesh_.vertices.cols()));
     for_each_edge(sides_by_edge(mesh_), [&](const MeshSide* first, const MeshSide* last) {
-      neighbours_[static_cast<std::size_t>(first->low)].push_back(first->high);
-      neighbours_[static_cast<std::size_t>(first->high)].push_back(first->low);
+      neighbours_[first->low].push_back(first->high);
+      neighbours_[first->high].push_back(first->low);
       if (last - first != 2) return add_edge(first[0], first[last - first > 1 ? 1 : 0]);
       // Flat: one plane. Concave: nothing touches there first.
-      const int one = place_[static_cast<std::size_t>(first[0].triangle)];
-      const int other = place_[static_cast<std::size_t>(first[1].triangle)];
-      const Vector3d n = built_->faces[static_cast<std::size_t>(one)].n;
-      const Vector3d n_other = built_->faces[static_cast<std::size_t>(other)].n;
+      const int one = place_[first[0].triangle];
+      const int other = place_[first[1].triangle];
+      const Vector3d n = built_->faces[one].n;
+      const Vector3d n_other = built_->faces[other].n;
       if (n.cross(n_other).norm() < kFlatSine && n.dot(n_other) > 0) {
         const int low = std::min(plane_of(one), plane_of(other));
         const int high = std::max(plane_of(one), plane_of(other));
-        plane_[static_cast<std::size_t>(high)] = low;
+        plane_[high] = low;
         return;
       }
       const Vector3d opposite =
@@ -74,24 +73,20 @@ class PolyhedronBuilder {
   }
 
   void add_edge(const MeshSide& one, const MeshSide& other) {
-    PolyhedronFace& face =
-        built_->faces[static_cast<std::size_t>(place_[static_cast<std::size_t>(one.triangle)])];
+    PolyhedronFace& face = built_->faces[place_[one.triangle]];
     PolyhedronEdge edge;
     add_corner(one.low);
     add_corner(one.high);
     edge.from = mesh_.vertices.col(one.low);
     edge.way = mesh_.vertices.col(one.high) - mesh_.vertices.col(one.low);
-    edge.normals = {
-        face.n,
-        built_->faces[static_cast<std::size_t>(place_[static_cast<std::size_t>(other.triangle)])]
-            .n};
-    face.own_edges[static_cast<std::size_t>(one.side)] = static_cast<int>(built_->edges.size());
+    edge.normals = {face.n, built_->faces[place_[other.triangle]].n};
+    face.own_edges[one.side] = static_cast<int>(built_->edges.size());
     built_->edges.push_back(edge);
   }
 
   /// Makes a vertex a corner, if it is none.
   void add_corner(int vertex) {
-    int& number = corner_of_[static_cast<std::size_t>(vertex)];
+    int& number = corner_of_[vertex];
     if (number >= 0) return;
     number = static_cast<int>(built_->corners.size());
     built_->corners.push_back({mesh_.vertices.col(vertex), 0, 0});
@@ -102,7 +97,7 @@ class PolyhedronBuilder {
     for (std::size_t i = 0; i < built_->corners.size(); ++i) {
       PolyhedronCorner& corner = built_->corners[i];
       corner.first = static_cast<int>(built_->ways.size());
-      for (const int to : neighbours_[static_cast<std::size_t>(vertex_of_[i])])
+      for (const int to : neighbours_[vertex_of_[i]])
         built_->ways.push_back((mesh_.vertices.col(to) - corner.p).stableNormalized());
       corner.count = static_cast<int>(built_->ways.size()) - corner.first;
     }
@@ -110,11 +105,10 @@ class PolyhedronBuilder {
     std::vector<bool> owned(built_->corners.size(), false);
     for (int i = 0; i < static_cast<int>(mesh_.triangles.cols()); ++i)
       for (int k = 0; k < 3; ++k) {
-        const int number = corner_of_[static_cast<std::size_t>(mesh_.triangles(k, i))];
-        if (number < 0 || owned[static_cast<std::size_t>(number)]) continue;
-        owned[static_cast<std::size_t>(number)] = true;
-        built_->faces[static_cast<std::size_t>(place_[static_cast<std::size_t>(i)])]
-            .own_corners[static_cast<std::size_t>(k)] = number;
+        const int number = corner_of_[mesh_.triangles(k, i)];
+        if (number < 0 || owned[number]) continue;
+        owned[number] = true;
+        built_->faces[place_[i]].own_corners[k] = number;
       }
   }
 

@@ -23,7 +23,7 @@ constexpr double kParallelSine = 1e-4;  // Edges with a smaller sine of their an
 /// Returns whether a corner is lowest among its neighbours, seen along n.
 bool is_lowest(const Polyhedron& body, const PolyhedronCorner& corner, const Vector3d& n) {
   for (int k = 0; k < corner.count; ++k)
-    if (body.ways[static_cast<std::size_t>(corner.first + k)].dot(n) < kDownSine) return false;
+    if (body.ways[corner.first + k].dot(n) < kDownSine) return false;
   return true;
 }
 
@@ -64,7 +64,7 @@ class FeatureContacts {
   };
 
   void add_corner_a(int i) {
-    const PolyhedronCorner& corner = a_.polyhedron->corners[static_cast<std::size_t>(i)];
+    const PolyhedronCorner& corner = a_.polyhedron->corners[i];
     const Vector3d p = X_BA_ * corner.p;
     const NearestSurface seen = b_.shape->nearest(p);
     least_ = std::min(least_, seen.distance);
@@ -77,7 +77,7 @@ class FeatureContacts {
   }
 
   void add_corner_b(int i) {
-    const PolyhedronCorner& corner = b_.polyhedron->corners[static_cast<std::size_t>(i)];
+    const PolyhedronCorner& corner = b_.polyhedron->corners[i];
     const Vector3d p = X_AB_ * corner.p;
     const NearestSurface seen = a_.shape->nearest(p);
     least_ = std::min(least_, seen.distance);
@@ -91,8 +91,8 @@ class FeatureContacts {
   }
 
   void add_edges(int i, int j) {
-    const PolyhedronEdge& a = a_.polyhedron->edges[static_cast<std::size_t>(i)];
-    const PolyhedronEdge& b = b_.polyhedron->edges[static_cast<std::size_t>(j)];
+    const PolyhedronEdge& a = a_.polyhedron->edges[i];
+    const PolyhedronEdge& b = b_.polyhedron->edges[j];
     const Vector3d from = X_BA_ * a.from, way = X_BA_.R * a.way;
     const SegmentPlaces at = nearest_on_segments(from, way, b.from, b.way);
     const Vector3d on_a = from + at.s * way, on_b = b.from + at.t * b.way;
@@ -182,7 +182,7 @@ class RoundContacts {
 
   double add(const NearFeatures& near) {
     for (const int i : near.faces_b) {
-      const PolyhedronFace& face = b_.faces[static_cast<std::size_t>(i)];
+      const PolyhedronFace& face = b_.faces[i];
       for (int end = 0; end < (a_.length > 0 ? 2 : 1); ++end) add_face(face, end);
       for (const int e : face.own_edges)
         if (e >= 0) add_edge(e);
@@ -207,7 +207,7 @@ class RoundContacts {
 
   /// The ball nearest to an edge, and those at the ends where they stand over it.
   void add_edge(int e) {
-    const PolyhedronEdge& edge = b_.edges[static_cast<std::size_t>(e)];
+    const PolyhedronEdge& edge = b_.edges[e];
     const double square = edge.way.squaredNorm();
     const auto over = [&](double s, double t, int feature) {
       if (!(t > 0 && t < 1)) return;
@@ -226,14 +226,13 @@ class RoundContacts {
 
   /// The ball nearest to a corner.
   void add_corner(int c) {
-    const PolyhedronCorner& corner = b_.corners[static_cast<std::size_t>(c)];
+    const PolyhedronCorner& corner = b_.corners[c];
     const double s = nearest_balls(a_, {corner.p, Vector3d::Zero()}).s;
     const Vector3d arm = a_.at(s) - corner.p;
     const double distance = arm.norm();
     if (distance < 1e-12) return;
     for (int k = 0; k < corner.count; ++k)
-      if (b_.ways[static_cast<std::size_t>(corner.first + k)].dot(arm) > kBesideArc * distance)
-        return;
+      if (b_.ways[corner.first + k].dot(arm) > kBesideArc * distance) return;
     add_point(s, corner.p, arm / distance, distance, feature_at(s), 1 << 22U | c);
   }
 

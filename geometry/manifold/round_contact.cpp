@@ -1,7 +1,6 @@
 #include "geometry/manifold/round_contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "geometry/collision/segment_bounds.h"

@@ -71,8 +71,7 @@ MatrixXd named_draws(const FitProblem& problem, int draws, unsigned seed) {
   MatrixXd v(static_cast<Eigen::Index>(names.size()), draws);
   for (Eigen::Index i = 0; i < v.rows(); ++i) {
     std::vector<unsigned> words{seed};
-    for (const char letter : names[static_cast<std::size_t>(i)])
-      words.push_back(static_cast<unsigned char>(letter));
+    for (const char letter : names[i]) words.push_back(static_cast<unsigned char>(letter));
     std::seed_seq mixed(words.begin(), words.end());
     std::mt19937 random(mixed);
     std::normal_distribution<double> normal;
@@ -184,7 +183,7 @@ std::vector<std::pair<std::string, SlackRange>> slack_ranges(const FitProblem& p
     const int c = parameters.coordinate[p];
     if (parameter.kind != ParameterKind::kNetSlack || c < 0) continue;
     // log of a factor on the length: u, with its variance before and after the data.
-    const NetBand& band = problem.digit().net->net.bands[static_cast<std::size_t>(parameter.item)];
+    const NetBand& band = problem.digit().net->net.bands[parameter.item];
     const double ratio = parameters.ratio[p];
     const Eigen::RowVectorXd slope = ratio * by_z.row(c);
     SlackRange range;
@@ -192,7 +191,7 @@ std::vector<std::pair<std::string, SlackRange>> slack_ranges(const FitProblem& p
     range.sd = range.length * std::sqrt((slope * own).dot(slope));
     range.prior_sd = range.length * slope.norm();
     for (std::size_t k = 0; k < entries.size(); ++k)
-      if (slope[static_cast<Eigen::Index>(k)] != 0)
+      if (slope[k] != 0)
         range.at_bound = range.at_bound || z[entries[k]] <= coordinates.lower()[entries[k]] ||
                          z[entries[k]] >= coordinates.upper()[entries[k]];
     out.emplace_back(band.name, range);

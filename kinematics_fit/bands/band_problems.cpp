@@ -1,11 +1,11 @@
 #include "kinematics_fit/bands/band_problems.h"
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/net/build_net.h"
 
 namespace thenar {
@@ -55,8 +55,7 @@ FitProblem BandProblems::with(const Topology& present) const {
   const std::vector<Parameter> there = list_parameters(digit, postures);
   std::vector<std::string> also_free;
   for (const std::string& glob : also_free_)
-    if (std::any_of(there.begin(), there.end(),
-                    [&](const Parameter& p) { return matches_glob(glob, p.name); }))
+    if (any_of(there, [&](const Parameter& p) { return matches_glob(glob, p.name); }))
       also_free.push_back(glob);
   FitParameters parameters = choose_parameters(digit, postures, settings_, also_free);
   return {std::move(digit),    std::move(parameters), all_.experiments(),
@@ -66,13 +65,12 @@ FitProblem BandProblems::with(const Topology& present) const {
 Eigen::VectorXd carried_over(const std::vector<std::string>& names, const Eigen::VectorXd& z,
                              const FitProblem& to) {
   std::map<std::string, double> known;
-  for (std::size_t i = 0; i < names.size(); ++i) known[names[i]] = z[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < names.size(); ++i) known[names[i]] = z[i];
   // Entries by name.
   Eigen::VectorXd out = Eigen::VectorXd::Zero(to.size());
   const std::vector<std::string> wanted = to.coordinates().names();
   for (std::size_t i = 0; i < wanted.size(); ++i)
-    if (const auto at = known.find(wanted[i]); at != known.end())
-      out[static_cast<Eigen::Index>(i)] = at->second;
+    if (const auto at = known.find(wanted[i]); at != known.end()) out[i] = at->second;
   return out.cwiseMax(to.coordinates().lower()).cwiseMin(to.coordinates().upper());
 }
 

@@ -110,8 +110,7 @@ double answer_entropy(const std::vector<double>& probability, const HypothesisAn
   // Probability of each answer.
   std::vector<double> of(
       static_cast<std::size_t>(*std::max_element(answers.begin(), answers.end()) + 1));
-  for (std::size_t k = 0; k < answers.size(); ++k)
-    of[static_cast<std::size_t>(answers[k])] += probability[k];
+  for (std::size_t k = 0; k < answers.size(); ++k) of[answers[k]] += probability[k];
   double entropy = 0;
   for (const double p : of)
     if (p > 0) entropy -= p * std::log2(p);
@@ -133,8 +132,7 @@ VectorXd expected_information(const std::vector<PredictedReading>& hypotheses,
     for (std::size_t a = 0; a < questions.size(); ++a) answers[a].push_back(questions[a][k]);
   }
   VectorXd information(count);
-  for (Eigen::Index a = 0; a < count; ++a)
-    information(a) = answer_entropy(before, answers[static_cast<std::size_t>(a)]);
+  for (Eigen::Index a = 0; a < count; ++a) information(a) = answer_entropy(before, answers[a]);
 
   // Less what is open after it, over readings of every hypothesis.
   const NormalRule rule = product_rule(hypotheses.front().mean.size(), nodes);
@@ -143,8 +141,7 @@ VectorXd expected_information(const std::vector<PredictedReading>& hypotheses,
       const VectorXd y = densities[k].mean + densities[k].L * rule.points.col(p);
       const std::vector<double> after = updated(densities, y);
       for (Eigen::Index a = 0; a < count; ++a)
-        information(a) -= before[k] * rule.weight(p) *
-                          answer_entropy(after, answers[static_cast<std::size_t>(a)]);
+        information(a) -= before[k] * rule.weight(p) * answer_entropy(after, answers[a]);
     }
   return information.cwiseMax(0);
 }

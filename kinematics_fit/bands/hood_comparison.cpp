@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "kinematics_fit/bands/net_records.h"
 #include "kinematics_fit/model/fit_parameters.h"
 #include "kinematics_fit/model/predict_forces.h"
@@ -77,9 +78,7 @@ HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
   // Errors of trials that load hood muscles only, and of each muscle alone.
   const auto in_hood = [&](const Trial& trial) {
     const std::vector<std::string> muscles = loaded(trial);
-    return std::all_of(muscles.begin(), muscles.end(), [&](const std::string& muscle) {
-      return std::find(of_hood.begin(), of_hood.end(), muscle) != of_hood.end();
-    });
+    return all_of(muscles, [&](const std::string& muscle) { return contains(of_hood, muscle); });
   };
   rung.hood_muscles = error_of(rung.prediction, experiment, in_hood);
   for (const Trial& trial : experiment.trials)
@@ -116,8 +115,8 @@ TrialForces trial_forces(const DigitTendons& tendons, const Experiment& experime
   std::vector<double> seconds;
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
     // Nets are brought from the straight finger; only the rest at the posture is timed.
-    const VectorXd& q = plan.postures[static_cast<std::size_t>(plan.posture_of_trial[i])];
-    const VectorXd& t = plan.tension[static_cast<std::size_t>(i)];
+    const VectorXd& q = plan.postures[plan.posture_of_trial[i]];
+    const VectorXd& t = plan.tension[i];
     const Eigen::Matrix3Xd start = start_from_straight(tendons, q, t);
     const auto began = std::chrono::steady_clock::now();
     const TendonTorque pull = tendons.evaluate(q, t, start);

@@ -21,8 +21,7 @@ ExperimentPlan plan_of(const NetTendons& tendons, const Experiment& experiment) 
 std::string loading_name(const TendonDigit& digit, const std::string& posture, const VectorXd& t) {
   std::string name = posture;
   for (Eigen::Index m = 0; m < t.size(); ++m)
-    if (t(m) > 0)
-      name += fmt::format(" {}={:.3g}", digit.names.muscles[static_cast<std::size_t>(m)], t(m));
+    if (t(m) > 0) name += fmt::format(" {}={:.3g}", digit.names.muscles[m], t(m));
   return name;
 }
 
@@ -31,10 +30,9 @@ TendonTest test_of(const NetTendons& tendons, const ExperimentPlan& plan, int po
   const TendonModel<double>& model = tendons.digit().model;
   // Posture, tensions of the net's muscles, and a name of both.
   TendonTest test;
-  test.q = plan.postures[static_cast<std::size_t>(posture)];
+  test.q = plan.postures[posture];
   test.tension = tendons.drive(t);
-  test.name =
-      loading_name(tendons.digit(), plan.posture_names[static_cast<std::size_t>(posture)], t);
+  test.name = loading_name(tendons.digit(), plan.posture_names[posture], t);
 
   // The net at rest; what its bands do not explain of the torque belongs to the tendons outside.
   test.start = start_from_straight(tendons, test.q, t);
@@ -105,15 +103,14 @@ std::vector<TendonRecord> net_records(const NetTendons& tendons, const Experimen
   std::vector<TendonRecord> records;
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
     // Trials that do not load the net are left out.
-    const VectorXd& t = plan.tension[static_cast<std::size_t>(i)];
+    const VectorXd& t = plan.tension[i];
     require(site_of(plan, static_cast<std::size_t>(i)) < 0,
             "experiment {}: bands are told from forces of the tip; leave out trials measured at "
             "other segments",
             experiment.name);
     if (tendons.drive(t).isZero(0)) continue;
-    records.push_back(
-        {test_of(tendons, plan, plan.posture_of_trial[static_cast<std::size_t>(i)], t),
-         plan.force.col(i).head(plan.measured), plan.sd.col(i).head(plan.measured)});
+    records.push_back({test_of(tendons, plan, plan.posture_of_trial[i], t),
+                       plan.force.col(i).head(plan.measured), plan.sd.col(i).head(plan.measured)});
   }
   require(!records.empty(), "experiment {}: no muscle of net {} is loaded", experiment.name,
           tendons.net().net.name);
@@ -141,7 +138,7 @@ std::vector<Trial> possible_trials(const TendonDigit& digit, const Experiment& e
       Trial trial;
       trial.posture = posture.name;
       for (Eigen::Index m = 0; m < t.size(); ++m)
-        if (t(m) > 0) trial.tension[digit.names.muscles[static_cast<std::size_t>(m)]] = t(m);
+        if (t(m) > 0) trial.tension[digit.names.muscles[m]] = t(m);
       trials.push_back(std::move(trial));
     }
   return trials;

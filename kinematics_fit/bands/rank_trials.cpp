@@ -80,7 +80,7 @@ Eigen::Matrix3Xd noise_variance(const BandProblems& problems, const Experiment& 
   const FitParameters& parameters = problems.all().parameters();
   Eigen::Matrix3Xd variance(3, force.cols());
   for (Eigen::Index i = 0; i < force.cols(); ++i) {
-    Trial trial = pool.trials[static_cast<std::size_t>(i)];
+    Trial trial = pool.trials[i];
     trial.force = force.col(i);
     const double missed = missed_force_sd(parameters, trial.tension);
     variance.col(i) = force_sd(pool, trial).array().square() + missed * missed;
@@ -139,7 +139,7 @@ std::vector<RankedTrial> rank_trials(const BandProblems& problems, const BandPos
     out.information = bits(0);
     Eigen::Index most = 0;
     out.of_most_told = bits.tail(bits.size() - 1).maxCoeff(&most);
-    if (out.of_most_told > 0) out.most_told = posterior.bands[static_cast<std::size_t>(most)].name;
+    if (out.of_most_told > 0) out.most_told = posterior.bands[most].name;
     ranked.push_back(std::move(out));
   }
   std::stable_sort(ranked.begin(), ranked.end(), [](const RankedTrial& a, const RankedTrial& b) {

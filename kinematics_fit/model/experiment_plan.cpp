@@ -32,7 +32,7 @@ void warn_of_postures(const TendonDigit& digit, const ExperimentPlan& plan, Warn
                       plan.posture_names[k], plan.condition[k]));
     // Angles beyond the joint limits.
     for (int j = 0; j < digit.skeleton.coordinates(); ++j) {
-      const CoordinateLimits& limits = digit.skeleton.limits[static_cast<std::size_t>(j)];
+      const CoordinateLimits& limits = digit.skeleton.limits[j];
       const double angle = plan.postures[k][j];
       if (angle < limits.lower - kLimitSlack || angle > limits.upper + kLimitSlack)
         warnings.push_back(
@@ -63,8 +63,7 @@ void warn_of_tensions(const TendonDigit& digit, const ExperimentPlan& plan, Warn
     for (const Eigen::VectorXd& tension : plan.tension) most = std::max(most, tension[m]);
     if (most > kTooStrong * digit.max_tension[m])
       warnings.push_back(fmt::format("{} was pulled with {:.1f} N, but can make {:.1f} N",
-                                     digit.names.muscles[static_cast<std::size_t>(m)], most,
-                                     digit.max_tension[m]));
+                                     digit.names.muscles[m], most, digit.max_tension[m]));
   }
 }
 
@@ -230,7 +229,7 @@ PlannedSite plan_site(const TendonDigit& digit, const Experiment& experiment,
             "experiment '{}': '{}' is the mount, whose force has no place 'at_mm' or 'at_fraction'",
             experiment.name, site.at);
     for (std::size_t m = 0; m < model.pulls.size(); ++m)
-      require(!model.paths[static_cast<std::size_t>(model.pulls[m])].empty(),
+      require(!model.paths[model.pulls[m]].empty(),
               "experiment '{}': the force on mount '{}' needs the paths of all tendons; {} has "
               "only moment arms",
               experiment.name, site.at, digit.names.muscles[m]);
@@ -239,11 +238,10 @@ PlannedSite plan_site(const TendonDigit& digit, const Experiment& experiment,
   plan.point = held_point(model, site, plan.link);
   // Coordinates that move the segment.
   std::vector<bool> moves(static_cast<std::size_t>(model.coordinates), false);
-  for_each_hinge_to_base(model.tree, plan.link, [&](int i) {
-    moves[static_cast<std::size_t>(model.tree[i].coordinate)] = true;
-  });
+  for_each_hinge_to_base(model.tree, plan.link,
+                         [&](int i) { moves[model.tree[i].coordinate] = true; });
   for (int j = 0; j < model.coordinates; ++j)
-    if (moves[static_cast<std::size_t>(j)]) plan.balanced.push_back(j);
+    if (moves[j]) plan.balanced.push_back(j);
   return plan;
 }
 
@@ -269,7 +267,7 @@ bool holds_tip(const ExperimentPlan& plan, int posture) {
     if (plan.posture_of_trial[i] != posture) continue;
     any = true;
     const int at = site_of(plan, i);
-    if (at < 0 || plan.sites[static_cast<std::size_t>(at)].link < 0) return true;
+    if (at < 0 || plan.sites[at].link < 0) return true;
   }
   return !any;
 }
@@ -299,7 +297,7 @@ std::vector<double> conditions(const TendonDigit& digit, const FitParameters& pa
     for (std::size_t i = 0; i < plan.site_of_trial.size(); ++i) {
       const int at = plan.site_of_trial[i];
       if (plan.posture_of_trial[i] != static_cast<int>(k) || at < 0) continue;
-      const PlannedSite& site = plan.sites[static_cast<std::size_t>(at)];
+      const PlannedSite& site = plan.sites[at];
       if (site.link >= 0)
         worst = std::max(
             worst, condition_of(segment_loads(model.digit, site, state, plan.hold, plan.known)));

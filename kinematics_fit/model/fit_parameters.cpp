@@ -253,8 +253,7 @@ std::vector<double> values_with(const FitParameters& parameters, const std::vect
   std::vector<double> all;
   all.reserve(parameters.all.size());
   for (const Parameter& parameter : parameters.all) all.push_back(parameter.mean);
-  for (std::size_t k = 0; k < moving.size(); ++k)
-    all[static_cast<std::size_t>(moving[k])] = values[static_cast<Eigen::Index>(k)];
+  for (std::size_t k = 0; k < moving.size(); ++k) all[moving[k]] = values[k];
   return all;
 }
 

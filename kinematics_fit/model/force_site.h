@@ -64,7 +64,7 @@ template <typename T>
   MatrixX<T> pulls = MatrixX<T>::Zero(3, static_cast<Eigen::Index>(digit.pulls.size()));
   for (std::size_t m = 0; m < digit.pulls.size(); ++m) {
     // The run that crosses to the base last.
-    const TendonPath<T>& path = digit.paths[static_cast<std::size_t>(digit.pulls[m])];
+    const TendonPath<T>& path = digit.paths[digit.pulls[m]];
     std::size_t k = path.size();
     while (k > 1 && (path[k - 1].link < 0) == (path[k - 2].link < 0)) --k;
     if (k <= 1) continue;

@@ -28,8 +28,7 @@ bool unbalanced(const NetEquilibrium& rest) {
 Matrix3Xd carried(const Net& net, const TreeState<double>& state, const Matrix3Xd& at) {
   Matrix3Xd x(3, at.cols());
   for (Eigen::Index i = 0; i < x.cols(); ++i)
-    x.col(i) =
-        moved(state, net.nodes[static_cast<std::size_t>(i)].link, Eigen::Vector3d(at.col(i)));
+    x.col(i) = moved(state, net.nodes[i].link, Eigen::Vector3d(at.col(i)));
   return x;
 }
 
@@ -37,7 +36,7 @@ Matrix3Xd carried(const Net& net, const TreeState<double>& state, const Matrix3X
 Matrix3Xd on_links(const Net& net, const TreeState<double>& state, const Matrix3Xd& x) {
   Matrix3Xd at(3, x.cols());
   for (Eigen::Index i = 0; i < x.cols(); ++i) {
-    const int link = net.nodes[static_cast<std::size_t>(i)].link;
+    const int link = net.nodes[i].link;
     at.col(i) = link < 0 ? Eigen::Vector3d(x.col(i)) : state[link].X.inverse() * x.col(i);
   }
   return at;

@@ -1,5 +1,8 @@
 #include "kinematics_fit/model/parameter.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 
 #include "base/units.h"
@@ -11,51 +14,42 @@ namespace {
 
 constexpr const char* kDirections[] = {"proximal", "dorsal", "radial"};
 
-/// Default belief of each kind: sd of the population, sd between specimens, half range of bounds.
-struct Belief {
+/// Unit of a kind in tables, and its default belief: sd of the population, sd between specimens,
+/// half range of bounds.
+struct KindRow {
+  ParameterKind kind;
+  const char* unit;
   double sd, between_sd, range;
 };
-Belief belief(ParameterKind kind) {
-  switch (kind) {
-    case ParameterKind::kAxisDirection:
-    case ParameterKind::kSensorTilt:
-      return {8 * kDegree, 5 * kDegree, 45 * kDegree};
-    case ParameterKind::kAngle:
-    case ParameterKind::kPostureAngle:
-      return {5 * kDegree, 3 * kDegree, 20 * kDegree};
-    case ParameterKind::kHoodEntry:
-    case ParameterKind::kHoodCentral:
-    case ParameterKind::kHoodSlope:
-      return {0.4, 0.3, 5};
-    case ParameterKind::kFriction:
-      return {0.05, 0.02, 0.5};
-    case ParameterKind::kOutOfPlane:
-      return {10 * kMm, 0, 200 * kMm};
-    case ParameterKind::kGain:
-      return {0.1, 0.05, 0.5};
-    case ParameterKind::kTipForce:
-    case ParameterKind::kPostureForce:
-      return {0.03, 0.03, 1};
-    case ParameterKind::kNetStiffness:
-      return {0.4, 0.3, 3};
-    case ParameterKind::kNetSlack:
-      return {0.01, 0.01, 0.1};
-    case ParameterKind::kNetRadius:
-      return {0.7 * kMm, 0.5 * kMm, 2.5 * kMm};
-    case ParameterKind::kNetEntry:
-    case ParameterKind::kNetCentral:
-    case ParameterKind::kNetSlope:
-      return {0.4, 0.3, 5};
-    case ParameterKind::kLength:
-      return {3 * kMm, 2 * kMm, 15 * kMm};
-    case ParameterKind::kAxisPoint:
-    case ParameterKind::kPathPoint:
-    case ParameterKind::kArm:
-    case ParameterKind::kTip:
-    case ParameterKind::kNetPlace:
-      return {1.5 * kMm, 1 * kMm, 10 * kMm};
-  }
-  return {};
+constexpr KindRow kKinds[] = {
+    {ParameterKind::kAxisDirection, "deg", 8 * kDegree, 5 * kDegree, 45 * kDegree},
+    {ParameterKind::kAxisPoint, "mm", 1.5 * kMm, 1 * kMm, 10 * kMm},
+    {ParameterKind::kPathPoint, "mm", 1.5 * kMm, 1 * kMm, 10 * kMm},
+    {ParameterKind::kArm, "mm", 1.5 * kMm, 1 * kMm, 10 * kMm},
+    {ParameterKind::kHoodEntry, "1", 0.4, 0.3, 5},
+    {ParameterKind::kHoodCentral, "1", 0.4, 0.3, 5},
+    {ParameterKind::kHoodSlope, "1/rad", 0.4, 0.3, 5},
+    {ParameterKind::kFriction, "1", 0.05, 0.02, 0.5},
+    {ParameterKind::kLength, "mm", 3 * kMm, 2 * kMm, 15 * kMm},
+    {ParameterKind::kTip, "mm", 1.5 * kMm, 1 * kMm, 10 * kMm},
+    {ParameterKind::kSensorTilt, "deg", 8 * kDegree, 5 * kDegree, 45 * kDegree},
+    {ParameterKind::kAngle, "deg", 5 * kDegree, 3 * kDegree, 20 * kDegree},
+    {ParameterKind::kPostureAngle, "deg", 5 * kDegree, 3 * kDegree, 20 * kDegree},
+    {ParameterKind::kOutOfPlane, "mm", 10 * kMm, 0, 200 * kMm},
+    {ParameterKind::kGain, "1", 0.1, 0.05, 0.5},
+    {ParameterKind::kTipForce, "1", 0.03, 0.03, 1},
+    {ParameterKind::kPostureForce, "1", 0.03, 0.03, 1},
+    {ParameterKind::kNetStiffness, "1", 0.4, 0.3, 3},
+    {ParameterKind::kNetSlack, "1", 0.01, 0.01, 0.1},
+    {ParameterKind::kNetPlace, "mm", 1.5 * kMm, 1 * kMm, 10 * kMm},
+    {ParameterKind::kNetRadius, "mm", 0.7 * kMm, 0.5 * kMm, 2.5 * kMm},
+    {ParameterKind::kNetEntry, "1", 0.4, 0.3, 5},
+    {ParameterKind::kNetCentral, "1", 0.4, 0.3, 5},
+    {ParameterKind::kNetSlope, "1/rad", 0.4, 0.3, 5}};
+
+const KindRow& row_of(ParameterKind kind) {
+  return *std::find_if(std::begin(kKinds), std::end(kKinds),
+                       [&](const KindRow& row) { return row.kind == kind; });
 }
 
 /// Collects parameters with the default belief of their kind.
@@ -74,7 +68,7 @@ class Lister {
  private:
   void add(std::string name, ParameterKind kind, int item, int point, int component,
            double mean = 0) {
-    const Belief b = belief(kind);
+    const KindRow& b = row_of(kind);
     list_.push_back({std::move(name), kind, item, point, component, mean, b.sd, b.between_sd,
                      mean - b.range, mean + b.range});
   }
@@ -192,31 +186,7 @@ class Lister {
 
 }  // namespace
 
-std::string display_unit(const Parameter& parameter) {
-  switch (parameter.kind) {
-    case ParameterKind::kAxisDirection:
-    case ParameterKind::kSensorTilt:
-    case ParameterKind::kAngle:
-    case ParameterKind::kPostureAngle:
-      return "deg";
-    case ParameterKind::kHoodSlope:
-    case ParameterKind::kNetSlope:
-      return "1/rad";
-    case ParameterKind::kHoodEntry:
-    case ParameterKind::kHoodCentral:
-    case ParameterKind::kFriction:
-    case ParameterKind::kGain:
-    case ParameterKind::kTipForce:
-    case ParameterKind::kPostureForce:
-    case ParameterKind::kNetStiffness:
-    case ParameterKind::kNetSlack:
-    case ParameterKind::kNetEntry:
-    case ParameterKind::kNetCentral:
-      return "1";
-    default:
-      return "mm";
-  }
-}
+std::string display_unit(const Parameter& parameter) { return row_of(parameter.kind).unit; }
 
 double display_scale(const Parameter& parameter) {
   const std::string unit = display_unit(parameter);

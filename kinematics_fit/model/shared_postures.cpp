@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
 #include "base/units.h"
 
 namespace thenar {
@@ -57,10 +58,7 @@ bool stands_elsewhere(const PostureRecord& posture, const std::string& specimen,
 }  // namespace
 
 const PostureRecord* find_posture(const Experiment& experiment, const std::string& name) {
-  const auto& all = experiment.postures;
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  return find_named(experiment.postures, name);
 }
 
 bool same_posture(const PostureRecord* a, const PostureRecord* b) {
@@ -69,8 +67,7 @@ bool same_posture(const PostureRecord* a, const PostureRecord* b) {
   const auto alike = [&](const auto& joint) {
     return std::abs(angle_of(*a, joint.first) - angle_of(*b, joint.first)) <= kSame;
   };
-  return std::all_of(a->angles.begin(), a->angles.end(), alike) &&
-         std::all_of(b->angles.begin(), b->angles.end(), alike);
+  return all_of(a->angles, alike) && all_of(b->angles, alike);
 }
 
 FitParameters share_same_postures(FitParameters parameters,

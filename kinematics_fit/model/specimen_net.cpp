@@ -1,7 +1,6 @@
 #include "kinematics_fit/model/specimen_net.h"
 
-#include <algorithm>
-#include <cmath>
+#include "base/lists.h"
 
 namespace thenar {
 
@@ -12,12 +11,11 @@ bool lies_at(const PathNode<double>& point, int link, const Eigen::Vector3d& p) 
 }
 
 bool pulls_net(const BuiltNet& built, const Eigen::VectorXd& t) {
-  return std::any_of(built.pulls.begin(), built.pulls.end(),
-                     [&](const MuscleAttachment& pull) { return t[pull.muscle] > 0; });
+  return any_of(built.pulls, [&](const MuscleAttachment& pull) { return t[pull.muscle] > 0; });
 }
 
 std::optional<double> first_share(const BuiltNet& built, int m) {
-  const NetMuscle& muscle = built.muscles[static_cast<std::size_t>(m)];
+  const NetMuscle& muscle = built.muscles[m];
   std::vector<double> shares;
   for (const MuscleAttachment& pull : built.pulls)
     if (pull.muscle == muscle.muscle) shares.push_back(pull.share / muscle.to_net);
@@ -32,19 +30,18 @@ BuiltNet built_net(const SpecimenNet<double>& net, double angle) {
   // Nodes, bands and surfaces.
   for (std::size_t i = 0; i < out.net.nodes.size(); ++i) out.net.nodes[i].p = net.place[i];
   for (std::size_t b = 0; b < out.net.bands.size(); ++b) {
-    out.net.bands[b].EA = net.EA[static_cast<Eigen::Index>(b)];
-    out.net.bands[b].slack = net.slack[static_cast<Eigen::Index>(b)];
+    out.net.bands[b].EA = net.EA[b];
+    out.net.bands[b].slack = net.slack[b];
   }
   for (std::size_t s = 0; s < out.net.surfaces.size(); ++s)
-    out.net.surfaces[s].size[0] = net.radius[static_cast<Eigen::Index>(s)];
+    out.net.surfaces[s].size[0] = net.radius[s];
   // Muscles, and their shares in the pulls.
   for (std::size_t m = 0; m < out.muscles.size(); ++m) {
-    out.muscles[m].to_net = net.to_net[static_cast<Eigen::Index>(m)];
+    out.muscles[m].to_net = net.to_net[m];
     out.muscles[m].own = net.own[m];
   }
   const Eigen::VectorXd shares = pull_shares(net, angle);
-  for (std::size_t p = 0; p < out.pulls.size(); ++p)
-    out.pulls[p].share = shares[static_cast<Eigen::Index>(p)];
+  for (std::size_t p = 0; p < out.pulls.size(); ++p) out.pulls[p].share = shares[p];
   return out;
 }
 

@@ -44,19 +44,18 @@ template <typename T>
   to.EA.resize(static_cast<Eigen::Index>(net.bands.size()));
   to.slack.resize(to.EA.size());
   for (Eigen::Index b = 0; b < to.EA.size(); ++b) {
-    to.EA[b] = T(net.bands[static_cast<std::size_t>(b)].EA);
-    to.slack[b] = T(net.bands[static_cast<std::size_t>(b)].slack);
+    to.EA[b] = T(net.bands[b].EA);
+    to.slack[b] = T(net.bands[b].slack);
   }
   to.radius.resize(static_cast<Eigen::Index>(net.surfaces.size()));
-  for (Eigen::Index s = 0; s < to.radius.size(); ++s)
-    to.radius[s] = T(net.surfaces[static_cast<std::size_t>(s)].size[0]);
+  for (Eigen::Index s = 0; s < to.radius.size(); ++s) to.radius[s] = T(net.surfaces[s].size[0]);
   // Muscles that pull it.
   to.to_net.resize(static_cast<Eigen::Index>(from->muscles.size()));
   to.first.resize(to.to_net.size());
   to.slope = VectorX<T>::Zero(to.to_net.size());
   for (std::size_t m = 0; m < from->muscles.size(); ++m) {
-    to.to_net[static_cast<Eigen::Index>(m)] = T(from->muscles[m].to_net);
-    to.first[static_cast<Eigen::Index>(m)] = T(first_share(*from, static_cast<int>(m)).value_or(1));
+    to.to_net[m] = T(from->muscles[m].to_net);
+    to.first[m] = T(first_share(*from, static_cast<int>(m)).value_or(1));
     to.own.emplace_back();
     for (const PathNode<double>& node : from->muscles[m].own)
       to.own.back().push_back({node.link, node.p.template cast<T>()});
@@ -137,7 +136,7 @@ template <typename T>
       if (built.pulls[p].muscle != built.muscles[m].muscle) continue;
       const T part = divided ? (is_first ? first : T(1) - first)
                              : T(built.pulls[p].share / built.muscles[m].to_net);
-      shares[static_cast<Eigen::Index>(p)] = part * net.to_net[at];
+      shares[p] = part * net.to_net[at];
       is_first = false;
     }
   }
@@ -149,8 +148,7 @@ template <typename T>
 template <typename T>
 [[nodiscard]] VectorX<T> net_pulls(const SpecimenNet<T>& net, const T& angle, const VectorX<T>& t) {
   VectorX<T> pulls = pull_shares(net, angle);
-  for (Eigen::Index p = 0; p < pulls.size(); ++p)
-    pulls[p] *= t[net.built->pulls[static_cast<std::size_t>(p)].muscle];
+  for (Eigen::Index p = 0; p < pulls.size(); ++p) pulls[p] *= t[net.built->pulls[p].muscle];
   return pulls;
 }
 
@@ -160,7 +158,7 @@ template <typename T>
 void take_outside_arms(const SpecimenNet<T>& net, const Tree<T>& tree, const TreeState<T>& state,
                        MatrixX<T>& R) {
   for (std::size_t m = 0; m < net.own.size(); ++m) {
-    const T& share = net.to_net[static_cast<Eigen::Index>(m)];
+    const T& share = net.to_net[m];
     const int row = net.built->muscles[m].muscle;
     R.row(row) = (T(1) - share) * R.row(row) +
                  share * moment_arms(tree, state, net.own[m], static_cast<int>(R.cols()));

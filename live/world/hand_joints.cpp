@@ -27,7 +27,7 @@ int first_moved_link(const Hand& hand, const Eigen::VectorXd& q, int coordinate)
 
 /// Returns true if a link is `root` or hangs on it.
 bool hangs_on(const HandLayout& layout, int link, int root) {
-  while (link > root) link = layout.parents[static_cast<std::size_t>(link)];
+  while (link > root) link = layout.parents[link];
   return link == root;
 }
 
@@ -51,7 +51,7 @@ HandJoint joint_at(const Hand& hand, const Eigen::VectorXd& q, int coordinate, i
   // The column of the Jacobian tells turning (w) from sliding (v).
   const Eigen::Matrix<double, 6, 1> column = column_of(hand, q, link, coordinate);
   const Eigen::Vector3d w = column.head<3>(), v = column.tail<3>();
-  const Pose<double> X = hand.pose(q)[static_cast<std::size_t>(link)];
+  const Pose<double> X = hand.pose(q)[link];
   joint.slides = w.norm() <= kStill;
   // Along the way of a slide, through the middle of what slides.
   const Eigen::Vector3d middle = middle_of_link(hand, link);
@@ -62,8 +62,7 @@ HandJoint joint_at(const Hand& hand, const Eigen::VectorXd& q, int coordinate, i
   }
   // A screw motion has v along w, and no axis in the sense of a joint.
   require(std::abs(w.dot(v)) <= 1e-9 * w.norm() * std::max(v.norm(), w.norm()),
-          "joint '{}' turns and slides at once",
-          hand.layout().coordinates[static_cast<std::size_t>(coordinate)]);
+          "joint '{}' turns and slides at once", hand.layout().coordinates[coordinate]);
   // The axis of a turn, at the point nearest to what turns.
   joint.axis = X.R.transpose() * w.normalized();
   const Eigen::Vector3d on_axis = X.inverse() * (X.p + w.cross(v) / w.squaredNorm());
@@ -93,8 +92,7 @@ std::vector<JointLead> joint_leads(const Hand& hand) {
     for (std::size_t i = 1; i < drive.moves.size(); ++i) {
       const DrivenCoordinate &first = drive.moves.front(), &other = drive.moves[i];
       if (other.coordinate != first.coordinate && first.ratio != 0)
-        leads[static_cast<std::size_t>(other.coordinate)] = {first.coordinate,
-                                                             other.ratio / first.ratio};
+        leads[other.coordinate] = {first.coordinate, other.ratio / first.ratio};
     }
   return leads;
 }

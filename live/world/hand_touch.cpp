@@ -16,8 +16,7 @@ bool may_touch(const StateHand& hand, const StateBody& body, double within) {
   const Eigen::Vector3d there = body.X_WB * other.c;
   for (std::size_t s = 0; s < balls.size(); ++s) {
     const int link = surfaces[s].link;
-    const Eigen::Vector3d in_hand =
-        link < 0 ? balls[s].c : links[static_cast<std::size_t>(link)] * balls[s].c;
+    const Eigen::Vector3d in_hand = link < 0 ? balls[s].c : links[link] * balls[s].c;
     if ((hand.stand.X_WH * in_hand - there).norm() <= balls[s].r + other.r + within) return true;
   }
   return false;

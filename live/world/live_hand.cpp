@@ -185,8 +185,7 @@ void add_hand_shape(const LiveHand& hand, const std::string& name, const std::st
     out.slides = joint.slides;
     out.lower = layout.lower[joint.coordinate];
     out.upper = layout.upper[joint.coordinate];
-    if (hand.leads[c].leader >= 0)
-      out.led_by = layout.coordinates[static_cast<std::size_t>(hand.leads[c].leader)];
+    if (hand.leads[c].leader >= 0) out.led_by = layout.coordinates[hand.leads[c].leader];
     shape.joints.push_back(std::move(out));
   }
   for (const HandTendon& tendon : hand.tendons)
@@ -198,8 +197,7 @@ void add_hand_instant(const LiveHand& hand, const HandStand& stand, LiveInstant&
   // Pose the links once, in the frame of the hand, then move all with its base.
   const std::vector<Pose<double>> links = hand.model().pose(stand.q);
   for (const HandBody& body : hand.bodies)
-    instant.bodies.push_back(
-        body.link < 0 ? stand.X_WH : stand.X_WH * links[static_cast<std::size_t>(body.link)]);
+    instant.bodies.push_back(body.link < 0 ? stand.X_WH : stand.X_WH * links[body.link]);
   for (const HandJoint& joint : hand.joints) instant.joints.push_back(stand.q[joint.coordinate]);
   // Nobody says what tendons pull in a world: their tensions are unknown.
   for (const Eigen::Vector3d& p : tendon_points(hand.model(), hand.tendons, stand.q))

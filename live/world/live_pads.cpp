@@ -147,7 +147,7 @@ void add_press(const BedPress& press, double load, const Pose<double>& X_WP, Pad
   for (Eigen::Index i = 0; i < columns.area.size(); ++i) {
     const double normal = state.normal_force[i];
     if (normal <= 0) continue;
-    const bool sticks = shares.sticks[static_cast<std::size_t>(i)];
+    const bool sticks = shares.sticks[i];
     pad.points.push_back({X_WP * columns.skin.col(i), normal / columns.area[i], sticks});
     sticking += sticks ? normal : 0;
   }
@@ -188,7 +188,7 @@ std::optional<PadOnObject> pressed_pad(const GraspResult& grasp, const ContactPa
   const GraspBody& object = grasp.setting.setup.object;
   const int s = patch.contacts[0].surface;
   const Hand& hand = *grasp.collision_hand.hand;
-  const LinkSurface& surface = hand.surfaces()[static_cast<std::size_t>(s)];
+  const LinkSurface& surface = hand.surfaces()[s];
   const std::optional<FoundationConstants> springs =
       springs_of(grasp.setting.setup.materials.at(surface.material));
   if (!springs) return std::nullopt;
@@ -271,8 +271,7 @@ LivePads press_pads(const LiveWorld& live, const LivePair& pair, double force) {
       out.pads.push_back(std::move(*pad));
       continue;
     }
-    const LinkSurface& surface =
-        grasp.collision_hand.hand->surfaces()[static_cast<std::size_t>(patch.contacts[0].surface)];
+    const LinkSurface& surface = grasp.collision_hand.hand->surfaces()[patch.contacts[0].surface];
     out.reasons.push_back(fmt::format("{} is of {}, which has no soft layer: it has no pad",
                                       surface.name, surface.material));
   }

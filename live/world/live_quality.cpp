@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "grasp/closing/describe_grasp.h"
 #include "grasp/compare/grasp_loads.h"
 
@@ -25,18 +26,13 @@ std::vector<HandContact> contacts_at(const LiveWorld& live, const LiveMeeting& m
   return find_contacts(posed(meeting), meeting.setup, {}, pads);
 }
 
-const LinkSurface& surface_named(const LiveMeeting& meeting, const std::string& name) {
-  const std::vector<LinkSurface>& surfaces = meeting.stands.built->model().surfaces();
-  return *std::find_if(surfaces.begin(), surfaces.end(),
-                       [&](const LinkSurface& surface) { return surface.name == name; });
-}
-
 std::vector<std::string> deep_overlaps(const LiveMeeting& meeting) {
   // Soft layers may overlap by their thickness; only deeper overlaps are errors.
   std::vector<std::string> warnings;
   for (const Overlap& overlap : find_overlaps(posed(meeting), meeting.setup, 1e-5)) {
     const double soft =
-        soft_layer(surface_named(meeting, overlap.surface), meeting.setup.materials);
+        soft_layer(*find_named(meeting.stands.built->model().surfaces(), overlap.surface),
+                   meeting.setup.materials);
     if (overlap.depth > std::max(kDeepOverlap, soft))
       warnings.push_back(fmt::format("{} is {:.1f} mm deep in {}", overlap.surface,
                                      1000 * overlap.depth, overlap.other));
@@ -57,8 +53,7 @@ WorldCase case_of(const LiveWorld& live, const LiveMeeting& meeting) {
   setting.hand.X_WH = meeting.stands.stand.X_WH;
   setting.hand.q = meeting.stands.stand.q;
   setting.hand.named.name = name_of(state, meeting.stands);
-  for (std::string& warning : bare_body_warnings(setting.world))
-    setting.hand.named.warnings.push_back(std::move(warning));
+  append_all(setting.hand.named.warnings, bare_body_warnings(setting.world));
   setting.files = setting.world.files;
   setting.files.insert(setting.hand.named.files.begin(), setting.hand.named.files.end());
   return setting;
@@ -87,8 +82,7 @@ LiveContacts contacts_of(const LiveWorld& live, const LivePair& pair) {
   out.contacts = contacts_at(live, meeting);
   out.X_WO = meeting.setup.object.X_WB;
   for (const HandContact& contact : out.contacts)
-    out.links.push_back(
-        meeting.stands.built->model().surfaces()[static_cast<std::size_t>(contact.surface)].name);
+    out.links.push_back(meeting.stands.built->model().surfaces()[contact.surface].name);
   out.warnings = deep_overlaps(meeting);
   return out;
 }

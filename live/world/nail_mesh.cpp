@@ -88,9 +88,9 @@ std::vector<Eigen::Vector3d> vertex_normals(const GrowingMesh& mesh) {
   // Sum the normals of triangles weighted by their area, so that slivers hardly count.
   std::vector<Eigen::Vector3d> normals(mesh.vertices.size(), Eigen::Vector3d::Zero());
   for (const Eigen::Vector3i& t : mesh.triangles) {
-    const auto corner = [&](int i) { return mesh.vertices[static_cast<std::size_t>(t[i])]; };
+    const auto corner = [&](int i) { return mesh.vertices[t[i]]; };
     const Eigen::Vector3d n = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-    for (int i = 0; i < 3; ++i) normals[static_cast<std::size_t>(t[i])] += n;
+    for (int i = 0; i < 3; ++i) normals[t[i]] += n;
   }
   for (Eigen::Vector3d& n : normals)
     if (n.norm() > 0) n.normalize();
@@ -101,10 +101,8 @@ TriangleMesh packed(const GrowingMesh& mesh) {
   TriangleMesh out;
   out.vertices.resize(3, static_cast<Eigen::Index>(mesh.vertices.size()));
   out.triangles.resize(3, static_cast<Eigen::Index>(mesh.triangles.size()));
-  for (Eigen::Index i = 0; i < out.vertices.cols(); ++i)
-    out.vertices.col(i) = mesh.vertices[static_cast<std::size_t>(i)];
-  for (Eigen::Index i = 0; i < out.triangles.cols(); ++i)
-    out.triangles.col(i) = mesh.triangles[static_cast<std::size_t>(i)];
+  for (Eigen::Index i = 0; i < out.vertices.cols(); ++i) out.vertices.col(i) = mesh.vertices[i];
+  for (Eigen::Index i = 0; i < out.triangles.cols(); ++i) out.triangles.col(i) = mesh.triangles[i];
   return out;
 }
 
@@ -115,7 +113,7 @@ void add_rim(GrowingMesh& mesh, const std::vector<Eigen::Vector3d>& below) {
   std::map<int, int> feet;  // raised vertex -> its foot on the skin
   const auto foot_of = [&](int vertex) {
     const auto [at, fresh] = feet.emplace(vertex, 0);
-    if (fresh) at->second = mesh.add(below[static_cast<std::size_t>(vertex)]);
+    if (fresh) at->second = mesh.add(below[vertex]);
     return at->second;
   };
   for_each_edge(sides, [&](const MeshSide* first, const MeshSide* last) {

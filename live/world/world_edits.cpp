@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -110,7 +109,7 @@ Pose<double> pose_for(const WorldState& state, const OwnBalls& balls, const Want
 
 /// The joint that leads the drive of a joint: itself, unless another one does.
 int leader_of(const LiveHand& hand, int coordinate) {
-  const int leader = hand.leads[static_cast<std::size_t>(coordinate)].leader;
+  const int leader = hand.leads[coordinate].leader;
   return leader < 0 ? coordinate : leader;
 }
 
@@ -125,12 +124,11 @@ void put_joints(const LiveHand& hand, const std::vector<std::pair<int, double>>&
   for (const auto& [c, value] : named) {
     const int leader = leader_of(hand, c);
     if (c != leader && named_of_drive[leader] > 1) continue;
-    const double ratio = c == leader ? 1 : hand.leads[static_cast<std::size_t>(c)].ratio;
+    const double ratio = c == leader ? 1 : hand.leads[c].ratio;
     if (ratio == 0) continue;
     q[leader] = value / ratio;
     for (std::size_t f = 0; f < hand.leads.size(); ++f)
-      if (hand.leads[f].leader == leader)
-        q[static_cast<Eigen::Index>(f)] = hand.leads[f].ratio * q[leader];
+      if (hand.leads[f].leader == leader) q[f] = hand.leads[f].ratio * q[leader];
   }
   for (const auto& [c, value] : named) q[c] = value;
 }
@@ -141,8 +139,7 @@ std::vector<std::string> parted_joints(const LiveHand& hand, const Eigen::Vector
   std::vector<std::string> parted;
   for (std::size_t f = 0; f < hand.leads.size(); ++f) {
     const JointLead& lead = hand.leads[f];
-    if (lead.leader >= 0 &&
-        std::abs(q[static_cast<Eigen::Index>(f)] - lead.ratio * q[lead.leader]) > kSame)
+    if (lead.leader >= 0 && std::abs(q[f] - lead.ratio * q[lead.leader]) > kSame)
       parted.push_back(hand.model().layout().coordinates[f]);
   }
   return parted;
@@ -270,8 +267,7 @@ std::map<std::string, double> joints_of(const WorldState& state, std::size_t han
   const StateHand& found = state.hands[hand];
   const std::vector<std::string>& names = found.built->model().layout().coordinates;
   std::map<std::string, double> joints;
-  for (std::size_t c = 0; c < names.size(); ++c)
-    joints[names[c]] = found.stand.q[static_cast<Eigen::Index>(c)];
+  for (std::size_t c = 0; c < names.size(); ++c) joints[names[c]] = found.stand.q[c];
   return joints;
 }
 
@@ -292,7 +288,7 @@ SetJoints set_joints(LiveWorld& live, const std::string& hand,
   SetJoints set;
   for (Eigen::Index c = 0; c < q.size(); ++c) {
     const double inside = std::clamp(q[c], layout.lower[c], layout.upper[c]);
-    if (inside != q[c]) set.limited.push_back(layout.coordinates[static_cast<std::size_t>(c)]);
+    if (inside != q[c]) set.limited.push_back(layout.coordinates[c]);
     q[c] = inside;
   }
   // An empty request changes nothing, and makes no step to undo.

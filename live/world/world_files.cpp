@@ -5,8 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "api/named/portable_world.h"
 #include "base/error.h"
 #include "base/inside_folder.h"

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <set>
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 

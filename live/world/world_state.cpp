@@ -5,14 +5,11 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 
 namespace thenar {
 namespace {
-
-bool has_name(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 /// The entry of a name, or the only one. @param kind  "hand";  @param member  of requests: "hand"
 std::size_t entry_named(const std::vector<std::string>& names, const std::string& name,
@@ -81,9 +78,7 @@ const std::string& root_of(const WorldState& state, const StateHand& hand) {
 }
 
 std::vector<std::string> hand_names(const WorldState& state) {
-  std::vector<std::string> names;
-  for (const StateHand& hand : state.hands) names.push_back(name_of(state, hand));
-  return names;
+  return transformed(state.hands, [&](const StateHand& hand) { return name_of(state, hand); });
 }
 
 std::vector<std::string> object_names(const WorldState& state) {
@@ -94,20 +89,19 @@ std::vector<std::string> object_names(const WorldState& state) {
 }
 
 std::vector<std::string> body_names(const WorldState& state) {
-  std::vector<std::string> names;
-  for (const StateBody& body : state.bodies) names.push_back(body.built->placed.body.name);
-  return names;
+  return transformed(state.bodies,
+                     [&](const StateBody& body) { return body.built->placed.body.name; });
 }
 
 std::size_t hand_index(const WorldState& state, const std::string& name) {
   // Old names of versions of the human hand count as well.
   const std::vector<std::string> names = hand_names(state);
-  return entry_named(names, has_name(names, name) ? name : current_hand_name(name), "hand");
+  return entry_named(names, contains(names, name) ? name : current_hand_name(name), "hand");
 }
 
 std::size_t object_index(const WorldState& state, const std::string& name) {
   const std::vector<std::string> all = body_names(state), objects = object_names(state);
-  require(!has_name(all, name) || has_name(objects, name),
+  require(!contains(all, name) || contains(objects, name),
           "body '{}' is an obstacle, wanted an object; there are {}", name, listed(objects));
   const std::string& found = objects[entry_named(objects, name, "object")];
   return static_cast<std::size_t>(std::find(all.begin(), all.end(), found) - all.begin());
@@ -116,9 +110,9 @@ std::size_t object_index(const WorldState& state, const std::string& name) {
 std::string free_name(const WorldState& state, const std::string& wanted) {
   std::vector<std::string> taken = body_names(state);
   for (const PlacedHand& hand : state.placed) taken.push_back(hand.name);
-  if (!has_name(taken, wanted)) return wanted;
+  if (!contains(taken, wanted)) return wanted;
   for (int number = 2;; ++number)
-    if (std::string name = fmt::format("{} {}", wanted, number); !has_name(taken, name))
+    if (std::string name = fmt::format("{} {}", wanted, number); !contains(taken, name))
       return name;
 }
 

@@ -22,7 +22,7 @@ std::vector<NeighbouringAxes> moving_axes(const HandPosterior& posterior) {
   std::vector<NeighbouringAxes> pairs = neighbouring_axes(problem.digit());
   const auto stands_still = [&](const NeighbouringAxes& pair) {
     return std::none_of(moving.begin(), moving.end(), [&](int p) {
-      const Parameter& parameter = problem.parameters().all[static_cast<std::size_t>(p)];
+      const Parameter& parameter = problem.parameters().all[p];
       return moves_axis(parameter, pair.first) || moves_axis(parameter, pair.second);
     });
   };

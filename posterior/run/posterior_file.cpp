@@ -7,13 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "base/provenance.h"
 #include "data/io/result_layout.h"
 #include "posterior/hand_posterior.h"
 #include "posterior/run/posterior_groups.h"
 #include "posterior/run/posterior_quantities.h"
-#include "posterior/run/sample_posterior.h"
 
 namespace thenar::internal {
 namespace {
@@ -22,6 +20,32 @@ void add_source(const std::string& key, const SourceText& source, Attributes& to
   to[key + "_path"] = source.path;
   to[key + "_text"] = source.text;
   to[key + "_sha256"] = sha256(source.text);
+}
+
+/// Hands each number of the settings with its name to a function that writes or reads it.
+template <typename Settings, typename Use>
+void each_setting(Settings& settings, const Use& use) {
+  // Priors and modes.
+  auto& options = settings.posterior;
+  use("learn_noise", options.learn_noise);
+  use("noise_sd", options.noise_sd);
+  use("learn_spread", options.learn_specimen_scale);
+  use("spread_sd", options.specimen_scale_sd);
+  use("sphere_priors", options.sphere_priors);
+  use("mode_starts", settings.mode_starts);
+  // Sampler, chains and temperatures.
+  auto& run = settings.run;
+  use("seed", run.sampler.seed);
+  use("warm_up", run.sampler.warm_up);
+  use("target_acceptance", run.sampler.target_acceptance);
+  use("max_depth", run.sampler.max_depth);
+  use("groups", run.groups);
+  use("walkers", run.walkers);
+  use("temperatures", run.temperatures);
+  use("least_temper", run.min_beta);
+  use("swap_every", run.swap_every);
+  use("thin", run.thin);
+  use("draws", run.draws);
 }
 
 }  // namespace
@@ -37,32 +61,10 @@ void add_inputs(const FitInputs& inputs, Attributes& to) {
 }
 
 void add_settings(const PosteriorSettings& settings, Attributes& to) {
-  const RunOptions& run = settings.run;
-  const PosteriorOptions& options = settings.posterior;
-  const auto add = [&](const std::string& name, auto value) {
-    to["setting_" + name] = fmt::format("{}", value);
-  };
-  // Sampler.
-  add("sampler", name_of(run.method));
-  add("seed", run.sampler.seed);
-  add("warm_up", run.sampler.warm_up);
-  add("target_acceptance", run.sampler.target_acceptance);
-  add("max_depth", run.sampler.max_depth);
-  // Chains and temperatures.
-  add("groups", run.groups);
-  add("walkers", run.walkers);
-  add("temperatures", run.temperatures);
-  add("least_temper", run.min_beta);
-  add("swap_every", run.swap_every);
-  add("thin", run.thin);
-  add("draws", run.draws);
-  // Modes and priors.
-  add("mode_starts", settings.mode_starts);
-  add("learn_noise", options.learn_noise ? 1 : 0);
-  add("noise_sd", options.noise_sd);
-  add("learn_spread", options.learn_specimen_scale ? 1 : 0);
-  add("spread_sd", options.specimen_scale_sd);
-  add("sphere_priors", options.sphere_priors ? 1 : 0);
+  to["setting_sampler"] = name_of(settings.run.method);
+  each_setting(settings, [&](const std::string& name, auto value) {
+    to["setting_" + name] = fmt::format("{}", +value);
+  });
 }
 
 void add_record(const RunRecord& run, Attributes& to) {
@@ -90,26 +92,13 @@ FitInputs inputs_of(const AttributeReader& given) {
 }
 
 PosteriorSettings settings_of(const AttributeReader& given) {
-  // Priors and modes.
   PosteriorSettings settings;
-  settings.posterior = {given.integer("learn_noise") != 0, given.number("noise_sd"),
-                        given.integer("learn_spread") != 0, given.number("spread_sd"),
-                        given.integer("sphere_priors") != 0};
-  settings.mode_starts = given.integer("mode_starts");
-  // Sampler, chains and temperatures.
-  RunOptions& run = settings.run;
-  run.method = sampling_method(given.text("setting_sampler"));
-  run.sampler.seed = static_cast<unsigned>(given.number("seed"));
-  run.sampler.warm_up = static_cast<long>(given.number("warm_up"));
-  run.sampler.target_acceptance = given.number("target_acceptance");
-  run.sampler.max_depth = given.integer("max_depth");
-  run.groups = given.integer("groups");
-  run.walkers = given.integer("walkers");
-  run.temperatures = given.integer("temperatures");
-  run.min_beta = given.number("least_temper");
-  run.swap_every = given.integer("swap_every");
-  run.thin = given.integer("thin");
-  run.draws = static_cast<long>(given.number("draws"));
+  settings.run.method = sampling_method(given.text("setting_sampler"));
+  each_setting(settings, [&](const char* name, auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    value = std::is_same_v<Value, bool> ? Value(given.integer(name) != 0)
+                                        : static_cast<Value>(given.number(name));
+  });
   return settings;
 }
 
@@ -235,23 +224,14 @@ std::vector<std::vector<StepStats>> stats_of(const InferenceFile& file, std::siz
                                              std::size_t draws) {
   // Each array into one field of all steps.
   std::vector<std::vector<StepStats>> stats(chains, std::vector<StepStats>(draws));
-  const auto fill = [&](const std::string& name, auto StepStats::*field) {
+  internal::each_step_field([&](const char* name, const char*, auto StepStats::*field) {
     const std::vector<double>& values = array(file, "sample_stats", name).values;
     for (std::size_t c = 0; c < chains; ++c)
       for (std::size_t k = 0; k < draws; ++k) {
         auto& to = stats[c][k].*field;
         to = static_cast<std::decay_t<decltype(to)>>(values[c * draws + k]);
       }
-  };
-  fill("log_prior", &StepStats::log_prior);
-  fill("log_likelihood", &StepStats::log_likelihood);
-  fill("acceptance_rate", &StepStats::acceptance);
-  fill("step_size", &StepStats::step_size);
-  fill("energy", &StepStats::energy);
-  fill("tree_depth", &StepStats::depth);
-  fill("n_steps", &StepStats::evaluations);
-  fill("broken", &StepStats::non_finite);
-  fill("diverging", &StepStats::divergent);
+  });
   return stats;
 }
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-
-#include <fmt/format.h>
+#include <type_traits>
 
 #include "kinematics_fit/prediction.h"
 #include "posterior/hand_posterior.h"
@@ -66,8 +65,7 @@ void add_names(InferenceGroup& group, const std::string& dimension,
 Eigen::MatrixXd family_rows(const Eigen::MatrixXd& all, const std::vector<Eigen::Index>& rows,
                             double scale) {
   Eigen::MatrixXd picked(static_cast<Eigen::Index>(rows.size()), all.cols());
-  for (Eigen::Index i = 0; i < picked.rows(); ++i)
-    picked.row(i) = scale * all.row(rows[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < picked.rows(); ++i) picked.row(i) = scale * all.row(rows[i]);
   return picked;
 }
 
@@ -84,8 +82,7 @@ std::vector<Family> families(const HandPosterior& posterior) {
   const std::vector<int> moving = posterior.moving_parameters();
   for (std::size_t row = 0; row < moving.size(); ++row) {
     // Kinds become names of variables.
-    const Parameter& p =
-        posterior.problem().parameters().all[static_cast<std::size_t>(moving[row])];
+    const Parameter& p = posterior.problem().parameters().all[moving[row]];
     std::string name = name_of(p.kind);
     std::replace(name.begin(), name.end(), '/', '_');
     // The family of this kind, made when it is first met.
@@ -192,23 +189,12 @@ InferenceGroup statistics_group(const PosteriorRun& run) {
 
   // Densities.
   add("lp", "log posterior", [](const StepStats& s) { return s.log_prior + s.log_likelihood; });
-  add("log_prior", "log prior", [](const StepStats& s) { return s.log_prior; });
-  add("log_likelihood", "log likelihood", [](const StepStats& s) { return s.log_likelihood; });
-  // The sampler's own figures.
-  add("acceptance_rate", "mean probability of acceptance",
-      [](const StepStats& s) { return s.acceptance; });
-  add("step_size", "of the leapfrog", [](const StepStats& s) { return s.step_size; });
-  add("energy", "Hamiltonian", [](const StepStats& s) { return s.energy; });
-  add("tree_depth", "of the trajectory", [](const StepStats& s) { return s.depth; }).integer = true;
-  add("n_steps", "densities asked for", [](const StepStats& s) { return s.evaluations; }).integer =
-      true;
-  // Counts and flags.
-  add("broken", "densities that were NaN", [](const StepStats& s) {
-    return s.non_finite;
-  }).integer = true;
-  add("diverging", "energy error above 1000", [](const StepStats& s) {
-    return s.divergent ? 1 : 0;
-  }).boolean = true;
+  each_step_field([&](const char* name, const char* description, auto StepStats::*field) {
+    InferenceArray& array = add(name, description, [&](const StepStats& s) { return s.*field; });
+    using Value = std::decay_t<decltype(StepStats().*field)>;
+    array.integer = std::is_same_v<Value, int>;
+    array.boolean = std::is_same_v<Value, bool>;
+  });
   return group;
 }
 

@@ -14,6 +14,20 @@ namespace thenar::internal {
                                              const Eigen::MatrixXd& x, int chains);
 /// Draws of x as sampled, in prior sds [1].
 [[nodiscard]] InferenceGroup coordinate_group(const PosteriorRun& run);
+/// Hands each recorded field of StepStats with its name and what it is to a function that writes or
+/// reads it.
+template <typename Use>
+void each_step_field(const Use& use) {
+  use("log_prior", "log prior", &StepStats::log_prior);
+  use("log_likelihood", "log likelihood", &StepStats::log_likelihood);
+  use("acceptance_rate", "mean probability of acceptance", &StepStats::acceptance);
+  use("step_size", "of the leapfrog", &StepStats::step_size);
+  use("energy", "Hamiltonian", &StepStats::energy);
+  use("tree_depth", "of the trajectory", &StepStats::depth);
+  use("n_steps", "densities asked for", &StepStats::evaluations);
+  use("broken", "densities that were NaN", &StepStats::non_finite);
+  use("diverging", "energy error above 1000", &StepStats::divergent);
+}
 /// Statistics of every recorded step, see StepStats.
 [[nodiscard]] InferenceGroup statistics_group(const PosteriorRun& run);
 /// Log likelihood of every trial and every row of muscle activations [1].

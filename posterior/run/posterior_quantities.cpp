@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
 #include "kinematics_fit/prediction.h"
 #include "posterior/hand_posterior.h"
 
@@ -40,7 +41,7 @@ std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int
                                   const Eigen::MatrixXd& before) {
     for (Eigen::Index i = 0; i < drawn.rows(); ++i) {
       // In display units.
-      const auto at = static_cast<std::size_t>(moving[static_cast<std::size_t>(i)]);
+      const auto at = static_cast<std::size_t>(moving[i]);
       const Parameter& p = problem.parameters().all[at];
       const double scale = display_scale(p);
       // A mounting belongs to one specimen: the population has none of its own.
@@ -60,8 +61,8 @@ std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int
   const auto add_factors = [&](const std::string& kind, const std::vector<std::string>& names,
                                const Eigen::MatrixXd& drawn, const Eigen::MatrixXd& before) {
     for (Eigen::Index i = 0; i < drawn.rows(); ++i)
-      found.push_back({kind + names[static_cast<std::size_t>(i)], "1",
-                       by_chain(drawn.row(i), chains), before.row(i).transpose()});
+      found.push_back(
+          {kind + names[i], "1", by_chain(drawn.row(i), chains), before.row(i).transpose()});
   };
   if (run.settings.posterior.learn_noise)
     add_factors("noise/", experiment_names(problem), values.noise, prior.noise);
@@ -93,11 +94,8 @@ std::vector<std::string> observation_names(const FitProblem& problem, Observed w
 
 std::vector<Estimate> estimates_of(const std::vector<PosteriorQuantity>& quantities,
                                    const std::vector<int>& group) {
-  std::vector<Estimate> estimates;
-  estimates.reserve(quantities.size());
-  for (const PosteriorQuantity& q : quantities)
-    estimates.push_back(estimate(q.name, q.draws, group));
-  return estimates;
+  return transformed(quantities,
+                     [&](const PosteriorQuantity& q) { return estimate(q.name, q.draws, group); });
 }
 
 }  // namespace thenar

@@ -23,7 +23,7 @@ Eigen::VectorXd specimen_scale_of(const HandPosterior& posterior, const FitParam
   const std::vector<std::string> kinds = posterior.specimen_scale_kinds();
   Eigen::VectorXd factor = Eigen::VectorXd::Ones(parameters.coordinates());
   for (int c = 0; c < parameters.coordinates(); ++c) {
-    const ParameterKind kind = parameters.all[static_cast<std::size_t>(parameters.leader[c])].kind;
+    const ParameterKind kind = parameters.all[parameters.leader[c]].kind;
     const auto found = std::find(kinds.begin(), kinds.end(), name_of(kind));
     if (found != kinds.end()) factor[c] = values.specimen_scale(found - kinds.begin(), draw);
   }
@@ -54,7 +54,7 @@ Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values
                       kNewSpecimen);
   const Eigen::VectorXd factor = specimen_scale_of(*run.posterior, parameters, values, draw);
   const auto leader = [&](int c) -> const Parameter& {
-    return parameters.all[static_cast<std::size_t>(parameters.leader[c])];
+    return parameters.all[parameters.leader[c]];
   };
   // The population or specimen at this draw.
   Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
@@ -174,7 +174,7 @@ Prediction summarise(const PredictedDraws& predicted) {
     const RobustMoments middle = robust_moments(draws);
     if (has_long_tails(draws, centre[i], middle)) {
       centre[i] = middle.median;
-      unsteady[static_cast<std::size_t>(i / 3)] = true;
+      unsteady[i / 3] = true;
     }
     sd[i] = std::isinf(predicted.sd(i, 0)) ? predicted.sd(i, 0)
                                            : robust_moments(predicted.replicated.row(i)).sd;

@@ -142,7 +142,7 @@ std::string describe_run(const PosteriorRun& run) {
 Eigen::MatrixXd pooled(const Draws& draws) {
   Eigen::MatrixXd all(draws.size(), draws.chains() * draws.draws());
   for (int c = 0; c < draws.chains(); ++c)
-    all.middleCols(c * draws.draws(), draws.draws()) = draws.x[static_cast<std::size_t>(c)];
+    all.middleCols(c * draws.draws(), draws.draws()) = draws.x[c];
   return all;
 }
 

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <memory>
 
 #include "live/live_fit.h"
@@ -19,16 +18,15 @@ OrderedJson components_json(const Eigen::Vector3d& force, const PredictedTrial& 
 }
 
 OrderedJson trial_json(const LiveFit& fit, int index) {
-  const LiveTrial& at = fit.trials()[static_cast<std::size_t>(index)];
-  const Experiment& experiment =
-      fit.source().problem.experiments()[static_cast<std::size_t>(at.experiment)];
+  const LiveTrial& at = fit.trials()[index];
+  const Experiment& experiment = fit.source().problem.experiments()[at.experiment];
   const PredictedTrial& trial = fit.predicted(index);
   OrderedJson json{{"trial", index},
                    {"experiment", experiment.name},
                    {"specimen", experiment.specimen},
                    {"posture", trial.posture},
                    {"loads", trial.loads},
-                   {"tensions", experiment.trials[static_cast<std::size_t>(at.trial)].tension}};
+                   {"tensions", experiment.trials[at.trial].tension}};
   json["measured"] = components_json(trial.measured, trial);
   json["predicted"] = components_json(trial.predicted, trial);
   json["sd"] = components_json(trial.sd, trial);

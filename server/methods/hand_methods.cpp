@@ -36,21 +36,18 @@ OrderedJson joint_list(const LiveWorld& live, std::size_t index) {
   const HandLayout& layout = hand.built->model().layout();
   // Tell turning from sliding, as units of values depend on it.
   std::vector<bool> slides(layout.coordinates.size(), false);
-  for (const HandJoint& joint : hand.built->joints)
-    slides[static_cast<std::size_t>(joint.coordinate)] = joint.slides;
+  for (const HandJoint& joint : hand.built->joints) slides[joint.coordinate] = joint.slides;
   OrderedJson list = OrderedJson::array();
   for (std::size_t c = 0; c < layout.coordinates.size(); ++c) {
     const auto i = static_cast<Eigen::Index>(c);
     const int leader = hand.built->leads[c].leader;
-    list.push_back(
-        {{"name", layout.coordinates[c]},
-         {"field", field_name(layout.coordinates[c])},
-         {"value", hand.stand.q[i]},
-         {"lower", number_or_null(layout.lower[i])},
-         {"upper", number_or_null(layout.upper[i])},
-         {"slides", bool(slides[c])},
-         {"led_by",
-          leader < 0 ? Json() : Json(layout.coordinates[static_cast<std::size_t>(leader)])}});
+    list.push_back({{"name", layout.coordinates[c]},
+                    {"field", field_name(layout.coordinates[c])},
+                    {"value", hand.stand.q[i]},
+                    {"lower", number_or_null(layout.lower[i])},
+                    {"upper", number_or_null(layout.upper[i])},
+                    {"slides", bool(slides[c])},
+                    {"led_by", leader < 0 ? Json() : Json(layout.coordinates[leader])}});
   }
   return list;
 }

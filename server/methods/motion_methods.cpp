@@ -79,8 +79,8 @@ bool has_inputs(const Json& params) {
 OrderedJson contact_json(const ContactSample& contact, const std::vector<std::string>& names) {
   // Contacts are stated in the world: the normal points out of b, and the force acts on a.
   OrderedJson out;
-  out["a"] = names[static_cast<std::size_t>(contact.a)];
-  out["b"] = names[static_cast<std::size_t>(contact.b)];
+  out["a"] = names[contact.a];
+  out["b"] = names[contact.b];
   out["point"] = to_json(contact.point);
   out["normal"] = to_json(contact.normal);
   out["force"] = to_json(contact.force);

@@ -1,6 +1,5 @@
 // session.*, catalogue.* and picture.*: the session itself, names, and what is shown as data.
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "api/named/catalogue.h"

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -88,7 +87,7 @@ void add_tip(const LiveDigit& digit, OrderedJson& json) {
   if (sound) {
     Eigen::Matrix3d axes = model.tip_axes;
     const TreeState<double> state = pose_tree(model.tree, point.q);
-    if (model.tip_link >= 0) axes = state[static_cast<std::size_t>(model.tip_link)].X.R * axes;
+    if (model.tip_link >= 0) axes = state[model.tip_link].X.R * axes;
     json["tip_force_axes"] =
         to_json({"proximal", "dorsal", "radial"}, axes.transpose() * point.tip.f_W);
   }

@@ -77,7 +77,7 @@ SparseCholesky::SparseCholesky(SymmetricPattern pattern) {
               std::is_sorted(pattern.starts.begin(), pattern.starts.end()),
           "a pattern of {} columns has {} starts", pattern.size, pattern.starts.size());
   for (int j = 0; j < pattern.size; ++j) {
-    const auto from = static_cast<std::size_t>(pattern.starts[static_cast<std::size_t>(j)]);
+    const auto from = static_cast<std::size_t>(pattern.starts[j]);
     const auto to = static_cast<std::size_t>(pattern.starts[static_cast<std::size_t>(j) + 1]);
     require(from < to && pattern.rows[from] == j && pattern.rows[to - 1] < pattern.size,
             "column {} of a pattern does not begin at its diagonal", j);

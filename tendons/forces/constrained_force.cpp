@@ -1,11 +1,8 @@
 #include "tendons/forces/constrained_force.h"
 
-#include <algorithm>
-
 #include "base/error.h"
 #include "base/numbers.h"
 #include "solvers/linear_program.h"
-#include "solvers/nonlinear_program.h"
 #include "solvers/relative_interior.h"
 #include "tendons/forces/max_tip_force.h"
 #include "tendons/forces/tip_balance.h"

@@ -283,7 +283,7 @@ void write_points(const TipStatics& statics, const internal::TipBalance& balance
   set.activation.resize(k, balance.most.size());
   // Force, tensions and activations of each vertex.
   for (Index i = 0; i < k; ++i) {
-    const Point& point = points[static_cast<std::size_t>(i)];
+    const Point& point = points[i];
     set.vertices.row(i) = balance.force_unit * (balance.U.leftCols(balance.rank) * point.phi);
     set.tension.row(i) = internal::tension(balance, point.a);
     set.activation.row(i) = internal::activation(statics, set.tension.row(i));
@@ -298,7 +298,7 @@ void write_facets(const internal::TipBalance& balance, const Frame& frame, const
   const auto sides = static_cast<Index>(hull.facets.size());
   set.normals.resize(sides, 3);
   for (Index i = 0; i < sides; ++i) {
-    const HullFacet& facet = hull.facets[static_cast<std::size_t>(i)];
+    const HullFacet& facet = hull.facets[i];
     set.normals.row(i) =
         balance.U.leftCols(balance.rank) * frame.outward(facet.normal).normalized();
     std::vector<int> ring = facet.ring;

@@ -134,7 +134,7 @@ PinchStrength measure_pinch(const TendonDigit& digit, const PinchLosses& losses)
     if (std::isnan(pinch))
       ++out.undecided;
     else
-      out.loss[static_cast<Eigen::Index>(b)] = rounded_loss(1 - pinch / out.intact);
+      out.loss[b] = rounded_loss(1 - pinch / out.intact);
   }
   return out;
 }

@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/numbers.h"
-#include "base/spatial.h"
 #include "base/units.h"
 #include "solvers/bound_prices.h"
 #include "solvers/linear_program.h"
@@ -52,7 +50,7 @@ LinearProgram linear_program(const LoadProblem& problem) {
   // Balance in the first rows, tangent planes of the cone below.
   program.row_lower.head(n) = program.row_upper.head(n) = problem.balance.constant;
   for (Index cut = 0; cut < cuts; ++cut) {
-    const double angle = problem.cuts[static_cast<std::size_t>(cut)];
+    const double angle = problem.cuts[cut];
     program.A.row(n + cut).head<3>() << -1, std::cos(angle), std::sin(angle);
   }
   // The amount along the axis and the tensions are not negative.

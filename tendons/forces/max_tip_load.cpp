@@ -62,7 +62,7 @@ void add_stops(const std::vector<JointStop>& stops, TipStatics& statics) {
   statics.R.bottomRows(count).setZero();
   statics.max_tension.conservativeResize(m + count);
   for (Index k = 0; k < count; ++k) {
-    const JointStop& stop = stops[static_cast<std::size_t>(k)];
+    const JointStop& stop = stops[k];
     require(stop.coordinate >= 0 && stop.coordinate < n, "a stop of joint {}, there are {}",
             stop.coordinate, n);
     require(std::abs(stop.most) > 0, "a stop carries some torque, got {} N m", stop.most);
@@ -75,7 +75,7 @@ void add_stops(const std::vector<JointStop>& stops, TipStatics& statics) {
 VectorXd stop_torques(const std::vector<JointStop>& stops, const VectorXd& tension) {
   VectorXd torque(tension.size());
   for (Index k = 0; k < torque.size(); ++k)
-    torque[k] = std::copysign(kStopArm, stops[static_cast<std::size_t>(k)].most) * tension[k];
+    torque[k] = std::copysign(kStopArm, stops[k].most) * tension[k];
   return torque;
 }
 
@@ -83,8 +83,7 @@ VectorXd stop_torques(const std::vector<JointStop>& stops, const VectorXd& tensi
 VectorXd passive_with_stops(const TipStatics& statics, const std::vector<JointStop>& stops,
                             const VectorXd& torque) {
   VectorXd passive = statics.tau_0;
-  for (Index k = 0; k < torque.size(); ++k)
-    passive[stops[static_cast<std::size_t>(k)].coordinate] += torque[k];
+  for (Index k = 0; k < torque.size(); ++k) passive[stops[k].coordinate] += torque[k];
   return passive;
 }
 
@@ -215,7 +214,7 @@ VectorXd max_tip_load_gradient(const TipStatics& statics,
   VectorXd result(slopes.size());
   for (Index k = 0; k < result.size(); ++k) {
     // Torque that the change leaves to be balanced.
-    const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
+    const StaticsDerivative& slope = slopes[k];
     VectorXd torque =
         slope.R.transpose() * largest.largest.tension + slope.tau_0 - slope.J.transpose() * f;
     if (has_rotation(statics)) torque -= slope.W.transpose() * m;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 #include "base/error.h"
@@ -85,7 +84,7 @@ Eigen::Matrix3Xd tip_force_jacobian(const TipStatics& statics,
   const bool planar = has_rotation(statics) && plane_normal(statics.J, statics.W).has_value();
   const bool regular = force.rank == (planar ? 2 : 3);
   for (Index k = 0; regular && k < n; ++k) {
-    const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
+    const StaticsDerivative& slope = slopes[k];
     result.col(k) = force.slope(slope.J.transpose(), torque_slope(slope, t));
   }
   return result;
@@ -108,7 +107,7 @@ MatrixXd tip_wrench_jacobian(const TipStatics& statics,
   const Index possible = plane_normal(statics.J, statics.W) ? 3 : 6;
   const bool regular = wrench.rank == std::min(n, possible);
   for (Index k = 0; regular && k < n; ++k) {
-    const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
+    const StaticsDerivative& slope = slopes[k];
     result.col(k) = wrench.slope(joined(slope.W, slope.J), torque_slope(slope, t));
   }
   // Back to moments.

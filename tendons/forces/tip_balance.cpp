@@ -1,6 +1,5 @@
 #include "tendons/forces/tip_balance.h"
 
-#include <cmath>
 #include <limits>
 
 #include <Eigen/SVD>

@@ -1,19 +1,13 @@
 #include "tendons/forces/tip_map.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/forces/tip_balance.h"
 
 namespace thenar {
 namespace {
-
-/// The row of that name, or -1.
-Eigen::Index row_of(const TipMap& map, const std::string& name) {
-  const auto found = std::find(map.rows.begin(), map.rows.end(), name);
-  return found == map.rows.end() ? -1 : found - map.rows.begin();
-}
 
 /// F0 of a muscle; infinite where the subject does not say [N].
 double max_tension(const Subject& subject, const std::string& name) {
@@ -42,18 +36,18 @@ const TipMap& find_tip_map(const Subject& subject, const std::string& digit,
 std::vector<std::string> moment_rows(const TipMap& map) {
   std::vector<std::string> rows;
   for (const std::string name : {"tx", "ty", "tz"})
-    if (row_of(map, name) >= 0) rows.push_back(name);
+    if (place_in(map.rows, name) >= 0) rows.push_back(name);
   return rows;
 }
 
 TipStatics statics_from_tip_map(const Subject& subject, const TipMap& map) {
   const std::vector<std::string> moments = moment_rows(map);
   std::vector<std::string> rows{"Fx", "Fy", "Fz"};
-  rows.insert(rows.end(), moments.begin(), moments.end());
+  append_all(rows, moments);
 
   Eigen::MatrixXd A(static_cast<Eigen::Index>(rows.size()), map.A.cols());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Eigen::Index row = row_of(map, rows[i]);
+    const Eigen::Index row = place_in(map.rows, rows[i]);
     require(row >= 0, "tip map '{}' of subject '{}' has no row '{}'; forces need Fx, Fy and Fz",
             map.name, subject.name, rows[i]);
     A.row(static_cast<Eigen::Index>(i)) = map.A.row(row);
@@ -63,8 +57,7 @@ TipStatics statics_from_tip_map(const Subject& subject, const TipMap& map) {
     axes.col(static_cast<Eigen::Index>(k)) = axis_of(moments[k]);
 
   Eigen::VectorXd F0(map.A.cols());
-  for (Eigen::Index i = 0; i < F0.size(); ++i)
-    F0[i] = max_tension(subject, map.muscles[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < F0.size(); ++i) F0[i] = max_tension(subject, map.muscles[i]);
   TipStatics statics = statics_from_matrix(A, axes, F0);
   statics.muscles = map.muscles;
   return statics;

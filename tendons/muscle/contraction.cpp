@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/rung_names.h"
 #include "tendons/muscle/rigid_tensions.h"
 
@@ -145,9 +146,8 @@ class RigidTendon : public Contraction {
 };
 
 const MuscleUnit& unit(const Subject& subject, const std::string& name) {
-  const auto found = std::find_if(subject.muscles.begin(), subject.muscles.end(),
-                                  [&](const MuscleUnit& m) { return m.name == name; });
-  require(found != subject.muscles.end(), "subject '{}' has no muscle '{}'", subject.name, name);
+  const MuscleUnit* found = find_named(subject.muscles, name);
+  require(found != nullptr, "subject '{}' has no muscle '{}'", subject.name, name);
   return *found;
 }
 

@@ -109,9 +109,7 @@ class Contraction {
   [[nodiscard]] virtual double fibre(int m, const MuscleState& state) const = 0;
 
  protected:
-  [[nodiscard]] const Musculotendon& muscle(int m) const {
-    return muscles_[static_cast<std::size_t>(m)];
-  }
+  [[nodiscard]] const Musculotendon& muscle(int m) const { return muscles_[m]; }
 
  private:
   std::vector<Musculotendon> muscles_;

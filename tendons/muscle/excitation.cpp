@@ -70,7 +70,7 @@ Excitation parse_excitation(const std::string& text, const std::string& path,
     const Eigen::VectorXd column = table.value.col(static_cast<Eigen::Index>(i));
     for (Eigen::Index k = 0; k < column.size(); ++k)
       if (column[k] < 0 || column[k] > most)
-        throw DataError(path, table.lines[static_cast<std::size_t>(k)],
+        throw DataError(path, table.lines[k],
                         most == 1 ? fmt::format("wanted an excitation in 0..1, got {}", column[k])
                                   : fmt::format("wanted a tension >= 0, got {}", column[k]));
     result.value.col(found - muscles.begin()) = column;

@@ -1,11 +1,8 @@
 #include "tendons/muscle/finger_motion.h"
 
-#include <cmath>
-
 #include <Eigen/Cholesky>
 
 #include "base/error.h"
-#include "tendons/digit_tendons.h"
 
 namespace thenar {
 namespace {
@@ -106,8 +103,7 @@ void FingerMotion::rest_on_tendons(MotionState& state, const MotionInstant& now)
 VectorXd FingerMotion::tendon_ends(const VectorXd& projected_fibre) const {
   VectorXd ends = slack_length_ + projected_fibre;
   for (Index m = 0; m < muscles_; ++m)
-    ends[m] -=
-        musculotendon_length_at_optimum(contraction().muscles()[static_cast<std::size_t>(m)]);
+    ends[m] -= musculotendon_length_at_optimum(contraction().muscles()[m]);
   return ends;
 }
 
@@ -117,7 +113,7 @@ VectorXd FingerMotion::line_excursion(const MotionState& state, const MotionInst
 
 MuscleState FingerMotion::muscle_state(const MotionState& state, const VectorXd& excursion,
                                        int m) const {
-  const Musculotendon& muscle = contraction().muscles()[static_cast<std::size_t>(m)];
+  const Musculotendon& muscle = contraction().muscles()[m];
   const double projected_fibre = state.projected_fibre.size() > 0 ? state.projected_fibre[m] : 0;
   return {state.activation[m], musculotendon_length_at_optimum(muscle) + excursion[m], 0,
           projected_fibre};
@@ -274,16 +270,11 @@ VectorXd FingerMotion::scale() const {
                contraction().has_fibre_state() ? length : VectorXd(), 1e-3, 1e-3});
 }
 
-}  // namespace thenar
-
 // Slopes of the equations of motion, for the integrator.
 
-namespace thenar {
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 /// d(R q')/dq at fixed q' and tensions t, by differences of what is itself a slope [m/s/rad]
 /// (muscles, coordinates).

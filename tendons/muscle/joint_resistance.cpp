@@ -47,14 +47,14 @@ VectorXd resistance_torque(const Skeleton& skeleton, const JointResistance& resi
                            const VectorXd& q) {
   VectorXd tau = passive_torque(skeleton, q);
   for (Eigen::Index i = 0; i < q.size(); ++i)
-    tau[i] += stop_torque(resistance, skeleton.limits[static_cast<std::size_t>(i)], q[i]);
+    tau[i] += stop_torque(resistance, skeleton.limits[i], q[i]);
   return tau;
 }
 
 VectorXd resistance_derivative(const Skeleton& skeleton, const JointResistance& resistance,
                                const VectorXd& q) {
   return VectorXd::NullaryExpr(q.size(), [&](Eigen::Index i) {
-    const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
+    const CoordinateLimits& limits = skeleton.limits[i];
     return passive_moment_slope(limits, q[i]) + stop_derivative(resistance, limits, q[i]);
   });
 }
@@ -63,7 +63,7 @@ double resistance_energy(const Skeleton& skeleton, const JointResistance& resist
                          const VectorXd& q) {
   double energy = 0;
   for (Eigen::Index i = 0; i < q.size(); ++i) {
-    const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
+    const CoordinateLimits& limits = skeleton.limits[i];
     energy += passive_energy(limits, q[i]) + limit_energy(resistance, beyond(limits, q[i]));
   }
   return energy;
@@ -71,7 +71,7 @@ double resistance_energy(const Skeleton& skeleton, const JointResistance& resist
 
 VectorXd joint_damping(const Skeleton& skeleton, const JointResistance& resistance) {
   return VectorXd::NullaryExpr(skeleton.coordinates(), [&](Eigen::Index i) {
-    const double own = skeleton.limits[static_cast<std::size_t>(i)].damping;
+    const double own = skeleton.limits[i].damping;
     return own > 0 ? own : resistance.damping;
   });
 }

@@ -18,7 +18,7 @@ class RigidTensions : public TensionSolver {
     for (VectorXd* each : {&F0_, &slack_, &per_optimum_, &sine_, &per_top_}) each->resize(n);
     for (VectorXd* each : {&fibre_, &along_, &turn_, &v_}) each->setZero(n);
     for (Index m = 0; m < n; ++m) {
-      const Musculotendon& muscle = muscles[static_cast<std::size_t>(m)];
+      const Musculotendon& muscle = muscles[m];
       F0_[m] = muscle.F0;
       slack_[m] = muscle.slack;
       // Muscles whose tension is given may have no fibres.

@@ -1,9 +1,11 @@
 #include "tendons/muscle/simulate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "base/enum_names.h"
 #include "base/error.h"
 #include "base/numbers.h"
 
@@ -122,7 +124,7 @@ class Recorder {
     // First instant at which the drift is too large.
     if (before <= kStrayExcursion) strayed_ = time;
     kept_.drift = drift;
-    strays_ = kept_.muscles[static_cast<std::size_t>(most)];
+    strays_ = kept_.muscles[most];
   }
 
   /// Puts the reason of the end before all other warnings.
@@ -176,30 +178,19 @@ struct Ending {
   std::string why;
 };
 
-const char* reason(OdeStatus status) {
-  switch (status) {
-    case OdeStatus::kStepped:
-      return "";
-    case OdeStatus::kLimit:
-      return "more steps than allowed";
-    case OdeStatus::kTooStiff:
-      return "no step is short enough";
-    case OdeStatus::kNotFinite:
-      return "rates are not finite, however short the step";
-    case OdeStatus::kSingular:
-      return "the equations of a step are singular";
-    case OdeStatus::kImpossible:
-      return "the tolerance is below rounding";
-    case OdeStatus::kFailed:
-      break;
-  }
-  return "the integrator failed";
-}
+constexpr std::array kOdeReasons{
+    EnumName{OdeStatus::kStepped, ""},
+    EnumName{OdeStatus::kLimit, "more steps than allowed"},
+    EnumName{OdeStatus::kTooStiff, "no step is short enough"},
+    EnumName{OdeStatus::kNotFinite, "rates are not finite, however short the step"},
+    EnumName{OdeStatus::kSingular, "the equations of a step are singular"},
+    EnumName{OdeStatus::kImpossible, "the tolerance is below rounding"},
+    EnumName{OdeStatus::kFailed, "the integrator failed"}};
 
 /// Says why the integrator ended, with the obstacle of the last trial.
 std::string reason(OdeStatus status, const FingerMotion& motion) {
   const std::string& obstacle = motion.obstacle();
-  return reason(status) + (obstacle.empty() ? "" : ": " + obstacle);
+  return name_in(kOdeReasons, status) + (obstacle.empty() ? "" : ": " + obstacle);
 }
 
 /// Balance of energy, summed from step to step.

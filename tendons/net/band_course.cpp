@@ -33,7 +33,7 @@ Vector3d on_bone(const BoneSurface& surface, const Vector3d& side, const Wrapped
 }  // namespace
 
 Pose<double> surface_pose(const BoneSurface& surface, const TreeState<double>& state) {
-  return surface.link < 0 ? surface.X : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+  return surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
 }
 
 BandCourse band_course(const Net& net, const TreeState<double>& state, const NetEquilibrium& rest,
@@ -41,11 +41,11 @@ BandCourse band_course(const Net& net, const TreeState<double>& state, const Net
   // A straight band.
   require(band >= 0 && band < static_cast<int>(net.bands.size()), "net '{}' has no band {}",
           net.name, band);
-  const NetBand& wanted = net.bands[static_cast<std::size_t>(band)];
+  const NetBand& wanted = net.bands[band];
   const Vector3d a = rest.x.col(wanted.a), b = rest.x.col(wanted.b);
   if (wanted.over < 0) return {false, {a, b}};
   // String over the bone; it may miss it.
-  const BoneSurface& surface = net.surfaces[static_cast<std::size_t>(wanted.over)];
+  const BoneSurface& surface = net.surfaces[wanted.over];
   const Pose<double> X_WS = surface_pose(surface, state), X_SW = X_WS.inverse();
   const WrappedString chord = wrap_string(surface, X_SW * a, X_SW * b, wanted.side);
   if (!chord.bent) return {false, {a, b}};

@@ -60,9 +60,8 @@ void add_angles(const SideView& view, const NetNode& node, AngleSpan& span) {
   span.add(view.angle_of(node, view.straight));
   for (int a = node.link, b = view.surface.link; a != b;) {
     int& deeper = a > b ? a : b;
-    const Hinge<double>& hinge = view.skeleton.tree[static_cast<std::size_t>(deeper)];
-    const CoordinateLimits& limits =
-        view.skeleton.limits[static_cast<std::size_t>(hinge.coordinate)];
+    const Hinge<double>& hinge = view.skeleton.tree[deeper];
+    const CoordinateLimits& limits = view.skeleton.limits[hinge.coordinate];
     if (limits.upper - limits.lower < 2 * kPi - 1e-9)
       for (const double end : {limits.lower, limits.upper})
         add_turn(view, node, hinge.coordinate, end, span);
@@ -75,13 +74,12 @@ void add_angles(const SideView& view, const NetNode& node, AngleSpan& span) {
 void centre_sides(const Skeleton& skeleton, const VectorXd& straight, Net& net) {
   for (NetBand& band : net.bands) {
     if (band.over < 0) continue;
-    const BoneSurface& surface = net.surfaces[static_cast<std::size_t>(band.over)];
+    const BoneSurface& surface = net.surfaces[band.over];
     if (surface.shape != SurfaceShape::kCylinder) continue;
     // Angles of both ends, and the middle of them.
     AngleSpan span;
     const SideView view{skeleton, straight, surface, band.side};
-    for (const int end : {band.a, band.b})
-      add_angles(view, net.nodes[static_cast<std::size_t>(end)], span);
+    for (const int end : {band.a, band.b}) add_angles(view, net.nodes[end], span);
     if (span.most - span.least < 2 * kPi)
       band.side =
           rotation_about(Vector3d(Vector3d::UnitZ()), 0.5 * (span.least + span.most)) * band.side;

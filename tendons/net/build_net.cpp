@@ -1,13 +1,13 @@
 #include "tendons/net/build_net.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include <fmt/ranges.h>
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/net/band_sides.h"
 #include "tendons/net/fit_slack.h"
 #include "tendons/net/free_digit.h"
@@ -16,14 +16,6 @@ namespace thenar {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Index of the part of that name, or -1.
-template <typename Part>
-int index_of(const std::vector<Part>& parts, const std::string& name) {
-  const auto found =
-      std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.name == name; });
-  return found == parts.end() ? -1 : static_cast<int>(found - parts.begin());
-}
 
 BoneSurface surface_on(const FingerFrame& frame, const NetSurface& plan) {
   // Scale of the cross section: at its place, or the smaller one of a shaft's ends.
@@ -65,7 +57,7 @@ class NetBuilder {
     const auto slip = [&](const std::vector<std::string>& names) {
       std::vector<int> bands;
       bands.reserve(names.size());
-      for (const std::string& name : names) bands.push_back(index_of(plan.bands, name));
+      for (const std::string& name : names) bands.push_back(place_named(plan.bands, name));
       return bands;
     };
     built_.central = slip(plan.slips.central);
@@ -85,7 +77,7 @@ class NetBuilder {
     const int n = static_cast<int>(points.size()), k = at.point < 0 ? n + at.point : at.point;
     require(k >= 0 && k < n, "net '{}' asks for point {} of strand '{}', which has {}", plan_.name,
             at.point, strand->name, n);
-    return points[static_cast<std::size_t>(k)];
+    return points[k];
   }
 
   void add_node(const NetNodePlan& plan) {
@@ -95,24 +87,24 @@ class NetBuilder {
                                                        point_of(built_.frame, plan.place)});
     NetNode node{plan.name, plan.floating, at.link, at.p, {}};
     for (const std::string& surface : plan.surfaces)
-      node.surfaces.push_back(index_of(built_.net.surfaces, surface));
+      node.surfaces.push_back(place_named(built_.net.surfaces, surface));
     built_.net.nodes.push_back(node);
   }
 
   /// Direction in the surface's frame, at `angle` about the bone that carries it.
   [[nodiscard]] Vector3d side_on(int surface, double angle) const {
     if (surface < 0) return Vector3d::UnitX();
-    const NetSurface& plan = plan_.surfaces[static_cast<std::size_t>(surface)];
-    return built_.net.surfaces[static_cast<std::size_t>(surface)].X.R.transpose() *
+    const NetSurface& plan = plan_.surfaces[surface];
+    return built_.net.surfaces[surface].X.R.transpose() *
            around(built_.frame.bone(plan.center.bone), angle);
   }
 
   void add_band(const NetBandPlan& plan) {
     NetBand band;
     band.name = plan.name;
-    band.a = index_of(built_.net.nodes, plan.from);
-    band.b = index_of(built_.net.nodes, plan.to);
-    band.over = plan.over.empty() ? -1 : index_of(built_.net.surfaces, plan.over);
+    band.a = place_named(built_.net.nodes, plan.from);
+    band.b = place_named(built_.net.nodes, plan.to);
+    band.over = plan.over.empty() ? -1 : place_named(built_.net.surfaces, plan.over);
     band.side = side_on(band.over, plan.side);
     band.EA = plan.EA;
     band.toe = plan.toe;
@@ -131,7 +123,7 @@ class NetBuilder {
 
   /// Returns whether the link is this bone's, or nearer to the base.
   [[nodiscard]] bool within(int link, const FingerBone& bone) const {
-    for (int i = bone.link; i >= 0; i = digit_.skeleton.tree[static_cast<std::size_t>(i)].parent)
+    for (int i = bone.link; i >= 0; i = digit_.skeleton.tree[i].parent)
       if (i == link) return true;
     return link < 0;
   }
@@ -203,9 +195,9 @@ class NetBuilder {
     const CarriedPoint exit = strand_point(plan.exit).value_or(exit_of(plan));
     NetBand band;
     band.name = name;
-    band.a = index_of(net.nodes, plan.node);
+    band.a = place_named(net.nodes, plan.node);
     band.b = static_cast<int>(net.nodes.size());
-    band.over = plan.over.empty() ? -1 : index_of(net.surfaces, plan.over);
+    band.over = plan.over.empty() ? -1 : place_named(net.surfaces, plan.over);
     band.side = side_on(band.over, 0);
     band.EA = plan.EA;
     band.muscle = static_cast<int>(net.muscles.size());
@@ -231,9 +223,9 @@ std::vector<double> reference_lengths(const NetDescription& plan) {
   for (const NetNodePlan& node : plan.nodes)
     net.nodes.push_back({node.name, false, -1, point_of(frame, node.place), {}});
   for (const NetBandPlan& band : plan.bands) {
-    const int over = band.over.empty() ? -1 : index_of(net.surfaces, band.over);
-    net.bands.push_back({band.name, index_of(net.nodes, band.from), index_of(net.nodes, band.to),
-                         over, Vector3d::UnitX()});
+    const int over = band.over.empty() ? -1 : place_named(net.surfaces, band.over);
+    net.bands.push_back({band.name, place_named(net.nodes, band.from),
+                         place_named(net.nodes, band.to), over, Vector3d::UnitX()});
   }
   return start_lengths(net, {});
 }
@@ -255,7 +247,7 @@ constexpr double kSlackLeft = 1e-5;
 template <typename Part>
 int needed(const std::vector<Part>& parts, const std::string& name, const std::string& kind,
            const std::string& net) {
-  const int found = index_of(parts, name);
+  const int found = place_named(parts, name);
   std::vector<std::string> names;
   names.reserve(parts.size());
   for (const Part& part : parts) names.push_back(part.name);
@@ -292,14 +284,13 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
     const bool stated = options.slack == NetSlack::kStated && description.bands[b].slack > 0;
     if (!stated)
       fitted.push_back(
-          {static_cast<int>(b), index_of(description.bands, description.bands[b].strains_like)});
+          {static_cast<int>(b), place_named(description.bands, description.bands[b].strains_like)});
     band.slack = stated ? description.bands[b].slack * here[b] / there[b]
                         : here[b] / (1 + options.prestrain);
   }
   // Fit under an even load of the muscles.
   Eigen::VectorXd load(built.net.muscles.size());
-  for (Eigen::Index p = 0; p < load.size(); ++p)
-    load[p] = options.taut_load * built.pulls[static_cast<std::size_t>(p)].share;
+  for (Eigen::Index p = 0; p < load.size(); ++p) load[p] = options.taut_load * built.pulls[p].share;
   const double off = fit_slack(built.net, straight, load, fitted);
   require(off < kSlackLeft,
           "slack lengths of net '{}' could not be fitted to the finger of '{}': strains differ "
@@ -312,8 +303,8 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
 BuiltNet cut(const BuiltNet& built, const std::string& band) {
   // Only passive bands can be cut.
   const int gone = band_named(built.net, band);
-  require(built.net.bands[static_cast<std::size_t>(gone)].muscle < 0,
-          "band '{}' is a muscle's: give it no tension instead", band);
+  require(built.net.bands[gone].muscle < 0, "band '{}' is a muscle's: give it no tension instead",
+          band);
   // Indices of the slips move up.
   BuiltNet left = built;
   left.net.bands.erase(left.net.bands.begin() + gone);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/free_digit.h"
 #include "tendons/net/net_tendons.h"
@@ -15,8 +16,7 @@ namespace {
 std::vector<PostureAngle> angles_of(const TendonDigit& whole, const TendonDigit& digit) {
   const auto& names = digit.names.coordinates;
   for (std::size_t i = 0; i < whole.names.hinges.size(); ++i) {
-    const std::string& leader =
-        whole.names.coordinates[static_cast<std::size_t>(whole.model.tree[i].coordinate)];
+    const std::string& leader = whole.names.coordinates[whole.model.tree[i].coordinate];
     if (digit.skeleton.frozen.count(whole.names.hinges[i]) > 0 &&
         digit.skeleton.frozen.count(leader) == 0)
       return {};
@@ -53,8 +53,7 @@ FreeFinger free_finger(const Subject& subject, const TendonDigit& digit,
   // Its muscles, by their names.
   const auto& names = digit.names.muscles;
   for (const std::string& muscle : whole.names.muscles) {
-    const auto at = std::find(names.begin(), names.end(), muscle);
-    free.muscles.push_back(at == names.end() ? -1 : static_cast<int>(at - names.begin()));
+    free.muscles.push_back(place_in(names, muscle));
   }
   BuiltNet built = build_net(subject, whole, description, net);
   free.tendons = std::make_shared<NetTendons>(straight_tendons(std::move(whole)), std::move(built));
@@ -86,9 +85,7 @@ std::unique_ptr<DigitTendons> build_net_tendons(const Subject& subject, const st
   // What pulls the net counts even where all joints that it crosses itself are frozen.
   separate.kept = pulling_muscles(free_digit(subject, linear->digit()), description);
   const auto& names = linear->digit().names.muscles;
-  if (std::any_of(separate.kept.begin(), separate.kept.end(), [&](const std::string& muscle) {
-        return std::count(names.begin(), names.end(), muscle) == 0;
-      }))
+  if (any_of(separate.kept, [&](const std::string& muscle) { return !contains(names, muscle); }))
     linear = build_linear_tendons(subject, digit, separate);
   BuiltNet built = build_net(subject, linear->digit(), description, net);
   FreeFinger free = free_finger(subject, linear->digit(), description, net);

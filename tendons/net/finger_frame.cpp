@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -314,16 +315,14 @@ const Strand* find_strand(const Subject& subject, const TendonDigit& digit,
   const std::vector<std::string>& here = digit.names.strands;
   for (const std::string& name : names)
     for (const Strand& strand : subject.strands)
-      if (strand.name == name && std::find(here.begin(), here.end(), name) != here.end())
-        return &strand;
+      if (strand.name == name && contains(here, name)) return &strand;
   return nullptr;
 }
 
 std::vector<std::string> muscles_of(const TendonDigit& digit, const NetMusclePlan& role) {
   std::vector<std::string> found;
   for (const std::string& muscle : digit.names.muscles)
-    if (std::find(role.names.begin(), role.names.end(), muscle) != role.names.end())
-      found.push_back(muscle);
+    if (contains(role.names, muscle)) found.push_back(muscle);
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/net/band_course.h"
 #include "tendons/wrapping/wrapped_string.h"
 
@@ -15,12 +16,11 @@ using Eigen::Vector3d;
 
 double band_length(const Net& net, const TreeState<double>& state, const NetBand& band) {
   // Ends at the given posture.
-  const NetNode &a = net.nodes[static_cast<std::size_t>(band.a)],
-                &b = net.nodes[static_cast<std::size_t>(band.b)];
+  const NetNode &a = net.nodes[band.a], &b = net.nodes[band.b];
   const Vector3d p_a = moved(state, a.link, a.p), p_b = moved(state, b.link, b.p);
   if (band.over < 0) return (p_a - p_b).norm();
   // The string over its surface.
-  const BoneSurface& surface = net.surfaces[static_cast<std::size_t>(band.over)];
+  const BoneSurface& surface = net.surfaces[band.over];
   const Pose<double> X = surface_pose(surface, state);
   const WrappedString chord = wrap_string(surface, X.inverse() * p_a, X.inverse() * p_b, band.side);
   require(chord.possible, "band '{}' of net '{}' starts inside surface '{}', over which it bends",
@@ -31,9 +31,7 @@ double band_length(const Net& net, const TreeState<double>& state, const NetBand
 }  // namespace
 
 std::vector<double> start_lengths(const Net& net, const TreeState<double>& state) {
-  std::vector<double> lengths;
-  for (const NetBand& band : net.bands) lengths.push_back(band_length(net, state, band));
-  return lengths;
+  return transformed(net.bands, [&](const NetBand& band) { return band_length(net, state, band); });
 }
 
 double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd& load,
@@ -51,7 +49,7 @@ double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd
         rest.status != NetStatus::kNodeCollapsed)
       return std::numeric_limits<double>::infinity();
     const auto strain = [&](int b) {
-      const double slack = net.bands[static_cast<std::size_t>(b)].slack;
+      const double slack = net.bands[b].slack;
       return (rest.length[b] - slack) / slack;
     };
     start = rest.x;
@@ -64,13 +62,11 @@ double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd
           fitted.like < 0 ? std::max(own, 0.0) : std::max(strain(fitted.like), 0.0);
       off = std::max(off, std::abs(wanted - own));
       const double step = fitted.like < 0 ? 1 : kCorrectionShare;
-      slack.push_back(net.bands[static_cast<std::size_t>(fitted.band)].slack *
-                      (1 - step * (wanted - own)));
+      slack.push_back(net.bands[fitted.band].slack * (1 - step * (wanted - own)));
     }
     if (off < kAlikeStrain) break;
     // New slack lengths, and a new solver for them.
-    for (std::size_t k = 0; k < bands.size(); ++k)
-      net.bands[static_cast<std::size_t>(bands[k].band)].slack = slack[k];
+    for (std::size_t k = 0; k < bands.size(); ++k) net.bands[bands[k].band].slack = slack[k];
     solver = NetSolver(net);
   }
   return off;

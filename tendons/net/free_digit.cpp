@@ -1,8 +1,9 @@
 #include "tendons/net/free_digit.h"
 
-#include <algorithm>
 #include <map>
 #include <utility>
+
+#include "base/lists.h"
 
 namespace thenar {
 namespace {
@@ -15,9 +16,8 @@ TendonDigit with_muscles(TendonDigit digit, const std::vector<std::string>& name
   digit.names.muscles.clear();
   digit.model.pulls.clear();
   for (std::size_t m = 0; m < all.names.muscles.size(); ++m) {
-    if (std::count(named.begin(), named.end(), all.names.muscles[m]) == 0) continue;
-    digit.max_tension[static_cast<Eigen::Index>(digit.model.pulls.size())] =
-        all.max_tension[static_cast<Eigen::Index>(m)];
+    if (!contains(named, all.names.muscles[m])) continue;
+    digit.max_tension[digit.model.pulls.size()] = all.max_tension[m];
     digit.actions.row(static_cast<Eigen::Index>(digit.model.pulls.size())) =
         all.actions.row(static_cast<Eigen::Index>(m));
     digit.names.muscles.push_back(all.names.muscles[m]);
@@ -65,7 +65,7 @@ class NetCarrier {
   /// Muscles by their numbers in the digit; those that it has not pull with nothing.
   void carry_muscles(BuiltNet& built) const {
     const auto number = [&](int muscle) {
-      return index_in(digit_.names.muscles, whole_.names.muscles[static_cast<std::size_t>(muscle)]);
+      return place_in(digit_.names.muscles, whole_.names.muscles[muscle]);
     };
     for (MuscleAttachment& pull : built.pulls) {
       pull.muscle = number(pull.muscle);
@@ -92,14 +92,8 @@ class NetCarrier {
     // Of the straight posture, the angles that are left.
     Eigen::VectorXd straight(digit_.model.coordinates);
     for (Eigen::Index j = 0; j < straight.size(); ++j)
-      straight[j] = frame.straight[index_in(whole_.names.coordinates,
-                                            digit_.names.coordinates[static_cast<std::size_t>(j)])];
+      straight[j] = frame.straight[place_in(whole_.names.coordinates, digit_.names.coordinates[j])];
     frame.straight = straight;
-  }
-
-  static int index_in(const std::vector<std::string>& names, const std::string& name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    return found == names.end() ? -1 : static_cast<int>(found - names.begin());
   }
 
   const TendonDigit &whole_, &digit_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/lists.h"
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_search.h"
 #include "tendons/net/tangent_net.h"
@@ -55,9 +56,7 @@ bool unbalanced(const NetEquilibrium& rest) {
 
 double largest_deviation(const Net& net, const std::vector<int>& loose_before, const Matrix3Xd& x,
                          const NetEquilibrium& rest) {
-  const auto among = [](const std::vector<int>& nodes, int node) {
-    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-  };
+  const auto among = [](const std::vector<int>& nodes, int node) { return contains(nodes, node); };
   double furthest = 0;
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     const auto node = static_cast<int>(i);
@@ -162,7 +161,7 @@ class NetWalk {
     // Band whose tension changed most.
     Eigen::Index most = 0;
     (next.tension - rest.tension).cwiseAbs().maxCoeff(&most);
-    snap.band = net_.bands[static_cast<std::size_t>(most)].name;
+    snap.band = net_.bands[most].name;
     walk_.snaps.push_back(std::move(snap));
   }
 

@@ -76,13 +76,12 @@ NetJacobian follow(const TangentNet& tangent, const Tree<double>& tree,
                   MatrixXd(coordinates, count)};
   // Nodes, then tensions and torque at their velocities.
   for (Index i = 0; i < count; ++i) {
-    const NetPerturbation& input = inputs[static_cast<std::size_t>(i)];
+    const NetPerturbation& input = inputs[i];
     const Eigen::Matrix3Xd v = internal::node_rates(tangent, input);
     out.x.col(i) = Eigen::Map<const VectorXd>(v.data(), v.size());
     for (Index b = 0; b < bands; ++b)
-      out.tension(b, i) = tangent.collapsed[static_cast<std::size_t>(b)] >= 0
-                              ? 0
-                              : internal::band_rate(tangent, b, input, v).tension;
+      out.tension(b, i) =
+          tangent.collapsed[b] >= 0 ? 0 : internal::band_rate(tangent, b, input, v).tension;
     out.tau.col(i) = internal::torque_rate(tangent, tree, state, input, v, coordinates);
   }
   return out;
@@ -115,7 +114,7 @@ std::vector<NetPerturbation> thickening(const Net& net, std::size_t links) {
   std::vector<NetPerturbation> inputs;
   for (std::size_t s = 0; s < net.surfaces.size(); ++s) {
     inputs.push_back(internal::still(net, links));
-    if (internal::has_radius(net.surfaces[s])) inputs.back().radius[static_cast<Index>(s)] = 1;
+    if (internal::has_radius(net.surfaces[s])) inputs.back().radius[s] = 1;
   }
   return inputs;
 }
@@ -130,9 +129,8 @@ std::string why_not_differentiable(const Net& net, const NetEquilibrium& rest, d
   if (rest.status == NetStatus::kUnstable) return "it is at a saddle";
   // Two floating nodes in one place have no derivative.
   for (const CollapsedBand& collapsed : rest.collapsed) {
-    const NetBand& band = net.bands[static_cast<std::size_t>(collapsed.band)];
-    if (net.nodes[static_cast<std::size_t>(band.a)].free &&
-        net.nodes[static_cast<std::size_t>(band.b)].free)
+    const NetBand& band = net.bands[collapsed.band];
+    if (net.nodes[band.a].free && net.nodes[band.b].free)
       return fmt::format("band '{}' has drawn two floating nodes together", band.name);
   }
   return "";

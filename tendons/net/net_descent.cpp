@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "tendons/net/node_contact.h"
-
 namespace thenar::internal {
 namespace {
 
@@ -146,14 +144,9 @@ NetEquilibrium NetDescent::run(const TreeState<double>& state, const NetDrive& d
   return report(status);
 }
 
-}  // namespace thenar::internal
-
 // What presses the nodes of a net on the bones, and what is left out of balance.
 
-namespace thenar::internal {
 namespace {
-
-using Eigen::Vector3d;
 
 // Least lift from a bone that doubles can distinguish from none [m]
 constexpr double kNoLift = 1e-11;
@@ -223,14 +216,9 @@ void NetDescent::balance() {
   }
 }
 
-}  // namespace thenar::internal
-
 // In which direction the nodes of a net go down, by Newton.
 
-namespace thenar::internal {
-
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
 
 /// H - sum force curvature, turned so that pressed normals come first, and these pinned.
 void NetDescent::reduce() {
@@ -319,14 +307,9 @@ bool NetDescent::add_secant_stiffness() {
   return any;
 }
 
-}  // namespace thenar::internal
-
 // How far they go.
 
-namespace thenar::internal {
 namespace {
-
-using Eigen::Vector3d;
 
 // Lift over radius below which clasping bands follow the root law [1]
 constexpr double kNearLift = 1e-3;

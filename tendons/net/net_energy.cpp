@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "tendons/net/band_course.h"
-#include "tendons/net/net.h"
 
 namespace thenar::internal {
 namespace {

@@ -22,7 +22,7 @@ bool is_balanced(const Net& net, const NetEquilibrium& rest) {
   if (rest.status != NetStatus::kStalled && rest.status != NetStatus::kFarSideWrap) return true;
   double largest = 0;
   for (std::size_t b = 0; b < net.bands.size(); ++b)
-    if (net.bands[b].muscle >= 0) largest = std::max(largest, rest.tension[static_cast<Index>(b)]);
+    if (net.bands[b].muscle >= 0) largest = std::max(largest, rest.tension[b]);
   return rest.residual <= kOutOfBalance * largest;
 }
 

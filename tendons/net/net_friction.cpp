@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "tendons/net/net.h"
 #include "tendons/net/node_contact.h"
 
@@ -58,9 +59,7 @@ class Rounds {
   }
 
  private:
-  [[nodiscard]] Pose<double> frame(int s) const {
-    return scene_.surface[static_cast<std::size_t>(s)];
-  }
+  [[nodiscard]] Pose<double> frame(int s) const { return scene_.surface[s]; }
   [[nodiscard]] SurfaceProbe probe_at(int s, const Vector3d& x) const {
     return internal::probe_world(net_, scene_, s, x);
   }
@@ -69,13 +68,13 @@ class Rounds {
   void place(const Matrix3Xd* start) {
     x_.resize(3, static_cast<Eigen::Index>(net_.nodes.size()));
     for (int i = 0; i < static_cast<int>(net_.nodes.size()); ++i) {
-      const NetNode& node = net_.nodes[static_cast<std::size_t>(i)];
+      const NetNode& node = net_.nodes[i];
       // Place of the node, and whether it touches a bone.
       Vector3d x = moved(state_, node.link, node.p);
       if (start && node.free) x = start->col(i);
       Rub rub{i, x};
       for (int s : node.free ? node.surfaces : std::vector<int>{}) {
-        const BoneSurface& bone = net_.surfaces[static_cast<std::size_t>(s)];
+        const BoneSurface& bone = net_.surfaces[s];
         if (probe_at(s, x).gap < 0) x = frame(s) * nearest_point(bone, frame(s).inverse() * x);
         rub.sticks |= probe_at(s, x).gap < kOnBoneGap;
       }
@@ -98,7 +97,7 @@ class Rounds {
     };
     for (const Rub& rub : rubs_) {
       // A sticking node is fixed in space.
-      NetNode& node = net.nodes[static_cast<std::size_t>(rub.node)];
+      NetNode& node = net.nodes[rub.node];
       if (rub.sticks) node.free = false, node.link = -1, node.p = rub.seat;
       if (rub.sticks || rub.pull <= 0) continue;
       // A slipping node is drawn back by a band of constant pull.
@@ -129,8 +128,7 @@ class Rounds {
     rest.tension = rest.tension.head(bands).eval();
     // A friction band that collapsed is no finding about the net.
     const auto foreign = [&](const CollapsedBand& collapsed) { return collapsed.band >= bands; };
-    rest.collapsed.erase(std::remove_if(rest.collapsed.begin(), rest.collapsed.end(), foreign),
-                         rest.collapsed.end());
+    erase_where(rest.collapsed, foreign);
     if (rest.status == NetStatus::kNodeCollapsed && rest.collapsed.empty())
       rest.status = NetStatus::kBalanced;
     x_ = rest.x;
@@ -168,7 +166,7 @@ class Rounds {
     rub.f = -f;
     rub.n.setZero();
     // Its normal part: on the surface that is pressed most.
-    for (int s : net_.nodes[static_cast<std::size_t>(rub.node)].surfaces) {
+    for (int s : net_.nodes[rub.node].surfaces) {
       const SurfaceProbe seen = probe_at(s, rub.seat);
       if (seen.gap > kOnBoneGap || -f.dot(seen.normal) <= rub.normal) continue;
       rub.normal = -f.dot(seen.normal);
@@ -217,8 +215,7 @@ class Rounds {
   }
 
   [[nodiscard]] bool gives_up() const {
-    return std::any_of(rubs_.begin(), rubs_.end(),
-                       [](const Rub& rub) { return rub.returns > kMaxReturns; });
+    return any_of(rubs_, [](const Rub& rub) { return rub.returns > kMaxReturns; });
   }
 
   /// Writes what bones do to nodes, in place of contacts that hold what friction bands pull
@@ -242,7 +239,7 @@ class Rounds {
 
   /// The surface that it sticks on.
   [[nodiscard]] int surface_of(const Rub& rub) const {
-    for (int s : net_.nodes[static_cast<std::size_t>(rub.node)].surfaces)
+    for (int s : net_.nodes[rub.node].surfaces)
       if (probe_at(s, rub.seat).normal == rub.n) return s;
     return -1;
   }

@@ -1,7 +1,6 @@
 #include "tendons/net/net_pull.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/error.h"
@@ -134,8 +133,7 @@ NetDrive PullByTendon::drive(const PostureAndLoad& at) const {
   drive.tension = VectorXd::Zero(static_cast<Index>(pulls.size()));
   for (const MuscleAttachment& pull : pulls)
     drive.law.push_back(std::make_shared<const ShareOfTendon>(
-        laws_[static_cast<std::size_t>(pull.muscle)], pull.share,
-        outside[pull.muscle] - at.load[pull.muscle]));
+        laws_[pull.muscle], pull.share, outside[pull.muscle] - at.load[pull.muscle]));
   return drive;
 }
 
@@ -148,7 +146,7 @@ PullByTendon::Stretched PullByTendon::stretched(const PostureAndLoad& at,
   now.exit_slope.resize(band.size());
   for (Index p = 0; p < band.size(); ++p) {
     const OverExit over(band[p]);
-    const MuscleAttachment& pull = tendons().net().pulls[static_cast<std::size_t>(p)];
+    const MuscleAttachment& pull = tendons().net().pulls[p];
     now.length[pull.muscle] += pull.share * over.length;
     now.exit_slope[p] = over.slope;
   }
@@ -156,7 +154,7 @@ PullByTendon::Stretched PullByTendon::stretched(const PostureAndLoad& at,
   now.tension.resize(now.length.size());
   now.stiffness.resize(now.length.size());
   for (Index m = 0; m < now.length.size(); ++m) {
-    const BandResponse tendon = laws_[static_cast<std::size_t>(m)]->at(now.length[m] - at.load[m]);
+    const BandResponse tendon = laws_[m]->at(now.length[m] - at.load[m]);
     now.energy += tendon.energy;
     now.tension[m] = tendon.tension;
     now.stiffness[m] = tendon.stiffness;
@@ -170,7 +168,7 @@ PullRates PullByTendon::rates_of(const Stretched& now, const MatrixXd& R) const 
   const auto count = static_cast<Index>(pulls.size());
   PullRates out{MatrixXd::Zero(count, R.cols()), MatrixXd::Zero(count, R.rows())};
   for (Index p = 0; p < count; ++p) {
-    const MuscleAttachment& pull = pulls[static_cast<std::size_t>(p)];
+    const MuscleAttachment& pull = pulls[p];
     const double k = pull.share * now.exit_slope[p] * now.stiffness[pull.muscle];
     out.by_posture.row(p) = -k * R.row(pull.muscle);
     out.by_load(p, pull.muscle) = -k;
@@ -191,7 +189,7 @@ std::vector<int> PullByTendon::drawn_bands(const Stretched& now) const {
   for (std::size_t b = 0; b < all.net().net.bands.size(); ++b) {
     const int p = all.net().net.bands[b].muscle;
     if (p < 0) continue;
-    const MuscleAttachment& pull = all.net().pulls[static_cast<std::size_t>(p)];
+    const MuscleAttachment& pull = all.net().pulls[p];
     const double missing = 1 - now.exit_slope[p];
     if (missing > kPullShare && missing * pull.share * now.tension[pull.muscle] > kPullError)
       bands.push_back(static_cast<int>(b));

@@ -16,8 +16,8 @@ struct LinkWrenches {
   }
   void add(int link, const Vector3d& at, const Vector3d& f) {
     const int place = link + 1;
-    on[static_cast<std::size_t>(place)].wrench += wrench_of_force(at, f);
-    touched[static_cast<std::size_t>(place)] = true;
+    on[place].wrench += wrench_of_force(at, f);
+    touched[place] = true;
   }
   std::vector<bool> touched;
   std::vector<LinkWrench> on;
@@ -56,9 +56,8 @@ double strain_energy(const Net& net, const NetEquilibrium& rest) {
   double energy = 0;
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     if (net.bands[b].muscle < 0)
-      energy += internal::elastic_response(net, net.bands[b], net.bands[b].slack,
-                                           rest.length[static_cast<Eigen::Index>(b)])
-                    .energy;
+      energy +=
+          internal::elastic_response(net, net.bands[b], net.bands[b].slack, rest.length[b]).energy;
   return energy;
 }
 

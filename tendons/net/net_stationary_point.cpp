@@ -79,11 +79,7 @@ bool NetDescent::update_multipliers() {
   return changed;
 }
 
-}  // namespace thenar::internal
-
 // Telling a minimum from a saddle, and leaving it.
-
-namespace thenar::internal {
 
 /// Returns whether no small move lowers E: positive curvature, but for rounding, in all free
 /// directions.
@@ -125,14 +121,9 @@ bool NetDescent::leave_saddle_early() {
   return true;
 }
 
-}  // namespace thenar::internal
-
 // What is said of a net at rest.
 
-namespace thenar::internal {
 namespace {
-
-using Eigen::Vector3d;
 
 // Half angle about the half-plane opposite to a band's side [rad]
 constexpr double kCutAngle = 1e-6;
@@ -162,7 +153,7 @@ std::vector<int> NetDescent::far_side_bands() const {
 
 /// Length and tension of a band, and what it holds where it has no length.
 void NetDescent::report_band(int b, NetEquilibrium& out) const {
-  const NetBand& band = plan_.net.bands[static_cast<std::size_t>(b)];
+  const NetBand& band = plan_.net.bands[b];
   if (scene_.collapsed[b]) {
     const int k = std::max(plan_.bands[b].ka, plan_.bands[b].kb);
     // Several pulls that meet in one exit share what they hold.
@@ -193,7 +184,7 @@ std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
   // Nodes held by a taut band, or in an exit.
   std::vector<bool> held(here_.x.size(), false);
   const auto hold = [&](int band) {
-    const NetBand& holds = plan_.net.bands[static_cast<std::size_t>(band)];
+    const NetBand& holds = plan_.net.bands[band];
     held[holds.a] = held[holds.b] = true;
   };
   for (int b = 0; b < at.tension.size(); ++b)

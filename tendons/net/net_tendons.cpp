@@ -37,10 +37,10 @@ std::string overstrained(const Net& net, const NetEquilibrium& rest) {
   const int worst =
       *std::max_element(rest.overstrained.begin(), rest.overstrained.end(),
                         [&](int a, int b) { return rest.tension[a] < rest.tension[b]; });
-  const NetBand& band = net.bands[static_cast<std::size_t>(worst)];
+  const NetBand& band = net.bands[worst];
   double pull = 0;
   for (std::size_t b = 0; b < net.bands.size(); ++b)
-    if (net.bands[b].muscle >= 0) pull += rest.tension[static_cast<Eigen::Index>(b)];
+    if (net.bands[b].muscle >= 0) pull += rest.tension[b];
   return fmt::format(
       "net '{}' is balanced only by bands that bear more than tissue can: '{}' has {:.3g} N under "
       "pulls of {:.3g} N, and a strain of {:.2g} %",
@@ -56,8 +56,8 @@ std::string buried_band(const Net& net, const TreeState<double>& state,
     const NetBand& band = net.bands[b];
     const double slack = band.EA * net.blend / 2;  // tension at the slack length [N]
     // Taut bands with an end deeper than rounding.
-    if (band.over < 0 || rest.tension[static_cast<Eigen::Index>(b)] <= slack) continue;
-    const BoneSurface& bone = net.surfaces[static_cast<std::size_t>(band.over)];
+    if (band.over < 0 || rest.tension[b] <= slack) continue;
+    const BoneSurface& bone = net.surfaces[band.over];
     const Pose<double> X = surface_pose(bone, state);
     for (int end : {band.a, band.b})
       if (probe(bone, X.inverse() * Eigen::Vector3d(rest.x.col(end))).gap < -kInsideDepth)
@@ -78,9 +78,8 @@ std::string drawn_in(const Net& net, const std::vector<int>& bands) {
   if (bands.empty()) return "";
   std::vector<std::string> which;
   for (const int b : bands) {
-    const NetBand& band = net.bands[static_cast<std::size_t>(b)];
-    which.push_back(fmt::format("'{}' has drawn in '{}'", band.name,
-                                net.nodes[static_cast<std::size_t>(band.a)].name));
+    const NetBand& band = net.bands[b];
+    which.push_back(fmt::format("'{}' has drawn in '{}'", band.name, net.nodes[band.a].name));
   }
   return fmt::format("net '{}' does not hold: {}", net.name, fmt::join(which, ", "));
 }
@@ -88,8 +87,7 @@ std::string drawn_in(const Net& net, const std::vector<int>& bands) {
 VectorXd muscle_band_length(const Net& net, const NetEquilibrium& rest) {
   VectorXd length = VectorXd::Zero(static_cast<Eigen::Index>(net.muscles.size()));
   for (std::size_t b = 0; b < net.bands.size(); ++b)
-    if (net.bands[b].muscle >= 0)
-      length[net.bands[b].muscle] += rest.length[static_cast<Eigen::Index>(b)];
+    if (net.bands[b].muscle >= 0) length[net.bands[b].muscle] += rest.length[b];
   return length;
 }
 
@@ -144,7 +142,7 @@ std::string net_warning(const Net& net, const TreeState<double>& state,
       return fmt::format("net '{}' is not balanced: {:.2g} N are left", net.name, rest.residual);
     case NetStatus::kFarSideWrap:
       return fmt::format("net '{}' is not balanced: band '{}' has wound round its bone", net.name,
-                         net.bands[static_cast<std::size_t>(rest.far_side_bands.front())].name);
+                         net.bands[rest.far_side_bands.front()].name);
     case NetStatus::kUnstable:
       return fmt::format("net '{}' is at a saddle: the least push moves it elsewhere", net.name);
     case NetStatus::kOverstrained:
@@ -159,15 +157,14 @@ std::string net_warning(const Net& net, const TreeState<double>& state,
 
 VectorXd FreeFinger::posture(const VectorXd& q) const {
   VectorXd all(static_cast<Eigen::Index>(angles.size()));
-  for (Eigen::Index j = 0; j < all.size(); ++j)
-    all[j] = angle_at(angles[static_cast<std::size_t>(j)], q);
+  for (Eigen::Index j = 0; j < all.size(); ++j) all[j] = angle_at(angles[j], q);
   return all;
 }
 
 VectorXd FreeFinger::tensions(const VectorXd& t) const {
   VectorXd all(static_cast<Eigen::Index>(muscles.size()));
   for (Eigen::Index m = 0; m < all.size(); ++m) {
-    const int of = muscles[static_cast<std::size_t>(m)];
+    const int of = muscles[m];
     all[m] = of < 0 ? 0 : t[of];
   }
   return all;

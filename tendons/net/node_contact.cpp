@@ -180,9 +180,6 @@ bool project_node(const Net& net, const NetScene& scene, const NetNode& node, Ve
 
 namespace {
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-
 /// Radial direction from the centre of a sphere, or from the axis of a cylinder.
 struct Radial {
   Vector3d normal;

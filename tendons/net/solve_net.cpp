@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "tendons/net/net.h"
 #include "tendons/net/net_descent.h"
 
 namespace thenar {
@@ -16,7 +15,7 @@ void find_overstrained(const Net& net, NetEquilibrium& rest) {
   if (rest.status != NetStatus::kBalanced) return;
   double pull = 0;
   for (std::size_t b = 0; b < net.bands.size(); ++b)
-    if (net.bands[b].muscle >= 0) pull += rest.tension[static_cast<Eigen::Index>(b)];
+    if (net.bands[b].muscle >= 0) pull += rest.tension[b];
   for (std::size_t b = 0; b < net.bands.size(); ++b) {
     const NetBand& band = net.bands[b];
     const auto i = static_cast<Eigen::Index>(b);

@@ -34,12 +34,12 @@ void TangentNet::number_nodes() {
   }
   // Nodes that lie in an exit follow it.
   for (std::size_t d = 0; d < rest.collapsed.size(); ++d) {
-    const NetBand& pulled = net.bands[static_cast<std::size_t>(rest.collapsed[d].band)];
+    const NetBand& pulled = net.bands[rest.collapsed[d].band];
     require(row[pulled.a] < 0 || row[pulled.b] < 0,
             "net {}: {} has drawn two floating nodes together: no derivative", net.name,
             pulled.name);
-    collapsed[static_cast<std::size_t>(rest.collapsed[d].band)] = static_cast<int>(d);
-    TangentNode& node = nodes[static_cast<std::size_t>(std::max(row[pulled.a], row[pulled.b]))];
+    collapsed[rest.collapsed[d].band] = static_cast<int>(d);
+    TangentNode& node = nodes[std::max(row[pulled.a], row[pulled.b])];
     node.exit = row[pulled.a] >= 0 ? pulled.b : pulled.a;
     ++node.collapsed;
   }
@@ -56,7 +56,7 @@ void TangentNet::probe_contacts() {
   for (std::size_t c = 0; c < rest.contacts.size(); ++c) {
     const NetContact& contact = rest.contacts[c];
     probe.push_back(probe_world(net, scene, contact.surface, x(contact.node)));
-    nodes[static_cast<std::size_t>(row[contact.node])].contact.push_back(static_cast<int>(c));
+    nodes[row[contact.node]].contact.push_back(static_cast<int>(c));
   }
 }
 
@@ -92,7 +92,7 @@ void TangentNet::free_directions() {
       node.bear = split.pseudoInverse();
     }
     // Collapsed and undetermined nodes do not move.
-    if (node.exit >= 0 || !held[static_cast<std::size_t>(node.node)]) node.free.resize(3, 0);
+    if (node.exit >= 0 || !held[node.node]) node.free.resize(3, 0);
     column += node.free.cols();
   }
 }
@@ -103,8 +103,7 @@ void TangentNet::factor() {
   // Adds a block in the free directions of two nodes.
   const auto add = [&](int i, int j, const Matrix3d& K) {
     if (i < 0 || j < 0) return;
-    const TangentNode &a = nodes[static_cast<std::size_t>(i)],
-                      &b = nodes[static_cast<std::size_t>(j)];
+    const TangentNode &a = nodes[i], &b = nodes[j];
     H.block(a.column, b.column, a.free.cols(), b.free.cols()) +=
         a.free.transpose().lazyProduct((K * b.free).eval());
   };
@@ -151,8 +150,7 @@ NetPerturbation still(const Net& net, std::size_t links) {
 
 void tighten(const Net& net, const Eigen::VectorXd& pull, NetPerturbation& input) {
   for (std::size_t b = 0; b < net.bands.size(); ++b)
-    if (net.bands[b].muscle >= 0)
-      input.tension[static_cast<Eigen::Index>(b)] += pull[net.bands[b].muscle];
+    if (net.bands[b].muscle >= 0) input.tension[b] += pull[net.bands[b].muscle];
 }
 
 NetPerturbation joint_perturbation(const Net& net, const Tree<double>& tree,
@@ -160,7 +158,6 @@ NetPerturbation joint_perturbation(const Net& net, const Tree<double>& tree,
   return with_bones(net, joint_velocity_tree(tree, state, coordinate));
 }
 
-using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
@@ -183,7 +180,7 @@ Matrix3Xd carried(const TangentNet& tangent, const NetPerturbation& input) {
     Vector3d along(0, 0, 0);
     for (std::size_t i = 0; i < node.contact.size(); ++i) {
       const NetContact& contact = tangent.rest.contacts[node.contact[i]];
-      along[static_cast<Index>(i)] =
+      along[i] =
           tangent.probe[node.contact[i]].normal.dot(
               input.body(tangent.net.surfaces[contact.surface].link).at(tangent.x(node.node))) +
           input.radius[contact.surface];
@@ -242,8 +239,8 @@ RadiusSlope slope_by_radius(const RoundBone& bone, const WrappedString& chord, c
 
 BandRate band_rate(const TangentNet& tangent, Index b, const NetPerturbation& input,
                    const Matrix3Xd& v) {
-  const NetBand& band = tangent.net.bands[static_cast<std::size_t>(b)];
-  const BandState& now = tangent.band[static_cast<std::size_t>(b)];
+  const NetBand& band = tangent.net.bands[b];
+  const BandState& now = tangent.band[b];
   // Seen from the bone over which it bends.
   BodyTwist bone;
   if (now.chord.bent) bone = input.body(tangent.net.surfaces[band.over].link);
@@ -254,8 +251,8 @@ BandRate band_rate(const TangentNet& tangent, Index b, const NetPerturbation& in
   const Eigen::Matrix<double, 6, 1>& u = now.chord.slope;
   double dL = u.dot(move);
   if (now.chord.bent && input.radius[band.over] != 0) {
-    const RadiusSlope grown = slope_by_radius(tangent.scene.bone[static_cast<std::size_t>(b)],
-                                              now.chord, tangent.x(band.a), tangent.x(band.b));
+    const RadiusSlope grown =
+        slope_by_radius(tangent.scene.bone[b], now.chord, tangent.x(band.a), tangent.x(band.b));
     dL += input.radius[band.over] * grown.length;
     turn += input.radius[band.over] * grown.slope;
   }
@@ -268,9 +265,9 @@ BandRate band_rate(const TangentNet& tangent, Index b, const NetPerturbation& in
 Matrix3Xd force_rate(const TangentNet& tangent, const NetPerturbation& input, const Matrix3Xd& v) {
   Matrix3Xd f = Matrix3Xd::Zero(3, static_cast<Index>(tangent.nodes.size()));
   for (Index b = 0; b < input.tension.size(); ++b) {
-    const NetBand& band = tangent.net.bands[static_cast<std::size_t>(b)];
+    const NetBand& band = tangent.net.bands[b];
     const int ka = tangent.row[band.a], kb = tangent.row[band.b];
-    if (tangent.collapsed[static_cast<std::size_t>(b)] >= 0 || (ka < 0 && kb < 0)) continue;
+    if (tangent.collapsed[b] >= 0 || (ka < 0 && kb < 0)) continue;
     const BandRate now = band_rate(tangent, b, input, v);
     if (ka >= 0) f.col(ka) += now.fa;
     if (kb >= 0) f.col(kb) += now.fb;
@@ -305,9 +302,6 @@ Matrix3Xd node_rates(const TangentNet& tangent, const NetPerturbation& input) {
 
 namespace {
 
-using Eigen::Index;
-using Eigen::Matrix3Xd;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// A force on a link at a point, with their rates.
@@ -331,17 +325,17 @@ void add_bands(const TangentNet& tangent, const NetPerturbation& input, const Ma
     // A collapsed band makes up for what is left on its node.
     if (collapsed >= 0) {
       const int k = std::max(tangent.row[band.a], tangent.row[band.b]);
-      const Vector3d on_node = -left.col(k) / tangent.nodes[static_cast<std::size_t>(k)].collapsed;
+      const Vector3d on_node = -left.col(k) / tangent.nodes[k].collapsed;
       rate.fa = tangent.row[band.a] >= 0 ? on_node : Vector3d(-on_node);
       rate.fb = -rate.fa;
-      fa = tangent.rest.collapsed[static_cast<std::size_t>(collapsed)].force, fb = -fa;
+      fa = tangent.rest.collapsed[collapsed].force, fb = -fa;
     }
     // On the links of fixed ends, and on the bone over which it bends.
     const bool bent = now.chord.bent && collapsed < 0;
     const int over = bent ? tangent.net.surfaces[band.over].link : -1;
     for (const auto& [end, f, df] :
          {std::tie(band.a, fa, rate.fa), std::tie(band.b, fb, rate.fb)}) {
-      const NetNode& node = tangent.net.nodes[static_cast<std::size_t>(end)];
+      const NetNode& node = tangent.net.nodes[end];
       if (!node.free) all.push_back({node.link, tangent.x(end), v.col(end), f, df});
       if (bent) all.push_back({over, tangent.x(end), v.col(end), -f, -df});
     }
@@ -366,7 +360,7 @@ void add_contacts(const TangentNet& tangent, const NetPerturbation& input, const
       const BodyTwist& bone = input.body(link);
       const Vector3d turn = bone.w.cross(probe.normal) + probe.curvature * (dp - bone.at(p));
       all.push_back({link, p, dp, -contact.force * probe.normal,
-                     -force[static_cast<Index>(i)] * probe.normal - contact.force * turn});
+                     -force[i] * probe.normal - contact.force * turn});
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 
@@ -32,10 +33,8 @@ Net net_of(const CandidateNet& candidate, const Eigen::VectorXd& EA) {
 }
 
 std::vector<std::string> candidate_names(const CandidateNet& candidate) {
-  std::vector<std::string> names;
-  for (const CandidateBand& c : candidate.candidates)
-    names.push_back(candidate.net.bands[c.band].name);
-  return names;
+  return transformed(candidate.candidates,
+                     [&](const CandidateBand& c) { return candidate.net.bands[c.band].name; });
 }
 
 void check_candidates(const CandidateNet& candidate) {

@@ -1,9 +1,11 @@
 #include "tendons/topology/search_nets.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
+#include "base/enum_names.h"
 #include "base/error.h"
 
 namespace thenar {
@@ -173,19 +175,13 @@ NetSearchStop reason(const Progress& progress, const std::vector<RankedTest>& ne
 }  // namespace
 
 std::string to_string(NetSearchStop stop) {
-  switch (stop) {
-    case NetSearchStop::kAgreed:
-      return "no test sets the nets that are left apart";
-    case NetSearchStop::kTests:
-      return "no test is left to measure";
-    case NetSearchStop::kNoOracle:
-      return "more tests would tell the nets apart that are left";
-    case NetSearchStop::kAsked:
-      return "stopped";
-    case NetSearchStop::kNothingHolds:
-      return "no net carries the loads";
-  }
-  return "";
+  constexpr std::array kWords{
+      EnumName{NetSearchStop::kAgreed, "no test sets the nets that are left apart"},
+      EnumName{NetSearchStop::kTests, "no test is left to measure"},
+      EnumName{NetSearchStop::kNoOracle, "more tests would tell the nets apart that are left"},
+      EnumName{NetSearchStop::kAsked, "stopped"},
+      EnumName{NetSearchStop::kNothingHolds, "no net carries the loads"}};
+  return name_in(kWords, stop);
 }
 
 NetSearchResult search_nets(const CandidateNet& candidate, std::vector<TendonRecord> records,

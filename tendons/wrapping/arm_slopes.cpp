@@ -1,7 +1,6 @@
 #include "tendons/wrapping/arm_slopes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -94,10 +93,8 @@ std::vector<RunChain> chains_of(const TreeState<double>& state, const PathSet& s
     const std::size_t first = i;
     do {
       const PathArc& arc = shape.arcs[i];
-      const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(arc.surface)];
-      const Pose<double> X = surface.link < 0
-                                 ? surface.X
-                                 : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+      const BoneSurface& surface = set.surfaces[arc.surface];
+      const Pose<double> X = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
       arcs.push_back({&surface, X, arc.arc});
       links.push_back(surface.link);
       ++i;
@@ -244,12 +241,11 @@ std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
   std::vector<std::vector<RunChain>> chains;
   std::vector<bool> carries(shapes.size(), false);
   for (const WrappedPath& path : set.paths)
-    if (path.carrier >= 0) carries[static_cast<std::size_t>(path.carrier)] = true;
+    if (path.carrier >= 0) carries[path.carrier] = true;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     chains.push_back(chains_of(state, set, shapes[k]));
     const int carrier = set.paths[k].carrier;
-    slopes[k].exist = has_slopes(shapes[k], chains[k]) &&
-                      (carrier < 0 || slopes[static_cast<std::size_t>(carrier)].exist);
+    slopes[k].exist = has_slopes(shapes[k], chains[k]) && (carrier < 0 || slopes[carrier].exist);
     slopes[k].dR = Eigen::MatrixXd::Zero(coordinates, coordinates);
   }
   // One column for each coordinate: rates while it turns at unit speed.
@@ -263,7 +259,7 @@ std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
       // A riding origin moves with its carrier, which stands earlier in the set.
       RideRate ride{};
       if (set.paths[k].carrier >= 0) {
-        const auto& carrier = runs[static_cast<std::size_t>(set.paths[k].carrier)];
+        const auto& carrier = runs[set.paths[k].carrier];
         ride = ride_rate(shape, carrier,
                          shortened(turn.rate, carrier, static_cast<std::size_t>(shape.ride_span)));
       }

@@ -32,7 +32,7 @@ std::set<int> crossed_by(const Tree<double>& tree, const PathSet& set, const Wra
   for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
     int before = path.points[k].link;
     for (const PathWrap& bend : path.bends[k]) {
-      const int link = set.surfaces[static_cast<std::size_t>(bend.surface)].link;
+      const int link = set.surfaces[bend.surface].link;
       add_between(tree, before, link, crossed);
       before = link;
     }
@@ -40,7 +40,7 @@ std::set<int> crossed_by(const Tree<double>& tree, const PathSet& set, const Wra
   }
   // A riding origin also depends on all that its carrier crosses.
   if (path.carrier >= 0) {
-    const WrappedPath& carrier = set.paths[static_cast<std::size_t>(path.carrier)];
+    const WrappedPath& carrier = set.paths[path.carrier];
     crossed.merge(crossed_by(tree, set, carrier));
     add_between(tree, path.points.front().link, carrier.points.back().link, crossed);
   }
@@ -58,7 +58,7 @@ PathSet run_alone(const PathSet& set, const WrappedPath& path, std::size_t k) {
   run.bends = {path.bends[k]};
   // The last run of a riding tendon needs its carrier.
   if (path.carrier >= 0 && k + 2 == path.points.size()) {
-    alone.paths.push_back(set.paths[static_cast<std::size_t>(path.carrier)]);
+    alone.paths.push_back(set.paths[path.carrier]);
     run.carrier = 0;
     run.ride = path.ride;
   }
@@ -85,8 +85,7 @@ class Run {
   FittedLength at(const VectorXd& x) {
     // Posture: own coordinates from x, all others in the middle of their range.
     VectorXd q = 0.5 * (box_.lower + box_.upper);
-    for (std::size_t i = 0; i < coordinates.size(); ++i)
-      q[coordinates[i]] += half(i) * x[static_cast<Index>(i)];
+    for (std::size_t i = 0; i < coordinates.size(); ++i) q[coordinates[i]] += half(i) * x[i];
     // The wrapped path there.
     const TreeState<double> state = pose_tree(tree_, q);
     const auto& shapes = solver_.solve(state);
@@ -100,7 +99,7 @@ class Run {
     path_arms(tree_, state, set_, shapes, R);
     RowVectorXd slope(coordinates.size());
     for (std::size_t i = 0; i < coordinates.size(); ++i)
-      slope[static_cast<Index>(i)] = -half(i) * R(R.rows() - 1, coordinates[i]);
+      slope[i] = -half(i) * R(R.rows() - 1, coordinates[i]);
     return {shape.length, slope};
   }
 
@@ -190,7 +189,7 @@ FittedRun interpolate(Run& run, int order) {
   VectorXd x(static_cast<Index>(d));
   for (Index s = 0; s < fit.c.size(); ++s) {
     const std::vector<Index> at = digits(s, n, d);
-    for (std::size_t i = 0; i < d; ++i) x[static_cast<Index>(i)] = points[at[i]];
+    for (std::size_t i = 0; i < d; ++i) x[i] = points[at[i]];
     fit.c[s] = run.at(x).length;
   }
   for (std::size_t i = 0; i < d; ++i) {  // turns the tensor round: the first coordinate ends last
@@ -219,7 +218,7 @@ FitError measure(Run& run, const FittedRun& fit) {
   for (Index s = 0; s < all; ++s) {
     const std::vector<Index> at = digits(s, m, d);
     for (std::size_t i = 0; i < d; ++i)
-      x[static_cast<Index>(i)] = -1 + 2.0 * static_cast<double>(at[i]) / static_cast<double>(m - 1);
+      x[i] = -1 + 2.0 * static_cast<double>(at[i]) / static_cast<double>(m - 1);
     const FittedLength fitted = evaluate(fit, x), wrapped = run.at(x);
     error.length = std::max(error.length, std::abs(fitted.length - wrapped.length));
     for (std::size_t i = 0; i < d; ++i) {
@@ -252,8 +251,8 @@ FitError measure(Run& run, const FittedRun& fit) {
 FitBox fit_box(const Skeleton& skeleton) {
   FitBox box{VectorXd(skeleton.coordinates()), VectorXd(skeleton.coordinates())};
   for (int j = 0; j < skeleton.coordinates(); ++j) {
-    box.lower[j] = skeleton.limits[static_cast<std::size_t>(j)].lower;
-    box.upper[j] = skeleton.limits[static_cast<std::size_t>(j)].upper;
+    box.lower[j] = skeleton.limits[j].lower;
+    box.upper[j] = skeleton.limits[j].upper;
   }
   return box;
 }
@@ -291,7 +290,7 @@ BoxPlace place_in_box(const FittedPath& path, const FittedRun& run, const Vector
   const auto d = static_cast<Index>(run.coordinates.size());
   BoxPlace place{VectorXd(d), VectorXd(d)};
   for (Index i = 0; i < d; ++i) {
-    const int j = run.coordinates[static_cast<std::size_t>(i)];
+    const int j = run.coordinates[i];
     place.half[i] = 0.5 * (path.box.upper[j] - path.box.lower[j]);
     place.x[i] = (q[j] - path.box.lower[j]) / place.half[i] - 1;
   }
@@ -328,7 +327,7 @@ MatrixXd arm_derivatives(const FittedPath& path, const VectorXd& q) {
         std::vector<const VectorXd*> twice = by;
         twice[i] = &bases[i].dT;
         twice[j] = i == j ? &bases[i].ddT : &bases[j].dT;
-        const double scale = place.half[static_cast<Index>(i)] * place.half[static_cast<Index>(j)];
+        const double scale = place.half[i] * place.half[j];
         dR(run.coordinates[i], run.coordinates[j]) -= contract(run, twice) / scale;
       }
   }
@@ -342,8 +341,7 @@ FittedLength fitted_length(const FittedPath& path, const VectorXd& q) {
     const auto [x, half] = place_in_box(path, run, q);
     const FittedLength part = evaluate(run, x);
     sum.length += part.length;
-    for (Index i = 0; i < x.size(); ++i)
-      sum.arms[run.coordinates[static_cast<std::size_t>(i)]] -= part.arms[i] / half[i];
+    for (Index i = 0; i < x.size(); ++i) sum.arms[run.coordinates[i]] -= part.arms[i] / half[i];
   }
   return sum;
 }

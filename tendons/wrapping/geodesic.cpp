@@ -142,11 +142,11 @@ State extrapolate(const BoneSurface& surface, const State& y0, double h) {
     // Eliminate the next even power of the step.
     for (int j = 0; j < k; ++j) {
       const double ratio = n / (2 * (k - j)), grown = ratio * ratio - 1;
-      const State better = newer + (newer - row[static_cast<std::size_t>(j)]) / grown;
-      row[static_cast<std::size_t>(j)] = newer;
+      const State better = newer + (newer - row[j]) / grown;
+      row[j] = newer;
       newer = better;
     }
-    row[static_cast<std::size_t>(k)] = newer;
+    row[k] = newer;
     // Stop when two columns agree.
     const double change = (newer - best).head<6>().norm();
     best = newer;

@@ -17,9 +17,9 @@ using Row = Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;
 /// Adds  w . dp/dq  of a point of a link to a row.
 void add_motion(const Tree<double>& tree, const TreeState<double>& state, int link,
                 const Vector3d& p, const Vector3d& w, Row row) {
-  for (int i = link; i >= 0; i = tree[static_cast<std::size_t>(i)].parent) {
-    const auto& at = state[static_cast<std::size_t>(i)];
-    const auto& hinge = tree[static_cast<std::size_t>(i)];
+  for (int i = link; i >= 0; i = tree[i].parent) {
+    const auto& at = state[i];
+    const auto& hinge = tree[i];
     row[hinge.coordinate] += hinge.ratio * w.dot(at.axis.cross(p - at.point));
   }
 }
@@ -55,8 +55,8 @@ struct Ride {
 Ride ride_of(const PathSet& set, const std::vector<PathShape>& shapes, std::size_t path) {
   const PathShape& rider = shapes[path];
   Ride ride;
-  ride.carrier = &shapes[static_cast<std::size_t>(set.paths[path].carrier)];
-  ride.span = &ride.carrier->spans[static_cast<std::size_t>(rider.ride_span)];
+  ride.carrier = &shapes[set.paths[path].carrier];
+  ride.span = &ride.carrier->spans[rider.ride_span];
   ride.p = rider.spans.back().b;
   ride.u = rider.spans.back().u;
   ride.v = ride.span->u;
@@ -147,13 +147,12 @@ Spatial whole_pressure(const BoneSurface& surface, const WrapArc& arc, double fr
 void add_arc(const TreeState<double>& state, const PathSet& set, const PathArc& arc, double tension,
              PathWrenches& wrenches) {
   // Total pressure of the arc, in the frame of its surface.
-  const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(arc.surface)];
+  const BoneSurface& surface = set.surfaces[arc.surface];
   const double length = arc.arc.length;
   const Spatial w = tension * whole_pressure(surface, arc.arc, 0, length,
                                              pressure(surface, arc.arc, 0, length), 40);
   // The same in the world, on the link that carries the surface.
-  const Pose<double> X =
-      surface.link < 0 ? surface.X : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+  const Pose<double> X = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
   const Vector3d f = X.R * w.tail<3>();
   wrenches.add(surface.link, Wrench{X.R * w.head<3>() + X.p.cross(f), f});
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "tendons/wrapping/path_tangency.h"
 #include "tendons/wrapping/planar_wrap.h"
 
 namespace thenar {
@@ -56,7 +55,7 @@ Ridden ride_on(const PathSet& set, const TreeState<double>& state, const PathSha
     ride -= length;
     for (; arc != carrier.arcs.end() && arc->after == static_cast<int>(s); ++arc) {
       if (ride <= arc->arc.length) {
-        const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(arc->surface)];
+        const BoneSurface& surface = set.surfaces[arc->surface];
         const Vector3d p = follow_geodesic(surface, arc->arc.start, ride).ray.p;
         return {moved(state, surface.link, Vector3d(surface.X * p)), static_cast<int>(s), true};
       }
@@ -110,7 +109,7 @@ PathSolver::PathSolver(const PathSet& set)
       shapes_(set.paths.size()) {
   for (const WrappedPath& path : set.paths) {
     rigid_.push_back(rigid_lengths(path));
-    if (path.carrier >= 0) carries_[static_cast<std::size_t>(path.carrier)] = true;
+    if (path.carrier >= 0) carries_[path.carrier] = true;
   }
   // Points that can turn about a cylinder beside them, with their angle at the reference posture.
   for (std::size_t p = 0; p < set.paths.size(); ++p) {
@@ -118,7 +117,7 @@ PathSolver::PathSolver(const PathSet& set)
     far_[p].resize(path.bends.size());
     for (std::size_t k = 0; k < path.bends.size(); ++k)
       for (const PathWrap& bend : path.bends[k]) {
-        const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(bend.surface)];
+        const BoneSurface& surface = set.surfaces[bend.surface];
         if (surface.shape != SurfaceShape::kCylinder) continue;
         for (const bool at_b : {false, true}) {
           const WrapPoint& point = path.points[at_b ? k + 1 : k];
@@ -146,8 +145,7 @@ const std::vector<PathShape>& PathSolver::solve_for_arms(const TreeState<double>
 const std::vector<PathShape>& PathSolver::solve(const TreeState<double>& state, bool all) {
   for (std::size_t i = 0; i < X_.size(); ++i) {
     const BoneSurface& surface = set_->surfaces[i];
-    X_[i] =
-        surface.link < 0 ? surface.X : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+    X_[i] = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
   }
   for (std::size_t k = 0; k < shapes_.size(); ++k)
     solve_path(k, state, all || carries_[k] || set_->paths[k].carrier >= 0);
@@ -201,7 +199,7 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state, bool 
 void PathSolver::set_directions(PathShape& shape) const {
   for (const PathArc& arc : shape.arcs) {
     const auto i = static_cast<std::size_t>(arc.surface);
-    PathSpan& before = shape.spans[static_cast<std::size_t>(arc.after)];
+    PathSpan& before = shape.spans[arc.after];
     PathSpan& after = shape.spans[static_cast<std::size_t>(arc.after) + 1];
     if (before.length < kShortRun) before.u = X_[i].R * arc.arc.start.t;
     if (after.length < kShortRun)
@@ -213,7 +211,7 @@ void PathSolver::set_directions(PathShape& shape) const {
 void PathSolver::ride(std::size_t k, const TreeState<double>& state, PathEnds& last,
                       PathShape& shape) const {
   const WrappedPath& path = set_->paths[k];
-  const PathShape& carrier = shapes_[static_cast<std::size_t>(path.carrier)];
+  const PathShape& carrier = shapes_[path.carrier];
   const Ridden ridden = ride_on(*set_, state, carrier, path.ride);
   static const std::vector<FarSide> kNone;
   last.b = ridden.p;
@@ -232,7 +230,7 @@ void PathSolver::ride(std::size_t k, const TreeState<double>& state, PathEnds& l
 /// less than half a turn, so the reference posture tells which way it came.
 bool PathSolver::has_crossed(const PathEnds& ends) const {
   return std::any_of(ends.far->begin(), ends.far->end(), [&](const FarSide& far) {
-    const Pose<double>& X = X_[static_cast<std::size_t>(far.surface)];
+    const Pose<double>& X = X_[far.surface];
     const Vector3d p = X.R.transpose() * ((far.at_b ? ends.b : ends.a) - X.p);
     return crossed_far_side(far.side, far.reference, p.head<2>());
   });
@@ -258,7 +256,7 @@ void PathSolver::add_run(const std::vector<PathWrap>& bends, const PathEnds& end
   for (std::size_t i = 0; i < bends.size(); ++i) {
     const Slot& slot = slots_[i];
     if (!slot.on) continue;
-    const int on = set_->surfaces[static_cast<std::size_t>(bends[i].surface)].link;
+    const int on = set_->surfaces[bends[i].surface].link;
     add_span(shape, link, on, from, slot.touch_a, -1);
     shape.arcs.push_back(
         {bends[i].surface, static_cast<int>(shape.spans.size()) - 1, slot.link.arc});
@@ -428,7 +426,7 @@ void PathSolver::start_over_sides(const std::vector<PathWrap>& bends) {
 void PathSolver::take_chain(const std::vector<PathWrap>& bends) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < bends.size(); ++i) {
-    const BoneSurface* surface = &set_->surfaces[static_cast<std::size_t>(bends[i].surface)];
+    const BoneSurface* surface = &set_->surfaces[bends[i].surface];
     slots_[i].on = next < chain_.size() && chain_[next].surface == surface;
     if (!slots_[i].on) continue;
     slots_[i].link = chain_[next++];
@@ -477,7 +475,7 @@ Eigen::Matrix3Xd path_points(const PathSet& set, const TreeState<double>& state,
     points.push_back(shape.spans[s].a);
     points.push_back(shape.spans[s].b);
     for (; arc != shape.arcs.end() && arc->after == static_cast<int>(s); ++arc) {
-      const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(arc->surface)];
+      const BoneSurface& surface = set.surfaces[arc->surface];
       const int steps = static_cast<int>(std::ceil(arc->arc.length / spacing));
       for (int i = 1; i < steps; ++i) {
         const Vector3d p =

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 namespace thenar {
 namespace {
@@ -87,7 +86,7 @@ Tangency tangency_of(const Vector3d& a, const Vector3d& b, const Ends& ends, int
   // Four conditions a surface; its runs end at its neighbours, or at a and b.
   Tangency system{Unknowns::Zero(4 * m), System::Zero(4 * m, 4 * m)};
   for (int i = 0; i < m; ++i) {
-    const ArcEnds& here = ends[static_cast<std::size_t>(i)];
+    const ArcEnds& here = ends[i];
     const ArcEnd* before = i > 0 ? &ends[static_cast<std::size_t>(i) - 1].off : nullptr;
     const ArcEnd* after = i + 1 < m ? &ends[static_cast<std::size_t>(i) + 1].on : nullptr;
     const RunEnd to_before =
@@ -292,8 +291,6 @@ void ChainTangent::rates(const Vector3d& a_dot, const Vector3d& b_dot,
 }  // namespace internal
 
 namespace {
-
-using Eigen::Vector3d;
 
 constexpr std::size_t kSurfaceBeads = 24;  // a surface
 // Factor on the moves of beads in the first three quarters of the sweeps [1]

@@ -113,8 +113,7 @@ FlatArc taut(const BoneSurface& surface, const PlaneSection& section, const Vect
   std::array<Vector2d, kArcSamples> rim;
   for (int i = 0; i < kArcSamples; ++i) {
     const double angle = 2 * kPi * i / kArcSamples;
-    rim[static_cast<std::size_t>(i)] =
-        edge(surface, section, {std::cos(angle), way * std::sin(angle)});
+    rim[i] = edge(surface, section, {std::cos(angle), way * std::sin(angle)});
   }
   // Seen from a, and from b backwards, the whole rim lies on one side of the tangent.
   std::size_t on = 0, off = 0;
@@ -217,9 +216,6 @@ std::optional<WrapArc> initial_arc(const BoneSurface& surface, const Vector3d& a
 }
 
 namespace {
-
-using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 /// Unrolled, the string is a straight line: z grows in step with the way run across the axis.
 std::optional<RoundArc> over_cylinder(double r, const Vector3d& a, const Vector3d& b,

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/units.h"
 #include "tendons/wrapping/path_solver.h"
 #include "tendons/wrapping/planar_wrap.h"
@@ -17,19 +18,6 @@ using Eigen::Vector3d;
 // Largest distance of an origin from the strand on which it rides [m]
 constexpr double kRideReach = 1e-3;
 constexpr double kPointInside = 1e-9;  // Largest depth of a point in a surface beside it [m]
-
-int index_of(const std::vector<BoneSurface>& surfaces, const std::string& name) {
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-    if (surfaces[i].name == name) return static_cast<int>(i);
-  return -1;
-}
-
-/// Index of a path, or -1.
-int index_of(const std::vector<WrappedPath>& paths, const std::string& name) {
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    if (paths[i].name == name) return static_cast<int>(i);
-  return -1;
-}
 
 void check_outside(const WrappedPath& path, std::size_t point, const BoneSurface& surface) {
   const Vector3d p = surface.X.inverse() * path.points[point].p;
@@ -67,7 +55,7 @@ void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
     for (int n = 0; n < postures; ++n) {
       int rest = n;
       for (int j : joints) {
-        const auto& limit = skeleton.limits[static_cast<std::size_t>(j)];
+        const auto& limit = skeleton.limits[j];
         const bool ranges = limit.upper - limit.lower < 2 * kPi - 1e-9;
         q[j] = ranges ? limit.lower + 0.5 * (rest % 3) * (limit.upper - limit.lower) : 0;
         rest /= 3;
@@ -75,9 +63,7 @@ void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
       // Where the point stands in the cylinder's frame.
       const TreeState<double> state = pose_tree(skeleton.tree, q);
       const Vector3d base_p = moved(state, point.link, point.p);
-      const Pose<double> X = surface.link < 0
-                                 ? surface.X
-                                 : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+      const Pose<double> X = surface.link < 0 ? surface.X : state[surface.link].X * surface.X;
       const Vector3d is = X.inverse() * base_p;
       require(
           !crossed_far_side(bend.side_S.head<2>(), was.head<2>(), is.head<2>()),
@@ -100,17 +86,16 @@ void check(const WrappedPath& path, const PathSet& set, const Skeleton& skeleton
             path.bends[k].size(), k + 1, kMaxWraps);
     // Points beside a surface stay outside it and on its near side.
     for (const PathWrap& bend : path.bends[k]) {
-      check_outside(path, k, set.surfaces[static_cast<std::size_t>(bend.surface)]);
-      check_outside(path, k + 1, set.surfaces[static_cast<std::size_t>(bend.surface)]);
-      check_sides(path, k, bend, set.surfaces[static_cast<std::size_t>(bend.surface)], skeleton);
+      check_outside(path, k, set.surfaces[bend.surface]);
+      check_outside(path, k + 1, set.surfaces[bend.surface]);
+      check_sides(path, k, bend, set.surfaces[bend.surface], skeleton);
     }
   }
 }
 
 bool crosses_a_joint(const WrappedPath& path) {
-  return std::any_of(path.points.begin(), path.points.end(), [&](const WrapPoint& point) {
-    return point.link != path.points.front().link;
-  });
+  return any_of(path.points,
+                [&](const WrapPoint& point) { return point.link != path.points.front().link; });
 }
 
 /// Points and surfaces on the kept links; those on dropped segments end the path.
@@ -126,8 +111,8 @@ WrappedPath kept_path(const Strand& strand, const Skeleton& skeleton, const Path
     const Vector3d p = skeleton.segment_at.at(element.segment) * element.p;
     // A surface bends the run that follows the last point.
     if (!element.surface.empty()) {
-      const int surface = index_of(set.surfaces, element.surface);
-      const Pose<double>& X = set.surfaces[static_cast<std::size_t>(surface)].X;
+      const int surface = place_named(set.surfaces, element.surface);
+      const Pose<double>& X = set.surfaces[surface].X;
       if (!path.points.empty()) bends.push_back({surface, X.inverse() * p});
       continue;
     }
@@ -164,15 +149,14 @@ PathPlace nearest_place(const PathShape& shape, const Vector3d& p) {
 /// Lets the origin ride, if the carrier is there to carry it.
 void set_ride(WrappedPath& path, const std::string& carrier, const PathSet& set,
               const Skeleton& skeleton) {
-  path.carrier = index_of(set.paths, carrier);
+  path.carrier = place_named(set.paths, carrier);
   if (path.carrier < 0) return;
   // Carrier at the reference posture.
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(skeleton.coordinates());
   PathSolver solver(set);
   const auto& shapes = solver.solve(pose_tree(skeleton.tree, rest));
   // Nearest place to the origin, which must be close.
-  const PathPlace place =
-      nearest_place(shapes[static_cast<std::size_t>(path.carrier)], path.points.back().p);
+  const PathPlace place = nearest_place(shapes[path.carrier], path.points.back().p);
   require(place.off <= kRideReach,
           "the origin of strand '{}' rides on '{}' but lies {:.3g} mm from it, more than {:.3g} mm",
           path.name, carrier, 1e3 * place.off, 1e3 * kRideReach);
@@ -186,13 +170,12 @@ PathSet build(const Subject& subject, const Skeleton& skeleton,
   set.surfaces = place_surfaces(subject, skeleton);
   const auto wanted = [&](const Strand& strand) {
     const auto carries = [&](const std::string& name) {
-      return std::any_of(subject.strands.begin(), subject.strands.end(), [&](const Strand& other) {
+      return any_of(subject.strands, [&](const Strand& other) {
         return other.name == name && !other.path.empty() &&
                other.path.back().rides_on == strand.name;
       });
     };
-    return only == nullptr || std::find(only->begin(), only->end(), strand.name) != only->end() ||
-           std::any_of(only->begin(), only->end(), carries);
+    return only == nullptr || contains(*only, strand.name) || any_of(*only, carries);
   };
   // Paths in file order; a rider stands behind its carrier.
   for (const Strand& strand : subject.strands) {

@@ -21,10 +21,8 @@ namespace {
 using Eigen::Vector3d;
 
 std::shared_ptr<const Shape> link_of_a_hand() {
-  return build_smooth_union(
-      {build_tapered_capsule(0.010, 0.008, 0.045),
-       place(build_sphere(0.0095), {Eigen::Matrix3d::Identity(), {0.002, 0, 0.022}})},
-      0.006);
+  return join({build_tapered_capsule(0.010, 0.008, 0.045),
+               place(build_sphere(0.0095), {Eigen::Matrix3d::Identity(), {0.002, 0, 0.022}})});
 }
 
 /// Inside or outside by lot: what no solid looks like, with every saddle a grid can have.

@@ -8,15 +8,11 @@
 
 #include "geometry/primitives.h"
 #include "tests/geometry/random_points.h"
-#include "tests/matrix_near.h"
-#include "tests/message_of.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kBlend = 0.008;  // [m]
 
 std::vector<std::shared_ptr<const Shape>> fingers() {
   std::vector<std::shared_ptr<const Shape>> parts;
@@ -29,92 +25,39 @@ std::vector<std::shared_ptr<const Shape>> fingers() {
 
 Vector3d near_them(std::mt19937& rng) { return 0.08 * random_in_cube(rng); }
 
-// By hand: two planes (large balls, seen near their poles) at equal distances lose k / 4.
-TEST(SmoothUnion, LosesAQuarterOfTheBlendWhereTwoMeet) {
-  const auto both =
-      build_smooth_union({place(build_sphere(0.01), {Eigen::Matrix3d::Identity(), {0.012, 0, 0}}),
-                          place(build_sphere(0.01), {Eigen::Matrix3d::Identity(), {-0.012, 0, 0}})},
-                         kBlend);
-  EXPECT_NEAR(both->distance({0, 0, 0}), 0.002 - kBlend / 4, 1e-17);
-  EXPECT_NEAR(both->distance({0, 0.016, 0}), 0.010 - kBlend / 4, 1e-17);
-  EXPECT_TRUE(matrix_near(both->nearest({0, 0.016, 0}).normal, Vector3d::UnitY(), 1e-14));
-  EXPECT_NEAR(both->distance({0.05, 0, 0}), 0.028, 1e-17);  // the other is too far to matter
-}
-
-TEST(SmoothUnion, HoldsTheUnionAndLittleMore) {
+TEST(ShapeUnion, HasTheLeastOfItsDistances) {
   std::mt19937 rng(1);
-  const auto sharp = join(fingers()), smooth = build_smooth_union(fingers(), kBlend);
-  double largest = 0;
-  for (int i = 0; i < 20000; ++i) {
+  const auto parts = fingers();
+  const auto all = join(parts);
+  for (int i = 0; i < 2000; ++i) {
     const Vector3d p = near_them(rng);
-    const double added = sharp->distance(p) - smooth->distance(p);
-    EXPECT_GE(added, -1e-17);
-    EXPECT_LE(added, smooth->accuracy());
-    largest = std::max(largest, added);
+    double least = parts.front()->distance(p);
+    for (const auto& part : parts) least = std::min(least, part->distance(p));
+    if (least > 0) {
+      EXPECT_EQ(all->distance(p), least);
+    }
+    EXPECT_NEAR(all->nearest(p).distance, all->distance(p), 1e-16);
   }
-  EXPECT_GT(largest, kBlend / 4);  // where three meet
-  EXPECT_LT(smooth->accuracy(), kBlend);
 }
 
-TEST(SmoothUnion, ChangesNoMoreThanTheWayGone) {
+TEST(ShapeUnion, ChangesNoMoreThanTheWayGone) {
   std::mt19937 rng(2);
-  const auto smooth = build_smooth_union(fingers(), kBlend);
+  const auto all = join(fingers());
   for (int i = 0; i < queries(20000); ++i) {
     const Vector3d p = near_them(rng), q = p + 0.004 * random_in_cube(rng);
-    EXPECT_LE(std::abs(smooth->distance(p) - smooth->distance(q)), (p - q).norm() + 1e-16);
+    EXPECT_LE(std::abs(all->distance(p) - all->distance(q)), (p - q).norm() + 1e-16);
   }
 }
 
-TEST(SmoothUnion, NormalIsTheGradient) {
-  std::mt19937 rng(3);
-  const auto smooth = build_smooth_union(fingers(), kBlend);
-  int checked = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const Vector3d p = near_them(rng);
-    const NearestSurface near = smooth->nearest(p);
-    EXPECT_NEAR(near.distance, smooth->distance(p), 1e-16);
-    Vector3d gradient, curved;
-    for (int k = 0; k < 3; ++k) {
-      const Vector3d step = 1e-6 * Vector3d::Unit(k);
-      const double up = smooth->distance(p + step), down = smooth->distance(p - step);
-      gradient(k) = (up - down) / 2e-6;
-      curved(k) = (up + down - 2 * near.distance) / 1e-6;
-    }
-    if (near.distance < -0.003 || curved.norm() > 1e-3) continue;  // a ridge passes through
-    EXPECT_TRUE(matrix_near(near.normal, gradient.normalized(), 1e-4)) << p.transpose();
-    ++checked;
-  }
-  EXPECT_GT(checked, 1000);
-}
-
-TEST(SmoothUnion, DoesNotDependOnTheOrder) {
-  std::mt19937 rng(4);
-  auto parts = fingers();
-  const auto forth = build_smooth_union(parts, kBlend);
-  std::reverse(parts.begin(), parts.end());
-  const auto back = build_smooth_union(parts, kBlend);
-  for (int i = 0; i < 2000; ++i) {
-    const Vector3d p = near_them(rng);
-    EXPECT_NEAR(forth->distance(p), back->distance(p), 1e-17);
-  }
-}
-
-TEST(SmoothUnion, LiesInItsBounds) {
+TEST(ShapeUnion, LiesInItsBounds) {
   std::mt19937 rng(5);
-  const auto smooth = build_smooth_union(fingers(), kBlend);
+  const auto all = join(fingers());
   for (int i = 0; i < 20000; ++i) {
     const Vector3d p = near_them(rng);
-    if (smooth->distance(p) <= 0) {
-      EXPECT_TRUE(smooth->bounds().contains(p));
+    if (all->distance(p) <= 0) {
+      EXPECT_TRUE(all->bounds().contains(p));
     }
   }
-}
-
-TEST(SmoothUnion, RefusesNothingToBlend) {
-  EXPECT_EQ(message_of([] { (void)build_smooth_union({}, kBlend); }),
-            "a smooth union takes 1 to 64 parts, got 0");
-  EXPECT_EQ(message_of([] { (void)build_smooth_union(fingers(), 0); }),
-            "a blend must be positive and finite, got 0 m");
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "data/io/mesh/bounded_process.h"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>

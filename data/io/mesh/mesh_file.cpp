@@ -8,11 +8,9 @@
 #include <cstring>
 #include <filesystem>
 #include <iterator>
-#include <map>
 
 #include <Eigen/Geometry>
 
-#include "base/error.h"
 #include "base/file_io.h"
 #include "data/io/file_guard.h"
 #include "data/io/mesh/foreign_mesh.h"

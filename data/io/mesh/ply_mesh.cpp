@@ -289,8 +289,7 @@ class BodyReader {
       if (!property.is_list) {
         const double value = numbers_.next(property.type);
         const std::size_t axis = std::string_view("xyz").find(property.name);
-        if (vertex && property.name.size() == 1 && axis < 3)
-          p[static_cast<Eigen::Index>(axis)] = value;
+        if (vertex && property.name.size() == 1 && axis < 3) p[axis] = value;
         continue;
       }
       // Lists: only corners of faces and strips matter.

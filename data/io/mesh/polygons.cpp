@@ -1,10 +1,7 @@
 #include "data/io/mesh/polygons.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <limits>
 #include <set>
 
 #include <Eigen/Geometry>
@@ -65,7 +62,7 @@ class Cutter {
     if (soup_.corners.size() >= 3 * kMaxTriangles)
       fail(fmt::format("wanted at most {} triangles, got more", kMaxTriangles));
     for (const int corner : {a, b, c}) {
-      soup_.corners.push_back(polygons_.vertices[static_cast<std::size_t>(corner)]);
+      soup_.corners.push_back(polygons_.vertices[corner]);
       soup_.vertices.push_back(corner);
     }
   }
@@ -81,8 +78,7 @@ class Cutter {
     if (face.size() == 3) return append(face[0], face[1], face[2]);
     std::vector<Eigen::Vector3d> place;
     place.reserve(face.size());
-    for (const int corner : face)
-      place.push_back(polygons_.vertices[static_cast<std::size_t>(corner)]);
+    for (const int corner : face) place.push_back(polygons_.vertices[corner]);
     cut_ears(face, flattened(place));
   }
 

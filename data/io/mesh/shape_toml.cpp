@@ -80,21 +80,6 @@ void read_mesh_keys(TomlTable& table, const std::string& path, ShapeSpec& shape)
       read_mesh(linked_file(table, "file", shape.mesh_file, folder, "mesh"), shape.mesh_scale);
 }
 
-/// Number of entries of `size` for a kind.
-int size_count(ShapeKind kind) {
-  switch (kind) {
-    case ShapeKind::kMesh:
-      return 0;
-    case ShapeKind::kSphere:
-      return 1;
-    case ShapeKind::kCylinder:
-    case ShapeKind::kCapsule:
-      return 2;
-    default:
-      return 3;
-  }
-}
-
 Eigen::Vector2d read_exponents(TomlTable& table) {
   const std::vector<double> e = table.numbers(Dimension::kNumber, "exponents", 2);
   if (std::min(e[0], e[1]) < 0.1 || std::max(e[0], e[1]) > 2)
@@ -147,7 +132,7 @@ ShapeSpec read_shape_table(TomlTable& table, const std::string& path) {
   shape.X_BS = read_pose_keys(table);
   // Mesh, sizes and exponents, as far as the kind has them.
   if (shape.kind == ShapeKind::kMesh) read_mesh_keys(table, path, shape);
-  if (const int count = size_count(shape.kind); count > 0) {
+  if (const int count = size_entries(shape.kind); count > 0) {
     const std::vector<double> size =
         table.numbers(Dimension::kLength, "size", count, Range::kPositive);
     std::copy(size.begin(), size.end(), shape.size.data());
@@ -176,7 +161,7 @@ std::vector<std::string> toml_of(const Pose<double>& X) {
 
 std::vector<std::string> toml_of(const ShapeSpec& shape) {
   std::vector<std::string> lines{"kind = " + toml_quoted(name_of(shape.kind))};
-  if (const int count = size_count(shape.kind); count > 0)
+  if (const int count = size_entries(shape.kind); count > 0)
     lines.push_back("size_m = " +
                     toml_list(std::vector<double>(shape.size.data(), shape.size.data() + count)));
   if (shape.kind == ShapeKind::kSuperellipsoid)

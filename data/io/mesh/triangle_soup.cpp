@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -13,7 +12,6 @@
 
 #include "base/error.h"
 #include "geometry/mesh_parts.h"
-#include "geometry/triangle_mesh.h"
 
 namespace thenar {
 namespace {
@@ -112,7 +110,7 @@ TriangleMesh merged(const std::vector<Corners>& soup, const std::vector<std::siz
   std::vector<Vector3i> triangles;
   for (const std::size_t i : numbers) {
     Vector3i t;
-    for (int k = 0; k < 3; ++k) t(k) = vertices.index_of(soup[i][static_cast<std::size_t>(k)]);
+    for (int k = 0; k < 3; ++k) t(k) = vertices.index_of(soup[i][k]);
     // Triangles with two equal corners have no area.
     if (t(0) != t(1) && t(1) != t(2) && t(2) != t(0)) triangles.push_back(t);
   }
@@ -141,8 +139,8 @@ TriangleMesh closed_up(TriangleMesh mesh, double near) {
   // Only corners on open edges may move.
   std::vector<bool> loose(static_cast<std::size_t>(mesh.vertices.cols()), false);
   for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
-    if (last - first == 1) loose[static_cast<std::size_t>(first->low)] = true;
-    if (last - first == 1) loose[static_cast<std::size_t>(first->high)] = true;
+    if (last - first == 1) loose[first->low] = true;
+    if (last - first == 1) loose[first->high] = true;
   });
   // Each such corner stands for the first one near it.
   NearPlaces places(near, mesh.vertices.rowwise().minCoeff());
@@ -155,8 +153,7 @@ TriangleMesh closed_up(TriangleMesh mesh, double near) {
   Vertices kept;
   std::vector<Vector3i> triangles;
   for (const auto& old : mesh.triangles.colwise()) {
-    const Vector3i t =
-        old.unaryExpr([&](int v) { return stands_for[static_cast<std::size_t>(v)]; });
+    const Vector3i t = old.unaryExpr([&](int v) { return stands_for[v]; });
     if (t(0) == t(1) || t(1) == t(2) || t(2) == t(0)) continue;  // an edge shorter than `near`
     triangles.emplace_back(t.unaryExpr([&](int v) { return kept.index_of(mesh.vertices.col(v)); }));
   }
@@ -185,7 +182,7 @@ class PartFinder {
         const int v = vertices.index_of(corners[k]);
         if (v == static_cast<int>(stands_for.size()))
           stands_for.push_back(near > 0 ? places.index_of(corners[k], v) : v);
-        corners_.push_back(static_cast<std::uint64_t>(stands_for[static_cast<std::size_t>(v)]));
+        corners_.push_back(static_cast<std::uint64_t>(stands_for[v]));
       }
     // Groups by the file's own vertices are parts if they are closed.
     std::vector<std::size_t> rest;
@@ -238,11 +235,11 @@ class PartFinder {
     std::iota(above.begin(), above.end(), 0);
     const auto top = [&](int v) {
       for (auto i = static_cast<std::size_t>(v); above[i] != v; i = static_cast<std::size_t>(v))
-        v = above[i] = above[static_cast<std::size_t>(above[i])];
+        v = above[i] = above[above[i]];
       return v;
     };
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      above[static_cast<std::size_t>(top(numbers[i]))] = top(numbers[i - i % 3]);
+      above[top(numbers[i])] = top(numbers[i - i % 3]);
     // One group for each root, in the order of the triangles.
     std::unordered_map<int, std::size_t> group_of;
     for (std::size_t t = 0; t < count; ++t) {

@@ -1,6 +1,5 @@
 #include "data/io/pad/pad.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <Eigen/Dense>
 
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "data/io/robot/import_couplings.h"
@@ -59,13 +60,13 @@ std::vector<LoopGroup> groups_of(RobotSpec& robot, const std::vector<LoopClosure
     if (joined.dofs.empty()) continue;  // nothing moves the two places
     // Merge all groups that share one with this closure.
     for (auto group = groups.begin(); group != groups.end();) {
-      const bool shared = std::any_of(joined.dofs.begin(), joined.dofs.end(),
-                                      [&](const auto& dof) { return group->dofs.count(dof) > 0; });
+      const bool shared =
+          any_of(joined.dofs, [&](const auto& dof) { return group->dofs.count(dof) > 0; });
       if (!shared) {
         ++group;
         continue;
       }
-      joined.closures.insert(joined.closures.end(), group->closures.begin(), group->closures.end());
+      append_all(joined.closures, group->closures);
       joined.dofs.insert(group->dofs.begin(), group->dofs.end());
       group = groups.erase(group);
     }
@@ -108,8 +109,7 @@ VectorXd polynomial(const std::vector<double>& u, const VectorXd& values, int de
   for (const double each : u) scale = std::max(scale, std::abs(each));
   MatrixXd powers(values.size(), degree + 1);
   for (Eigen::Index i = 0; i < values.size(); ++i)
-    for (int k = 0; k <= degree; ++k)
-      powers(i, k) = std::pow(u[static_cast<std::size_t>(i)] / scale, k);
+    for (int k = 0; k <= degree; ++k) powers(i, k) = std::pow(u[i] / scale, k);
   VectorXd c = powers.colPivHouseholderQr().solve(values);
   for (int k = 0; k <= degree; ++k) c[k] /= std::pow(scale, k);
   return c;
@@ -135,18 +135,6 @@ void couple(RobotSpec& robot, const std::string& passive, const std::string& mot
     joint.ratio = ratio * c[1];
     for (Eigen::Index k = 2; k < c.size(); ++k) joint.curve.push_back(ratio * c[k]);
   }
-}
-
-/// Widens the limits of followers by the error of their polynomials.
-void widen_limits(RobotSpec& robot, const RobotDof& motor) {
-  for (RobotJoint& joint : robot.joints)
-    if (joint.dof == motor.name && !joint.curve.empty())
-      for (int i = 0; i <= kGapChecks; ++i) {
-        const double value =
-            joint_value(joint, motor.lower + (motor.upper - motor.lower) * i / kGapChecks);
-        joint.lower = std::min(joint.lower, value);  // by what the polynomial is off
-        joint.upper = std::max(joint.upper, value);
-      }
 }
 
 /// The largest gap in the whole range, with joints coupled [m].
@@ -223,7 +211,7 @@ class LoopSolver {
     // Start with passive joints at zero, or at the nearest limit.
     VectorXd at(count);
     for (Eigen::Index i = 0; i < count; ++i) {
-      const PassiveJoint& passive = linkage.passives()[static_cast<std::size_t>(i)];
+      const PassiveJoint& passive = linkage.passives()[i];
       at[i] = std::clamp(0.0, passive.lower, passive.upper);
     }
     // The file's own posture first, then others over the range.
@@ -246,8 +234,7 @@ class LoopSolver {
       // Fit every passive joint, and measure the gap of the coupled robot.
       for (std::size_t i = 0; i < linkage.passives().size(); ++i) {
         VectorXd values(static_cast<Eigen::Index>(track.u.size()));
-        for (std::size_t k = 0; k < track.u.size(); ++k)
-          values[static_cast<Eigen::Index>(k)] = track.y[k][static_cast<Eigen::Index>(i)];
+        for (std::size_t k = 0; k < track.u.size(); ++k) values[k] = track.y[k][i];
         const bool still = values.maxCoeff() - values.minCoeff() < kStillRange;
         couple(coupled, linkage.passives()[i].name, motor.name,
                still ? VectorXd::Constant(1, values.mean()) : polynomial(track.u, values, degree));
@@ -281,13 +268,12 @@ class LoopSolver {
       dof.upper = motor.upper;
     }
     // Passive degrees of freedom are no longer needed.
-    const auto passive = [&](const RobotDof& dof) {
-      return std::any_of(linkage.passives().begin(), linkage.passives().end(),
-                         [&](const PassiveJoint& each) { return each.name == dof.name; });
-    };
-    robot_.dofs.erase(std::remove_if(robot_.dofs.begin(), robot_.dofs.end(), passive),
-                      robot_.dofs.end());
-    widen_limits(robot_, motor);
+    erase_where(robot_.dofs, [&](const RobotDof& dof) {
+      return find_named(linkage.passives(), dof.name) != nullptr;
+    });
+    // By what the polynomials are off.
+    for (RobotJoint& joint : robot_.joints)
+      if (joint.dof == motor.name && !joint.curve.empty()) widen_limits(joint, motor, kGapChecks);
   }
 
   RobotSpec& robot_;

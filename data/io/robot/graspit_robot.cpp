@@ -74,17 +74,10 @@ class GraspitTranslation {
     return "";
   }
 
-  std::string unique(const std::string& name) {
-    std::string candidate = name;
-    for (int i = 2; !names_.insert(candidate).second; ++i)
-      candidate = fmt::format("{} {}", name, i);
-    return candidate;
-  }
-
   std::string add_link(const pugi::xml_node& node, const std::string& name,
                        const std::string& digit) {
     RobotLink link;
-    link.name = unique(name);
+    link.name = internal::add_unique_name(names_, name);
     link.digit = digit;
     // A missing body is a link without shape and mass.
     const std::string written = file_.text(node), path = find_body(written);
@@ -157,7 +150,7 @@ class GraspitTranslation {
 
   std::string add_between(const std::string& name, int i, const std::string& digit) {
     RobotLink link;
-    link.name = unique(fmt::format("{} after {}", name, i));
+    link.name = internal::add_unique_name(names_, fmt::format("{} after {}", name, i));
     link.digit = digit;
     robot_.links.push_back(link);
     return link.name;

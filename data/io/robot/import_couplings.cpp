@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "data/io/robot/link_poses.h"
 
 namespace thenar::internal {
@@ -115,15 +116,6 @@ JointRange range_along(const RobotJoint& joint, const RobotDof& dof) {
   return best;
 }
 
-/// Widens the limits of a joint until they contain its whole curve.
-void widen(RobotJoint& joint, const RobotDof& dof) {
-  for (int i = 0; i <= 1000; ++i) {
-    const double value = joint_value(joint, dof.lower + (dof.upper - dof.lower) * i / 1000);
-    joint.lower = std::min(joint.lower, value);
-    joint.upper = std::max(joint.upper, value);
-  }
-}
-
 /// Tightens the range of a degree of freedom so that a follower keeps its limits.
 void tighten(RobotSpec& robot, RobotDof& dof, RobotJoint& joint) {
   const JointRange through = joint.curve.empty() ? range_through(joint) : range_along(joint, dof);
@@ -160,16 +152,20 @@ JointRange range_through(const RobotJoint& joint) {
   return {std::min(a, b), std::max(a, b)};
 }
 
+void widen_limits(RobotJoint& joint, const RobotDof& dof, int intervals) {
+  for (int i = 0; i <= intervals; ++i) {
+    const double value = joint_value(joint, dof.lower + (dof.upper - dof.lower) * i / intervals);
+    joint.lower = std::min(joint.lower, value);
+    joint.upper = std::max(joint.upper, value);
+  }
+}
+
 RobotJoint* find_joint(RobotSpec& robot, const std::string& name) {
-  const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
-                                  [&](const RobotJoint& joint) { return joint.name == name; });
-  return found == robot.joints.end() ? nullptr : &*found;
+  return find_named(robot.joints, name);
 }
 
 RobotDof* find_dof(RobotSpec& robot, const std::string& name) {
-  const auto found = std::find_if(robot.dofs.begin(), robot.dofs.end(),
-                                  [&](const RobotDof& dof) { return dof.name == name; });
-  return found == robot.dofs.end() ? nullptr : &*found;
+  return find_named(robot.dofs, name);
 }
 
 void couple_joints(RobotSpec& robot, const std::vector<FollowerCoupling>& couplings,
@@ -194,7 +190,7 @@ void couple_joints(RobotSpec& robot, const std::vector<FollowerCoupling>& coupli
     if (RobotDof* dof = find_dof(robot, joint.dof); dof != nullptr && dof->name != joint.name)
       tighten(robot, *dof, joint);
   for (RobotJoint& joint : robot.joints)
-    if (!joint.curve.empty()) widen(joint, *find_dof(robot, joint.dof));
+    if (!joint.curve.empty()) widen_limits(joint, *find_dof(robot, joint.dof), 1000);
 }
 
 void order_tree(RobotSpec& robot, const std::string& path) {

@@ -37,6 +37,10 @@ struct JointRange {
 /// limits.
 [[nodiscard]] JointRange range_through(const RobotJoint& joint);
 
+/// Widens the limits of a joint by what it leaves them over the range of the degree of freedom that
+/// it follows, looked at in so many intervals.
+void widen_limits(RobotJoint& joint, const RobotDof& dof, int intervals);
+
 /// The joint or degree of freedom of that name, or null.
 [[nodiscard]] RobotJoint* find_joint(RobotSpec& robot, const std::string& name);
 [[nodiscard]] RobotDof* find_dof(RobotSpec& robot, const std::string& name);

@@ -55,16 +55,8 @@ std::vector<fs::path> places_of_mesh(const std::string& name, const std::string&
   return places;
 }
 
-}  // namespace
-
-std::string find_mesh(const std::string& name, const std::string& robot_file) {
-  if (outside_fault(name, OutsideUse::kRead)) return "";
-  for (const fs::path& path : places_of_mesh(name, robot_file))
-    if (may_name(robot_file, path) && is_file(path.lexically_normal().string()))
-      return path.lexically_normal().string();
-  return "";
-}
-
+/// Describes the folders that find_mesh() searched in vain, and the nearest name there: "looked for
+/// it in A and the folders above it, did you mean 'tip.stl'?".
 std::string lost_mesh_words(const std::string& name, const std::string& robot_file) {
   if (const auto fault = outside_fault(name, OutsideUse::kRead))
     return fmt::format("its name has {}", *fault);
@@ -84,6 +76,10 @@ std::string lost_mesh_words(const std::string& name, const std::string& robot_fi
                      above ? " and in all folders above" : "", did_you_mean(file, beside));
 }
 
+/// Reads a mesh as a shape; a file with one exact shape (MeshContent) that is only scaled becomes
+/// it.
+/// @param file  as find_mesh() returns it
+/// @throws DataError if the file cannot be read.
 ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement, MeshReader& reader) {
   const Eigen::Matrix3d& A = placement.A;
   const double scale = A(0, 0);
@@ -104,6 +100,16 @@ ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement, Me
   shape.mesh.vertices = (A * shape.mesh.vertices).colwise() + placement.b;
   if (A.determinant() < 0) shape.mesh.triangles.row(1).swap(shape.mesh.triangles.row(2));
   return shape;
+}
+
+}  // namespace
+
+std::string find_mesh(const std::string& name, const std::string& robot_file) {
+  if (outside_fault(name, OutsideUse::kRead)) return "";
+  for (const fs::path& path : places_of_mesh(name, robot_file))
+    if (may_name(robot_file, path) && is_file(path.lexically_normal().string()))
+      return path.lexically_normal().string();
+  return "";
 }
 
 bool try_mesh(ShapeSpec& shape, const std::string& name, const MeshPlacement& placement,

@@ -15,10 +15,6 @@ namespace thenar::internal {
 /// of these folders or be in one of them. Empty if it is missing.
 [[nodiscard]] std::string find_mesh(const std::string& name, const std::string& robot_file);
 
-/// Describes the folders that find_mesh() searched in vain, and the nearest name there: "looked for
-/// it in A and the folders above it, did you mean 'tip.stl'?".
-[[nodiscard]] std::string lost_mesh_words(const std::string& name, const std::string& robot_file);
-
 /// Affine map of a mesh into the frame of its shape, p -> A p + b. If A only scales, equally along
 /// x, y and z, and b is zero, the shape keeps the name of its file; otherwise it is the surface
 /// alone. A mirrored surface is turned right side out.
@@ -33,14 +29,7 @@ struct NamedMeshes {
   MeshReader& reader;
 };
 
-/// Reads a mesh as a shape; a file with one exact shape (MeshContent) that is only scaled becomes
-/// it.
-/// @param file  as find_mesh() returns it
-/// @throws DataError if the file cannot be read.
-[[nodiscard]] ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement,
-                                   MeshReader& reader);
-
-/// mesh_shape() by the name in the robot file, put into `shape`, whose X_BS is the pose of the
+/// The mesh of a name in the robot file as a shape, put into `shape`, whose X_BS is the pose of the
 /// file's frame.
 /// @returns false if the file is missing or cannot be read; `warnings` then say that `link` goes
 /// without it.

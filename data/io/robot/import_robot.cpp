@@ -9,6 +9,7 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "data/io/graspit/xml_file.h"
 #include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/graspit_robot.h"
@@ -84,7 +85,7 @@ bool holds(const std::string& text, const char* words) {
 }  // namespace
 
 bool is_said(const std::vector<std::string>& warnings, const std::string& doubt) {
-  return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
+  return any_of(warnings, [&](const std::string& warning) {
     return warning.compare(0, doubt.size(), doubt) == 0;
   });
 }
@@ -121,8 +122,7 @@ RobotSpec import_robot(const std::string& path) {
     repair_shapes(link.shapes, fmt::format("link '{}'", link.name), robot.warnings);
   const std::vector<std::string> said = robot.warnings;
   std::vector<std::string> doubts = robot_doubts(robot);
-  if (kind != RobotFileKind::kToml)
-    for (std::string& doubt : mass_doubts(robot)) doubts.push_back(std::move(doubt));
+  if (kind != RobotFileKind::kToml) append_all(doubts, mass_doubts(robot));
   for (std::string& doubt : doubts)
     if (!is_said(said, doubt)) robot.warnings.push_back(std::move(doubt));
   robot.warnings = internal::by_severity(robot.warnings);

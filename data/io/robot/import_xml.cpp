@@ -76,6 +76,14 @@ std::string required_text(const XmlFile& file, const pugi::xml_node& node, const
   return text;
 }
 
+std::string add_unique_name(std::set<std::string>& names, const std::string& wanted,
+                            const std::string& otherwise) {
+  const std::string& name = wanted.empty() ? otherwise : wanted;
+  std::string candidate = name;
+  for (int i = 2; !names.insert(candidate).second; ++i) candidate = fmt::format("{} {}", name, i);
+  return candidate;
+}
+
 void UnreadElements::note(const pugi::xml_node& node, const std::string& what) {
   const int line = file_.line(node);
   // The same message once, with all its lines.

@@ -3,6 +3,7 @@
 /// Numbers in XML attributes, and notes about elements that are not read. For sources only.
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,11 @@ namespace thenar::internal {
 /// Reads an attribute that must be present and not empty. @throws DataError
 [[nodiscard]] std::string required_text(const XmlFile& file, const pugi::xml_node& node,
                                         const char* attribute);
+
+/// Adds a name that no other has: the wanted one, or with a number behind it; "" stands for
+/// `otherwise`.
+[[nodiscard]] std::string add_unique_name(std::set<std::string>& names, const std::string& wanted,
+                                          const std::string& otherwise = "");
 
 /// Collects elements that are not read, each message once with its lines; `file` must outlive it:
 /// "<transmission> is not read (2 times: lines 12, 30)".

@@ -43,8 +43,7 @@ Linkage::Linkage(const RobotSpec& robot, const LoopGroup& group, std::string mot
 
 VectorXd Linkage::loop_residual(double u, const VectorXd& y) const {
   DofValues values{{motor_, u}};
-  for (std::size_t i = 0; i < passives_.size(); ++i)
-    values[passives_[i].name] = y[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < passives_.size(); ++i) values[passives_[i].name] = y[i];
   return loop_residual(link_poses(robot_, values));
 }
 
@@ -130,23 +129,22 @@ bool Linkage::release(const MatrixXd& J, const VectorXd& y, std::vector<ActiveLi
   VectorXd pull(y.size());
   MatrixXd balance = J.transpose();
   for (Eigen::Index i = 0; i < y.size(); ++i) {
-    const PassiveJoint& passive = passives_[static_cast<std::size_t>(i)];
+    const PassiveJoint& passive = passives_[i];
     pull[i] = passive.stiffness * (passive.rest - y[i]);
-    if (stops[static_cast<std::size_t>(i)] != ActiveLimit::kNone) balance.row(i).setZero();
+    if (stops[i] != ActiveLimit::kNone) balance.row(i).setZero();
   }
   Eigen::JacobiSVD<MatrixXd> svd(balance, Eigen::ComputeThinU | Eigen::ComputeThinV);
   svd.setThreshold(kLoopRankTolerance);
   VectorXd free = pull;
   for (Eigen::Index i = 0; i < y.size(); ++i)
-    if (stops[static_cast<std::size_t>(i)] != ActiveLimit::kNone) free[i] = 0;
+    if (stops[i] != ActiveLimit::kNone) free[i] = 0;
   // What is left on each joint after these [N m] or [N].
   const VectorXd left = pull - J.transpose() * svd.solve(free);  // on each joint [N m] or [N]
   // Release the joint that is pulled off its limit most.
   std::size_t worst = stops.size();
   double most = 1e-9 * pull.cwiseAbs().maxCoeff();
   for (std::size_t i = 0; i < stops.size(); ++i) {
-    const double off =
-        (stops[i] == ActiveLimit::kLower ? 1 : -1) * left[static_cast<Eigen::Index>(i)];
+    const double off = (stops[i] == ActiveLimit::kLower ? 1 : -1) * left[i];
     if (stops[i] == ActiveLimit::kNone || off <= most) continue;
     most = off;
     worst = i;
@@ -178,7 +176,7 @@ VectorXd Linkage::free_step(const VectorXd& c, const MatrixXd& J, const VectorXd
   if (Z.cols() > 0) {
     VectorXd k(A.cols()), pull(A.cols());
     for (std::size_t f = 0; f < free.size(); ++f) {
-      const PassiveJoint& passive = passives_[static_cast<std::size_t>(free[f])];
+      const PassiveJoint& passive = passives_[free[f]];
       const auto at = static_cast<Eigen::Index>(f);
       k[at] = passive.stiffness;
       pull[at] = passive.stiffness * (passive.rest - y[free[f]] - least[at]);
@@ -189,7 +187,7 @@ VectorXd Linkage::free_step(const VectorXd& c, const MatrixXd& J, const VectorXd
     decided = H.cwiseAbs().maxCoeff() > 0 && lu.rank() == Z.cols();
     if (decided) x += Z * lu.solve(Z.transpose() * pull);
   }
-  for (std::size_t f = 0; f < free.size(); ++f) d[free[f]] = x[static_cast<Eigen::Index>(f)];
+  for (std::size_t f = 0; f < free.size(); ++f) d[free[f]] = x[f];
   return d;
 }
 

@@ -95,14 +95,6 @@ class BodyTree {
     }
   }
 
-  std::string unique(std::string name, const std::string& otherwise) {
-    if (name.empty()) name = otherwise;
-    std::string candidate = name;
-    for (int i = 2; !names_.insert(candidate).second; ++i)
-      candidate = fmt::format("{} {}", name, i);
-    return candidate;
-  }
-
   // NOLINTNEXTLINE(misc-no-recursion): as deep as bodies nest
   void add_body(const Part& part, const std::string& parent) {
     if (robot_.links.size() >= kMaxLinks)
@@ -111,7 +103,8 @@ class BodyTree {
         part.node.attribute("childclass").as_string(part.childclass.c_str());
     // The link, with shapes and mass from its elements.
     RobotLink link;
-    link.name = unique(part.node.attribute("name").value(), parent + " body");
+    link.name =
+        internal::add_unique_name(names_, part.node.attribute("name").value(), parent + " body");
     std::vector<Part> parts;
     collect(part.node, {}, childclass, parts);
     fill(link, parts);
@@ -176,7 +169,7 @@ class BodyTree {
     // A body without joints is fixed to its parent.
     if (joints.empty()) {
       RobotJoint fixed;
-      fixed.name = unique_joint("", name + " mount");
+      fixed.name = internal::add_unique_name(joint_names_, "", name + " mount");
       fixed.kind = RobotJointKind::kFixed;
       fixed.parent = parent;
       fixed.child = name;
@@ -187,7 +180,9 @@ class BodyTree {
     std::string carrier = parent;
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const bool last = i + 1 == joints.size();
-      const std::string child = last ? name : unique("", fmt::format("{} after {}", name, i + 1));
+      const std::string child =
+          last ? name
+               : internal::add_unique_name(names_, "", fmt::format("{} after {}", name, i + 1));
       if (!last) {
         RobotLink between;
         between.name = child;
@@ -203,20 +198,12 @@ class BodyTree {
                         fmt::format("{} joint of body '{}' is taken as fixed", type, body));
   }
 
-  std::string unique_joint(const std::string& name, const std::string& otherwise) {
-    const std::string wanted = name.empty() ? otherwise : name;
-    std::string candidate = wanted;
-    for (int i = 2; !joint_names_.insert(candidate).second; ++i)
-      candidate = fmt::format("{} {}", wanted, i);
-    return candidate;
-  }
-
   void add_joint(const Part& part, const std::string& parent, const std::string& child,
                  const Pose<double>& X_PB, const std::string& body) {
     const MjcfElement element(source_, part.node, part.childclass);
     // Names and kind.
     RobotJoint joint;
-    joint.name = unique_joint(element.text("name"), body + " joint");
+    joint.name = internal::add_unique_name(joint_names_, element.text("name"), body + " joint");
     joint.parent = parent;
     joint.child = child;
     const bool hinge = element.text("type", "hinge") == "hinge";

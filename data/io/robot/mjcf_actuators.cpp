@@ -1,10 +1,11 @@
 #include "data/io/robot/mjcf_actuators.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
+
+#include "base/lists.h"
 
 namespace thenar::internal {
 namespace {
@@ -32,11 +33,6 @@ EffortRange effort_of(const MjcfElement& actuator, const std::string& kind) {
   if (kind != "general" || gain != "fixed" || bias != "none") return {};
   const std::vector<double> gains = actuator.numbers("gainprm");
   return within("ctrlrange", gains.empty() ? 1 : gains[0]);
-}
-
-bool has_tendon(const std::vector<FixedTendon>& tendons, const std::string& name) {
-  return std::any_of(tendons.begin(), tendons.end(),
-                     [&](const FixedTendon& tendon) { return tendon.name == name; });
 }
 
 /// Limits of a tendon's length by MuJoCo's rules, if it has any.
@@ -77,9 +73,7 @@ EffortRange& EffortRange::operator+=(const EffortRange& other) {
 
 bool has_joint(const MjcfSource& source, const RobotSpec& robot, const pugi::xml_node& node,
                const std::string& name) {
-  if (std::any_of(robot.joints.begin(), robot.joints.end(),
-                  [&](const RobotJoint& joint) { return joint.name == name; }))
-    return true;
+  if (find_named(robot.joints, name) != nullptr) return true;
   const std::string what =
       fmt::format("<{}> names joint '{}', and there is no such hinge or slide", node.name(), name);
   if (!source.incomplete) source.file.fail(node, what);
@@ -117,7 +111,7 @@ std::vector<MjcfActuator> read_actuators(const MjcfSource& source, const RobotSp
       actuator.tendon = element.text("tendon");
       actuator.effort = effort_of(element, node.name());
       if (!actuator.joint.empty() && !has_joint(source, robot, node, actuator.joint)) continue;
-      if (actuator.joint.empty() && !has_tendon(tendons, actuator.tendon)) {
+      if (actuator.joint.empty() && find_named(tendons, actuator.tendon) == nullptr) {
         source.unread.note(node, fmt::format("<{}> '{}' drives no joint and no fixed tendon",
                                              node.name(), actuator.name));
         continue;

@@ -1,3 +1,4 @@
+#include "base/lists.h"
 #include "data/io/robot/mjcf_parts.h"
 
 #include <algorithm>
@@ -173,12 +174,10 @@ class MjcfDrive {
         std::find_if(robot_.dofs.begin(), robot_.dofs.end(),
                      [&](const RobotDof& dof) { return by_dof.count(dof.name) > 0; });
     robot_.dofs.insert(place, shared);
-    robot_.dofs.erase(std::remove_if(robot_.dofs.begin(), robot_.dofs.end(),
-                                     [&](const RobotDof& dof) {
-                                       const auto part = by_dof.find(dof.name);
-                                       return part != by_dof.end() && part->second != 0;
-                                     }),
-                      robot_.dofs.end());
+    erase_where(robot_.dofs, [&](const RobotDof& dof) {
+      const auto part = by_dof.find(dof.name);
+      return part != by_dof.end() && part->second != 0;
+    });
     moved_.insert(shared.name);
     by_dof_[shared.name].push_back(actuator.name);
   }

@@ -1,6 +1,6 @@
+#include "base/lists.h"
 #include "data/io/robot/mjcf_parts.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -87,8 +87,7 @@ bool set_written_mesh(ShapeSpec& shape, const MjcfElement& mesh, const MeshPlace
     return face >= 0 && face < static_cast<double>(vertices);
   };
   // Faces refer to existing vertices.
-  if (!std::all_of(faces.begin(), faces.end(), is_vertex))
-    mesh.fail("a face names a vertex that is not there");
+  if (!all_of(faces, is_vertex)) mesh.fail("a face names a vertex that is not there");
   shape.kind = ShapeKind::kMesh;
   shape.mesh.vertices = Eigen::Map<const Eigen::Matrix3Xd>(
       corners.data(), 3, static_cast<Eigen::Index>(corners.size() / 3));

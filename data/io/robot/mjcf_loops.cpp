@@ -1,7 +1,5 @@
 #include "data/io/robot/mjcf_parts.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <pugixml.hpp>
 

@@ -1,10 +1,7 @@
 #include "data/io/robot/mjcf_source.h"
 
 #include <filesystem>
-#include <map>
-#include <memory>
 #include <set>
-#include <string>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -14,8 +11,6 @@
 #include "base/outside_path.h"
 #include "base/units.h"
 #include "data/io/file_guard.h"
-#include "data/io/graspit/xml_file.h"
-#include "data/io/robot/import_xml.h"
 
 namespace thenar::internal {
 namespace {
@@ -109,7 +104,7 @@ Eigen::Matrix3d euler_rotation(const Eigen::Vector3d& angles, const std::string&
   // Lower case rotates with the frame, upper case in the fixed one.
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   for (int i = 0; i < 3; ++i) {
-    const std::size_t letter = std::string("xyzXYZ").find(sequence[static_cast<std::size_t>(i)]);
+    const std::size_t letter = std::string("xyzXYZ").find(sequence[i]);
     const Eigen::Vector3d axis = Eigen::Vector3d::Unit(static_cast<int>(letter % 3));
     const Eigen::Matrix3d turn = rotation_about<double>(axis, angles[i]);
     R = letter < 3 ? Eigen::Matrix3d(R * turn) : Eigen::Matrix3d(turn * R);
@@ -401,7 +396,7 @@ class Replicator {
       pugi::xml_node place = parent.insert_child_before("frame", node);
       for (int step = 0; step < i; ++step) place = moved(place, node);
       for (const pugi::xml_node part : node.children())
-        rename(place.append_copy(part), suffixes[static_cast<std::size_t>(i)]);
+        rename(place.append_copy(part), suffixes[i]);
     }
     parent.remove_child(node);
     // Tendons, equalities and actuators of copied joints are copied, too.

@@ -1,13 +1,12 @@
 #include "data/io/robot/robot.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/robot/robot_parts.h"
 
@@ -35,8 +34,7 @@ std::set<std::string> digits_in(const RobotSpec& robot) {
 }
 
 bool any_speed(const RobotSpec& robot) {
-  return std::any_of(robot.dofs.begin(), robot.dofs.end(),
-                     [](const RobotDof& dof) { return dof.speed != 0; });
+  return any_of(robot.dofs, [](const RobotDof& dof) { return dof.speed != 0; });
 }
 
 namespace {
@@ -151,8 +149,8 @@ RobotSpec attach(const RobotSpec& carrier, const std::string& link, const RobotS
   robot.approach = {X_BT * tool.approach.point, (X_BT.R * tool.approach.direction).normalized()};
   robot.approach_stated = tool.approach_stated;
   robot.files.insert(tool.files.begin(), tool.files.end());
-  robot.open_loops.insert(robot.open_loops.end(), tool.open_loops.begin(), tool.open_loops.end());
-  robot.warnings.insert(robot.warnings.end(), tool.warnings.begin(), tool.warnings.end());
+  append_all(robot.open_loops, tool.open_loops);
+  append_all(robot.warnings, tool.warnings);
   check_robot(robot);
   return robot;
 }
@@ -255,9 +253,7 @@ void check_drives(const RobotSpec& robot) {
     for (const RobotDof& dof : robot.dofs)
       if (dof.name == joint.dof && !joint.curve.empty()) check_curve(joint, dof);
   for (const RobotJoint& joint : robot.joints)
-    require(joint.dof.empty() ||
-                std::any_of(robot.dofs.begin(), robot.dofs.end(),
-                            [&](const RobotDof& dof) { return dof.name == joint.dof; }),
+    require(joint.dof.empty() || find_named(robot.dofs, joint.dof) != nullptr,
             "joint '{}' is driven by '{}', which is no degree of freedom", joint.name, joint.dof);
 }
 

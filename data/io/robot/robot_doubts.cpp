@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
 #include "base/units.h"
 #include "base/words.h"
 
@@ -57,7 +58,7 @@ bool carries_all(const RobotSpec& robot, const RobotJoint& carrier) {
   std::set<std::string> carried{carrier.child};
   for (const RobotJoint& joint : robot.joints)
     if (carried.count(joint.parent) > 0) carried.insert(joint.child);
-  return std::all_of(robot.links.begin(), robot.links.end(), [&](const RobotLink& link) {
+  return all_of(robot.links, [&](const RobotLink& link) {
     return link.shapes.empty() || carried.count(link.name) > 0;
   });
 }
@@ -103,10 +104,9 @@ bool names(const std::string& text, const std::string& name) {
 void doubt_missing_efforts(RobotSpec& robot) {
   std::vector<std::string> missing;
   for (const RobotDof& dof : robot.dofs) {
-    const bool said =
-        std::any_of(robot.warnings.begin(), robot.warnings.end(), [&](const std::string& warning) {
-          return warning.find("unknown") != std::string::npos && names(warning, dof.name);
-        });
+    const bool said = any_of(robot.warnings, [&](const std::string& warning) {
+      return warning.find("unknown") != std::string::npos && names(warning, dof.name);
+    });
     if (dof.max_effort == 0 && !said) missing.push_back(dof.name);
   }
   if (!missing.empty())
@@ -139,10 +139,7 @@ std::vector<RobotDof*> far_above_others(RobotSpec& robot, bool sliding) {
 /// Marks efforts as placeholders that are too large for any hand, and all the same or round, or the
 /// same in several joints and far above those of the others.
 void doubt_placeholders(RobotSpec& robot) {
-  // Placeholders in all joints: large, and either equal or round.
-  const auto all = [&](const auto& is) {
-    return std::all_of(robot.dofs.begin(), robot.dofs.end(), is);
-  };
+  const auto all = [&](const auto& is) { return all_of(robot.dofs, is); };
   const bool large = all([&](const RobotDof& dof) {
     return dof.max_effort >= (slides(robot, dof) ? kLeastForce : kLeastTorque);
   });
@@ -195,9 +192,8 @@ std::vector<std::string> mass_doubts(const RobotSpec& robot) {
     any = any || link.mass > 0;
     if (i > 0 && !(link.mass > 0) && !link.shapes.empty()) massless.push_back(link.name);
   }
-  const bool moves =
-      std::any_of(robot.joints.begin(), robot.joints.end(),
-                  [](const RobotJoint& joint) { return joint.kind != RobotJointKind::kFixed; });
+  const bool moves = any_of(
+      robot.joints, [](const RobotJoint& joint) { return joint.kind != RobotJointKind::kFixed; });
   if (!any && moves && !massless.empty())
     return {"no link has a mass: nothing tells how the robot moves, or how heavy it is"};
   if (!any || massless.empty()) return {};
@@ -207,14 +203,11 @@ std::vector<std::string> mass_doubts(const RobotSpec& robot) {
 
 void doubt_efforts(RobotSpec& robot) {
   if (robot.dofs.empty()) return;
-  // Without any effort there is nothing to compare.
-  const auto all = [&](const auto& is) {
-    return std::all_of(robot.dofs.begin(), robot.dofs.end(), is);
-  };
+  const auto all = [&](const auto& is) { return all_of(robot.dofs, is); };
   if (all([](const RobotDof& dof) { return dof.max_effort == 0; })) {
-    const bool said = std::any_of(
-        robot.warnings.begin(), robot.warnings.end(),
-        [](const std::string& w) { return w.find("unknown effort") != std::string::npos; });
+    const bool said = any_of(robot.warnings, [](const std::string& w) {
+      return w.find("unknown effort") != std::string::npos;
+    });
     if (!said) robot.warnings.emplace_back("no joint has an effort: all are of unknown effort");
     return;
   }

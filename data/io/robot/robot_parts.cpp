@@ -2,7 +2,6 @@
 
 #include "data/io/robot/robot_parts.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"

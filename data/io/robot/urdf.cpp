@@ -14,7 +14,6 @@
 #include "base/words.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/import_mesh.h"
-#include "data/io/robot/import_xml.h"
 
 namespace thenar {
 namespace {

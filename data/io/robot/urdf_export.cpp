@@ -1,3 +1,4 @@
+#include "base/lists.h"
 #include "data/io/robot/urdf.h"
 
 #include <algorithm>

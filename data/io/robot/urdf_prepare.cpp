@@ -1,6 +1,5 @@
 #include "data/io/robot/urdf.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <set>
 
-#include "base/error.h"
 #include "base/nearest_name.h"
 #include "data/io/mesh/shape_toml.h"
 #include "data/io/scene/scene_keys.h"

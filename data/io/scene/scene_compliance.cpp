@@ -8,11 +8,6 @@
 
 namespace thenar {
 
-const std::vector<std::string>& compliance_way_names() {
-  static const std::vector<std::string> names{"across", "along", "axial", "abduction", "twist"};
-  return names;
-}
-
 namespace internal {
 namespace {
 
@@ -21,15 +16,16 @@ constexpr std::size_t kTranslationCount = 3;
 
 /// Reads the ways that yield: those of 'ways', or all.
 std::array<bool, 5> read_ways(TomlTable& table) {
+  // In the order of SceneComplianceSpec::Way.
+  static const std::vector<std::string> names{"across", "along", "axial", "abduction", "twist"};
   std::array<bool, 5> gives{true, true, true, true, true};
   if (!table.has("ways")) return gives;
   gives.fill(false);
   for (const std::string& word : table.texts("ways")) {
-    const std::vector<std::string>& names = compliance_way_names();
     const auto at = std::find(names.begin(), names.end(), word);
     if (at == names.end())
       table.fail(fmt::format("there is no way '{}'{}", word, did_you_mean(word, names)), "ways");
-    gives[static_cast<std::size_t>(at - names.begin())] = true;
+    gives[at - names.begin()] = true;
   }
   return gives;
 }

@@ -44,9 +44,6 @@ struct SceneLigamentSpec {
   int line = 1;                         // of the file
 };
 
-/// "across", "along", "axial", "abduction", "twist", in the order of SceneComplianceSpec::Way.
-[[nodiscard]] const std::vector<std::string>& compliance_way_names();
-
 namespace internal {
 
 /// Springs of a capsule's ways by 'translation' or 'rotation', with '.._damping' and '.._toe'.

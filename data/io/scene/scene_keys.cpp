@@ -1,7 +1,5 @@
 #include "data/io/scene/scene_keys.h"
 
-#include <cmath>
-
 #include "base/error.h"
 #include "data/io/world/world_keys.h"
 

@@ -1,6 +1,5 @@
 #include "data/io/scene/scene_pad.h"
 
-#include <algorithm>
 #include <map>
 #include <set>
 #include <string_view>

@@ -1,10 +1,9 @@
 #include "data/io/world/body_toml.h"
 
-#include <algorithm>
-
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "data/io/mesh/shape_toml.h"
 #include "data/io/toml_text.h"
 
@@ -104,8 +103,7 @@ std::string sources_table(const std::vector<std::string>& sources, const OwnSour
   const std::vector<std::string>& known = known_sources();
   for (const std::string& source : sources)
     for (const std::string& key : keys_in(source))
-      if (std::find(known.begin(), known.end(), key) == known.end())
-        all.emplace(key, "As the file says that it was read from");
+      if (!contains(known, key)) all.emplace(key, "As the file says that it was read from");
   std::string text;
   for (const auto& [key, reference] : all)
     text += fmt::format("{} = {}\n", toml_quoted(key), toml_quoted(reference));

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/outside_path.h"
 #include "base/progress_parts.h"
 #include "data/io/graspit/graspit_transform.h"
@@ -76,8 +77,7 @@ class WorldReader {
   /// Warns of elements in `node` that are not in `known`.
   void check(const pugi::xml_node& node, const std::vector<std::string>& known) {
     for (const pugi::xml_node& child : node.children())
-      if (child.type() == pugi::node_element &&
-          std::find(known.begin(), known.end(), child.name()) == known.end())
+      if (child.type() == pugi::node_element && !contains(known, child.name()))
         not_understood(child);
   }
 
@@ -122,11 +122,10 @@ class WorldReader {
     // Names of bodies are unique.
     auto& bodies = read_.world.bodies;
     found.body.name = new_name(found.body.name, [&](const std::string& name) {
-      return std::any_of(bodies.begin(), bodies.end(),
-                         [&](const PlacedBody& other) { return other.body.name == name; });
+      return any_of(bodies, [&](const PlacedBody& other) { return other.body.name == name; });
     });
     auto& warnings = read_.warnings;
-    warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
+    append_all(warnings, found.warnings);
     bodies.push_back(
         {std::move(found.body), "", graspit_transform(file_, node, warnings), dynamic});
   }
@@ -157,8 +156,7 @@ class WorldReader {
     hand.file = *path;
     auto& hands = read_.world.hands;
     hand.name = new_name(fs::path(hand.file).stem().string(), [&](const std::string& name) {
-      return std::any_of(hands.begin(), hands.end(),
-                         [&](const PlacedHand& other) { return other.name == name; });
+      return find_named(hands, name) != nullptr;
     });
     hand.X_WH = graspit_transform(file_, node, read_.warnings);
     // Posture by the robot's degrees of freedom.
@@ -191,8 +189,8 @@ class WorldReader {
     const int chain = whole_number(node, "parentChain", kMaxChains);
     if (parent == child) file_.fail(node, "a robot cannot carry itself");
     // A connection needs both robots.
-    const std::optional<Placed>& carrier = robots_[static_cast<std::size_t>(parent)];
-    const std::optional<Placed>& carried = robots_[static_cast<std::size_t>(child)];
+    const std::optional<Placed>& carrier = robots_[parent];
+    const std::optional<Placed>& carried = robots_[child];
     if (!carrier || !carried)
       return warn(node, fmt::format("robot {} carries robot {}, one of which is left out: so is "
                                     "the <connection>",

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <string_view>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "data/io/linked_file.h"
 #include "data/io/pad/law_file.h"
@@ -21,8 +21,7 @@ std::vector<std::string> likenesses(const Materials& materials, const std::strin
   std::vector<std::string> names{name};
   for (std::size_t i = 0; i < names.size(); ++i)
     for (const Material& material : materials.materials)
-      if (material.name == names[i] && !material.like.empty() &&
-          std::find(names.begin(), names.end(), material.like) == names.end())
+      if (material.name == names[i] && !material.like.empty() && !contains(names, material.like))
         names.push_back(material.like);
   return names;
 }
@@ -58,13 +57,7 @@ const std::map<std::string, std::string_view>& material_table();  // made by cma
 namespace {
 
 std::vector<std::string> names_of(const Materials& materials) {
-  std::vector<std::string> names;
-  for (const Material& material : materials.materials) names.push_back(material.name);
-  return names;
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return transformed(materials.materials, [&](const Material& material) { return material.name; });
 }
 
 /// Laws of a pad by the name that a materials file gives them.

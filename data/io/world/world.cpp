@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "data/io/mesh/shape_toml.h"
 #include "data/io/toml_text.h"
@@ -77,9 +78,7 @@ void check_names(TomlTable& top, const WorldSpec& world) {
     if (twice != names.end()) top.fail(fmt::format("two things are called '{}'", *twice));
   }
   for (const PlacedHand& hand : world.hands)
-    if (!hand.carrier.empty() &&
-        (hand.carrier == hand.name ||
-         std::find(hands.begin(), hands.end(), hand.carrier) == hands.end()))
+    if (!hand.carrier.empty() && (hand.carrier == hand.name || !contains(hands, hand.carrier)))
       top.fail(fmt::format("'{}' is carried by '{}', which is no other hand or arm here", hand.name,
                            hand.carrier));
 }

@@ -1,0 +1,81 @@
+#pragma once
+
+/// Questions to whole lists, and lists that are made of others.
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace thenar {
+
+/// Returns whether a list has a value.
+template <typename List, typename Value>
+[[nodiscard]] bool contains(const List& list, const Value& value) {
+  return std::find(std::begin(list), std::end(list), value) != std::end(list);
+}
+
+/// Index of the first entry with a value; -1: there is none.
+template <typename List, typename Value>
+[[nodiscard]] int place_in(const List& list, const Value& value) {
+  const auto found = std::find(std::begin(list), std::end(list), value);
+  return found == std::end(list) ? -1 : static_cast<int>(found - std::begin(list));
+}
+
+/// The first entry whose member `name` is this; null: there is none.
+template <typename List>
+[[nodiscard]] auto* find_named(List& list, const std::string& name) {
+  const auto found = std::find_if(std::begin(list), std::end(list),
+                                  [&](const auto& each) { return each.name == name; });
+  return found == std::end(list) ? nullptr : &*found;
+}
+
+/// Index in a vector of the first entry whose member `name` is this; -1: there is none.
+template <typename Entry>
+[[nodiscard]] int place_named(const std::vector<Entry>& list, const std::string& name) {
+  const Entry* found = find_named(list, name);
+  return found == nullptr ? -1 : static_cast<int>(found - list.data());
+}
+
+/// Returns whether an entry passes a test.
+template <typename List, typename Test>
+[[nodiscard]] bool any_of(const List& list, const Test& test) {
+  return std::any_of(std::begin(list), std::end(list), test);
+}
+
+/// Returns whether all entries pass a test.
+template <typename List, typename Test>
+[[nodiscard]] bool all_of(const List& list, const Test& test) {
+  return std::all_of(std::begin(list), std::end(list), test);
+}
+
+/// What a function makes of each entry, in the order of the list.
+template <typename List, typename Make>
+[[nodiscard]] auto transformed(const List& list, const Make& make) {
+  std::vector<std::decay_t<decltype(make(*std::begin(list)))>> made;
+  made.reserve(static_cast<std::size_t>(std::distance(std::begin(list), std::end(list))));
+  for (const auto& each : list) made.push_back(make(each));
+  return made;
+}
+
+/// Keys of a map, in its order.
+template <typename Map>
+[[nodiscard]] std::vector<typename Map::key_type> map_keys(const Map& map) {
+  return transformed(map, [](const auto& each) { return each.first; });
+}
+
+/// Removes the entries that pass a test.
+template <typename List, typename Test>
+void erase_where(List& list, const Test& test) {
+  list.erase(std::remove_if(std::begin(list), std::end(list), test), std::end(list));
+}
+
+/// Adds all entries of a list to the end of another.
+template <typename List, typename More>
+void append_all(List& list, const More& more) {
+  list.insert(std::end(list), std::begin(more), std::end(more));
+}
+
+}  // namespace thenar
