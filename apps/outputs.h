@@ -39,7 +39,7 @@ struct OutputKinds {
   std::vector<std::string> own = {};  // endings of its own files: ".h5"
 };
 
-/// What is typed of a command: its request, and where the answer goes.
+/// Arguments of a command: its request, and where the answer goes.
 template <typename Request>
 struct Arguments {
   Request request = {};

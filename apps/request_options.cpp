@@ -151,7 +151,7 @@ std::vector<std::string> option_names(const Param& param) {
   return names;
 }
 
-/// What is typed, as the help calls it.
+/// Word for a value, as the help calls it.
 std::string type_of(const Param& param, const Schema& schema) {
   if (schema.kind == Kind::kNumber) return "NUMBER";
   if (schema.kind == Kind::kInteger) return "INTEGER";

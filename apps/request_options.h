@@ -31,7 +31,7 @@ struct QuestionCommand {
   std::vector<std::string> examples;  // command lines without the program
 };
 
-/// What was typed of a question.
+/// Arguments typed for a question.
 struct TypedQuestion {
   const Question* question = nullptr;
   Json request = Json::object();

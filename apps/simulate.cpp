@@ -82,7 +82,7 @@ void compare_and_deliver(const SceneRequest& request, const std::vector<std::str
   tell_outcome(comparison, comparison.outcome.stopped(), outputs);
 }
 
-/// What is typed: of a subject, of a scene or of both.
+/// Arguments: of a subject, of a scene, or of both.
 struct SimulateArguments : TypedQuestion {
   std::vector<std::string> pads;  // rungs
 };

@@ -30,7 +30,8 @@ void run_thumb(const StudyArguments& options) {
   deliver(options.outputs, result);
   if (result.stopped) throw Stopped("stopped; what was finished by then is kept");
   const std::string complaint = study_complaint(result);
-  if (!complaint.empty() && !options.allow_unconverged) throw Error(complaint);
+  if (!complaint.empty() && !options.allow_unconverged)
+    throw Error(complaint + "; --allow-unconverged accepts them");
 }
 
 void run_types(const Arguments<ThumbTypesRequest>& options) {

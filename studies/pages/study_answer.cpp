@@ -137,10 +137,8 @@ std::string text_of(const ThumbStudyResult& result) {
 std::string study_complaint(const ThumbStudyResult& result) {
   const std::size_t doubtful = unconverged_fits(result.study);
   if (doubtful == 0) return "";
-  return fmt::format(
-      "{} of {} fits have NOT converged; they are marked (more --draws may help; "
-      "--allow-unconverged accepts them)",
-      doubtful, result.study.fits.size());
+  return fmt::format("{} of {} fits have NOT converged; they are marked (more draws may help)",
+                     doubtful, result.study.fits.size());
 }
 
 }  // namespace thenar
