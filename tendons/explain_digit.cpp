@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/lists.h"
+
 namespace thenar {
 namespace {
 
