@@ -8,6 +8,7 @@
 
 #include "api/named/files.h"
 #include "base/error.h"
+#include "posterior/hand_posterior.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"
 #include "sampling/run/communicator.h"

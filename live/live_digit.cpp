@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "api/moment_arms.h"
@@ -135,6 +136,18 @@ std::vector<std::string> LiveDigit::set(const DigitInputs& inputs) {
 
 void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation,
                       const Eigen::VectorXd& t) {
+  // What the present answer rests on stays if the new one cannot be found.
+  const auto kept = std::make_tuple(straight_rest_, zero_length_, solved_tension_);
+  try {
+    solve_anew(q, excitation, t);
+  } catch (...) {
+    std::tie(straight_rest_, zero_length_, solved_tension_) = kept;
+    throw;
+  }
+}
+
+void LiveDigit::solve_anew(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation,
+                           const Eigen::VectorXd& t) {
   DigitNow now;
   now.excitation = excitation;
   now.tension = muscles_->tensions(excitation, t, q);

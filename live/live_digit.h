@@ -90,7 +90,10 @@ class LiveDigit final : public LiveModel {
   [[nodiscard]] Eigen::VectorXd with_angles(const std::map<std::string, double>& posture,
                                             std::vector<std::string>& limited) const;
   [[nodiscard]] Eigen::VectorXd with_excitations(const DigitInputs& inputs) const;
+  /// Finds the answer at a posture; where that fails, the present one stays whole.
   void solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation, const Eigen::VectorXd& t);
+  void solve_anew(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation,
+                  const Eigen::VectorXd& t);
   [[nodiscard]] DigitPoint point_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
   [[nodiscard]] Eigen::MatrixXd arms_at(const DigitPoint& point, const Eigen::VectorXd& t) const;
   [[nodiscard]] Eigen::VectorXd lengths_at(const DigitPoint& point, const Eigen::VectorXd& t) const;

@@ -89,7 +89,12 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
       if (progress.stop()) break;
       within(0, "stepping");
     }
-    if (!step_once(within)) break;
+    try {
+      if (!step_once(within)) break;
+    } catch (const Error&) {
+      take_quality(out);  // the steps before count
+      throw;
+    }
     good = is_finite(stepper_.now().state);
     if (!good) continue;
     keep();

@@ -152,6 +152,7 @@ bool PressIterate::go_to_touch(PressOutcome& out) {
 }
 
 void PressIterate::find_stiffness(const std::vector<double>& values) {
+  stiffness.clear();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     // Stiffness of tissue at rest under the node, and of the body as it is.
     const double at_rest =

@@ -41,10 +41,10 @@ MeasuredPress measured(PadPress& press, const PadPressResult& result, const Pres
 /// Returns whether a patch has more than some nodes. For a disc under even pressure the arm is 0.38
 /// times the root of its area; for a single node it is only rounding.
 bool is_patch(const MeasuredPress& press, Eigen::Index nodes) {
-  constexpr Eigen::Index kMostNodes = 4;  // Least nodes of a patch
+  constexpr Eigen::Index kLeastNodes = 4;
   constexpr double kTurnArm = 0.1;  // Least arm of the pressure, over the root of the area [1]
   return press.force > 0 && press.area > 0 && press.depth > 0 && press.shear > 0 &&
-         nodes >= kMostNodes && press.arm > kTurnArm * std::sqrt(press.area);
+         nodes >= kLeastNodes && press.arm > kTurnArm * std::sqrt(press.area);
 }
 
 /// A pose whose z axis is `z`, at a distance from the origin against `along`.

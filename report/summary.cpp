@@ -8,6 +8,7 @@
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "base/words.h"
+#include "posterior/hand_posterior.h"
 
 namespace thenar {
 namespace {

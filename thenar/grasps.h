@@ -10,3 +10,4 @@
 #include "api/named/hands.h"
 #include "api/named/worlds.h"
 #include "api/quality.h"
+#include "data/io/world/make_body.h"

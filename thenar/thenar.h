@@ -5,7 +5,7 @@
 ///
 ///     #include <thenar/hands.h>
 ///
-/// The six headers below, and those that they include, are installed; all others are private.
+/// These headers, and those that they include, are installed; all others are private.
 
 #include "thenar/deprecated.h"
 #include "thenar/fits.h"

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "dynamics/mechanism/tree_motion.h"
 
 namespace thenar {
 namespace {

@@ -167,6 +167,7 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
   Parts& p = *parts_;
   outcome.active.clear();
   outcome.deepest_new = outcome.closing_new = outcome.residual = 0;
+  outcome.solved = false;
   // Positions at the end of the substep.
   advance(p.scene.mechanism, p.model.layout, state.v, h, state.q);
   state.t += h;
@@ -210,6 +211,8 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   Parts& p = *parts_;
   const MechanismLayout& layout = p.model.layout;
   outcome.active.clear();
+  outcome.deepest_new = outcome.closing_new = outcome.residual = 0;
+  outcome.solved = false;
   // Positions at the middle of the step.
   advance(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
   state.t += 0.5 * h;
@@ -229,7 +232,6 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   // Speeds without impulses, by efforts with their slopes in the mean of the step.
   acted = p.efforts.load(p.motion, state) && acted;
   outcome.solved = p.free.set(p.motion, p.efforts, state, h, 0.5) && acted;
-  outcome.residual = 0;
   // Repeat with the velocity product at the mean of the speeds before and after. Efforts stay,
   // because the mass matrix has their slopes.
   p.v_mean = 0.5 * (state.v + p.free.v);

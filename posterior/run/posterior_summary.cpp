@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "kinematics_fit/misfit.h"
+#include "posterior/hand_posterior.h"
 #include "posterior/run/predict_draws.h"
 
 namespace thenar {

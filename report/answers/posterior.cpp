@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "posterior/hand_posterior.h"
 #include "report/answers/prediction.h"
 #include "report/parameter_words.h"
 #include "report/sampling_advice.h"

@@ -154,8 +154,10 @@ Json tip_chart(const TendonSweepResult& sweep) {
         [&](const DigitPoint& point) -> Json {
           if (point.tip.singular()) return nullptr;
           const TreeState<double> state = pose_tree(model.tree, point.q);
-          const auto link = static_cast<std::size_t>(model.tip_link);
-          return (state[link].X.R * model.tip_axes.col(k)).dot(point.tip.f_W);
+          const Eigen::Matrix3d turn = model.tip_link < 0
+                                           ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+                                           : state[model.tip_link].X.R;
+          return (turn * model.tip_axes.col(k)).dot(point.tip.f_W);
         },
         series);
   return chart(

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "posterior/hand_posterior.h"
 #include "report/pads/press_answer.h"
 #include "report/pages/compare_rungs.h"
 #include "report/pages/comparison.h"

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/units.h"
+#include "posterior/hand_posterior.h"
 #include "report/words.h"
 #include "studies/pages/fit_study_page.h"
 #include "studies/pages/measured_lessons.h"

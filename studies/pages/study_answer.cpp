@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "posterior/hand_posterior.h"
 #include "report/parameter_words.h"
 
 namespace thenar {

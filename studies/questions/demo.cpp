@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "data/io/scene/scene_pad.h"
+#include "posterior/hand_posterior.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"
 #include "tendons/net/build_tendons.h"

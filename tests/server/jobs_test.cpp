@@ -14,14 +14,16 @@
 #include "server/methods/method_table.h"
 #include "server/replay.h"
 #include "tests/message_of.h"
+#include "tests/patience.h"
 
 namespace thenar {
 namespace {
 
 /// Waits until something holds. @return whether it does
 bool wait_until(const std::function<bool()>& holds) {
-  for (int i = 0; i < 3000 && !holds(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  constexpr std::chrono::milliseconds kPause{10};
+  for (std::chrono::milliseconds waited{0}; waited < kHang && !holds(); waited += kPause)
+    std::this_thread::sleep_for(kPause);
   return holds();
 }
 

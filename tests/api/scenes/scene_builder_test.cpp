@@ -69,10 +69,14 @@ TEST(SceneBuilder, RefusesWhatMakesNoScene) {
   scene.add_floor();
   EXPECT_THAT(message_of([&] { scene.add_floor(1); }), HasSubstr("'floor' is there already"));
   EXPECT_THAT(message_of([&] { scene.add_hand("floor"); }), HasSubstr("'floor' is there already"));
-  EXPECT_THAT(message_of([&] { scene.add_ball("ball", -1, 0.1, {0, 0, 0}); }),
+  EXPECT_THAT(message_of([&] {
+                scene.add_ball("ball", -1, 0.1, {0, 0, 0});
+              }),
               HasSubstr("wanted a size of 'ball' above 0"));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(message_of([&] { scene.add_ball("ball", 0.1, 0.1, {0, nan, 0}); }),
+  EXPECT_THAT(message_of([&] {
+                scene.add_ball("ball", 0.1, 0.1, {0, nan, 0});
+              }),
               HasSubstr("wanted a place of 'ball'"));
   scene.add_hand("no_such_hand");
   EXPECT_THAT(message_of([&] { (void)simulate_scene(scene.spec()); }), HasSubstr("no_such_hand"));

@@ -16,8 +16,8 @@ using ::testing::HasSubstr;
 
 TEST(MakeBody, SpreadsItsMassEvenly) {
   // A box of edges a, b, c: inertia m (b^2 + c^2) / 12 about x; a ball: 2/5 m r^2.
-  const BodyMass box = body_mass(make_body("box", box_shape({0.1, 0.2, 0.3}), 3),
-                                 built_in_materials());
+  const BodyMass box =
+      body_mass(make_body("box", box_shape({0.1, 0.2, 0.3}), 3), built_in_materials());
   EXPECT_NEAR(box.mass, 3, 1e-12);
   EXPECT_NEAR(box.inertia(0, 0), 3 * (0.04 + 0.09) / 12, 1e-12);
   const BodyMass ball = body_mass(make_body("ball", ball_shape(0.05), 2), built_in_materials());
@@ -34,7 +34,9 @@ TEST(MakeBody, WeighsByItsMaterialWithoutAMass) {
 TEST(MakeBody, RefusesWhatIsNoBody) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(message_of([] { (void)make_body("", ball_shape(1)); }), HasSubstr("wanted the name"));
-  EXPECT_THAT(message_of([] { (void)make_body("b", box_shape({1, 0, 1})); }),
+  EXPECT_THAT(message_of([] {
+                (void)make_body("b", box_shape({1, 0, 1}));
+              }),
               HasSubstr("wanted a size of 'b' above 0, got 0 m"));
   EXPECT_THAT(message_of([&] { (void)make_body("b", cylinder_shape(1, nan)); }),
               HasSubstr("wanted a size of 'b' above 0"));

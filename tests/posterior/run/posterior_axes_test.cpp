@@ -10,6 +10,7 @@
 
 #include "base/spatial.h"
 #include "base/units.h"
+#include "posterior/hand_posterior.h"
 #include "posterior/run/posterior_quantities.h"
 #include "tests/posterior/run/small_run.h"
 
