@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "tests/kinematics_fit/fit_samples.h"
 
 namespace thenar {

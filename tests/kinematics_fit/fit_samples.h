@@ -9,6 +9,7 @@
 #include "data/io/toml_node.h"
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/fit.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/force_jacobian.h"
 #include "kinematics_fit/specimen_prior.h"
 

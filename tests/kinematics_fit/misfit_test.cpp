@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "tests/kinematics_fit/fit_samples.h"
 
 namespace thenar {

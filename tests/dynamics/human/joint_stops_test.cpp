@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "dynamics/mechanism/tree_model.h"
 #include "tests/message_of.h"
 
 namespace thenar {
