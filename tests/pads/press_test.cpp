@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/units.h"
 #include "geometry/primitives.h"
 #include "pads/contact_area.h"
 #include "pads/pad_press.h"
@@ -11,8 +12,6 @@ namespace thenar {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kPi = 3.14159265358979323846;
 
 Tissue soft_tissue(double poisson_ratio) {
   Tissue tissue;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/units.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -14,8 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
-
-constexpr double kPi = 3.14159265358979323846;
 
 BoneSurface round_bone(SurfaceShape shape, double radius) {
   BoneSurface bone;
