@@ -9,6 +9,7 @@
 
 #include "base/spatial.h"
 #include "kinematics_fit/fit.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/force_jacobian.h"
 #include "kinematics_fit/prediction.h"
 #include "tendons/neighbouring_axes.h"
