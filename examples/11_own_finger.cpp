@@ -20,8 +20,13 @@ int main() {
     joint = [{name = "MCP", parent = "palm", child = "bone", direction = [0, 0, 1], point_mm = [40, 0, 0]}]
     strand = [{name = "FDP", arms_mm = {MCP = 10}}]
     muscle = [{name = "FDP", max_force_N = 100}]
-    digit = [{name = "index", tip_segment = "bone", tip_mm = [0, 0, 0], proximal = [1, 0, 0], dorsal = [0, 1, 0],
-              radial = [0, 0, 1]}])";
+    [[digit]]
+    name = "index"
+    tip_segment = "bone"
+    tip_mm = [0, 0, 0]
+    proximal = [1, 0, 0]
+    dorsal = [0, 1, 0]
+    radial = [0, 0, 1])";
   request.tension = {{"FDP", 10}};
   std::printf("palmar %.1f N\n", -thenar::compute_tip_force(request).points.front().force.y());
 }

@@ -1,8 +1,8 @@
 // Two robot hands on a mesh of one's own: how often does each take it?
 //
 // Prints:
-//   barrett: 3 of 4
-//   allegro: 2 of 4
+//   barrett: 1 of 4
+//   allegro: 1 of 4
 #include <cstdio>
 
 #include <thenar/grasps.h>

@@ -2,7 +2,7 @@
 //
 // Prints:
 //   solved
-//   tilt of the DIP axis: 90 % of the posterior within -7 and 2 deg
+//   tilt of the DIP axis: 90 % of the posterior within -4 and 5 deg
 #include <cstdio>
 
 #include <thenar/fits.h>

@@ -1,7 +1,7 @@
 // A finger pad pressed on a plate by 1 N: how deep, and over what area?
 //
 // Prints:
-//   1.0 N: 1.00 mm deep, 50 mm2
+//   1.0 N: 1.75 mm deep, 80 mm2
 #include <cstdio>
 
 #include <thenar/pads.h>
