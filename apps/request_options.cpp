@@ -129,10 +129,15 @@ std::string shown_default(const Param& param) {
   return json_text(usual, -1);
 }
 
+/// A sentence without its full stop.
+std::string without_stop(std::string text) {
+  if (!text.empty() && text.back() == '.') text.pop_back();
+  return text;
+}
+
 /// One sentence, without its full stop, with the form of what is typed and its unit.
 std::string help_of(const Param& param, const Schema& schema) {
-  std::string text = param.member.about;
-  if (!text.empty() && text.back() == '.') text.pop_back();
+  std::string text = without_stop(param.member.about);
   const std::string& unit = schema.each ? schema.each->unit : schema.unit;
   if (!unit.empty()) text += fmt::format(" [{}]", unit);
   if (schema.words.empty()) return text;
@@ -170,9 +175,11 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
   if (schema.kind == Kind::kFlag) {
     for (const std::string& name : option_names(param)) {
       const bool inverse = name.front() == '!';
+      const bool has_own_help = inverse && !param.off_about.empty();
       command.add_flag_callback(
           "--" + name.substr(inverse ? 1 : 0),
-          [&request, key, inverse] { request[key] = !inverse; }, help);
+          [&request, key, inverse] { request[key] = !inverse; },
+          has_own_help ? without_stop(param.off_about) : help);
     }
     return;
   }

@@ -45,9 +45,11 @@ RequestTable<ContactQualityRequest> contact_params() {
                  "l1: normal forces sum up to 1; linf: those of each patch sum up to 1 at most.");
   table.add("gap", number_schema(""), &Request::gap,
             "Largest certified upper - lower of epsilon, in units of normal force.");
-  table.add("volume", flag_schema(), &Request::volume,
-            "Whether the volume is computed, which takes 80 to 5,000 times as long as epsilon.",
-            "!no-volume");
+  table
+      .add("volume", flag_schema(), &Request::volume,
+           "Whether the volume is computed, which takes 80 to 5,000 times as long as epsilon.",
+           "!no-volume")
+      .off_about = "Skip the volume, which takes 80 to 5,000 times as long as epsilon.";
   add_data(table, &Request::data);
   return table;
 }
@@ -72,9 +74,10 @@ RequestTable<GraspRequest> grasp_params() {
   RequestTable<Request> table;
   // The world states where hand and object begin.
   table.include(world_params(), &Request::world);
-  table.add("approach", flag_schema(), &Request::approach,
-            "Approaches along the palm's direction first (default), or closes where the hand is.",
-            "approach,!no-approach");
+  table
+      .add("approach", flag_schema(), &Request::approach,
+           "Approach along the palm's direction before closing (default).", "approach,!no-approach")
+      .off_about = "Close the hand where it is, without approaching first.";
   table.add("approach_distance", units::kMetre, number_schema("", 0), &Request::approach_distance,
             "Farthest approach.", "approach-distance,way");
   table.add("starts", integer_schema(0, 1e9), &Request::starts,
