@@ -56,7 +56,7 @@ void require_endings(const Outputs& outputs, bool sampling) {
 
 void fit_best(FitArguments& options) {
   options.fit["method"] = options.method;
-  FitRequest request = fit_params().read(options.fit);
+  FitRequest request = read_typed(fit_params(), options.fit);
   set_request("fit", fit_params().write(request));
   request.output = options.outputs.one(".h5");
   request.run = this_run();
@@ -97,7 +97,7 @@ void sample_posterior_of(FitArguments& options) {
   // Options that fits and posteriors share are typed once.
   options.fit.erase("max_evaluations");
   options.chains.update(options.fit);
-  SampleRequest request = posterior_params().read(options.chains);
+  SampleRequest request = read_typed(posterior_params(), options.chains);
   set_request("posterior", posterior_params().write(request));
   request.keep_unconverged = !options.allow_unconverged;
   if (options.no_retry) request.retry_acceptances.clear();

@@ -106,7 +106,7 @@ void run_quality(QualityArguments options) {
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     options.request["norm"] = norm;
   }
-  const ContactQualityRequest request = contact_params().read(options.request);
+  const ContactQualityRequest request = read_typed(contact_params(), options.request);
   require_valid(request);
   // A stream answers each line as it comes, and so writes no files.
   const bool stream = std::count(options.contacts.begin(), options.contacts.end(), "-") > 0;

@@ -88,7 +88,7 @@ struct SimulateArguments : TypedQuestion {
 };
 
 void simulate_digit_of(const SimulateArguments& options) {
-  const DigitMotionRequest request = digit_motion_params().read(options.request);
+  const DigitMotionRequest request = read_typed(digit_motion_params(), options.request);
   set_request("digit_motion", digit_motion_params().write(request));
   const std::string file = options.outputs.one(".h5");
   if (!file.empty()) require_result_path(file);
@@ -115,7 +115,7 @@ void simulate_scene_of(const SimulateArguments& options) {
   if (options.pads.size() == 1) typed["pads"] = options.pads.front();
   const bool varies = typed.contains("vary");
   const RequestTable<SceneRequest> table = varies ? scene_sweep_params() : scene_params();
-  const SceneRequest request = table.read(typed);
+  const SceneRequest request = read_typed(table, typed);
   set_request(varies ? "scene_sweep" : "scene", table.write(request));
   if (options.pads.size() > 1) return compare_and_deliver(request, options.pads, options.outputs);
   simulate_and_deliver(request, options.outputs);
