@@ -81,7 +81,8 @@ RequestTable<GraspRequest> grasp_params() {
   table.add("approach_distance", units::kMetre, number_schema("", 0), &Request::approach_distance,
             "Farthest approach.", "approach-distance,way");
   table.add("starts", integer_schema(0, 1e9), &Request::starts,
-            "Best of so many random pregrasps, drawn as in comparisons; 0: the world's own; the "
+            "Number of random pregrasps, of which the best is taken, drawn as in comparisons; 0: "
+            "the world's own; the "
             "hand may then be any hand by name.",
             "random");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
@@ -120,11 +121,14 @@ RequestTable<CompareRequest> compare_params() {
             "Random approaches of each hand to each object.");
   table.add("best", integer_schema(0, 1e9), &Request::best,
             "Grasps of each pair whose loads are computed.");
-  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Of the random approaches.");
-  table.add("threads", integer_schema(0, 1e9), &Request::threads,
-            "0: as many as there are processors; the answer is the same with any number.");
+  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
+            "Seed of the random approaches.");
+  table.add(
+      "threads", integer_schema(0, 1e9), &Request::threads,
+      "Number of threads; 0: as many as there are processors; the answer is the same with any "
+      "number.");
   table.add("normalise_size", flag_schema(), &Request::normalise_size,
-            "Scales objects by the reach of the digits over the first hand's.");
+            "Scale objects by each hand's digit reach relative to the first hand's.");
   // Models behind the comparison: paths of tendons, materials and friction.
   add_path(table, &Request::path);
   table.add("materials", text_schema(), &Request::materials,
@@ -137,7 +141,8 @@ RequestTable<CompareRequest> compare_params() {
 }
 
 void internal::add_contact_questions(std::vector<Question>& all) {
-  add_question(all, "contacts", "How large a wrench, from whatever direction, contacts bear.",
+  add_question(all, "contacts",
+               "Grasp quality (epsilon, volume, task margin) of a set of contacts.",
                contact_params(), measure, R"({"contacts": "two_soft_fingers"})", "quality");
   add_question(all, "grasp", "Puts the hand of a world on its object and measures the grasp.",
                grasp_params(), measure_grasp, R"({"world": "jaw_box"})", "grasp",

@@ -43,8 +43,10 @@ RequestTable<TipForceRequest> tip_force_params() {
   table.add_word("hold", kTipConstraintNames, &TipForceRequest::hold,
                  "pinned: no moment; rigid: clamped.");
   // A rigid hold needs a length to compare moments with forces.
-  table.add("hold_length", units::kMillimetre, number_schema(""), &TipForceRequest::hold_length,
-            "How the norm of a rigid hold weighs moments.");
+  table.add(
+      "hold_length", units::kMillimetre, number_schema(""), &TipForceRequest::hold_length,
+      "Length by which moments are divided when the force and the moment of a clamped tip are "
+      "combined in one norm.");
   return table;
 }
 
@@ -78,10 +80,10 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
             "out.");
   // Bounds of the load of the other kind, where a contact is neither a hinge nor a clamp.
   add_other_load(table, TipLoad::kForce, "moments", units::kNewtonMetre,
-                 "Moments beside the force, about each of the axes: 0 of a pinned tip, infinite of "
-                 "a rigid hold.");
+                 "Largest moment allowed about each axis in addition to the force: 0 = pinned tip, "
+                 "inf = clamped tip.");
   add_other_load(table, TipLoad::kMoment, "forces", units::kNewton,
-                 "Forces beside the moment, along each of the axes.");
+                 "Largest force allowed along each axis in addition to the moment.");
   table.add("tolerance", units::kDegree, number_schema(""), &Request::tolerance,
             "Half angle of the cone the force or moment may lie in.", "tolerance-deg");
   table.add_word("frame", kDirectionFrameNames, &Request::frame,
@@ -89,10 +91,11 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
   table.add("whole_set", flag_schema(), &Request::whole_set,
             "The whole set, also beside a direction.", "set");
   table.add("without", list_schema(text_schema(), 0, 100), &Request::without,
-            "Muscles that are paralysed, as under a nerve block; the loss is told.");
+            "Muscles that are paralysed, as under a nerve block; the resulting loss of force is "
+            "reported.");
   table
       .add("weakened", units::kNewton, map_schema(number_schema("")), &Request::weakened,
-           "What weak muscles can pull at most; the loss is told.")
+           "Upper tension limits of weakened muscles; the resulting loss of force is reported.")
       .form = "MUSCLE=newton";
   // Reactions of the wrist and of joints at the end of their range.
   table.add_word("wrist", kWristLoadNames, &Request::wrist,
