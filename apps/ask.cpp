@@ -32,8 +32,8 @@ void run_ask(const AskArguments& options) {
 
 void add_ask(CLI::App& app) {
   auto options = std::make_shared<AskArguments>();  // lives as long as the callback
-  CLI::App* command = app.add_subcommand(
-      "ask", "Ask what a file says; of the name of a question, print such a file");
+  CLI::App* command =
+      app.add_subcommand("ask", "Answer a request file, or print a template for a question");
   command
       ->add_option("request", options->request,
                    "A request (TOML), or a question: " + listed(question_names()))

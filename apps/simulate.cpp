@@ -137,7 +137,7 @@ void add_simulate(CLI::App& app) {
   command->get_option("subject")->description(
       "A subject, or a scene of bodies and hands: its name, or its file (TOML)");
   command->add_option("--pads", options->pads,
-                      "Of a scene: the rung of all its pads, " + listed(pad_rung_names()) +
+                      "Rung of all pads of a scene: " + listed(pad_rung_names()) +
                           "; as the scene says if left out. Several: a run on each, compared");
   add_output_options(*command, options->outputs, {true, true, true, {".h5"}});
   add_examples(*command,
