@@ -42,7 +42,8 @@ struct FitArguments {
 void require_method(const std::string& method) {
   const std::vector<std::string> known{"ceres", "nlopt", "nlopt-global", "ipopt", kSampling};
   require(std::find(known.begin(), known.end(), method) != known.end(),
-          "no fit method '{}'{}; there are {}", method, did_you_mean(method, known), listed(known));
+          "no fit method '{}'{} there are {}", method, hint_before_list(method, known),
+          listed(known));
 }
 
 /// Requires endings of files that the kind of result can have; other endings, such as that of a
