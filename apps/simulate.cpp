@@ -103,7 +103,7 @@ void simulate_digit_of(const SimulateArguments& options) {
 void refuse_options(const CLI::App& command, const std::vector<std::string>& options,
                     const std::string& whose, const std::string& what) {
   for (const std::string& option : options)
-    require(command.count(option) == 0, "{} is of {}, and '{}' is {}", option, whose,
+    require(command.count(option) == 0, "{} applies only to {}; '{}' is {}", option, whose,
             command.get_option("subject")->as<std::string>(), what);
 }
 
