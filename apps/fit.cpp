@@ -152,7 +152,7 @@ void add_fit(CLI::App& app) {
   add_request_options(*command, params, options->fit);
   command->add_option(
       "--method", options->method,
-      "ceres, ipopt: by derivatives; nlopt, nlopt-global: without; mcmc: draws from "
+      "Method: ceres, ipopt: by derivatives; nlopt, nlopt-global: without; mcmc: draws from "
       "the posterior instead of one best point");
   command->add_flag("--allow-unconverged", options->allow_unconverged,
                     "Exit without error though the fit or the chains have not converged");

@@ -35,19 +35,21 @@ RequestTable<ContactQualityRequest> contact_params() {
       .is_positional = true;
   table.add("text", content_schema(kMaxContactText), &Request::text,
             "The contact set itself (JSON), in place of a file.", "");
-  table.add("edges", integer_schema(0, 1e9), &Request::edges,
-            "Friction pyramids of so many edges, 3 to 1000, in place of cones; 0: the true cones. "
-            "Soft fingers get double pyramids with poles at their torsion.");
+  table.add(
+      "edges", integer_schema(0, 1e9), &Request::edges,
+      "Number of edges of friction pyramids, 3 to 1000, in place of cones; 0: the true cones. "
+      "Soft fingers get double pyramids with poles at their torsion.");
   table.add("first_edge", units::kDegree, number_schema(""), &Request::first_edge,
             "Angle of the pyramids' first edges about the normals.");
   // Limits of the forces, and the accuracy of epsilon and volume.
   table.add_word("norm", kForceNormNames, &Request::norm,
-                 "l1: normal forces sum up to 1; linf: those of each patch sum up to 1 at most.");
+                 "Limit of contact forces: l1: normal forces sum up to 1; linf: those of each "
+                 "patch sum up to 1 at most.");
   table.add("gap", number_schema(""), &Request::gap,
             "Largest certified upper - lower of epsilon, in units of normal force.");
   table
       .add("volume", flag_schema(), &Request::volume,
-           "Whether the volume is computed, which takes 80 to 5,000 times as long as epsilon.",
+           "Compute the volume, which takes 80 to 5,000 times as long as epsilon.",
            "!no-volume")
       .off_about = "Skip the volume, which takes 80 to 5,000 times as long as epsilon.";
   add_data(table, &Request::data);
@@ -58,9 +60,9 @@ RequestTable<WorldRequest> world_params() {
   // The world alone is required; it may hold several hands and objects.
   RequestTable<WorldRequest> table;
   table.add_argument("world", &WorldRequest::world, "A world: its name, or its file (TOML).");
-  table.add("hand", text_schema(), &WorldRequest::hand, "Which hand, where there are several.");
+  table.add("hand", text_schema(), &WorldRequest::hand, "Hand to use, where there are several.");
   table.add("object", text_schema(), &WorldRequest::object,
-            "Which object, where there are several.");
+            "Object to grasp, where there are several.");
   // Options of human hands, which robots ignore.
   table.add_word("passive", kPassiveNames, &WorldRequest::passive,
                  "Passive moments of human joints, where the subject states some.");
@@ -98,9 +100,10 @@ RequestTable<GraspRequest> grasp_params() {
   table.add("tolerance", number_schema(""), &Request::tolerance,
             "Largest difference of the certified bounds of epsilon, also of robustness.",
             "tolerance,gap");
-  table.add("edges", integer_schema(0, 1e9), &Request::edges,
-            "Friction pyramids of so many edges in epsilon, volume, robustness and wrench sets; 0: "
-            "cones, as all other measures have.");
+  table.add(
+      "edges", integer_schema(0, 1e9), &Request::edges,
+      "Number of edges of friction pyramids in epsilon, volume, robustness and wrench sets; 0: "
+      "cones, as all other measures have.");
   table.add("wrench_meshes", flag_schema(), &Request::wrench_meshes,
             "With JSON, also the wrench set as meshes: projected and cut.", "wrenches");
   return table;
@@ -111,11 +114,13 @@ RequestTable<CompareRequest> compare_params() {
   const Schema names = list_schema(text_schema(), 1, 100);
   RequestTable<Request> table;
   // Every hand meets every object; every pair is measured by all tasks.
-  table.add("hands", names, &Request::hands,
-            "human:orthogonal, human:skewed, human:soft, human:tendons; names of robots/; or "
-            "files.");
-  table.add("objects", names, &Request::objects, "Names of objects/, or files.");
-  table.add("tasks", names, &Request::tasks, "Some of force-closure, hold-weight, pull, turn.");
+  table.add(
+      "hands", names, &Request::hands,
+      "Hands: human:orthogonal, human:skewed, human:soft, human:tendons; names of robots/; or "
+      "files.");
+  table.add("objects", names, &Request::objects, "Objects: names of objects/, or files.");
+  table.add("tasks", names, &Request::tasks,
+            "Tasks: some of force-closure, hold-weight, pull, turn.");
   // Effort and randomness: more approaches find better grasps.
   table.add("approaches", integer_schema(1, 1e9), &Request::approaches,
             "Random approaches of each hand to each object.");

@@ -41,7 +41,7 @@ RequestTable<TipForceRequest> tip_force_params() {
   table.include(linear_digit_params(), &TipForceRequest::digit);
   add_tension(table, &TipForceRequest::tension);
   table.add_word("hold", kTipConstraintNames, &TipForceRequest::hold,
-                 "pinned: no moment; rigid: clamped.");
+                 "Constraint of the tip: pinned (no moment) or rigid (clamped).");
   // A rigid hold needs a length to compare moments with forces.
   table.add(
       "hold_length", units::kMillimetre, number_schema(""), &TipForceRequest::hold_length,
@@ -74,10 +74,11 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
   RequestTable<Request> table;
   // The load and its direction; without a direction the answer is the set of all loads.
   table.include(linear_digit_params(), &Request::digit);
-  table.add_word("load", kTipLoadNames, &Request::load, "What is asked for.", "");
-  table.add("direction", vector_schema(""), &Request::direction,
-            "x y z of the wanted force, or of the axis of the wanted moment; the whole set if left "
-            "out.");
+  table.add_word("load", kTipLoadNames, &Request::load, "Kind of load that is asked for.", "");
+  table.add(
+      "direction", vector_schema(""), &Request::direction,
+      "Direction x y z of the wanted force, or axis of the wanted moment; the whole set if left "
+      "out.");
   // Bounds of the load of the other kind, where a contact is neither a hinge nor a clamp.
   add_other_load(table, TipLoad::kForce, "moments", units::kNewtonMetre,
                  "Largest moment allowed about each axis in addition to the force: 0 = pinned tip, "
@@ -87,9 +88,10 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
   table.add("tolerance", units::kDegree, number_schema(""), &Request::tolerance,
             "Half angle of the cone the force or moment may lie in.", "tolerance-deg");
   table.add_word("frame", kDirectionFrameNames, &Request::frame,
-                 "world: the subject's frame; tip: proximal, dorsal, radial.", "axes");
+                 "Axes of directions: world: the subject's frame; tip: proximal, dorsal, radial.",
+                 "axes");
   table.add("whole_set", flag_schema(), &Request::whole_set,
-            "The whole set, also beside a direction.", "set");
+            "Compute the whole set, also beside a direction.", "set");
   table.add("without", list_schema(text_schema(), 0, 100), &Request::without,
             "Muscles that are paralysed, as under a nerve block; the resulting loss of force is "
             "reported.");
@@ -99,8 +101,8 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
       .form = "MUSCLE=newton";
   // Reactions of the wrist and of joints at the end of their range.
   table.add_word("wrist", kWristLoadNames, &Request::wrist,
-                 "held: welded; free: it moves and bears the load, with the muscles across it; "
-                 "pinch: it moves, and the load ends within the hand.");
+                 "Wrist: held: welded; free: it moves and bears the load, with the muscles across "
+                 "it; pinch: it moves, and the load ends within the hand.");
   Param& stops = table.add(
       "stops", units::kNewtonMetre, map_schema(endless_schema("", -kInfinity)), &Request::stops,
       "Joints at the end of their range, whose ligaments give at most this torque; positive "
@@ -126,7 +128,7 @@ RequestTable<PoseRequest> pose_params() {
   add_posture(table, "posture", &Request::posture,
               "Angles by joint, or in the order of the joints; others stay at 0. Robots: degrees "
               "of freedom or joints, slides in mm.");
-  add_posture(table, "frozen", &Request::frozen, "Joints welded there.");
+  add_posture(table, "frozen", &Request::frozen, "Joints to weld, and their angles.");
   add_vary(table, &Request::vary, &Request::posture);
   add_data(table, &Request::data);
   return table;

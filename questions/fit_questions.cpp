@@ -94,21 +94,21 @@ RequestTable<InferNetRequest> infer_params() {
   add_path(table, &Request::path);
   // Method of the search, and tests that would tell the remaining nets apart.
   table.add_word("method", kInferMethodNames, &Request::method,
-                 "sparse: all bands at once, at a price; explore: a search among nets.");
+                 "Method: sparse: all bands at once, at a price; explore: a search among nets.");
   table.add("propose", integer_schema(0, 1e9), &Request::propose, "Tests to propose, at most.");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
             "Seed of the search, and of the draws that `free` asks for.");
   // With free parameters bands compete with other explanations, and get probabilities.
   table.add("free", names_schema(), &Request::free,
-            "slack, paths, stiffness or globs of parameters: what may explain the forces in place "
-            "of a band; bands then get probabilities.");
+            "Explanations of the forces in place of a band: slack, paths, stiffness or globs of "
+            "parameters; bands then get probabilities.");
   table.add("bands", names_schema(), &Request::bands,
-            "With `free`: bands in question, globs; all if left out.");
+            "Bands in question, with `free`, as globs; all if left out.");
   table.add("settings", text_schema(), &Request::settings,
-            "With `free`: settings with all priors; name or file.");
+            "Settings with all priors, with `free`: name or file.");
   RequestTable<BandPosteriorOptions> sets;
   sets.add("sweeps", integer_schema(1, 1e9), &BandPosteriorOptions::sweeps,
-           "With `free` and more than 7 bands: how often the sampling asks for each.");
+           "Number of sweeps over the bands, with `free` and more than 7 of them.");
   table.include(sets, &Request::sets);
   add_data(table, &Request::data);
   return table;
@@ -140,10 +140,10 @@ RequestTable<FitRequest> fit_params() {
   // The same inputs as those of a posterior.
   table.include(source_params(), &Request::sources);
   table.add_word("method", kLeastSquaresMethodNames, &Request::method,
-                 "ceres, ipopt: by derivatives; nlopt, nlopt-global: without.");
+                 "Method of the fit: ceres, ipopt: by derivatives; nlopt, nlopt-global: without.");
   // Each kind of leaving out fits anew without some of the data.
   Param leave_out{{"leave_out", list_schema(word_schema(names_in(kLeaveOutNames)), 0, 3),
-                   "Also leaves out one posture, tendon or specimen at a time."},
+                   "Also leave out one posture, tendon or specimen at a time."},
                   units::kOne,
                   "cross-validate"};
   table.add(

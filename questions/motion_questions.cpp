@@ -24,7 +24,7 @@ RequestTable<PressRequest> press_params() {
   // The object that presses: a shape of its own, or a mesh.
   RequestTable<PressObjectRequest> object;
   object.add("object", text_schema(), &PressObjectRequest::name,
-             "What presses: " + listed(press_object_names()) + ", or a mesh file.");
+             "Object that presses: " + listed(press_object_names()) + ", or a mesh file.");
   object.add(
       "radius", units::kMillimetre, number_schema("", 0), &PressObjectRequest::radius,
       "Radius of a sphere or cylinder (10 mm if left out), or of an edge's rounding (0.5 mm).");
@@ -70,7 +70,7 @@ RequestTable<PressRequest> press_params() {
   table.add("hold_points", integer_schema(1, 1e9), &Request::hold_points,
             "Number of points on the curves while the object stands still.");
   table.add("rungs", flag_schema(), &Request::rungs,
-            "Also compares reduced laws, elements and meshes: error over time; takes minutes.",
+            "Also compare reduced laws, elements and meshes: error over time; takes minutes.",
             "chart");
   return table;
 }
