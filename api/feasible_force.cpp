@@ -200,7 +200,8 @@ HeldJoints held_joints(const FeasibleForceRequest& request, const DigitCase& dig
     const auto found = std::find(joints.begin(), joints.end(), joint);
     if (found != joints.end()) held.wrist.push_back(static_cast<int>(found - joints.begin()));
   }
-  require(!held.wrist.empty(), "no free joint of subject '{}' is shared by its digits: no wrist",
+  require(!held.wrist.empty(),
+          "subject '{}' has no wrist joint: no free joint is shared by its digits",
           digit.subject.name);
   // Muscles of other digits that cross the wrist would need a balance at joints outside of this
   // model.

@@ -97,8 +97,8 @@ class RobotPosture {
       if (joint.name == name) return set(joint, value * drive_unit(slides(joint), unit_));
     }
     throw InputError(
-        fmt::format("robot '{}' has no degree of freedom or moving joint '{}'{}; it has {}",
-                    robot_.name, name, did_you_mean(name, known), listed(known)));
+        fmt::format("robot '{}' has no degree of freedom or moving joint '{}'{} it has {}",
+                    robot_.name, name, hint_before_list(name, known), listed(known)));
   }
 
   void set(const RobotJoint& joint, double value) {

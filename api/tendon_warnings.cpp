@@ -27,10 +27,12 @@ std::string slip_doubt(const LoadedDigit& loaded, const DigitPoint& point) {
     return "";
   // Of what is slack no rounding is told.
   const auto taut = [](double tension) { return tension > kTaut ? tension : 0; };
+  const double terminal = taut(slips.terminal), central = taut(slips.central);
   return fmt::format(
-      "the terminal slip has {:.4g} N where the central one has {:.4g} N: publications give {:.3g} "
-      "to 1.7 times as much",
-      taut(slips.terminal), taut(slips.central), kLeastRatio);
+      "terminal slip {0:.4g} N, central slip {1:.4g} N{2}; published ratios of terminal to central "
+      "tension are {3:.3g} to 1.7",
+      terminal, central, central > 0 ? fmt::format(" (ratio {:.3g})", terminal / central) : "",
+      kLeastRatio);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ void add_close(CLI::App& app) {
   add_output_options(*command, options->outputs, {true, true, true});
   add_examples(*command, {"close arm_cube", "close arm_cube --csv"});
   command->callback([options] {
-    CloseRequest request{world_params().read(options->request)};
+    CloseRequest request{read_typed(world_params(), options->request)};
     request.world.pictures = options->outputs.page();
     const CloseResult found = close_in_world(request, terminal_progress());
     deliver(options->outputs, found);

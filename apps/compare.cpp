@@ -44,7 +44,7 @@ Outputs without_json(Outputs outputs) {
 }
 
 void run_compare(const TypedQuestion& options) {
-  CompareRequest request = compare_params().read(options.request);
+  CompareRequest request = read_typed(compare_params(), options.request);
   set_request("compare", compare_params().write(request));
   request.file = options.outputs.one(".json");
   request.run = this_run();

@@ -47,7 +47,7 @@ void add_digit_commands(CLI::App& app) {
             typed->request["load"] = "moment";
             typed->request["direction"] = axis;
           },
-          "x y z of the axis of the wanted moment about the tip, right-handed")
+          "Axis x y z of the wanted moment about the tip, right-handed")
       ->expected(3)
       ->excludes(command->get_option("--direction"));
 }

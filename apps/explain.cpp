@@ -14,8 +14,9 @@
 namespace thenar {
 void add_explain(CLI::App& app) {
   auto options = std::make_shared<Arguments<ExplainRequest>>();
-  CLI::App* command =
-      app.add_subcommand("explain", "What a file makes thenar build, assume, spend and fit");
+  CLI::App* command = app.add_subcommand(
+      "explain",
+      "Show the model built from a file, its assumptions, its cost and its fit parameters");
   command
       ->add_option(
           "file", options->request.thing,

@@ -42,7 +42,8 @@ struct FitArguments {
 void require_method(const std::string& method) {
   const std::vector<std::string> known{"ceres", "nlopt", "nlopt-global", "ipopt", kSampling};
   require(std::find(known.begin(), known.end(), method) != known.end(),
-          "no fit method '{}'{}; there are {}", method, did_you_mean(method, known), listed(known));
+          "no fit method '{}'{} there are {}", method, hint_before_list(method, known),
+          listed(known));
 }
 
 /// Requires endings of files that the kind of result can have; other endings, such as that of a
@@ -56,7 +57,7 @@ void require_endings(const Outputs& outputs, bool sampling) {
 
 void fit_best(FitArguments& options) {
   options.fit["method"] = options.method;
-  FitRequest request = fit_params().read(options.fit);
+  FitRequest request = read_typed(fit_params(), options.fit);
   set_request("fit", fit_params().write(request));
   request.output = options.outputs.one(".h5");
   request.run = this_run();
@@ -97,7 +98,7 @@ void sample_posterior_of(FitArguments& options) {
   // Options that fits and posteriors share are typed once.
   options.fit.erase("max_evaluations");
   options.chains.update(options.fit);
-  SampleRequest request = posterior_params().read(options.chains);
+  SampleRequest request = read_typed(posterior_params(), options.chains);
   set_request("posterior", posterior_params().write(request));
   request.keep_unconverged = !options.allow_unconverged;
   if (options.no_retry) request.retry_acceptances.clear();
@@ -151,7 +152,7 @@ void add_fit(CLI::App& app) {
   add_request_options(*command, params, options->fit);
   command->add_option(
       "--method", options->method,
-      "ceres, ipopt: by derivatives; nlopt, nlopt-global: without; mcmc: draws from "
+      "Method: ceres, ipopt: by derivatives; nlopt, nlopt-global: without; mcmc: draws from "
       "the posterior instead of one best point");
   command->add_flag("--allow-unconverged", options->allow_unconverged,
                     "Exit without error though the fit or the chains have not converged");

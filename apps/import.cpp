@@ -112,7 +112,8 @@ void add_import(CLI::App& app) {
           },
           "Metres per unit of a mesh file")
       ->default_str("1");
-  command->add_option("--units", request.units, "Of a mesh file: m, cm, mm or in; m if left out");
+  command->add_option("--units", request.units,
+                      "Unit of a mesh file: m, cm, mm or in; m if left out");
   add_mass_options(*command, request);
   command->add_flag("--repair", request.repair,
                     "Mend meshes, also of bodies: close holes, turn triangles");

@@ -26,8 +26,8 @@ void require_command(const CLI::App& app, int argc, char** argv) {
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   const std::string name = argv[1];
   require(std::find(names.begin(), names.end(), name) != names.end(),
-          "there is no command '{}'{}; `thenar --help` lists them", name,
-          did_you_mean(name, names));
+          "there is no command '{}'{} `thenar --help` lists them", name,
+          hint_before_list(name, names));
 }
 
 /// The innermost command that was named.
@@ -45,19 +45,19 @@ std::string full_name(const CLI::App& command) {
   return name;
 }
 
-/// ", did you mean '--robustness'?": the nearest option of a command; "" for plain arguments.
+/// ", did you mean '--robustness'?": the nearest option of a command; ";" for plain arguments.
 std::string nearest_option(const CLI::App& command, const std::string& argument) {
-  if (argument.rfind("--", 0) != 0) return "";
+  if (argument.rfind("--", 0) != 0) return ";";
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back(name);
   const std::string nearest = nearest_name(argument.substr(2, argument.find('=') - 2), names);
-  return nearest.empty() ? "" : fmt::format(", did you mean '--{}'?", nearest);
+  return nearest.empty() ? ";" : fmt::format(", did you mean '--{}'?", nearest);
 }
 
 /// A sentence about an argument that a command does not know.
 std::string unknown_argument(const CLI::App& command, const std::string& argument) {
-  return fmt::format("{} '{}' means nothing here{}; `{} --help` lists what does",
+  return fmt::format("{} '{}' means nothing here{} `{} --help` lists what does",
                      argument.rfind('-', 0) == 0 ? "option" : "argument", argument,
                      nearest_option(command, argument), full_name(command));
 }

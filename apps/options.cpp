@@ -26,15 +26,16 @@ void add_path_option(CLI::App& command, std::optional<Path>& path) {
   command.add_option_function<std::string>(
       "--path", [&path](const std::string& name) { path = path_named(name); },
       "Tendon paths: straight between via points, polynomials fitted to wrapped ones, or wrapped "
-      "over the subject's surfaces, as they are if left out where it states some: " +
+      "over the subject's surfaces; default: wrapped where the subject defines wrapping surfaces, "
+      "via otherwise: " +
           listed(path_names()));
 }
 
 void add_hand_path_option(CLI::App& command, std::optional<Path>& path) {
   add_path_option(command, path);
   command.get_option("--path")->description(
-      "Tendon paths of human hands whose names state none; wrapped if left out where tendons "
-      "name surfaces: " +
+      "Tendon paths of human hands whose names state none; default: wrapped where the subject "
+      "defines wrapping surfaces, via otherwise: " +
       listed(path_names()));
 }
 

@@ -73,20 +73,21 @@ CLI::App* add(CLI::App& parent, const char* name, const char* text,
 }  // namespace
 
 void add_posterior(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("posterior", "What sampled parameters say");
+  CLI::App* command =
+      app.add_subcommand("posterior", "Summarise, plot or predict from posterior samples");
   command->require_subcommand(1);
   const std::string make = "fit synek2019_H01 --subject synek2019_middle --method mcmc -o out/P.nc";
-  add_examples(*command, {make, "posterior summary out/P.nc"});
   // All three read a posterior, and share its arguments.
   auto options = std::make_shared<PosteriorArguments>();  // lives as long as the callbacks
   CLI::App* first = add(*command, "summary", "Convergence, parameters, modes", options, summary);
   first->add_option("--rows", options->rows, "Parameters to print");
   add_output_options(*first, options->outputs, {true, true, true});
   add_examples(*first, {make, "posterior summary out/P.nc --rows 10 -o out/P.csv"});
-  CLI::App* second = add(*command, "plot", "A page to look at", options, plot);
+  CLI::App* second = add(*command, "plot", "Write a report page (.html)", options, plot);
   add_output_options(*second, options->outputs, {false, false, true});
   add_examples(*second, {make, "posterior plot out/P.nc -o out/P.html"});
-  CLI::App* third = add(*command, "predict", "Forces of any experiment", options, predict);
+  CLI::App* third =
+      add(*command, "predict", "Predict the forces of any experiment", options, predict);
   third
       ->add_option("experiments", options->request.experiments,
                    "Experiments: names, or files (TOML)")
@@ -100,6 +101,8 @@ void add_posterior(CLI::App& app) {
   add_data_option(*third, options->request.data);
   add_output_options(*third, options->outputs, {true, true, true});
   add_examples(*third, {make, "posterior predict out/P.nc synek2019_H02 --csv"});
+  // Last: a command made later would begin with the examples of the one above.
+  add_examples(*command, {make, "posterior summary out/P.nc"});
 }
 
 }  // namespace thenar

@@ -1,7 +1,7 @@
 // thenar quality CONTACTS ...|- [--json] [--csv] [-o FILE] [--edges m] [--first-edge degrees]
 // [--norm l1|linf] [--gap g] [--no-volume]
 //
-// How large a wrench, from whatever direction, contacts withstand.
+// Grasp quality (epsilon, volume, task margin) of a set of contacts.
 
 #include <algorithm>
 #include <cctype>
@@ -106,7 +106,7 @@ void run_quality(QualityArguments options) {
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     options.request["norm"] = norm;
   }
-  const ContactQualityRequest request = contact_params().read(options.request);
+  const ContactQualityRequest request = read_typed(contact_params(), options.request);
   require_valid(request);
   // A stream answers each line as it comes, and so writes no files.
   const bool stream = std::count(options.contacts.begin(), options.contacts.end(), "-") > 0;
@@ -137,8 +137,8 @@ const char* const kFormat =
 
 void add_quality(CLI::App& app) {
   auto options = std::make_shared<QualityArguments>();  // lives as long as the callback
-  CLI::App* command =
-      app.add_subcommand("quality", "How large a wrench, from whatever direction, contacts bear");
+  CLI::App* command = app.add_subcommand(
+      "quality", "Grasp quality (epsilon, volume, task margin) of a set of contacts");
   command
       ->add_option("contacts", options->contacts,
                    "Contact sets: files (JSON), or names of DATA/contacts; several give an answer "

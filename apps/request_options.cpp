@@ -129,10 +129,15 @@ std::string shown_default(const Param& param) {
   return json_text(usual, -1);
 }
 
+/// A sentence without its full stop.
+std::string without_stop(std::string text) {
+  if (!text.empty() && text.back() == '.') text.pop_back();
+  return text;
+}
+
 /// One sentence, without its full stop, with the form of what is typed and its unit.
 std::string help_of(const Param& param, const Schema& schema) {
-  std::string text = param.member.about;
-  if (!text.empty() && text.back() == '.') text.pop_back();
+  std::string text = without_stop(param.member.about);
   const std::string& unit = schema.each ? schema.each->unit : schema.unit;
   if (!unit.empty()) text += fmt::format(" [{}]", unit);
   if (schema.words.empty()) return text;
@@ -170,9 +175,11 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
   if (schema.kind == Kind::kFlag) {
     for (const std::string& name : option_names(param)) {
       const bool inverse = name.front() == '!';
+      const bool has_own_help = inverse && !param.off_about.empty();
       command.add_flag_callback(
           "--" + name.substr(inverse ? 1 : 0),
-          [&request, key, inverse] { request[key] = !inverse; }, help);
+          [&request, key, inverse] { request[key] = !inverse; },
+          has_own_help ? without_stop(param.off_about) : help);
     }
     return;
   }
@@ -210,15 +217,25 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
   if (param.member.required) option->required();
 }
 
-/// The name of the option of a parameter, as errors name fields.
-std::string option_field(const std::vector<Param>& params, const std::string& field) {
-  for (const Param& param : params)
-    if (param.member.name == field && param.option && !param.option->empty())
-      return option_names(param).front();
-  return field;
+/// Text of an error that begins with a key of a parameter, by the name of its option instead.
+std::string by_option(const Param& param, const std::string& text, const std::string& option) {
+  const std::string& name = param.member.name;
+  for (const std::string& key : {param.key_in(UnitSystem::kPrinted), name})
+    if (text.rfind(key + ":", 0) == 0 || text.rfind(key + ".", 0) == 0)
+      return option + text.substr(key.size());
+  return text;
 }
 
 }  // namespace
+
+InputError option_error(const std::vector<Param>& params, const InputError& error) {
+  for (const Param& param : params) {
+    if (param.member.name != error.field() || !param.option || param.option->empty()) continue;
+    const std::string option = option_names(param).front();
+    return InputError(by_option(param, error.what(), option), option);
+  }
+  return error;
+}
 
 void ask_and_deliver(const TypedQuestion& typed) {
   const Question& question = *typed.question;
@@ -228,7 +245,7 @@ void ask_and_deliver(const TypedQuestion& typed) {
     set_request(question.name, answer.request);
     deliver(typed.outputs, answer);
   } catch (const InputError& error) {
-    throw InputError(error.what(), option_field(question.params, error.field()));
+    throw option_error(question.params, error);
   }
 }
 

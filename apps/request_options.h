@@ -11,13 +11,28 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/outputs.h"
+#include "base/error.h"
 #include "questions/question.h"
+#include "questions/request_table.h"
 
 namespace thenar {
 
 /// Adds an option for each parameter that has one, with its default and its unit in the help.
 /// @param request  gets what is typed, by keys with printed units; lives as long as the command
 void add_request_options(CLI::App& command, const std::vector<Param>& params, Json& request);
+
+/// The error of a request, by the option of the field that it names: "sampler" for "method".
+[[nodiscard]] InputError option_error(const std::vector<Param>& params, const InputError& error);
+
+/// The request that is typed. @throws InputError by the option that is wrong
+template <typename Request>
+[[nodiscard]] Request read_typed(const RequestTable<Request>& table, const Json& typed) {
+  try {
+    return table.read(typed);
+  } catch (const InputError& error) {
+    throw option_error(table.params(), error);
+  }
+}
 
 /// The parameters but for those of these names.
 [[nodiscard]] std::vector<Param> without(std::vector<Param> params,

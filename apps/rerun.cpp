@@ -107,7 +107,7 @@ void add_rerun(CLI::App& app) {
   auto options = std::make_shared<RerunArguments>();
   CLI::App* command = app.add_subcommand(
       "rerun",
-      "Run the command again that wrote a page, an answer, a fit, a posterior or a motion");
+      "Run again the command that wrote a page, an answer, a fit, a posterior or a motion");
   command->add_option("file", options->file, "Page (.html), JSON, fit (.h5), posterior (.nc) ..")
       ->required();
   command->add_flag("--print", options->print,

@@ -88,7 +88,7 @@ struct SimulateArguments : TypedQuestion {
 };
 
 void simulate_digit_of(const SimulateArguments& options) {
-  const DigitMotionRequest request = digit_motion_params().read(options.request);
+  const DigitMotionRequest request = read_typed(digit_motion_params(), options.request);
   set_request("digit_motion", digit_motion_params().write(request));
   const std::string file = options.outputs.one(".h5");
   if (!file.empty()) require_result_path(file);
@@ -103,7 +103,7 @@ void simulate_digit_of(const SimulateArguments& options) {
 void refuse_options(const CLI::App& command, const std::vector<std::string>& options,
                     const std::string& whose, const std::string& what) {
   for (const std::string& option : options)
-    require(command.count(option) == 0, "{} is of {}, and '{}' is {}", option, whose,
+    require(command.count(option) == 0, "{} applies only to {}; '{}' is {}", option, whose,
             command.get_option("subject")->as<std::string>(), what);
 }
 
@@ -115,7 +115,7 @@ void simulate_scene_of(const SimulateArguments& options) {
   if (options.pads.size() == 1) typed["pads"] = options.pads.front();
   const bool varies = typed.contains("vary");
   const RequestTable<SceneRequest> table = varies ? scene_sweep_params() : scene_params();
-  const SceneRequest request = table.read(typed);
+  const SceneRequest request = read_typed(table, typed);
   set_request(varies ? "scene_sweep" : "scene", table.write(request));
   if (options.pads.size() > 1) return compare_and_deliver(request, options.pads, options.outputs);
   simulate_and_deliver(request, options.outputs);
@@ -137,7 +137,7 @@ void add_simulate(CLI::App& app) {
   command->get_option("subject")->description(
       "A subject, or a scene of bodies and hands: its name, or its file (TOML)");
   command->add_option("--pads", options->pads,
-                      "Of a scene: the rung of all its pads, " + listed(pad_rung_names()) +
+                      "Rung of all pads of a scene: " + listed(pad_rung_names()) +
                           "; as the scene says if left out. Several: a run on each, compared");
   add_output_options(*command, options->outputs, {true, true, true, {".h5"}});
   add_examples(*command,

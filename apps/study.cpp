@@ -1,7 +1,7 @@
 // thenar study thumb -o PAGE.html
 // thenar study thumb-types -o PAGE.html
 //
-// Made-up experiments whose answer is known: how well models explain them, and what is learnt.
+// Simulated experiments with known ground truth: how well models explain them, what is learnt.
 
 #include "studies/questions/study.h"
 
@@ -50,7 +50,7 @@ void add_types(CLI::App& study) {
   types->add_option("--draws", request.draws, "Thumbs to draw")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  types->add_option("--seed", request.seed, "Of the draws");
+  types->add_option("--seed", request.seed, "Seed of the draws");
   add_output_options(*types, options->outputs, {true, true, true});
   add_examples(*types, {"study thumb-types -o out/types.html"});
   types->callback([options] { run_types(*options); });
@@ -60,28 +60,32 @@ void add_types(CLI::App& study) {
 
 void add_study(CLI::App& app) {
   auto options = std::make_shared<StudyArguments>();  // lives as long as the callback
-  CLI::App* study = app.add_subcommand("study", "Made-up experiments whose answer is known");
+  CLI::App* study = app.add_subcommand("study", "Simulated experiments with known ground truth");
   study->require_subcommand(1);
   CLI::App* thumb = study->add_subcommand(
       "thumb", "Do forces tell skewed thumb axes from orthogonal ones, and which of them?");
   ThumbStudyRequest& request = options->request;
   add_data_option(*thumb, request.data);
   // Length of the chains, and simulations that calibrate them.
-  thumb->add_option("--draws", request.draws, "Of each of 4 chains, and warm-up (0: as set)")
+  thumb
+      ->add_option("--draws", request.draws,
+                   "Draws of each of 4 chains, and of their warm-up (0: as set)")
       ->check(CLI::NonNegativeNumber);
   thumb
       ->add_option("--simulations", request.simulations,
                    "Calibrate by so many simulated thumbs (0: do not)")
       ->check(CLI::NonNegativeNumber);
-  thumb->add_option("--seed", request.seed, "Of noise and chains");
-  thumb->add_flag("--quick", request.quick, "Arms known, one skewness: seconds, not minutes");
+  thumb->add_option("--seed", request.seed, "Seed of noise and chains");
+  thumb->add_flag("--quick", request.quick,
+                  "Assume known moment arms and one skewness: takes seconds rather than minutes");
   thumb->add_flag("--allow-unconverged", options->allow_unconverged,
                   "Exit with success although some chains disagree");
   add_output_options(*thumb, options->outputs, {true, true, true});
-  add_examples(*study, {"study thumb --quick -o out/thumb.html"});
   add_examples(*thumb, {"study thumb --quick -o out/thumb.html"});
   thumb->callback([options] { run_thumb(*options); });
   add_types(*study);
+  // Last: a command made later would begin with the examples of the one above.
+  add_examples(*study, {"study thumb --quick -o out/thumb.html"});
 }
 
 }  // namespace thenar

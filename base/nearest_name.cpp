@@ -46,6 +46,11 @@ std::string did_you_mean(const std::string& wanted, const std::vector<std::strin
   return best.empty() ? "" : fmt::format(", did you mean '{}'?", best);
 }
 
+std::string hint_before_list(const std::string& wanted, const std::vector<std::string>& names) {
+  const std::string meant = did_you_mean(wanted, names);
+  return meant.empty() ? ";" : meant;
+}
+
 std::string listed(const std::vector<std::string>& names) {
   return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
@@ -57,9 +62,8 @@ std::size_t index_of_name(const std::string& name, const std::vector<std::string
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const std::string of_field = name_of_field(name, names);
   if (!of_field.empty()) return index_of_name(of_field, names, kind);
-  const std::string meant = did_you_mean(name, names);
-  throw InputError(fmt::format("no {} '{}'{} there are {}", kind, name, meant.empty() ? ";" : meant,
-                               listed(names)));
+  throw InputError(fmt::format("no {} '{}'{} there are {}", kind, name,
+                               hint_before_list(name, names), listed(names)));
 }
 
 }  // namespace thenar

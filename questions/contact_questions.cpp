@@ -35,19 +35,23 @@ RequestTable<ContactQualityRequest> contact_params() {
       .is_positional = true;
   table.add("text", content_schema(kMaxContactText), &Request::text,
             "The contact set itself (JSON), in place of a file.", "");
-  table.add("edges", integer_schema(0, 1e9), &Request::edges,
-            "Friction pyramids of so many edges, 3 to 1000, in place of cones; 0: the true cones. "
-            "Soft fingers get double pyramids with poles at their torsion.");
+  table.add(
+      "edges", integer_schema(0, 1e9), &Request::edges,
+      "Number of edges of friction pyramids, 3 to 1000, in place of cones; 0: the true cones. "
+      "Soft fingers get double pyramids with poles at their torsion.");
   table.add("first_edge", units::kDegree, number_schema(""), &Request::first_edge,
             "Angle of the pyramids' first edges about the normals.");
   // Limits of the forces, and the accuracy of epsilon and volume.
   table.add_word("norm", kForceNormNames, &Request::norm,
-                 "l1: normal forces sum up to 1; linf: those of each patch sum up to 1 at most.");
+                 "Limit of contact forces: l1: normal forces sum up to 1; linf: those of each "
+                 "patch sum up to 1 at most.");
   table.add("gap", number_schema(""), &Request::gap,
             "Largest certified upper - lower of epsilon, in units of normal force.");
-  table.add("volume", flag_schema(), &Request::volume,
-            "Whether the volume is computed, which takes 80 to 5,000 times as long as epsilon.",
-            "!no-volume");
+  table
+      .add("volume", flag_schema(), &Request::volume,
+           "Compute the volume, which takes 80 to 5,000 times as long as epsilon.",
+           "!no-volume")
+      .off_about = "Skip the volume, which takes 80 to 5,000 times as long as epsilon.";
   add_data(table, &Request::data);
   return table;
 }
@@ -56,9 +60,9 @@ RequestTable<WorldRequest> world_params() {
   // The world alone is required; it may hold several hands and objects.
   RequestTable<WorldRequest> table;
   table.add_argument("world", &WorldRequest::world, "A world: its name, or its file (TOML).");
-  table.add("hand", text_schema(), &WorldRequest::hand, "Which hand, where there are several.");
+  table.add("hand", text_schema(), &WorldRequest::hand, "Hand to use, where there are several.");
   table.add("object", text_schema(), &WorldRequest::object,
-            "Which object, where there are several.");
+            "Object to grasp, where there are several.");
   // Options of human hands, which robots ignore.
   table.add_word("passive", kPassiveNames, &WorldRequest::passive,
                  "Passive moments of human joints, where the subject states some.");
@@ -72,13 +76,15 @@ RequestTable<GraspRequest> grasp_params() {
   RequestTable<Request> table;
   // The world states where hand and object begin.
   table.include(world_params(), &Request::world);
-  table.add("approach", flag_schema(), &Request::approach,
-            "Approaches along the palm's direction first (default), or closes where the hand is.",
-            "approach,!no-approach");
+  table
+      .add("approach", flag_schema(), &Request::approach,
+           "Approach along the palm's direction before closing (default).", "approach,!no-approach")
+      .off_about = "Close the hand where it is, without approaching first.";
   table.add("approach_distance", units::kMetre, number_schema("", 0), &Request::approach_distance,
             "Farthest approach.", "approach-distance,way");
   table.add("starts", integer_schema(0, 1e9), &Request::starts,
-            "Best of so many random pregrasps, drawn as in comparisons; 0: the world's own; the "
+            "Number of random pregrasps, of which the best is taken, drawn as in comparisons; 0: "
+            "the world's own; the "
             "hand may then be any hand by name.",
             "random");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
@@ -94,9 +100,10 @@ RequestTable<GraspRequest> grasp_params() {
   table.add("tolerance", number_schema(""), &Request::tolerance,
             "Largest difference of the certified bounds of epsilon, also of robustness.",
             "tolerance,gap");
-  table.add("edges", integer_schema(0, 1e9), &Request::edges,
-            "Friction pyramids of so many edges in epsilon, volume, robustness and wrench sets; 0: "
-            "cones, as all other measures have.");
+  table.add(
+      "edges", integer_schema(0, 1e9), &Request::edges,
+      "Number of edges of friction pyramids in epsilon, volume, robustness and wrench sets; 0: "
+      "cones, as all other measures have.");
   table.add("wrench_meshes", flag_schema(), &Request::wrench_meshes,
             "With JSON, also the wrench set as meshes: projected and cut.", "wrenches");
   return table;
@@ -107,21 +114,26 @@ RequestTable<CompareRequest> compare_params() {
   const Schema names = list_schema(text_schema(), 1, 100);
   RequestTable<Request> table;
   // Every hand meets every object; every pair is measured by all tasks.
-  table.add("hands", names, &Request::hands,
-            "human:orthogonal, human:skewed, human:soft, human:tendons; names of robots/; or "
-            "files.");
-  table.add("objects", names, &Request::objects, "Names of objects/, or files.");
-  table.add("tasks", names, &Request::tasks, "Some of force-closure, hold-weight, pull, turn.");
+  table.add(
+      "hands", names, &Request::hands,
+      "Hands: human:orthogonal, human:skewed, human:soft, human:tendons; names of robots/; or "
+      "files.");
+  table.add("objects", names, &Request::objects, "Objects: names of objects/, or files.");
+  table.add("tasks", names, &Request::tasks,
+            "Tasks: some of force-closure, hold-weight, pull, turn.");
   // Effort and randomness: more approaches find better grasps.
   table.add("approaches", integer_schema(1, 1e9), &Request::approaches,
             "Random approaches of each hand to each object.");
   table.add("best", integer_schema(0, 1e9), &Request::best,
             "Grasps of each pair whose loads are computed.");
-  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Of the random approaches.");
-  table.add("threads", integer_schema(0, 1e9), &Request::threads,
-            "0: as many as there are processors; the answer is the same with any number.");
+  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
+            "Seed of the random approaches.");
+  table.add(
+      "threads", integer_schema(0, 1e9), &Request::threads,
+      "Number of threads; 0: as many as there are processors; the answer is the same with any "
+      "number.");
   table.add("normalise_size", flag_schema(), &Request::normalise_size,
-            "Scales objects by the reach of the digits over the first hand's.");
+            "Scale objects by each hand's digit reach relative to the first hand's.");
   // Models behind the comparison: paths of tendons, materials and friction.
   add_path(table, &Request::path);
   table.add("materials", text_schema(), &Request::materials,
@@ -134,7 +146,8 @@ RequestTable<CompareRequest> compare_params() {
 }
 
 void internal::add_contact_questions(std::vector<Question>& all) {
-  add_question(all, "contacts", "How large a wrench, from whatever direction, contacts bear.",
+  add_question(all, "contacts",
+               "Grasp quality (epsilon, volume, task margin) of a set of contacts.",
                contact_params(), measure, R"({"contacts": "two_soft_fingers"})", "quality");
   add_question(all, "grasp", "Puts the hand of a world on its object and measures the grasp.",
                grasp_params(), measure_grasp, R"({"world": "jaw_box"})", "grasp",

@@ -102,8 +102,8 @@ template <typename Request>
 void add_path(RequestTable<Request>& table, std::optional<Path> Request::*member) {
   table.add_word("path", kPathNames, member,
                  "Tendon paths: straight between via points, polynomials fitted to wrapped ones, "
-                 "or wrapped over the subject's surfaces, as they are if left out where it states "
-                 "some.");
+                 "or wrapped over the subject's surfaces; default: wrapped where the subject "
+                 "defines wrapping surfaces, via otherwise.");
 }
 
 }  // namespace thenar

@@ -41,10 +41,12 @@ RequestTable<TipForceRequest> tip_force_params() {
   table.include(linear_digit_params(), &TipForceRequest::digit);
   add_tension(table, &TipForceRequest::tension);
   table.add_word("hold", kTipConstraintNames, &TipForceRequest::hold,
-                 "pinned: no moment; rigid: clamped.");
+                 "Constraint of the tip: pinned (no moment) or rigid (clamped).");
   // A rigid hold needs a length to compare moments with forces.
-  table.add("hold_length", units::kMillimetre, number_schema(""), &TipForceRequest::hold_length,
-            "How the norm of a rigid hold weighs moments.");
+  table.add(
+      "hold_length", units::kMillimetre, number_schema(""), &TipForceRequest::hold_length,
+      "Length by which moments are divided when the force and the moment of a clamped tip are "
+      "combined in one norm.");
   return table;
 }
 
@@ -72,32 +74,35 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
   RequestTable<Request> table;
   // The load and its direction; without a direction the answer is the set of all loads.
   table.include(linear_digit_params(), &Request::digit);
-  table.add_word("load", kTipLoadNames, &Request::load, "What is asked for.", "");
-  table.add("direction", vector_schema(""), &Request::direction,
-            "x y z of the wanted force, or of the axis of the wanted moment; the whole set if left "
-            "out.");
+  table.add_word("load", kTipLoadNames, &Request::load, "Kind of load that is asked for.", "");
+  table.add(
+      "direction", vector_schema(""), &Request::direction,
+      "Direction x y z of the wanted force, or axis of the wanted moment; the whole set if left "
+      "out.");
   // Bounds of the load of the other kind, where a contact is neither a hinge nor a clamp.
   add_other_load(table, TipLoad::kForce, "moments", units::kNewtonMetre,
-                 "Moments beside the force, about each of the axes: 0 of a pinned tip, infinite of "
-                 "a rigid hold.");
+                 "Largest moment allowed about each axis in addition to the force: 0 = pinned tip, "
+                 "inf = clamped tip.");
   add_other_load(table, TipLoad::kMoment, "forces", units::kNewton,
-                 "Forces beside the moment, along each of the axes.");
+                 "Largest force allowed along each axis in addition to the moment.");
   table.add("tolerance", units::kDegree, number_schema(""), &Request::tolerance,
             "Half angle of the cone the force or moment may lie in.", "tolerance-deg");
   table.add_word("frame", kDirectionFrameNames, &Request::frame,
-                 "world: the subject's frame; tip: proximal, dorsal, radial.", "axes");
+                 "Axes of directions: world: the subject's frame; tip: proximal, dorsal, radial.",
+                 "axes");
   table.add("whole_set", flag_schema(), &Request::whole_set,
-            "The whole set, also beside a direction.", "set");
+            "Compute the whole set, also beside a direction.", "set");
   table.add("without", list_schema(text_schema(), 0, 100), &Request::without,
-            "Muscles that are paralysed, as under a nerve block; the loss is told.");
+            "Muscles that are paralysed, as under a nerve block; the resulting loss of force is "
+            "reported.");
   table
       .add("weakened", units::kNewton, map_schema(number_schema("")), &Request::weakened,
-           "What weak muscles can pull at most; the loss is told.")
+           "Upper tension limits of weakened muscles; the resulting loss of force is reported.")
       .form = "MUSCLE=newton";
   // Reactions of the wrist and of joints at the end of their range.
   table.add_word("wrist", kWristLoadNames, &Request::wrist,
-                 "held: welded; free: it moves and bears the load, with the muscles across it; "
-                 "pinch: it moves, and the load ends within the hand.");
+                 "Wrist: held: welded; free: it moves and bears the load, with the muscles across "
+                 "it; pinch: it moves, and the load ends within the hand.");
   Param& stops = table.add(
       "stops", units::kNewtonMetre, map_schema(endless_schema("", -kInfinity)), &Request::stops,
       "Joints at the end of their range, whose ligaments give at most this torque; positive "
@@ -123,7 +128,7 @@ RequestTable<PoseRequest> pose_params() {
   add_posture(table, "posture", &Request::posture,
               "Angles by joint, or in the order of the joints; others stay at 0. Robots: degrees "
               "of freedom or joints, slides in mm.");
-  add_posture(table, "frozen", &Request::frozen, "Joints welded there.");
+  add_posture(table, "frozen", &Request::frozen, "Joints to weld, and their angles.");
   add_vary(table, &Request::vary, &Request::posture);
   add_data(table, &Request::data);
   return table;

@@ -53,7 +53,7 @@ RequestTable<FitSources> source_params() {
   table.add("net", text_schema(), &FitSources::net,
             "Extensor net in place of the subject's hood: name or file.");
   table.add("also_free", names_schema(), &FitSources::also_free,
-            "Also frees the parameters matching these globs.", "free");
+            "Also free the parameters that match these globs.", "free");
   table.add("scale", word_schema({"subject", "outside"}), &FitSources::scale,
             "Size of the digit before parameters act: the subject's own, or by what each "
             "experiment states in [outside].");
@@ -75,7 +75,7 @@ RequestTable<PredictRequest> predict_params() {
   add_experiments(table, &Request::experiments);
   // A fitted specimen is predicted by its own parameters, or by those of the population.
   table.add("population", flag_schema(), &Request::population,
-            "Predicts a fitted specimen as if it had never been seen.");
+            "Predict a fitted specimen as if it had never been seen.");
   add_fit_path(table, &Request::path);
   add_data(table, &Request::data);
   return table;
@@ -94,21 +94,21 @@ RequestTable<InferNetRequest> infer_params() {
   add_path(table, &Request::path);
   // Method of the search, and tests that would tell the remaining nets apart.
   table.add_word("method", kInferMethodNames, &Request::method,
-                 "sparse: all bands at once, at a price; explore: a search among nets.");
+                 "Method: sparse: all bands at once, at a price; explore: a search among nets.");
   table.add("propose", integer_schema(0, 1e9), &Request::propose, "Tests to propose, at most.");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
-            "Of the search, and of what `free` samples.");
+            "Seed of the search, and of the draws that `free` asks for.");
   // With free parameters bands compete with other explanations, and get probabilities.
   table.add("free", names_schema(), &Request::free,
-            "slack, paths, stiffness or globs of parameters: what may explain the forces in place "
-            "of a band; bands then get probabilities.");
+            "Explanations of the forces in place of a band: slack, paths, stiffness or globs of "
+            "parameters; bands then get probabilities.");
   table.add("bands", names_schema(), &Request::bands,
-            "With `free`: bands in question, globs; all if left out.");
+            "Bands in question, with `free`, as globs; all if left out.");
   table.add("settings", text_schema(), &Request::settings,
-            "With `free`: settings with all priors; name or file.");
+            "Settings with all priors, with `free`: name or file.");
   RequestTable<BandPosteriorOptions> sets;
   sets.add("sweeps", integer_schema(1, 1e9), &BandPosteriorOptions::sweeps,
-           "With `free` and more than 7 bands: how often the sampling asks for each.");
+           "Number of sweeps over the bands, with `free` and more than 7 of them.");
   table.include(sets, &Request::sets);
   add_data(table, &Request::data);
   return table;
@@ -140,10 +140,10 @@ RequestTable<FitRequest> fit_params() {
   // The same inputs as those of a posterior.
   table.include(source_params(), &Request::sources);
   table.add_word("method", kLeastSquaresMethodNames, &Request::method,
-                 "ceres, ipopt: by derivatives; nlopt, nlopt-global: without.");
+                 "Method of the fit: ceres, ipopt: by derivatives; nlopt, nlopt-global: without.");
   // Each kind of leaving out fits anew without some of the data.
   Param leave_out{{"leave_out", list_schema(word_schema(names_in(kLeaveOutNames)), 0, 3),
-                   "Also leaves out one posture, tendon or specimen at a time."},
+                   "Also leave out one posture, tendon or specimen at a time."},
                   units::kOne,
                   "cross-validate"};
   table.add(
@@ -160,11 +160,11 @@ RequestTable<FitRequest> fit_params() {
       });
   // Choosing settings by left-out data, and the optimiser's own limits.
   table.add("choose_settings", flag_schema(), &Request::choose_settings,
-            "Chooses among the [[choose]] rows of the settings by left-out postures and specimens; "
-            "what is left out then chooses in every fold anew.");
-  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Of the global search.");
+            "Choose among the [[choose]] rows of the settings by left-out postures and specimens; "
+            "the choice is repeated within each cross-validation fold.");
+  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Seed of the global search.");
   table.add("max_evaluations", integer_schema(0, 1e9), &Request::max_evaluations,
-            "0: the method's own limit.");
+            "Limit on evaluations (0: the method's default).");
   add_output(table, &Request::output, "File of the result (.h5).");
   return table;
 }
@@ -175,23 +175,27 @@ RequestTable<SampleRequest> posterior_params() {
   // The same inputs as those of a fit.
   table.include(source_params(), &Request::sources);
   table.add_word("method", kSamplingMethodNames, &Request::method, "Sampler.", "sampler");
-  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Of the chains.");
+  table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Seed of the chains.");
   table.add("chains", integer_schema(1, 1e9), &Request::chains,
             "Independent chains, or ensembles.");
   table.add("walkers", integer_schema(0, 1e9), &Request::walkers,
             "Chains of one ensemble; 0: as the sampler needs.");
   // Step size and length of trajectories of Hamiltonian samplers.
-  table.add("target_acceptance", number_schema("", 0.05, 0.999), &Request::target_acceptance,
-            "Of nuts and hmc: higher takes smaller steps, against divergent ones.");
+  table.add(
+      "target_acceptance", number_schema("", 0.05, 0.999), &Request::target_acceptance,
+      "Target acceptance of nuts and hmc: a higher one takes smaller steps, against divergent "
+      "ones.");
   table.add("max_depth", integer_schema(1, 30), &Request::max_depth,
-            "Of trees of nuts: 2^depth steps at most.");
+            "Largest depth of the trees of nuts: 2^depth steps at most.");
   // Warm-up adapts the sampler; draws are kept, thinned where neighbours are alike.
   table.add("warm_up", integer_schema(0, 1e9), &Request::warm_up,
             "Steps that adapt and are thrown away.");
-  table.add("draws", integer_schema(0, 1e9), &Request::draws,
-            "Draws of each chain; 0: 1000, of stretch 100, doubled up to twice where the chains do "
-            "not agree yet and more may help.");
-  table.add("thin", integer_schema(0, 1e9), &Request::thin, "Steps a draw; 0: 1, of stretch 10.");
+  table.add(
+      "draws", integer_schema(0, 1e9), &Request::draws,
+      "Draws of each chain; 0: 1000, or 100 with stretch, doubled up to twice where the chains "
+      "do not agree yet and more may help.");
+  table.add("thin", integer_schema(0, 1e9), &Request::thin,
+            "Steps per draw; 0: 1, or 10 with stretch.");
   // Parallel tempering lets chains pass between modes.
   table.add("temperatures", integer_schema(1, 1e9), &Request::temperatures,
             "Rungs of parallel tempering; 1: none.");
@@ -202,11 +206,13 @@ RequestTable<SampleRequest> posterior_params() {
   table.add("mode_starts", integer_schema(0, 1e9), &Request::mode_starts,
             "Starts of the search for modes; 0: 16, or 4 among more than 1000 coordinates.");
   table.add("checkpoint_every", units::kSecond, number_schema("", 0), &Request::checkpoint_every,
-            "Between checkpoints: what a kill may cost.", "checkpoint-every-s");
+            "Time between checkpoints, which is lost at most if the run is killed.",
+            "checkpoint-every-s");
   table.add("threads", integer_schema(0, 1e9), &Request::threads,
-            "0: as many as there are processors.");
-  table.add("fixed_noise", flag_schema(), &Request::fixed_noise, "Believes the stated noise.");
-  table.add("fresh", flag_schema(), &Request::fresh, "Forgets an interrupted run of this output.");
+            "Number of threads; 0: as many as there are processors.");
+  table.add("fixed_noise", flag_schema(), &Request::fixed_noise,
+            "Keep the stated noise level fixed.");
+  table.add("fresh", flag_schema(), &Request::fresh, "Discard an interrupted run of this output.");
   table.add("retry_acceptances", list_schema(number_schema("", 0.05, 0.999), 0, 10),
             &Request::retry_acceptances,
             "Target acceptances at which chains begin anew whose trajectories diverge.", "");
@@ -218,17 +224,17 @@ void internal::add_fit_questions(std::vector<Question>& all) {
   add_question(all, "fit", "Fits a digit to measured fingertip forces.", fit_params(), fit_digit,
                R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle"})", "fit",
                QuestionPace::kLasts);
-  add_question(all, "predict", "Forces of an experiment by a fit.", predict_params(), predict,
-               R"({"fit": "fit.h5", "experiments": ["synek2019_B01"]})", "predict");
+  add_question(all, "predict", "Predict the forces of an experiment from a fit.", predict_params(),
+               predict, R"({"fit": "fit.h5", "experiments": ["synek2019_B01"]})", "predict");
   add_question(all, "posterior", "Draws of all parameters that priors and measured forces allow.",
                posterior_params(), sample,
                R"({"experiments": ["synek2019_H01"], "subject": "synek2019_middle", "chains": 2,
           "warm_up": 50, "draws": 50, "output": "posterior.nc"})",
                "fit", QuestionPace::kLasts);
-  add_question(all, "bands", "Which bands of a hood measured fingertip forces ask for.",
-               infer_params(), infer,
-               R"({"experiment": "synek2019_H01", "subject": "synek2019_middle"})", "tendon infer",
-               QuestionPace::kLasts);
+  add_question(
+      all, "bands", "Infer which bands of the extensor hood the measured fingertip forces support.",
+      infer_params(), infer, R"({"experiment": "synek2019_H01", "subject": "synek2019_middle"})",
+      "tendon infer", QuestionPace::kLasts);
 }
 
 }  // namespace thenar

@@ -24,48 +24,53 @@ RequestTable<PressRequest> press_params() {
   // The object that presses: a shape of its own, or a mesh.
   RequestTable<PressObjectRequest> object;
   object.add("object", text_schema(), &PressObjectRequest::name,
-             "What presses: " + listed(press_object_names()) + ", or a mesh file.");
-  object.add("radius", units::kMillimetre, number_schema("", 0), &PressObjectRequest::radius,
-             "Of sphere and cylinder (10 mm if left out), of an edge's rounding (0.5 mm).");
+             "Object that presses: " + listed(press_object_names()) + ", or a mesh file.");
+  object.add(
+      "radius", units::kMillimetre, number_schema("", 0), &PressObjectRequest::radius,
+      "Radius of a sphere or cylinder (10 mm if left out), or of an edge's rounding (0.5 mm).");
   object.add("scale", number_schema("", 0), &PressObjectRequest::scale,
-             "Of a mesh: metres per unit of its file.");
+             "Scale of a mesh: metres per unit of its file.");
   // The pad, and laws of its tissues in place of those of its file.
   RequestTable<PadRequest> pad;
   pad.add("pad", text_schema(), &PadRequest::pad, "A pad: its name, or its file (TOML).");
   pad.add("law", text_schema(), &PadRequest::law,
-          "Of its tissues: " + listed(tissue_law_names()) + "; as its file says if left out.");
+          "Law of its tissues: " + listed(tissue_law_names()) + "; as its file says if left out.");
   pad.add("exponent", number_schema(""), &PadRequest::exponent,
-          "Of the laws ogden and veronda-westmann.");
-  pad.add("element", text_schema(), &PadRequest::element,
-          listed(pad_element_names()) + "; as its file says if left out.");
+          "Exponent of the laws ogden and veronda-westmann.");
+  pad.add(
+      "element", text_schema(), &PadRequest::element,
+      "Elements of its mesh: " + listed(pad_element_names()) + "; as its file says if left out.");
   add_data(pad, &PadRequest::data);
   RequestTable<Request> table;
   table.include(object, &Request::object);
   // The end of the press: a force or a depth, of which one has to be given.
   table.add("force", units::kNewton, number_schema(""), &Request::force,
-            "Presses until this force.");
+            "Force at which the press ends.");
   table.add("depth", units::kMillimetre, number_schema(""), &Request::depth,
-            "Presses to this depth from the touch on.");
+            "Depth at which the press ends, measured from first touch.");
   // The way of the object: its orientation, its rate, and how long it stands still.
-  table.add("angle", units::kDegree, number_schema(""), &Request::angle,
-            "Of the pad to the object, the finger's proximal end lifted, -60 to 60 deg.");
+  table.add(
+      "angle", units::kDegree, number_schema(""), &Request::angle,
+      "Angle of the pad to the object, with the finger's proximal end lifted, -60 to 60 deg.");
   table.add("turn", units::kDegree, number_schema(""), &Request::turn,
-            "Of the object about its way into the pad.");
+            "Rotation of the object about the direction of pressing.");
   table.add("rate", units::kMillimetrePerSecond, number_schema("", 0), &Request::rate,
-            "Of the object; 0: so slowly that all relaxes; if left out, at once: nothing relaxes.");
+            "Speed of the object; 0: quasi-static (fully relaxed); default: instantaneous (no "
+            "relaxation).");
   table.add("hold", units::kSecond, number_schema("", 0), &Request::hold,
-            "Then stands still for so long.");
-  table.add("friction", number_schema("", 0), &Request::friction, "Of the skin on the object.");
+            "Time for which the object then stands still.");
+  table.add("friction", number_schema("", 0), &Request::friction,
+            "Coefficient of friction of the skin on the object.");
   table.include(pad, &Request::pad);
   table.add("force_error", units::kPercent, number_schema("", 0), &Request::force_error,
             "Estimated error of the force below which the mesh is not refined.", "error");
   table.add("max_elements", integer_schema(1, 1e9), &Request::max_elements,
             "A mesh with so many elements is not refined any more.");
-  table.add("points", integer_schema(1, 1e9), &Request::points, "Of the curves.");
+  table.add("points", integer_schema(1, 1e9), &Request::points, "Number of points on the curves.");
   table.add("hold_points", integer_schema(1, 1e9), &Request::hold_points,
-            "Of the curves while it stands still.");
+            "Number of points on the curves while the object stands still.");
   table.add("rungs", flag_schema(), &Request::rungs,
-            "Also compares reduced laws, elements and meshes: error over time; takes minutes.",
+            "Also compare reduced laws, elements and meshes: error over time; takes minutes.",
             "chart");
   return table;
 }
@@ -102,15 +107,15 @@ RequestTable<DigitMotionRequest> digit_motion_params() {
       .form = "MUSCLE=mm";
   // Damping stands for soft tissue; the blend smooths the kink where a band becomes taut.
   table.add("damping", units::kJointDamping, number_schema("", 0), &Request::damping,
-            "Of joints whose subject gives none.");
+            "Damping of joints whose subject gives none.");
   table.add("blend", number_schema("", 0), &Request::blend,
             "Strain over which the bands of a net go from slack to taut.");
   table.add("gravity", units::kMetrePerSquareSecond, vector_schema(""), &Request::gravity,
-            "Free fall in the subject's frame.");
+            "Gravitational acceleration, in the subject's frame.");
   // Duration, sampling and the tolerance of the integrator.
-  table.add("seconds", number_schema("", 0), &Request::seconds, "How long.");
+  table.add("seconds", number_schema("", 0), &Request::seconds, "Duration.");
   table.add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
-            "Between the instants kept.", "sample-ms");
+            "Time between the instants kept.", "sample-ms");
   table.add("tolerance", number_schema("", 0), &Request::tolerance, "Relative error of one step.");
   return table;
 }
@@ -128,13 +133,13 @@ RequestTable<SceneRequest> scene_params() {
       "Rung of all its pads: " + listed(pad_rung_names()) + "; as the scene says if left out.");
   add_path(table, &Request::path);
   table.add("on_pins", flag_schema(), &Request::on_pins,
-            "Without its compliant joints: no joint gives.", "");
+            "Replace compliant joints by ideal ones: no joint gives.", "");
   table.add("seconds", number_schema("", 0), &Request::seconds,
-            "How long; as the scene says if left out.");
+            "Duration; as the scene says if left out.");
   table.add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
-            "Between the instants kept; as the scene says if left out.", "sample-ms");
+            "Time between the instants kept; as the scene says if left out.", "sample-ms");
   table.add("step", units::kMillisecond, number_schema("", 0), &Request::step,
-            "Every step, by time-stepping.", "step-ms");
+            "Length of every step, by time-stepping.", "step-ms");
   table.add("tolerance", number_schema("", 0), &Request::tolerance,
             "Error of one step, in m and rad.");
   add_data(table, &Request::data);

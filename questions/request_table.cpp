@@ -69,8 +69,8 @@ std::pair<const Param*, UnitSystem> param_of(const std::vector<Param>& params,
     for (const Param& param : params)
       if (param.key_in(system) == key) return {&param, system};
   const std::vector<std::string> keys = keys_of(params);
-  throw InputError(fmt::format("no parameter '{}'{}; there are {}", key.substr(0, 40),
-                               did_you_mean(key.substr(0, 40), keys), listed(keys)),
+  throw InputError(fmt::format("no parameter '{}'{} there are {}", key.substr(0, 40),
+                               hint_before_list(key.substr(0, 40), keys), listed(keys)),
                    key);
 }
 

@@ -36,6 +36,7 @@ struct Param {
   ParamScope scope = ParamScope::kAnywhere;
   bool is_positional = false;  // of commands: a plain argument
   bool is_twin = false;        // of the parameter before it, in another unit
+  std::string off_about = {};  // one sentence: help of the options that turn a flag off
 
   /// "hold_length_m", "hold_length_mm"
   [[nodiscard]] std::string key_in(UnitSystem system) const;

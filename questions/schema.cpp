@@ -130,8 +130,8 @@ Json checked_object(const Schema& schema, const Json& value, const std::string& 
   for (const SchemaMember& member : schema.members) names.push_back(member.name);
   for (const auto& [name, entry] : value.items())
     require(std::find(names.begin(), names.end(), name) != names.end(),
-            "{}: no member '{}'{}; there are {}", where, name.substr(0, 40),
-            did_you_mean(name.substr(0, 40), names), listed(names));
+            "{}: no member '{}'{} there are {}", where, name.substr(0, 40),
+            hint_before_list(name.substr(0, 40), names), listed(names));
   // Known ones are checked, or take their usual value.
   Json out = Json::object();
   for (const SchemaMember& member : schema.members) {

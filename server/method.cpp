@@ -30,8 +30,8 @@ bool MethodTable::has(const std::string& name) const {
 const RpcMethod& MethodTable::at(const std::string& name) const {
   if (const RpcMethod* found = find_named(methods_, name)) return *found;
   const auto names = transformed(methods_, [](const RpcMethod& method) { return method.name; });
-  throw InputError(
-      fmt::format("no method '{}'{}; session.methods lists all", name, did_you_mean(name, names)));
+  throw InputError(fmt::format("no method '{}'{} session.methods lists all", name,
+                               hint_before_list(name, names)));
 }
 
 }  // namespace thenar

@@ -203,6 +203,14 @@ DigitAtPosture digit_at(const DigitCase& at, const Eigen::VectorXd& q) {
 Eigen::VectorXd tensions(const DigitCase& at, const std::map<std::string, double>& named) {
   const std::vector<std::string> muscles =
       at.map.empty() ? at.bones().names.muscles : digit_at(at, {}).statics.muscles;
+  // A muscle of the subject that passes the digit by is no misspelt one.
+  for (const auto& [name, tension] : named)
+    require_field(
+        "tension",
+        !at.map.empty() || std::count(muscles.begin(), muscles.end(), name) > 0 ||
+            std::none_of(at.subject.muscles.begin(), at.subject.muscles.end(),
+                         [&name = name](const MuscleUnit& each) { return each.name == name; }),
+        "'{}' crosses no free joint of the digit", name);
   // Tensions in the order of the muscles, in newtons; muscles that are not named are slack.
   Eigen::VectorXd t = in_order(named, muscles, "muscle");
   for (Eigen::Index i = 0; i < t.size(); ++i) {
@@ -217,7 +225,7 @@ Eigen::VectorXd tensions(const DigitCase& at, const std::map<std::string, double
 
 std::string choose_digit(const Subject& subject, const std::string& asked) {
   const std::vector<std::string> names = digit_names(subject);
-  require_field("digit", !asked.empty() || names.size() == 1, "wanted a digit; subject '{}' has {}",
+  require_field("digit", !asked.empty() || names.size() == 1, "choose a digit; subject '{}' has {}",
                 subject.name, listed(names));
   if (asked.empty()) return names.front();
   const std::string meant = did_you_mean(asked, names);

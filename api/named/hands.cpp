@@ -151,8 +151,8 @@ HandSource find_source(const std::string& name, const HandName& parts,
   std::vector<std::string> known = names_in(places, "robots");
   for (const auto& [each, word] : kHumanVersionNames)
     known.push_back(std::string(kHuman) + ":" + word);
-  throw InputError(fmt::format("there is no hand '{}'{}; there are {}, and files; {}", name,
-                               did_you_mean(name, known), fmt::join(known, ", "),
+  throw InputError(fmt::format("there is no hand '{}'{} there are {}, and files; {}", name,
+                               hint_before_list(name, known), fmt::join(known, ", "),
                                places_words(places)));
 }
 

@@ -81,8 +81,8 @@ std::size_t chosen(const WorldSpec& world, const std::string& name, const std::s
   // A name has to be one of the world's.
   if (!name.empty()) {
     const std::size_t index = index_of(world, name);
-    require(index < world.hands.size(), "{}: the world has no hand '{}'{}; it has {}", path, name,
-            did_you_mean(name, names_of(world)), world.hands.empty() ? "none" : listed);
+    require(index < world.hands.size(), "{}: the world has no hand '{}'{} it has {}", path, name,
+            hint_before_list(name, names_of(world)), world.hands.empty() ? "none" : listed);
     return index;
   }
   // Without a name there must be exactly one hand that carries no other.
@@ -238,8 +238,9 @@ void set_posture(const WorldSpec& world, const std::string& path, const Places& 
         continue;
       }
       const Eigen::VectorXd motion = motion_of_dof(world, placed, name, data);
-      require(motion.size() > 0, "{}: hand '{}' has no coordinate '{}'{}; it has {}", path,
-              placed.name, name, did_you_mean(name, hand.names[i]), fmt::join(hand.names[i], ", "));
+      require(motion.size() > 0, "{}: hand '{}' has no coordinate '{}'{} it has {}", path,
+              placed.name, name, hint_before_list(name, hand.names[i]),
+              fmt::join(hand.names[i], ", "));
       // Set only joints that the motor moves, so that motors do not undo each other.
       for (Eigen::Index c = 0; c < motion.size(); ++c)
         if (motion[c] != 0) hand.q[hand.places[i][static_cast<std::size_t>(c)]] = motion[c] * value;

@@ -15,7 +15,7 @@ constexpr double kWarnedPenetration = 1e-3;  // Penetration beyond which a warni
 }  // namespace
 
 std::string energy_error_words(const FlowBalance& balance) {
-  return fmt::format("{:.3g} mJ {} by {:.6g} s, {:.2g} % of {:.4g} mJ turned over",
+  return fmt::format("{:.3g} mJ {} by {:.6g} s, {:.2g} % of {:.4g} mJ total energy exchanged",
                      1e3 * std::abs(balance.error),
                      balance.error < 0 ? "made of nothing" : "lost to nothing", balance.t,
                      100 * balance.share(), 1e3 * balance.turned_over);

@@ -88,7 +88,7 @@ void add_pad_fit(CLI::App& pad) {
                    "The pad to start from: its name, or its file (TOML); as the data file says if "
                    "left out")
       ->default_str("");
-  command->add_option("--points", request.points, "Of the fitted pad's curves");
+  command->add_option("--points", request.points, "Number of points on the fitted pad's curves");
   command->add_flag("--no-mesh-check", options->no_mesh_check,
                     "Do not press the estimate on cells of half the size, which takes as long as "
                     "the search");

@@ -72,7 +72,7 @@ FileContact contact_with_cone(const JsonValue& value, bool planar, const Contact
   const JsonValue normal = value["normal"];
   result.normal = place_of(normal, planar);
   result.normal_length = result.normal.stableNorm();
-  if (result.normal_length < kMinMagnitude) normal.fail_wanted("a direction");
+  if (result.normal_length < kMinMagnitude) normal.fail_wanted("a non-zero vector");
   result.normal /= result.normal_length;
   result.friction = not_negative(value["friction"]);
   return result;

@@ -44,7 +44,7 @@ std::string overlap_words(const std::vector<Overlap>& overlaps) {
 
 std::string own_overlap_words(const ClosedHand& closed) {
   if (closed.self_overlaps.empty()) return "";
-  return "links of the hand begin in each other, and do not stop each other: " +
+  return "some links overlap at the start, so contact between them is ignored: " +
          overlap_words(closed.self_overlaps);
 }
 

@@ -102,8 +102,8 @@ void name_nominal(RobotSpec& robot) {
     if (dof.nominal_effort && dof.max_effort > 0) nominal.push_back(dof.name);
   if (!nominal.empty())
     robot.warnings.push_back(
-        fmt::format("efforts of {} are nominal, as a model's placeholders: measures of force take "
-                    "them for unknown",
+        fmt::format("effort limits of {} look like placeholders; measures of force treat them as "
+                    "unknown",
                     fmt::join(nominal, ", ")));
 }
 

@@ -47,8 +47,8 @@ std::size_t body_index(const WorldState& state, const std::string& name) {
 [[noreturn]] void refuse_name(const WorldState& state, const std::string& name) {
   std::vector<std::string> names = body_names(state);
   for (const PlacedHand& placed : state.placed) names.push_back(placed.name);
-  throw InputError(fmt::format("the world has no '{}'{}; it has {}", name,
-                               did_you_mean(name, names), listed(names)));
+  throw InputError(fmt::format("the world has no '{}'{} it has {}", name,
+                               hint_before_list(name, names), listed(names)));
 }
 
 /// The placed hand of a hand's name or file, and how worlds write it.

@@ -17,8 +17,8 @@ std::size_t entry_named(const std::vector<std::string>& names, const std::string
   // A name has to exist; without a name there must be exactly one entry.
   if (!name.empty()) {
     const auto found = std::find(names.begin(), names.end(), name);
-    require(found != names.end(), "the world has no {} '{}'{}; it has {}", kind, name,
-            did_you_mean(name, names), listed(names));
+    require(found != names.end(), "the world has no {} '{}'{} it has {}", kind, name,
+            hint_before_list(name, names), listed(names));
     return static_cast<std::size_t>(found - names.begin());
   }
   require(!names.empty(), "the world has no {}", kind);

@@ -51,7 +51,7 @@ std::string change_line(const std::vector<std::string>& joints, const Eigen::Vec
   std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
     return std::abs(change[a]) > std::abs(change[b]);
   });
-  std::string line = unit + " per degree of posture:";
+  std::string line = "per degree of joint rotation [" + unit + "/deg]:";
   const double nothing = order.empty() ? 0 : kNoChange * std::abs(change[order.front()]);
   for (const Eigen::Index i : order)
     line += fmt::format("{} {} {:.3g}", i == order.front() ? "" : ",", nth(joints, i),

@@ -18,7 +18,7 @@ namespace thenar {
 [[nodiscard]] std::string posture_note(const std::vector<std::string>& joints, double condition,
                                        const Eigen::VectorXd& change);
 
-/// "N per degree of posture: PIP2 0.31, DIP2 0.12", the most first.
+/// "per degree of joint rotation [N/deg]: PIP2 0.31, DIP2 0.12", the most first.
 /// @param change  in `unit` per radian
 [[nodiscard]] std::string change_line(const std::vector<std::string>& joints,
                                       const Eigen::VectorXd& change, const std::string& unit = "N");

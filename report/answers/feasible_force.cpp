@@ -224,8 +224,9 @@ std::string shared_note(const FeasibleForceResult& answer, const FeasibleForcePo
       names.push_back(nth(answer.muscles, i));
     }
     if (pulled > kNoTipForce)
-      note += fmt::format("{}{} have the same moment arms: only the sum of their tensions is told",
-                          note.empty() ? "" : "; ", fmt::join(names, " and "));
+      note += fmt::format(
+          "{}{} have the same moment arms: only the sum of their tensions is determined",
+          note.empty() ? "" : "; ", fmt::join(names, " and "));
   }
   return note;
 }
@@ -275,7 +276,9 @@ std::string largest_text(const FeasibleForceResult& answer, const FeasibleForceP
   // Limits, change with the posture, and doubts.
   const std::string limits = limit_words(answer, point);
   if (!limits.empty()) text += limits + "\n";
-  if (point.change.size() > 0) text += change_line(answer.rows, point.change, words.unit) + "\n";
+  if (point.change.size() > 0)
+    text += fmt::format("change in the largest {} {}\n", words.one,
+                        change_line(answer.rows, point.change, words.unit));
   const std::string note = note_of(answer, point);
   if (!note.empty()) text += "note: " + note + "\n";
   return text + "\n" + aligned(limit_table(answer, point)) + "\n";
@@ -519,8 +522,8 @@ std::string force_status_words(Status status, TipLoad load, TipModel model) {
       return "";
     case Status::kInfeasible:
       return fmt::format(
-          "no tensions make any {} this way{}", one,
-          model == TipModel::kMap ? ", by this map" : " with every joint in balance");
+          "no combination of tensions produces a {} in this direction {}", one,
+          model == TipModel::kMap ? "by this map" : "with every joint in equilibrium");
     case Status::kUnbounded:
       if (model == TipModel::kMap)
         return fmt::format("by this map nothing limits the {} this way", one);
@@ -561,8 +564,9 @@ std::string limit_words(const FeasibleForceResult& answer, const FeasibleForcePo
   const auto name = [&](Index i) { return nth(answer.muscles, i); };
   const Index first = muscles.front();
   const std::string unit = words_of(answer.request.load).unit;
-  std::string text = fmt::format("limited by {}: 1 N more of its F0 gives {:.3g} {} more",
-                                 name(first), prices.increase(first), unit);
+  std::string text =
+      fmt::format("limited by {}: the {} rises by {:.3g} {} per additional newton of its F0",
+                  name(first), words_of(answer.request.load).one, prices.increase(first), unit);
   if (differs(prices, first))
     text += fmt::format(", 1 N less takes {:.3g} {}", prices.decrease(first), unit);
   for (std::size_t k = 1; k < std::min(muscles.size(), kMaxNamed); ++k)

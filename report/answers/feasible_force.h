@@ -35,9 +35,9 @@ struct LoadWords {
 /// unbounded.
 [[nodiscard]] bool makes_force(const FeasibleForcePoint& point);
 
-/// "limited by FDP: 1 N more of its F0 gives 0.12 N more; then LU 0.03": the dearest limit first,
-/// and what degenerate limits do. "" if no muscle limits the force, or prices did not pass their
-/// checks.
+/// "limited by FDP: the force rises by 0.12 N per additional newton of its F0; then LU 0.03": the
+/// dearest limit first, and what degenerate limits do. "" if no muscle limits the force, or prices
+/// did not pass their checks.
 [[nodiscard]] std::string limit_words(const FeasibleForceResult& answer,
                                       const FeasibleForcePoint& point);
 

@@ -114,7 +114,7 @@ std::string text_of(const ContactQualityResult& result) {
   line("rank", fmt::format("{} of {}", e.rank, result.planar ? 3 : 6));
   if (e.has_missing_direction)
     line("cannot make", wrench_words(e.missing_direction, result.planar));
-  line(e.has_missing_direction ? "not withstood" : "withstood least",
+  line(e.has_missing_direction ? "not withstood" : "weakest direction",
        wrench_words(e.worst_wrench, result.planar));
   if (result.grasp_matrix) line("grasp matrix", matrix_words(*result.grasp_matrix));
   if (result.task) line("task", task_words(*result.task, result.planar));

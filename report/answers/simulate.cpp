@@ -77,11 +77,12 @@ std::string text_of(const DigitMotionResult& motion) {
   text += titled("Muscles (excursion: lengthening since the reference posture)", muscle_summary(t));
   // The tip, the energy account, the integration.
   text +=
-      fmt::format("tip at the end, subject's frame: ({}) mm\n",
+      fmt::format("final tip position, subject's frame: ({}) mm\n",
                   fmt::join(cells(Eigen::Vector3d(t.tip.row(last).transpose() / kMm), 2), ", "));
   text += fmt::format(
-      "work of the tendons {:.4g} mJ, lost in the joints {:.4g} mJ; energy error {:.2g} mJ of "
-      "{:.4g} mJ turned over\n",
+      "work of the tendons {:.4g} mJ, dissipated in the joints {:.4g} mJ; energy error {:.2g} mJ "
+      "of "
+      "{:.4g} mJ total energy exchanged\n",
       1e3 * t.work[last], 1e3 * t.dissipated[last], 1e3 * t.balance.error,
       1e3 * t.balance.turned_over);
   text += fmt::format("largest drift of an excursion from the length of its tendon: {}\n",
@@ -139,7 +140,7 @@ std::string refusal_of(const DigitMotionResult& motion) {
   if (t.status == MotionStatus::kCompleted || t.status == MotionStatus::kStopped) return "";
   if (t.status == MotionStatus::kNoProgress) return "the motion does not get on: " + t.warning;
   if (t.status != MotionStatus::kUnbalanced) return "the motion is stuck: " + t.warning;
-  return fmt::format("energy does not balance: error {:.2g} mJ of {:.4g} mJ turned over",
+  return fmt::format("energy does not balance: error {:.2g} mJ of {:.4g} mJ total energy exchanged",
                      1e3 * t.balance.error, 1e3 * t.balance.turned_over);
 }
 

@@ -59,11 +59,11 @@ std::string one_posture(const TipForceResult& answer, const TipForcePoint& point
   for (std::size_t i = bones ? 0 : 3; i < answer.rows.size(); ++i)
     left.add({answer.rows[i],
               shown(point.residual[static_cast<Eigen::Index>(i)] / kNewtonMillimetre, 4)});
-  text += titled(bones ? "Joint torque left over, that no tip load balances"
+  text += titled(bones ? "Residual joint torque, which no tip load can balance"
                        : "Moment at the tip, that the hold must carry",
                  left);
   if (bones)
-    text += fmt::format("condition: {:.4g}\nsize of the force's change, {}\n", point.condition,
+    text += fmt::format("condition: {:.4g}\nchange in force magnitude {}\n", point.condition,
                         change_line(answer.rows, point.change));
   const std::string note = note_of(answer, point);
   return note.empty() ? text : text + "note: " + note + "\n";
@@ -94,7 +94,9 @@ Eigen::Vector3d force_along_tip(const TipForcePoint& point) {
 std::string note_of(const TipForceResult& answer, const TipForcePoint& point) {
   std::string note;
   if (point.singular)
-    note = "singular posture: of the forces that leave the least torque, this is the least";
+    note =
+        "singular posture: several forces leave equally little torque unbalanced; the smallest is "
+        "shown";
   if (point.minimum_norm)
     note = fmt::format(
         "minimum norm: {} joints leave the wrench of a held tip open, and of those that balance "

@@ -33,7 +33,7 @@ Json digit_page(const DigitResult& about, const std::string& what, Json sections
 }
 
 std::string range_words(const std::vector<double>& values, const std::string& unit) {
-  if (values.empty()) return "not to be had";
+  if (values.empty()) return "";
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const std::string low = fmt::format("{:.3g}", *least), high = fmt::format("{:.3g}", *most);
   return (low == high ? low : low + " to " + high) + " " + unit;

@@ -38,7 +38,7 @@ inline constexpr std::array<const char*, kDrawnPostures> kPostureTints{
 [[nodiscard]] Json digit_page(const DigitResult& about, const std::string& what, Json sections,
                               const MeshTable& meshes, const std::string& learnt);
 
-/// "0.31 N", "0.21 to 0.42 N": the least and the largest of them; "not to be had": there is none.
+/// "0.31 N", "0.21 to 0.42 N": the least and the largest of them; "": there is none.
 [[nodiscard]] std::string range_words(const std::vector<double>& values, const std::string& unit);
 
 /// The text of a first section: what was asked at which postures, and every warning.

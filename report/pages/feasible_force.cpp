@@ -37,8 +37,8 @@ void add_direction_charts(const FeasibleForceResult& answer, const SweepAxes& ax
   charts.push_back(
       curve_chart(axes,
                   fmt::format("Largest {0} along the direction; a gap where no "
-                              "tensions make any {0} this way with every joint in "
-                              "balance",
+                              "combination of tensions produces a {0} in this direction with every "
+                              "joint in equilibrium",
                               words.one),
                   fmt::format("{} along the direction [{}]", words.one, words.unit),
                   {curve_over(answer.points, "largest " + words.one, [](const auto& point) {
@@ -94,7 +94,7 @@ Json force_scene(const FeasibleForceResult& answer, MeshTable& meshes) {
                                                     : fmt::format("all {} of its tip", words.many);
   return digit_scene(
       answer,
-      fmt::format("The digit, and {}: 10 mm stand for {:.3g} {}.", what, 10 / scale, words.unit),
+      fmt::format("The digit, and {}: 10 mm represents {:.3g} {}.", what, 10 / scale, words.unit),
       meshes, [&](std::size_t i, const std::string& tint, Json& layers) {
         const FeasibleForcePoint& point = answer.points[i];
         // Draw the largest load, and the convex hull of all loads at the tip.
@@ -142,6 +142,14 @@ std::string question_words(const FeasibleForceResult& answer) {
   return words;
 }
 
+/// The range of the largest loads in the requested direction.
+std::string largest_words(const LoadWords& words, const std::vector<double>& largest) {
+  if (largest.empty())
+    return fmt::format("No {} in the requested direction can be produced.", words.one);
+  return fmt::format("The largest {} in the requested direction is {}.", words.one,
+                     range_words(largest, words.unit));
+}
+
 }  // namespace
 
 Json page_of(const FeasibleForceResult& answer) {
@@ -152,8 +160,8 @@ Json page_of(const FeasibleForceResult& answer) {
   if (const Json scene = force_scene(answer, meshes); !scene.is_null()) blocks.push_back(scene);
   if (answer.single() && answer.points.front().largest)
     blocks.push_back(
-        table_block(fmt::format("Muscles at the largest {}, and what a newton more of their F0 "
-                                "gives.",
+        table_block(fmt::format("Muscle tensions at the largest {0}, and the gain in {0} per "
+                                "additional newton of F0.",
                                 words.one),
                     limit_table(answer, answer.points.front())));
   blocks.push_back(table_block("The answer at every posture.", table_of(answer)));
@@ -174,12 +182,9 @@ Json page_of(const FeasibleForceResult& answer) {
   for (const FeasibleForcePoint& point : answer.points)
     if (point.largest && point.largest->status == Status::kSolved)
       largest.push_back(point.largest->component);
-  return digit_page(
-      answer, "feasible " + words.many, sections, meshes,
-      answer.request.direction
-          ? fmt::format("The largest {} along the direction that was asked for is {}.", words.one,
-                        range_words(largest, words.unit))
-          : "All that muscles can make is drawn below.");
+  return digit_page(answer, "feasible " + words.many, sections, meshes,
+                    answer.request.direction ? largest_words(words, largest)
+                                             : "All that muscles can make is drawn below.");
 }
 
 }  // namespace thenar

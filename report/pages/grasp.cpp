@@ -171,13 +171,14 @@ Json page_of(const GraspResult& result) {
   return {
       {"title", fmt::format("{} and {}", hand, object)},
       {"subtitle", result.setting.world.description},
-      {"opening", opening_json(fmt::format("Does {} hold {}, and against what?", hand, object),
-                               fmt::format("The hand was closed in {}; {} contacts were found.",
-                                           result.setting.world.name, result.grasp.contacts.size()),
-                               fmt::format("The end was: {}.", explanation(result)) +
-                                   (closed ? fmt::format(" Epsilon is {:.4g} to {:.4g}.",
-                                                         quality.lower, quality.upper)
-                                           : ""))},
+      {"opening",
+       opening_json(
+           fmt::format("Can {} hold {}, and against which disturbances?", hand, object),
+           fmt::format("The hand was closed in {}; {} contacts were found.",
+                       result.setting.world.name, result.grasp.contacts.size()),
+           fmt::format("Result: {}.", explanation(result)) +
+               (closed ? fmt::format(" Epsilon is {:.4g} to {:.4g}.", quality.lower, quality.upper)
+                       : ""))},
       {"provenance", provenance_of(result)},
       {"meshes", meshes.json()},
       {"sections", sections}};

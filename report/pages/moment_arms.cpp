@@ -48,7 +48,7 @@ Json page_of(const MomentArmResult& answer) {
                                  [](std::size_t, const std::string&, Json&) {});
   if (!scene.is_null()) blocks.push_back(scene);
   blocks.push_back(table_block("Arms and length changes.", table_of(answer)));
-  const std::string words = "An arm is what a tendon shortens by as its joint turns by a radian: " +
+  const std::string words = "A moment arm is the tendon shortening per radian of joint rotation: " +
                             sign_words(answer.rows) + ". Lengths are counted from the posture " +
                             reference_words(answer) + ".";
   Json sections = Json::array();
@@ -63,7 +63,9 @@ Json page_of(const MomentArmResult& answer) {
     if (point.failure.empty())
       for (const double arm : point.arms.reshaped()) arms.push_back(arm / kMm);
   return digit_page(answer, "moment arms", sections, meshes,
-                    fmt::format("They are {}.", range_words(arms, "mm")));
+                    arms.empty()
+                        ? "No moment arm can be determined."
+                        : fmt::format("The moment arms range from {}.", range_words(arms, "mm")));
 }
 
 }  // namespace thenar

@@ -106,13 +106,14 @@ Json energy_section(const Trajectory& t) {
   energy << (t.energy.array() - t.energy[0]).matrix(), t.work, t.dissipated;
   return section(
       "energy", "Energy",
-      fmt::format("The energy gained (of motion, weights, springs and joint stops) is the work of "
-                  "the tendons less what the joints dissipate. Energy error of the integration: "
-                  "{:.2g} mJ of {:.4g} mJ turned over, in {} steps to a tolerance of {:.2g}. "
-                  "Largest drift of an excursion from the length of its tendon: {}.{}",
-                  1e3 * t.balance.error, 1e3 * t.balance.turned_over, t.counts.steps, t.tolerance,
-                  t.drift ? fmt::format("{:.2g} mm", 1e3 * *t.drift) : "not measured",
-                  t.balance.holds() ? "" : " The error is too large: do not use this motion."),
+      fmt::format(
+          "The energy gained (of motion, weights, springs and joint stops) is the work of "
+          "the tendons less what the joints dissipate. Energy error of the integration: "
+          "{:.2g} mJ of {:.4g} mJ total energy exchanged, in {} steps to a tolerance of {:.2g}. "
+          "Largest drift of an excursion from the length of its tendon: {}.{}",
+          1e3 * t.balance.error, 1e3 * t.balance.turned_over, t.counts.steps, t.tolerance,
+          t.drift ? fmt::format("{:.2g} mm", 1e3 * *t.drift) : "not measured",
+          t.balance.holds() ? "" : " The error is too large: do not use this motion."),
       Json::array({lines("Energy gained, work of the tendons, and loss in the joints",
                          "energy [mJ]", t, {"gained", "work", "lost"}, 1e3 * energy)}));
 }

@@ -55,7 +55,7 @@ Json tip_scene(const TipForceResult& answer, MeshTable& meshes) {
   const double scale = arrow_scale(largest);
   return digit_scene(
       answer,
-      fmt::format("The digit, and the force of its tip on the world: 10 mm stand for {:.3g} N.",
+      fmt::format("The digit, and the force of its tip on the world: 10 mm represents {:.3g} N.",
                   10 / scale),
       meshes, [&](std::size_t i, const std::string&, Json& layers) {
         const TipForcePoint& point = answer.points[i];
@@ -93,9 +93,10 @@ Json page_of(const TipForceResult& answer) {
   std::vector<double> sizes;
   for (const TipForcePoint& point : answer.points)
     if (point.failure.empty()) sizes.push_back(point.force.norm());
-  return digit_page(
-      answer, "tip forces", sections, meshes,
-      fmt::format("The force of the tip on the world is {}.", range_words(sizes, "N")));
+  return digit_page(answer, "tip forces", sections, meshes,
+                    sizes.empty() ? "No force of the tip on the world can be determined."
+                                  : fmt::format("The force of the tip on the world is {}.",
+                                                range_words(sizes, "N")));
 }
 
 }  // namespace thenar

@@ -48,7 +48,8 @@ class FrameBuilder {
     // The digit, its flexion axis and its radial side.
     for (const Digit& d : subject.digits)
       if (d.name == skeleton_.tips.front().digit) tip_digit_ = &d;
-    require(tip_digit_->name != "thumb", "net '{}' is of a finger; the thumb is none", net.name);
+    require(tip_digit_->name != "thumb", "net '{}' is for fingers and cannot be used for the thumb",
+            net.name);
     flexion_ = tip_digit_->proximal.cross(tip_digit_->dorsal);
     side_ = tip_digit_->radial.dot(flexion_) < 0 ? -1 : 1;
     find_joints();

@@ -233,7 +233,7 @@ TEST(FeasibleForceWrist, NamesWhatItCannotDo) {
   FeasibleForceRequest finger = request_of({"an_chao_index", "index", {45, 0, 45, 10}});
   finger.wrist = WristLoad::kPinch;
   EXPECT_EQ(message_of([&] { (void)compute_feasible_force(finger); }),
-            "no free joint of subject 'an_chao_index' is shared by its digits: no wrist");
+            "subject 'an_chao_index' has no wrist joint: no free joint is shared by its digits");
 }
 
 TEST(FeasibleForceWithout, NamesWhatItDoesNotKnowOrNeed) {

@@ -418,7 +418,7 @@ class Interruption(WithFolder):
 class BadInput(WithFolder):
     def test_fits_say_what_was_wanted(self):
         cases = ((["-o", self.folder / "P.h5"], "wanted an output that ends in .nc"),
-                 (["--sampler", "gibbs"], "adaptive-metropolis, dream-zs, stretch, hmc, nuts"),
+                 (["--sampler", "gibbs"], "adaptive-metropolis, dream-zs, stretch, hmc, nuts, got \"gibbs\" (--sampler)"),
                  (["--chains", 0], "--chains"),
                  (["--sampler", "stretch", "--walkers", 4], "at least 10, got 4"),
                  (["--walkers", 3], "nuts moves one chain, got 3"),

@@ -207,7 +207,7 @@ class Quality(unittest.TestCase):
              "20: wanted a number >= 0 as contacts.0.friction, got -0.1"),
             (pretty(first(torsion=[1])), "21: wanted a number >= 0 as contacts.0.torsion, got [1]"),
             (pretty(first(normal=[0, 0, 0])),
-             "15: wanted a direction as contacts.0.normal, got [0,0,0]"),
+             "15: wanted a non-zero vector as contacts.0.normal, got [0,0,0]"),
             (pretty(first(normal=[1, None, 0])),
              "15: wanted 3 numbers as contacts.0.normal, got [1,null,0]"),
             (pretty(first(wrenches=[])),

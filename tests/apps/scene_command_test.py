@@ -420,9 +420,9 @@ class Refusals(Files):
         self.assertIn("ball.toml:7: unknown key 'mas_g'", self.complaint(self.path("ball.toml", text)))
 
     def test_options_of_subjects_are_refused(self):
-        self.assertIn("--digit is of subjects", self.complaint("pinch", "--digit", "index"))
+        self.assertIn("--digit applies only to subjects", self.complaint("pinch", "--digit", "index"))
         subject = ROOT / "data/subjects/an_chao_index.toml"
-        self.assertIn("--vary is of scenes", self.complaint(subject, "--vary", "friction=0:1:2"))
+        self.assertIn("--vary applies only to scenes", self.complaint(subject, "--vary", "friction=0:1:2"))
 
     def test_variations_that_nothing_has_are_refused(self):
         self.assertIn("cannot vary 'fricton'", self.complaint("pinch", "--vary", "fricton=0:1:2"))

@@ -119,8 +119,7 @@ TEST_F(InferenceFileTest, RefusesArraysThatDoNotFit) {
 }
 
 TEST_F(InferenceFileTest, RefusesWhatIsNotOurs) {
-  const std::string none =
-      path("a.nc") + ":1: wanted an inference file (netCDF-4), got none or " + "another format";
+  const std::string none = path("a.nc") + ":1: not a netCDF-4 posterior file";
   const auto refusal = [&] {
     return message_of<DataError>([&] { (void)read_inference(path("a.nc")); });
   };

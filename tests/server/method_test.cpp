@@ -46,7 +46,7 @@ TEST(MethodTable, NamesTheNearestMethod) {
   table.add(method_named("hand.close"));
   table.add(method_named("world.new"));
   EXPECT_EQ(message_of([&] { (void)table.at("hand.clos"); }),
-            "no method 'hand.clos', did you mean 'hand.close'?; session.methods lists all");
+            "no method 'hand.clos', did you mean 'hand.close'? session.methods lists all");
   EXPECT_EQ(message_of([&] { (void)table.at("quite something else"); }),
             "no method 'quite something else'; session.methods lists all");
 }

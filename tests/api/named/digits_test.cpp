@@ -111,6 +111,16 @@ TEST(Tensions, RefusesAPushAndGuessesANames) {
             std::string::npos);
 }
 
+TEST(Tensions, RefuseAMuscleThatCrossesNoFreeJoint) {
+  DigitCase digit = build_digit(middle_finger(), Hood::kSeparate);
+  digit.subject.muscles.push_back(digit.subject.muscles.front());
+  digit.subject.muscles.back().name = "FPL";
+  EXPECT_EQ(message_of([&] {
+              (void)tensions(digit, {{"FPL", 1}});
+            }),
+            "'FPL' crosses no free joint of the digit");
+}
+
 TEST(NetMeant, FollowsTheHood) {
   EXPECT_EQ(net_meant(Hood::kFloatingNet, ""), "extensor_hood");
   EXPECT_EQ(net_meant(Hood::kFractions, ""), "");

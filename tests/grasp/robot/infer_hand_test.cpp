@@ -89,7 +89,8 @@ TEST(GuessHand, TakesTheEffortOfTheDirectionThatCloses) {
 TEST(GuessHand, SaysWhichEffortsAreNominal) {
   RobotSpec robot = sample::jaws();
   robot.dofs[0].nominal_effort = true;
-  EXPECT_THAT(graspable(robot).warnings, Contains(HasSubstr("efforts of motor are nominal")));
+  EXPECT_THAT(graspable(robot).warnings,
+              Contains(HasSubstr("effort limits of motor look like placeholders")));
 }
 
 TEST(GuessHand, LeavesAloneWhatIsStated) {

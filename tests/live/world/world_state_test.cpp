@@ -35,7 +35,7 @@ TEST_F(WorldStateTest, FindsTheOnlyOneWithoutAName) {
   EXPECT_EQ(hand_index(state, ""), 0U);
   EXPECT_EQ(object_index(state, ""), object_index(state, "box"));
   EXPECT_EQ(message_of([&] { (void)hand_index(state, "parallel_jav"); }),
-            "the world has no hand 'parallel_jav', did you mean 'parallel_jaw'?; it has "
+            "the world has no hand 'parallel_jav', did you mean 'parallel_jaw'? it has "
             "parallel_jaw");
   EXPECT_EQ(message_of([&] { (void)object_index(state, "table"); }),
             "body 'table' is an obstacle, wanted an object; there are box");

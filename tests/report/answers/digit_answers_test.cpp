@@ -25,7 +25,7 @@ DigitRequest middle_finger() {
 
 TEST(DigitWords, ShowNoRoundingAsAChange) {
   EXPECT_EQ(change_line({"a", "b"}, Eigen::Vector2d(1e-14, 2) / kDegree),
-            "N per degree of posture: b 2, a 0");
+            "per degree of joint rotation [N/deg]: b 2, a 0");
 }
 
 TEST(DigitWords, GiveAListOfPostures) {
@@ -87,7 +87,8 @@ TEST(FeasibleForceWords, AMapIsNotExplainedByJoints) {
   request.direction = Eigen::Vector3d(0, 0, 1);
   request.without = {"FDP", "FDS"};
   const std::string text = text_of(compute_feasible_force(request));
-  EXPECT_NE(text.find("no tensions make any force this way, by this map"), std::string::npos);
+  EXPECT_NE(text.find("no combination of tensions produces a force in this direction by this map"),
+            std::string::npos);
   EXPECT_EQ(text.find("joint"), std::string::npos);
 }
 
@@ -134,7 +135,9 @@ TEST(FeasibleForceWords, NoForceIsNoZero) {
   EXPECT_EQ(json[0]["status"], "no force");
   EXPECT_TRUE(json[0]["component_N"].is_null());
   EXPECT_TRUE(json[0]["tension_N"].is_null());
-  EXPECT_EQ(json[0]["note"], "no tensions make any force this way with every joint in balance");
+  EXPECT_EQ(json[0]["note"],
+            "no combination of tensions produces a force in this direction with every "
+            "joint in equilibrium");
   EXPECT_EQ(json[1]["status"], "solved");
   const Table table = table_of(answer);
   const auto cell = [&](std::size_t row, const std::string& name) {

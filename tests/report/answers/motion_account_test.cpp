@@ -30,7 +30,7 @@ TEST(MotionAccount, SaysWhetherEnergyWasMadeOrLost) {
   balance.turned_over = 1e-2 - 1e-4;
   balance.t = 0.25;
   EXPECT_EQ(energy_error_words(balance),
-            "1 mJ made of nothing by 0.25 s, 10 % of 9.9 mJ turned over");
+            "1 mJ made of nothing by 0.25 s, 10 % of 9.9 mJ total energy exchanged");
   balance.error = 1e-3;
   EXPECT_THAT(energy_error_words(balance), HasSubstr("lost to nothing"));
 }
@@ -48,8 +48,9 @@ TEST(MotionAccount, NamesJointsBeyondTheirLimits) {
 TEST(MotionAccount, OfFixedStepsIsInTextAndJson) {
   const SceneResult scene = run_of("falling_ball", "time-stepping");
   const std::string text = text_of(scene);
-  for (const char* words : {"energy error: ", "turned over", "impacts 98.1 mJ", "deepest overlap: ",
-                            "joint limits passed: none", "restitution ignored: up to 0.8"})
+  for (const char* words :
+       {"energy error: ", "total energy exchanged", "impacts 98.1 mJ",
+        "deepest overlap: ", "joint limits passed: none", "restitution ignored: up to 0.8"})
     EXPECT_THAT(text, HasSubstr(words));
   const OrderedJson json = json_of(scene);
   EXPECT_EQ(json["status"], "done");

@@ -47,7 +47,7 @@ TEST(MotionAnswer, DoesNotKnowADriftThatNothingMeasures) {
 }
 
 TEST(MotionAnswer, CallsTheEnergyErrorByItsName) {
-  EXPECT_NE(text_of(quarter_turn()).find("energy error 0.002 mJ of 1 mJ turned over"),
+  EXPECT_NE(text_of(quarter_turn()).find("energy error 0.002 mJ of 1 mJ total energy exchanged"),
             std::string::npos)
       << text_of(quarter_turn());
 }
@@ -68,7 +68,8 @@ TEST(MotionAnswer, RefusesMotionsThatDidNotGetToTheirEnd) {
   EXPECT_EQ(refusal_of(motion), "the motion is stuck: why");
   EXPECT_TRUE(motion_warnings(motion.trajectory).empty());  // said once
   motion.trajectory.status = MotionStatus::kUnbalanced;
-  EXPECT_EQ(refusal_of(motion), "energy does not balance: error 0.002 mJ of 1 mJ turned over");
+  EXPECT_EQ(refusal_of(motion),
+            "energy does not balance: error 0.002 mJ of 1 mJ total energy exchanged");
 }
 
 }  // namespace

@@ -55,8 +55,8 @@ TEST(ScenePage, HasEightStillsOfASteadyMotion) {
 }
 
 TEST(ScenePage, SaysHowFarTheMotionIsToBeBelieved) {
-  for (const char* words :
-       {"energy error", "turned over", "dissipated by", "deepest overlap", "joint limits passed"})
+  for (const char* words : {"energy error", "total energy exchanged", "dissipated by",
+                            "deepest overlap", "joint limits passed"})
     EXPECT_NE(page_of(pinched("time-stepping")).dump().find(words), std::string::npos) << words;
   SceneResult scene = pinched("time-stepping");
   scene.measures.worst->error = scene.measures.worst->turned_over = 1;

@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(Data, EveryFinger, testing::ValuesIn(every_finger()));
 
 TEST(BuildNet, RefusesTheThumb) {
   EXPECT_EQ(refusal(subject("mirakhorlo2016"), "thumb", net("winslow")),
-            "net 'winslow' is of a finger; the thumb is none");
+            "net 'winslow' is for fingers and cannot be used for the thumb");
 }
 
 TEST(BuildNet, NamesTheMuscleThatIsMissing) {
