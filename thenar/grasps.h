@@ -6,7 +6,6 @@
 #include "api/compare.h"
 #include "api/grasp.h"
 #include "api/grasp_measures.h"
-#include "api/import.h"
 #include "api/named/hands.h"
 #include "api/named/worlds.h"
 #include "api/quality.h"

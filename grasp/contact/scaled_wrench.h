@@ -24,20 +24,14 @@ struct ScaledWrench {
     return {six.head<3>(), six.tail<3>()};
   }
   /// Returns the unit wrench along an axis: 0..2 forces, 3..5 moments.
-  [[nodiscard]] static ScaledWrench unit(Eigen::Index axis) {
-    return from_coordinates(WrenchCoordinates::Unit(axis));
-  }
+  [[nodiscard]] static ScaledWrench unit(Eigen::Index axis);
   /// Returns the six numbers in the order of WrenchCoordinates.
-  [[nodiscard]] WrenchCoordinates vector() const {
-    WrenchCoordinates six;
-    six << force, moment_over_length;
-    return six;
-  }
+  [[nodiscard]] WrenchCoordinates vector() const;
 
-  [[nodiscard]] double dot(const ScaledWrench& b) const { return vector().dot(b.vector()); }
-  [[nodiscard]] double norm() const { return vector().norm(); }
-  [[nodiscard]] bool is_zero() const { return vector().isZero(0); }
-  [[nodiscard]] bool is_finite() const { return vector().allFinite(); }
+  [[nodiscard]] double dot(const ScaledWrench& b) const;
+  [[nodiscard]] double norm() const;
+  [[nodiscard]] bool is_zero() const;
+  [[nodiscard]] bool is_finite() const;
 
   ScaledWrench& operator+=(const ScaledWrench& b) {
     force += b.force;
@@ -52,9 +46,7 @@ struct ScaledWrench {
   friend ScaledWrench operator*(double factor, const ScaledWrench& a) {
     return {factor * a.force, factor * a.moment_over_length};
   }
-  friend bool operator==(const ScaledWrench& a, const ScaledWrench& b) {
-    return a.force == b.force && a.moment_over_length == b.moment_over_length;
-  }
+  friend bool operator==(const ScaledWrench& a, const ScaledWrench& b);
 };
 
 /// Divides the moment of a wrench by a length.
@@ -74,11 +66,7 @@ struct ScaledMotion {
   Eigen::Vector3d turn_times_length{0, 0, 0};  // rotation vector x torque scale [m] (3)
 
   /// Returns the six numbers, the way first, as conjugate to WrenchCoordinates.
-  [[nodiscard]] Eigen::Matrix<double, 6, 1> vector() const {
-    Eigen::Matrix<double, 6, 1> six;
-    six << way, turn_times_length;
-    return six;
-  }
+  [[nodiscard]] Eigen::Matrix<double, 6, 1> vector() const;
 };
 
 }  // namespace thenar
