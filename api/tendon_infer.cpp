@@ -12,12 +12,14 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/progress_parts.h"
+#include "kinematics_fit/bands/band_posterior.h"
 #include "kinematics_fit/bands/band_problems.h"
 #include "kinematics_fit/bands/net_records.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "tendons/net/build_net.h"
 #include "tendons/net/build_tendons.h"
 #include "tendons/net/net_tendons.h"
+#include "tendons/topology/search_nets.h"
 #include "tendons/topology/select_bands.h"
 
 namespace thenar {

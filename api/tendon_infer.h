@@ -14,7 +14,7 @@
 #include "base/provenance.h"
 #include "kinematics_fit/bands/rank_trials.h"
 #include "solvers/status.h"
-#include "tendons/topology/search_nets.h"
+#include "tendons/topology/net_search_stop.h"
 
 namespace thenar {
 

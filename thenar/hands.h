@@ -3,7 +3,6 @@
 /// Hands and digits: poses, moment arms, fingertip forces and what limits them.
 
 #include "api/feasible_force.h"
-#include "api/import.h"
 #include "api/moment_arms.h"
 #include "api/named/data_folders.h"
 #include "api/named/digit_result.h"

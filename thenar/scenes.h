@@ -2,7 +2,6 @@
 
 /// Scenes that move: bodies, robots and human hands in contact.
 
-#include "api/read_motion.h"
 #include "api/scenes/compare_rungs.h"
 #include "api/scenes/read_scene_run.h"
 #include "api/scenes/scene_account.h"

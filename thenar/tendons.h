@@ -2,6 +2,7 @@
 
 /// Tendons of a digit: extensor nets at rest, motion by muscles, nets inferred from forces.
 
+#include "api/read_motion.h"
 #include "api/simulate.h"
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"

@@ -7,6 +7,7 @@
 ///
 /// These headers, and those that they include, are installed; all others are private.
 
+#include "api/import.h"
 #include "thenar/deprecated.h"
 #include "thenar/fits.h"
 #include "thenar/grasps.h"

@@ -13,6 +13,7 @@
 #include "dynamics/mechanism/build_mechanism.h"
 #include "dynamics/mechanism/composite_body.h"
 #include "hand/passive_moment.h"
+#include "tendons/digit_tendons.h"
 
 namespace thenar {
 namespace {

@@ -8,9 +8,10 @@
 
 #include "dynamics/mechanism/mechanism.h"
 #include "hand_versions/human_hand.h"
-#include "tendons/digit_tendons.h"
 
 namespace thenar {
+
+class DigitTendons;
 
 /// Model of a human hand: its subject, version and options.
 struct HumanModel {

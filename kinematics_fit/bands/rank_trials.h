@@ -6,9 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "kinematics_fit/bands/band_posterior.h"
+#include "base/progress.h"
+#include "kinematics_fit/bands/band_beliefs.h"
 
 namespace thenar {
+
+class BandProblems;
 
 /// Trial with the information that it is expected to give.
 struct RankedTrial {

@@ -7,6 +7,7 @@
 
 #include "base/nearest_name.h"
 #include "base/words.h"
+#include "tendons/topology/search_nets.h"
 
 namespace thenar {
 

@@ -10,6 +10,7 @@
 
 #include "base/progress.h"
 #include "tendons/topology/assess_bands.h"
+#include "tendons/topology/net_search_stop.h"
 #include "tendons/topology/rank_tests.h"
 
 namespace thenar {
@@ -33,17 +34,6 @@ struct NetSearchRound {
   double misfit;                     // chi^2 of the best net before [1]
   int rivals;                        // nets within `doubt` of it
 };
-
-enum class NetSearchStop {
-  kAgreed,       // no test of the pool sets the survivors apart
-  kTests,        // as many tests as allowed, or the pool is used up
-  kNoOracle,     // tests are worth measuring, and nobody is there to do it
-  kAsked,        // stop was requested
-  kNothingHolds  // no topology carries the loads
-};
-
-/// Describes why a search ended.
-[[nodiscard]] std::string to_string(NetSearchStop stop);
 
 struct [[nodiscard]] NetSearchResult {
   NetSearchStop stop = NetSearchStop::kNothingHolds;
