@@ -19,6 +19,7 @@
 #include "apps/terminal.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/progress_parts.h"
 #include "questions/question_params.h"

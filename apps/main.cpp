@@ -13,6 +13,7 @@
 #include "base/cache.h"
 #include "base/error.h"
 #include "base/interrupt.h"
+#include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/progress_parts.h"
 

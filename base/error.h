@@ -48,7 +48,7 @@ void require(bool ok, fmt::format_string<Args...> message, Args&&... args) {
 }
 
 /// Throws as require(), and names the field of a request:
-///   require_field("digit", ok, "choose a digit; subject '{}' has {}", ..);
+///   require_field("digit", ok, "wanted a digit; subject '{}' has {}", ..);
 template <typename... Args>
 void require_field(const char* field, bool ok, fmt::format_string<Args...> message,
                    Args&&... args) {

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/name_hint.h"
 #include "base/field_names.h"
 
 namespace thenar {
@@ -44,11 +45,6 @@ std::string nearest_name(const std::string& wanted, const std::vector<std::strin
 std::string did_you_mean(const std::string& wanted, const std::vector<std::string>& names) {
   const std::string best = nearest_name(wanted, names);
   return best.empty() ? "" : fmt::format(", did you mean '{}'?", best);
-}
-
-std::string hint_before_list(const std::string& wanted, const std::vector<std::string>& names) {
-  const std::string meant = did_you_mean(wanted, names);
-  return meant.empty() ? ";" : meant;
 }
 
 std::string listed(const std::vector<std::string>& names) {

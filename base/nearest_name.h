@@ -16,11 +16,6 @@ namespace thenar {
 [[nodiscard]] std::string nearest_name(const std::string& wanted,
                                        const std::vector<std::string>& names);
 
-/// ", did you mean 'x'?" with the nearest name, or ";" if nothing is alike: what stands before a
-/// list of the names that there are.
-[[nodiscard]] std::string hint_before_list(const std::string& wanted,
-                                           const std::vector<std::string>& names);
-
 /// ", did you mean 'x'?" with the nearest name, or "" if nothing is alike.
 [[nodiscard]] std::string did_you_mean(const std::string& wanted,
                                        const std::vector<std::string>& names);

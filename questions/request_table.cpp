@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
 

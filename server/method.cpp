@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/lists.h"
+#include "base/name_hint.h"
 #include "base/nearest_name.h"
 
 namespace thenar {

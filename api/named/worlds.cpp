@@ -12,6 +12,7 @@
 #include "api/named/portable_world.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/run_record.h"
 #include "data/io/robot/import_robot.h"

@@ -10,6 +10,7 @@
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "base/error.h"
+#include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "live/world/free_place.h"
 #include "live/world/imported_files.h"
