@@ -7,8 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
-#include "base/name_hint.h"
 #include "base/field_names.h"
+#include "base/name_hint.h"
 
 namespace thenar {
 
