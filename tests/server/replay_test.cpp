@@ -31,7 +31,7 @@ std::vector<LoggedRequest> lifts(const std::vector<double>& heights) {
   return log;
 }
 
-TEST(Replay, RepeatsALogToTheSameState) {
+TEST(ReplayedLog, RepeatsALogToTheSameState) {
   Session session({});
   const ReplayResult result =
       replay(lifts({0.1, 0.4, 0.3}), small_table(), session, ReplayWrites::kSkipped);
@@ -42,7 +42,7 @@ TEST(Replay, RepeatsALogToTheSameState) {
 }
 
 // Refusals are replies as well: the same request is refused again.
-TEST(Replay, RepeatsRefusals) {
+TEST(ReplayedLog, RepeatsRefusals) {
   Session session({});
   const std::vector<LoggedRequest> log = lifts({0.1, 9});  // beyond its range
   EXPECT_FALSE(replay(log, small_table(), session, ReplayWrites::kSkipped).differs.has_value());
@@ -50,7 +50,7 @@ TEST(Replay, RepeatsRefusals) {
 }
 
 // It ends at the first reply that is another one, and does nothing after.
-TEST(Replay, EndsAtTheFirstReplyThatDiffers) {
+TEST(ReplayedLog, EndsAtTheFirstReplyThatDiffers) {
   std::vector<LoggedRequest> log = lifts({0.1, 0.2, 0.3});
   log[2].params["height"] = 0.25;  // the reply is that of 0.2
   Session session({});
@@ -61,7 +61,7 @@ TEST(Replay, EndsAtTheFirstReplyThatDiffers) {
 }
 
 // A request that was stopped at its n-th question is stopped there again.
-TEST(Replay, StopsWhereItWasStopped) {
+TEST(ReplayedLog, StopsWhereItWasStopped) {
   Session session({});
   const MethodTable table = small_table();
   const RpcRequest wait = request_of("small.wait", Json::object());
@@ -77,7 +77,7 @@ TEST(Replay, StopsWhereItWasStopped) {
 }
 
 // Methods that write files are passed over, unless somebody asks for them.
-TEST(Replay, WritesFilesOnlyWhereItIsAskedTo) {
+TEST(ReplayedLog, WritesFilesOnlyWhereItIsAskedTo) {
   MethodTable table = small_table();
   int written = 0;
   RpcMethod save{"small.save",
@@ -107,7 +107,7 @@ TEST(Replay, WritesFilesOnlyWhereItIsAskedTo) {
 }
 
 // Somebody who wants it to end ends it between two requests.
-TEST(Replay, EndsWhenItIsAskedTo) {
+TEST(ReplayedLog, EndsWhenItIsAskedTo) {
   Session session({});
   Progress progress;
   progress.stop_requested = [] { return true; };

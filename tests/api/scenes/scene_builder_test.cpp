@@ -79,7 +79,8 @@ TEST(SceneBuilder, RefusesWhatMakesNoScene) {
               }),
               HasSubstr("wanted a place of 'ball'"));
   scene.add_hand("no_such_hand");
-  EXPECT_THAT(message_of([&] { (void)simulate_scene(scene.spec()); }), HasSubstr("no_such_hand"));
+  EXPECT_THAT(message_of<DataError>([&] { (void)simulate_scene(scene.spec()); }),
+              HasSubstr("errors:1: there is no hand 'no_such_hand'"));
 }
 
 TEST(SceneBuilder, KeepsNoFileOfARunWithoutAScene) {
