@@ -27,8 +27,8 @@ TEST(MakeBody, SpreadsItsMassEvenly) {
 TEST(MakeBody, WeighsByItsMaterialWithoutAMass) {
   const Materials materials = built_in_materials();
   const BodyMass rod =
-      body_mass(make_body("rod", cylinder_shape(0.01, 0.2), 0, "steel"), materials);
-  EXPECT_NEAR(rod.mass, materials.at("steel").density * kPi * 1e-4 * 0.2, 1e-9);
+      body_mass(make_body("rod", cylinder_shape(0.01, 0.2), 0, "metal"), materials);
+  EXPECT_NEAR(rod.mass, materials.at("metal").density * kPi * 1e-4 * 0.2, 1e-9);
 }
 
 TEST(MakeBody, RefusesWhatIsNoBody) {
