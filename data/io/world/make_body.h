@@ -17,7 +17,8 @@ namespace thenar {
 [[nodiscard]] ShapeSpec mesh_shape(TriangleMesh mesh);  // a closed surface [m], its own frame
 
 /// A body of one shape.
-/// @param mass      spread evenly over it [kg]; 0: by the density of its material
+/// @param mass      spread evenly over it [kg]; 0: by the density of its material, where that has
+/// one
 /// @param material  of built_in_materials() or of a table of the caller's
 /// @throws InputError if a size or the mass is negative or not finite, a mesh is empty, or the name
 /// is.
