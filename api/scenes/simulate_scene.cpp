@@ -260,6 +260,7 @@ SceneResult simulate_scene(const SceneRequest& request, const Progress& progress
 SceneResult simulate_scene(const SceneSpec& scene, const SceneRequest& request,
                            const Progress& progress) {
   require(request.vary.empty(), "wanted one run, got numbers that vary");
+  check_scene_spec(scene);
   return simulated(open_requested_scene(scene, request), {}, progress);
 }
 

@@ -180,6 +180,14 @@ void check_references(const SceneSpec& scene, const SceneNames& names) {
 
 }  // namespace
 
+void check_scene_spec(const SceneSpec& scene) {
+  if (scene.bodies.empty() && scene.hands.empty())
+    throw DataError(scene.path, 1, "a scene needs something that moves: [[body]] or [[hand]]");
+  const SceneNames names(scene);
+  check_parents(scene, names);
+  check_references(scene, names);
+}
+
 SceneSpec parse_scene(const std::string& text, const std::string& path) {
   const TomlFile file(text, path);
   TomlTable top = file.top();
@@ -221,11 +229,7 @@ SceneSpec parse_scene(const std::string& text, const std::string& path) {
   if (!stepping) top.fail("a scene needs [stepping] with its 'duration'");
   scene.stepping = internal::read_stepping(*stepping);
   top.done();
-  if (scene.bodies.empty() && scene.hands.empty())
-    top.fail("a scene needs something that moves: [[body]] or [[hand]]");
-  const SceneNames names(scene);
-  check_parents(scene, names);
-  check_references(scene, names);
+  check_scene_spec(scene);
   return scene;
 }
 

@@ -174,6 +174,11 @@ inline constexpr double kMostSamples = 1e6;
 [[nodiscard]] SceneSpec read_scene(const std::string& path);
 [[nodiscard]] SceneSpec parse_scene(const std::string& text, const std::string& path);
 
+/// Checks that parts have names of their own and name only what is there, that parents lead to the
+/// world, and that there is something to move; parse_scene() does.
+/// @throws DataError at the line of the part.
+void check_scene_spec(const SceneSpec& scene);
+
 /// Calls `work`; what it finds wrong is an error at a line of the scene's file.
 template <typename Work>
 auto at_line(const std::string& path, int line, const Work& work) {

@@ -83,6 +83,25 @@ TEST(SceneBuilder, RefusesWhatMakesNoScene) {
               HasSubstr("errors:1: there is no hand 'no_such_hand'"));
 }
 
+TEST(SceneBuilder, RefusesPartsThatDoNotFitTogether) {
+  const auto message_of_run = [](const SceneBuilder& scene) {
+    return message_of<DataError>([&] { (void)simulate_scene(scene.spec()); });
+  };
+  EXPECT_THAT(message_of_run(SceneBuilder("empty")), HasSubstr("something that moves"));
+  // Two bodies that hang on each other, one on nothing, and two of one name.
+  SceneBuilder ring("ring");
+  ring.add_ball("a", 0.1, 1, {0, 0, 0}).joint.parent = "b";
+  ring.add_ball("b", 0.1, 1, {1, 0, 0}).joint.parent = "a";
+  EXPECT_THAT(message_of_run(ring), HasSubstr("lead back to themselves"));
+  SceneBuilder lost("lost");
+  lost.add_ball("a", 0.1, 1, {0, 0, 0}).joint.parent = "c";
+  EXPECT_THAT(message_of_run(lost), HasSubstr("there is no body or hand 'c'"));
+  SceneBuilder twins("twins");
+  twins.add_ball("a", 0.1, 1, {0, 0, 0});
+  twins.add_ball("b", 0.1, 1, {1, 0, 0}).placed.body.name = "a";
+  EXPECT_THAT(message_of_run(twins), HasSubstr("two things are called 'a'"));
+}
+
 TEST(SceneBuilder, KeepsNoFileOfARunWithoutAScene) {
   SceneBuilder scene("fall");
   scene.add_ball("ball", 0.02, 0.1, {0, 0, 1});
