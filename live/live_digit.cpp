@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <optional>
 #include <utility>
 
 #include "api/moment_arms.h"
@@ -136,33 +136,17 @@ std::vector<std::string> LiveDigit::set(const DigitInputs& inputs) {
 
 void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation,
                       const Eigen::VectorXd& t) {
-  // What the present answer rests on stays if the new one cannot be found.
-  const auto kept = std::make_tuple(straight_rest_, zero_length_, solved_tension_);
-  try {
-    solve_anew(q, excitation, t);
-  } catch (...) {
-    std::tie(straight_rest_, zero_length_, solved_tension_) = kept;
-    throw;
-  }
-}
-
-void LiveDigit::solve_anew(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation,
-                           const Eigen::VectorXd& t) {
   DigitNow now;
   now.excitation = excitation;
   now.tension = muscles_->tensions(excitation, t, q);
   // Solve again for the straight finger and zero angles only if tensions have changed.
-  if (solved_tension_.size() == 0 || solved_tension_ != now.tension) {
-    solved_tension_.resize(0);
-    if (case_.net != nullptr)
-      straight_rest_ = case_.net->rest(case_.net->net().frame.straight, now.tension, {});
-    zero_length_ = lengths_at(point_at(Eigen::VectorXd::Zero(q.size()), now.tension), now.tension);
-    solved_tension_ = now.tension;
-  }
+  std::optional<UnderTension> anew;
+  if (under_.tension.size() == 0 || under_.tension != now.tension) anew = under(now.tension);
+  const UnderTension& under = anew ? *anew : under_;
   // Lengths are changes from those with all joints at zero, under the same tensions.
-  now.point = point_at(q, now.tension);
+  now.point = point_at(q, under);
   now.arms = arms_at(now.point, now.tension);
-  now.length = lengths_at(now.point, now.tension) - zero_length_;
+  now.length = lengths_at(now.point, now.tension) - under.zero_length;
   // Doubts about this posture.
   now.warnings = muscles_->warnings(excitation);
   add_doubts(now.point, now.warnings);
@@ -175,18 +159,31 @@ void LiveDigit::solve_anew(const Eigen::VectorXd& q, const Eigen::VectorXd& exci
     const DigitTendons& linear = case_.net != nullptr ? case_.net->linear() : *case_.tendons;
     append_all(now.warnings, collapse_warnings(linear, q));
   }
+  // Nothing above may fail any more: until here the answer before stays whole.
   now_ = std::move(now);
+  if (anew) under_ = std::move(*anew);
 }
 
-DigitPoint LiveDigit::point_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const {
+LiveDigit::UnderTension LiveDigit::under(const Eigen::VectorXd& t) const {
+  UnderTension found{t, {}, {}};
+  if (case_.net != nullptr)
+    found.straight_rest = case_.net->rest(case_.net->net().frame.straight, t, {});
+  const Eigen::Index joints = case_.bones().skeleton.coordinates();
+  found.zero_length = lengths_at(point_at(Eigen::VectorXd::Zero(joints), found), t);
+  return found;
+}
+
+DigitPoint LiveDigit::point_at(const Eigen::VectorXd& q, const UnderTension& under) const {
+  const Eigen::VectorXd& t = under.tension;
   if (case_.net == nullptr) return std::move(sweep_digit(*case_.tendons, {q}, t).front());
   // As sweep_digit() does, from a straight finger that is at rest already.
   const NetTendons& net = *case_.net;
   DigitPoint point;
   point.q = q;
-  point.rest = net.free_finger().tendons
-                   ? follow_from_straight(net, q, t).rest
-                   : follow_net(net, straight_rest_, {net.net().frame.straight, t}, {q, t}).rest;
+  point.rest =
+      net.free_finger().tendons
+          ? follow_from_straight(net, q, t).rest
+          : follow_net(net, under.straight_rest, {net.net().frame.straight, t}, {q, t}).rest;
   point.pull = net.torque_at_rest(q, t, point.rest);
   point.tip = tip_force(tip_statics(net.digit(), q, t, point.pull), t);
   return point;
@@ -278,7 +275,7 @@ DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& g
     }
     if (!trusted(point.pull.status)) continue;
     curves.arms.col(k) = arms_at(point, t).col(varied);
-    curves.lengths.col(k) = lengths_at(point, t) - zero_length_;
+    curves.lengths.col(k) = lengths_at(point, t) - under_.zero_length;
   }
   return curves;
 }

@@ -86,15 +86,21 @@ class LiveDigit final : public LiveModel {
   [[nodiscard]] unsigned long changes() const override { return changes_; }
 
  private:
+  /// Results that tensions alone decide, so that a posture is solved without finding them again.
+  struct UnderTension {
+    Eigen::VectorXd tension;       // empty: none yet [N] (muscles)
+    NetEquilibrium straight_rest;  // of a net in the straight finger
+    Eigen::VectorXd zero_length;   // of lines with all joints at 0; NaN: see DigitNow::length [m]
+  };
+
   void build_shape();
   [[nodiscard]] Eigen::VectorXd with_angles(const std::map<std::string, double>& posture,
                                             std::vector<std::string>& limited) const;
   [[nodiscard]] Eigen::VectorXd with_excitations(const DigitInputs& inputs) const;
   /// Finds the answer at a posture; where that fails, the present one stays whole.
   void solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation, const Eigen::VectorXd& t);
-  void solve_anew(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation,
-                  const Eigen::VectorXd& t);
-  [[nodiscard]] DigitPoint point_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
+  [[nodiscard]] UnderTension under(const Eigen::VectorXd& t) const;
+  [[nodiscard]] DigitPoint point_at(const Eigen::VectorXd& q, const UnderTension& under) const;
   [[nodiscard]] Eigen::MatrixXd arms_at(const DigitPoint& point, const Eigen::VectorXd& t) const;
   [[nodiscard]] Eigen::VectorXd lengths_at(const DigitPoint& point, const Eigen::VectorXd& t) const;
   /// Returns the reason why a point of a net is doubtful; "" if it is not.
@@ -108,10 +114,7 @@ class LiveDigit final : public LiveModel {
   std::unique_ptr<ExcitedMuscles> muscles_;
   LiveShape shape_;
   DigitNow now_;
-  // What the present tensions alone decide, so that a posture is solved without it.
-  NetEquilibrium straight_rest_;    // of a net in the straight finger
-  Eigen::VectorXd zero_length_;     // of lines with all joints at 0; NaN: see DigitNow::length [m]
-  Eigen::VectorXd solved_tension_;  // under which both were found; empty: none yet [N] (muscles)
+  UnderTension under_;
   unsigned long changes_ = 0;
 };
 

@@ -58,16 +58,6 @@ void LiveMotion::keep() {
 
 // Time.
 
-bool LiveMotion::step_once(const Progress& progress) {
-  try {
-    return stepper_.step(progress);
-  } catch (const Error&) {
-    // As where numbers are too large for contacts to be looked for.
-    stand_still();
-    throw;
-  }
-}
-
 MotionQuality LiveMotion::step(long count, const Progress& progress) {
   // The past is shown: forget what came behind it and go on from there.
   if (!is_newest()) {
@@ -90,9 +80,11 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
       within(0, "stepping");
     }
     try {
-      if (!step_once(within)) break;
+      if (!stepper_.step(within)) break;
     } catch (const Error&) {
-      take_quality(out);  // the steps before count
+      // As where numbers are too large for contacts to be looked for: the steps before count.
+      take_quality(out);
+      stand_still();
       throw;
     }
     good = is_finite(stepper_.now().state);

@@ -57,8 +57,6 @@ class LiveMotion final : public LiveTimeline {
 
  private:
   void keep();
-  /// @return false if it was stopped
-  [[nodiscard]] bool step_once(const Progress& progress);
   [[nodiscard]] bool passes_end() const;  // of the scene, by the step that was made last
   void take_quality(MotionQuality& of);   // of the steps since it was taken last
   void add_account(const Eigen::VectorXd& beyond, MotionQuality& of) const;
