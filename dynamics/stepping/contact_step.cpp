@@ -165,9 +165,7 @@ void ContactStep::find(const SceneState& state, double margin, std::vector<Activ
 void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveContact>& closed,
                           double touch, StepOutcome& outcome) {
   Parts& p = *parts_;
-  outcome.active.clear();
-  outcome.deepest_new = outcome.closing_new = outcome.residual = 0;
-  outcome.solved = false;
+  outcome.clear();
   // Positions at the end of the substep.
   advance(p.scene.mechanism, p.model.layout, state.v, h, state.q);
   state.t += h;
@@ -210,9 +208,7 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
                             double recovery, StepOutcome& outcome) {
   Parts& p = *parts_;
   const MechanismLayout& layout = p.model.layout;
-  outcome.active.clear();
-  outcome.deepest_new = outcome.closing_new = outcome.residual = 0;
-  outcome.solved = false;
+  outcome.clear();
   // Positions at the middle of the step.
   advance(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
   state.t += 0.5 * h;

@@ -23,6 +23,13 @@ struct StepOutcome {
   double deepest_new = 0;  // most negative gap of a contact that was not closed before [m]
   double closing_new = 0;  // speed at which that one closes its gap [m/s]
   std::vector<ActiveContact> active;  // contacts, then joints; in a lasting order
+
+  /// Begins another step, unsolved, in the room of this one.
+  void clear() {
+    solved = false;
+    residual = deepest_new = closing_new = 0;
+    active.clear();
+  }
 };
 
 /// Steps of a scene. Owns all room that they need; one object per thread.
