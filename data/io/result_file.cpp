@@ -331,7 +331,8 @@ void write_result(const ResultFile& file, const std::string& path) {
 ResultFile read_result(const std::string& path) {
   const auto lock = lock_hdf5();
   be_quiet();
-  if (!has_hdf5_start(path)) throw DataError(path, 1, "not an HDF5 result file of thenar");
+  if (!has_hdf5_start(path))
+    throw DataError(path, 1, "wanted an HDF5 result file that thenar wrote");
   std::string bytes = read_guarded(path, GuardedKind::kResult);
   // Verify the checksum, try in a copy of the process, then read.
   const Checksum checksum = take_checksum(bytes, path);

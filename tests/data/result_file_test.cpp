@@ -73,9 +73,11 @@ TEST_F(ResultFileTest, LabelsDimensions) {
 }
 
 TEST_F(ResultFileTest, RefusesForeignFiles) {
-  EXPECT_EQ(refusal(path("none.h5")), path("none.h5") + ":1: not an HDF5 result file of thenar");
+  EXPECT_EQ(refusal(path("none.h5")),
+            path("none.h5") + ":1: wanted an HDF5 result file that thenar wrote");
   std::ofstream(path("text.h5")) << "not HDF5";
-  EXPECT_EQ(refusal(path("text.h5")), path("text.h5") + ":1: not an HDF5 result file of thenar");
+  EXPECT_EQ(refusal(path("text.h5")),
+            path("text.h5") + ":1: wanted an HDF5 result file that thenar wrote");
   H5Fclose(H5Fcreate(path("other.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   EXPECT_EQ(refusal(path("other.h5")),
             path("other.h5") + ":1: wanted a result file of thenar, got another HDF5 file");
