@@ -18,14 +18,11 @@ namespace {
 /// Joins the parts of a scene, and adds all that acts on them.
 class SceneAssembler {
  public:
-  SceneAssembler(const SceneSpec& spec, const std::vector<SceneHand>& hands)
-      : spec_(spec), hands_(hands) {}
+  explicit SceneAssembler(const SceneSpec& spec) : spec_(spec) {}
 
-  BuiltScene build() {
-    require(hands_.size() == spec_.hands.size(), "{} hands have {} models", spec_.hands.size(),
-            hands_.size());
+  BuiltScene build(const std::vector<SceneHand>& hands) {
     // Build every hand and body by itself, then join them into one mechanism.
-    SceneParts made = scene_parts(spec_, hands_);
+    SceneParts made = scene_parts(spec_, hands);
     built_.warnings = std::move(made.warnings);
     add_parents_first(made.parts);
     set_start(made.parts);
@@ -129,7 +126,6 @@ class SceneAssembler {
   }
 
   const SceneSpec& spec_;
-  const std::vector<SceneHand>& hands_;
   BuiltScene built_;
   std::vector<Pose<double>> X_WB_;  // of all bodies at the start
   std::vector<CompliantJoint> compliant_;
@@ -138,7 +134,7 @@ class SceneAssembler {
 }  // namespace
 
 BuiltScene build_scene(const SceneSpec& spec, const std::vector<SceneHand>& hands) {
-  return SceneAssembler(spec, hands).build();
+  return SceneAssembler(spec).build(hands);
 }
 
 }  // namespace thenar

@@ -263,6 +263,8 @@ class PartsBuilder {
 }  // namespace
 
 SceneParts scene_parts(const SceneSpec& spec, const std::vector<SceneHand>& hands) {
+  require(hands.size() == spec.hands.size(), "{} hands have {} models", spec.hands.size(),
+          hands.size());
   return PartsBuilder(spec).build(hands);
 }
 

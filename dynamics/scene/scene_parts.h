@@ -35,7 +35,8 @@ struct SceneParts {
 ///
 /// A motor that holds by itself and that nothing drives is welded where it stands.
 /// @param hands  models of the hands, in their order
-/// @throws DataError at the line of a hand or body that cannot be built.
+/// @throws InputError if there are not as many models as hands; DataError at the line of a hand or
+/// body that cannot be built.
 [[nodiscard]] SceneParts scene_parts(const SceneSpec& spec, const std::vector<SceneHand>& hands);
 
 }  // namespace thenar
