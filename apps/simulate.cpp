@@ -116,8 +116,9 @@ void simulate_scene_of(const SimulateArguments& options) {
   const bool varies = typed.contains("vary");
   const RequestTable<SceneRequest> table = varies ? scene_sweep_params() : scene_params();
   const SceneRequest request = read_typed(table, typed);
-  set_request(varies ? "scene_sweep" : "scene", table.write(request));
+  // No question compares rungs of pads: it has no record.
   if (options.pads.size() > 1) return compare_and_deliver(request, options.pads, options.outputs);
+  set_request(varies ? "scene_sweep" : "scene", table.write(request));
   simulate_and_deliver(request, options.outputs);
 }
 
@@ -136,6 +137,15 @@ void add_simulate(CLI::App& app) {
   command->get_option("--vary")->required(false);
   command->get_option("subject")->description(
       "A subject, or a scene of bodies and hands: its name, or its file (TOML)");
+  // A scene has defaults of its own, in its file.
+  command->get_option("--seconds")
+      ->description("Duration [s]; of a scene as its file says if left out");
+  command->get_option("--sample-ms")
+      ->description("Time between the instants kept [ms]; of a scene as its file says if left out");
+  command->get_option("--tolerance")
+      ->description(
+          "Error of one step: of a subject relative, of a scene in m and rad and as its file says "
+          "if left out");
   command->add_option("--pads", options->pads,
                       "Rung of all pads of a scene: " + listed(pad_rung_names()) +
                           "; as the scene says if left out. Several: a run on each, compared");

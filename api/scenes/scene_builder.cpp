@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 
 namespace thenar {
 
@@ -71,8 +72,7 @@ SceneHandSpec& SceneBuilder::add_hand(const std::string& name, const Pose<double
 
 void SceneBuilder::set_contact(double friction, double restitution) {
   // One entry for all pairs; an earlier one is replaced.
-  for (auto at = spec_.frictions.begin(); at != spec_.frictions.end();)
-    at = at->between.empty() ? spec_.frictions.erase(at) : at + 1;
+  erase_where(spec_.frictions, [](const SceneFrictionSpec& each) { return each.between.empty(); });
   SceneFrictionSpec all;
   all.coefficient = friction;
   all.restitution = restitution;

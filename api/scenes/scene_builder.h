@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "api/scenes/simulate_scene.h"
 #include "data/io/scene/scene.h"
 #include "data/io/world/make_body.h"
 

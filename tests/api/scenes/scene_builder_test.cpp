@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "api/scenes/simulate_scene.h"
 #include "base/error.h"
 #include "tests/message_of.h"
 
