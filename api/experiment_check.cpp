@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "data/io/toml_node.h"
@@ -62,9 +63,8 @@ struct CheckedExperiment {
 /// "the digit has no joint 'PIP', did you mean 'PIP3'?"
 std::string no_such(const std::string& kind, const std::string& name,
                     const std::vector<std::string>& names) {
-  const std::string meant = did_you_mean(name, names);
   return fmt::format("the digit has no {} '{}'{} it has {}", kind, name,
-                     meant.empty() ? ";" : meant, listed(names));
+                     hint_before_list(name, names), listed(names));
 }
 
 /// Names that the digit has not, each once.

@@ -91,8 +91,8 @@ Grasp grasp_from(const GraspResult& result, const Pregrasp& start) {
   here.approach_distance = 0;
   Grasp found = start.approach_distance > 0
                     ? attempt_grasp(result.collision_hand, start, setup, options)
-                    // Pyramids replace the cones in epsilon only: the hand closes by exact cones.
                     : grasp(result.collision_hand, start.X_WH, start.q, setup, here);
+  // Pyramids replace the cones in epsilon only: the hand closes by exact cones.
   if (result.request.edges > 0 && found.outcome == GraspOutcome::kGrasped)
     found.quality = epsilon(wrenches_of(result, found.contacts), options.epsilon);
   return found;

@@ -16,7 +16,6 @@ std::string asked_paths(const std::optional<Path>& asked) {
 std::vector<std::string> hood_names() { return names_in(kHoodNames); }
 Hood hood_named(const std::string& name) { return value_in(kHoodNames, name, "hood"); }
 
-std::vector<std::string> muscle_names() { return names_in(kMuscleNames); }
 Muscle muscle_named(const std::string& name) { return value_in(kMuscleNames, name, "muscle"); }
 
 }  // namespace thenar

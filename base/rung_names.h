@@ -38,7 +38,6 @@ inline constexpr const char* kSubjectsPaths = "wrapped where surfaces are stated
 [[nodiscard]] Hood hood_named(const std::string& name);
 
 /// "bounds", "rigid-tendon", "elastic-tendon".
-[[nodiscard]] std::vector<std::string> muscle_names();
 [[nodiscard]] Muscle muscle_named(const std::string& name);
 
 }  // namespace thenar

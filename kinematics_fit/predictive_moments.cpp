@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "base/random_stream.h"
 #include "base/special_functions.h"
@@ -156,7 +157,7 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
         !(uneven.segment<3>(3 * i).sum() <= kMaxUnevenness * kMaxUnevenness * slopes &&
           bent.segment<3>(3 * i).sum() <= slopes));
   }
-  if (std::find(out.by_draws.begin(), out.by_draws.end(), true) == out.by_draws.end()) return out;
+  if (!contains(out.by_draws, true)) return out;
   const Eigen::MatrixXd draws = drawn_forces(digit, parameters, plan, center, V, kernel.get());
   for (Eigen::Index row = 0; row < 3 * trials; ++row) {
     if (!out.by_draws[row / 3]) continue;

@@ -153,8 +153,7 @@ DigitBodies digit_bodies(const Subject& subject, const std::string& name, const 
   DigitBodies out;
   out.X_WS = upright(digit);
   BodyList list(name);
-  // A subject without anatomy is drawn by capsules, with a warning.
-  // Bones and skin, or capsules.
+  // Bones and skin; a subject without anatomy is drawn by capsules, with a warning.
   std::optional<HandAnatomy> hand;
   if (look == DigitLook::kAnatomy) try {
       hand = find_anatomy(subject);

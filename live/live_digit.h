@@ -14,7 +14,6 @@
 #include "live/excited_muscles.h"
 #include "live/live_picture.h"
 #include "tendons/net/digit_sweep.h"
-#include "tendons/net/posture_sweep.h"
 
 namespace thenar {
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/units.h"
 #include "kinematics_fit/model/net_trials.h"
 #include "tendons/linear_tendons.h"
@@ -41,12 +42,10 @@ std::vector<LiveCloud> axis_clouds(const std::vector<TendonModel<double>>& drawn
           hinge.point + hinge.axis * hinge.axis.dot(middles[i] - hinge.point);
       const int parent = model.tree[i].parent;
       // The base may have no body: then it is the world that carries them.
-      const auto body = std::find(bodies.links.begin(), bodies.links.end(), parent);
-      const bool bare = body == bodies.links.end();
-      const Pose<double> X = parent >= 0 ? state[parent].X.inverse()
-                             : bare      ? bodies.X_WS
-                                         : Pose<double>();
-      clouds[i].body = bare ? -1 : static_cast<int>(body - bodies.links.begin());
+      clouds[i].body = place_in(bodies.links, parent);
+      const Pose<double> X = parent >= 0          ? state[parent].X.inverse()
+                             : clouds[i].body < 0 ? bodies.X_WS
+                                                  : Pose<double>();
       for (const double side : {-0.5, 0.5})
         clouds[i].segments.emplace_back(X *
                                         Eigen::Vector3d(middle + side * kDrawnAxis * hinge.axis));

@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "base/lists.h"
-#include "base/nearest_name.h"
 
 namespace thenar {
 namespace {

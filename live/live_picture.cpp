@@ -25,10 +25,9 @@ bool is_finite(const LiveInstant& instant) {
     return each.point.allFinite() && each.normal.allFinite() && each.force.allFinite() &&
            std::isfinite(each.friction);
   };
-  const auto all = [](const auto& list, const auto& test) { return all_of(list, test); };
-  return std::isfinite(instant.time) && all(instant.bodies, poses) && all(instant.joints, values) &&
-         all(instant.line_points, points) && all(instant.arrows, vectors) &&
-         all(instant.contacts, contacts);
+  return std::isfinite(instant.time) && all_of(instant.bodies, poses) &&
+         all_of(instant.joints, values) && all_of(instant.line_points, points) &&
+         all_of(instant.arrows, vectors) && all_of(instant.contacts, contacts);
 }
 
 }  // namespace

@@ -73,8 +73,8 @@ void add_joints(const BuiltScene& built, ScenePicture& out) {
     shown.name = leads ? coordinate : joint.name;
     shown.hand = built.owner[i];
     shown.body = out.shown_as[i];
-    shown.axis = joint.X_BM.R.col(2);
     // The joint's axis is z of its frame on the body.
+    shown.axis = joint.X_BM.R.col(2);
     shown.point = joint.X_BM.p;
     shown.slides = joint.kind == JointKind::kSlide;
     const CoordinateRange range = ranges[c];

@@ -1,5 +1,6 @@
 #include "questions/question.h"
 
+#include "base/lists.h"
 #include "base/nearest_name.h"
 #include "questions/question_rows.h"
 
@@ -19,9 +20,7 @@ const std::vector<Question>& questions() {
 }
 
 std::vector<std::string> question_names() {
-  std::vector<std::string> names;
-  for (const Question& each : questions()) names.push_back(each.name);
-  return names;
+  return transformed(questions(), [](const Question& each) { return each.name; });
 }
 
 std::string request_record(const std::string& question, const OrderedJson& request) {

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "base/lists.h"
 #include "base/units.h"
 #include "report/json.h"
 #include "report/table.h"
@@ -137,9 +138,7 @@ class Fields {
 /// Parts made of some items. @param make  the fields of one of them
 template <typename Items, typename Make>
 [[nodiscard]] std::vector<Fields> fields_of_each(const Items& items, const Make& make) {
-  std::vector<Fields> list;
-  for (const auto& item : items) list.push_back(make(item));
-  return list;
+  return transformed(items, make);
 }
 
 /// A value in another unit than SI, numbers that are not finite as null.

@@ -12,8 +12,6 @@ namespace {
 
 const Digit& digit_of(const Subject& subject, const std::string& name) {
   if (const Digit* digit = find_named(subject.digits, name)) return *digit;
-  for (const Digit& digit : subject.digits)
-    if (digit.name == name) return digit;
   throw InputError(fmt::format("subject '{}' has no digit '{}'", subject.name, name));
 }
 

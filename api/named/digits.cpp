@@ -14,6 +14,8 @@
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/lists.h"
+#include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "data/io/subject_doubts.h"
 #include "hand/tip_manipulability.h"
@@ -205,12 +207,10 @@ Eigen::VectorXd tensions(const DigitCase& at, const std::map<std::string, double
       at.map.empty() ? at.bones().names.muscles : digit_at(at, {}).statics.muscles;
   // A muscle of the subject that passes the digit by is no misspelt one.
   for (const auto& [name, tension] : named)
-    require_field(
-        "tension",
-        !at.map.empty() || std::count(muscles.begin(), muscles.end(), name) > 0 ||
-            std::none_of(at.subject.muscles.begin(), at.subject.muscles.end(),
-                         [&name = name](const MuscleUnit& each) { return each.name == name; }),
-        "'{}' crosses no free joint of the digit", name);
+    require_field("tension",
+                  !at.map.empty() || contains(muscles, name) ||
+                      find_named(at.subject.muscles, name) == nullptr,
+                  "'{}' crosses no free joint of the digit", name);
   // Tensions in the order of the muscles, in newtons; muscles that are not named are slack.
   Eigen::VectorXd t = in_order(named, muscles, "muscle");
   for (Eigen::Index i = 0; i < t.size(); ++i) {
@@ -228,10 +228,8 @@ std::string choose_digit(const Subject& subject, const std::string& asked) {
   require_field("digit", !asked.empty() || names.size() == 1, "choose a digit; subject '{}' has {}",
                 subject.name, listed(names));
   if (asked.empty()) return names.front();
-  const std::string meant = did_you_mean(asked, names);
-  require(std::count(names.begin(), names.end(), asked) > 0,
-          "subject '{}' has no digit '{}'{} there are {}", subject.name, asked,
-          meant.empty() ? ";" : meant, listed(names));
+  require(contains(names, asked), "subject '{}' has no digit '{}'{} there are {}", subject.name,
+          asked, hint_before_list(asked, names), listed(names));
   return asked;
 }
 
@@ -311,10 +309,9 @@ std::vector<std::string> known_nets() {
 SourceText net_source(const std::string& name_or_path) {
   if (is_file(name_or_path)) return read_source(name_or_path);
   const auto found = internal::nets().find(name_or_path + ".toml");
-  const std::string meant = did_you_mean(name_or_path, known_nets());
   require(found != internal::nets().end(),
           "there is no net '{}', nor a file of that name{} nets: {}", name_or_path,
-          meant.empty() ? ";" : meant, listed(known_nets()));
+          hint_before_list(name_or_path, known_nets()), listed(known_nets()));
   return {found->first, std::string(found->second)};
 }
 

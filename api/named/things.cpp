@@ -9,6 +9,7 @@
 #include "api/named/portable_world.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/name_hint.h"
 #include "base/nearest_name.h"
 #include "base/run_record.h"
 #include "data/io/result_layout.h"
@@ -71,11 +72,10 @@ std::string named_thing(const std::string& name_or_path, const std::string& data
   // A path that does not exist gets the message about files, with the nearest file as a hint.
   const std::filesystem::path path = name_or_path;
   if (path.has_parent_path() || path.has_extension()) (void)contents_of(name_or_path);
-  const std::string meant = did_you_mean(name_or_path, all_names(places));
   throw InputError(
       fmt::format("there is no file '{0}', nor a subject, experiment, world, scene, "
                   "hand, object, pad or net of that name{1} `thenar list` shows all names",
-                  name_or_path, meant.empty() ? ";" : meant));
+                  name_or_path, hint_before_list(name_or_path, all_names(places))));
 }
 
 Thing read_thing(const std::string& path) {

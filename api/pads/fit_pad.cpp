@@ -154,8 +154,8 @@ FittedPad fit_pad(const PadFitRequest& request, const Progress& progress) {
   out.fit = of_file(out.data, [&] {
     return fit_pad(out.problem, {PadFitOptions{}.tolerance, request.check_mesh, of_fit});
   });
+  // A fit that was stopped or refused keeps its numbers, but is not marked as solved.
   if (out.fit.solution.status == Status::kStopped)
-    // A fit that was stopped or refused keeps its numbers, but is not marked as solved.
     out.outcome.status = Status::kStopped;
   else if (!refusal_of(out).empty())
     out.outcome.status = Status::kStalled;

@@ -135,8 +135,6 @@ PathPoint read_bend(TomlTable& table, const SubjectDraft& draft) {
   PathPoint bend;
   bend.surface = reference(table, "surface", "surface", names_of(draft.subject.surfaces));
   bend.segment = find_named(draft.subject.surfaces, bend.surface)->segment;
-  for (const Surface& surface : draft.subject.surfaces)
-    if (surface.name == bend.surface) bend.segment = surface.segment;
   bend.p = table.vector(Dimension::kLength, "side");
   return bend;
 }

@@ -2,7 +2,6 @@
 
 /// Sets of bands and single bands, with what the data say of them.
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>

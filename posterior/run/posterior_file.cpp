@@ -95,9 +95,7 @@ PosteriorSettings settings_of(const AttributeReader& given) {
   PosteriorSettings settings;
   settings.run.method = sampling_method(given.text("setting_sampler"));
   each_setting(settings, [&](const char* name, auto& value) {
-    using Value = std::decay_t<decltype(value)>;
-    value = std::is_same_v<Value, bool> ? Value(given.integer(name) != 0)
-                                        : static_cast<Value>(given.number(name));
+    value = static_cast<std::decay_t<decltype(value)>>(given.number(name));
   });
   return settings;
 }

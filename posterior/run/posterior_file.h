@@ -35,9 +35,6 @@ class AttributeReader {
   [[nodiscard]] double number(const std::string& name) const {
     return std::stod(text("setting_" + name));
   }
-  [[nodiscard]] int integer(const std::string& name) const {
-    return static_cast<int>(number(name));
-  }
 
  private:
   const Attributes& attributes_;

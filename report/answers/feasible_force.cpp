@@ -392,11 +392,6 @@ std::vector<std::string> whole_header(const FeasibleForceResult& answer, const F
   return header;
 }
 
-bool with_whole(const FeasibleForceResult& answer) {
-  return std::any_of(answer.points.begin(), answer.points.end(),
-                     [](const FeasibleForcePoint& point) { return point.whole.has_value(); });
-}
-
 /// "FDP 0.12, LU 0.03": prices of a row, the dearest first.
 std::string short_limits(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
   return or_dash(each_in_words(limiting_muscles(point), [&](Index i) {
@@ -497,6 +492,11 @@ std::string weak_words(const FeasibleForceResult& answer) {
     words += fmt::format("{}with {:.4g} N of {}", words.empty() ? "" : ", ", limit, muscle);
   if (!words.empty()) words[0] = 'W';
   return words;
+}
+
+bool with_whole(const FeasibleForceResult& answer) {
+  return std::any_of(answer.points.begin(), answer.points.end(),
+                     [](const FeasibleForcePoint& point) { return point.whole.has_value(); });
 }
 
 bool makes_force(const FeasibleForcePoint& point) {

@@ -35,6 +35,9 @@ struct LoadWords {
 /// unbounded.
 [[nodiscard]] bool makes_force(const FeasibleForcePoint& point);
 
+/// Returns true if an answer has the whole set at some posture.
+[[nodiscard]] bool with_whole(const FeasibleForceResult& answer);
+
 /// "limited by FDP: the force rises by 0.12 N per additional newton of its F0; then LU 0.03": the
 /// dearest limit first, and what degenerate limits do. "" if no muscle limits the force, or prices
 /// did not pass their checks.

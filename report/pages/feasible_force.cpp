@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "base/lists.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "report/answers/digit_words.h"
@@ -173,8 +172,7 @@ Json page_of(const FeasibleForceResult& answer) {
     const SweepAxes axes = axes_of(answer);
     Json charts = Json::array();
     if (answer.request.direction) add_direction_charts(answer, axes, charts);
-    const auto has_set = [](const FeasibleForcePoint& point) { return point.whole.has_value(); };
-    if (any_of(answer.points, has_set)) add_set_charts(answer, axes, charts);
+    if (with_whole(answer)) add_set_charts(answer, axes, charts);
     sections.push_back(section("curves", "Over the posture", "", paired(charts)));
   }
   // Sum up by the range of the largest loads.

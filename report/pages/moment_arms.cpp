@@ -63,9 +63,8 @@ Json page_of(const MomentArmResult& answer) {
     if (point.failure.empty())
       for (const double arm : point.arms.reshaped()) arms.push_back(arm / kMm);
   return digit_page(answer, "moment arms", sections, meshes,
-                    arms.empty()
-                        ? "No moment arm can be determined."
-                        : fmt::format("The moment arms range from {}.", range_words(arms, "mm")));
+                    arms.empty() ? "No moment arm can be determined."
+                                 : fmt::format("The moment arms are {}.", range_words(arms, "mm")));
 }
 
 }  // namespace thenar

@@ -47,8 +47,7 @@ Json convergence_blocks(const PosteriorPicture& picture) {
   // Convergence first: without it no number below may be used.
   Json blocks = Json::array({convergence_banner(picture.convergence, picture.run)});
   for (const std::string& advice : picture.advice) blocks.push_back(text_block(advice));
-  add_doubts("Before trusting the predictions", picture.warnings, blocks);
-  if (!picture.warnings.empty()) blocks.back()["caution"] = true;
+  if (!picture.warnings.empty()) blocks.push_back(caution_banner(picture.warnings));
   if (picture.quantities.empty()) return blocks;
   // Show the chains themselves, the largest R-hat first.
   blocks.push_back(chains_block(

@@ -144,8 +144,6 @@ Json arm_charts(const TendonSweepResult& sweep) {
 }
 
 Json tip_chart(const TendonSweepResult& sweep) {
-  // Turn the directions of the tip with its link.
-  const TendonModel<double>& model = sweep.loaded.bones().model;
   const char* const names[] = {"proximal", "dorsal", "radial"};
   Json series = Json::array();
   for (int k = 0; k < 3; ++k)
@@ -153,11 +151,7 @@ Json tip_chart(const TendonSweepResult& sweep) {
         sweep, names[k],
         [&](const DigitPoint& point) -> Json {
           if (point.tip.singular()) return nullptr;
-          const TreeState<double> state = pose_tree(model.tree, point.q);
-          const Eigen::Matrix3d turn = model.tip_link < 0
-                                           ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
-                                           : state[model.tip_link].X.R;
-          return (turn * model.tip_axes.col(k)).dot(point.tip.f_W);
+          return force_in_tip_axes(sweep.loaded, point)[k];
         },
         series);
   return chart(

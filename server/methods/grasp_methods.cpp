@@ -74,8 +74,8 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
                 {"worst_wrench", nullptr},
                 {"worst_wrench_words", nullptr},
                 {"volume", nullptr}});
-    // Epsilon with its bounds, and the direction that limits it.
   } else {
+    // Epsilon with its bounds, and the direction that limits it.
     const Epsilon& e = result.grasp.quality;
     const bool missing = e.has_missing_direction;
     out.update(

@@ -56,11 +56,11 @@ bool unbalanced(const NetEquilibrium& rest) {
 
 double largest_deviation(const Net& net, const std::vector<int>& loose_before, const Matrix3Xd& x,
                          const NetEquilibrium& rest) {
-  const auto among = [](const std::vector<int>& nodes, int node) { return contains(nodes, node); };
   double furthest = 0;
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     const auto node = static_cast<int>(i);
-    if (!net.nodes[i].free || among(loose_before, node) || among(rest.undetermined, node)) continue;
+    if (!net.nodes[i].free || contains(loose_before, node) || contains(rest.undetermined, node))
+      continue;
     furthest = std::max(furthest, (rest.x.col(node) - x.col(node)).norm());
   }
   return furthest;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "base/lists.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/robot/mjcf_parts.h"
 
@@ -24,22 +25,15 @@ std::string first_of(const pugi::xml_node& node, const std::vector<const char*>&
 }
 
 bool has_actuator(const std::vector<MjcfActuator>& actuators, const std::string& joint) {
-  return std::any_of(actuators.begin(), actuators.end(),
-                     [&](const MjcfActuator& actuator) { return actuator.joint == joint; });
+  return any_of(actuators, [&](const MjcfActuator& actuator) { return actuator.joint == joint; });
 }
 
 bool is_driven(const std::vector<MjcfActuator>& actuators, const FixedTendon& tendon) {
-  return std::any_of(actuators.begin(), actuators.end(),
-                     [&](const MjcfActuator& actuator) { return actuator.tendon == tendon.name; });
+  return any_of(actuators,
+                [&](const MjcfActuator& actuator) { return actuator.tendon == tendon.name; });
 }
 
 }  // namespace
-
-const FixedTendon* find_tendon(const std::vector<FixedTendon>& tendons, const std::string& name) {
-  for (const FixedTendon& tendon : tendons)
-    if (tendon.name == name) return &tendon;
-  return nullptr;
-}
 
 MjcfCouplings::MjcfCouplings(const MjcfSource& source, const std::vector<double>& ref,
                              const std::vector<FixedTendon>& tendons, RobotSpec& robot)
@@ -108,7 +102,7 @@ void MjcfCouplings::couple(const pugi::xml_node& node, const MjcfElement& equali
 
 /// Coupling  c1 (q1 - ref1) + c2 (q2 - ref2) = a0.
 void MjcfCouplings::couple_through_tendon(const pugi::xml_node& node, const MjcfElement& equality) {
-  const FixedTendon* tendon = find_tendon(tendons_, required_text(source_.file, node, "tendon1"));
+  const FixedTendon* tendon = find_named(tendons_, required_text(source_.file, node, "tendon1"));
   if (tendon == nullptr || tendon->terms.size() != 2 || !node.attribute("tendon2").empty()) {
     source_.unread.note(node,
                         "<tendon> equality of other than one fixed tendon of two joints is not "
@@ -160,9 +154,7 @@ void MjcfCouplings::couple_limited(const FixedTendon& tendon, double slack, bool
   const TendonTerm &leader = tendon.terms[first_leads ? 0 : 1],
                    &follower = tendon.terms[first_leads ? 1 : 0];
   // A joint follows only one other.
-  const bool again =
-      std::any_of(couplings_.begin(), couplings_.end(),
-                  [&](const FollowerCoupling& other) { return other.joint == follower.joint; });
+  const bool again = follows(follower.joint);
   if (follower.coefficient == 0 || again) {
     robot_.warnings.push_back(
         fmt::format("limits of tendon '{}' ({:.4g} to {:.4g}) are not kept: {}", tendon.name,
@@ -185,12 +177,13 @@ void MjcfCouplings::couple_limited(const FixedTendon& tendon, double slack, bool
       tendon.name, follower.joint, leader.joint, slack / 2 / std::abs(follower.coefficient)));
 }
 
+bool MjcfCouplings::follows(const std::string& joint) const {
+  return any_of(couplings_, [&](const FollowerCoupling& each) { return each.joint == joint; });
+}
+
 /// Adds a coupling, unless its joint follows another already.
 void MjcfCouplings::add_coupling(const FollowerCoupling& coupling, const pugi::xml_node& node) {
-  const bool again =
-      std::any_of(couplings_.begin(), couplings_.end(),
-                  [&](const FollowerCoupling& other) { return other.joint == coupling.joint; });
-  if (again) {
+  if (follows(coupling.joint)) {
     source_.unread.note(node, fmt::format("joint '{}' follows another already; its equality with "
                                           "'{}' is not kept",
                                           coupling.joint, coupling.master));

@@ -14,10 +14,6 @@
 
 namespace thenar::internal {
 
-/// Returns the fixed tendon of a name; null: there is none.
-[[nodiscard]] const FixedTendon* find_tendon(const std::vector<FixedTendon>& tendons,
-                                             const std::string& name);
-
 /// Collects the couplings of a robot's joints, and then applies them.
 class MjcfCouplings {
  public:
@@ -42,6 +38,8 @@ class MjcfCouplings {
   void couple_through_tendon(const pugi::xml_node& node, const MjcfElement& equality);
   void couple_limited(const FixedTendon& tendon, double slack, bool first_leads);
   void add_coupling(const FollowerCoupling& coupling, const pugi::xml_node& node);
+  /// Returns whether a joint follows another already.
+  [[nodiscard]] bool follows(const std::string& joint) const;
 
   const MjcfSource& source_;
   const std::vector<double>& refs_;  // values of joints in the file's posture [rad] or [m]

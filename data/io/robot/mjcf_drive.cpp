@@ -1,10 +1,7 @@
-#include "base/lists.h"
 #include "data/io/robot/mjcf_parts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -12,6 +9,7 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
+#include "base/lists.h"
 #include "base/words.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
@@ -110,7 +108,7 @@ class MjcfDrive {
   }
 
   void drive_through_tendon(const MjcfActuator& actuator) {
-    const FixedTendon& tendon = *find_tendon(tendons_, actuator.tendon);
+    const FixedTendon& tendon = *find_named(tendons_, actuator.tendon);
     const std::map<std::string, double> by_dof = gradient(tendon);
     double squares = 0;
     for (const auto& [name, coefficient] : by_dof) squares += coefficient * coefficient;

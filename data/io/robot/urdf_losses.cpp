@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/lists.h"
 #include "data/io/robot/link_poses.h"
 
 namespace thenar::internal {
@@ -13,8 +14,7 @@ namespace {
 
 /// Returns whether a motor moves any joint.
 bool has_joint(const RobotSpec& robot, const std::string& dof) {
-  return std::any_of(robot.joints.begin(), robot.joints.end(),
-                     [&](const RobotJoint& joint) { return joint.dof == dof; });
+  return any_of(robot.joints, [&](const RobotJoint& joint) { return joint.dof == dof; });
 }
 
 /// Collects warnings, property by property.
@@ -116,8 +116,7 @@ const RobotJoint& leader_of(const RobotSpec& robot, const std::string& dof) {
 
 CouplingLine line_of(const RobotSpec& robot, const RobotJoint& joint) {
   if (joint.curve.empty()) return {joint.ratio, joint.offset};
-  const auto dof = std::find_if(robot.dofs.begin(), robot.dofs.end(),
-                                [&](const RobotDof& each) { return each.name == joint.dof; });
+  const RobotDof* dof = find_named(robot.dofs, joint.dof);
   // Chord of the curve.
   const double span = dof->upper - dof->lower, at_lower = joint_value(joint, dof->lower);
   const double ratio = span > 0 ? (joint_value(joint, dof->upper) - at_lower) / span : joint.ratio;

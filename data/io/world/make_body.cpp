@@ -15,21 +15,6 @@ ShapeSpec shape_of(ShapeKind kind, const Eigen::Vector3d& size) {
   return shape;
 }
 
-/// How many entries of ShapeSpec::size a shape has.
-Eigen::Index count_sizes(ShapeKind kind) {
-  switch (kind) {
-    case ShapeKind::kSphere:
-      return 1;
-    case ShapeKind::kCylinder:
-    case ShapeKind::kCapsule:
-      return 2;
-    case ShapeKind::kMesh:
-      return 0;
-    default:
-      return 3;
-  }
-}
-
 }  // namespace
 
 ShapeSpec box_shape(const Eigen::Vector3d& edges) { return shape_of(ShapeKind::kBox, edges); }
@@ -49,7 +34,7 @@ ShapeSpec mesh_shape(TriangleMesh mesh) {
 BodySpec make_body(std::string name, ShapeSpec shape, double mass, std::string material) {
   require(!name.empty(), "wanted the name of a body, got none");
   const Eigen::Vector3d& size = shape.size;
-  for (Eigen::Index k = 0; k < count_sizes(shape.kind); ++k)
+  for (int k = 0; k < size_entries(shape.kind); ++k)
     require(std::isfinite(size[k]) && size[k] > 0, "wanted a size of '{}' above 0, got {:g} m",
             name, size[k]);
   require(shape.kind != ShapeKind::kMesh || !shape.mesh.empty(),
