@@ -73,6 +73,7 @@ TEST_F(HandTouchTest, LooksAgainOnlyAfterAChange) {
   EXPECT_EQ(touch.contacts(live_.state(), 7).size(), 1U);
   const CollisionHand* model = &touch.collision_of(live_.state(), live_.state().hands[0]);
   place_thing(live_, "box", Vector3d(5, 0, 0), {});
+  EXPECT_EQ(touch.contacts(live_.state(), 7).size(), 1U);  // the same number: not looked again
   EXPECT_TRUE(touch.contacts(live_.state(), 8).empty());
   EXPECT_EQ(&touch.collision_of(live_.state(), live_.state().hands[0]), model);  // built once
 }
