@@ -171,7 +171,8 @@ class DigitPull final : public ForceElement {
   mutable std::optional<GroupArms> arms_;         // none: a net
   mutable Eigen::VectorXd arms_q_;                // where the arms of now_ are, without a net
   mutable std::optional<PullTensions> tensions_;  // none: none contracts
-  mutable ActingPieces given_, excited_;          // tensions [N], excitations [1]
+  // Tensions [N] and excitations [1]: those set by hand, and the pieces of the last look.
+  mutable ActingPieces given_, excited_;
   Scratch scratch_;
 };
 

@@ -125,7 +125,7 @@ class PadElement final : public ForceElement {
   Accepted accepted_;
   Trial trial_;
   Lost lost_;
-  Matrix6 stiffness_ = Matrix6::Zero();  // at the last accept()
+  Matrix6 stiffness_ = Matrix6::Zero();  // where a touch began or a prediction was poor last
   double foresees_;                      // longest step that the pad lets a scene make [s]
   Eigen::MatrixXd J_;
 };
