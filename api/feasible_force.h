@@ -86,7 +86,7 @@ struct StopAnswer {
 /// The answer at one posture.
 struct FeasibleForcePoint {
   Eigen::VectorXd q;               // [rad] (joints); empty for a map
-  std::string failure;             // why there is no answer; empty: there is one
+  std::string message;             // why there is no answer; empty: there is one
   TipLoad load = TipLoad::kForce;  // what `largest` and `whole` are of
   ForceAxes axes;                  // of the forces that are shown
   Eigen::Vector3d tip{0, 0, 0};    // place of the tip, world frame [m] (3); 0 for a map

@@ -15,11 +15,11 @@ namespace thenar {
 
 struct GraspResult;
 
-/// A measure, or why there is none.
+/// A measure, or a message that says why there is none.
 template <typename Value>
 struct Measured {
   std::optional<Value> value;
-  std::string reason;  // where there is no value, or what to know of it
+  std::string message;  // why there is no value, or a remark on the value
 };
 
 /// A load that a grasp supports.

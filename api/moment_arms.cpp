@@ -75,7 +75,7 @@ MomentArmResult compute_moment_arms(const DigitCase& digit, const Progress& prog
   // An arm at any posture shows that the muscle crosses the joint.
   answer.crosses.setConstant(start.size(), answer.reference.size(), false);
   for (const MomentArmPoint& point : answer.points)
-    if (point.failure.empty())
+    if (point.message.empty())
       answer.crosses = answer.crosses.array() || (point.arms.array().abs() > kNoArm);
   return answer;
 }

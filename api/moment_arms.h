@@ -14,7 +14,7 @@ namespace thenar {
 /// The answer at one posture.
 struct MomentArmPoint {
   Eigen::VectorXd q;              // [rad] (joints)
-  std::string failure;            // why there is no answer; else empty
+  std::string message;            // why there is no answer; empty: there is one
   Eigen::MatrixXd arms;           // -d length / dq; flexion, radial + [m/rad] (muscles, joints)
   Eigen::VectorXd length_change;  // since MomentArmResult::reference; longer + [m] (muscles)
   Eigen::Vector3d tip{0, 0, 0};   // world frame [m] (3)

@@ -26,7 +26,7 @@ struct TipForceRequest {
 /// The answer at one posture.
 struct TipForcePoint {
   Eigen::VectorXd q;                        // [rad] (joints); empty for a map
-  std::string failure;                      // why there is no answer; else empty
+  std::string message;                      // why there is no answer; empty: there is one
   std::optional<Eigen::Matrix3d> tip_axes;  // proximal, dorsal, radial now, in world axes (3, 3)
   Eigen::Vector3d tip{0, 0, 0};             // where it is, world frame [m] (3); 0 for a map
   Eigen::Vector3d force{0, 0, 0};           // of the tip on the world, world frame [N] (3)

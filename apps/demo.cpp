@@ -41,7 +41,7 @@ void run_demo(const DemoArguments& options) {
   require_writable(path);
   const DemoResult demo =
       run_demo_study({options.data, options.output, this_run(), options.path}, progress);
-  if (demo.stopped) throw Stopped("stopped before the report was complete");
+  if (demo.outcome.stopped()) throw Stopped("stopped before the report was complete");
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const std::vector<SetPage> pages = demo_pages(demo, seconds);

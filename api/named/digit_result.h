@@ -38,16 +38,16 @@ struct DigitResult {
 
 /// Asks at one posture. @param q  [rad] (coordinates); empty for a map  @return warnings
 using AskPosture = std::function<std::vector<std::string>(const Eigen::VectorXd& q)>;
-/// Hears why there is no answer at a posture.
-using NoAnswer = std::function<void(const Eigen::VectorXd& q, const std::string& why)>;
+/// Records that there is no answer at a posture, and the message that says why.
+using NoAnswer = std::function<void(const Eigen::VectorXd& q, const std::string& message)>;
 
 /// Keeps a posture without an answer among the points of the others, with the reason.
 template <typename Point>
 [[nodiscard]] NoAnswer kept_in(std::vector<Point>& points) {
-  return [&points](const Eigen::VectorXd& q, const std::string& why) {
+  return [&points](const Eigen::VectorXd& q, const std::string& message) {
     Point point;
     point.q = q;
-    point.failure = why;
+    point.message = message;
     points.push_back(std::move(point));
   };
 }

@@ -153,13 +153,14 @@ PadLaws calibrate_pad(const PadLawsRequest& request, const Progress& progress) {
   add_presses(out, fit, true);
   MeasuredPresses check;
   const Progress of_check = parts.next(share(trials.check));
-  if (!fit.stopped) check = measure_presses(model, trials.check, options, of_check);
+  if (fit.status != Status::kStopped)
+    check = measure_presses(model, trials.check, options, of_check);
   add_presses(out, check, false);
   out.press_s = seconds_since(began);
 
   // Fits, which take less than a second and are not stopped.
   const Clock::time_point pressed = Clock::now();
-  if (fit.stopped || check.stopped) {
+  if (fit.status == Status::kStopped || check.status == Status::kStopped) {
     out.calibration.status = Status::kStopped;
     out.calibration.message = "presses were left out";
   } else {

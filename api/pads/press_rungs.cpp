@@ -69,12 +69,12 @@ double seconds_of_call(int calls, const Call& call) {
   return seconds[10];
 }
 
-PressRung law_rung(const std::string& name, const std::string& failure) {
+PressRung law_rung(const std::string& name, const std::string& message) {
   PressRung rung;
   rung.element = name;
   rung.mesh = "law";
   rung.reduced = true;
-  rung.failure = failure;
+  rung.message = message;
   return rung;
 }
 
@@ -187,7 +187,7 @@ PressRung try_rung(const PressResult& pressed, const RungTrial& trial, double de
   rung.force = pressed.touch.along.dot(result.push.force);
   rung.area = result.area;
   rung.cpu = thread_seconds() - began;
-  if (result.solved.status != Status::kSolved) rung.failure = result.solved.message;
+  if (result.solved.status != Status::kSolved) rung.message = result.solved.message;
   return rung;
 }
 
@@ -211,10 +211,10 @@ std::vector<PressRung> compare_rungs(const PressResult& pressed, const Progress&
     if (progress.stop()) rungs.pop_back();  // it may have been cut off
   }
   // Errors against the last, if all were done and it was solved.
-  if (rungs.size() < all || !rungs.back().failure.empty()) return rungs;
+  if (rungs.size() < all || !rungs.back().message.empty()) return rungs;
   rungs.back().finest = true;
   for (PressRung& rung : rungs)
-    if (rung.failure.empty()) rung.error = std::abs(rung.force / rungs.back().force - 1);
+    if (rung.message.empty()) rung.error = std::abs(rung.force / rungs.back().force - 1);
   return rungs;
 }
 

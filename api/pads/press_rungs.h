@@ -23,7 +23,7 @@ struct PressRung {
   double error = 0;               // |force / force of the finest - 1| [1]; 0 for the finest
   double cpu = 0;                 // [s]
   bool finest = false;            // the one that all others are held to
-  std::string failure;            // empty: it was solved
+  std::string message;            // why there is no force; empty: it was solved
   bool reduced = false;           // a law without elements
   std::optional<double> area;     // of the patch [m^2]
   std::optional<double> torsion;  // largest torque per normal force, with the press's friction [m]

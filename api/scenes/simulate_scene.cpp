@@ -535,7 +535,7 @@ void add_outcome(const SceneResult& scene, const std::string& group, ResultFile&
   // State how the run ended and what it cost.
   const SceneCost& cost = scene.run.cost;
   file.add(group + "status", name_of(scene.run.status));
-  if (!scene.run.reason.empty()) file.add(group + "reason", scene.run.reason);
+  if (!scene.run.message.empty()) file.add(group + "reason", scene.run.message);
   file.add(group + "steps", static_cast<double>(cost.steps), "1");
   file.add(group + "unsolved", static_cast<double>(cost.unsolved), "1");
   if (has_contact_problems(scene)) file.add(group + "worst_residual", cost.worst_residual, "1");

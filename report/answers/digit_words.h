@@ -48,7 +48,7 @@ template <typename Answer, typename Line>
   Table table{row({header_of(axes), header})};
   for (std::size_t i = 0; i < answer.points.size(); ++i) {
     const auto& point = answer.points[i];
-    table.rows.push_back(row({cells_of(axes, i), point.failure.empty() ? line(point) : none}));
+    table.rows.push_back(row({cells_of(axes, i), point.message.empty() ? line(point) : none}));
   }
   return table;
 }

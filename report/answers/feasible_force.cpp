@@ -168,8 +168,8 @@ void add_whole(const FeasibleForcePoint& point, Fields& fields) {
 }
 
 void add_point(const FeasibleForceResult& answer, const FeasibleForcePoint& point, Fields& fields) {
-  if (!point.failure.empty()) {
-    fields.add("failure", point.failure);
+  if (!point.message.empty()) {
+    fields.add("failure", point.message);
     return;
   }
   if (answer.map.empty()) fields.add("condition", point.condition);
@@ -370,7 +370,7 @@ std::vector<std::string> whole_cells(const FeasibleForcePoint& point, int decima
 /// Axes of the first posture that has an answer.
 ForceAxes axes_of_answer(const FeasibleForceResult& answer) {
   for (const FeasibleForcePoint& point : answer.points)
-    if (point.failure.empty()) return point.axes;
+    if (point.message.empty()) return point.axes;
   return {};
 }
 
@@ -421,7 +421,7 @@ std::vector<std::string> loss_header(const FeasibleForceResult& answer) {
 std::string notes_text(const FeasibleForceResult& answer) {
   std::vector<std::pair<std::string, std::size_t>> notes;
   for (const FeasibleForcePoint& point : answer.points) {
-    const std::string note = point.failure.empty() ? note_of(answer, point) : "";
+    const std::string note = point.message.empty() ? note_of(answer, point) : "";
     if (note.empty()) continue;
     const auto known = std::find_if(notes.begin(), notes.end(),
                                     [&](const auto& each) { return each.first == note; });
@@ -637,7 +637,7 @@ Table table_of(const FeasibleForceResult& answer) {
   // Failed postures keep their angles and the reason.
   for (const FeasibleForcePoint& point : answer.points) {
     std::vector<std::string> line = joint_cells(point.q);
-    if (point.failure.empty()) {
+    if (point.message.empty()) {
       if (direction)
         line = row({line, largest_cells(answer, point, 6, ""), {limiting_names(answer, point)}});
       if (point.loss) line = row({line, loss_cells(answer, *point.loss, 6, "")});
@@ -646,7 +646,7 @@ Table table_of(const FeasibleForceResult& answer) {
       if (whole) line = row({line, whole_cells(point, 6)});
     }
     line.resize(table.header.size() - 1);
-    line.push_back(point.failure.empty() ? note_of(answer, point) : point.failure);
+    line.push_back(point.message.empty() ? note_of(answer, point) : point.message);
     table.add(std::move(line));
   }
   return table;

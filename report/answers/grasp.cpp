@@ -90,7 +90,7 @@ std::string contacts_text(const GraspResult& result) {
 
 std::string joints_text(const GraspResult& result) {
   Table joints{{"coordinate", "value", "stopped by"}};
-  for (const JointRow& row : joint_rows(result)) joints.add({row.name, row.shown, row.why});
+  for (const JointRow& row : joint_rows(result)) joints.add({row.name, row.shown, row.reason});
   return joints.rows.empty() ? "" : "\n" + aligned(joints);
 }
 
@@ -103,7 +103,7 @@ std::vector<Fields> coordinate_fields(const GraspResult& result) {
                     {"kind", row.slides ? "slides" : "turns"},
                     {"value", row.slides ? units::kMetreBare : units::kRadianBare, row.value},
                     {"stopped_by", row.stopped_by},
-                    {"why", row.why}});
+                    {"why", row.reason}});
   return list;
 }
 
@@ -349,8 +349,8 @@ Table table_of(const GraspResult& result) {
 Table table_of(const CloseResult& result) {
   Table table{{"coordinate", "kind", "value_rad_or_m", "stopped_by", "why"}};
   for (const JointRow& row : joint_rows(result.grasp))
-    table.add(
-        {row.name, row.slides ? "slides" : "turns", shown(row.value, 6), row.stopped_by, row.why});
+    table.add({row.name, row.slides ? "slides" : "turns", shown(row.value, 6), row.stopped_by,
+               row.reason});
   return table;
 }
 

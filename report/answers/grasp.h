@@ -17,7 +17,7 @@ struct JointRow {
   double value;            // [rad] or [m]
   std::string shown;       // in degrees or millimetres
   std::string stopped_by;  // name_of(StoppedBy)
-  std::string why;         // in words
+  std::string reason;      // obstacle or limit that stopped it, in words
 };
 
 /// Every coordinate; none where nothing was closed.

@@ -32,8 +32,8 @@ Section explain_dropped(const DigitExplanation& says) {
   std::vector<std::vector<std::string>> names;
   auto& rows = section.table.rows;
   for (const DroppedPart& part : says.dropped) {
-    if (rows.empty() || rows.back()[0] != part.what || rows.back()[2] != part.why) {
-      rows.push_back({part.what, "", part.why, ""});
+    if (rows.empty() || rows.back()[0] != part.what || rows.back()[2] != part.reason) {
+      rows.push_back({part.what, "", part.reason, ""});
       names.emplace_back();
     }
     names.back().push_back(part.name);

@@ -256,7 +256,7 @@ Json rung_section(const PressResult& pressed) {
   // One series for each law, for each element on even meshes, and for meshes that refine.
   std::map<std::string, Json> series;
   for (const PressRung& rung : pressed.rungs) {
-    if (!rung.failure.empty() || rung.finest || !(rung.error > 0)) continue;
+    if (!rung.message.empty() || rung.finest || !(rung.error > 0)) continue;
     const std::string name = rung.reduced   ? rung.element
                              : rung.refined ? rung.element + ", refined"
                                             : rung.element + ", even";

@@ -67,7 +67,7 @@ template <typename Point, typename Value>
                                const Value& value) {
   Curve curve{name, Eigen::VectorXd(static_cast<Eigen::Index>(points.size()))};
   for (std::size_t i = 0; i < points.size(); ++i)
-    curve.y(static_cast<Eigen::Index>(i)) = points[i].failure.empty() ? value(points[i]) : kNaN;
+    curve.y(static_cast<Eigen::Index>(i)) = points[i].message.empty() ? value(points[i]) : kNaN;
   return curve;
 }
 

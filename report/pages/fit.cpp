@@ -119,7 +119,7 @@ Json error_table(const FitResult& result) {
                   e < result.misfits.size() ? Json(result.misfits[e].times_noise) : Json(nullptr)));
   for (const CrossValidation& validation : result.left_out) {
     std::string what = name_of(validation.what);
-    if (validation.stopped)
+    if (validation.status == Status::kStopped)
       what += fmt::format(", {} of {} folds", validation.folds_done, validation.folds.size());
     for (const Prediction& prediction : validation.experiments)
       if (!prediction.trials.empty()) rows.push_back(error_row(prediction, what, nullptr));

@@ -127,7 +127,7 @@ Json contact_section(const GraspResult& result) {
 
 Json joint_section(const GraspResult& result) {
   Json rows = Json::array();
-  for (const JointRow& row : joint_rows(result)) rows.push_back({row.name, row.shown, row.why});
+  for (const JointRow& row : joint_rows(result)) rows.push_back({row.name, row.shown, row.reason});
   return section("joints", "What stopped every joint", "",
                  Json::array({table_block("Coordinates of the hand when it came to rest.",
                                           {"coordinate", "value", "stopped by"}, rows)}));

@@ -135,7 +135,7 @@ Finding pad_finding(const PressResult& pressed) {
   // The most accurate model that costs less than a millisecond.
   const PressRung* cheap = nullptr;
   for (const PressRung& rung : pressed.rungs)
-    if (rung.failure.empty() && !rung.finest && rung.cpu < 1e-3 &&
+    if (rung.message.empty() && !rung.finest && rung.cpu < 1e-3 &&
         (cheap == nullptr || rung.error < cheap->error))
       cheap = &rung;
   const std::string force = end == nullptr ? "was not solved"

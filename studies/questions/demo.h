@@ -18,6 +18,7 @@
 #include "dynamics/scene/work_precision.h"
 #include "kinematics_fit/bands/hood_comparison.h"
 #include "posterior/run/posterior_summary.h"
+#include "solvers/status.h"
 #include "studies/questions/fit_study.h"
 #include "studies/questions/study.h"
 
@@ -74,7 +75,7 @@ struct DemoResult {
   PressResult pad;                 // under a ball
   RungComparison pencil;           // pinched by pads, on every rung
   std::vector<std::string> files;  // that were written
-  bool stopped = false;            // by request: parts are missing, no fit was written
+  Outcome outcome;                 // stopped: parts are missing, and no fit was written
 };
 
 /// Fits by every solver, cross-validates, predicts what was not seen, samples posteriors, asks what

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/progress.h"
+#include "solvers/status.h"
 #include "studies/thumb/measured_lessons.h"
 #include "studies/thumb/thumb_calibration.h"
 #include "studies/thumb/thumb_recovery.h"
@@ -28,7 +29,7 @@ struct ThumbStudyResult {
   ThumbStudy study;
   std::optional<ThumbCalibration> calibration;  // absent unless asked for
   unsigned seed = 1;
-  bool stopped = false;  // by request; what was finished by then is here
+  Outcome outcome;  // stopped: the parts finished by then
 };
 
 /// Fits orthogonal and skewed thumbs to forces of a skewed one. Same request, same bits.
@@ -63,7 +64,7 @@ struct ThumbRecoveryRequest {
 struct ThumbRecoveryResult {
   ThumbRecovery recovery;   // from made-up data
   MeasuredLessons lessons;  // of published measurements
-  bool stopped = false;     // by request; what was finished by then is here
+  Outcome outcome;          // stopped: the parts finished by then
 };
 
 /// Finds a thumb again from made-up forces and muscle activity, by least squares and by chains, and
