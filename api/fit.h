@@ -80,11 +80,11 @@ struct FitResult {
 /// points are its own.
 void require_fit_path(const std::optional<Path>& path);
 
-/// A sentence where questions about the subject wrap by default and its fit does not; none
+/// Returns a sentence where questions about the subject wrap by default and its fit does not; none
 /// elsewhere.
 [[nodiscard]] std::vector<std::string> path_cautions(const FitInputs& inputs);
 
-/// The texts of the inputs. Without settings those that are built in for the digit.
+/// Returns the texts of the inputs. Without settings those that are built in for the digit.
 /// @throws InputError or DataError for a source that is not there or cannot be read.
 [[nodiscard]] FitInputs read_fit_inputs(const FitSources& sources);
 
@@ -92,16 +92,16 @@ void require_fit_path(const std::optional<Path>& path);
 /// @throws InputError or DataError as the readers and builders do.
 [[nodiscard]] FitResult fit_digit(const FitRequest& request, const Progress& progress = {});
 
-/// "posture", "tendon" or "specimen". @throws InputError naming these for anything else.
+/// Returns "posture", "tendon" or "specimen". @throws InputError naming these for anything else.
 [[nodiscard]] LeaveOut leave_out_named(const std::string& name);
 
-/// An experiment by its file or its name. @throws InputError with the places looked in.
+/// Returns an experiment by its file or its name. @throws InputError with the places looked in.
 [[nodiscard]] std::string experiment_file(const std::string& name_or_path, const std::string& data);
 
-/// The experiments of a fit as it was fitted to them, with predictive sds, in their order.
+/// Returns the experiments of a fit as it was fitted to them, with predictive sds, in their order.
 [[nodiscard]] std::vector<Prediction> predict_own(const Fit& fit);
 
-/// The digit with the fitted parameters of a specimen.
+/// Returns the digit with the fitted parameters of a specimen.
 /// @param specimen  index in fit.problem.specimens()
 [[nodiscard]] TendonDigit fitted_digit(const Fit& fit, int specimen);
 

@@ -85,7 +85,7 @@ struct GraspResult {
 /// Returns assumptions made about the hand of a result, and doubts about its grasp.
 [[nodiscard]] std::vector<std::string> grasp_warnings(const GraspResult& result);
 
-/// The world with the hand as the grasp left it.
+/// Returns the world with the hand as the grasp left it.
 /// @throws InputError if the hand did not reach the object.
 [[nodiscard]] WorldSpec grasped_world(const GraspResult& result);
 

@@ -43,7 +43,7 @@ struct Imported {
 /// mass for a surface that has no volume, an unknown material or unit.
 [[nodiscard]] Imported import_file(const ImportRequest& request);
 
-/// Endings of files that it can be written to: ".toml", ".urdf".
+/// Returns endings of files that it can be written to: ".toml", ".urdf".
 [[nodiscard]] std::vector<std::string> endings_for(const Imported& imported);
 
 /// Returns a sentence for each property that a file with the ending of `out` cannot store.

@@ -36,13 +36,14 @@ struct MeshFacts {
 /// them.
 [[nodiscard]] MeshFacts look_at_mesh(const MeshContent& content);
 
-/// "box of 120 m: are its numbers millimetres?", a sentence for each shape of an implausible size.
+/// Returns "box of 120 m: are its numbers millimetres?", a sentence for each shape of an
+/// implausible size.
 /// @param owner  in words: "object 'mug'"
 [[nodiscard]] std::vector<std::string> size_warnings(const std::vector<ShapeSpec>& shapes,
                                                      const std::string& owner);
 
-/// "object 'cone': 1466 g/cm3: is its mass in grams?", where a stated mass or density is beyond
-/// 0.01 .. 25 g/cm3 (aerogels and foams; osmium has 22.6); else nothing.
+/// Returns "object 'cone': 1466 g/cm3: is its mass in grams?", where a stated mass or density is
+/// beyond 0.01 .. 25 g/cm3 (aerogels and foams; osmium has 22.6); else nothing.
 [[nodiscard]] std::vector<std::string> density_warnings(const BodySpec& body,
                                                         const std::string& owner);
 

@@ -63,12 +63,12 @@ struct SubjectPoses {
 /// Poses of a subject or of a robot, depending on the request's model.
 using PoseAnswer = std::variant<SubjectPoses, RobotPoses>;
 
-/// Poses of a subject or a robot.
+/// Returns poses of a subject or a robot.
 /// @throws InputError for what is unknown, a subject without joints, and digits or frozen joints of
 /// a robot; DataError for a wrong file.
 [[nodiscard]] PoseAnswer ask_pose(const PoseRequest& request, const Progress& progress = {});
 
-/// One posture of a subject. @param q  (coordinates) [rad]
+/// Returns one posture of a subject. @param q  (coordinates) [rad]
 [[nodiscard]] SubjectPose pose_of(const Subject& subject, const Skeleton& skeleton,
                                   const Eigen::VectorXd& q);
 

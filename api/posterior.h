@@ -61,7 +61,8 @@ struct PosteriorResult {
 [[nodiscard]] std::optional<PosteriorResult> sample_fit(const SampleRequest& request,
                                                         const Progress& progress = {});
 
-/// The posterior of a file. @throws InputError if it is something else; DataError if it is damaged.
+/// Returns the posterior of a file. @throws InputError if it is something else; DataError if it is
+/// damaged.
 [[nodiscard]] PosteriorResult open_posterior(const std::string& path);
 
 struct PosteriorPredictRequest {

@@ -60,7 +60,7 @@ struct PredictResult {
 [[nodiscard]] Prediction beside_trivial_forces(Prediction prediction, const Experiment& experiment,
                                                const FitProblem& fitted, PredictedBy by);
 
-/// An experiment whose trials are to be predicted.
+/// Returns an experiment whose trials are to be predicted.
 /// @throws DataError as parse_experiment(); InputError if it has no trials.
 [[nodiscard]] Experiment read_trials(const SourceText& source);
 

@@ -66,7 +66,7 @@ inline constexpr std::size_t kPathLadder = 2, kHoodLadder = 3;
 void write_motion(const DigitMotionResult& motion, const std::string& path,
                   const RunRecord& run = {});
 
-/// "done", "stopped", "stuck", "no progress" or "energy does not balance".
+/// Returns "done", "stopped", "stuck", "no progress" or "energy does not balance".
 [[nodiscard]] std::string name_of(MotionStatus status);
 
 }  // namespace thenar

@@ -52,8 +52,8 @@ struct InferNetRequest {
   BandPosteriorOptions sets = {};       // with `free`
 };
 
-/// Globs on parameter names that a word of InferNetRequest::free stands for; the text itself where
-/// it is a glob. @throws InputError if it is neither.
+/// Returns globs on parameter names that a word of InferNetRequest::free stands for; the text
+/// itself where it is a glob. @throws InputError if it is neither.
 [[nodiscard]] std::vector<std::string> freed_by(const std::string& word);
 
 /// End nodes of a candidate band.

@@ -62,7 +62,7 @@ struct [[nodiscard]] TendonSweepResult {
 [[nodiscard]] TendonSweepResult sweep_tendons(const TendonRequest& request,
                                               const Progress& progress = {});
 
-/// Force of the tip along its own proximal, dorsal and radial directions [N] (3).
+/// Returns the force of the tip along its own proximal, dorsal and radial directions [N] (3).
 [[nodiscard]] Eigen::Vector3d force_in_tip_axes(const LoadedDigit& loaded, const DigitPoint& point);
 
 }  // namespace thenar

@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// "PIP3=30 deg", of the joints that vary.
+/// Returns "PIP3=30 deg", of the joints that vary.
 [[nodiscard]] std::string place_of(const LoadedDigit& loaded, const DigitPoint& point);
 
 /// Returns a warning about the force of a pinned tip; may be empty.

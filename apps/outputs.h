@@ -26,9 +26,10 @@ struct Outputs {
   bool json = false, csv = false;  // printed instead of text
   std::vector<std::string> files;  // of -o and --report
 
-  /// The files with one of these endings: ".h5". @returns them in the order they were given
+  /// Returns the files with one of these endings: ".h5". @returns them in the order they were given
   [[nodiscard]] std::vector<std::string> with_ending(const std::vector<std::string>& endings) const;
-  /// The only file with the ending; "" if there is none. @throws InputError if there are several.
+  /// Returns the only file with the ending; "" if there is none. @throws InputError if there are
+  /// several.
   [[nodiscard]] std::string one(const std::string& ending) const;
   [[nodiscard]] bool page() const { return !with_ending({".html"}).empty(); }
 };
@@ -52,7 +53,7 @@ void add_output_options(CLI::App& command, Outputs& outputs, const OutputKinds& 
 
 /// Tells outputs which run they are of: called once, when the program starts.
 void begin_run(int argc, char** argv);
-/// The run of this process, as files record it.
+/// Returns the run of this process, as files record it.
 [[nodiscard]] const RunRecord& this_run();
 /// Adds to the record of the run what was asked. @param request  of the question, in SI
 void set_request(const std::string& question, const OrderedJson& request);

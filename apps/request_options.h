@@ -21,10 +21,11 @@ namespace thenar {
 /// @param request  gets what is typed, by keys with printed units; lives as long as the command
 void add_request_options(CLI::App& command, const std::vector<Param>& params, Json& request);
 
-/// The error of a request, by the option of the field that it names: "sampler" for "method".
+/// Returns the error of a request, by the option of the field that it names: "sampler" for
+/// "method".
 [[nodiscard]] InputError option_error(const std::vector<Param>& params, const InputError& error);
 
-/// The request that is typed. @throws InputError by the option that is wrong
+/// Returns the request that is typed. @throws InputError by the option that is wrong
 template <typename Request>
 [[nodiscard]] Request read_typed(const RequestTable<Request>& table, const Json& typed) {
   try {
@@ -34,7 +35,7 @@ template <typename Request>
   }
 }
 
-/// The parameters but for those of these names.
+/// Returns the parameters but for those of these names.
 [[nodiscard]] std::vector<Param> without(std::vector<Param> params,
                                          const std::vector<std::string>& names);
 

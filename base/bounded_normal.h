@@ -4,7 +4,7 @@
 
 namespace thenar {
 
-/// Phi(z), with full relative accuracy in the lower tail.
+/// Returns Phi(z), with full relative accuracy in the lower tail.
 [[nodiscard]] double normal_probability(double z);
 
 /// The map z(x) with  F(z) = Phi(x),  F the distribution of a standard normal z within bounds:

@@ -19,8 +19,8 @@ struct CacheOptions {
 /// the library by itself caches nothing.
 void use_cache(const CacheOptions& options);
 
-/// The user's settings: the folder THENAR_CACHE, no cache if that is "off" or empty; otherwise
-/// $XDG_CACHE_HOME/thenar or ~/.cache/thenar. THENAR_CACHE_MB is the limit in megabytes.
+/// Returns the user's settings: the folder THENAR_CACHE, no cache if that is "off" or empty;
+/// otherwise $XDG_CACHE_HOME/thenar or ~/.cache/thenar. THENAR_CACHE_MB is the limit in megabytes.
 [[nodiscard]] CacheOptions cache_options_of_user();
 
 /// Finds the result for an input, if it is there and whole: its checksum is computed again.

@@ -19,8 +19,8 @@ class Error : public std::runtime_error {
   explicit Error(const std::string& what, std::string field = "")
       : std::runtime_error(what), field_(std::move(field)) {}
 
-  /// Name of the field in words joined by "_", as in "centre_of_mass". A command has an option of
-  /// that name, a server a parameter, Python a keyword.
+  /// Returns the name of the field in words joined by "_", as in "centre_of_mass". A command has an
+  /// option of that name, a server a parameter, Python a keyword.
   [[nodiscard]] const std::string& field() const { return field_; }
 
  private:

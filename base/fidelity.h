@@ -46,14 +46,14 @@ struct Fidelity {
   constexpr void set(ContactModel rung) { contact = rung; }
 };
 
-/// The least fidelity that serves both questions.
+/// Returns the least fidelity that serves both questions.
 [[nodiscard]] constexpr Fidelity operator|(const Fidelity& a, const Fidelity& b) {
   return Fidelity(std::max(a.motion, b.motion), std::max(a.joint, b.joint),
                   std::max(a.path, b.path), std::max(a.hood, b.hood), std::max(a.muscle, b.muscle),
                   std::max(a.contact, b.contact));
 }
 
-/// One line for reports: "static, hinge, via points, fixed fractions, bounds, none".
+/// Returns one line for reports: "static, hinge, via points, fixed fractions, bounds, none".
 [[nodiscard]] std::string describe(const Fidelity& fidelity);
 
 /// One rung in words.
@@ -63,7 +63,7 @@ struct RungWords {
   std::string assumes;  // "inertia and damping do not matter"
 };
 
-/// The rung of every ladder, with what it assumes.
+/// Returns the rung of every ladder, with what it assumes.
 [[nodiscard]] std::vector<RungWords> explain(const Fidelity& fidelity);
 
 /// Throws InputError naming the first ladder on which `have` stands below `need`.

@@ -20,9 +20,9 @@ class InsideFolder {
   InsideFolder(const InsideFolder&) = delete;
   InsideFolder& operator=(const InsideFolder&) = delete;
 
-  /// Its own path, absolute and without links.
+  /// Returns its own path, absolute and without links.
   [[nodiscard]] const std::string& path() const { return path_; }
-  /// The path of a name, absolute and without links. @throws InputError as outside_path()
+  /// Returns the path of a name, absolute and without links. @throws InputError as outside_path()
   [[nodiscard]] std::string path_of(const std::string& name) const;
   /// @throws InputError for a name that is none, or one behind a link
   [[nodiscard]] Entry entry(const std::string& name) const;

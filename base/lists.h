@@ -17,14 +17,14 @@ template <typename List, typename Value>
   return std::find(std::begin(list), std::end(list), value) != std::end(list);
 }
 
-/// Index of the first entry with a value; -1: there is none.
+/// Returns the index of the first entry with a value; -1: there is none.
 template <typename List, typename Value>
 [[nodiscard]] int place_in(const List& list, const Value& value) {
   const auto found = std::find(std::begin(list), std::end(list), value);
   return found == std::end(list) ? -1 : static_cast<int>(found - std::begin(list));
 }
 
-/// The first entry whose member `name` is this; null: there is none.
+/// Returns the first entry whose member `name` is this; null: there is none.
 template <typename List>
 [[nodiscard]] auto* find_named(List& list, const std::string& name) {
   const auto found = std::find_if(std::begin(list), std::end(list),
@@ -32,7 +32,7 @@ template <typename List>
   return found == std::end(list) ? nullptr : &*found;
 }
 
-/// Index in a vector of the first entry whose member `name` is this; -1: there is none.
+/// Returns the index in a vector of the first entry whose member `name` is this; -1: there is none.
 template <typename Entry>
 [[nodiscard]] int place_named(const std::vector<Entry>& list, const std::string& name) {
   const Entry* found = find_named(list, name);
@@ -60,7 +60,7 @@ template <typename List, typename Make>
   return made;
 }
 
-/// Keys of a map, in its order.
+/// Returns keys of a map, in its order.
 template <typename Map>
 [[nodiscard]] std::vector<typename Map::key_type> map_keys(const Map& map) {
   return transformed(map, [](const auto& each) { return each.first; });

@@ -7,7 +7,7 @@
 
 namespace thenar {
 
-/// ", did you mean 'x'?" with the nearest name, or ";" if nothing is alike.
+/// Returns ", did you mean 'x'?" with the nearest name, or ";" if nothing is alike.
 [[nodiscard]] std::string hint_before_list(const std::string& wanted,
                                            const std::vector<std::string>& names);
 

@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// Least number of letters inserted, deleted or replaced that turns `a` into `b`.
+/// Returns the least number of letters inserted, deleted or replaced that turns `a` into `b`.
 [[nodiscard]] int edit_distance(const std::string& a, const std::string& b);
 
 /// Returns the name most similar to `wanted`; empty if `names` is, or if more than half of the
@@ -16,11 +16,11 @@ namespace thenar {
 [[nodiscard]] std::string nearest_name(const std::string& wanted,
                                        const std::vector<std::string>& names);
 
-/// ", did you mean 'x'?" with the nearest name, or "" if nothing is alike.
+/// Returns ", did you mean 'x'?" with the nearest name, or "" if nothing is alike.
 [[nodiscard]] std::string did_you_mean(const std::string& wanted,
                                        const std::vector<std::string>& names);
 
-/// "a, b, c", or "none".
+/// Returns "a, b, c", or "none".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
 /// Returns the position of `name` in `names`, or of the only one that has it as a field_name().

@@ -19,15 +19,16 @@ enum class OutsideUse {
 /// Most bytes of a path from outside.
 inline constexpr std::size_t kLongestOutsidePath = 4000;
 
-/// The fault of a text, as "a control character at byte 3"; nothing if it may be taken.
+/// Returns the fault of a text, as "a control character at byte 3"; nothing if it may be taken.
 [[nodiscard]] std::optional<std::string> outside_fault(const std::string& text, OutsideUse use);
 
-/// The text as a path, "a/b" of kInside for "./a//b". It is this string that is to be looked at and
-/// opened.
+/// Returns the text as a path, "a/b" of kInside for "./a//b". It is this string that is to be
+/// looked at and opened.
 /// @throws InputError with the fault
 [[nodiscard]] std::string outside_path(const std::string& text, OutsideUse use);
 
-/// The path of a file that a file in `folder` names: beside it, or where an absolute name leads.
+/// Returns the path of a file that a file in `folder` names: beside it, or where an absolute name
+/// leads.
 /// @throws InputError with the fault of the name, or if it leads out of a LinkFence
 [[nodiscard]] std::string linked_path(const std::string& folder, const std::string& name);
 

@@ -34,7 +34,7 @@ class Pace {
   Mark last_;
 };
 
-/// "40 s", "3 min" or "2 h": to a step that an estimate deserves.
+/// Returns "40 s", "3 min" or "2 h": to a step that an estimate deserves.
 [[nodiscard]] std::string rough_time(double seconds);
 
 }  // namespace thenar

@@ -21,7 +21,7 @@ class ProgressParts {
   /// @param seconds  that all parts take, roughly [s]
   ProgressParts(Progress whole, double seconds);
 
-  /// The next part: its 0 .. 1 is its share of the whole.
+  /// Returns the next part: its 0 .. 1 is its share of the whole.
   /// @param seconds  that it takes, roughly [s]
   [[nodiscard]] Progress next(double seconds);
 

@@ -7,7 +7,7 @@
 
 namespace thenar {
 
-/// The block cipher Philox4x32-10: 128 random bits for every counter and key.
+/// Returns the block cipher Philox4x32-10: 128 random bits for every counter and key.
 /// Source: [Salmon2011].
 [[nodiscard]] std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                                   std::array<std::uint32_t, 2> key);

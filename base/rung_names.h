@@ -22,22 +22,22 @@ inline constexpr std::array kMuscleNames{EnumName{Muscle::kBounds, "bounds"},
                                          EnumName{Muscle::kRigidTendon, "rigid-tendon"},
                                          EnumName{Muscle::kElasticTendon, "elastic-tendon"}};
 
-/// "via", "fitted", "wrapped".
+/// Returns "via", "fitted", "wrapped".
 [[nodiscard]] std::vector<std::string> path_names();
 /// @throws InputError with the nearest name and all others, as hood_named() and muscle_named().
 [[nodiscard]] Path path_named(const std::string& name);
-/// "via", "fitted", "wrapped"; "none" and "constant" of rungs that nobody asks for.
+/// Returns "via", "fitted", "wrapped"; "none" and "constant" of rungs that nobody asks for.
 [[nodiscard]] std::string name_of(Path path);
 /// Returns the record of the requested paths in a result: the name of the rung, or kSubjectsPaths
 /// if subjects decide.
 [[nodiscard]] std::string asked_paths(const std::optional<Path>& asked);
 inline constexpr const char* kSubjectsPaths = "wrapped where surfaces are stated";
 
-/// "separate", "fractions", "net".
+/// Returns "separate", "fractions", "net".
 [[nodiscard]] std::vector<std::string> hood_names();
 [[nodiscard]] Hood hood_named(const std::string& name);
 
-/// "bounds", "rigid-tendon", "elastic-tendon".
+/// Returns "bounds", "rigid-tendon", "elastic-tendon".
 [[nodiscard]] Muscle muscle_named(const std::string& name);
 
 }  // namespace thenar

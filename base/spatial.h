@@ -29,7 +29,7 @@ struct Pose {
   [[nodiscard]] Pose inverse() const { return {R.transpose(), -(R.transpose() * p)}; }
 };
 
-/// Rodrigues' formula  R = I + sin(a) [d] + (1 - cos(a)) [d]^2.
+/// Returns the Rodrigues' formula  R = I + sin(a) [d] + (1 - cos(a)) [d]^2.
 /// @param d  unit axis (3);  @param a  angle [rad]
 template <typename T>
 [[nodiscard]] Mat3<T> rotation_about(const Vec3<T>& d, const T& a) {
@@ -44,7 +44,8 @@ template <typename T>
   return R;
 }
 
-/// The motion of a hinge: turns by `a` about the axis of unit direction `d` through `point`.
+/// Returns the motion of a hinge: turns by `a` about the axis of unit direction `d` through
+/// `point`.
 template <typename T>
 [[nodiscard]] Pose<T> screw_motion(const Vec3<T>& d, const Vec3<T>& point, const T& a) {
   const Mat3<T> R = rotation_about(d, a);
@@ -63,7 +64,7 @@ struct Wrench {
   }
 };
 
-/// Wrench about the origin of a force at a point.
+/// Returns the wrench about the origin of a force at a point.
 /// @param p  point [m] (3);  @param f  force [N] (3)
 [[nodiscard]] inline Wrench wrench_of_force(const Eigen::Vector3d& p, const Eigen::Vector3d& f) {
   return {p.cross(f), f};

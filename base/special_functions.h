@@ -11,7 +11,7 @@ inline constexpr double kNormal95HalfWidth = 1.959963984540054;
 /// z with P(Z <= z) = p, Z standard normal; -inf at 0, inf at 1, NaN beyond.
 [[nodiscard]] double normal_quantile(double p);
 
-/// P(X > x), X chi-square with `dof` degrees of freedom.
+/// Returns P(X > x), X chi-square with `dof` degrees of freedom.
 [[nodiscard]] double chi_square_tail(double x, double dof);
 
 /// x with P(X <= x) = p, X ~ Beta(a, b), to the last bits by bisection. @param p  in (0, 1)

@@ -6,7 +6,7 @@
 
 namespace thenar {
 
-/// Processor time that the calling thread has taken [s]. Differences count.
+/// Returns the processor time that the calling thread has taken [s]. Differences count.
 [[nodiscard]] inline double thread_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

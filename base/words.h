@@ -8,13 +8,13 @@
 
 namespace thenar {
 
-/// "1 thing", "2 things".
+/// Returns "1 thing", "2 things".
 [[nodiscard]] std::string counted(std::size_t count, const std::string& thing);
 
-/// "a, b and 3 more": at most so many names, the others counted.
+/// Returns "a, b and 3 more": at most so many names, the others counted.
 [[nodiscard]] std::string some_of(const std::vector<std::string>& names, std::size_t named = 4);
 
-/// "joint 'a'", "joints 'a', 'b' and 3 more".
+/// Returns "joint 'a'", "joints 'a', 'b' and 3 more".
 [[nodiscard]] std::string these(const std::string& what, const std::vector<std::string>& names);
 
 }  // namespace thenar

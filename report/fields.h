@@ -78,7 +78,7 @@ enum class UnitSystem {
   kPrinted  // what people read
 };
 
-/// A key with its unit: "tip_force_N".
+/// Returns a key with its unit: "tip_force_N".
 [[nodiscard]] std::string key_with(const std::string& key, const FieldUnit& unit,
                                    UnitSystem system);
 
@@ -135,23 +135,23 @@ class Fields {
   std::vector<Field> fields_;
 };
 
-/// Parts made of some items. @param make  the fields of one of them
+/// Returns parts made of some items. @param make  the fields of one of them
 template <typename Items, typename Make>
 [[nodiscard]] std::vector<Fields> fields_of_each(const Items& items, const Make& make) {
   return transformed(items, make);
 }
 
-/// A value in another unit than SI, numbers that are not finite as null.
+/// Returns a value in another unit than SI, numbers that are not finite as null.
 [[nodiscard]] OrderedJson value_in(const OrderedJson& si, const FieldUnit& unit, UnitSystem system);
 
-/// The fields as an object, the unit in each key; numbers that are not finite are null. In SI
-/// processor times are left out, so that the same request gives the same text.
+/// Returns the fields as an object, the unit in each key; numbers that are not finite are null. In
+/// SI processor times are left out, so that the same request gives the same text.
 [[nodiscard]] OrderedJson json_of(const Fields& fields, UnitSystem system);
 
-/// An object of one result, a list of such of several.
+/// Returns an object of one result, a list of such of several.
 [[nodiscard]] OrderedJson json_of(const std::vector<Fields>& results, UnitSystem system);
 
-/// JSON of any result that has fields, in printed units.
+/// Returns fields: JSON of any result that has fields, in printed units.
 template <typename Result>
 [[nodiscard]] auto json_of(const Result& result)
     -> decltype(json_of(fields_of(result), UnitSystem::kPrinted)) {

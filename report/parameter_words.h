@@ -8,11 +8,11 @@
 
 namespace thenar {
 
-/// A joint as people call it: "DIP" of DIP3, "MCP flexion" of MCP3_FE, "CMC abduction" of CMC1_AA;
-/// a name of another form stays as it is.
+/// Returns a joint as people call it: "DIP" of DIP3, "MCP flexion" of MCP3_FE, "CMC abduction" of
+/// CMC1_AA; a name of another form stays as it is.
 [[nodiscard]] std::string joint_words(const std::string& joint);
 
-/// A parameter, a coordinate of a fit or a quantity of a posterior in plain words:
+/// Returns a parameter, a coordinate of a fit or a quantity of a posterior in plain words:
 ///   "path/FDP/1/dorsal"         "FDP, path point 1: shift dorsally"
 ///   "angle/PIP3/Hook"           "goniometer error at PIP in posture Hook"
 ///   "H01: noise/synek2019_H01"  "H01: noise of synek2019_H01 over the stated noise"

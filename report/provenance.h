@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// The hash of every file by its path, and the versions of all that computed.
+/// Returns the hash of every file by its path, and the versions of all that computed.
 [[nodiscard]] nlohmann::json provenance_json(const FileDigests& files);
 /// Returns the hash of every source by its path, and the versions of all programs that computed.
 [[nodiscard]] nlohmann::json provenance_json(const std::vector<SourceText>& sources);

@@ -23,15 +23,15 @@ struct SweepAxes {
   [[nodiscard]] bool single() const { return names.empty(); }
 };
 
-/// The joints of a grid that vary. @param done  postures that have an answer
+/// Returns the joints of a grid that vary. @param done  postures that have an answer
 [[nodiscard]] SweepAxes axes_of(const PostureGrid& grid, const std::vector<std::string>& joints,
                                 std::size_t done);
 
-/// "PIP3_deg" of each that varies.
+/// Returns "PIP3_deg" of each that varies.
 [[nodiscard]] std::vector<std::string> header_of(const SweepAxes& axes);
-/// Their values at a row as cells.
+/// Returns their values at a row as cells.
 [[nodiscard]] std::vector<std::string> cells_of(const SweepAxes& axes, std::size_t row);
-/// "PIP3 = 30 deg, DIP3 = 10 deg"; "" of an answer of one row.
+/// Returns "PIP3 = 30 deg, DIP3 = 10 deg"; "" of an answer of one row.
 [[nodiscard]] std::string title_of(const SweepAxes& axes, std::size_t row);
 
 /// One quantity over all rows; NaN where there is none.
@@ -40,12 +40,12 @@ struct Curve {
   Eigen::VectorXd y;  // (rows)
 };
 
-/// A chart of curves over what varies fastest, a family of them where two vary. Values below 1e-9
-/// are 0.
+/// Returns a chart of curves over what varies fastest, a family of them where two vary. Values
+/// below 1e-9 are 0.
 [[nodiscard]] Json curve_chart(const SweepAxes& axes, const std::string& caption,
                                const std::string& y_label, const std::vector<Curve>& curves);
 
-/// Rows to draw, evenly spread, the first and the last among them.
+/// Returns rows to draw, evenly spread, the first and the last among them.
 [[nodiscard]] std::vector<std::size_t> drawn_rows(std::size_t count, std::size_t most);
 
 }  // namespace thenar

@@ -19,23 +19,23 @@ struct Table {
   void add_parts(const std::vector<std::vector<std::string>>& parts);
 };
 
-/// The table with columns two blanks apart; columns of numbers are flush right.
+/// Returns the table with columns two blanks apart; columns of numbers are flush right.
 [[nodiscard]] std::string aligned(const Table& table);
 
-/// aligned() with a title above and an empty line below; "" if there are no rows.
+/// Returns aligned() with a title above and an empty line below; "" if there are no rows.
 [[nodiscard]] std::string titled(const std::string& title, const Table& table);
 
-/// The table as CSV: commas, one line a row, cells with commas, quotes or line ends in quotes.
-/// Source: RFC 4180, but for line ends, which are LF.
+/// Returns the table as CSV: commas, one line a row, cells with commas, quotes or line ends in
+/// quotes. Source: RFC 4180, but for line ends, which are LF.
 [[nodiscard]] std::string csv(const Table& table);
 
-/// A number with so many decimals: never "-0.00"; "inf" where infinite.
+/// Returns a number with so many decimals: never "-0.00"; "inf" where infinite.
 [[nodiscard]] std::string shown(double value, int decimals);
 
-/// A number with four significant digits, for columns that mix sizes.
+/// Returns a number with four significant digits, for columns that mix sizes.
 [[nodiscard]] std::string shown(double value);
 
-/// Numbers of a vector as cells.
+/// Returns numbers of a vector as cells.
 template <typename Vector>
 [[nodiscard]] std::vector<std::string> cells(const Vector& values, int decimals) {
   std::vector<std::string> result;
@@ -45,16 +45,16 @@ template <typename Vector>
   return result;
 }
 
-/// The entry of a list at an index of Eigen: names beside numbers.
+/// Returns the entry of a list at an index of Eigen: names beside numbers.
 template <typename List, typename Index>
 [[nodiscard]] auto& nth(List&& list, Index i) {
   return list[static_cast<std::size_t>(i)];
 }
 
-/// A row put together from lists of cells.
+/// Returns a row put together from lists of cells.
 [[nodiscard]] std::vector<std::string> row(const std::vector<std::vector<std::string>>& parts);
 
-/// The text, or "-" where there is none.
+/// Returns the text, or "-" where there is none.
 [[nodiscard]] inline std::string or_dash(const std::string& text) {
   return text.empty() ? "-" : text;
 }

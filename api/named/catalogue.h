@@ -30,7 +30,7 @@ struct Catalogue {
   std::vector<std::string> warnings;  // files that cannot be read
 };
 
-/// "subjects", "experiments" .. "muscles": what a request may ask for.
+/// Returns "subjects", "experiments" .. "muscles": what a request may ask for.
 [[nodiscard]] std::vector<std::string> catalogue_words();
 
 /// Names in alphabetic order within each kind; where several data folders have one, the first.

@@ -28,7 +28,7 @@ struct DigitResult {
   std::shared_ptr<const DigitTendons> tendons;  // for pictures; null for a map
   std::vector<SourceText> sources;              // of the subject
 
-  /// One posture, or a map: an answer and no table of answers.
+  /// Returns one posture, or a map: an answer and no table of answers.
   [[nodiscard]] bool single() const { return grid.varied.empty(); }
 };
 
@@ -58,7 +58,7 @@ template <typename Point>
 void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fail,
                   const Progress& progress);
 
-/// "PIP3=30 DIP3=10 deg": angles of the joints that vary.
+/// Returns "PIP3=30 DIP3=10 deg": angles of the joints that vary.
 [[nodiscard]] std::string varied_angles(const std::vector<std::string>& joints,
                                         const PostureGrid& grid, const Eigen::VectorXd& q);
 

@@ -78,7 +78,7 @@ struct DigitAtPosture {
 /// @throws InputError or DataError saying what is unknown or missing.
 [[nodiscard]] DigitCase build_digit(const DigitRequest& request, Hood default_hood);
 
-/// The balance of linear tendons at a posture of the case, or of its map.
+/// Returns the balance of linear tendons at a posture of the case, or of its map.
 /// @param q  [rad] (coordinates); empty for a map
 /// @throws InputError if tendon paths are not to be trusted there, or if the hood is a net.
 [[nodiscard]] DigitAtPosture digit_at(const DigitCase& at, const Eigen::VectorXd& q);
@@ -87,20 +87,20 @@ struct DigitAtPosture {
 /// that, so that more is a slip of units.
 inline constexpr double kMaxTension = 1e4;  // [N]
 
-/// Tension of each muscle [N] (muscles), zero where it is not named.
+/// Returns the tension of each muscle [N] (muscles), zero where it is not named.
 /// @throws InputError for an unknown muscle, a negative tension, or one above kMaxTension.
 [[nodiscard]] Eigen::VectorXd tensions(const DigitCase& at,
                                        const std::map<std::string, double>& named);
 
-/// A subject by the path of its file or by its name, with its text.
+/// Returns a subject by the path of its file or by its name, with its text.
 /// @throws InputError with the places looked in and the nearest name; DataError if it is wrong.
 [[nodiscard]] SourceText subject_source(const std::string& name_or_path, const std::string& data);
 
-/// The name itself if the subject has such a digit, the only digit if the name is empty.
+/// Returns the name itself if the subject has such a digit, the only digit if the name is empty.
 /// @throws InputError listing the digits there are.
 [[nodiscard]] std::string choose_digit(const Subject& subject, const std::string& asked);
 
-/// "FDP", "FDS": muscles whose largest force the subject does not say.
+/// Returns "FDP", "FDS": muscles whose largest force the subject does not say.
 [[nodiscard]] std::vector<std::string> unlimited_muscles(const TipStatics& statics);
 
 /// Returns warnings about moment arms that collapse at this posture, see vanishing_arms(), with
@@ -109,30 +109,32 @@ inline constexpr double kMaxTension = 1e4;  // [N]
 [[nodiscard]] std::vector<std::string> collapse_warnings(const DigitTendons& linear,
                                                          const Eigen::VectorXd& q);
 
-/// Arms of the wrong sign, see reversed_arms(): at how many of the postures, and at the first of
-/// them.
+/// Returns arms of the wrong sign, see reversed_arms(): at how many of the postures, and at the
+/// first of them.
 /// @param linear  tendons of the digit without a net
 [[nodiscard]] std::vector<std::string> reversal_warnings(const DigitTendons& linear,
                                                          const PostureGrid& grid);
 
-/// Muscles that are to pull more than the subject says they can.
+/// Returns muscles that are to pull more than the subject says they can.
 /// @param t  tension of each muscle [N] (muscles)
 [[nodiscard]] std::vector<std::string> overload_warnings(const std::vector<std::string>& muscles,
                                                          const Eigen::VectorXd& max_tension,
                                                          const Eigen::VectorXd& t);
 
-/// "chao_an", "dogadov2017", "extensor_hood", "winslow": nets that the library carries along.
+/// Returns "chao_an", "dogadov2017", "extensor_hood", "winslow": nets that the library carries
+/// along.
 [[nodiscard]] std::vector<std::string> known_nets();
 
-/// The text of a net by one of these names, or by the path of its file; that path is returned with
-/// it, or "NAME.toml". @throws InputError listing the names; DataError if the file cannot be read.
+/// Returns the text of a net by one of these names, or by the path of its file; that path is
+/// returned with it, or "NAME.toml". @throws InputError listing the names; DataError if the file
+/// cannot be read.
 [[nodiscard]] SourceText net_source(const std::string& name_or_path);
 
-/// A net by the same. @throws as well DataError if the file is wrong.
+/// Returns a net by the same. @throws as well DataError if the file is wrong.
 [[nodiscard]] NetDescription find_net(const std::string& name_or_path);
 
-/// The net that a hood and a net, absent or empty where not given, mean together: a named net means
-/// a hood that is a net; such a hood alone means "extensor_hood". Empty: no net.
+/// Returns the net that a hood and a net, absent or empty where not given, mean together: a named
+/// net means a hood that is a net; such a hood alone means "extensor_hood". Empty: no net.
 /// @throws InputError if a net is named for a hood that is none.
 [[nodiscard]] std::string net_meant(const std::optional<Hood>& hood, const std::string& net);
 

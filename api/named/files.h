@@ -10,11 +10,11 @@
 
 namespace thenar {
 
-/// A data file as text with its path. @throws DataError if it cannot be read.
+/// Returns a data file as text with its path. @throws DataError if it cannot be read.
 [[nodiscard]] SourceText read_source(const std::string& path);
 
-/// A sentence if damage of a binary result could not be noticed: files of older versions have no
-/// checksum. Empty for all others.
+/// Returns a sentence if damage of a binary result could not be noticed: files of older versions
+/// have no checksum. Empty for all others.
 [[nodiscard]] std::vector<std::string> checksum_warnings(const std::string& path);
 
 /// Refuses to write a result over anything that is not a result, and where no file can be made.

@@ -37,7 +37,7 @@ struct HandSource {
   PassiveMoments passive = PassiveMoments::kOn;  // of its joints
 };
 
-/// The hand called
+/// Returns the hand called
 ///   "human:orthogonal", "human:skewed", "human:soft", "human:tendons"
 ///                            a version of default_human(); "human" is "human:tendons"
 ///   "FILE.toml:skewed" ..    the same of a subject file; without a version it is "skewed", which
@@ -60,15 +60,16 @@ struct HandSource {
                                      const std::vector<std::string>& places,
                                      const HumanHandOptions& options = {});
 
-/// The name of a hand, with an old name of its version replaced: "human:tier4:via" becomes
+/// Returns the name of a hand, with an old name of its version replaced: "human:tier4:via" becomes
 /// "human:tendons:via". Other names stay as they are.
 [[nodiscard]] std::string current_hand_name(const std::string& name);
 
-/// The end of a name that says which version of a human hand is meant, and which tendon paths:
+/// Returns the end of a name that says which version of a human hand is meant, and which tendon
+/// paths:
 /// ":tendons:via"; "" if it says none.
 [[nodiscard]] std::string version_of_hand(const std::string& name);
 
-/// The file of the robot of that name, PLACE/robots/NAME.toml; "" if there is none.
+/// Returns the file of the robot of that name, PLACE/robots/NAME.toml; "" if there is none.
 [[nodiscard]] std::string robot_file(const std::string& name,
                                      const std::vector<std::string>& places);
 

@@ -30,7 +30,7 @@ struct NamedPad {
 /// files.
 [[nodiscard]] NamedPad open_pad(const PadRequest& request);
 
-/// One sentence on what nobody measured of a pad; "" if all of it is measured.
+/// Returns one sentence on what nobody measured of a pad; "" if all of it is measured.
 [[nodiscard]] std::string assumption_of(const PadSpec& spec);
 
 }  // namespace thenar

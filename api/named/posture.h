@@ -47,35 +47,36 @@ struct PostureGrid {
 /// Most postures of one question.
 inline constexpr std::size_t kMaxPostures = 1000000;
 
-/// The values of one that varies, in its own unit: the end is met where rounding alone would miss
-/// it.
+/// Returns the values of one that varies, in its own unit: the end is met where rounding alone
+/// would miss it.
 /// @param unit  how messages call the unit: " deg"
 /// @throws InputError if steps do not lead from one end to the other, or are more than kMaxPostures
 [[nodiscard]] std::vector<double> steps_of(const Vary& vary, const std::string& unit);
 
-/// Numbers in the order of `names`, zero where not given (names).
+/// Returns numbers in the order of `names`, zero where not given (names).
 /// @param kind  how messages call a name: "muscle"
 /// @throws InputError for a name that is not among `names`, with the nearest one and all others.
 [[nodiscard]] Eigen::VectorXd in_order(const std::map<std::string, double>& named,
                                        const std::vector<std::string>& names,
                                        const std::string& kind);
 
-/// Coordinates of a skeleton [rad] (coordinates).
+/// Returns coordinates of a skeleton [rad] (coordinates).
 /// @throws InputError for an unknown joint or a wrong count.
 [[nodiscard]] Eigen::VectorXd posture_of(const Skeleton& skeleton, const PostureRequest& request);
 
-/// The posture and all that differ from it in the joints that vary; `varied` joints override it.
+/// Returns the posture and all that differ from it in the joints that vary; `varied` joints
+/// override it.
 /// @throws InputError for an unknown joint, one that varies twice, steps that do not lead to the
 /// end, or more than a million postures.
 [[nodiscard]] PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request,
                                        const std::vector<Vary>& vary = {});
 
-/// "joint 'PIP3' at 120 deg is outside -10 .. 110 deg", a sentence for each.
+/// Returns "joint 'PIP3' at 120 deg is outside -10 .. 110 deg", a sentence for each.
 /// @param q  [rad] (coordinates)
 [[nodiscard]] std::vector<std::string> limit_warnings(const Skeleton& skeleton,
                                                       const Eigen::VectorXd& q);
 
-/// Angles at which joints are frozen, by name [rad].
+/// Returns angles at which joints are frozen, by name [rad].
 /// @throws InputError for an unknown joint or an angle outside its limits.
 [[nodiscard]] std::map<std::string, double> frozen_joints(const Subject& subject,
                                                           const PostureRequest& request);

@@ -11,8 +11,8 @@ namespace thenar {
 /// "" if the system does not tell that place.
 [[nodiscard]] std::string installed_data();
 
-/// The folders of what comes with thenar: installed with the program, and in the sources that it
-/// was built from.
+/// Returns the folders of what comes with thenar: installed with the program, and in the sources
+/// that it was built from.
 [[nodiscard]] std::vector<std::string> shipped_data();
 
 }  // namespace thenar

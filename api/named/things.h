@@ -41,11 +41,12 @@ struct ThingKind {
   std::string ending;  // ".toml"
 };
 
-/// Subjects, experiments, worlds, scenes, hands, objects, pads, nets, contacts, settings and
-/// proportions.
+/// Returns subjects, experiments, worlds, scenes, hands, objects, pads, nets, contacts, settings
+/// and proportions.
 [[nodiscard]] const std::vector<ThingKind>& thing_kinds();
 
-/// A file as it is; else the file of that name among all kinds, in the order of thing_kinds().
+/// Returns a file as it is; else the file of that name among all kinds, in the order of
+/// thing_kinds().
 /// @param data  folder with subjects/ ..; empty: the usual ones
 /// @throws InputError with the nearest name if there is neither.
 [[nodiscard]] std::string named_thing(const std::string& name_or_path, const std::string& data);

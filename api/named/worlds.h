@@ -53,8 +53,8 @@ struct WorldCase {
 [[nodiscard]] WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
                                    const Progress& progress = {});
 
-/// The file of a world that is named. @throws InputError if there is none, or it is no world of
-/// ours
+/// Returns the file of a world that is named. @throws InputError if there is none, or it is no
+/// world of ours
 [[nodiscard]] std::string world_file(const WorldRequest& request);
 
 /// Returns true if the world has the hand that is named. @throws as open_world()
@@ -75,25 +75,25 @@ struct WorldCase {
                                       const std::string& path, const std::vector<std::string>& data,
                                       const HumanHandOptions& human = {});
 
-/// A hand that hand_of_world() built before, as another world has it whose hands of these names are
-/// the same: nothing is built again.
+/// Returns a hand that hand_of_world() built before, as another world has it whose hands of these
+/// names are the same: nothing is built again.
 /// @throws InputError as hand_of_world()
 [[nodiscard]] WorldHand hand_as_in(const WorldSpec& world, const std::string& name,
                                    const std::string& path, const std::vector<std::string>& data,
                                    WorldHand built);
 
-/// "no material is stated of body 'mug': plastic is taken", a sentence for each such body.
+/// Returns "no material is stated of body 'mug': plastic is taken", a sentence for each such body.
 [[nodiscard]] std::vector<std::string> bare_body_warnings(const WorldSpec& world);
 
-/// data_folders() for a world read from `folder`: beside worlds/ there may be robots/.
+/// Returns data_folders() for a world read from `folder`: beside worlds/ there may be robots/.
 [[nodiscard]] std::vector<std::string> data_for(const std::string& folder,
                                                 const std::string& given);
 
-/// The world with the hand where it is found, in its posture.
+/// Returns the world with the hand where it is found, in its posture.
 [[nodiscard]] WorldSpec with_hand_at(WorldSpec world, const WorldHand& hand,
                                      const Pose<double>& X_WH, const Eigen::VectorXd& q);
 
-/// The world with the files that it names as seen from another folder.
+/// Returns the world with the files that it names as seen from another folder.
 [[nodiscard]] WorldSpec seen_from_folder(WorldSpec world, const std::string& folder);
 
 /// Writes a world so that what its files are relative to is the folder of `path`.

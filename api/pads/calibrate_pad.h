@@ -58,7 +58,7 @@ struct [[nodiscard]] PadLaws {
 /// counts are positive.
 [[nodiscard]] PadLaws calibrate_pad(const PadLawsRequest& request, const Progress& progress = {});
 
-/// The laws as a data file for this pad, with its name and digest.
+/// Returns the laws as a data file for this pad, with its name and digest.
 /// @throws InputError if there are none.
 [[nodiscard]] std::string pad_laws_text(const PadLaws& found);
 

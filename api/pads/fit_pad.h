@@ -51,8 +51,8 @@ struct [[nodiscard]] FittedPad {
 /// or there are too few or too many points.
 [[nodiscard]] FittedPad fit_pad(const PadFitRequest& request, const Progress& progress = {});
 
-/// The fitted pad as a data file: its head says what was found, its name is that of the file. A
-/// mesh of the skin is named as it is seen from there.
+/// Returns the fitted pad as a data file: its head says what was found, its name is that of the
+/// file. A mesh of the skin is named as it is seen from there.
 /// @param path  where the text is to be written
 /// @throws InputError if there is no estimate.
 [[nodiscard]] std::string fitted_pad_text(const FittedPad& fitted, const std::string& path);

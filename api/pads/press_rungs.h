@@ -42,7 +42,8 @@ struct PressRung {
 [[nodiscard]] std::vector<PressRung> compare_rungs(const PressResult& pressed,
                                                    const Progress& progress = {});
 
-/// A warning where the laws that compare_rungs() takes were fitted to another version of the pad;
+/// Returns a warning where the laws that compare_rungs() takes were fitted to another version of
+/// the pad;
 /// "" if they fit, or there are none.
 [[nodiscard]] std::string doubt_of_laws(const PressResult& pressed);
 

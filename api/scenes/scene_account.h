@@ -12,16 +12,16 @@
 
 namespace thenar {
 
-/// "0.075 mJ lost to nothing by 0.4 s, 0.095 % of 78.6 mJ total energy exchanged"
+/// Returns "0.075 mJ lost to nothing by 0.4 s, 0.095 % of 78.6 mJ total energy exchanged"
 [[nodiscard]] std::string energy_error_words(const FlowBalance& balance);
 
-/// "11.9 deg", "40 mm"
+/// Returns "11.9 deg", "40 mm"
 [[nodiscard]] std::string beyond_words(const PassedLimit& limit);
 
-/// Joints of a run that went beyond their limits.
+/// Returns joints of a run that went beyond their limits.
 [[nodiscard]] std::vector<PassedLimit> limits_passed(const SceneResult& scene);
 
-/// The largest restitution that a scene states and that its method leaves out [1]; 0: none.
+/// Returns the largest restitution that a scene states and that its method leaves out [1]; 0: none.
 [[nodiscard]] double restitution_ignored(const SceneResult& scene);
 
 /// Returns warnings about a run, one sentence each.

@@ -50,7 +50,7 @@ class SceneBuilder {
   /// Sets the friction and the restitution of all pairs that have none of their own.
   void set_contact(double friction, double restitution = 0);
 
-  /// The scene so far; forces, drives, muscles and options may be added to it.
+  /// Returns the scene so far; forces, drives, muscles and options may be added to it.
   [[nodiscard]] SceneSpec& spec() { return spec_; }
   [[nodiscard]] const SceneSpec& spec() const { return spec_; }
 

@@ -50,7 +50,7 @@ struct OpeningRequest {
 /// comes back, where it can be kept nowhere; null also where no token is wanted.
 [[nodiscard]] std::unique_ptr<TokenFile> keep_token(const ServerAccess& access, int port);
 
-/// An engine that has opened all that was named.
+/// Returns an engine that has opened all that was named.
 /// @throws InputError with what was refused, Stopped
 [[nodiscard]] std::unique_ptr<Engine> open_engine(const LiveArguments& arguments,
                                                   const Progress& progress);

@@ -39,15 +39,16 @@ struct DhChain {
   Pose<double> tool;        // from the last row's frame to the end frame
 };
 
-/// Displacement across one row, at joint angle zero.
+/// Returns the displacement across one row, at joint angle zero.
 [[nodiscard]] Pose<double> dh_motion(const DhRow& row);
 
-/// Joint axes of a table of rows, in the frame in which `base` is given.
+/// Returns joint axes of a table of rows, in the frame in which `base` is given.
 [[nodiscard]] DhAxes axes_from_dh(const Pose<double>& base, const std::vector<DhRow>& rows);
 
-/// Table for given axes, by their common normals; exact for skew, parallel, intersecting and
-/// coincident neighbours. Four numbers a row leave freedom, which is used so: the base carries
-/// theta and d of row 1, the last row reaches the tip point, `tool` is a pure rotation.
+/// Returns the table for given axes, by their common normals; exact for skew, parallel,
+/// intersecting and coincident neighbours. Four numbers a row leave freedom, which is used so: the
+/// base carries theta and d of row 1, the last row reaches the tip point, `tool` is a pure
+/// rotation.
 /// @param tip  end frame at joint angles zero
 /// @throws InputError for no axes.
 [[nodiscard]] DhChain dh_from_axes(const std::vector<AxisLine>& axes, const Pose<double>& tip);

@@ -97,10 +97,10 @@ struct Experiment {
 /// Parses an experiment from text already in memory; `path` only names it in messages.
 [[nodiscard]] Experiment parse_experiment(const std::string& text, const std::string& path);
 
-/// Standard deviation of the force components of a trial: its own, or the stated noise; infinite
-/// for a component that is not fitted [N] (3)
+/// Returns the standard deviation of the force components of a trial: its own, or the stated noise;
+/// infinite for a component that is not fitted [N] (3)
 [[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const Trial& trial);
-/// Standard deviation of the force components of an activation row [N] (3)
+/// Returns the standard deviation of the force components of an activation row [N] (3)
 [[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const ActivationRow& row);
 
 }  // namespace thenar

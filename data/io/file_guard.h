@@ -31,7 +31,7 @@ struct FileLimit {
   std::size_t values;  // number of values, by its separators; 0: not counted
 };
 
-/// The limits of a kind.
+/// Returns the limits of a kind.
 [[nodiscard]] const FileLimit& limit_of(GuardedKind kind);
 
 /// Reads a regular file that keeps the limits of its kind.

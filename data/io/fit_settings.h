@@ -101,7 +101,8 @@ struct FitSettings {
 /// @param at  index in choices, and `value` in its values
 void set_choice(FitSettings& settings, std::size_t at, std::size_t value);
 
-/// Text of a settings file in which these choices are in force: only its `chosen` keys change.
+/// Returns the text of a settings file in which these choices are in force: only its `chosen` keys
+/// change.
 /// @param text  that `settings` was parsed from
 [[nodiscard]] std::string with_choices(const std::string& text, const FitSettings& settings);
 

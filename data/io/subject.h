@@ -196,13 +196,13 @@ struct Subject {
   std::vector<CalibratedOn> calibrated_on;  // empty: no number was fitted to measured forces
 };
 
-/// "on" or "off" as people type it. @throws InputError for any other word
+/// Returns "on" or "off" as people type it. @throws InputError for any other word
 [[nodiscard]] PassiveMoments passive_named(const std::string& word);
 
-/// The subject with joints that turn without passive moments, dampers apart, or as it is.
+/// Returns the subject with joints that turn without passive moments, dampers apart, or as it is.
 [[nodiscard]] Subject with_passive(Subject subject, PassiveMoments passive);
 
-/// The joints between the base and a segment, the last first; they point into the subject.
+/// Returns the joints between the base and a segment, the last first; they point into the subject.
 [[nodiscard]] std::vector<const JointAxis*> joints_to(const Subject& subject, std::string segment);
 
 /// Returns whether a joint has a passive moment.

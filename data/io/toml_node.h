@@ -23,7 +23,7 @@ struct TomlNode {
   std::vector<std::pair<std::string, TomlNode>> members;  // of kTable, in file order
   std::vector<std::size_t> by_name;                       // indices of members, sorted by name
 
-  /// The member of that name, or null; found by bisection.
+  /// Returns the member of that name, or null; found by bisection.
   [[nodiscard]] const TomlNode* find(const std::string& key) const;
 };
 
@@ -31,10 +31,11 @@ struct TomlNode {
 /// @throws DataError at the line of the first syntax error.
 [[nodiscard]] TomlNode parse_toml(const std::string& text, const std::string& path);
 
-/// Name of a kind in messages: "a number".
+/// Returns the name of a kind in messages: "a number".
 [[nodiscard]] std::string kind_name(TomlKind kind);
 
-/// Whole content of a regular file. @throws DataError if it is not one, or cannot be opened.
+/// Returns whole content of a regular file. @throws DataError if it is not one, or cannot be
+/// opened.
 [[nodiscard]] std::string read_text_file(const std::string& path);
 
 }  // namespace thenar

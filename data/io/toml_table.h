@@ -36,14 +36,14 @@ class TomlFile {
   TomlFile(const TomlFile&) = delete;
   TomlFile& operator=(const TomlFile&) = delete;
 
-  /// The top level of the file. Its `[sources]` table, if any, is read already.
+  /// Returns the top level of the file. Its `[sources]` table, if any, is read already.
   [[nodiscard]] TomlTable top() const;
 
   [[nodiscard]] const std::string& path() const { return path_; }
 
-  /// Citation keys of data/sources.bib, then those of the file's own `[sources]`.
+  /// Returns citation keys of data/sources.bib, then those of the file's own `[sources]`.
   [[nodiscard]] const std::vector<std::string>& sources() const { return sources_; }
-  /// The file's own `[sources]`: what each key means.
+  /// Returns the file's own `[sources]`: what each key means.
   [[nodiscard]] const std::map<std::string, std::string>& own_sources() const {
     return own_sources_;
   }
@@ -73,19 +73,19 @@ class TomlTable {
   TomlTable(const TomlFile& file, const TomlNode& node, std::string title,
             std::vector<std::string> sources);
 
-  /// Keys without unit: texts, choices of words, lists of texts.
+  /// Returns keys without unit: texts, choices of words, lists of texts.
   [[nodiscard]] bool has(const std::string& key);
   [[nodiscard]] std::string text(const std::string& key);
   [[nodiscard]] std::string text_or(const std::string& key, const std::string& fallback);
   [[nodiscard]] std::string choice(const std::string& key, const std::vector<std::string>& of);
-  /// The value of a word in a table of names.
+  /// Returns the value of a word in a table of names.
   template <typename Enum, std::size_t size>
   [[nodiscard]] Enum choice(const std::string& key, const std::array<EnumName<Enum>, size>& of) {
     return value_in(of, choice(key, names_in(of)), key);
   }
   [[nodiscard]] std::vector<std::string> texts(const std::string& key);
 
-  /// Quantities in SI; `base` is the key without its unit.
+  /// Returns quantities in SI; `base` is the key without its unit.
   [[nodiscard]] bool has(Dimension dimension, const std::string& base);
   [[nodiscard]] double number(Dimension dimension, const std::string& base,
                               Range range = Range::kAny);
@@ -104,12 +104,12 @@ class TomlTable {
   /// Names to quantities, `arms_mm = {PIP3 = 5.6}`. Empty if absent.
   [[nodiscard]] std::map<std::string, double> named(Dimension dimension, const std::string& base,
                                                     Range range = Range::kAny);
-  /// All keys of this table as quantities, by name without unit: for tables of free names.
+  /// Returns all keys of this table as quantities, by name without unit: for tables of free names.
   [[nodiscard]] std::map<std::string, double> all(Dimension dimension);
-  /// Named lists in file order, `rows = {Fx = [..], Fy = [..]}`.
+  /// Returns named lists in file order, `rows = {Fx = [..], Fy = [..]}`.
   [[nodiscard]] std::vector<NamedNumbers> lists(const std::string& key);
 
-  /// Tables within this one.
+  /// Returns tables within this one.
   [[nodiscard]] std::optional<TomlTable> table(const std::string& key);
   [[nodiscard]] std::vector<TomlTable> tables(const std::string& key);  // none if absent
 

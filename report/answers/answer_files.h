@@ -25,8 +25,8 @@
 
 namespace thenar {
 
-/// Path -> SHA-256 of each file that was read for an answer, meshes of robots and objects included;
-/// of results (.h5, .nc) that were read the file itself.
+/// Returns the path -> SHA-256 of each file that was read for an answer, meshes of robots and
+/// objects included; of results (.h5, .nc) that were read the file itself.
 template <typename Result>
 [[nodiscard]] auto files_of(const Result& result) -> decltype(source_digests(result.sources)) {
   return source_digests(result.sources);

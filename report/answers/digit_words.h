@@ -18,28 +18,28 @@ namespace thenar {
 [[nodiscard]] std::string posture_note(const std::vector<std::string>& joints, double condition,
                                        const Eigen::VectorXd& change);
 
-/// "per degree of joint rotation [N/deg]: PIP2 0.31, DIP2 0.12", the most first.
+/// Returns "per degree of joint rotation [N/deg]: PIP2 0.31, DIP2 0.12", the most first.
 /// @param change  in `unit` per radian
 [[nodiscard]] std::string change_line(const std::vector<std::string>& joints,
                                       const Eigen::VectorXd& change, const std::string& unit = "N");
 
-/// Digit, posture or how many of them, and fidelity: the first lines of a text.
+/// Returns digit, posture or how many of them, and fidelity: the first lines of a text.
 [[nodiscard]] std::string text_header(const DigitResult& about);
 
-/// Subject, digit, posture and fidelity, and what `add` adds of the one posture; of several
+/// Returns subject, digit, posture and fidelity, and what `add` adds of the one posture; of several
 /// postures, what varies and a list "postures" with a member for each.
 [[nodiscard]] Fields digit_fields(
     const DigitResult& about, const std::function<void(std::size_t point, Fields& fields)>& add);
 
-/// The joints that vary, over the postures that are done.
+/// Returns the joints that vary, over the postures that are done.
 [[nodiscard]] SweepAxes axes_of(const DigitResult& about);
 
-/// "PIP3_deg" of all joints, and their angles at a posture.
+/// Returns "PIP3_deg" of all joints, and their angles at a posture.
 [[nodiscard]] std::vector<std::string> joint_header(const DigitResult& about);
 [[nodiscard]] std::vector<std::string> joint_cells(const Eigen::VectorXd& q);
 
-/// A row for each posture of an answer about a digit: what varies, then a line of its own; dashes
-/// where it failed. @param line  cells of one of the points, under `header`
+/// Returns a table with a row for each posture of an answer about a digit: what varies, then a line
+/// of its own; dashes where it failed. @param line  cells of one of the points, under `header`
 template <typename Answer, typename Line>
 [[nodiscard]] Table posture_table(const Answer& answer, const std::vector<std::string>& header,
                                   const Line& line) {

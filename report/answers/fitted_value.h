@@ -16,11 +16,11 @@ struct CoordinateInUnit {
   std::string unit;          // "mm", "deg", "1/rad", "1"
 };
 
-/// Value of an entry of z in its own unit; absent for a deviation from a population, in which it is
-/// not linear where there are bounds.
+/// Returns the value of an entry of z in its own unit; absent for a deviation from a population, in
+/// which it is not linear where there are bounds.
 [[nodiscard]] std::optional<CoordinateInUnit> value_in_unit(const Fit& fit, int entry);
 
-/// "+8.52 ± 0.30 mm".
+/// Returns "+8.52 ± 0.30 mm".
 [[nodiscard]] std::string words_of(const CoordinateInUnit& value);
 
 }  // namespace thenar

@@ -20,29 +20,30 @@ struct JointRow {
   std::string reason;      // obstacle or limit that stopped it, in words
 };
 
-/// Every coordinate; none where nothing was closed.
+/// Returns every coordinate; none where nothing was closed.
 [[nodiscard]] std::vector<JointRow> joint_rows(const GraspResult& result);
 
-/// outcome_words(), and what to do where a hand closed on nothing because it stayed where it is.
+/// Returns outcome_words(), and what to do where a hand closed on nothing because it stayed where
+/// it is.
 [[nodiscard]] std::string explanation(const GraspResult& result);
 
-/// "hard point" or "soft finger".
+/// Returns "hard point" or "soft finger".
 [[nodiscard]] std::string contact_model_of(const GraspResult& result);
 
-/// One line for all warnings of a kind, those that begin alike up to the first comma or colon: the
-/// first of them, with how many more there are.
+/// Returns one line for all warnings of a kind, those that begin alike up to the first comma or
+/// colon: the first of them, with how many more there are.
 [[nodiscard]] std::vector<std::string> folded(const std::vector<std::string>& warnings);
 
-/// Quality, measures, robustness, joints, contacts, warnings.
+/// Returns a text with quality, measures, robustness, joints, contacts, warnings.
 [[nodiscard]] std::string text_of(const GraspResult& result);
 [[nodiscard]] std::string text_of(const CloseResult& result);
 
 [[nodiscard]] Fields fields_of(const GraspResult& result);
 [[nodiscard]] Fields fields_of(const CloseResult& result);
 
-/// The contacts: surface, digit, position, normal and friction, in the object's frame.
+/// Returns the contacts: surface, digit, position, normal and friction, in the object's frame.
 [[nodiscard]] Table table_of(const GraspResult& result);
-/// The coordinates: value, and what stopped each.
+/// Returns the coordinates: value, and what stopped each.
 [[nodiscard]] Table table_of(const CloseResult& result);
 
 }  // namespace thenar

@@ -25,7 +25,7 @@ struct MeasureRow {
 /// support.
 [[nodiscard]] std::vector<MeasureRow> measure_rows(const GraspMeasures& measures);
 
-/// Shares of force closure with their intervals, and quantiles of epsilon.
+/// Returns shares of force closure with their intervals, and quantiles of epsilon.
 /// @param result  that has GraspResult::robustness
 [[nodiscard]] Fields robustness_fields(const GraspResult& result);
 [[nodiscard]] std::vector<MeasureRow> robustness_rows(const GraspResult& result);

@@ -28,10 +28,11 @@ struct Touching {
                                                   const ClosedHand& closed,
                                                   const std::vector<Touching>& touching);
 
-/// A coordinate in degrees or millimetres: "31.5 deg", "12.00 mm".
+/// Returns a coordinate in degrees or millimetres: "31.5 deg", "12.00 mm".
 [[nodiscard]] std::string value_words(double value, bool slides);
 
-/// An epsilon as it is shown: 0 where it is within 1e-9, to which epsilon() is exact, and never -0.
+/// Returns an epsilon as it is shown: 0 where it is within 1e-9, to which epsilon() is exact, and
+/// never -0.
 [[nodiscard]] double without_rounding(double epsilon);
 
 }  // namespace thenar

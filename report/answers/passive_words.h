@@ -12,8 +12,8 @@
 
 namespace thenar {
 
-/// "passive moments of joints, counted [N mm]: MCP2_FE -12.1, PIP2 3.2" as a line of text; empty
-/// where no joint has any.
+/// Returns "passive moments of joints, counted [N mm]: MCP2_FE -12.1, PIP2 3.2" as a line of text;
+/// empty where no joint has any.
 /// @param q  [rad] (coordinates)
 [[nodiscard]] std::string passive_line(const Skeleton& skeleton, const Eigen::VectorXd& q);
 /// Returns the passive moments of a sweep's only posture; if there are several, a line without

@@ -12,12 +12,13 @@ namespace thenar {
 
 [[nodiscard]] std::string text_of(const SubjectPoses& poses);
 [[nodiscard]] Fields fields_of(const SubjectPoses& poses);
-/// A row for each posture: joints, places of tips, conditions.
+/// Returns a table with a row for each posture: joints, places of tips, conditions.
 [[nodiscard]] Table table_of(const SubjectPoses& poses);
 
 [[nodiscard]] std::string text_of(const RobotPoses& poses);
 [[nodiscard]] Fields fields_of(const RobotPoses& poses);
-/// A row for each posture: joints, places of tips, or of links where there are no tips.
+/// Returns a table with a row for each posture: joints, places of tips, or of links where there are
+/// no tips.
 [[nodiscard]] Table table_of(const RobotPoses& poses);
 
 /// Returns the mobility of a tip in words: "regular: condition 3.2; moves least along (0, 1, 0)".

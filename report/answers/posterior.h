@@ -16,7 +16,7 @@ namespace thenar {
 /// Returns a posterior complete and with unrounded numbers.
 [[nodiscard]] Fields fields_of(const PosteriorResult& result);
 
-/// One row for each parameter and factor, best known first.
+/// Returns a table with a row for each parameter and factor, best known first.
 [[nodiscard]] Table table_of(const PosteriorResult& result);
 
 /// Returns the predictions of the draws: as text, fields and rows like any prediction.

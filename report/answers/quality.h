@@ -10,16 +10,17 @@
 
 namespace thenar {
 
-/// A line for each quality, under the name of the file.
+/// Returns a line for each quality, under the name of the file.
 [[nodiscard]] std::string text_of(const ContactQualityResult& result);
 
-/// Members as docs/data_format.md has them; null: not known, or there is none.
+/// Returns fields: members as docs/data_format.md has them; null: not known, or there is none.
 [[nodiscard]] Fields fields_of(const ContactQualityResult& result);
 
-/// A row for each contact set: bounds of epsilon, volume, rank, grasp matrix and task.
+/// Returns a table with a row for each contact set: bounds of epsilon, volume, rank, grasp matrix
+/// and task.
 [[nodiscard]] Table table_of(const std::vector<ContactQualityResult>& results);
 
-/// The only answer, or {"answers": [..]} of several.
+/// Returns the only answer, or {"answers": [..]} of several.
 [[nodiscard]] Fields fields_of(const std::vector<ContactQualityResult>& results);
 
 }  // namespace thenar

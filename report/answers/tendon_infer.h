@@ -21,14 +21,14 @@ namespace thenar {
 /// Returns an inference as fields; evidence, sd_of_log_EA, log_bayes_factor, chi2_without and
 /// effective_parameters_with are null where they are infinite, EA where the data do not decide it.
 [[nodiscard]] Fields fields_of(const InferNetResult& inference);
-/// A row for each candidate band.
+/// Returns a table with a row for each candidate band.
 [[nodiscard]] Table table_of(const InferNetResult& inference);
 
 /// Returns the errors of the best net, a sentence each.
 [[nodiscard]] std::vector<std::string> fit_in_words(const InferNetResult& inference);
 /// Returns the expected information of the proposed tests, in one sentence.
 [[nodiscard]] std::string next_in_words(const InferNetResult& inference);
-/// Bands that the data want some of, but not which, a sentence each.
+/// Returns bands that the data want some of, but not which, a sentence each.
 [[nodiscard]] std::vector<std::string> groups_in_words(const InferredNet& inferred);
 
 /// Returns the reason why there is no answer; empty if there is one.
@@ -36,11 +36,11 @@ namespace thenar {
 
 // The same where slack lengths, paths and the like are free.
 
-/// "yes", "no", or why it cannot be told.
+/// Returns "yes", "no", or why it cannot be told.
 [[nodiscard]] std::string verdict_words(const BandBelief& band);
-/// "0.97", "0.43 +- 0.05", "1 (no set without it)".
+/// Returns "0.97", "0.43 +- 0.05", "1 (no set without it)".
 [[nodiscard]] std::string probability_words(const BandBelief& band);
-/// "17.67 +- 0.12", "held" [mm].
+/// Returns "17.67 +- 0.12", "held" [mm].
 [[nodiscard]] std::string slack_words(const BandBelief& band);
 
 /// Returns the number of fitted sets and the errors of the best set, a sentence each.

@@ -10,8 +10,8 @@
 
 namespace thenar {
 
-/// Traces, rank histograms and autocorrelations, the quantity with the largest R-hat first; the
-/// reader chooses. More than 8 chains are shown by one chain of each group, ranks by groups.
+/// Returns traces, rank histograms and autocorrelations, the quantity with the largest R-hat first;
+/// the reader chooses. More than 8 chains are shown by one chain of each group, ranks by groups.
 ///
 /// The band of ranks holds 95 % of the counts of one bin if all chains draw from one distribution,
 /// each as correlated within itself as it is: a chain of n draws is worth n / tau, tau by Geyer's
@@ -23,13 +23,13 @@ namespace thenar {
 /// @param x  (draws, chains)
 [[nodiscard]] Eigen::MatrixXd rank_counts(const Eigen::Ref<const Eigen::MatrixXd>& x, int bins);
 
-/// Steps that a chain needs to forget: 1 + 2 sum of its autocorrelations, as long as sums of
-/// neighbouring ones are positive; at least 1. NaN if its draws are alike or not finite.
+/// Returns steps that a chain needs to forget: 1 + 2 sum of its autocorrelations, as long as sums
+/// of neighbouring ones are positive; at least 1. NaN if its draws are alike or not finite.
 /// @param rho  autocorrelations at lags 0, 1, ... (any)
 /// Source: [Geyer1992] sec. 3.3, the initial positive sequence.
 [[nodiscard]] double correlation_time(const Eigen::Ref<const Eigen::VectorXd>& rho);
 
-/// Correlations of a chain with itself at lags 0, 1, ... (draws); NaN as above.
+/// Returns correlations of a chain with itself at lags 0, 1, ... (draws); NaN as above.
 [[nodiscard]] Eigen::VectorXd autocorrelation(const Eigen::Ref<const Eigen::VectorXd>& x);
 
 /// Interval that holds a count with 95 % probability.
@@ -46,7 +46,7 @@ struct CountBand {
 
 /// Returns true if R-hat a is worse than b, for sorting with the worst first; NaN is the worst.
 [[nodiscard]] bool worse(double a, double b);
-/// Quantities, the largest R-hat first.
+/// Returns quantities, the largest R-hat first.
 [[nodiscard]] std::vector<const Quantity*> worst_first(const std::vector<Quantity>& quantities);
 
 }  // namespace thenar

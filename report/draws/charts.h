@@ -27,16 +27,16 @@ struct SamplerCourse {
   std::vector<double> error;    // of the posterior mean, in posterior sds, RMS over entries [1]
 };
 
-/// Pareto k of every observation, those above the limit by name.
+/// Returns Pareto k of every observation, those above the limit by name.
 /// @throws InputError if there is not one name for each.
 [[nodiscard]] Json pareto_chart(const LeftOutObservations& left_out);
 
-/// Empirical distribution of ranks less the uniform one, over the band that holds 95 % of such
-/// curves whole. Curves that leave it are named, the others are drawn alike.
+/// Returns the empirical distribution of ranks less the uniform one, over the band that holds 95 %
+/// of such curves whole. Curves that leave it are named, the others are drawn alike.
 /// @throws InputError if names and ranks disagree.  Source: [Sailynoja2022].
 [[nodiscard]] Json calibration_chart(const CalibrationRanks& calibration);
 
-/// Error over time on logarithmic axes, one line a sampler.
+/// Returns error over time on logarithmic axes, one line a sampler.
 [[nodiscard]] Json sampler_chart(const std::vector<SamplerCourse>& samplers);
 
 }  // namespace thenar

@@ -25,18 +25,18 @@ struct Quantity {
   std::string meaning;          // "CMC flexion axis: tilt about the digit's length"; may be empty
 };
 
-/// Densities of single quantities and of pairs, 50 and 90 % regions, the prior as a light outline;
-/// it starts with those that most was learnt about.
+/// Returns densities of single quantities and of pairs, 50 and 90 % regions, the prior as a light
+/// outline; it starts with those that most was learnt about.
 [[nodiscard]] Json corner_block(const std::vector<Quantity>& quantities,
                                 const std::string& caption);
 
-/// Posterior 50 and 90 % intervals beside the prior's, in units of the prior's sd about its mean,
-/// sorted by what was learnt: 1 - sd / prior sd. Quantities without a prior are left out.
+/// Returns posterior 50 and 90 % intervals beside the prior's, in units of the prior's sd about its
+/// mean, sorted by what was learnt: 1 - sd / prior sd. Quantities without a prior are left out.
 /// @param most  rows; where there are more, the best known and the four least known are kept
 [[nodiscard]] Json forest_block(const std::vector<Quantity>& quantities, const std::string& caption,
                                 std::size_t most = 40);
 
-/// Mean, sd, Monte Carlo errors, quantiles, R-hat and ESS of everything, and the meaning of
+/// Returns mean, sd, Monte Carlo errors, quantiles, R-hat and ESS of everything, and the meaning of
 /// each where any is known; worst R-hat first.
 [[nodiscard]] Json estimate_table(const std::vector<Quantity>& quantities,
                                   const std::string& caption);

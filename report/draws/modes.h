@@ -10,8 +10,8 @@
 
 namespace thenar {
 
-/// Share of the draws in each mode, how often chains cross, and means of the quantities that tell
-/// the modes apart best, in their units.
+/// Returns the share of the draws in each mode, how often chains cross, and means of the quantities
+/// that tell the modes apart best, in their units.
 /// @param quantities  of the same draws and chains as the table
 /// @param most        quantities shown
 /// @throws InputError if a quantity has other draws than the table.

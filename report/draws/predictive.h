@@ -18,7 +18,8 @@ struct PredictedForces {
   std::string what;            // "H01, in sample": the caption starts with it
 };
 
-/// Measured components over posterior predictive 50 and 95 % intervals, by posture and tendon.
+/// Returns measured components over posterior predictive 50 and 95 % intervals, by posture and
+/// tendon.
 /// @throws InputError if `replicated` has not three rows a trial.
 [[nodiscard]] Json predictive_block(const PredictedForces& predicted);
 

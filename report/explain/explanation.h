@@ -19,19 +19,22 @@ struct Section {
 
 using Explanation = std::vector<Section>;
 
-/// One digit of a subject: what is built, what it costs, what can be asked, what a fit may move.
+/// Returns one digit of a subject: what is built, what it costs, what can be asked, what a fit may
+/// move.
 [[nodiscard]] Explanation explain(const Subject& subject, const DigitExplained& says);
 [[nodiscard]] Explanation explain(const Experiment& experiment);
 [[nodiscard]] Explanation explain(const Fit& fit, const FitExplained& found);
-/// An extensor net: its nodes, bands, muscles and surfaces, and what a hood that is a net assumes.
+/// Returns an extensor net: its nodes, bands, muscles and surfaces, and what a hood that is a net
+/// assumes.
 [[nodiscard]] Explanation explain(const NetDescription& net);
 /// Explains an object, a world or materials: bodies, materials and friction.
 [[nodiscard]] Explanation explain(const BodySpec& body);
 [[nodiscard]] Explanation explain(const WorldSpec& world);
 [[nodiscard]] Explanation explain(const Materials& materials);
-/// A scene that moves: what is in it, which pads meet what, and what nobody measured of them.
+/// Returns a scene that moves: what is in it, which pads meet what, and what nobody measured of
+/// them.
 [[nodiscard]] Explanation explain(const SceneSpec& scene);
-/// Links, joints and the motors that drive them.
+/// Returns links, joints and the motors that drive them.
 [[nodiscard]] Explanation explain(const RobotSpec& robot);
 
 [[nodiscard]] std::string text_of(const ThingExplained& explained);

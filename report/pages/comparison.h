@@ -18,7 +18,8 @@ struct ComparePicture {
   std::vector<SkinPatch> patches;
 };
 
-/// Sections "At a glance", "Grasps", "How good", "Best grasps", "Abilities", "How to read this".
+/// Returns sections "At a glance", "Grasps", "How good", "Best grasps", "Abilities", "How to read
+/// this".
 ///
 /// @param objects   those of the comparison, unscaled; others are not drawn
 /// @param pictures  hands without one are not drawn
@@ -27,11 +28,12 @@ struct ComparePicture {
                                 const std::vector<ComparePicture>& pictures, MeshTable& meshes,
                                 const Progress& progress = {});
 
-/// The page of a comparison: the best grasps drawn, every number, and what the numbers depend on.
+/// Returns the page of a comparison: the best grasps drawn, every number, and what the numbers
+/// depend on.
 /// @param progress  hears of pictures; what a stop leaves is no page
 [[nodiscard]] Json page_of(const CompareResult& result, const Progress& progress = {});
 
-/// Every hand by itself, with its joints where closing begins: a look at what is compared.
+/// Returns every hand by itself, with its joints where closing begins: a look at what is compared.
 [[nodiscard]] Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshes);
 
 }  // namespace thenar

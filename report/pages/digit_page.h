@@ -18,14 +18,14 @@
 
 namespace thenar {
 
-/// Joints, bones or links, and tips in space and in rows.
+/// Returns a page with joints, bones or links, and tips in space and in rows.
 [[nodiscard]] Json page_of(const SubjectPoses& poses);
 [[nodiscard]] Json page_of(const RobotPoses& poses);
-/// The tendons in space, arms and lengths over the joints that vary.
+/// Returns a page with the tendons in space, arms and lengths over the joints that vary.
 [[nodiscard]] Json page_of(const MomentArmResult& answer);
-/// The force of the tip in space, in rows, over the joints that vary.
+/// Returns a page with the force of the tip in space, in rows, over the joints that vary.
 [[nodiscard]] Json page_of(const TipForceResult& answer);
-/// The largest forces in space, what limits them, over the joints that vary.
+/// Returns a page with the largest forces in space, what limits them, over the joints that vary.
 [[nodiscard]] Json page_of(const FeasibleForceResult& answer);
 
 /// Colours of the postures that are drawn at most, from the first to the last.
@@ -33,35 +33,38 @@ inline constexpr std::size_t kDrawnPostures = 5;
 inline constexpr std::array<const char*, kDrawnPostures> kPostureTints{
     "#b8a48a", "#7fa8c9", "#5fa38c", "#c98f5f", "#9a7fb8"};
 
-/// The frame of such a page. @param what  "tip forces";  @param meshes  that its scenes name
+/// Returns the frame of such a page. @param what  "tip forces";  @param meshes  that its scenes
+/// name
 /// @param learnt  for its first paragraph, in sentences
 [[nodiscard]] Json digit_page(const DigitResult& about, const std::string& what, Json sections,
                               const MeshTable& meshes, const std::string& learnt);
 
-/// "0.31 N", "0.21 to 0.42 N": the least and the largest of them; "": there is none.
+/// Returns "0.31 N", "0.21 to 0.42 N": the least and the largest of them; "": there is none.
 [[nodiscard]] std::string range_words(const std::vector<double>& values, const std::string& unit);
 
-/// The text of a first section: what was asked at which postures, and every warning.
+/// Returns the text of a first section: what was asked at which postures, and every warning.
 [[nodiscard]] std::string digit_introduction(const DigitResult& about, const std::string& words);
 
 /// Adds further layers to the picture of a posture. @param tint  colour of the posture
 using AddLayers = std::function<void(std::size_t point, const std::string& tint, Json& layers)>;
 
-/// Bones at up to five of the postures, each a layer, and tendons where they run straight; null for
-/// a map. The first posture is within the subject's skin.
+/// Returns bones at up to five of the postures, each a layer, and tendons where they run straight;
+/// null for a map. The first posture is within the subject's skin.
 /// @param meshes  gets those of the skin
 /// @param add     adds to each posture's bones
 [[nodiscard]] Json digit_scene(const DigitResult& about, const std::string& caption,
                                MeshTable& meshes, const AddLayers& add);
 
-/// Arrows from the tip: how long one newton is drawn [mm/N], so that the largest force is 40 mm.
+/// Returns arrows from the tip: how long one newton is drawn [mm/N], so that the largest force is
+/// 40 mm.
 [[nodiscard]] double arrow_scale(double largest);
 
-/// A layer with one arrow. @param from  [m] (3);  @param vector  as drawn [mm] (3)
+/// Returns a layer with one arrow. @param from  [m] (3);  @param vector  as drawn [mm] (3)
 [[nodiscard]] Json arrow_layer(const std::string& name, const std::string& color,
                                const Eigen::Vector3d& from, const Eigen::Vector3d& vector);
 
-/// A quantity of every posture; NaN where there is no answer. @param value  of one of the points
+/// Returns a quantity of every posture; NaN where there is no answer. @param value  of one of the
+/// points
 template <typename Point, typename Value>
 [[nodiscard]] Curve curve_over(const std::vector<Point>& points, const std::string& name,
                                const Value& value) {
@@ -71,7 +74,7 @@ template <typename Point, typename Value>
   return curve;
 }
 
-/// Charts side by side, two a row.
+/// Returns charts side by side, two a row.
 [[nodiscard]] Json paired(const Json& charts);
 
 }  // namespace thenar

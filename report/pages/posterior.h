@@ -42,22 +42,22 @@ struct PictureOptions {
                           // largest R-hat
 };
 
-/// A sampled posterior as the picture that posterior_sections() draws.
+/// Returns a sampled posterior as the picture that posterior_sections() draws.
 [[nodiscard]] PosteriorPicture posterior_picture(const PosteriorRun& run,
                                                  const PictureOptions& options = {});
 
-/// A banner that cannot be overlooked if the run has not converged, a yellow one with cautions, and
-/// a quiet line if all is well.
+/// Returns a banner that cannot be overlooked if the run has not converged, a yellow one with
+/// cautions, and a quiet line if all is well.
 [[nodiscard]] Json convergence_banner(const Convergence& convergence, const std::string& run);
 
-/// The sections of a report. The first has the banner; if the run has not converged, all others say
-/// so too.
+/// Returns the sections of a report. The first has the banner; if the run has not converged, all
+/// others say so too.
 [[nodiscard]] Json posterior_sections(const PosteriorPicture& picture);
 
-/// The page of a posterior.
+/// Returns the page of a posterior.
 [[nodiscard]] Json page_of(const PosteriorResult& result);
 
-/// The page of what draws predict; it says first of all whether they may be used.
+/// Returns the page of what draws predict; it says first of all whether they may be used.
 [[nodiscard]] Json page_of(const PosteriorPrediction& result);
 
 }  // namespace thenar

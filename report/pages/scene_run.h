@@ -8,11 +8,12 @@
 
 namespace thenar {
 
-/// The scene in space, to be played, contact forces as arrows; energies, places and forces over
-/// time.
+/// Returns a page with the scene in space, to be played, contact forces as arrows; energies, places
+/// and forces over time.
 [[nodiscard]] Json page_of(const SceneResult& scene);
 
-/// The scene in space alone, to be played, with still pictures below; for pages of several scenes.
+/// Returns the scene in space alone, to be played, with still pictures below; for pages of several
+/// scenes.
 /// @param meshes    gets those that it shows
 /// @param instants  that it plays, at most
 [[nodiscard]] Json film_of(const SceneResult& scene, Eigen::Index instants, MeshTable& meshes);
@@ -20,10 +21,11 @@ namespace thenar {
 /// Returns a banner with the reliability of the run, and its assumptions.
 [[nodiscard]] Json run_banner(const SceneResult& scene);
 
-/// A banner of a motion that may be used, with cautions. @param solved  why it may, in words
+/// Returns a banner of a motion that may be used, with cautions. @param solved  why it may, in
+/// words
 [[nodiscard]] Json used_banner(const std::string& solved, const std::vector<std::string>& warnings);
 
-/// Slip, penetration and energy of all runs.
+/// Returns a page with slip, penetration and energy of all runs.
 [[nodiscard]] Json page_of(const SceneSweepResult& sweep);
 
 }  // namespace thenar

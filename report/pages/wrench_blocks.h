@@ -7,11 +7,11 @@
 
 namespace thenar {
 
-/// Signed epsilon with its bounds, the wrench withstood least or the direction that is missing, and
-/// epsilon with less and more friction.
+/// Returns the signed epsilon with its bounds, the wrench withstood least or the direction that is
+/// missing, and epsilon with less and more friction.
 [[nodiscard]] Json quality_section(const GraspResult& result);
 
-/// Forces and torques of the wrench set in 3D.
+/// Returns forces and torques of the wrench set in 3D.
 [[nodiscard]] Json wrench_section(const GraspResult& result, MeshTable& meshes);
 
 }  // namespace thenar

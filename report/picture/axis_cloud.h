@@ -18,7 +18,7 @@ struct AxisCloud {
   std::vector<TendonModel<double>> drawn;  // one a draw; 100 to 300 look well
 };
 
-/// The digits at some of the draws, evenly spread.
+/// Returns the digits at some of the draws, evenly spread.
 /// @param moving  indices in parameters.all of the rows of `values`; all others stay at their means
 /// @param values  [SI] (moving, draws)
 [[nodiscard]] AxisCloud axis_cloud(const std::string& name, const TendonDigit& digit,
@@ -26,7 +26,8 @@ struct AxisCloud {
                                    const Eigen::Ref<const Eigen::MatrixXd>& values,
                                    Eigen::Index most = 150);
 
-/// A picture: bones, the axes before the fit by name, the clouds, and the true axes if known.
+/// Returns a picture: bones, the axes before the fit by name, the clouds, and the true axes if
+/// known.
 /// @param start  the digit before the fit
 /// @param truth  the digit that simulated data were made with
 /// @param q      posture [rad]

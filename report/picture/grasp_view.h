@@ -15,8 +15,8 @@ struct Eyes {
   double lowest = 0;      // above the plane across `up`, of other directions than the usual [rad]
 };
 
-/// The direction that shows most of the contacts, their normals and the object, as near to the
-/// usual one as that leaves, in orthographic view.
+/// Returns the direction that shows most of the contacts, their normals and the object, as near to
+/// the usual one as that leaves, in orthographic view.
 ///
 /// A contact is seen where a ray towards the eye, from 4 mm along its normal in the object, which
 /// is drawn translucent, meets neither hand nor obstacle; it counts by the sine between ray and

@@ -22,21 +22,21 @@ struct HandPicture {
                                    // not hold
 };
 
-/// A layer for every digit, one for what is no digit, one for what carries the hand; skin in the
-/// colour of skin, everything else in a colour for each digit.
+/// Returns a layer for every digit, one for what is no digit, one for what carries the hand; skin
+/// in the colour of skin, everything else in a colour for each digit.
 [[nodiscard]] Json hand_layers(const HandPicture& picture, MeshTable& meshes);
 
-/// The object, seen through so that contacts are seen, and the obstacles, which the view need not
-/// hold.
+/// Returns the object, seen through so that contacts are seen, and the obstacles, which the view
+/// need not hold.
 [[nodiscard]] Json setup_layers(const GraspSetup& setup, MeshTable& meshes);
 
-/// Contacts: points and normals as one layer, friction cones as another.
+/// Returns contacts: points and normals as one layer, friction cones as another.
 /// @param reach  of the object: arrows and sides of cones are a quarter of it, and no longer than a
 ///               pad is wide, 12 mm [m]
 [[nodiscard]] Json contact_layers(const std::vector<HandContact>& contacts,
                                   const Pose<double>& X_WO, double reach);
 
-/// A block that shows layers. @param view  from the object towards the eye, world frame (3)
+/// Returns a block that shows layers. @param view  from the object towards the eye, world frame (3)
 [[nodiscard]] Json picture_block(const std::string& caption, const Eigen::Vector3d& view,
                                  Json layers);
 
@@ -44,7 +44,7 @@ struct HandPicture {
 [[nodiscard]] Json thumbnail_block(const std::string& caption, const Eigen::Vector3d& view,
                                    Json layers);
 
-/// `more` after `layers`.
+/// Returns `more` after `layers`.
 [[nodiscard]] Json joined(Json layers, const Json& more);
 
 }  // namespace thenar

@@ -26,14 +26,14 @@ struct MeshLook {
 /// Edges of bodies that are sharper than this look sharp [deg].
 inline constexpr double kBodyCrease = 35;
 
-/// A mesh of the table as a picture shows it, at a pose.
+/// Returns a mesh of the table as a picture shows it, at a pose.
 [[nodiscard]] Json mesh_item(const std::string& mesh, const Pose<double>& X);
 
 /// The `meshes` of a report. Corners are rounded to a 65534th of the mesh's largest side, 3 um for
 /// 0.2 m.
 class MeshTable {
  public:
-  /// The name by which items show the mesh; one that is there already is not added again.
+  /// Returns the name by which items show the mesh; one that is there already is not added again.
   /// @throws InputError if the mesh is empty, not finite, or has not a colour for every vertex.
   [[nodiscard]] std::string add(const TriangleMesh& mesh, const MeshLook& look = {});
 
@@ -44,7 +44,7 @@ class MeshTable {
   std::map<std::string, std::string> names_;  // of a mesh as text
 };
 
-/// Bytes in base64 (RFC 4648, padded).
+/// Returns bytes in base64 (RFC 4648, padded).
 [[nodiscard]] std::string base64(const unsigned char* bytes, std::size_t count);
 
 }  // namespace thenar

@@ -7,17 +7,18 @@
 
 namespace thenar {
 
-/// The bones of the finger as the net knows them, the metacarpal as well.
+/// Returns the bones of the finger as the net knows them, the metacarpal as well.
 [[nodiscard]] Json finger_layer(const NetTendons& tendons, const TreeState<double>& state);
 
-/// Surfaces of bones over which the net slides.
+/// Returns surfaces of bones over which the net slides.
 [[nodiscard]] Json surface_layer(const NetTendons& tendons, const TreeState<double>& state);
 
-/// Bands: those that pull carry their tension as `value` [N], slack ones are dashed.
+/// Returns bands: those that pull carry their tension as `value` [N], slack ones are dashed.
 [[nodiscard]] Json band_layers(const NetTendons& tendons, const TreeState<double>& state,
                                const NetEquilibrium& rest);
 
-/// Muscles from where they leave the net, with the tension that they give it as `value`, by name.
+/// Returns muscles from where they leave the net, with the tension that they give it as `value`, by
+/// name.
 [[nodiscard]] Json muscle_layer(const NetTendons& tendons, const TreeState<double>& state,
                                 const Eigen::VectorXd& t);
 

@@ -15,8 +15,8 @@ struct SkinnedDigit {
   const TreeState<double>& at;  // of its links as they are drawn
 };
 
-/// A mesh for each segment of the digit that has flesh, translucent, so that bones are seen within
-/// it; skin and nail have their own colours.
+/// Returns a mesh for each segment of the digit that has flesh, translucent, so that bones are seen
+/// within it; skin and nail have their own colours.
 ///
 /// Null where the subject has too few bones for a skin, as find_anatomy() has it.
 /// @param meshes  gets those that are drawn

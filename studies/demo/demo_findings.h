@@ -20,7 +20,8 @@ struct Finding {
   std::string line;
 };
 
-/// A page with what was found. @param figure  type of the block that stands for it; "": none
+/// Returns a page with what was found. @param figure  type of the block that stands for it; "":
+/// none
 [[nodiscard]] SetPage page_for(const std::string& file, const std::string& title,
                                const Finding& finding, Json page, const char* figure);
 

@@ -24,7 +24,8 @@ struct SetPage {
   Json figure;       // the block that stands for it on the front page; null: none
 };
 
-/// The first block of a type in the sections of a page, also within rows; null if there is none.
+/// Returns the first block of a type in the sections of a page, also within rows; null if there is
+/// none.
 [[nodiscard]] Json first_block(const Json& page, const std::string& type);
 
 /// The front page of a set: the lines as its summary, and for each page that has a line a section

@@ -26,11 +26,11 @@ struct KeptShares {
 /// @param update  whose weights tell something
 [[nodiscard]] KeptShares kept_shares(const ReweightedDraws& draws, const DataUpdate& update);
 
-/// "" if weights are to be believed; else " (NOT reliable ..)", or " (NOT told ..)" without
+/// Returns "" if weights are to be believed; else " (NOT reliable ..)", or " (NOT told ..)" without
 /// numbers.
 [[nodiscard]] std::string doubt_of(const DataUpdate& update);
 
-/// The update of both measurements as they are stated.
+/// Returns the update of both measurements as they are stated.
 [[nodiscard]] const DataUpdate& update_by_both(const ReweightedDraws& draws);
 
 }  // namespace thenar

@@ -15,11 +15,12 @@ namespace thenar {
 /// Fits with what each learnt, thumbs that were not fitted, and the calibration if there is one.
 [[nodiscard]] Fields fields_of(const ThumbStudyResult& result);
 
-/// One row for each fit: errors of directions and forces, of tasks, elpd, modes, R-hat.
+/// Returns a table with a row for each fit: errors of directions and forces, of tasks, elpd, modes,
+/// R-hat.
 [[nodiscard]] Table table_of(const ThumbStudyResult& result);
 
-/// "3 of 12 fits have NOT converged; they are marked ..": why the study is not to be relied on; ""
-/// if it is.
+/// Returns "3 of 12 fits have NOT converged; they are marked ..": why the study is not to be relied
+/// on; "" if it is.
 [[nodiscard]] std::string study_complaint(const ThumbStudyResult& result);
 
 }  // namespace thenar

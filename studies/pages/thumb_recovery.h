@@ -22,7 +22,7 @@ struct MadeUpNumbers {
 };
 [[nodiscard]] MadeUpNumbers made_up_numbers(const ThumbRecovery& of);
 
-/// Sentences on what did not converge, each after a space; "" if both methods did.
+/// Returns sentences on what did not converge, each after a space; "" if both methods did.
 [[nodiscard]] std::string recovery_doubts(const ThumbRecovery& recovery);
 
 /// Shares of the prior's sd that made-up data leave of an axis, by the draws: least and most [1].
@@ -31,7 +31,7 @@ struct KeptAxes {
 };
 [[nodiscard]] KeptAxes kept_axes(const ThumbRecovery& recovery);
 
-/// "CMC1_AA tilt 2" of "axis/CMC1_AA/direction/2", "IP1 shift 1" of "axis/IP1/point/1".
+/// Returns "CMC1_AA tilt 2" of "axis/CMC1_AA/direction/2", "IP1 shift 1" of "axis/IP1/point/1".
 [[nodiscard]] std::string words_of_axis_parameter(const std::string& name);
 
 }  // namespace thenar

@@ -86,7 +86,7 @@ struct DemoResult {
 /// @throws InputError if data are missing or the folder cannot be written.
 [[nodiscard]] DemoResult run_demo_study(const DemoRequest& request, const Progress& progress = {});
 
-/// Tasks that simulate the scenes of the demo.
+/// Returns tasks that simulate the scenes of the demo.
 /// @param data  folder with scenes/, robots/ ..; empty: the usual ones
 /// @param path  as of DemoRequest
 /// @param motion  that they fill in; outlives them

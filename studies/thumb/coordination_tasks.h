@@ -32,7 +32,7 @@ struct TaskMisfit {
   double distance;   // r' S^-1 r of the measured force, S from noise and activations [1]
 };
 
-/// Misfits of all tasks of the experiment.
+/// Returns misfits of all tasks of the experiment.
 [[nodiscard]] std::vector<TaskMisfit> task_misfits(const TendonDigit& model,
                                                    const Experiment& tasks);
 

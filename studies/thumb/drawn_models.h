@@ -17,13 +17,13 @@ class DrawnModels {
 
   [[nodiscard]] Eigen::Index count() const { return values_.cols(); }
 
-  /// The model of the first specimen at point k, 0 .. count() - 1.
+  /// Returns the model of the first specimen at point k, 0 .. count() - 1.
   [[nodiscard]] TendonModel<double> at(Eigen::Index k) const;
 
-  /// The models at all points.
+  /// Returns the models at all points.
   [[nodiscard]] std::vector<TendonModel<double>> all() const;
 
-  /// Values of parameters of one kind at all points [SI] (parameters that move, count).
+  /// Returns values of parameters of one kind at all points [SI] (parameters that move, count).
   [[nodiscard]] Eigen::MatrixXd values(ParameterKind kind) const;
 
   /// Names of the rows of values().

@@ -42,7 +42,7 @@ struct AddedData {
   bool clamped = false;  // forces of a clamped tip in place of a pinned one
 };
 
-/// Both measurements, each alone, and forces with other sds or another hold.
+/// Returns both measurements, each alone, and forces with other sds or another hold.
 [[nodiscard]] std::vector<AddedData> additions_to_ask();
 
 /// Draws updated by an addition.
@@ -88,7 +88,7 @@ struct MeasuredLessonsSettings {
                                                    const PinchLosses& losses,
                                                    const Progress& progress = {});
 
-/// Log likelihood of the measurements that are added, up to a constant [1] (draws):
+/// Returns log likelihood of the measurements that are added, up to a constant [1] (draws):
 ///   - 1/2 sum ((f - f_measured) / (factor sd))^2 - 1/2 sum ((loss - measured) / sd)^2,
 /// -inf where losses are added and there is no pinch to lose, or a loss is undecided.
 [[nodiscard]] Eigen::VectorXd log_likelihood(const MeasuredPredictions& predicted,

@@ -30,11 +30,11 @@ struct ThumbCalibration {
                                           // ranks, and its error, runs being independent [1]
 };
 
-/// Every simulation draws a thumb from the prior of the fit, simulates its pulls with noise of the
-/// stated sds times a factor from its prior, and samples the posterior. The stated sds are those of
-/// the thumb at the start: they must not depend on the truth. After a stop request the simulations
-/// so far are tested; below 20 simulations nothing is tested. Source: [Talts2018]; the log
-/// likelihood among the ranked as [Sailynoja2022] advise.
+/// Returns every simulation draws a thumb from the prior of the fit, simulates its pulls with noise
+/// of the stated sds times a factor from its prior, and samples the posterior. The stated sds are
+/// those of the thumb at the start: they must not depend on the truth. After a stop request the
+/// simulations so far are tested; below 20 simulations nothing is tested. Source: [Talts2018]; the
+/// log likelihood among the ranked as [Sailynoja2022] advise.
 [[nodiscard]] ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
                                                const ThumbCalibrationSettings& settings);
 

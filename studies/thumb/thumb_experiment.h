@@ -10,9 +10,9 @@
 
 namespace thenar {
 
-/// Postures of a five-axis thumb within its ranges: key pinch, opposition pinch, wide grasp and
-/// hook, in this order. The joint angles are judgements: key pinch with the thumb adducted and its
-/// IP joint bent, opposition abducted and less bent, the other two to either side of these.
+/// Returns postures of a five-axis thumb within its ranges: key pinch, opposition pinch, wide grasp
+/// and hook, in this order. The joint angles are judgements: key pinch with the thumb adducted and
+/// its IP joint bent, opposition abducted and less bent, the other two to either side of these.
 [[nodiscard]] std::vector<PostureRecord> thumb_postures();
 
 /// Protocol and noise of simulated pulls.
@@ -25,15 +25,15 @@ struct SimulatedPullOptions {
   unsigned seed = 1;
 };
 
-/// Pulls every muscle of the digit in turn, tip pinned, and reads the force. Its sds are known, as
-/// if from repeated readings: sd^2 = floor^2 + (noise |f|)^2, f the true force.
+/// Returns pulls every muscle of the digit in turn, tip pinned, and reads the force. Its sds are
+/// known, as if from repeated readings: sd^2 = floor^2 + (noise |f|)^2, f the true force.
 [[nodiscard]] Experiment simulate_pulls(const TendonDigit& truth,
                                         const SimulatedPullOptions& options);
 
-/// True forces of the trials of an experiment [N] (3, trials).
+/// Returns true forces of the trials of an experiment [N] (3, trials).
 [[nodiscard]] Eigen::Matrix3Xd true_forces(const TendonDigit& truth, const Experiment& experiment);
 
-/// Text of the experiment as read_experiment() reads it, numbers to the last bit.
+/// Returns the text of the experiment as read_experiment() reads it, numbers to the last bit.
 /// @throws InputError if a row has no sd, or the components are not those of the digit.
 [[nodiscard]] std::string experiment_text(const Experiment& experiment);
 

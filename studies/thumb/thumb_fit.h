@@ -17,8 +17,8 @@ struct ThumbData {
   MeanThumb criteria{};  // by which types are told
 };
 
-/// The thumb of a subject without passive moments: load cells are zeroed under the thumb at rest,
-/// so that forces are those of tendons alone.
+/// Returns the thumb of a subject without passive moments: load cells are zeroed under the thumb at
+/// rest, so that forces are those of tendons alone.
 [[nodiscard]] TendonDigit thumb_of(const SourceText& source);
 
 /// Mean and sd over trials of the angle between predicted and measured force [rad].
@@ -27,11 +27,11 @@ struct DirectionErrors {
 };
 [[nodiscard]] DirectionErrors direction_errors(const Prediction& prediction);
 
-/// Inputs of a fit: files, and globs of the arms that it may move.
+/// Returns inputs of a fit: files, and globs of the arms that it may move.
 [[nodiscard]] FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs,
                                          const ThumbFitSettings& settings, const ThumbData& data);
 
-/// Settings of the chains of a study or a recovery. @param file  settings with priors
+/// Returns settings of the chains of a study or a recovery. @param file  settings with priors
 template <typename Study>
 [[nodiscard]] PosteriorSettings chain_settings(const SourceText& file, const Study& study) {
   PosteriorSettings out;

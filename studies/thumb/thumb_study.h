@@ -57,12 +57,12 @@ struct ThumbStudySettings {
   Progress progress;
 };
 
-/// Settings of the full study, which takes minutes. Both models, arms fixed: at 1, 5, 10 and 20 %
-/// noise, at twice the published skewness, in 1 to 4 postures, with tasks beside the pulls, and
-/// with priors three times as wide; arms free: at 5, 10 and 20 % noise.
+/// Returns settings of the full study, which takes minutes. Both models, arms fixed: at 1, 5, 10
+/// and 20 % noise, at twice the published skewness, in 1 to 4 postures, with tasks beside the
+/// pulls, and with priors three times as wide; arms free: at 5, 10 and 20 % noise.
 [[nodiscard]] ThumbStudySettings full_thumb_study();
-/// Settings of a study of less than 20 s on one core: both models at three noises, and 1 to 4
-/// postures, arms fixed.
+/// Returns settings of a study of less than 20 s on one core: both models at three noises, and 1 to
+/// 4 postures, arms fixed.
 [[nodiscard]] ThumbStudySettings quick_thumb_study();
 
 /// Means and sds over tasks, each a mean over draws.
@@ -124,10 +124,10 @@ struct ThumbStudy {
 [[nodiscard]] ThumbStudy study_thumb(const ThumbStudyInputs& inputs,
                                      const ThumbStudySettings& settings);
 
-/// Thumb that the data of a fit are simulated with.
+/// Returns thumb that the data of a fit are simulated with.
 [[nodiscard]] TendonDigit true_thumb(const ThumbStudy& study, double skewness);
 
-/// Description of a fit: "skewed, arms free, 10 % noise, 2 postures".
+/// Returns description of a fit: "skewed, arms free, 10 % noise, 2 postures".
 [[nodiscard]] std::string describe_fit(const ThumbFitSettings& settings);
 
 }  // namespace thenar

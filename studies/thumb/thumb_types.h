@@ -43,17 +43,18 @@ struct MeanThumb {
 /// @throws InputError if the subject lacks a digit "thumb", a joint, or a bone that is named.
 [[nodiscard]] MeanThumb mean_thumb(const DigitVariability& variability, const Subject& subject);
 
-/// Axes of thumb `number`: a function of (seed, number) alone.
+/// Returns axes of thumb `number`: a function of (seed, number) alone.
 [[nodiscard]] std::vector<AxisLine> draw_thumb(const MeanThumb& mean, unsigned seed, int number);
 
-/// Component of the common normal from one axis to another.
+/// Returns component of the common normal from one axis to another.
 /// @param toward  unit (3)
 /// @returns [m]
 [[nodiscard]] double normal_component(const AxisLine& first, const AxisLine& second,
                                       const Eigen::Vector3d& toward);
 
-/// Type of a thumb. Order at the MCP joint: the common normal from the flexion to the abduction
-/// axis has a component along the metacarpal; the flexion axis is distal if it points proximally.
+/// Returns type of a thumb. Order at the MCP joint: the common normal from the flexion to the
+/// abduction axis has a component along the metacarpal; the flexion axis is distal if it points
+/// proximally.
 [[nodiscard]] ThumbType classify_thumb(const MeanThumb& mean, const std::vector<AxisLine>& axes);
 
 /// Mean and sd of the Denavit-Hartenberg parameters of one axis; of angles the mean direction
@@ -62,7 +63,7 @@ struct DhStatistics {
   DhRow mean, sd;  // theta, alpha [rad]; d, a [m]
 };
 
-/// Axes of a digit's model in its reference posture, in the order of `mean.spread`.
+/// Returns axes of a digit's model in its reference posture, in the order of `mean.spread`.
 /// @param hinges  names of the model's hinges
 /// @throws InputError if one of the axes is missing.
 [[nodiscard]] std::vector<AxisLine> thumb_axes(const MeanThumb& mean,
@@ -118,7 +119,7 @@ inline constexpr double kPublishedFlexionDistal = 0.652;
 [[nodiscard]] ThumbTypes study_thumb_types(const ThumbTypesInputs& inputs,
                                            const ThumbTypesSettings& settings);
 
-/// "MCP flexion axis distal, normal ulnar": of types by their index.
+/// Returns "MCP flexion axis distal, normal ulnar": of types by their index.
 [[nodiscard]] std::string describe_type(const ThumbType& type, DigitDirection toward);
 
 }  // namespace thenar

@@ -26,8 +26,8 @@ struct MeshReaderLimits {
 [[nodiscard]] TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format,
                                              MeshTime& left);
 
-/// Path of the program: THENAR_MESH_READER, or thenar-mesh-reader beside the running program, where
-/// it was built or installed, or on the PATH. Empty if it is missing.
+/// Returns the path of the program: THENAR_MESH_READER, or thenar-mesh-reader beside the running
+/// program, where it was built or installed, or on the PATH. Empty if it is missing.
 [[nodiscard]] std::string find_mesh_reader();
 
 }  // namespace thenar

@@ -17,11 +17,11 @@ namespace thenar {
 /// Format of a mesh file.
 enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInventor };
 
-/// Format by the ending of the file name, .wrl for VRML and .iv for Inventor.
+/// Returns the format by the ending of the file name, .wrl for VRML and .iv for Inventor.
 /// @throws DataError for an unknown ending, listing the known ones.
 [[nodiscard]] MeshFormat mesh_format(const std::string& path);
 
-/// A name whose letters file systems and URLs all take; others become underscores.
+/// Returns a name whose letters file systems and URLs all take; others become underscores.
 [[nodiscard]] std::string plain_file_name(std::string name);
 
 /// Returns whether mesh_format() knows the ending.
@@ -57,17 +57,17 @@ struct MeshTime {
 /// all files together have a limit of time and of triangles.
 class MeshReader {
  public:
-  /// Content of a file, as read_mesh().
+  /// Returns the content of a file, as read_mesh().
   /// @throws DataError also if earlier meshes took all the time, or if there are more than
   /// kMaxTogether triangles with this one.
   [[nodiscard]] const MeshContent& content(const std::string& path, double scale = 1);
 
-  /// Its triangles alone.
+  /// Returns its triangles alone.
   [[nodiscard]] TriangleMesh read(const std::string& path, double scale = 1) {
     return content(path, scale).mesh;
   }
 
-  /// All files that were asked for and are there, also those that could not be read.
+  /// Returns all files that were asked for and are there, also those that could not be read.
   [[nodiscard]] FileDigests files() const;
 
   static constexpr Eigen::Index kMaxTogether = 4'000'000;  // triangles
@@ -80,7 +80,8 @@ class MeshReader {
   std::map<Key, DataError> failures_;
 };
 
-/// Bytes of an OBJ, STL (binary), PLY or OFF file, by the ending of `path`, which is not written.
+/// Returns bytes of an OBJ, STL (binary), PLY or OFF file, by the ending of `path`, which is not
+/// written.
 /// @throws InputError for another ending, and for a mesh without triangles or with invalid ones.
 [[nodiscard]] std::string mesh_bytes(const std::string& path, const TriangleMesh& mesh);
 

@@ -9,10 +9,11 @@
 
 namespace thenar {
 
-/// Answer with the corners of a soup, in single precision as in assimp and Coin, and exact shapes.
+/// Returns the answer with the corners of a soup, in single precision as in assimp and Coin, and
+/// exact shapes.
 [[nodiscard]] std::string answer_of(const TriangleSoup& soup);
 
-/// Answer with a message instead. @param message  "path:line: .." or without a place
+/// Returns the answer with a message instead. @param message  "path:line: .." or without a place
 [[nodiscard]] std::string answer_of(const std::string& message);
 
 /// Reads the triangles and exact shapes of an answer.

@@ -9,8 +9,9 @@
 
 namespace thenar {
 
-/// Repairs the mesh of a shape (repair_to_solid()) if it bounds no solid; the mesh then no longer
-/// stands for its file. `warnings` gets what was done, or that repair failed. Other shapes stay.
+/// Returns repairs the mesh of a shape (repair_to_solid()) if it bounds no solid; the mesh then no
+/// longer stands for its file. `warnings` gets what was done, or that repair failed. Other shapes
+/// stay.
 /// @param owner  in words: "link 'palm'"
 /// @returns false if the mesh cannot become a solid, for example if it is flat.
 [[nodiscard]] bool repair_shape(ShapeSpec& shape, const std::string& owner,

@@ -11,7 +11,8 @@
 
 namespace thenar {
 
-/// The surface as an STL file keeps it: corners in single precision, welded as they are read.
+/// Returns the surface as an STL file keeps it: corners in single precision, welded as they are
+/// read.
 /// @throws DataError if no triangle is left of it
 [[nodiscard]] TriangleMesh as_in_stl(const TriangleMesh& mesh);
 
@@ -27,7 +28,7 @@ class StlFiles {
   /// many solids when it is read from there; else the triangles stay in the shape.
   /// @param owner  whose shapes they are, for names: "palm"
   void give(std::vector<ShapeSpec>& shapes, const std::string& owner);
-  /// Paths and contents of the files that give() made.
+  /// Returns paths and contents of the files that give() made.
   [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& files() const {
     return files_;
   }

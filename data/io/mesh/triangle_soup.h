@@ -27,8 +27,8 @@ constexpr std::size_t kMaxExact = 64;
 /// Files with more triangles are refused: no hand or object needs them.
 constexpr std::size_t kMaxTriangles = 2'000'000;
 
-/// Welds the soup to a surface: corners at exactly the same place become one vertex; triangles with
-/// two equal corners (and so without area) are left out.
+/// Returns welds the soup to a surface: corners at exactly the same place become one vertex;
+/// triangles with two equal corners (and so without area) are left out.
 ///
 /// Parts that only touch stay apart, like those of convex decompositions: if consecutive triangles
 /// of the file close a surface, its vertices are its own, unless merging everything leaves fewer

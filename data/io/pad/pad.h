@@ -58,13 +58,13 @@ struct PadSpec {
 [[nodiscard]] PadSpec read_pad(const std::string& path);
 [[nodiscard]] PadSpec parse_pad(const std::string& text, const std::string& path);
 
-/// Text that parse_pad() reads back, numbers to 15 digits.
+/// Returns the text that parse_pad() reads back, numbers to 15 digits.
 /// Of citation keys that are neither in data/sources.bib nor the pad's own, it says that they are
 /// unstated.
 /// @param comment  lines above it, without their '#'; empty: none
 [[nodiscard]] std::string pad_toml(const PadSpec& pad, const std::string& comment = "");
 
-/// "length_mm" of [shape], "law" of [pulp] ..: all that the file says nobody measured.
+/// Returns "length_mm" of [shape], "law" of [pulp] ..: all that the file says nobody measured.
 [[nodiscard]] std::vector<std::string> assumed_words(const PadSpec& pad);
 
 }  // namespace thenar

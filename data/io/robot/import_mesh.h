@@ -29,8 +29,8 @@ struct NamedMeshes {
   MeshReader& reader;
 };
 
-/// The mesh of a name in the robot file as a shape, put into `shape`, whose X_BS is the pose of the
-/// file's frame.
+/// Returns the mesh of a name in the robot file as a shape, put into `shape`, whose X_BS is the
+/// pose of the file's frame.
 /// @returns false if the file is missing or cannot be read; `warnings` then say that `link` goes
 /// without it.
 [[nodiscard]] bool try_mesh(ShapeSpec& shape, const std::string& name,

@@ -91,11 +91,11 @@ class MjcfElement {
   [[nodiscard]] bool has(const char* attribute) const;
   [[nodiscard]] std::string text(const char* attribute, const std::string& otherwise = "") const;
   [[nodiscard]] double number(const char* attribute, double otherwise) const;
-  /// Numbers of an attribute; empty if it is absent.
+  /// Returns numbers of an attribute; empty if it is absent.
   [[nodiscard]] std::vector<double> numbers(const char* attribute) const;
   [[nodiscard]] Eigen::Vector3d vector3(const char* attribute,
                                         const Eigen::Vector3d& otherwise) const;
-  /// Pose from pos and one of quat, axisangle, euler, xyaxes, zaxis.
+  /// Returns the pose from pos and one of quat, axisangle, euler, xyaxes, zaxis.
   [[nodiscard]] Pose<double> pose() const;
   [[noreturn]] void fail(const std::string& what) const;
   [[nodiscard]] int line() const;
@@ -111,8 +111,8 @@ class MjcfElement {
   std::string class_;
 };
 
-/// Rotation that turns z into `direction` by the smallest angle; half a turn about x if it points
-/// down.
+/// Returns the rotation that turns z into `direction` by the smallest angle; half a turn about x if
+/// it points down.
 /// @param direction  not zero (3)
 [[nodiscard]] Eigen::Matrix3d rotation_to(const Eigen::Vector3d& direction);
 

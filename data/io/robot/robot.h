@@ -128,8 +128,8 @@ bool take_effort_of_speed(RobotDof& dof);
 [[nodiscard]] RobotSpec read_robot(const std::string& path);
 [[nodiscard]] RobotSpec parse_robot(const std::string& text, const std::string& path);
 
-/// The robot as TOML that read_robot() reads without loss, every double to the bit. A mesh from a
-/// file is named, not written out.
+/// Returns the robot as TOML that read_robot() reads without loss, every double to the bit. A mesh
+/// from a file is named, not written out.
 /// @param stated  the robot before digits, materials, closing and approach were inferred: lines
 /// that differ end in a comment, "# guessed"; null: nothing was inferred
 /// @throws InputError as check_robot().
@@ -147,9 +147,9 @@ bool take_effort_of_speed(RobotDof& dof);
 /// @throws InputError
 void check_robot(const RobotSpec& robot);
 
-/// Mounts `tool` on a link of `carrier` by a fixed joint "NAME mount". The result approaches and
-/// closes as the tool does; a carrier that states no closing stands still. Names of the tool get
-/// "NAME/" in front if the carrier has them already.
+/// Returns mounts `tool` on a link of `carrier` by a fixed joint "NAME mount". The result
+/// approaches and closes as the tool does; a carrier that states no closing stands still. Names of
+/// the tool get "NAME/" in front if the carrier has them already.
 /// @param X_LT  base link of the tool in that link
 /// @throws InputError if the carrier has no such link, or as check_robot().
 [[nodiscard]] RobotSpec attach(const RobotSpec& carrier, const std::string& link,

@@ -47,7 +47,7 @@ struct UrdfText {
   std::vector<std::string> warnings;  // what URDF cannot express, also comments in the text
 };
 
-/// Roll, pitch and yaw of URDF,  R = Rz(yaw) Ry(pitch) Rx(roll), accurate at any pitch.
+/// Returns roll, pitch and yaw of URDF,  R = Rz(yaw) Ry(pitch) Rx(roll), accurate at any pitch.
 /// @returns [rad] (3)
 [[nodiscard]] Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& R);
 

@@ -55,9 +55,9 @@ struct SpringKeys {
 /// @param name  "translation" or "rotation", of so many `ways`;  @param range  of the stiffness
 [[nodiscard]] SpringKeys read_springs(TomlTable& table, const std::string& name, int ways,
                                       Range range);
-/// Dimension of the stiffness of "translation" or "rotation".
+/// Returns the dimension of the stiffness of "translation" or "rotation".
 [[nodiscard]] Dimension spring_dimension(const std::string& name);
-/// 'stiffening', which is of springs with a toe. @param usual  where it is not stated
+/// Returns 'stiffening', which is of springs with a toe. @param usual  where it is not stated
 [[nodiscard]] double read_stiffening(TomlTable& table, bool has_toe, double usual);
 
 /// [[compliance]]

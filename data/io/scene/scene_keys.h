@@ -9,7 +9,7 @@ namespace thenar::internal {
 
 /// [body.joint] or [hand.joint]. @param kind  where it is not stated
 [[nodiscard]] SceneJointSpec read_scene_joint(TomlTable& owner, JointKind kind);
-/// `velocity` and `angular_velocity`, which only what is free may have.
+/// Returns `velocity` and `angular_velocity`, which only what is free may have.
 [[nodiscard]] SceneVelocity read_scene_velocity(TomlTable& owner, JointKind kind);
 [[nodiscard]] SceneForceSpec read_scene_force(TomlTable& table);
 /// @param folder  of the scene

@@ -31,7 +31,7 @@ struct ScenePadSpec {
   int line = 1;                       // of the file
 };
 
-/// "elements", "foundation", "soft-finger", "power-law", "hard-point": the finest first.
+/// Returns "elements", "foundation", "soft-finger", "power-law", "hard-point": the finest first.
 [[nodiscard]] const std::vector<std::string>& pad_rung_names();
 
 namespace internal {

@@ -86,15 +86,15 @@ struct WorldSpec {
 [[nodiscard]] WorldSpec read_world(const std::string& path);
 [[nodiscard]] WorldSpec parse_world(const std::string& text, const std::string& path);
 
-/// An object or a world as TOML that its reader reads without loss, every double to the bit.
-/// `folder` and `materials` are not written: they follow from where it is read.
+/// Returns an object or a world as TOML that its reader reads without loss, every double to the
+/// bit. `folder` and `materials` are not written: they follow from where it is read.
 /// @throws InputError if a number is not finite, or an inertia not symmetric.
 [[nodiscard]] std::string object_toml(const BodySpec& body);
 [[nodiscard]] std::string world_toml(const WorldSpec& world);
 
-/// Mass of a body [kg]: as stated, or spread evenly over the union of its shapes by its mass, its
-/// density or the density of its material, the first of these that is known. Overlapping parts
-/// count once; union_mass() says when that is exact.
+/// Returns the mass of a body [kg]: as stated, or spread evenly over the union of its shapes by its
+/// mass, its density or the density of its material, the first of these that is known. Overlapping
+/// parts count once; union_mass() says when that is exact.
 /// @throws InputError if neither mass nor density is known, with the keys that state them, or if
 /// the
 ///         shapes enclose nothing.
