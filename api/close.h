@@ -14,8 +14,8 @@ struct CloseRequest {
 /// The hand where it came to rest.
 struct CloseResult {
   CloseRequest request;
-  Outcome outcome;    // of the grasp
-  GraspResult grasp;  // without an approach; its grasp.closed has what stopped every coordinate
+  Outcome outcome;    // outcome of the grasp
+  GraspResult grasp;  // grasp without an approach; grasp.closed says what stopped each coordinate
 };
 
 /// Closes the hand of a world without approaching the object, and measures the grasp if the object

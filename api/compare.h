@@ -25,20 +25,21 @@ struct CompareRequest {
                                  "robonaut",         "parallel_jaw", "robotiq_2f85"};
   std::vector<std::string> objects{"sphere_70", "cube_50", "can", "box",
                                    "pen",       "mug",     "egg", "jar_lid"};
-  std::vector<BodySpec> own_objects = {};  // behind those by name, as make_body() gives them
-  std::vector<std::string> tasks{"force-closure", "hold-weight"};  // also "pull", "turn"
+  std::vector<BodySpec> own_objects = {};  // further objects, see make_body()
+  std::vector<std::string> tasks{"force-closure",
+                                 "hold-weight"};  // tasks by name; also "pull", "turn"
   std::string data;             // folder with robots/ and objects/; empty: the usual ones
-  int approaches = 20;          // of every hand to every object
+  int approaches = 20;          // approaches of each hand to each object
   int best = 3;                 // number of grasps of each pair whose loads are computed
   int threads = 0;              // 0: as many as there are processors; the answer is the same
   unsigned seed = 1;            // of the approaches
-  std::optional<Path> path;     // of tendons of human hands whose names state none; absent:
+  std::optional<Path> path;     // tendon paths of human hands whose names state none; absent:
                                 // default_path()
   std::string materials;        // file of materials and friction, over the built-in table; or ""
   bool normalise_size = false;  // objects scaled by the reach of the digits over the first hand's
   std::string file;             // (.json) written after every pair; one that is there is gone on
                                 // with; empty: nothing is kept
-  RunRecord run;                // that the file records, if it has arguments
+  RunRecord run;                // record of the run for the file, where it has arguments
 };
 
 /// A comparison with the hands and objects that were compared. Stopped: its cells are whole as far
@@ -49,10 +50,10 @@ struct CompareResult {
   Comparison comparison;
   std::vector<NamedHand> hands;               // human ones drawn finer than they touch
   std::vector<BodySpec> objects;              // unscaled
-  std::map<std::string, std::string> inputs;  // what the result depends on: "hand barrett" ->
+  std::map<std::string, std::string> inputs;  // everything the result depends on: "hand barrett" ->
                                               // its SHA-256 as it was read,
                                               // "fcl" -> its version
-  FileDigests files;                          // of all hands and objects
+  FileDigests files;                          // digests of the files of all hands and objects
 };
 
 /// Compares hands on objects, by 20 random approaches of each hand to each object unless told

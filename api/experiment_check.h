@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "base/provenance.h"
 #include "data/io/experiment.h"
 #include "data/io/subject.h"
-#include "base/provenance.h"
 
 namespace thenar {
 
 /// Sentences, each with its line in the experiment's file: "H01.toml:31: posture 'Hook' ..".
 struct SubjectMatch {
   std::vector<std::string> misfits;  // why no fit can be made
-  std::vector<std::string> doubts;   // what may be right, but is worth a look
+  std::vector<std::string> doubts;   // sentences about what is unusual but possible
 };
 
 /// Compares names of digit, joints, muscles and segment; then whether the subject has been

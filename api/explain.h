@@ -21,9 +21,9 @@ namespace thenar {
 /// Options of explain(): a file or name, and the part of it to explain.
 struct ExplainRequest {
   std::string thing;         // a file, or the name of something that comes with thenar
-  std::string digit;         // of a subject; empty: the only one that it has
+  std::string digit;         // digit of a subject; empty: its only one
   std::string settings;      // fit settings for a subject, file or name; empty: the built-in ones
-  std::optional<Path> path;  // of a subject's tendons; absent: default_path()
+  std::optional<Path> path;  // tendon paths of a subject; absent: default_path()
   std::string data;          // folder with subjects/ ..; empty: the usual ones
 };
 
@@ -42,13 +42,13 @@ struct DigitExplained {
   std::vector<QuestionCost> costs;
   std::string settings;          // path of the fit settings
   std::string settings_trouble;  // why they do not suit the digit; empty: they do
-  FitParameters parameters;      // under these settings, or with all fixed
+  FitParameters parameters;      // parameters under these settings, or with all fixed
 };
 
 /// Predictions and values of a fit, recomputed.
 struct FitExplained {
-  std::vector<Prediction> predictions;            // of the experiments that were fitted
-  std::vector<FittedValues> values;               // of the population, then of each specimen
+  std::vector<Prediction> predictions;            // predictions of the fitted experiments
+  std::vector<FittedValues> values;               // values of the population, then of each specimen
   std::map<std::string, std::string> written_by;  // program -> version
 };
 
@@ -58,8 +58,8 @@ struct ThingExplained {
   Outcome outcome;
   std::string path;
   Thing thing;
-  std::optional<DigitExplained> digit;  // of a subject
-  std::optional<FitExplained> fit;      // of a fit
+  std::optional<DigitExplained> digit;  // present for a subject
+  std::optional<FitExplained> fit;      // present for a fit
 };
 
 /// Name of the posture that stands for all postures of an experiment among parameters.

@@ -16,14 +16,14 @@ struct MomentArmPoint {
   Eigen::VectorXd q;              // [rad] (joints)
   std::string message;            // why there is no answer; empty: there is one
   Eigen::MatrixXd arms;           // -d length / dq; flexion, radial + [m/rad] (muscles, joints)
-  Eigen::VectorXd length_change;  // since MomentArmResult::reference; longer + [m] (muscles)
+  Eigen::VectorXd length_change;  // change since MomentArmResult::reference; longer + [m] (muscles)
   Eigen::Vector3d tip{0, 0, 0};   // world frame [m] (3)
 };
 
 /// Answers posture by posture, in the order of the grid; as many as were done.
 struct MomentArmResult : DigitResult {
   Eigen::VectorXd reference;  // posture of no length change [rad] (joints)
-  Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> crosses;  // whether a muscle has an arm about
+  Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> crosses;  // true: the muscle has an arm about
                                                                 // a joint (muscles, joints)
   std::vector<MomentArmPoint> points;
 };

@@ -19,7 +19,7 @@ struct JointNow {
   std::string name;
   double angle;           // [rad]
   Eigen::Vector3d axis;   // unit, world (3)
-  Eigen::Vector3d point;  // of the axis, world [m] (3)
+  Eigen::Vector3d point;  // point on the axis, world [m] (3)
   std::string led_by;     // coordinate that drives a coupled joint; empty: itself
 };
 
@@ -38,7 +38,7 @@ struct TipNow {
   Eigen::Matrix3d axes;             // columns proximal, dorsal, radial, world (3, 3)
   std::vector<std::string> joints;  // free joints that move it, columns of J
   Eigen::Matrix3Xd J;               // position Jacobian, world [m/rad] (3, joints)
-  TipManipulability mobility;       // not set if no joint moves the tip
+  TipManipulability mobility;       // empty if no joint moves the tip
 };
 
 /// A subject at one posture.

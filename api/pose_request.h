@@ -13,7 +13,7 @@ namespace thenar {
 struct PoseRequest {
   std::string model;                // a subject or a robot: its name, or its file
   std::string data;                 // folder with subjects/, robots/ ..; empty: the usual ones
-  std::vector<std::string> digits;  // to keep, of a subject; empty: all
+  std::vector<std::string> digits;  // digits of a subject to keep; empty: all
   PostureRequest posture;           // joints not named are at 0
   PostureRequest frozen;            // joints of a subject that are welded there
   std::vector<Vary> vary;           // in the unit of the posture; the last one varies fastest

@@ -17,7 +17,7 @@ namespace thenar {
 /// Parameters that predict: those of the specimen or of the population, and whether the fit has
 /// seen the specimen.
 enum class PredictedBy {
-  kOwn,            // its own, which were fitted
+  kOwn,            // the specimen's own, which were fitted
   kOwnPopulation,  // the population's, which it was a part of
   kStranger        // the population's; it was not fitted
 };
@@ -27,23 +27,23 @@ struct PredictRequest {
   std::vector<std::string> experiments;  // files, or names of experiments/
   bool population = false;               // predict a fitted specimen as if it had never been seen
   std::string data;                      // folder with experiments/; empty: the usual ones
-  std::optional<Path> path = {};         // as require_fit_path() allows
+  std::optional<Path> path = {};         // tendon paths, see require_fit_path()
 };
 
 /// One experiment with its prediction.
 struct PredictedExperiment {
   Experiment experiment;
-  Prediction prediction;  // with predictive sds
+  Prediction prediction;  // prediction with predictive sds
   PredictedBy by = PredictedBy::kStranger;
 };
 
 struct PredictResult {
-  PredictRequest request;           // of draws its fit is the posterior
+  PredictRequest request;           // request; where draws predict, its fit is the posterior
   Outcome outcome;                  // warnings: of the fit and of each experiment
-  FitInputs inputs;                 // of the fit
+  FitInputs inputs;                 // inputs of the fit
   RunRecord fitted_by;              // the run that wrote the file; empty in older files
-  Fidelity fidelity;                // of the digit
-  std::vector<SourceText> sources;  // of the experiments
+  Fidelity fidelity;                // fidelity of the digit
+  std::vector<SourceText> sources;  // texts of the experiments
   std::vector<PredictedExperiment> experiments;
 };
 

@@ -21,19 +21,19 @@ struct ContactQualityRequest {
   std::string text;                 // the contacts themselves (JSON); empty: read from the file
   int line = 1;                     // number of the first line of `text`, for messages
   std::string data;                 // folder with contacts/; empty: the usual ones
-  ForceNorm norm = ForceNorm::kL1;  // how the forces of all contacts are limited together
-  double gap = 1e-3;                // of epsilon, between its bounds, > 0 [1]
-  int edges = 0;                    // of friction pyramids, 3 to 1000; 0: the true cones
-  double first_edge = 0;            // about the normal, from the first tangent [rad]
-  bool volume = true;               // takes 80 to 5,000 times as long as epsilon
+  ForceNorm norm = ForceNorm::kL1;  // norm that limits all contact forces together
+  double gap = 1e-3;                // relative gap between the bounds of epsilon, > 0 [1]
+  int edges = 0;                    // edges of friction pyramids, 3 to 1000; 0: the true cones
+  double first_edge = 0;  // angle of the first edge about the normal, from the first tangent [rad]
+  bool volume = true;     // takes 80 to 5,000 times as long as epsilon
 };
 
 /// Largest multiple of a task that contacts withstand if their normal forces are limited to 1 N.
 struct TaskQuality {
   Status status = Status::kSolved;
-  std::optional<double> lower, upper;  // of the multiple of the task that is withstood [1]; none: a
-                                       // program did not end; infinite: there is no load
-  Wrench worst_load;                   // that is withstood least [N m], [N]
+  std::optional<double> lower, upper;  // bounds of the multiple of the task that is withstood [1];
+                                       // none: a program did not end; infinite: there is no load
+  Wrench worst_load;                   // task load with the smallest multiple [N m], [N]
   double residual = 0;                 // largest of the KKT conditions of the programs [1]
   std::vector<std::optional<double>>
       grasp_forces;  // least limit that withstands each load of a list [N];
@@ -46,7 +46,7 @@ struct ContactQualityResult {
   Outcome outcome;       // warnings: keys ignored, normals made unit, what looks like a mistake
   std::string contacts;  // file that was read
   std::size_t count = 0;
-  double torque_scale = 0;  // by which torques are divided [m]
+  double torque_scale = 0;  // length that divides torques [m]
   bool planar = false;      // forces in a plane, torques about its normal
   Epsilon epsilon{};
   std::optional<Volume> volume;                     // none: not asked, or not known of a plane

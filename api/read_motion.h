@@ -18,14 +18,14 @@ struct RecordedDigit {
   Subject subject;
   std::string digit;
   std::shared_ptr<const DigitTendons> tendons;  // never null
-  Eigen::VectorXd time;                         // at least one, rising [s] (instants)
+  Eigen::VectorXd time;                         // instants, at least one, rising [s] (instants)
   Eigen::MatrixXd angle;                        // [rad] (instants, joints)
   Eigen::MatrixXd speed;                        // [rad/s] (instants, joints)
   Eigen::MatrixXd activation;                   // [1] (instants, muscles)
   Eigen::MatrixXd tension;                      // [N] (instants, muscles)
-  Eigen::VectorXd energy;      // of motion, weights, springs and stops [J] (instants)
-  Eigen::VectorXd work;        // of the tendons on the joints [J] (instants)
-  Eigen::VectorXd dissipated;  // in the dampers of the joints [J] (instants)
+  Eigen::VectorXd energy;      // energy of motion, weights, springs and stops [J] (instants)
+  Eigen::VectorXd work;        // work of the tendons on the joints [J] (instants)
+  Eigen::VectorXd dissipated;  // energy dissipated by the dampers of the joints [J] (instants)
   std::vector<std::string> warnings;
 };
 

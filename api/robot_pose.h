@@ -16,31 +16,31 @@ namespace thenar {
 /// A joint that moves, at one posture.
 struct RobotJointNow {
   std::string name;
-  std::string dof;  // that drives it; empty: none
+  std::string dof;  // degree of freedom that drives it; empty: none
   bool slides = false;
   double value = 0;       // [rad] or [m]
   Eigen::Vector3d axis;   // unit, in the base link (3)
-  Eigen::Vector3d point;  // of the axis, in the base link [m] (3)
+  Eigen::Vector3d point;  // point on the axis, in the base link [m] (3)
 };
 
 /// A link at one posture.
 struct RobotLinkNow {
   std::string name;
   int parent;         // link that carries it, as an index; -1: none
-  Pose<double> X_BL;  // its frame in the base link
+  Pose<double> X_BL;  // pose of its frame in the base link
 };
 
 /// A tip at one posture.
 struct RobotTipNow {
   std::string digit;
   std::string link;
-  Eigen::Vector3d p;  // in the base link [m] (3)
+  Eigen::Vector3d p;  // position in the base link [m] (3)
 };
 
 /// A robot at one posture.
 struct RobotPose {
   std::vector<double> varied;         // values of what varies [rad] or [m]
-  std::vector<RobotJointNow> joints;  // that move
+  std::vector<RobotJointNow> joints;  // joints that move
   std::vector<RobotLinkNow> links;
   std::vector<RobotTipNow> tips;
   std::vector<std::string> warnings;  // values outside limits
@@ -60,7 +60,7 @@ struct RobotPoses {
   std::vector<VariedDrive> varied;  // the last one varies fastest; empty: one posture
   std::size_t row = 1;              // postures that differ in the last one only
   std::vector<RobotPose> points;
-  FileDigests files = {};  // of the robot
+  FileDigests files = {};  // digests of the robot's files
 };
 
 /// Computes the poses of a robot's joints, links and tips. Tips are those of find_tips(); digits

@@ -20,7 +20,7 @@ namespace thenar {
 
 /// Search method for topologies.
 enum class InferMethod {
-  kSparse,  // all candidate bands at once, at a price: select_bands()
+  kSparse,  // fits all candidate bands at once, with a penalty on each: select_bands()
   kExplore  // a population of nets that change by single bands: search_nets()
 };
 inline constexpr std::array kInferMethodNames{EnumName{InferMethod::kSparse, "sparse"},
@@ -38,18 +38,18 @@ struct InferNetRequest {
   std::string experiment;       // a file, or the name of one of experiments/
   std::string subject;          // a file, or the name of one of subjects/
   std::string data;             // folder with subjects/ ..; empty: the usual ones
-  std::string net = "winslow";  // all candidate bands: name or file
-  std::optional<Path> path;     // of tendons outside of the net; absent: default_path()
+  std::string net = "winslow";  // net of all candidate bands: name or file
+  std::optional<Path> path;     // tendon paths outside of the net; absent: default_path()
   InferMethod method = InferMethod::kSparse;
-  unsigned seed = 1;  // of kExplore, and of draws and sampled sets with `free`
+  unsigned seed = 1;  // seed of kExplore, and of draws and sampled sets with `free`
   int propose = 3;    // tests to propose, at most
   // Not empty: what else may explain the forces, beside everything that the settings of a fit free.
   // "slack", "paths", "stiffness", or globs on names of parameters as of `thenar fit --free`. Bands
   // then get probabilities by band_posterior(); `method` must be kSparse and `path` absent.
   std::vector<std::string> free = {};
-  std::string settings = {};            // with `free`: file, or name of fits/; empty: the digit's
-  std::vector<std::string> bands = {};  // with `free`: globs on bands in question; empty: all
-  BandPosteriorOptions sets = {};       // with `free`
+  std::string settings = {};  // settings for `free`: file, or name of fits/; empty: the digit's
+  std::vector<std::string> bands = {};  // globs on the bands in question for `free`; empty: all
+  BandPosteriorOptions sets = {};       // options for `free`
 };
 
 /// Returns globs on parameter names that a word of InferNetRequest::free stands for; the text
@@ -64,12 +64,12 @@ struct BandEnds {
 /// A measurement that would tell the remaining nets apart.
 struct ProposedTest {
   std::string name;         // posture and tensions [N]: "MinorFlex EDC=3.28 RI=5.32"
-  double disagreement = 0;  // of nets that fit alike, mean squared, in sds of a reading [1]
+  double disagreement = 0;  // mean squared difference of equally good nets, in sds of a reading [1]
 };
 
 /// Result of an inference in which slack lengths, paths or other parameters are free.
 struct FreeInference {
-  std::vector<std::string> freed;  // as asked
+  std::vector<std::string> freed;  // requested globs
   std::string settings;            // path of the settings
   int parameters = 0;              // free, with all bands
   int numbers = 0;                 // measured force components
@@ -84,14 +84,15 @@ struct [[nodiscard]] InferNetResult {
   InferNetRequest request;
   Outcome outcome;  // stopped: verdicts of what was tried up to then; stalled: no net was found
   std::string experiment, subject, net;  // names
-  Fidelity fidelity;                     // of the digit
+  Fidelity fidelity;                     // fidelity of the digit
   InferredNet inferred;
-  std::vector<BandEnds> ends;              // of each of inferred.verdicts
-  std::vector<ProposedTest> next;          // the most telling first
-  std::optional<NetSearchStop> stop;       // why the search ended; absent: kSparse does not search
-  std::vector<SourceText> sources;         // experiment, subject, net; with `free` settings, too
-  std::optional<FreeInference> free = {};  // where something was freed: then `inferred`, `next` and
-                                           // `stop` are empty, and `ends` are those of free's bands
+  std::vector<BandEnds> ends;         // end nodes of each of inferred.verdicts
+  std::vector<ProposedTest> next;     // the most telling first
+  std::optional<NetSearchStop> stop;  // why the search ended; absent: kSparse does not search
+  std::vector<SourceText> sources;    // experiment, subject, net; with `free` settings, too
+  std::optional<FreeInference> free =
+      {};  // present where something was freed: then `inferred`, `next` and
+           // `stop` are empty, and `ends` are those of free's bands
 };
 
 /// Fits the nets that candidate bands can form to all trials in which a muscle pulls the net, and

@@ -29,7 +29,7 @@ struct LoadedDigit {
   std::shared_ptr<const DigitTendons> tendons;  // never null
   Eigen::VectorXd t;                            // tension of each muscle [N] (muscles)
   PostureGrid grid;                             // the postures asked for
-  std::vector<SourceText> sources;              // of the subject, and of a net
+  std::vector<SourceText> sources;              // texts of the subject and of a net
 
   [[nodiscard]] const TendonDigit& bones() const { return tendons->digit(); }
   /// Returns the tendons as a net; null if their hood is no net.
@@ -49,7 +49,7 @@ struct [[nodiscard]] TendonSweepResult {
   TendonRequest request;
   Outcome outcome;  // stalled: a point is not to be used
   LoadedDigit loaded;
-  std::vector<DigitPoint> points;  // in the order of loaded.grid.postures; fewer if stopped
+  std::vector<DigitPoint> points;  // points in the order of loaded.grid.postures; fewer if stopped
 };
 
 /// Solves the digit at request.digit.posture; `vary` must be empty.

@@ -23,10 +23,10 @@ struct ValidateRequest {
 /// One thing, read whole: subjects are built digit by digit, bodies as solids, fits are set up
 /// again from their own inputs.
 struct FileVerdict {
-  std::string path;            // of the file that was found, or the name that was asked for
+  std::string path;            // path of the file, or the requested name if there is none
   std::optional<Thing> thing;  // absent: see `error`
-  std::string error;           // what is wrong; empty: nothing
-  SubjectMatch check;          // of an experiment, where a subject was given
+  std::string error;           // error message; empty: none
+  SubjectMatch check;          // check of an experiment, where a subject was given
   std::vector<std::string> warnings;
 
   [[nodiscard]] bool valid() const { return error.empty() && check.misfits.empty(); }
@@ -34,7 +34,7 @@ struct FileVerdict {
 
 struct Validation {
   ValidateRequest request;
-  std::vector<FileVerdict> files;  // in the order of the request
+  std::vector<FileVerdict> files;  // verdicts in the order of the request
   std::string subject;             // path of the subject that experiments were held to; empty: none
 
   [[nodiscard]] bool valid() const;

@@ -24,7 +24,7 @@ namespace thenar {
 /// Formats and files in which an answer is wanted.
 struct Outputs {
   bool json = false, csv = false;  // printed instead of text
-  std::vector<std::string> files;  // of -o and --report
+  std::vector<std::string> files;  // files of -o and --report
 
   /// Returns the files with one of these endings: ".h5". @returns them in the order they were given
   [[nodiscard]] std::vector<std::string> with_ending(const std::vector<std::string>& endings) const;

@@ -10,9 +10,9 @@ namespace thenar {
 
 struct CacheOptions {
   std::string folder;                    // empty: nothing is kept; made with mode 700
-  std::uintmax_t max_bytes = 500000000;  // of all entries; the least recently used give way
-  bool own =
-      false;  // the folder is thenar's alone, and becomes of mode 700 also where it was there
+  std::uintmax_t max_bytes = 500000000;  // limit on the size of all entries; the least recently
+                                         // used are removed first [bytes]
+  bool own = false;  // folder of thenar alone: an existing one is set to mode 700, too
 };
 
 /// Sets the folder that kept() and keep() of this process use from now on. A program asks for it;

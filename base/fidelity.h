@@ -27,8 +27,7 @@ struct Fidelity {
   Path path = Path::kNone;          // none < constant arms < via points < fitted < wrapped
   Hood hood = Hood::kSeparate;      // separate tendons < fixed fractions < floating net
   Muscle muscle = Muscle::kBounds;  // bounds < rigid-tendon Hill < elastic tendon
-  ContactModel contact =
-      ContactModel::kNone;  // none < point < soft finger < foundation < finite elements
+  ContactModel contact = ContactModel::kNone;  // none < .. < finite elements
 
   Fidelity() = default;
 

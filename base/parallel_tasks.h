@@ -11,7 +11,7 @@ namespace thenar {
 
 /// One of several tasks.
 struct ParallelTask {
-  double seconds;                             // that it takes, roughly [s]
+  double seconds;                             // estimated duration [s]
   std::function<void(const Progress&)> work;  // writes to a place of its own; its progress is 0..1
 };
 

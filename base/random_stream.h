@@ -20,7 +20,7 @@ class RandomStream {
   RandomStream(std::uint64_t seed, std::uint32_t chain, std::uint32_t step,
                std::uint32_t purpose = 0);
 
-  double uniform();  // in (0, 1), never an end
+  double uniform();  // uniform in the open interval (0, 1)
   double normal();   // standard normal
   int index(int n);  // 0 .. n - 1, uniform
   /// Chi-square of `nu` > 0 degrees of freedom. Source: [Marsaglia2000].

@@ -10,11 +10,12 @@ namespace thenar {
 
 /// One run of the command; a library that no command called leaves `arguments` empty.
 struct RunRecord {
-  std::vector<std::string> arguments;  // as typed, without the program: "fit", "H01.toml", ..
-  std::string folder;                  // where it ran, absolute
-  std::string commit;                  // of the sources, 40 hexadecimal digits; "": not known
-  std::string date;                    // when it began, UTC: "2026-01-31T12:00:00Z"
-  std::string request = {};            // that was answered, as JSON: {"question": "tip_force", ..}
+  std::vector<std::string>
+      arguments;             // arguments as typed, without the program: "fit", "H01.toml", ..
+  std::string folder;        // working directory, absolute
+  std::string commit;        // commit of the sources, 40 hexadecimal digits; "": not known
+  std::string date;          // start of the run, UTC: "2026-01-31T12:00:00Z"
+  std::string request = {};  // answered request as JSON: {"question": "tip_force", ..}
 };
 
 /// Returns the record of a run that begins now. The environment's SOURCE_DATE_EPOCH, whole seconds

@@ -54,7 +54,7 @@ template <typename T>
 
 /// Moment and force on a body. As six numbers the moment comes first.
 struct Wrench {
-  Eigen::Vector3d moment{0, 0, 0};  // about a stated point [N m] (3)
+  Eigen::Vector3d moment{0, 0, 0};  // moment about a stated point [N m] (3)
   Eigen::Vector3d force{0, 0, 0};   // [N] (3)
 
   Wrench& operator+=(const Wrench& b) {

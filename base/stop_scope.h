@@ -14,7 +14,7 @@ namespace thenar {
 /// what they are given would otherwise hand it on through all of their callers.
 class StopScope {
  public:
-  using Request = std::function<bool()>;  // as Progress::stop_requested
+  using Request = std::function<bool()>;  // see Progress::stop_requested
 
   explicit StopScope(const Progress& progress) : StopScope(&progress.stop_requested) {}
   /// Joins the scope of another thread that works on the same task.

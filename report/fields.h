@@ -20,10 +20,10 @@ namespace thenar {
 
 /// Unit of a number in SI and as people read it: printed = si * numerator / denominator.
 struct FieldUnit {
-  const char* si = "";       // as keys end: "N_m"
+  const char* si = "";       // ending of keys: "N_m"
   const char* printed = "";  // "N_mm"
   double numerator = 1, denominator = 1;
-  bool is_measured = false;  // by the clock of a computation: another one every time
+  bool is_measured = false;  // measured by a clock: differs from run to run
 };
 
 /// Units by the name in which they are printed.
@@ -59,7 +59,7 @@ inline constexpr FieldUnit kMillimetrePerRadian{"m_per_rad", "mm_per_rad", 1, kM
 inline constexpr FieldUnit kNewtonPerMetre{"N_per_m", "N_per_m"};
 inline constexpr FieldUnit kNewtonPerMillimetre{"N_per_m", "N_per_mm", kMm};
 // Printed under keys of earlier versions.
-inline constexpr FieldUnit kMeasuredSeconds{"", "", 1, 1, true};  // as kCpuSecond
+inline constexpr FieldUnit kMeasuredSeconds{"", "", 1, 1, true};  // see kCpuSecond
 inline constexpr FieldUnit kMetrePerSecondShort{"m_per_s", "m_s"};
 inline constexpr FieldUnit kRadianPerSecondShort{"rad_per_s", "rad_s"};
 inline constexpr FieldUnit kDegreePerSecondShort{"rad_per_s", "deg_s", 1, thenar::kDegree};
@@ -107,11 +107,11 @@ struct Field {
   /// A list of such parts.
   Field(std::string name, std::vector<Fields> list);
 
-  std::string key;            // without its unit: "tip_force"
-  FieldUnit unit;             // of all numbers in `value`
-  OrderedJson value;          // in SI
-  std::vector<Fields> parts;  // in place of a value
-  bool is_list = false;       // of parts, however many
+  std::string key;            // key without its unit: "tip_force"
+  FieldUnit unit;             // unit of all numbers in `value`
+  OrderedJson value;          // value in SI
+  std::vector<Fields> parts;  // members, instead of a value
+  bool is_list = false;       // a list of parts, even if there is one
 };
 
 /// Fields of a result in the order in which they are written.

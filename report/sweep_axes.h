@@ -15,9 +15,9 @@ namespace thenar {
 
 /// Values of everything that varies, row by row; nothing varies in an answer of one row.
 struct SweepAxes {
-  std::vector<std::string> names;  // of joints; the last one varies fastest
-  std::vector<std::string> units;  // of each: "deg" or "mm"
-  Eigen::MatrixXd values;          // in these units (rows, names)
+  std::vector<std::string> names;  // names of joints; the last one varies fastest
+  std::vector<std::string> units;  // unit of each: "deg" or "mm"
+  Eigen::MatrixXd values;          // values in these units (rows, names)
   std::size_t row = 1;             // rows that differ in the last one only
 
   [[nodiscard]] bool single() const { return names.empty(); }

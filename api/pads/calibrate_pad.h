@@ -16,17 +16,18 @@ namespace thenar {
 /// Options of calibrate_pad(): a pad, its presses, and the accuracy of the elements.
 struct PadLawsRequest {
   PadRequest pad;
-  double force_error = 0.04;       // estimated by elements, below which their meshes do [1]
-  double max_penetration = 20e-6;  // of an object into faces between their nodes [m]
-  int max_elements = 4000;         // a mesh is not refined beyond
-  std::vector<double> depths;      // of the presses that are fitted [m]; empty: trial_depths()
+  double force_error = 0.04;  // estimated by elements, below which their meshes do [1]
+  double max_penetration =
+      20e-6;                   // largest penetration of faces by an object between their nodes [m]
+  int max_elements = 4000;     // a mesh is not refined beyond
+  std::vector<double> depths;  // depths of the fitted presses [m]; empty: trial_depths()
 };
 
 /// Forces of a press by the contact laws.
 struct LawForces {
-  double power = 0, soft_finger = 0;  // by curvatures of the gap [N]
-  double bed = 0;                     // by springs over the skin [N]
-  double bed_area = 0;                // of their patch [m^2]
+  double power = 0, soft_finger = 0;  // forces by curvatures of the gap [N]
+  double bed = 0;                     // force by springs over the skin [N]
+  double bed_area = 0;                // area of the patch of these springs [m^2]
   double bed_arm = 0;                 // torsion for a friction of 1 [m]
 };
 
@@ -40,10 +41,10 @@ struct LawPress {
 /// Result of a calibration.
 struct [[nodiscard]] PadLaws {
   PadLawsRequest request;
-  Outcome outcome;  // its status is that of the calibration
+  Outcome outcome;  // outcome with the status of the calibration
   NamedPad pad;
-  std::vector<double> depths;     // of the presses that are fitted [m]
-  std::vector<LawPress> presses;  // that the elements solved, those of the fit first
+  std::vector<double> depths;     // depths of the presses that laws are fitted to [m]
+  std::vector<LawPress> presses;  // presses that the elements solved, those of the fit first
   LawCalibration calibration;     // kStopped, or too few presses: without laws
   double press_s = 0, fit_s = 0;  // time of presses, of fits [s]
 

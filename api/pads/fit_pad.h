@@ -19,9 +19,9 @@ struct PadFitRequest {
   std::string presses;             // a data file, or the name of one of presses/
   std::string pad;                 // a file, or a name of pads/; empty: as the data file says
   std::string data;                // folder with presses/ and pads/; empty: the usual ones
-  bool check_mesh = true;          // whether the estimate is pressed once more on finer cells
-  int points = 16;                 // of each curve of the fitted pad
-  bool allow_unconverged = false;  // whether a pad is an answer though its search did not converge
+  bool check_mesh = true;          // repeat the presses of the estimate on finer cells
+  int points = 16;                 // points of each curve of the fitted pad
+  bool allow_unconverged = false;  // accept the pad of a search that did not converge
 };
 
 /// A press of the fitted pad, load by load.
@@ -35,11 +35,11 @@ struct [[nodiscard]] FittedPad {
   PadFitRequest request;
   Outcome outcome;  // stalled: the search did not converge, and that was not allowed
   PadData data;
-  NamedPad pad;  // where the search began, but for starts that the data file states
+  NamedPad pad;  // pad at which the search started, except starts that the data file states
   PadFitProblem problem;
-  PadFitResult fit;                 // without estimates: stopped before there was one
+  PadFitResult fit;                 // result; without estimates if stopped before the first
   PadSpec spec;                     // the pad with the estimates; where there are none, as before
-  std::vector<FittedCurve> curves;  // of each press of the data; none without estimates
+  std::vector<FittedCurve> curves;  // curve of each press of the data; none without estimates
 };
 
 /// Fits the constants that a data file names to the presses that it states.

@@ -18,9 +18,9 @@ namespace thenar {
 /// Options of an object that presses a pad.
 struct PressObjectRequest {
   std::string name = "plane";    // "plane", "sphere", "cylinder", "edge", or a mesh file
-  std::optional<double> radius;  // of sphere and cylinder, of an edge's rounding [m];
+  std::optional<double> radius;  // radius of a sphere, a cylinder or an edge's rounding [m];
                                  // absent: 10 mm, of an edge 0.5 mm
-  double scale = 1e-3;           // of a mesh [m] per unit of its file
+  double scale = 1e-3;           // length of one unit of a mesh file [m]
 };
 
 /// An object. Frame: z towards the pad, its top on the plane z = 0; the axis of a cylinder and the
@@ -44,7 +44,7 @@ struct PressObject {
 
 /// Pose at which an object just touches a pad, and the direction of its motion.
 struct PadTouch {
-  Pose<double> X_PO;      // of the object in the pad's frame
+  Pose<double> X_PO;      // pose of the object in the pad's frame
   Eigen::Vector3d along;  // unit, of the object's motion into the pad, pad's frame (3)
 };
 

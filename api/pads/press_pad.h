@@ -22,19 +22,19 @@ namespace thenar {
 struct PressRequest {
   PadRequest pad;
   PressObjectRequest object;
-  double angle = 0;             // of the pad to the object, as touch_pad() [rad]
-  double turn = 0;              // of the object about its way into the pad [rad]
-  std::optional<double> force;  // at the end of the way, along it [N]
-  std::optional<double> depth;  // of the object since it touched [m]
-  std::optional<double> rate;   // of the object [m/s]; 0: so slow that all relaxes; absent: at
-                                // once, before anything relaxes
-  double hold = 0;              // time that the object then stands still, with a rate above 0 [s]
-  double friction = 0.6;        // of skin on aluminium [Seo2009] [1]
-  int points = 12;              // on the way, evenly spread in depth
-  int hold_points = 12;         // while it stands still, ever farther apart
-  double force_error = 0.05;    // estimated, below which the mesh does [1]
-  int max_elements = 20000;     // a mesh is not refined beyond
-  bool rungs = false;           // whether laws, elements, meshes are compared, which takes minutes
+  double angle = 0;             // angle between pad and object, see touch_pad() [rad]
+  double turn = 0;              // rotation of the object about its direction of motion [rad]
+  std::optional<double> force;  // force along the motion at its end [N]
+  std::optional<double> depth;  // displacement of the object after first touch [m]
+  std::optional<double> rate;  // speed of the object [m/s]; 0: so slow that all relaxes; absent: at
+                               // once, before anything relaxes
+  double hold = 0;             // time that the object then stands still, with a rate above 0 [s]
+  double friction = 0.6;       // friction coefficient of skin on aluminium [Seo2009] [1]
+  int points = 12;             // points during the motion, evenly spread in depth
+  int hold_points = 12;        // while it stands still, ever farther apart
+  double force_error = 0.05;   // estimated, below which the mesh does [1]
+  int max_elements = 20000;    // a mesh is not refined beyond
+  bool rungs = false;          // compare laws, elements and meshes, which takes minutes
 };
 
 /// Phase of the object's motion.
@@ -48,17 +48,17 @@ inline constexpr std::array kPressPhaseNames{EnumName{PressPhase::kWay, "way"},
 /// A press at one instant.
 struct PressInstant {
   PressPhase phase = PressPhase::kWay;
-  double time = 0;                // since the touch [s]; 0 without a rate
-  double depth = 0;               // of the object since it touched [m]
-  double force = 0;               // of the object on the pad, along its way [N]
-  Eigen::Vector3d push{0, 0, 0};  // the same force, pad's frame [N] (3)
-  double area = 0;                // of the patch, deformed [m^2]
+  double time = 0;                // time since first touch [s]; 0 without a rate
+  double depth = 0;               // displacement of the object since first touch [m]
+  double force = 0;               // force of the object on the pad along its motion [N]
+  Eigen::Vector3d push{0, 0, 0};  // force of the object on the pad, pad's frame [N] (3)
+  double area = 0;                // area of the deformed patch [m^2]
   double stick = 0;               // share of the normal force on nodes that stick [1]
   double pressure = 0;            // largest at a node, at least the mean over the patch [Pa]
   double force_error = 0;         // estimated, relative [1]
   double penetration = 0;         // deepest point of the object within a face [m]
   std::size_t elements = 0;
-  int iterations = 0;  // since the press began
+  int iterations = 0;  // iterations since the press began
   double cpu = 0;      // processor time since the press began [s]
 };
 
@@ -68,16 +68,16 @@ struct [[nodiscard]] PressResult {
   Outcome outcome;  // done: steps; its status is that of the step that failed, if one did
   NamedPad pad;
   PressObject object;
-  PadTouch touch;                      // where it began
-  Pose<double> X_PO;                   // of the object where it ended, pad's frame
-  std::vector<PressInstant> instants;  // those that were solved
-  PressedSkin skin;                    // at the last of them
-  std::vector<PressRung> rungs;        // if asked
+  PadTouch touch;                      // pose at first touch
+  Pose<double> X_PO;                   // final pose of the object, pad's frame
+  std::vector<PressInstant> instants;  // solved instants
+  PressedSkin skin;                    // skin at the last instant
+  std::vector<PressRung> rungs;        // comparison, if requested
   std::string message;                 // why it failed; empty: it did not
   double cpu = 0;                      // processor time of the press, without rungs [s]
 
-  [[nodiscard]] bool relaxes() const;                    // whether time counts
-  [[nodiscard]] const PressInstant* end_of_way() const;  // its last instant; null: there is none
+  [[nodiscard]] bool relaxes() const;                    // tissue relaxes: time matters
+  [[nodiscard]] const PressInstant* end_of_way() const;  // last instant of the motion; null: none
 };
 
 /// Presses a pad.

@@ -17,7 +17,7 @@ struct PressResult;
 struct PressRung {
   std::string element;   // "soft finger", "Q1P0"
   std::string mesh;      // "law", "1152 even cells", "refined to 4 %"
-  bool refined = false;  // whether the mesh refines
+  bool refined = false;  // the mesh is refined adaptively
   std::size_t elements = 0;
   double force = 0;               // [N]
   double error = 0;               // |force / force of the finest - 1| [1]; 0 for the finest
@@ -25,9 +25,9 @@ struct PressRung {
   bool finest = false;            // the one that all others are held to
   std::string message;            // why there is no force; empty: it was solved
   bool reduced = false;           // a law without elements
-  std::optional<double> area;     // of the patch [m^2]
+  std::optional<double> area;     // area of the patch [m^2]
   std::optional<double> torsion;  // largest torque per normal force, with the press's friction [m]
-  std::string note;               // what a law was calibrated for
+  std::string note;               // pad and depth that a law was calibrated for
 };
 
 /// Presses the pad of `pressed` at once, in one step and without friction, to the depth where its

@@ -14,20 +14,20 @@ namespace thenar {
 /// Difference of a run from the run on the finest rung.
 struct RungError {
   // Root of the sum of squares of what normal forces of pads differ, over that of the finest's [1].
-  double force_end = 0;  // at the end
-  double force_all = 0;  // over all instants
+  double force_end = 0;  // difference at the end
+  double force_all = 0;  // difference over all instants
   // Bodies that move and are no links of a hand, the one that is farthest off.
-  double place_end = 0;      // of centres of mass, at the end [m]
-  double place_largest = 0;  // at any instant [m]
-  double turn_end = 0;       // at the end [rad]
+  double place_end = 0;      // distance of centres of mass at the end [m]
+  double place_largest = 0;  // largest distance at any instant [m]
+  double turn_end = 0;       // rotation at the end [rad]
 };
 
 /// A pad at one instant.
 struct PadLoad {
   double force = 0;    // normal [N]
-  double area = 0;     // of the patch; 0: a hard point [m^2]
+  double area = 0;     // area of the patch; 0: a hard point [m^2]
   double stick = 0;    // share of the normal force on what sticks [1]
-  double torsion = 0;  // on the first body of the pair, about the normal [N m]
+  double torsion = 0;  // torque on the first body of the pair about the normal [N m]
 };
 
 struct RungRun {
@@ -40,9 +40,9 @@ struct [[nodiscard]] RungComparison {
   SceneRequest request;
   Outcome outcome;  // done: rungs; stalled: none was solved
   std::string name;
-  std::vector<RungRun> runs;  // in the order in which they were asked for; those that ran
-  std::size_t finest = 0;     // of the runs: the first of pad_rung_names() that was solved, or, if
-                              // none was, that ran
+  std::vector<RungRun> runs;  // completed runs in the order of the request
+  std::size_t finest = 0;     // index of the finest run: the first of pad_rung_names() that was
+                              // solved, or, if none was, that ran
   std::vector<std::pair<int, int>> pads;  // pairs of bodies, the lower first
   FileDigests files;
 };

@@ -13,19 +13,19 @@ namespace thenar {
 
 /// A run as write_scene_run() wrote it, with its scene built again.
 struct RecordedScene {
-  std::string name;          // of the scene
-  BuiltScene built;          // from the texts that the file keeps, and what they name
+  std::string name;  // name of the scene
+  BuiltScene built;  // scene built from the texts that the file keeps and the files that they name
   std::optional<Path> path;  // SceneRequest::path of the run; via points in files of before 0.2
   std::optional<Camera> camera;
-  std::vector<SceneSample> samples;    // at least one, by rising time; z and w are not kept
+  std::vector<SceneSample> samples;    // at least one, by rising time; without z and w
   std::vector<std::string> muscles;    // "human:skewed/index/FDP2"
-  Eigen::MatrixXd tension;             // of them [N] (instants, muscles)
-  long steps = 0, unsolved = 0;        // as SceneCost
-  double worst_residual = 0;           // the same [1]
-  double deepest = 0;                  // the same [m]
+  Eigen::MatrixXd tension;             // tensions of the muscles [N] (instants, muscles)
+  long steps = 0, unsolved = 0;        // see SceneCost
+  double worst_residual = 0;           // see SceneCost [1]
+  double deepest = 0;                  // see SceneCost [m]
   std::optional<FlowBalance> balance;  // worst_balance(), of which its error and what was turned
                                        // over are kept; nothing: not recorded
-  std::vector<PassedLimit> limits;     // that joints went beyond
+  std::vector<PassedLimit> limits;     // limits that joints exceeded
   std::vector<std::string> warnings;
 };
 

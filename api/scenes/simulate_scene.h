@@ -35,12 +35,12 @@ struct SceneRequest {
   std::string data;   // folder with scenes/, robots/ ..; empty: the usual ones
   std::string method;
   std::string pads;                  // rung of all its [[pad]], of pad_rung_names()
-  std::optional<Path> path = {};     // of tendons of human hands that state none; absent:
+  std::optional<Path> path = {};     // tendon paths of human hands that state none; absent:
                                      // default_path()
-  bool on_pins = false;              // without its [[compliance]]: no joint gives
-  std::optional<double> seconds;     // how long [s]
-  std::optional<double> sample;      // between the instants that are kept [s]
-  std::optional<double> step;        // of a fixed length [s]
+  bool on_pins = false;              // ignore [[compliance]]: every joint is rigid
+  std::optional<double> seconds;     // duration [s]
+  std::optional<double> sample;      // time between stored instants [s]
+  std::optional<double> step;        // fixed step size [s]
   std::optional<double> tolerance;   // error of a step [m] or [rad]
   std::vector<SceneVariation> vary;  // the last one varies fastest; empty: one run
 };
@@ -51,12 +51,12 @@ struct [[nodiscard]] SceneResult {
   Outcome outcome;  // stalled: not to be used, see run.status
   std::string name, description;
   std::optional<Camera> camera;
-  std::shared_ptr<const BuiltScene> built;  // what moved, and what was assumed; never null
+  std::shared_ptr<const BuiltScene> built;  // simulated scene with its assumptions; never null
   std::vector<std::pair<std::string, double>> varied;  // numbers that are not as in the file
   SceneRun run;
   RunMeasures measures;
   std::vector<SourceText> sources;  // scene, hands, objects, materials; meshes are in `files` only
-  FileDigests files;                // all that was read
+  FileDigests files;                // digests of all files that were read
 };
 
 /// Returns true if the scene's method solves contact problems; contacts as springs have no

@@ -14,7 +14,7 @@ namespace thenar {
 /// Drives that move the hands of a world.
 enum class WorldDrives {
   kHold,     // every coordinate is held where it stands by a drive
-  kTendons,  // the same of robots; muscles of human hands pull, at first without tension
+  kTendons,  // drives of robots as above; muscles of human hands pull, at first without tension
   kNone      // nothing: efforts are given from outside
 };
 inline constexpr std::array kWorldDrivesNames{EnumName{WorldDrives::kHold, "hold"},

@@ -28,7 +28,7 @@ struct SimpleJoint {
 struct SegmentProportion {
   std::string name;                 // "PP2"
   double length = 0;                // times hand length [1]
-  std::vector<SimpleJoint> joints;  // from the wrist outwards
+  std::vector<SimpleJoint> joints;  // joints from the wrist outwards
 };
 
 /// A digit of a flat hand.

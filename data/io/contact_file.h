@@ -15,12 +15,12 @@ using FileWrench = Eigen::Matrix<double, 6, 1>;  // force, then torque (6)
 struct FileContact {
   Eigen::Vector3d position{0, 0, 0};  // [m] (3)
   Eigen::Vector3d normal{0, 0, 1};    // unit, into the object (3)
-  double normal_length = 1;           // as given, before it was made unit [1]
+  double normal_length = 1;           // length as given, before the normal was made unit [1]
   double friction = 0;                // Coulomb's coefficient [1]
   double torsion = 0;                 // torque about the normal per normal force [m]
   int patch = -1;                     // contacts of one number are one face; -1: its own
-  std::vector<FileWrench> wrenches;   // in place of the cone, torques already divided by the scale
-                                      // [N] (6); empty: the cone counts
+  std::vector<FileWrench> wrenches;   // wrenches in place of the cone, torques already divided by
+                                      // the scale [N] (6); empty: the cone counts
 };
 
 /// Task of a grasp: loads on the object, about its centre of mass.
@@ -33,13 +33,13 @@ struct FileTask {
 
 /// A contact set.
 struct ContactFile {
-  std::string path;                // of the file, or what stands for it in messages
+  std::string path;                // path of the file, or its substitute in messages
   Eigen::Vector3d centre_of_mass;  // [m] (3)
-  double torque_scale = 0;         // by which torques are divided [m]
+  double torque_scale = 0;         // length that divides torques [m]
   std::vector<FileContact> contacts;
   FileTask task;
-  bool planar = false;                // in the plane z = 0, wrenches f_x, f_y and torque about z
-  std::vector<std::string> warnings;  // of keys that are ignored
+  bool planar = false;  // contacts in the plane z = 0, wrenches f_x, f_y and torque about z
+  std::vector<std::string> warnings;  // warnings about ignored keys
 };
 
 /// Reads {"centre_of_mass": [x, y, z], "torque_scale": m, "contacts": [{"position": [x, y, z],

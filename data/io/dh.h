@@ -14,9 +14,9 @@ namespace thenar {
 
 /// One row of a Denavit-Hartenberg table, at joint angle zero.
 struct DhRow {
-  double theta = 0;  // about z of the frame before  [rad]
-  double d = 0;      // along z of the frame before  [m]
-  double a = 0;      // along the common normal      [m]
+  double theta = 0;  // rotation about z of the previous frame [rad]
+  double d = 0;      // translation along z of the previous frame [m]
+  double a = 0;      // translation along the common normal [m]
   double alpha = 0;  // twist between the axes       [rad]
 };
 
@@ -28,15 +28,15 @@ struct AxisLine {
 
 /// The axes of a chain at joint angles zero, and the frame at its end.
 struct DhAxes {
-  std::vector<AxisLine> axes;        // one for each row
+  std::vector<AxisLine> axes;        // one axis for each row
   std::vector<Pose<double>> frames;  // after each row
 };
 
 /// A whole chain:  X_end = base * row_1 * .. * row_n * tool.
 struct DhChain {
-  Pose<double> base;        // its z is the first axis
-  std::vector<DhRow> rows;  // one for each axis
-  Pose<double> tool;        // from the last row's frame to the end frame
+  Pose<double> base;        // base frame; its z is the first axis
+  std::vector<DhRow> rows;  // one row for each axis
+  Pose<double> tool;        // pose of the end frame in the last row's frame
 };
 
 /// Returns the displacement across one row, at joint angle zero.

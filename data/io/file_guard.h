@@ -25,9 +25,9 @@ enum class GuardedKind {
 /// The limits of one kind; the table with its reasons is in file_guard.cpp.
 struct FileLimit {
   GuardedKind kind;
-  const char* name;    // in messages: "TOML"
+  const char* name;    // name in messages: "TOML"
   std::size_t bytes;   // size of the file [bytes]
-  int depth;           // of nesting; 0: not counted
+  int depth;           // nesting depth; 0: not counted
   std::size_t values;  // number of values, by its separators; 0: not counted
 };
 

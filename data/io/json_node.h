@@ -17,13 +17,13 @@ enum class JsonKind { kNull, kFlag, kNumber, kText, kArray, kObject };
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree
 struct JsonNode {
   JsonKind kind = JsonKind::kNull;
-  int line = 1;                    // on which the value starts, from 1
-  bool flag = false;               // of kFlag
+  int line = 1;                    // line on which the value starts, from 1
+  bool flag = false;               // value of kFlag
   bool whole = false;              // kNumber without point and exponent, of 64 bits at most
-  double number = 0;               // of kNumber; not finite: written as null
-  std::string text;                // of kText
-  std::vector<JsonNode> items;     // of kArray, and the values of kObject
-  std::vector<std::string> names;  // of kObject, in the order of the file; as many as `items`
+  double number = 0;               // value of kNumber; not finite: written as null
+  std::string text;                // value of kText
+  std::vector<JsonNode> items;     // entries of kArray, or values of kObject
+  std::vector<std::string> names;  // member names of kObject, one for each of `items`
 
   JsonNode() = default;
   explicit JsonNode(JsonKind its_kind) : kind(its_kind) {}

@@ -14,7 +14,7 @@ namespace thenar {
 /// An array of a file, row-major.
 struct ResultArray {
   std::vector<double> values;       // row-major (product of shape)
-  std::vector<std::size_t> shape;   // at most 3 dimensions
+  std::vector<std::size_t> shape;   // lengths of at most 3 dimensions
   std::string unit;                 // "N", "1"
   std::vector<std::string> labels;  // name of each dimension: {"trial", "component"}
 };

@@ -15,12 +15,12 @@ enum class TomlKind { kText, kNumber, kFlag, kDate, kArray, kTable };
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the text
 struct TomlNode {
   TomlKind kind = TomlKind::kTable;
-  int line = 1;                                           // in the file, from 1
-  std::string text;                                       // of kText
-  double number = 0;                                      // of kNumber, integers too
-  bool flag = false;                                      // of kFlag
-  std::vector<TomlNode> items;                            // of kArray
-  std::vector<std::pair<std::string, TomlNode>> members;  // of kTable, in file order
+  int line = 1;                                           // line in the file, from 1
+  std::string text;                                       // value of kText
+  double number = 0;                                      // value of kNumber, integers too
+  bool flag = false;                                      // value of kFlag
+  std::vector<TomlNode> items;                            // entries of kArray
+  std::vector<std::pair<std::string, TomlNode>> members;  // members of kTable, in file order
   std::vector<std::size_t> by_name;                       // indices of members, sorted by name
 
   /// Returns the member of that name, or null; found by bisection.

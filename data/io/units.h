@@ -32,7 +32,7 @@ enum class Dimension {
 
 /// A unit: `point_mm = 5` is 5 * 0.001 m.
 struct Unit {
-  std::string suffix;  // of the key, without the underscore; empty for kNumber
+  std::string suffix;  // suffix of the key, without the underscore; empty for kNumber
   Dimension dimension;
   double to_si;  // value in SI: [1] for kNumber, [m] for kLength, ..
 };

@@ -19,10 +19,10 @@ namespace thenar {
 struct LoadWords {
   std::string one, many;  // "force", "forces"
   std::string unit;       // "N" or "N m"
-  std::string suffix;     // of keys and columns: "_N" or "_Nm"
+  std::string suffix;     // suffix of keys and columns: "_N" or "_Nm"
   int more_decimals;      // than newtons need
-  FieldUnit si;           // of numbers
-  FieldUnit per_degree;   // of changes
+  FieldUnit si;           // unit of numbers
+  FieldUnit per_degree;   // unit of changes
 };
 [[nodiscard]] LoadWords words_of(TipLoad load);
 /// Returns the load that is not asked for: moments beside a force.

@@ -12,7 +12,7 @@ namespace thenar {
 /// Estimate of a coordinate of a fit, in a unit for people.
 struct CoordinateInUnit {
   double value = 0, sd = 0;  // [unit]
-  double prior_sd = 0;       // of the one specimen of a fit, or of the population of several [unit]
+  double prior_sd = 0;       // prior sd of the only specimen or of the population [unit]
   std::string unit;          // "mm", "deg", "1/rad", "1"
 };
 

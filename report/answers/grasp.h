@@ -15,7 +15,7 @@ struct JointRow {
   std::string name;
   bool slides;             // rather than turns
   double value;            // [rad] or [m]
-  std::string shown;       // in degrees or millimetres
+  std::string shown;       // value in degrees or millimetres
   std::string stopped_by;  // name_of(StoppedBy)
   std::string reason;      // obstacle or limit that stopped it, in words
 };

@@ -11,10 +11,10 @@ namespace thenar {
 
 /// A surface of a hand at something.
 struct Touching {
-  int surface;             // of Hand::surfaces()
+  int surface;             // index in Hand::surfaces()
   std::string other;       // body of the setup, or surface of the hand
   double gap;              // [m]
-  int other_surface = -1;  // of the hand; -1: a body
+  int other_surface = -1;  // other surface of the hand; -1: a body
 };
 
 /// Finds everything that a posed hand touches, itself included; links that overlap by design do not

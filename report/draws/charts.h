@@ -14,17 +14,17 @@ namespace thenar {
 
 /// Simulation-based calibration: ranks of true values among draws of simulated data.
 struct CalibrationRanks {
-  std::vector<std::string> names;     // of the quantities (quantities)
+  std::vector<std::string> names;     // names of the quantities (quantities)
   Eigen::MatrixXi rank;               // 0 .. draws (quantities, simulations)
-  int draws = 0;                      // of each simulation
-  std::vector<std::string> warnings;  // to doubt the sampler, as RankCalibration::warnings
+  int draws = 0;                      // draws of each simulation
+  std::vector<std::string> warnings;  // reasons to doubt the sampler, see RankCalibration::warnings
 };
 
 /// The error of one sampler as it runs.
 struct SamplerCourse {
   std::string name;
   std::vector<double> seconds;  // wall time, warm-up included [s] (points)
-  std::vector<double> error;    // of the posterior mean, in posterior sds, RMS over entries [1]
+  std::vector<double> error;  // RMS error of the posterior mean over entries, in posterior sds [1]
 };
 
 /// Returns Pareto k of every observation, those above the limit by name.

@@ -15,13 +15,13 @@ namespace thenar {
 
 /// One quantity of a posterior, in the unit that people read it in.
 struct Quantity {
-  std::string name;             // "axis/CMC1_FE/direction/1"
-  std::string unit;             // "deg"; empty or "1": none
-  Eigen::MatrixXd draws;        // after warm-up [unit] (draws, chains)
-  std::vector<int> group;       // of each chain, as Draws::group; empty: each its own (chains)
-  Estimate estimate;            // [unit]; name is not used
-  Eigen::VectorXd prior;        // draws from the prior [unit] (any); empty: not known
-  std::optional<double> truth;  // that the data were made with [unit]
+  std::string name;        // "axis/CMC1_FE/direction/1"
+  std::string unit;        // "deg"; empty or "1": none
+  Eigen::MatrixXd draws;   // after warm-up [unit] (draws, chains)
+  std::vector<int> group;  // group of each chain, see Draws::group; empty: each its own (chains)
+  Estimate estimate;       // [unit]; name is not used
+  Eigen::VectorXd prior;   // draws from the prior [unit] (any); empty: not known
+  std::optional<double> truth;  // true value behind simulated data [unit]
   std::string meaning;          // "CMC flexion axis: tilt about the digit's length"; may be empty
 };
 

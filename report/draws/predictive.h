@@ -14,7 +14,7 @@ namespace thenar {
 /// Predicted and measured forces of one experiment.
 struct PredictedForces {
   Experiment experiment;
-  Eigen::MatrixXd replicated;  // with noise, one column a draw [N] (3 trials, draws)
+  Eigen::MatrixXd replicated;  // draws with noise, one column a draw [N] (3 trials, draws)
   std::string what;            // "H01, in sample": the caption starts with it
 };
 

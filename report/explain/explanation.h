@@ -11,9 +11,9 @@
 namespace thenar {
 
 struct Section {
-  std::string key;                      // in JSON: "cost"
-  std::string title;                    // for people
-  Table table = {};                     // may be empty
+  std::string key;                      // key in JSON: "cost"
+  std::string title;                    // title for people
+  Table table = {};                     // content; may be empty
   std::vector<std::string> lines = {};  // sentences above the table
 };
 

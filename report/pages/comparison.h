@@ -13,7 +13,7 @@ namespace thenar {
 
 /// A hand as the page draws it.
 struct ComparePicture {
-  std::string hand;  // its name in the comparison
+  std::string hand;  // name of the hand in the comparison
   std::shared_ptr<const Hand> drawn;
   std::vector<SkinPatch> patches;
 };

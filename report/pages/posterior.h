@@ -22,14 +22,14 @@ namespace thenar {
 struct PosteriorPicture {
   std::string title;  // "H01 and H02"; heads the sections
   std::vector<Quantity> quantities;
-  std::vector<std::string> warnings;  // of the experiments, the subject, and noise
+  std::vector<std::string> warnings;  // warnings about the experiments, the subject, and noise
                                       // that is far larger than stated
-  std::vector<std::string> advice;    // what may help, sentences
-  Convergence convergence;            // its estimates are not used: quantities have them
-  std::string run;                    // one sentence: sampler, chains, draws, seconds
+  std::vector<std::string> advice;    // sentences on possible remedies
+  Convergence convergence;  // convergence; its estimates are not used: quantities have them
+  std::string run;          // one sentence on the run: sampler, chains, draws, seconds
   std::optional<ModeTable> modes;
   std::optional<TendonDigit> digit;  // before the fit; absent: no scene
-  Eigen::VectorXd posture;           // to draw it in [rad]
+  Eigen::VectorXd posture;           // posture of the drawing [rad]
   std::vector<AxisCloud> clouds;
   std::vector<PredictedForces> predicted;
   std::optional<LeftOutObservations> left_out;

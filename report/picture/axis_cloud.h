@@ -15,7 +15,7 @@ namespace thenar {
 /// Digits of one kind of draws: of the population, or of one specimen.
 struct AxisCloud {
   std::string name;                        // "population", "H01"
-  std::vector<TendonModel<double>> drawn;  // one a draw; 100 to 300 look well
+  std::vector<TendonModel<double>> drawn;  // one model for each draw; 100 to 300 look well
 };
 
 /// Returns the digits at some of the draws, evenly spread.

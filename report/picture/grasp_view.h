@@ -11,7 +11,7 @@ namespace thenar {
 /// Limits of the eye's direction.
 struct Eyes {
   Eigen::Vector3d usual;  // direction from the object towards the eye, kept if it is as good (3)
-  Eigen::Vector3d up;     // of the picture, world frame (3)
+  Eigen::Vector3d up;     // upward direction of the picture, world frame (3)
   double lowest = 0;      // above the plane across `up`, of other directions than the usual [rad]
 };
 

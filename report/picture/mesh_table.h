@@ -20,7 +20,7 @@ using MeshColor = Eigen::Matrix<unsigned char, 3, 1>;
 /// Appearance of a mesh.
 struct MeshLook {
   double crease = -1;             // sharper edges look sharp [deg]; negative: all are smooth
-  std::vector<MeshColor> colors;  // of every vertex; empty: that of its layer
+  std::vector<MeshColor> colors;  // colour of every vertex; empty: that of its layer
 };
 
 /// Edges of bodies that are sharper than this look sharp [deg].
@@ -41,7 +41,7 @@ class MeshTable {
 
  private:
   Json meshes_ = Json::object();
-  std::map<std::string, std::string> names_;  // of a mesh as text
+  std::map<std::string, std::string> names_;  // name by the text of a mesh
 };
 
 /// Returns bytes in base64 (RFC 4648, padded).

@@ -10,9 +10,9 @@ namespace thenar {
 
 /// A digit whose skin is drawn.
 struct SkinnedDigit {
-  const Subject& subject;       // whose skin it is
+  const Subject& subject;       // subject that the skin belongs to
   const TendonDigit& tendons;   // the digit before a fit: where its segments are
-  const TreeState<double>& at;  // of its links as they are drawn
+  const TreeState<double>& at;  // state of its links in the picture
 };
 
 /// Returns a mesh for each segment of the digit that has flesh, translucent, so that bones are seen

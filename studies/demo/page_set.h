@@ -16,11 +16,11 @@ struct Opening {
 
 /// A page of a set.
 struct SetPage {
-  std::string file;   // its name in the folder: "forces.html"
-  std::string title;  // in lists of pages, a question if it answers one
+  std::string file;   // file name in the folder: "forces.html"
+  std::string title;  // title in lists of pages, a question if the page answers one
   Opening opening;
-  std::string line;  // of the summary on the front page; empty: it has none there
-  Json page;         // as write_page() takes it
+  std::string line;  // summary line on the front page; empty: none
+  Json page;         // page for write_page()
   Json figure;       // the block that stands for it on the front page; null: none
 };
 

@@ -18,8 +18,8 @@ namespace thenar {
 struct KeptShares {
   double rms, least, most;         // [1]
   std::string least_name;          // "CMC1_AA tilt 2"
-  double largest_shift;            // of a mean, in plain sds [1]
-  std::string largest_shift_name;  // likewise
+  double largest_shift;            // largest shift of a mean, in plain sds [1]
+  std::string largest_shift_name;  // name of the quantity with the largest shift
   int narrower = 0;                // tilts that keep less than 1 by two errors [1]
   int undecided = 0;               // tilts that keep more than kUndecidedShare [1]
 };

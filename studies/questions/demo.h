@@ -27,15 +27,16 @@ namespace thenar {
 struct DemoRequest {
   std::string data;               // folder with subjects/, fits/ and experiments/
   std::string output;             // folder for results: NAME.h5 of fits, NAME.nc of posteriors
-  RunRecord run;                  // for the files
-  std::optional<Path> path = {};  // of tendons of human hands in scenes; absent: default_path()
+  RunRecord run;                  // record of the run for the files
+  std::optional<Path> path = {};  // tendon paths of human hands in scenes; absent: default_path()
 };
 
 /// A posterior that the demo sampled.
 struct DemoPosterior {
-  std::string name;  // of the experiment, or "population"
+  std::string name;  // name of the experiment, or "population"
   PosteriorRun run;
-  std::vector<Prediction> fitted, unseen;  // of each experiment of the run; of each other one
+  std::vector<Prediction> fitted,
+      unseen;  // predictions of each experiment of the run, and of each other one
   LeftOutObservations left_out;
 };
 
@@ -50,31 +51,32 @@ struct DemoThumb {
   std::string title;
   Subject subject;
   std::map<std::string, double> posture;  // joint -> angle [rad]
-  Eigen::Vector3d dorsal{0, 1, 0};        // of the palm, subject's frame (3)
+  Eigen::Vector3d dorsal{0, 1, 0};        // dorsal direction of the palm, subject's frame (3)
 };
 
 /// Scenes in motion.
 struct DemoMotion {
   SceneResult glass;                 // figure 3 of [Miller2005]: data/scenes/wine_glass.toml
-  SceneResult thumb, thumb_on_pins;  // its figure 8: thumb_mug.toml, whose joints give or do not
+  SceneResult thumb, thumb_on_pins;  // figure 8 of [Miller2005]: thumb_mug.toml, with compliant and
+                                     // with rigid joints
   std::vector<PadState> pad, pad_on_pins;  // the thumb's against the mug
-  std::vector<WorkPoint> work;             // on ball_on_ball.toml; errors of the ball's place [m]
+  std::vector<WorkPoint> work;             // ball_on_ball.toml: cost, error of the ball's place [m]
 };
 
 struct DemoResult {
   StudyInputs inputs;
   std::vector<SpecimenStudy> specimens;       // each alone
   std::optional<PopulationStudy> population;  // both together; absent: stopped
-  std::vector<DemoPosterior> posteriors;      // of each alone, and of both
+  std::vector<DemoPosterior> posteriors;      // posteriors of each specimen alone, and of both
   ThumbStudyResult thumb_study;
   ThumbRecoveryResult thumb_recovery;  // made-up data, and measurements
   DemoHood hood;
   std::vector<DemoThumb> thumbs;
   DemoMotion motion;
   CompareResult hands;             // a human and three robot hands on two objects
-  PressResult pad;                 // under a ball
+  PressResult pad;                 // press by a ball
   RungComparison pencil;           // pinched by pads, on every rung
-  std::vector<std::string> files;  // that were written
+  std::vector<std::string> files;  // written files
   Outcome outcome;                 // stopped: parts are missing, and no fit was written
 };
 

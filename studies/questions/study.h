@@ -20,9 +20,9 @@ namespace thenar {
 struct ThumbStudyRequest {
   std::string data;     // folder with fits/, studies/, subjects/; empty: the usual ones
   bool quick = false;   // arms known, one skewness: seconds instead of minutes
-  long draws = 0;       // of each of 4 chains, and of warm-up; 0: as the study has them [1]
+  long draws = 0;       // draws of each of 4 chains, and of warm-up; 0: as the study has them [1]
   int simulations = 0;  // thumbs that the sampler is calibrated with; 0: it is not [1]
-  unsigned seed = 1;    // of noise and chains
+  unsigned seed = 1;    // seed of noise and chains
 };
 
 struct ThumbStudyResult {
@@ -40,7 +40,7 @@ struct ThumbStudyResult {
 struct ThumbTypesRequest {
   std::string data;   // folder with studies/ and subjects/; empty: the usual ones
   int draws = 3550;   // [1]
-  unsigned seed = 1;  // of the draws
+  unsigned seed = 1;  // seed of the draws
 };
 
 struct ThumbTypesResult {
@@ -56,14 +56,14 @@ struct ThumbTypesResult {
 struct ThumbRecoveryRequest {
   std::string data;   // folder with fits/, studies/, experiments/, subjects/; empty: the usual
                       // ones
-  long draws = 0;     // of each of 4 chains, and of warm-up; 0: as the study has them [1]
+  long draws = 0;     // draws of each of 4 chains, and of warm-up; 0: as the study has them [1]
   long weighed = 0;   // draws of the prior that measurements weigh; 0: likewise [1]
-  unsigned seed = 1;  // of noise and chains
+  unsigned seed = 1;  // seed of noise and chains
 };
 
 struct ThumbRecoveryResult {
-  ThumbRecovery recovery;   // from made-up data
-  MeasuredLessons lessons;  // of published measurements
+  ThumbRecovery recovery;   // recovery from simulated data
+  MeasuredLessons lessons;  // information in published measurements
   Outcome outcome;          // stopped: the parts finished by then
 };
 

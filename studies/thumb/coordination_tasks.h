@@ -13,9 +13,9 @@ struct TaskOptions {
   int people = 8;               // who share the load among their muscles differently [1]
   double force = 20;            // wanted: palmar, dorsal, radial, ulnar and distal [N]
   double habit = 0.5;           // sd of the logarithm of what each person's muscles cost [1]
-  double noise = 0.1;           // of the force, as SimulatedPullOptions::noise [1]
+  double noise = 0.1;           // relative noise of the force, see SimulatedPullOptions::noise [1]
   double floor = 0.01;          // [N]
-  double activation_sd = 0.05;  // of electromyography [1]
+  double activation_sd = 0.05;  // sd of electromyography [1]
   unsigned seed = 1;
 };
 
@@ -27,7 +27,7 @@ struct TaskOptions {
 
 /// Misfit of a model in one task, driven by the measured activations.
 struct TaskMisfit {
-  double direction;  // between its tip force and the measured one [rad]
+  double direction;  // angle between its tip force and the measured one [rad]
   double torque;     // unbalanced joint torque |R' t - J' f|, f the measured force [N m]
   double distance;   // r' S^-1 r of the measured force, S from noise and activations [1]
 };

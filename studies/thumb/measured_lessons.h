@@ -24,12 +24,12 @@ struct MeasuredThumbInputs {
 
 /// Predictions of the measurements by models, a column a draw.
 struct MeasuredPredictions {
-  Eigen::MatrixXd force;      // of all trials, tip pinned, in the experiment's components [N] (3
-                              // trials, draws)
-  Eigen::MatrixXd clamped;    // the same with the tip clamped [N] (3 trials, draws)
-  Eigen::VectorXd intact;     // pinch with all muscles [N] (draws); NaN: undecided
-  Eigen::MatrixXd loss;       // of pinch, NaN where `intact` is below kNoPinch or a program is
-                              // undecided [1] (blocks, draws)
+  Eigen::MatrixXd force;  // forces of all trials, tip pinned, in the experiment's components [N] (3
+                          // trials, draws)
+  Eigen::MatrixXd clamped;  // forces of all trials, tip clamped [N] (3 trials, draws)
+  Eigen::VectorXd intact;   // pinch with all muscles [N] (draws); NaN: undecided
+  Eigen::MatrixXd loss;  // loss of pinch force, NaN where `intact` is below kNoPinch or a program
+                         // is undecided [1] (blocks, draws)
   Eigen::VectorXi undecided;  // programs of each draw, PinchStrength::undecided [1] (draws)
 };
 
@@ -38,7 +38,7 @@ struct AddedData {
   std::string name;      // "FPL's force", in words
   bool force = false;    // the experiment's forces
   bool losses = false;   // the losses of pinch
-  double sd_factor = 1;  // on the sds of forces [1]
+  double sd_factor = 1;  // factor on the sds of forces [1]
   bool clamped = false;  // forces of a clamped tip in place of a pinned one
 };
 
@@ -49,17 +49,17 @@ struct AddedData {
 struct DataUpdate {
   AddedData added;
   std::string untold;         // why weights tell nothing of tilts, which are empty; "": they do
-  ImportanceWeights weights;  // of the draws
-  WeightedSpread tilts;       // of ReweightedDraws::tilts [rad]
+  ImportanceWeights weights;  // weights of the draws
+  WeightedSpread tilts;       // spread of ReweightedDraws::tilts [rad]
 };
 
 /// Draws of a prior or a posterior, and their updates.
 struct ReweightedDraws {
   std::string name;                // "before any data"
-  std::vector<std::string> names;  // of tilts: "axis/CMC1_FE/direction/1"
+  std::vector<std::string> names;  // names of tilts: "axis/CMC1_FE/direction/1"
   Eigen::MatrixXd tilts;           // values of these parameters [rad] (tilts, draws)
   MeasuredPredictions predicted;
-  std::vector<DataUpdate> updates;  // of additions_to_ask(), in this order
+  std::vector<DataUpdate> updates;  // updates by additions_to_ask(), in this order
 };
 
 /// Measurements, and what they teach beside made-up data and without.
@@ -67,14 +67,14 @@ struct MeasuredLessons {
   MeasuredThumbInputs inputs;
   Experiment force;
   PinchLosses losses;
-  MeasuredPredictions truth;                // of the thumb that made-up data are of: one column
+  MeasuredPredictions truth;  // predictions of the thumb behind the simulated data: one column
   std::vector<ReweightedDraws> reweighted;  // the prior, and the posterior of made-up data
   bool complete = false;
 };
 
 struct MeasuredLessonsSettings {
   long prior_draws = 10000;     // [1]
-  long posterior_draws = 3000;  // at most, evenly thinned [1]
+  long posterior_draws = 3000;  // largest number of posterior draws, evenly thinned [1]
   Progress progress;
 };
 

@@ -9,12 +9,12 @@ namespace thenar {
 
 /// Simulations and chains of a calibration.
 struct ThumbCalibrationSettings {
-  ThumbFitSettings thumb;  // which model, how much noise, how many postures; no tasks
+  ThumbFitSettings thumb;  // model, noise and postures; no tasks
   int simulations = 200;
   int ranked = 99;                  // draws among which each truth is ranked, L [1]
-  long draws = 500, warm_up = 500;  // of each of 4 chains [1]
+  long draws = 500, warm_up = 500;  // draws of each of 4 chains [1]
   int retries = 2;                  // doublings of both where chains do not agree [1]
-  int mode_starts = 4;              // of the search for modes [1]
+  int mode_starts = 4;              // starts of the search for modes [1]
   unsigned seed = 1;
   Progress progress;
 };
@@ -22,7 +22,7 @@ struct ThumbCalibrationSettings {
 /// Ranks of the truths and their tests.
 struct ThumbCalibration {
   std::vector<std::string> names;  // entries of x, and the log likelihood
-  Eigen::MatrixXi rank;            // of the truths, 0 .. ranked (names, simulations done)
+  Eigen::MatrixXi rank;            // ranks of the truths, 0 .. ranked (names, simulations done)
   int ranked = 0;
   int not_converged = 0;  // runs that did not converge after retries; their ranks are counted
   RankCalibration judged;

@@ -18,7 +18,7 @@ namespace thenar {
 /// Protocol and noise of simulated pulls.
 struct SimulatedPullOptions {
   int postures = 2;       // the first of thumb_postures() [1]
-  double tension = 10;    // of one muscle after the other [N]
+  double tension = 10;    // tension of one muscle after the other [N]
   double noise = 0.1;     // sd of every component, as a part of the true force's size [1]
   double floor = 0.01;    // and at least about this: sds add in squares [N]
   bool add_noise = true;  // false: forces as they are, with sds as if there were noise

@@ -10,11 +10,11 @@ namespace thenar::internal {
 /// Simulated data of one noise level and number of postures, with the digit that made them and the
 /// digit that fits start from.
 struct ThumbData {
-  TendonDigit truth;  // in the frame of `start`
+  TendonDigit truth;  // true thumb in the frame of `start`
   TendonDigit start;
   Experiment pulls;
   Experiment tasks;
-  MeanThumb criteria{};  // by which types are told
+  MeanThumb criteria{};  // criteria of thumb types
 };
 
 /// Returns the thumb of a subject without passive moments: load cells are zeroed under the thumb at

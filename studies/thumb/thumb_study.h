@@ -37,7 +37,7 @@ enum class Arms { kFixed, kFree };
 struct ThumbFitSettings {
   bool skewed = true;
   Arms arms = Arms::kFixed;
-  double noise = 0.1;   // of forces [1]
+  double noise = 0.1;   // relative noise of forces [1]
   int postures = 2;     // 1..4
   double skewness = 1;  // true tilts and shifts from the start, as multiples of the published [1]
   bool with_tasks = false;  // the tasks with electromyography are fitted too
@@ -49,10 +49,10 @@ struct ThumbFitSettings {
 
 struct ThumbStudySettings {
   std::vector<ThumbFitSettings> fits;  // empty: nothing is done
-  long draws = 1000, warm_up = 1000;   // of each of 4 chains [1]
+  long draws = 1000, warm_up = 1000;   // draws of each of 4 chains [1]
   int retries = 2;                     // doublings of both where chains do not agree [1]
-  int mode_starts = 16;                // of the search for modes [1]
-  int scored_draws = 100;              // on which tasks are scored [1]
+  int mode_starts = 16;                // starts of the search for modes [1]
+  int scored_draws = 100;              // draws on which tasks are scored [1]
   unsigned seed = 1;
   Progress progress;
 };
@@ -94,10 +94,10 @@ struct ThumbFit {
   PosteriorRun run;
   double direction = 0, direction_sd = 0;  // angle between posterior mean and measured forces [rad]
   double relative_error = 0;               // rms of predicted less true force over rms force [1]
-  TaskScores tasks;                        // not fitted unless with_tasks
+  TaskScores tasks;                        // scores of tasks, which are fitted only if with_tasks
   std::vector<LearntNumber> learnt;        // every free or tied parameter of axes, and free arms
-  LeaveOneOut left_out;                    // of the trials
-  std::vector<TypeProbability> types;  // all four; empty for orthogonal models, whose axes cross
+  LeaveOneOut left_out;                    // leave-one-out check of the trials
+  std::vector<TypeProbability> types;      // all four types; empty for orthogonal models
   [[nodiscard]] bool converged() const { return run.convergence.warnings.empty(); }
 };
 
@@ -105,18 +105,18 @@ struct ThumbFit {
 struct ThumbReference {
   double noise, skewness;          // [1]
   double direction, direction_sd;  // angle between forces of the start and measured forces [rad]
-  TaskScores start;                // of the orthogonal thumb as in its file
-  TaskScores truth;                // of the true thumb: the effect of noise alone
+  TaskScores start;                // scores of the orthogonal thumb of its file
+  TaskScores truth;                // scores of the true thumb: the effect of noise alone
 };
 
 /// Results of the study.
 struct ThumbStudy {
   ThumbStudyInputs inputs;
-  TendonDigit truth;  // in the frame of the start
+  TendonDigit truth;  // true thumb in the frame of the start
   TendonDigit start;
-  std::vector<ThumbReference> references;  // for each noise and skewness of the fits
-  std::vector<ThumbFit> fits;              // in the order of the settings
-  MeanThumb criteria;                      // of types, in the frame of the start
+  std::vector<ThumbReference> references;  // references for each noise and skewness of the fits
+  std::vector<ThumbFit> fits;              // fits in the order of the settings
+  MeanThumb criteria;                      // criteria of thumb types, in the frame of the start
   bool complete = false;                   // false: stopped; `fits` has the finished ones
 };
 

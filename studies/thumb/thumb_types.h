@@ -31,12 +31,12 @@ struct ThumbType {
 
 /// The mean thumb, ready to be varied.
 struct MeanThumb {
-  std::vector<AxisLine> axes;          // of DigitVariability::axes, before any draw
+  std::vector<AxisLine> axes;          // axes of DigitVariability::axes, before any draw
   std::vector<Eigen::Vector3d> along;  // direction of each axis' bone, distal; unit (3)
   std::vector<AxisVariability> spread;
   Pose<double> tip;                          // axes proximal, dorsal, radial in columns
   int mcp_flexion = -1, mcp_abduction = -1;  // MCP1_FE and MCP1_AA, in `axes`
-  int first = -1, second = -1;               // of the second question
+  int first = -1, second = -1;               // axes of the second question
   DigitDirection toward = DigitDirection::kRadial;
 };
 
@@ -74,7 +74,7 @@ struct DhStatistics {
 struct ThumbTypeShare {
   ThumbType type;
   int count = 0;
-  std::vector<DhStatistics> rows;  // of each axis, of with_normals_outwards(); empty without draws
+  std::vector<DhStatistics> rows;  // by with_normals_outwards(); empty without draws
 };
 
 /// Share of the draws in which the common normal of two successive axes points distally, dorsally
@@ -93,7 +93,7 @@ struct ThumbTypesInputs {
 [[nodiscard]] ThumbTypesInputs thumb_types_inputs(const std::string& data);
 
 struct ThumbTypesSettings {
-  int draws = 3550;  // as many as [SantosValeroCuevas2006] needed [1]
+  int draws = 3550;  // number of draws that [SantosValeroCuevas2006] needed [1]
   unsigned seed = 1;
   Progress progress;
 };
@@ -103,7 +103,7 @@ struct ThumbTypes {
   DigitVariability variability;
   int draws = 0;  // done
   bool complete = false;
-  std::array<ThumbTypeShare, 4> types;  // by ThumbType::index()
+  std::array<ThumbTypeShare, 4> types;  // shares by ThumbType::index()
   int flexion_distal = 0;               // draws whose MCP flexion axis is the distal one
   /// Probability that the flexion axis is distal if axes were neither tilted nor shifted across:
   ///   Phi((m_FE - m_AA) / sqrt(s_FE^2 + s_AA^2))  [1]

@@ -13,8 +13,8 @@ struct ProcessEnd {
   std::string output;     // standard output, as far as it came
   int exit_code = -1;     // negative: it did not exit
   int signal = 0;         // signal that ended it
-  bool too_long = false;  // it was killed at the time limit
-  bool too_much = false;  // it was killed at the output limit
+  bool too_long = false;  // killed at the time limit
+  bool too_much = false;  // killed at the output limit
   double clock = 0;       // running time [s]
   double processor = 0;   // processor time [s]
 

@@ -13,7 +13,7 @@ namespace thenar {
 struct MeshReaderLimits {
   int processor_seconds = 8;                  // [s]
   double clock_seconds = 12;                  // allows for a busy machine [s]
-  std::size_t memory = std::size_t{1} << 30;  // in addition to its libraries [bytes]
+  std::size_t memory = std::size_t{1} << 30;  // memory in addition to its libraries [bytes]
 };
 
 /// Reads the triangles of a glTF, GLB, Collada, VRML or Inventor file, with exact shapes, in single

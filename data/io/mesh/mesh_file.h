@@ -37,7 +37,7 @@ enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInvento
 
 /// Content of a mesh file [m].
 struct MeshContent {
-  TriangleMesh mesh;  // as read_mesh() returns it
+  TriangleMesh mesh;  // result of read_mesh()
   // If VRML or Inventor consists of spheres, boxes and cylinders that its transforms leave what
   // they are: these, with sizes and poses to rounding. Otherwise empty.
   std::vector<ShapeSpec> exact;
@@ -74,7 +74,7 @@ class MeshReader {
 
  private:
   MeshTime left_;
-  Eigen::Index triangles_ = 0;                 // in all meshes returned
+  Eigen::Index triangles_ = 0;                 // triangles in all returned meshes
   using Key = std::pair<std::string, double>;  // file and scale
   std::map<Key, MeshContent> contents_;
   std::map<Key, DataError> failures_;

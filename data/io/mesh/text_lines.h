@@ -39,7 +39,7 @@ class TextLines {
  private:
   std::string_view text_;
   const std::string& path_;
-  std::string_view rest_;  // of the current line
+  std::string_view rest_;  // rest of the current line
   std::size_t next_ = 0;   // start of the next line
   int line_ = 0, next_line_ = 1;
 };

@@ -14,12 +14,12 @@ namespace thenar {
 
 /// One tissue of a pad: its pulp, or a layer of its skin.
 struct PadTissueSpec {
-  double thickness = 0;                  // of a layer [m]; of the pulp 0: it is what is left
-  std::string law = "neo-hookean";       // "ogden", "veronda-westmann"
-  double shear_modulus = 0;              // at once, at rest [Pa]
-  double exponent = 0;                   // of Ogden's law and of Veronda and Westmann's [1]
-  double poisson_ratio = 0;              // at rest [1]
-  std::vector<double> relaxation_share;  // of the stress at once [1] (terms)
+  double thickness = 0;  // thickness of a layer [m]; 0 for the pulp, which fills the rest
+  std::string law = "neo-hookean";  // "ogden", "veronda-westmann"
+  double shear_modulus = 0;         // instantaneous shear modulus at zero strain [Pa]
+  double exponent = 0;              // exponent of Ogden's law and of Veronda and Westmann's [1]
+  double poisson_ratio = 0;         // Poisson's ratio at zero strain [1]
+  std::vector<double> relaxation_share;  // share of the instantaneous stress (terms) [1]
   std::vector<double> relaxation_time;   // [s] (terms)
   std::string source;                    // citation keys
   std::vector<std::string> assumed;      // keys of the file whose values are nobody's measurements
@@ -29,20 +29,20 @@ struct PadTissueSpec {
 /// z palmar.
 struct PadSpec {
   std::string name, description;
-  double length = 0, width = 0, height = 0;                 // of the skin, half an ellipsoid [m]
-  double bone_length = 0, bone_width = 0, bone_height = 0;  // of the phalanx, likewise [m]
-  std::string shape_source;                                 // citation keys
-  std::vector<std::string> shape_assumed;                   // as PadTissueSpec::assumed
-  std::optional<ShapeSpec> skin;      // closed, in the pad's frame; absent: the ellipsoid
-  PadTissueSpec pulp;                 // between the bone and the skin
-  std::vector<PadTissueSpec> layers;  // of the skin, from the outside in
-  std::string element = "Q1P0";       // "Q1", "F-bar", "Q2P1"
-  int across = 4;                     // cells of the coarsest mesh along the middle of the disc
-  int around = 2;                     // from there to the rim
-  int through = 3;                    // through the pulp
-  FileDigests files;                  // that were read for it
-  std::map<std::string, std::string>
-      own_sources;  // what citation keys mean that are the file's own
+  double length = 0, width = 0, height = 0;  // lengths of the skin, half an ellipsoid [m]
+  double bone_length = 0, bone_width = 0,
+         bone_height = 0;                  // lengths of the phalanx, half an ellipsoid [m]
+  std::string shape_source;                // citation keys
+  std::vector<std::string> shape_assumed;  // see PadTissueSpec::assumed
+  std::optional<ShapeSpec> skin;           // closed, in the pad's frame; absent: the ellipsoid
+  PadTissueSpec pulp;                      // tissue between the bone and the skin
+  std::vector<PadTissueSpec> layers;       // layers of the skin, from the outside in
+  std::string element = "Q1P0";            // "Q1", "F-bar", "Q2P1"
+  int across = 4;     // cells of the coarsest mesh along the middle of the disc
+  int around = 2;     // cells from there to the rim
+  int through = 3;    // through the pulp
+  FileDigests files;  // digests of the files that were read for it
+  std::map<std::string, std::string> own_sources;  // citation keys that the file defines
 };
 
 /// Names as files have them.

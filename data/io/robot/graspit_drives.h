@@ -14,7 +14,7 @@ namespace thenar {
 struct GraspitDrive {
   int dof = -1;          // -1: a constant, in `offset`
   double ratio = 1;      // [1]
-  double offset = 0;     // in the file's unit [deg] or [mm]
+  double offset = 0;     // offset in the file's unit [deg] or [mm]
   bool ignored = false;  // the offset follows '-' alone, for which GraspIt! itself takes 0
 };
 

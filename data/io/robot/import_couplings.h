@@ -15,7 +15,7 @@ struct FollowerCoupling {
   std::string master;
   double ratio = 1;           // [1], [m/rad] or [rad/m]
   double offset = 0;          // [rad] or [m]
-  int line = 1;               // of the file, for messages
+  int line = 1;               // line in the file, for messages
   std::vector<double> curve;  // empty: linear
 };
 

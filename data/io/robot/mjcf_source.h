@@ -23,7 +23,7 @@ struct MjcfCompiler {
   double angle = 0;  // size of one unit of angle [rad]
   std::string euler_sequence = "xyz";
   std::string mesh_folder;  // beside the file
-  bool strip_path = false;  // of mesh files
+  bool strip_path = false;  // strip folders from names of mesh files
   bool auto_limits = true;  // a range alone means limits
   std::string inertia_from_geom = "auto";
   double min_group = 0, max_group = 5;  // groups of geoms with mass
@@ -48,7 +48,8 @@ class MjcfDefaults {
   static constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
   /// Values that a class states itself; the class around it states the rest.
   struct Class {
-    std::map<std::pair<std::string, std::string>, std::string> values;  // by element and attribute
+    std::map<std::pair<std::string, std::string>, std::string>
+        values;                    // default value by element and attribute
     std::size_t above = kNoClass;  // index of the class around it
   };
   void read_class(const XmlFile& file, const pugi::xml_node& node, std::size_t own);

@@ -13,7 +13,7 @@ namespace thenar {
 /// Returns shapes about the origin of a body; sizes as of ShapeSpec.
 [[nodiscard]] ShapeSpec box_shape(const Eigen::Vector3d& edges);       // full edges [m] (3)
 [[nodiscard]] ShapeSpec ball_shape(double radius);                     // [m]
-[[nodiscard]] ShapeSpec cylinder_shape(double radius, double height);  // about z [m]
+[[nodiscard]] ShapeSpec cylinder_shape(double radius, double height);  // axis along z [m]
 [[nodiscard]] ShapeSpec mesh_shape(TriangleMesh mesh);  // a closed surface [m], its own frame
 
 /// Returns a body of one shape.

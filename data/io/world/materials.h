@@ -25,10 +25,10 @@ struct Friction {
 struct Material {
   std::string name;
   double density = 0;          // [kg/m^3]; 0 if unknown
-  double young = 0;            // of its soft layer [Pa]; 0: rigid
-  double layer_thickness = 0;  // of its soft layer [m]; 0: rigid
+  double young = 0;            // Young's modulus of its soft layer [Pa]; 0: rigid
+  double layer_thickness = 0;  // thickness of its soft layer [m]; 0: rigid
   std::string like;            // material whose friction it has where it has none; empty: none
-  std::string laws_file;       // of the pad that its layer is, as written; empty: none
+  std::string laws_file;       // laws file of the pad that its layer is, as written; empty: none
   // The soft finger of that file, constant and shared by copies of the table; null: the layer is a
   // bed of springs.
   std::shared_ptr<const ContactLaw> law = nullptr;
