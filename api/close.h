@@ -1,6 +1,6 @@
 #pragma once
 
-/// The closing of a hand where it stands in a world: what stops every joint, and what it holds.
+/// Closing of a hand in place in a world: what stops every joint, and what it holds.
 
 #include "api/grasp.h"
 
@@ -11,7 +11,7 @@ struct CloseRequest {
   WorldRequest world;
 };
 
-/// The hand where it came to rest.
+/// Hand at the end of closing.
 struct CloseResult {
   CloseRequest request;
   Outcome outcome;    // outcome of the grasp

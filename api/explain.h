@@ -1,6 +1,6 @@
 #pragma once
 
-/// Explanation of an input file: what is built and dropped, assumed and spent, fitted and found.
+/// Explanation of an input file: its kept and dropped parts, assumptions, costs, and fitted values.
 
 #include <map>
 #include <memory>
@@ -41,7 +41,7 @@ struct DigitExplained {
   DigitExplanation parts;                       // kept and dropped
   std::vector<QuestionCost> costs;
   std::string settings;          // path of the fit settings
-  std::string settings_trouble;  // why they do not suit the digit; empty: they do
+  std::string settings_trouble;  // why the settings do not fit the digit; empty: they do
   FitParameters parameters;      // parameters under these settings, or with all fixed
 };
 
@@ -52,7 +52,7 @@ struct FitExplained {
   std::map<std::string, std::string> written_by;  // program -> version
 };
 
-/// A thing, with what asking it takes.
+/// Thing with its explanation.
 struct ThingExplained {
   ExplainRequest request;
   Outcome outcome;
@@ -62,11 +62,11 @@ struct ThingExplained {
   std::optional<FitExplained> fit;      // present for a fit
 };
 
-/// Name of the posture that stands for all postures of an experiment among parameters.
+/// Placeholder in parameter names for every posture of an experiment.
 inline constexpr const char* kEachPosture = "<posture>";
 
-/// Reads a thing; builds the digit of a subject and times what can be asked of it.
-/// @throws InputError or DataError where something is not to be found or wrong.
+/// Reads a thing; builds the digit of a subject and measures the time of each question about it.
+/// @throws InputError or DataError if an input is not found or wrong.
 [[nodiscard]] ThingExplained explain_thing(const ExplainRequest& request);
 
 }  // namespace thenar

@@ -14,7 +14,7 @@
 
 namespace thenar {
 
-/// A joint at one posture.
+/// Joint at one posture.
 struct JointNow {
   std::string name;
   double angle;           // [rad]
@@ -23,7 +23,7 @@ struct JointNow {
   std::string led_by;     // coordinate that drives a coupled joint; empty: itself
 };
 
-/// A segment at one posture.
+/// Segment at one posture.
 struct SegmentNow {
   std::string name;
   Pose<double> X;            // displacement from the reference posture
@@ -31,7 +31,7 @@ struct SegmentNow {
   Eigen::Vector3d distal;    // end nearer the tip, world [m] (3)
 };
 
-/// A tip at one posture, and how it can move from there.
+/// Tip at one posture, with its Jacobian and manipulability.
 struct TipNow {
   std::string digit;
   Eigen::Vector3d p;                // world [m] (3)
@@ -41,7 +41,7 @@ struct TipNow {
   TipManipulability mobility;       // empty if no joint moves the tip
 };
 
-/// A subject at one posture.
+/// Subject at one posture.
 struct SubjectPose {
   Eigen::VectorXd q;  // [rad] (coordinates)
   std::vector<JointNow> joints;
@@ -49,13 +49,13 @@ struct SubjectPose {
   std::vector<TipNow> tips;
 };
 
-/// A subject posture by posture, in the order of the grid; as many as were done.
+/// Poses of a subject, posture by posture, in the order of the grid; fewer if stopped.
 struct SubjectPoses {
   PoseRequest request;
-  Outcome outcome;  // warnings: of limits
+  Outcome outcome;  // warnings: angles outside limits
   std::string subject;
   std::vector<std::string> coordinates;  // names of free joints
-  PostureGrid grid;                      // postures asked for
+  PostureGrid grid;                      // requested postures
   std::vector<SubjectPose> points;
   std::vector<SourceText> sources;
 };
@@ -63,12 +63,12 @@ struct SubjectPoses {
 /// Poses of a subject or of a robot, depending on the request's model.
 using PoseAnswer = std::variant<SubjectPoses, RobotPoses>;
 
-/// Returns poses of a subject or a robot.
-/// @throws InputError for what is unknown, a subject without joints, and digits or frozen joints of
-/// a robot; DataError for a wrong file.
+/// Computes the poses of a subject or a robot.
+/// @throws InputError for unknown names, a subject without joints, and digits or frozen joints of a
+/// robot; DataError for a wrong file.
 [[nodiscard]] PoseAnswer ask_pose(const PoseRequest& request, const Progress& progress = {});
 
-/// Returns one posture of a subject. @param q  (coordinates) [rad]
+/// Computes the pose of a subject at one posture. @param q  [rad] (coordinates)
 [[nodiscard]] SubjectPose pose_of(const Subject& subject, const Skeleton& skeleton,
                                   const Eigen::VectorXd& q);
 

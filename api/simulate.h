@@ -48,12 +48,12 @@ struct [[nodiscard]] DigitMotionResult {
   PassiveMoments passive = PassiveMoments::kOn;  // requested setting
 };
 
-/// Simulates the digit from rest at request.digit.posture; all activations start at 0.
+/// Simulates the digit from rest at request.digit.posture; all activations are initially 0.
 /// @throws InputError or DataError saying what is unknown or missing.
 [[nodiscard]] DigitMotionResult simulate_digit(const DigitMotionRequest& request,
                                                const Progress& progress = {});
 
-/// Returns what a motion warns of, unless that is the reason why it must not be used.
+/// Returns the warnings of a motion, except the reason why it must not be used.
 [[nodiscard]] std::vector<std::string> motion_warnings(const Trajectory& trajectory);
 
 /// Format name in files of motions, and the entries of explain() that they keep as rungs.

@@ -36,7 +36,7 @@ struct LoadedDigit {
   [[nodiscard]] const NetTendons* net() const;
 };
 
-/// The answer at one posture.
+/// Result at one posture.
 struct [[nodiscard]] TendonSolveResult {
   TendonRequest request;
   Outcome outcome;  // stalled: do not use it, see point.pull.status
@@ -44,10 +44,10 @@ struct [[nodiscard]] TendonSolveResult {
   DigitPoint point;
 };
 
-/// The answers at a grid of postures, each the one that solve_tendons() gives.
+/// Results at a grid of postures, each equal to that of solve_tendons().
 struct [[nodiscard]] TendonSweepResult {
   TendonRequest request;
-  Outcome outcome;  // stalled: a point is not to be used
+  Outcome outcome;  // stalled: at least one point must not be used
   LoadedDigit loaded;
   std::vector<DigitPoint> points;  // points in the order of loaded.grid.postures; fewer if stopped
 };
@@ -62,7 +62,7 @@ struct [[nodiscard]] TendonSweepResult {
 [[nodiscard]] TendonSweepResult sweep_tendons(const TendonRequest& request,
                                               const Progress& progress = {});
 
-/// Returns the force of the tip along its own proximal, dorsal and radial directions [N] (3).
+/// Returns the force of the tip in its own proximal, dorsal and radial directions [N] (3).
 [[nodiscard]] Eigen::Vector3d force_in_tip_axes(const LoadedDigit& loaded, const DigitPoint& point);
 
 }  // namespace thenar

@@ -152,8 +152,8 @@ std::size_t count_runs(const std::vector<SceneVariation>& vary) {
   for (const SceneVariation& each : vary) {
     require(each.count >= 1, "wanted at least one value of '{}', got {}", each.name, each.count);
     require(names.insert(each.name).second, "'{}' varies twice", each.name);
-    require(static_cast<std::size_t>(each.count) <= kMostRuns / runs, "wanted at most {} runs",
-            kMostRuns);
+    require(static_cast<std::size_t>(each.count) <= kMaxRuns / runs, "wanted at most {} runs",
+            kMaxRuns);
     runs *= static_cast<std::size_t>(each.count);
   }
   return runs;
