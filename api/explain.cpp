@@ -114,7 +114,7 @@ void add_parameters(const TendonDigit& built, const SourceText& settings, DigitE
     to.parameters =
         choose_parameters(built, {kEachPosture}, parse_fit_settings(settings.text, settings.path));
   } catch (const InputError& error) {
-    to.settings_trouble = error.what();
+    to.settings_message = error.what();
     to.parameters = choose_parameters(built, {kEachPosture}, {});
   }
 }

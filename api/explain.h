@@ -41,7 +41,7 @@ struct DigitExplained {
   DigitExplanation parts;                       // kept and dropped
   std::vector<QuestionCost> costs;
   std::string settings;          // path of the fit settings
-  std::string settings_trouble;  // why the settings do not fit the digit; empty: they do
+  std::string settings_message;  // why the settings do not fit the digit; empty: they do
   FitParameters parameters;      // parameters under these settings, or with all fixed
 };
 

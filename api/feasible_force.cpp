@@ -273,9 +273,9 @@ void warn_of_stops(const HeldJoints& held, const DigitCase& digit, DigitAtPostur
   }
 }
 
-std::vector<StopAnswer> stop_answers(const HeldJoints& held, const DigitAtPosture& at,
+std::vector<StopTorque> stop_answers(const HeldJoints& held, const DigitAtPosture& at,
                                      const MaxTipLoad& found) {
-  std::vector<StopAnswer> answers;
+  std::vector<StopTorque> answers;
   // Shares of stops are defined only at an optimum.
   if (found.largest.status != Status::kSolved) return answers;
   for (std::size_t k = 0; k < held.stops.size(); ++k) {
@@ -357,7 +357,7 @@ FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
     answer.points.push_back(std::move(point));
     return at.warnings;
   };
-  ask_postures(answer, ask, kept_in(answer.points), progress);
+  ask_postures(answer, ask, failure_recorder(answer.points), progress);
   return answer;
 }
 

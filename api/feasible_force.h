@@ -74,11 +74,12 @@ struct ParalysisLoss {
 };
 
 /// Torque of the ligaments at a joint at the end of its range.
-struct StopAnswer {
+struct StopTorque {
   std::string joint;
-  double torque;  // positive flexes [N m]
-  double most;    // largest torque, with the same sign; may be infinite [N m]
-  double price;   // marginal value of `most`: rise of the force per N m [N/(N m)]; NaN: not known
+  double torque;      // positive flexes [N m]
+  double max_torque;  // largest torque, with the same sign; may be infinite [N m]
+  double
+      price;  // marginal value of `max_torque`: rise of the force per N m [N/(N m)]; NaN: not known
 };
 
 /// Result at one posture.
@@ -93,7 +94,7 @@ struct FeasibleForcePoint {
   std::optional<MaxTipForce> largest;  // largest load along the direction, if there is one, with
                                        // prices of F0; of moments [N] reads [N m]
   Eigen::Vector3d other{0, 0, 0};      // other load at the same time, world frame [N m] or [N] (3)
-  std::vector<StopAnswer> stops;  // torques at the stops at this load, where `largest` is solved
+  std::vector<StopTorque> stops;  // torques at the stops at this load, where `largest` is solved
   Eigen::VectorXd change;  // derivative of largest->component by each joint angle, the direction
                            // fixed in its axes [N/rad] (joints); empty: no such force, a map
   std::optional<WholeForceSet> whole;   // present if requested

@@ -235,7 +235,7 @@ Imported import_mesh(const ImportRequest& request) {
     }
   }
   // Look at the surface as it is now, after the repair if there was one.
-  MeshFacts facts = look_at_mesh(content);
+  MeshFacts facts = compute_mesh_facts(content);
   facts.closed = holes - facts.surface.holes.size();
   facts.repaired = repaired;
   // A stated mass turns the mesh into an object, for which it has to bound a volume.
@@ -363,7 +363,7 @@ Sentences write_thing(RobotSpec robot, const Imported& imported, const std::stri
   for (RobotLink& link : robot.links)
     point_to(link.shapes, fs::path(imported.request.file).parent_path(), out);
   if (fs::path(out).extension() != ".toml") {
-    (void)write_urdf(out, robot);  // lost_in() has its warnings
+    (void)write_urdf(out, robot);  // unsupported_properties() has its warnings
     return {};
   }
   // Only formats without words for grasping are completed by guesses.
@@ -430,14 +430,14 @@ Sentences write_thing(const MeshContent& content, const Imported& imported,
 
 }  // namespace
 
-std::vector<std::string> endings_for(const Imported& imported) {
+std::vector<std::string> writable_endings(const Imported& imported) {
   if (std::holds_alternative<RobotSpec>(imported.thing)) return {".toml", ".urdf"};
   if (std::holds_alternative<MeshContent>(imported.thing))
     return {".obj", ".stl", ".ply", ".off", ".toml"};
   return {".toml"};
 }
 
-std::vector<std::string> lost_in(const Imported& imported, const std::string& out) {
+std::vector<std::string> unsupported_properties(const Imported& imported, const std::string& out) {
   const std::string ending = fs::path(out).extension();
   if (const auto* robot = std::get_if<RobotSpec>(&imported.thing); robot && ending == ".urdf")
     return robot_urdf(*robot, "").warnings;

@@ -44,10 +44,11 @@ struct Imported {
 [[nodiscard]] Imported import_file(const ImportRequest& request);
 
 /// Returns the file name endings of formats that can store it: ".toml", ".urdf".
-[[nodiscard]] std::vector<std::string> endings_for(const Imported& imported);
+[[nodiscard]] std::vector<std::string> writable_endings(const Imported& imported);
 
 /// Returns a sentence for each property that a file with the ending of `out` cannot store.
-[[nodiscard]] std::vector<std::string> lost_in(const Imported& imported, const std::string& out);
+[[nodiscard]] std::vector<std::string> unsupported_properties(const Imported& imported,
+                                                              const std::string& out);
 
 /// Writes it; paths in the file are relative to the folder of `out`.
 /// @returns guesses that were made: how a hand grasps

@@ -17,7 +17,7 @@
 namespace thenar {
 
 /// Largest plausible size of an object: a larger one is probably in another unit [m].
-inline constexpr double kLargestThing = 10;
+inline constexpr double kMaxObjectSize = 10;
 
 /// Facts of a mesh.
 struct MeshFacts {
@@ -33,7 +33,7 @@ struct MeshFacts {
 };
 
 /// Computes surface, parts, volume and its moments, of exact shapes where the file has them.
-[[nodiscard]] MeshFacts look_at_mesh(const MeshContent& content);
+[[nodiscard]] MeshFacts compute_mesh_facts(const MeshContent& content);
 
 /// Returns a sentence for each shape of an implausible size: "box of 120 m: are its numbers
 /// millimetres?".

@@ -15,7 +15,7 @@
 namespace thenar {
 
 /// Joint at one posture.
-struct JointNow {
+struct JointPose {
   std::string name;
   double angle;           // [rad]
   Eigen::Vector3d axis;   // unit, world (3)
@@ -24,7 +24,7 @@ struct JointNow {
 };
 
 /// Segment at one posture.
-struct SegmentNow {
+struct SegmentPose {
   std::string name;
   Pose<double> X;            // displacement from the reference posture
   Eigen::Vector3d proximal;  // end nearer the wrist, world [m] (3)
@@ -32,7 +32,7 @@ struct SegmentNow {
 };
 
 /// Tip at one posture, with its Jacobian and manipulability.
-struct TipNow {
+struct TipPose {
   std::string digit;
   Eigen::Vector3d p;                // world [m] (3)
   Eigen::Matrix3d axes;             // columns proximal, dorsal, radial, world (3, 3)
@@ -44,9 +44,9 @@ struct TipNow {
 /// Subject at one posture.
 struct SubjectPose {
   Eigen::VectorXd q;  // [rad] (coordinates)
-  std::vector<JointNow> joints;
-  std::vector<SegmentNow> segments;
-  std::vector<TipNow> tips;
+  std::vector<JointPose> joints;
+  std::vector<SegmentPose> segments;
+  std::vector<TipPose> tips;
 };
 
 /// Poses of a subject, posture by posture, in the order of the grid; fewer if stopped.

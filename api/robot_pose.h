@@ -14,7 +14,7 @@
 namespace thenar {
 
 /// Moving joint at one posture.
-struct RobotJointNow {
+struct RobotJointPose {
   std::string name;
   std::string dof;  // degree of freedom that drives it; empty: none
   bool slides = false;
@@ -24,14 +24,14 @@ struct RobotJointNow {
 };
 
 /// Link at one posture.
-struct RobotLinkNow {
+struct RobotLinkPose {
   std::string name;
   int parent;         // index of its parent link; -1: none
   Pose<double> X_BL;  // pose of its frame in the base link
 };
 
 /// Tip at one posture.
-struct RobotTipNow {
+struct RobotTipPose {
   std::string digit;
   std::string link;
   Eigen::Vector3d p;  // position in the base link [m] (3)
@@ -39,10 +39,10 @@ struct RobotTipNow {
 
 /// Robot at one posture.
 struct RobotPose {
-  std::vector<double> varied;         // values of the varied coordinates [rad] or [m]
-  std::vector<RobotJointNow> joints;  // joints that move
-  std::vector<RobotLinkNow> links;
-  std::vector<RobotTipNow> tips;
+  std::vector<double> varied;          // values of the varied coordinates [rad] or [m]
+  std::vector<RobotJointPose> joints;  // joints that move
+  std::vector<RobotLinkPose> links;
+  std::vector<RobotTipPose> tips;
   std::vector<std::string> warnings;  // values outside limits
 };
 

@@ -140,7 +140,7 @@ BandProblems free_problems(const InferNetRequest& request, InferNetResult& answe
   // Words become rows of the settings; globs must match, as in a fit.
   std::vector<std::string> words;
   for (const std::string& freed : request.free) {
-    const std::vector<std::string> globs = freed_by(freed);
+    const std::vector<std::string> globs = parameter_globs(freed);
     std::vector<std::string>& to =
         globs.size() == 1 && globs[0] == freed ? inputs.also_free : words;
     to.insert(to.end(), globs.begin(), globs.end());
@@ -226,7 +226,7 @@ std::vector<std::string> doubts_of(const InferredNet& inferred) {
 
 }  // namespace
 
-std::vector<std::string> freed_by(const std::string& word) {
+std::vector<std::string> parameter_globs(const std::string& word) {
   if (word == "slack") return {"net/*/slack"};
   if (word == "stiffness") return {"net/*stiffness"};
   if (word == "paths") return {"path/*", "net/*/radial"};

@@ -54,7 +54,7 @@ struct InferNetRequest {
 
 /// Returns the globs on parameter names for a word of InferNetRequest::free; the word itself if it
 /// is a glob. @throws InputError if it is neither.
-[[nodiscard]] std::vector<std::string> freed_by(const std::string& word);
+[[nodiscard]] std::vector<std::string> parameter_globs(const std::string& word);
 
 /// End nodes of a candidate band.
 struct BandEnds {

@@ -48,7 +48,7 @@ void require_whole(const Imported& imported, const std::vector<std::string>& fil
 /// Refuses to write a mesh of an implausible size as if its unit had been stated.
 void require_plausible(const Imported& imported, const ImportArguments& options) {
   const bool stated = options.unit_stated || !options.request.units.empty();
-  require(stated || !imported.mesh || imported.mesh->across <= kLargestThing,
+  require(stated || !imported.mesh || imported.mesh->across <= kMaxObjectSize,
           "'{}' is {:.4g} m across: are its numbers millimetres? --units mm; if it is as large as "
           "that, --units m; nothing is written",
           options.request.file, imported.mesh ? imported.mesh->across : 0);
@@ -60,12 +60,12 @@ void run_import(const ImportArguments& options) {
   const std::vector<std::string> files =
       options.outputs.with_ending({".toml", ".urdf", ".obj", ".stl", ".ply", ".off"});
   std::size_t warnings = imported.outcome.warnings.size();
-  for (const std::string& out : files) require_ending(out, endings_for(imported));
+  for (const std::string& out : files) require_ending(out, writable_endings(imported));
   print_answer(options.outputs.json ? json_text(json_of(imported)) + "\n" : text_of(imported));
   // Warn of what the format cannot hold, before it is lost.
   for (const std::string& out : files) {
-    print_of(out, lost_in(imported, out));
-    warnings += lost_in(imported, out).size();
+    print_of(out, unsupported_properties(imported, out));
+    warnings += unsupported_properties(imported, out).size();
   }
   require(!options.strict || warnings == 0, "--strict: {} about '{}'; nothing is written",
           counted(warnings, "warning"), options.request.file);

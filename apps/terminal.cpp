@@ -40,7 +40,7 @@ class Teller {
   void hear(double fraction, const std::string& what) {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
-    pace_.hear(std::chrono::duration<double>(now - begin_).count(), fraction);
+    pace_.add_report(std::chrono::duration<double>(now - begin_).count(), fraction);
     if (interrupted()) return;
     foretell();
     if (isatty(STDERR_FILENO) != 0) draw(now, fraction, what);
@@ -48,7 +48,7 @@ class Teller {
 
  private:
   void foretell() {
-    const std::optional<double> whole = pace_.whole();
+    const std::optional<double> whole = pace_.total_time();
     if (!whole || *whole < std::max(kLong, kMore * told_)) return;
     wipe();
     fmt::print(stderr, "thenar: this takes {}about {}\n", told_ > 0 ? "longer, " : "",
@@ -64,7 +64,7 @@ class Teller {
     drawn_ = true;
     constexpr int kWidth = 30;
     const int full = static_cast<int>(kWidth * std::min(1.0, std::max(0.0, fraction)));
-    const std::optional<double> left = pace_.left();
+    const std::optional<double> left = pace_.remaining_time();
     fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} %{} {}", "", full, "", kWidth - full,
                100 * fraction, left ? fmt::format(", {} left,", rough_time(*left)) : "", what);
     std::fflush(stderr);

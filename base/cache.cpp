@@ -178,7 +178,7 @@ CacheOptions cache_options_of_user() {
   return options;
 }
 
-std::optional<std::string> kept(const std::string& kind, const std::string& input) {
+std::optional<std::string> find_cached(const std::string& kind, const std::string& input) {
   const CacheOptions options = current_options();
   if (options.folder.empty()) return std::nullopt;
   const std::string name = name_of_entry(kind, input);
@@ -203,7 +203,7 @@ std::optional<std::string> kept(const std::string& kind, const std::string& inpu
   }
 }
 
-void keep(const std::string& kind, const std::string& input, const std::string& result) {
+void store_cached(const std::string& kind, const std::string& input, const std::string& result) {
   const CacheOptions options = current_options();
   if (options.folder.empty() || result.size() > options.max_bytes / 2) return;
   try {

@@ -1,9 +1,10 @@
 #pragma once
 
-/// Dense decompositions that many files use, compiled once (dense.cpp) instead of in each of them.
+/// Explicit instantiations of dense decompositions, compiled once (dense.cpp) instead of in each
+/// file.
 ///
-/// Release builds read this before every file (cmake/prelude.cmake): it halves the time that
-/// compilers spend on singular values and eigenvalues. Nothing changes where it is left out.
+/// Release builds include this before every file (cmake/prelude.cmake), which halves the compile
+/// time of singular values and eigenvalues. It is optional.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

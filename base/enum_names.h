@@ -1,6 +1,6 @@
 #pragma once
 
-/// Values of an enumeration with the names that people type: one table for both ways.
+/// Tables of enumeration values and their names, for conversion both ways.
 
 #include <array>
 #include <cstddef>
@@ -36,7 +36,7 @@ template <typename Enum, std::size_t size>
   return "";
 }
 
-/// Returns the value of a name. @param kind  how the message calls a name: "fit method"
+/// Returns the value of a name. @param kind  word for a name in messages: "fit method"
 /// @throws InputError as index_of_name() for a name that the table lacks
 template <typename Enum, std::size_t size>
 [[nodiscard]] Enum value_in(const std::array<EnumName<Enum>, size>& table, const std::string& name,

@@ -1,11 +1,10 @@
 #pragma once
 
-/// Fidelity of a model: all physics that may be left out, on one page.
+/// Fidelity of a model: all physics that may be neglected.
 ///
-/// Each ladder goes from the cheapest rung to the richest; a rung names the
-/// assumption it makes. A question states what it needs beside its declaration, and
-/// `a | b` takes the richer rung of every ladder. No other code asks `if (fidelity)`:
-/// only the builders look at it.
+/// Each ladder goes from the cheapest rung to the richest; each rung names its assumption. A
+/// question states the rungs that it needs, and `a | b` is the richer rung of every ladder. Only
+/// the builders of models depend on it.
 
 #include <algorithm>
 #include <string>
@@ -20,7 +19,7 @@ enum class Hood { kSeparate, kFractions, kFloatingNet };
 enum class Muscle { kBounds, kRigidTendon, kElasticTendon };
 enum class ContactModel { kNone, kHardPoint, kSoftFinger, kElasticFoundation, kFiniteElement };
 
-/// One rung of every ladder; the default is the cheapest hand there is.
+/// One rung of every ladder; the default is the cheapest hand.
 struct Fidelity {
   Motion motion = Motion::kPosed;   // posed < static < dynamic
   Joint joint = Joint::kHinge;      // hinge axes < compliant
@@ -31,7 +30,7 @@ struct Fidelity {
 
   Fidelity() = default;
 
-  /// Sets the named rungs and leaves the other ladders at their lowest.
+  /// Sets the given rungs and leaves the other ladders at their lowest.
   template <typename... Rungs>
   constexpr explicit Fidelity(Rungs... rungs) {
     (set(rungs), ...);
@@ -45,7 +44,7 @@ struct Fidelity {
   constexpr void set(ContactModel rung) { contact = rung; }
 };
 
-/// Returns the least fidelity that serves both questions.
+/// Returns the lowest fidelity that is sufficient for both questions.
 [[nodiscard]] constexpr Fidelity operator|(const Fidelity& a, const Fidelity& b) {
   return Fidelity(std::max(a.motion, b.motion), std::max(a.joint, b.joint),
                   std::max(a.path, b.path), std::max(a.hood, b.hood), std::max(a.muscle, b.muscle),
@@ -65,7 +64,7 @@ struct RungWords {
 /// Returns the rung of every ladder, with what it assumes.
 [[nodiscard]] std::vector<RungWords> explain(const Fidelity& fidelity);
 
-/// Throws InputError naming the first ladder on which `have` stands below `need`.
+/// Throws InputError naming the first ladder on which `have` is below `need`.
 void require_fidelity(const Fidelity& have, const Fidelity& need, const std::string& question);
 
 }  // namespace thenar

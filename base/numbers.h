@@ -1,6 +1,6 @@
 #pragma once
 
-/// Infinity, NaN, and the largest and smallest of numbers where some may be NaN.
+/// Infinity, NaN, and maximum and minimum that propagate NaN.
 
 #include <cmath>
 #include <initializer_list>

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Results as named numbers with units: JSON of commands and replies of servers are made of the
-/// same fields.
+/// Results as named numbers with units, from which JSON of commands and replies of servers are
+/// made.
 
 #include <initializer_list>
 #include <optional>
@@ -18,7 +18,7 @@
 
 namespace thenar {
 
-/// Unit of a number in SI and as people read it: printed = si * numerator / denominator.
+/// Unit of a number in SI and in print: printed = si * numerator / denominator.
 struct FieldUnit {
   const char* si = "";       // ending of keys: "N_m"
   const char* printed = "";  // "N_mm"
@@ -74,8 +74,8 @@ inline constexpr FieldUnit kNewtonMetreBare{"N_m", ""};
 
 /// Units in which fields are written.
 enum class UnitSystem {
-  kSi,      // servers and files of programs
-  kPrinted  // what people read
+  kSi,      // servers and machine-readable files
+  kPrinted  // text and JSON of commands
 };
 
 /// Returns a key with its unit: "tip_force_N".
@@ -91,9 +91,9 @@ struct Field {
   Field(std::string name, OrderedJson si) : Field(std::move(name), units::kOne, std::move(si)) {}
   Field(std::string name, const FieldUnit& its_unit, double si)
       : Field(std::move(name), its_unit, OrderedJson(si)) {}
-  /// null where there is none
+  /// Number, or null if absent.
   Field(std::string name, const FieldUnit& its_unit, const std::optional<double>& si);
-  /// A vector as a list, a matrix as a list of rows.
+  /// Vector as a list, or matrix as a list of rows.
   template <typename Derived>
   Field(std::string name, const FieldUnit& its_unit, const Eigen::MatrixBase<Derived>& si)
       : Field(std::move(name), its_unit, OrderedJson(to_json(si))) {}
@@ -102,9 +102,9 @@ struct Field {
   Field(std::string name, const FieldUnit& its_unit, const std::vector<std::string>& names,
         const Eigen::MatrixBase<Derived>& si)
       : Field(std::move(name), its_unit, to_json(names, si)) {}
-  /// A part with fields of its own.
+  /// Part with its own fields.
   Field(std::string name, Fields part);
-  /// A list of such parts.
+  /// List of parts.
   Field(std::string name, std::vector<Fields> list);
 
   std::string key;            // key without its unit: "tip_force"
@@ -126,7 +126,7 @@ class Fields {
   }
   /// Adds a list, unless it is empty.
   void add_some(std::string key, std::vector<Fields> list);
-  /// Adds all fields of another result behind these.
+  /// Appends all fields of another result.
   void append(Fields more);
 
   [[nodiscard]] const std::vector<Field>& all() const { return fields_; }
@@ -135,23 +135,23 @@ class Fields {
   std::vector<Field> fields_;
 };
 
-/// Returns parts made of some items. @param make  the fields of one of them
+/// Returns the fields of each item. @param make  returns the fields of one item
 template <typename Items, typename Make>
 [[nodiscard]] std::vector<Fields> fields_of_each(const Items& items, const Make& make) {
   return transformed(items, make);
 }
 
-/// Returns a value in another unit than SI, numbers that are not finite as null.
+/// Returns a value in the unit of a system, with null for numbers that are not finite.
 [[nodiscard]] OrderedJson value_in(const OrderedJson& si, const FieldUnit& unit, UnitSystem system);
 
 /// Returns the fields as an object, the unit in each key; numbers that are not finite are null. In
 /// SI processor times are left out, so that the same request gives the same text.
 [[nodiscard]] OrderedJson json_of(const Fields& fields, UnitSystem system);
 
-/// Returns an object of one result, a list of such of several.
+/// Returns an object for one result, a list of objects for several.
 [[nodiscard]] OrderedJson json_of(const std::vector<Fields>& results, UnitSystem system);
 
-/// Returns fields: JSON of any result that has fields, in printed units.
+/// Returns JSON of any result that has fields, in printed units.
 template <typename Result>
 [[nodiscard]] auto json_of(const Result& result)
     -> decltype(json_of(fields_of(result), UnitSystem::kPrinted)) {

@@ -31,7 +31,7 @@ template <typename Derived>
   return list;
 }
 
-/// Returns {"FDP": 10, ...} in the order of the names.
+/// Returns an object in the order of the names: {"FDP": 10, ...}.
 template <typename Derived>
 [[nodiscard]] OrderedJson to_json(const std::vector<std::string>& names,
                                   const Eigen::MatrixBase<Derived>& values) {
@@ -41,7 +41,7 @@ template <typename Derived>
   return object;
 }
 
-/// Returns JSON as text. Bytes that are not UTF-8, as in names of files of others, become U+FFFD.
+/// Returns JSON as text. Bytes that are not UTF-8, for example in file names, become U+FFFD.
 /// @param indent  spaces a level; -1: all on one line
 template <typename AnyJson>
 [[nodiscard]] std::string json_text(const AnyJson& json, int indent = 2) {

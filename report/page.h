@@ -1,6 +1,6 @@
 #pragma once
 
-/// A report as one HTML file that needs no network: JSON in, page out.
+/// Conversion of a report from JSON to a single HTML file that needs no network.
 
 #include <string>
 

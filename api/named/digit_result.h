@@ -44,7 +44,7 @@ using NoAnswer = std::function<void(const Eigen::VectorXd& q, const std::string&
 
 /// Returns a callback that appends a point with the posture and the message to `points`.
 template <typename Point>
-[[nodiscard]] NoAnswer kept_in(std::vector<Point>& points) {
+[[nodiscard]] NoAnswer failure_recorder(std::vector<Point>& points) {
   return [&points](const Eigen::VectorXd& q, const std::string& message) {
     Point point;
     point.q = q;

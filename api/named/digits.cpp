@@ -92,7 +92,7 @@ void build_tendons_of(const DigitRequest& request, Hood default_hood, DigitCase&
   // A net replaces the hood, so the default hood counts only if nobody names a net.
   const std::optional<Hood> hood =
       request.hood || !request.net.empty() ? request.hood : std::optional<Hood>(default_hood);
-  const std::string name = net_meant(hood, request.net);
+  const std::string name = requested_net(hood, request.net);
   // Without a net tendons are linear in their tensions: hood fractions or separate slips.
   if (name.empty()) {
     at.rungs = rungs_of(request, at.subject, *hood);
@@ -315,7 +315,7 @@ SourceText net_source(const std::string& name_or_path) {
   return {found->first, std::string(found->second)};
 }
 
-std::string net_meant(const std::optional<Hood>& hood, const std::string& net) {
+std::string requested_net(const std::optional<Hood>& hood, const std::string& net) {
   if (net.empty()) return hood == Hood::kFloatingNet ? "extensor_hood" : "";
   require(!hood || hood == Hood::kFloatingNet,
           "net '{}' needs a hood that is a net, got the hood '{}'", net,

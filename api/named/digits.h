@@ -135,6 +135,6 @@ inline constexpr double kMaxTension = 1e4;
 /// Returns the name of the net that a requested hood and a requested net select together: the named
 /// net, or "extensor_hood" for a hood that is a net without a name; empty: no net.
 /// @throws InputError if a net is named for a hood of another kind.
-[[nodiscard]] std::string net_meant(const std::optional<Hood>& hood, const std::string& net);
+[[nodiscard]] std::string requested_net(const std::optional<Hood>& hood, const std::string& net);
 
 }  // namespace thenar

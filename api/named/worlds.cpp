@@ -324,20 +324,20 @@ WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const s
   hand.X_WH = world.hands[hand.parts.back()].X_WH;
   add_names(world, hand, data);
   set_posture(world, path, data, hand);
-  for (std::string& warning : bare_body_warnings(world))
+  for (std::string& warning : missing_material_warnings(world))
     hand.named.warnings.push_back(std::move(warning));
   return hand;
 }
 
-WorldHand hand_as_in(const WorldSpec& world, const std::string& name, const std::string& path,
-                     const std::vector<std::string>& data, WorldHand built) {
+WorldHand reposed_hand(const WorldSpec& world, const std::string& name, const std::string& path,
+                       const std::vector<std::string>& data, WorldHand built) {
   built.parts = parts_of(world, chosen(world, name, path));
   built.X_WH = world.hands[built.parts.back()].X_WH;
   set_posture(world, path, data, built);
   return built;
 }
 
-std::vector<std::string> bare_body_warnings(const WorldSpec& world) {
+std::vector<std::string> missing_material_warnings(const WorldSpec& world) {
   std::vector<std::string> warnings;
   for (const PlacedBody& placed : world.bodies)
     if (placed.body.material.empty())

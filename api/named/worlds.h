@@ -77,13 +77,13 @@ struct WorldCase {
 /// Returns a hand built earlier by hand_of_world() with the pose and posture of another world that
 /// has equal hands: nothing is rebuilt.
 /// @throws InputError as hand_of_world()
-[[nodiscard]] WorldHand hand_as_in(const WorldSpec& world, const std::string& name,
-                                   const std::string& path, const std::vector<std::string>& data,
-                                   WorldHand built);
+[[nodiscard]] WorldHand reposed_hand(const WorldSpec& world, const std::string& name,
+                                     const std::string& path, const std::vector<std::string>& data,
+                                     WorldHand built);
 
 /// Returns a sentence for each body without material: "no material is stated of body 'mug': plastic
 /// is taken".
-[[nodiscard]] std::vector<std::string> bare_body_warnings(const WorldSpec& world);
+[[nodiscard]] std::vector<std::string> missing_material_warnings(const WorldSpec& world);
 
 /// Returns data_folders() for a world read from `folder`, beside which there may be robots/.
 [[nodiscard]] std::vector<std::string> data_for(const std::string& folder,

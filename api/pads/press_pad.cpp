@@ -275,7 +275,7 @@ void add_warnings(PressResult& out) {
   if (const std::string assumed = assumption_of(out.pad.spec); !assumed.empty())
     out.outcome.warnings.push_back(assumed);
   if (!out.rungs.empty())
-    if (const std::string doubt = doubt_of_laws(out); !doubt.empty())
+    if (const std::string doubt = laws_warning(out); !doubt.empty())
       out.outcome.warnings.push_back(doubt);
   if (out.instants.empty()) return;
   const PressInstant& last = out.instants.back();
@@ -309,7 +309,7 @@ bool PressResult::relaxes() const {
                      [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
 }
 
-const PressInstant* PressResult::end_of_way() const {
+const PressInstant* PressResult::end_of_motion() const {
   const PressInstant* last = nullptr;
   for (const PressInstant& now : instants)
     if (now.phase == PressPhase::kWay) last = &now;

@@ -76,8 +76,9 @@ struct [[nodiscard]] PressResult {
   std::string message;                 // why it failed; empty: it did not
   double cpu = 0;                      // processor time of the press, without rungs [s]
 
-  [[nodiscard]] bool relaxes() const;                    // tissue relaxes: time matters
-  [[nodiscard]] const PressInstant* end_of_way() const;  // last instant of the motion; null: none
+  [[nodiscard]] bool relaxes() const;  // tissue relaxes: time matters
+  [[nodiscard]] const PressInstant* end_of_motion()
+      const;  // last instant of the motion; null: none
 };
 
 /// Presses a pad.

@@ -193,14 +193,14 @@ PressRung try_rung(const PressResult& pressed, const RungTrial& trial, double de
 
 }  // namespace
 
-std::string doubt_of_laws(const PressResult& pressed) {
+std::string laws_warning(const PressResult& pressed) {
   const LawsFound found = find_laws(pressed);
   return found.laws ? version_doubt(*found.laws, pressed.pad.spec) : "";
 }
 
 std::vector<PressRung> compare_rungs(const PressResult& pressed, const Progress& progress) {
   // Every rung goes to the depth that the press reached.
-  const PressInstant* end = pressed.end_of_way();
+  const PressInstant* end = pressed.end_of_motion();
   const double depth = end != nullptr ? end->depth : 0;
   const std::vector<RungTrial> trials = all_trials(pressed.request.force_error);
   std::vector<PressRung> rungs = law_rungs(pressed, depth);

@@ -46,6 +46,6 @@ struct PressRung {
 
 /// Returns a warning if the laws of compare_rungs() were fitted to another version of the pad; ""
 /// if they match or there are none.
-[[nodiscard]] std::string doubt_of_laws(const PressResult& pressed);
+[[nodiscard]] std::string laws_warning(const PressResult& pressed);
 
 }  // namespace thenar

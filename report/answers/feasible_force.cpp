@@ -133,10 +133,10 @@ void add_largest(const FeasibleForceResult& answer, const FeasibleForcePoint& po
   fields.add("certificate", std::move(certificate));
   fields.add("activation", units::kOne, answer.muscles, largest.activation);
   fields.add("tension", units::kNewton, answer.muscles, largest.tension);
-  fields.add_some("stops", fields_of_each(point.stops, [&](const StopAnswer& stop) {
+  fields.add_some("stops", fields_of_each(point.stops, [&](const StopTorque& stop) {
                     return Fields{{"joint", stop.joint},
                                   {"torque", units::kNewtonMetre, stop.torque},
-                                  {"most", units::kNewtonMetre, stop.most},
+                                  {"most", units::kNewtonMetre, stop.max_torque},
                                   {words.suffix.substr(1) + "_per_Nm", stop.price}};
                   }));
   if (priced(point)) {
@@ -201,10 +201,11 @@ std::string plane_note(const FeasibleForceResult& answer, const FeasibleForcePoi
 std::string stop_note(const FeasibleForcePoint& point) {
   if (!makes_force(point)) return "";
   std::string note;
-  for (const StopAnswer& stop : point.stops) {
+  for (const StopTorque& stop : point.stops) {
     note += fmt::format("{}the stop of {} {} with {:.4g}", note.empty() ? "" : "; ", stop.joint,
-                        stop.most > 0 ? "flexes" : "extends", std::abs(stop.torque));
-    note += std::isinf(stop.most) ? " N m" : fmt::format(" of {:.4g} N m", std::abs(stop.most));
+                        stop.max_torque > 0 ? "flexes" : "extends", std::abs(stop.torque));
+    note += std::isinf(stop.max_torque) ? " N m"
+                                        : fmt::format(" of {:.4g} N m", std::abs(stop.max_torque));
     if (stop.price > kNoPrice)
       note +=
           fmt::format(", 1 N m more gives {:.3g} {} more", stop.price, words_of(point.load).unit);

@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// Estimate of a coordinate of a fit, in a unit for people.
+/// Estimate of a coordinate of a fit, in a readable unit.
 struct CoordinateInUnit {
   double value = 0, sd = 0;  // [unit]
   double prior_sd = 0;       // prior sd of the only specimen or of the population [unit]
@@ -20,7 +20,7 @@ struct CoordinateInUnit {
 /// which it is not linear where there are bounds.
 [[nodiscard]] std::optional<CoordinateInUnit> value_in_unit(const Fit& fit, int entry);
 
-/// Returns "+8.52 ± 0.30 mm".
+/// Returns the estimate in words: "+8.52 ± 0.30 mm".
 [[nodiscard]] std::string words_of(const CoordinateInUnit& value);
 
 }  // namespace thenar

@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// Returns a text with numbers and short lists as lines, then what lies deeper, then the warnings.
+/// Returns a text with numbers and short lists as lines, then nested parts, then warnings.
 [[nodiscard]] std::string text_of(const Imported& imported);
 /// Returns fields of an import. For robots: counts, mass, leaves at zero, links, joints, degrees of
 /// freedom. For bodies: material, mass, shapes. For worlds: hands and bodies with their places. For

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Words, fields and tables of a digit in motion.
+/// Text, fields and tables of a digit in motion.
 
 #include <string>
 
@@ -18,8 +18,8 @@ namespace thenar {
 /// excursions, slips, tip, energies. Columns: trajectory_table().
 [[nodiscard]] Table table_of(const DigitMotionResult& motion);
 
-/// Returns the reason why the motion must not be used: it did not reach its end, or its energy does
-/// not balance; empty if it may. A motion that was stopped on request may be used.
+/// Returns the reason why the motion must not be used: it ended early, or its energy does not
+/// balance; empty if it may be used. A motion that was stopped on request may be used.
 [[nodiscard]] std::string refusal_of(const DigitMotionResult& motion);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Forces that a posterior predicts beside those that were measured.
+/// Forces predicted by a posterior, and measured forces.
 
 #include <string>
 
@@ -18,9 +18,9 @@ struct PredictedForces {
   std::string what;            // "H01, in sample": the caption starts with it
 };
 
-/// Returns measured components over posterior predictive 50 and 95 % intervals, by posture and
-/// tendon.
-/// @throws InputError if `replicated` has not three rows a trial.
+/// Returns a chart of measured components over posterior predictive 50 and 95 % intervals, by
+/// posture and tendon.
+/// @throws InputError unless `replicated` has three rows for each trial.
 [[nodiscard]] Json predictive_block(const PredictedForces& predicted);
 
 }  // namespace thenar

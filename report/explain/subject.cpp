@@ -135,9 +135,9 @@ Section explain_parameters(const DigitExplained& digit) {
   Section section{"parameters", "Parameters of a fit, under settings " + digit.settings};
   const FitParameters& fit = digit.parameters;
   // Settings of another digit may name parameters that this one lacks.
-  if (!digit.settings_trouble.empty())
+  if (!digit.settings_message.empty())
     section.lines = {
-        fmt::format("these settings do not suit this digit: {}", digit.settings_trouble),
+        fmt::format("these settings do not suit this digit: {}", digit.settings_message),
         "without them, all are fixed and have these priors:"};
   section.lines.push_back(
       fmt::format("{} parameters, {} coordinates; '{}' stands for each posture of an "

@@ -99,7 +99,7 @@ std::string ending_words(const PressResult& pressed) {
 }  // namespace
 
 std::string title_of(const PressResult& pressed) {
-  const PressInstant* end = pressed.end_of_way();
+  const PressInstant* end = pressed.end_of_motion();
   const std::string what =
       fmt::format("{} under {}", pressed.pad.spec.name, with_article(pressed.object.name));
   return end == nullptr

@@ -239,7 +239,7 @@ Json relaxation_section(const PressResult& pressed) {
   Json charts = Json::array(
       {lines_block("Force over time from the touch on", "time [s]", "force [N]",
                    {press_curve(pressed, pressed.pad.spec.name, both, time, force_of)})});
-  const PressInstant* end = pressed.end_of_way();
+  const PressInstant* end = pressed.end_of_motion();
   const double began = end != nullptr ? end->time : 0;
   if (pressed.request.hold > 0) {
     charts.push_back(with(

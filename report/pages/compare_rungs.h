@@ -1,6 +1,6 @@
 #pragma once
 
-/// Words, JSON, tables and the page of a scene on several rungs of its finger pads.
+/// Text, JSON, tables and the page of a scene on several rungs of its finger pads.
 
 #include <string>
 
@@ -24,7 +24,7 @@ namespace thenar {
 /// Returns the CPU time for a simulated second [s]; not a number where nothing was simulated.
 [[nodiscard]] double cpu_per_second(const RungRun& run);
 
-/// Returns a page with errors over what rungs cost, forces over time, and a film of each rung.
+/// Returns a page with error over cost of the rungs, forces over time, and a film of each rung.
 [[nodiscard]] Json page_of(const RungComparison& comparison);
 
 /// Returns the reason why the comparison must not be used: the finest run was not solved; empty if

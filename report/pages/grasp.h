@@ -10,7 +10,7 @@
 namespace thenar {
 
 /// Returns the page of a grasp: picture, quality, measures, wrenches, contacts, joints,
-/// assumptions; those sections there is something for.
+/// assumptions; empty sections are left out.
 [[nodiscard]] Json page_of(const GraspResult& result);
 [[nodiscard]] Json page_of(const CloseResult& result);
 

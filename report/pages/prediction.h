@@ -10,9 +10,9 @@
 
 namespace thenar {
 
-/// Returns measured against predicted forces as arrows, one panel a posture, in the finger's
+/// Returns panels of measured and predicted forces as arrows, one for each posture, in the finger's
 /// flexion plane and in the plane of its proximal and radial directions. Components must be
-/// proximal, dorsal, radial. @param caption  says which predictions these are
+/// proximal, dorsal, radial. @param caption  describes the predictions
 [[nodiscard]] Json force_panels(const Prediction& prediction, const std::string& caption);
 
 /// Returns the prediction with the components of its forces turned into proximal, dorsal and
@@ -20,14 +20,14 @@ namespace thenar {
 [[nodiscard]] Prediction in_digit_axes(Prediction prediction, const Experiment& experiment);
 
 /// Returns the root mean square errors by load and direction, beside those of the mean of others'
-/// forces; nothing where nobody else measured these loads. Components must be proximal, dorsal,
+/// forces; absent if no other specimen has these loads. Components must be proximal, dorsal,
 /// radial.
 [[nodiscard]] std::optional<Json> beside_trivial_table(const Prediction& prediction);
 
-/// Returns warnings that predictions have.
+/// Returns a banner with the warnings of predictions.
 [[nodiscard]] Json caution_banner(const std::vector<std::string>& warnings);
 
-/// Returns the page of what a fit predicts.
+/// Returns the page of a fit's predictions.
 [[nodiscard]] Json page_of(const PredictResult& result);
 
 /// Returns the hashes of the inputs of a fit and of other sources, versions, fidelity, and the run

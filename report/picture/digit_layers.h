@@ -8,17 +8,16 @@
 
 namespace thenar {
 
-/// Returns names of the x, y and z axes of a picture of a digit, as `axes` of the picture:
-/// "proximal",
-/// "dorsal", "radial" or their opposites; empty where none is within 30 deg.
-/// @param directions  columns proximal, dorsal, radial; of length 0: not known (3, 3)
+/// Returns the names of the x, y and z axes of a picture of a digit, for `axes` of the picture:
+/// "proximal", "dorsal", "radial" or their opposites; empty where none is within 30 deg.
+/// @param directions  columns proximal, dorsal, radial; length 0: not known (3, 3)
 [[nodiscard]] Json axis_words(const Eigen::Matrix3d& directions);
 
-/// Returns bones from joint to joint to the tip. @param q  posture [rad]
+/// Returns a layer of bones from joint to joint to the tip. @param q  posture [rad]
 [[nodiscard]] Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
                               const std::string& color);
 
-/// Returns joint axes by name. @param length  of each [m]
+/// Returns a layer of joint axes by name. @param length  length of each [m]
 [[nodiscard]] Json axis_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
                               const std::string& name, const std::string& color, double length,
                               bool labelled);
@@ -27,7 +26,7 @@ namespace thenar {
 [[nodiscard]] Json tendon_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
                                 const std::string& name, const std::string& color, bool labelled);
 
-/// Returns the feasible force set at the tip, drawn with `mm_per_N`.
+/// Returns a layer with the feasible force set at the tip, drawn at the scale `mm_per_N`.
 [[nodiscard]] Json force_set_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
                                    const FeasibleForceSet& set, double mm_per_N,
                                    const std::string& color);

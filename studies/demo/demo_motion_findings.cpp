@@ -131,7 +131,7 @@ Finding hands_finding(const Comparison& comparison) {
 }
 
 Finding pad_finding(const PressResult& pressed) {
-  const PressInstant* end = pressed.end_of_way();
+  const PressInstant* end = pressed.end_of_motion();
   // The most accurate model that costs less than a millisecond.
   const PressRung* cheap = nullptr;
   for (const PressRung& rung : pressed.rungs)

@@ -83,11 +83,11 @@ void doubt_joints(const RobotSpec& robot, std::vector<std::string>& doubts) {
   if (!far.empty())
     doubts.push_back(
         fmt::format("{} {} {:.4g} m: are {} limits millimetres? Lengths are read as metres",
-                    these("joint", far), far.size() == 1 ? "slides by" : "slide by up to", farthest,
-                    far.size() == 1 ? "its" : "their"));
+                    quoted_list("joint", far), far.size() == 1 ? "slides by" : "slide by up to",
+                    farthest, far.size() == 1 ? "its" : "their"));
   if (!stuck.empty())
-    doubts.push_back(
-        fmt::format("{} cannot move: the upper limit is the lower one", these("joint", stuck)));
+    doubts.push_back(fmt::format("{} cannot move: the upper limit is the lower one",
+                                 quoted_list("joint", stuck)));
 }
 
 /// Returns whether a text has a name as a word of its own.
@@ -111,7 +111,7 @@ void doubt_missing_efforts(RobotSpec& robot) {
   }
   if (!missing.empty())
     robot.warnings.push_back(fmt::format("{} {} no effort, unlike others: it is unknown",
-                                         these("joint", missing),
+                                         quoted_list("joint", missing),
                                          missing.size() == 1 ? "has" : "have"));
 }
 
@@ -170,7 +170,7 @@ void doubt_placeholders(RobotSpec& robot) {
       robot.warnings.push_back(fmt::format(
           "efforts of {:.4g} at {}, far above all others, are taken for placeholders: they are "
           "unknown",
-          effort, these("joint", names)));
+          effort, quoted_list("joint", names)));
   }
 }
 
@@ -197,7 +197,7 @@ std::vector<std::string> mass_doubts(const RobotSpec& robot) {
   if (!any && moves && !massless.empty())
     return {"no link has a mass: nothing tells how the robot moves, or how heavy it is"};
   if (!any || massless.empty()) return {};
-  return {fmt::format("{} {} shapes and no mass", these("link", massless),
+  return {fmt::format("{} {} shapes and no mass", quoted_list("link", massless),
                       massless.size() == 1 ? "has" : "have")};
 }
 

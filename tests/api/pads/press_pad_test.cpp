@@ -286,10 +286,10 @@ TEST(PressPad, ComparesTheLawsOfItsPad) {
   pressed.request.force = force;
   EXPECT_EQ(laws_of(pressed)[0].area, 0);
   // They were fitted to this version of the pad, and no other.
-  EXPECT_EQ(doubt_of_laws(pressed), "");
+  EXPECT_EQ(laws_warning(pressed), "");
   const PadSpec spec = pressed.pad.spec;
   pressed.pad.spec.pulp.poisson_ratio = 0.48;
-  EXPECT_THAT(doubt_of_laws(pressed), HasSubstr("another version of pad 'index_pad'"));
+  EXPECT_THAT(laws_warning(pressed), HasSubstr("another version of pad 'index_pad'"));
   pressed.pad.spec = spec;
   // Tissue of another law is not what they were calibrated for.
   pressed.request.pad.law = "ogden";
