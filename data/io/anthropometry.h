@@ -16,7 +16,7 @@ enum class SimpleAxis { kFlexion, kAbduction };
 inline constexpr std::array kSimpleAxisNames{EnumName{SimpleAxis::kFlexion, "flexion"},
                                              EnumName{SimpleAxis::kAbduction, "abduction"}};
 
-/// A joint in front of a segment.
+/// Joint at the proximal end of a segment.
 struct SimpleJoint {
   std::string name;  // "MCP2_FE"
   SimpleAxis axis = SimpleAxis::kFlexion;

@@ -42,12 +42,12 @@ struct DhChain {
 /// Returns the displacement across one row, at joint angle zero.
 [[nodiscard]] Pose<double> dh_motion(const DhRow& row);
 
-/// Returns joint axes of a table of rows, in the frame in which `base` is given.
+/// Returns the joint axes of a table of rows, in the frame in which `base` is given.
 [[nodiscard]] DhAxes axes_from_dh(const Pose<double>& base, const std::vector<DhRow>& rows);
 
 /// Returns the table for given axes, by their common normals; exact for skew, parallel,
-/// intersecting and coincident neighbours. Four numbers a row leave freedom, which is used so: the
-/// base carries theta and d of row 1, the last row reaches the tip point, `tool` is a pure
+/// intersecting and coincident neighbours. The remaining freedom is fixed as follows: the base
+/// includes theta and d of row 1, the last row reaches the tip point, and `tool` is a pure
 /// rotation.
 /// @param tip  end frame at joint angles zero
 /// @throws InputError for no axes.

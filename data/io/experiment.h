@@ -22,18 +22,18 @@ enum class TipConstraint {
 inline constexpr std::array kTipConstraintNames{EnumName{TipConstraint::kPinned, "pinned"},
                                                 EnumName{TipConstraint::kRigid, "rigid"}};
 
-/// Course of tendons from the mount on which a digit stands to the muscles.
+/// Path of tendons from the mount of a digit to the muscles.
 enum class TendonExit {
-  kCrossing,  // straight on from where they cross the joint next to the mount
-  kAlongBone  // turned along the bone by the mount, proximal
+  kCrossing,  // straight from the crossing of the joint next to the mount
+  kAlongBone  // redirected by the mount along the bone, proximally
 };
 inline constexpr std::array kTendonExitNames{EnumName{TendonExit::kCrossing, "crossing"},
                                              EnumName{TendonExit::kAlongBone, "along_bone"}};
 
 /// Place of a load cell that does not hold the tip.
 struct ForceSite {
-  std::string at;    // segment that it holds in place of the tip; or, of the base, the mount
-                     // on which the digit stands while its tip is held
+  std::string at;    // segment that it holds instead of the tip; or, on the base, the mount of the
+                     // digit while its tip is held
   std::string axes;  // segment whose directions the force components use
   std::optional<double> fraction;        // fixation along the bone: 0 proximal, 1 distal; empty:
                                          // half-way, on the tip's segment at the tip          [1]

@@ -38,7 +38,7 @@ class Hdf5Object {
   return 1 + static_cast<int>(bytes / (20 * 1000 * 1000));
 }
 
-/// Returns walks over every object of a file and compares it with the file's size. Groups nest at
+/// Checks every object of a file against the file's size. Groups nest at
 /// most 8 deep; arrays have at most 8 dimensions, lie in the file itself, and together with
 /// attributes promise no more bytes than the file has. No value is read, and no memory is taken for
 /// any.

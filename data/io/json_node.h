@@ -54,7 +54,7 @@ struct JsonNode {
   JsonNode& member(const std::string& name);
 };
 
-/// Return whether two trees have equal values, and whether they do not. The order of members, and
+/// Compare two trees by their values. The order of members, and
 /// lines, do not count.
 [[nodiscard]] bool operator==(const JsonNode& a, const JsonNode& b);
 [[nodiscard]] bool operator!=(const JsonNode& a, const JsonNode& b);
@@ -66,8 +66,8 @@ struct JsonNode {
 [[nodiscard]] JsonNode parse_json(const std::string& path, const std::string& text,
                                   int first_line = 1);
 
-/// Returns members of the object at the end of `steps` that are a text, or a list of nothing but
-/// texts; none where no object stands.
+/// Returns the members of the object at the end of `steps` that are a text, or a list of nothing
+/// but texts; none where no object stands.
 /// @param steps  names of members from the root
 [[nodiscard]] std::map<std::string, std::vector<std::string>> text_members(
     const JsonNode& root, const std::vector<std::string>& steps);

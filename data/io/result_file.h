@@ -31,7 +31,7 @@ struct ResultFile {
   void add(const std::string& key, const std::string& text);
   void add(const std::string& key, std::vector<std::string> list);
 
-  /// Returns values by key. @throws InputError naming the key if it is absent or has another shape.
+  /// Return values by key. @throws InputError naming the key if it is absent or has another shape.
   [[nodiscard]] Eigen::MatrixXd matrix(const std::string& key) const;
   [[nodiscard]] double number(const std::string& key) const;
   [[nodiscard]] const std::string& text(const std::string& key) const;

@@ -34,7 +34,7 @@ struct TomlNode {
 /// Returns the name of a kind in messages: "a number".
 [[nodiscard]] std::string kind_name(TomlKind kind);
 
-/// Returns whole content of a regular file. @throws DataError if it is not one, or cannot be
+/// Returns the whole content of a regular file. @throws DataError if it is not one, or cannot be
 /// opened.
 [[nodiscard]] std::string read_text_file(const std::string& path);
 

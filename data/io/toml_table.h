@@ -41,7 +41,7 @@ class TomlFile {
 
   [[nodiscard]] const std::string& path() const { return path_; }
 
-  /// Returns citation keys of data/sources.bib, then those of the file's own `[sources]`.
+  /// Returns the citation keys of data/sources.bib, then those of the file's own `[sources]`.
   [[nodiscard]] const std::vector<std::string>& sources() const { return sources_; }
   /// Returns the file's own `[sources]`: what each key means.
   [[nodiscard]] const std::map<std::string, std::string>& own_sources() const {
@@ -73,7 +73,7 @@ class TomlTable {
   TomlTable(const TomlFile& file, const TomlNode& node, std::string title,
             std::vector<std::string> sources);
 
-  /// Returns keys without unit: texts, choices of words, lists of texts.
+  /// Read keys without unit: texts, choices of words, lists of texts.
   [[nodiscard]] bool has(const std::string& key);
   [[nodiscard]] std::string text(const std::string& key);
   [[nodiscard]] std::string text_or(const std::string& key, const std::string& fallback);
@@ -85,7 +85,7 @@ class TomlTable {
   }
   [[nodiscard]] std::vector<std::string> texts(const std::string& key);
 
-  /// Returns quantities in SI; `base` is the key without its unit.
+  /// Read quantities in SI; `base` is the key without its unit.
   [[nodiscard]] bool has(Dimension dimension, const std::string& base);
   [[nodiscard]] double number(Dimension dimension, const std::string& base,
                               Range range = Range::kAny);
@@ -106,10 +106,10 @@ class TomlTable {
                                                     Range range = Range::kAny);
   /// Returns all keys of this table as quantities, by name without unit: for tables of free names.
   [[nodiscard]] std::map<std::string, double> all(Dimension dimension);
-  /// Returns named lists in file order, `rows = {Fx = [..], Fy = [..]}`.
+  /// Reads named lists in file order, `rows = {Fx = [..], Fy = [..]}`.
   [[nodiscard]] std::vector<NamedNumbers> lists(const std::string& key);
 
-  /// Returns tables within this one.
+  /// Return tables within this one.
   [[nodiscard]] std::optional<TomlTable> table(const std::string& key);
   [[nodiscard]] std::vector<TomlTable> tables(const std::string& key);  // none if absent
 

@@ -26,13 +26,13 @@ namespace thenar {
 /// Splits citation keys "A, B".
 [[nodiscard]] std::vector<std::string> keys_in(const std::string& keys);
 
-/// Returns citation keys "A, B" as a list: ["A", "B"].
+/// Returns the citation keys "A, B" as a list: ["A", "B"].
 [[nodiscard]] std::string toml_keys(const std::string& keys);
 
-/// Returns keys of the entries of a BibTeX text, in its order.
+/// Returns the keys of the entries of a BibTeX text, in its order.
 [[nodiscard]] std::vector<std::string> citation_keys(const std::string& bibtex);
 
-/// Returns keys of data/sources.bib as it was when the program was built.
+/// Returns the keys of data/sources.bib at build time.
 [[nodiscard]] const std::vector<std::string>& known_sources();
 
 }  // namespace thenar

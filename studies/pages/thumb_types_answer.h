@@ -1,6 +1,6 @@
 #pragma once
 
-/// Types of thumbs as words, fields and rows.
+/// Types of thumbs as text, fields and rows.
 
 #include <string>
 
@@ -10,7 +10,7 @@
 namespace thenar {
 
 /// Returns a text with shares of the types, the order at the MCP joint beside the published share,
-/// what was assumed, and the Denavit-Hartenberg parameters of each type.
+/// assumptions, and the Denavit-Hartenberg parameters of each type.
 [[nodiscard]] std::string text_of(const ThumbTypesResult& result);
 
 [[nodiscard]] Fields fields_of(const ThumbTypesResult& result);
@@ -21,10 +21,11 @@ namespace thenar {
 /// Returns a table with a row for each type: draws, share and its 95 % interval.
 [[nodiscard]] Table share_table(const ThumbTypesResult& result);
 
-/// Returns "MCP flexion axis distal in 60.1 % (58.5 .. 61.7) of 3550 draws; published 65.2 %; ..".
+/// Returns the order at the MCP joint in words: "MCP flexion axis distal in 60.1 % (58.5 .. 61.7)
+/// of 3550 draws; published 65.2 %; ..".
 [[nodiscard]] std::string order_words(const ThumbTypesResult& result);
 
-/// Returns "Assumed, not measured: CMC1_FE along_sd_ratio, ..".
+/// Returns the assumed numbers in words: "Assumed, not measured: CMC1_FE along_sd_ratio, ..".
 [[nodiscard]] std::string assumed_words(const ThumbTypesResult& result);
 
 }  // namespace thenar

@@ -1,6 +1,7 @@
 #pragma once
 
-/// The main job on real data: middle fingers of two hands fitted to measured forces.
+/// Demo of the main applications on real data: middle fingers of two hands fitted to measured
+/// forces, and more.
 
 #include <optional>
 #include <string>
@@ -31,22 +32,22 @@ struct DemoRequest {
   std::optional<Path> path = {};  // tendon paths of human hands in scenes; absent: default_path()
 };
 
-/// A posterior that the demo sampled.
+/// Posterior sampled by the demo.
 struct DemoPosterior {
   std::string name;  // name of the experiment, or "population"
   PosteriorRun run;
   std::vector<Prediction> fitted,
-      unseen;  // predictions of each experiment of the run, and of each other one
+      unseen;  // of each experiment of the run; of each other one
   LeftOutObservations left_out;
 };
 
-/// The extensor hood of the middle finger while it bends, DIP by two thirds of PIP.
+/// Extensor hood of the middle finger during flexion, with DIP at two thirds of PIP.
 struct DemoHood {
   TendonSweepResult sweep;
   std::vector<HoodComparison> rungs;  // every rung of hood beside each experiment
 };
 
-/// A thumb at a posture of its own.
+/// Thumb with its posture.
 struct DemoThumb {
   std::string title;
   Subject subject;
@@ -54,49 +55,50 @@ struct DemoThumb {
   Eigen::Vector3d dorsal{0, 1, 0};        // dorsal direction of the palm, subject's frame (3)
 };
 
-/// Scenes in motion.
+/// Simulated scenes.
 struct DemoMotion {
   SceneResult glass;                 // figure 3 of [Miller2005]: data/scenes/wine_glass.toml
   SceneResult thumb, thumb_on_pins;  // figure 8 of [Miller2005]: thumb_mug.toml, with compliant and
                                      // with rigid joints
-  std::vector<PadState> pad, pad_on_pins;  // the thumb's against the mug
+  std::vector<PadState> pad, pad_on_pins;  // states of the thumb's pad against the mug
   std::vector<WorkPoint> work;             // ball_on_ball.toml: cost, error of the ball's place [m]
 };
 
 struct DemoResult {
   StudyInputs inputs;
-  std::vector<SpecimenStudy> specimens;       // each alone
-  std::optional<PopulationStudy> population;  // both together; absent: stopped
+  std::vector<SpecimenStudy> specimens;       // each specimen alone
+  std::optional<PopulationStudy> population;  // both specimens together; absent: stopped
   std::vector<DemoPosterior> posteriors;      // posteriors of each specimen alone, and of both
   ThumbStudyResult thumb_study;
-  ThumbRecoveryResult thumb_recovery;  // made-up data, and measurements
+  ThumbRecoveryResult thumb_recovery;  // simulated data, and measurements
   DemoHood hood;
   std::vector<DemoThumb> thumbs;
   DemoMotion motion;
   CompareResult hands;             // a human and three robot hands on two objects
   PressResult pad;                 // press by a ball
-  RungComparison pencil;           // pinched by pads, on every rung
+  RungComparison pencil;           // pencil pinched by pads, on every rung
   std::vector<std::string> files;  // written files
   Outcome outcome;                 // stopped: parts are missing, and no fit was written
 };
 
-/// Fits by every solver, cross-validates, predicts what was not seen, samples posteriors, asks what
-/// forces tell of a thumb's axes, finds a thumb again from made-up forces and muscle activity and
-/// adds measurements, bends a finger with its hood, moves scenes, lets hands grasp and presses
-/// pads. Some minutes of all cores; the same bits with any number of them,
-/// but for times and the last digits of Ipopt, whose BLAS goes by where memory lies.
+/// Fits by every solver, cross-validates, predicts unseen specimens, samples posteriors, computes
+/// the information of forces about a thumb's axes, recovers a thumb from simulated forces and
+/// muscle activity and adds measurements, flexes a finger with its hood, simulates scenes, compares
+/// hands in grasping and presses pads. Takes some minutes of all cores. Results are bitwise equal
+/// for any number of cores, except times and the last digits of Ipopt, whose BLAS depends on memory
+/// alignment.
 /// @throws InputError if data are missing or the folder cannot be written.
 [[nodiscard]] DemoResult run_demo_study(const DemoRequest& request, const Progress& progress = {});
 
 /// Returns tasks that simulate the scenes of the demo.
 /// @param data  folder with scenes/, robots/ ..; empty: the usual ones
-/// @param path  as of DemoRequest
-/// @param motion  that they fill in; outlives them
+/// @param path  see DemoRequest
+/// @param motion  receives their results; must outlive them
 [[nodiscard]] std::vector<ParallelTask> demo_scene_tasks(const std::string& data,
                                                          const std::optional<Path>& path,
                                                          DemoMotion& motion);
 
-/// Simulates the scenes of the demo: some seconds.
+/// Simulates the scenes of the demo, which takes some seconds.
 [[nodiscard]] DemoMotion move_demo_scenes(const std::string& data, const Progress& progress = {},
                                           const std::optional<Path>& path = {});
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Compares a fit with other solvers, left-out data and baselines on the same trials.
+/// Comparison of a fit with other solvers, left-out data and baselines on the same trials.
 
 #include <string>
 #include <vector>

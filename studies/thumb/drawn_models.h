@@ -23,10 +23,10 @@ class DrawnModels {
   /// Returns the models at all points.
   [[nodiscard]] std::vector<TendonModel<double>> all() const;
 
-  /// Returns values of parameters of one kind at all points [SI] (parameters that move, count).
+  /// Returns the values of free parameters of one kind at all points [SI] (parameters, count).
   [[nodiscard]] Eigen::MatrixXd values(ParameterKind kind) const;
 
-  /// Names of the rows of values().
+  /// Returns the names of the rows of values().
   [[nodiscard]] std::vector<std::string> names(ParameterKind kind) const;
 
  private:

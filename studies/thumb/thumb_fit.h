@@ -7,8 +7,8 @@
 
 namespace thenar::internal {
 
-/// Simulated data of one noise level and number of postures, with the digit that made them and the
-/// digit that fits start from.
+/// Simulated data of one noise level and number of postures, with their true digit and the digit at
+/// which fits start.
 struct ThumbData {
   TendonDigit truth;  // true thumb in the frame of `start`
   TendonDigit start;
@@ -27,11 +27,11 @@ struct DirectionErrors {
 };
 [[nodiscard]] DirectionErrors direction_errors(const Prediction& prediction);
 
-/// Returns inputs of a fit: files, and globs of the arms that it may move.
+/// Returns the inputs of a fit: files, and globs of the free arms.
 [[nodiscard]] FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs,
                                          const ThumbFitSettings& settings, const ThumbData& data);
 
-/// Returns settings of the chains of a study or a recovery. @param file  settings with priors
+/// Returns the settings of the chains of a study or a recovery. @param file  settings with priors
 template <typename Study>
 [[nodiscard]] PosteriorSettings chain_settings(const SourceText& file, const Study& study) {
   PosteriorSettings out;
@@ -46,7 +46,7 @@ template <typename Study>
 
 /// Samples a posterior; while chains disagree, samples again with twice as many draws and shorter
 /// steps.
-/// @param retries  at most [1]
+/// @param retries  largest number of repetitions [1]
 [[nodiscard]] PosteriorRun sample_with_retries(const FitInputs& inputs, PosteriorSettings settings,
                                                int retries);
 

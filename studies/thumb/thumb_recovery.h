@@ -1,7 +1,7 @@
 #pragma once
 
-/// A thumb found again from forces and muscle activity that were made up with it, by least squares
-/// and by draws: the way in which [Miller2005] (sec. 3.2) came to its thumb, with the answer known.
+/// Recovery of a thumb from simulated forces and muscle activity, by least squares and by draws:
+/// the method by which [Miller2005] (sec. 3.2) found its thumb, with known truth.
 
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace thenar {
 
-/// Made-up data, and how they are fitted.
+/// Options of the simulated data and of their fits.
 struct ThumbRecoverySettings {
   int postures = 4;     // postures of pulls of single muscles, see thumb_postures() [1]
   double noise = 0.05;  // relative noise of forces, see SimulatedPullOptions::noise [1]
@@ -31,14 +31,14 @@ struct RecoveredValue {
   double low, high;  // bounds of the central 95 % interval [unit]
 };
 
-/// A tilt or a shift of an axis, beside the truth.
+/// Estimates of a tilt or a shift of an axis, with the truth.
 struct RecoveredNumber {
   std::string name, unit;     // "axis/CMC1_FE/direction/1", "deg"
   double truth, prior_sd;     // [unit]; the prior's mean is 0
   RecoveredValue fit, drawn;  // values by least squares, and by the draws
 };
 
-/// The direction of an axis, beside the truth.
+/// Errors of the direction of an axis.
 struct RecoveredAxis {
   std::string joint;
   double start_error;  // angle from the true axis to that of the start [rad]
@@ -51,8 +51,7 @@ struct RecoveredAxis {
   [[nodiscard]] bool covered() const { return drawn_error <= drawn_within; }
 };
 
-/// Two methods agree if their estimates differ by less than this in the rms: half of what the data
-/// leave open anyway [sds of the draws].
+/// Largest rms difference of two methods that agree: half of the posterior sd [sds of the draws].
 inline constexpr double kMethodsAgree = 0.5;
 
 /// Agreement of two methods: differences of their estimates in sds of the draws, and ratios of
@@ -62,11 +61,11 @@ struct MethodAgreement {
   std::string worst_name;                        // name of the number with the worst value
   double least_sd_ratio = 0, most_sd_ratio = 0;  // sd of the fit over that of the draws [1]
   int fit_covered = 0, drawn_covered = 0;        // truths within their 95 % intervals [1]
-  std::vector<std::string> fit_undecided, drawn_undecided;  // numbers that keep more than
-                                                            // kUndecidedShare of their prior sd
+  std::vector<std::string> fit_undecided,
+      drawn_undecided;  // numbers whose sd is above kUndecidedShare of their prior sd
 };
 
-/// A thumb, its made-up data, and what both methods found.
+/// Thumb, its simulated data, and the estimates of both methods.
 struct ThumbRecovery {
   ThumbStudyInputs inputs;
   ThumbRecoverySettings settings;
@@ -80,8 +79,8 @@ struct ThumbRecovery {
   bool complete = false;
 };
 
-/// Makes up pulls and tasks of `inputs.truth`, with errors of the stated sds, and fits the axes of
-/// `inputs.start` to them, arms being known. Same settings, same bits.
+/// Simulates pulls and tasks of `inputs.truth`, with errors of the stated sds, and fits the axes of
+/// `inputs.start` to them, with known arms. The same settings give bitwise equal results.
 [[nodiscard]] ThumbRecovery recover_thumb(const ThumbStudyInputs& inputs,
                                           const ThumbRecoverySettings& settings);
 

@@ -18,19 +18,19 @@ namespace thenar {
 
 /// Files of the study.
 struct ThumbStudyInputs {
-  SourceText truth;       // subject that forces are made with
-  SourceText start;       // subject that both models start from
+  SourceText truth;       // subject that forces are simulated with
+  SourceText start;       // initial subject of both models
   SourceText orthogonal;  // settings: axes tied in crossing pairs
-  SourceText skewed;      // settings: every axis by itself
-  SourceText criteria;    // variability of axes: by which types of thumbs are told
+  SourceText skewed;      // settings: every axis is free
+  SourceText criteria;    // variability of axes, which defines types of thumbs
 };
 
 /// Reads files of a folder with subjects/, fits/ and studies/. @throws InputError if a file cannot
 /// be read.
 [[nodiscard]] ThumbStudyInputs thumb_study_inputs(const std::string& data);
 
-/// Fixed: both models have the true moment arms. Free: the arms are fitted too, with priors about
-/// the true arms that are as wide as the disagreement between sources.
+/// State of the moment arms. Fixed: both models have the true ones. Free: they are fitted too, with
+/// priors about the true arms that are as wide as the disagreement between sources.
 enum class Arms { kFixed, kFree };
 
 /// Model and data of one fit of the study.
@@ -44,11 +44,11 @@ struct ThumbFitSettings {
   double prior_width = 1;   // factor on the prior sds of axes [1]
 };
 
-/// Returns true for a fit of either model that pages compare: arms known, 10 % noise, 2 postures.
+/// Returns true for the fits that pages compare: known arms, 10 % noise, 2 postures.
 [[nodiscard]] bool is_compared(const ThumbFitSettings& settings);
 
 struct ThumbStudySettings {
-  std::vector<ThumbFitSettings> fits;  // empty: nothing is done
+  std::vector<ThumbFitSettings> fits;  // empty: none
   long draws = 1000, warm_up = 1000;   // draws of each of 4 chains [1]
   int retries = 2;                     // doublings of both where chains do not agree [1]
   int mode_starts = 16;                // starts of the search for modes [1]
@@ -57,18 +57,18 @@ struct ThumbStudySettings {
   Progress progress;
 };
 
-/// Returns settings of the full study, which takes minutes. Both models, arms fixed: at 1, 5, 10
-/// and 20 % noise, at twice the published skewness, in 1 to 4 postures, with tasks beside the
+/// Returns the settings of the full study, which takes minutes. Both models, arms fixed: at 1, 5,
+/// 10 and 20 % noise, at twice the published skewness, in 1 to 4 postures, with tasks beside the
 /// pulls, and with priors three times as wide; arms free: at 5, 10 and 20 % noise.
 [[nodiscard]] ThumbStudySettings full_thumb_study();
-/// Returns settings of a study of less than 20 s on one core: both models at three noises, and 1 to
-/// 4 postures, arms fixed.
+/// Returns the settings of a study that takes less than 20 s on one core: both models at three
+/// noises, and 1 to 4 postures, arms fixed.
 [[nodiscard]] ThumbStudySettings quick_thumb_study();
 
 /// Means and sds over tasks, each a mean over draws.
 struct TaskScores {
   double direction = 0, direction_sd = 0;  // misdirection [rad]
-  double torque = 0, torque_sd = 0;        // joint torque that is not balanced [N m]
+  double torque = 0, torque_sd = 0;        // unbalanced joint torque [N m]
   double explained = 0;                    // share of tasks within kChiSquare3At95, 0..1
 };
 [[nodiscard]] TaskScores task_scores(const std::vector<TaskMisfit>& misfits);
@@ -120,14 +120,14 @@ struct ThumbStudy {
   bool complete = false;                   // false: stopped; `fits` has the finished ones
 };
 
-/// Runs the study; same settings, same bits.
+/// Runs the study. The same settings give bitwise equal results.
 [[nodiscard]] ThumbStudy study_thumb(const ThumbStudyInputs& inputs,
                                      const ThumbStudySettings& settings);
 
-/// Returns thumb that the data of a fit are simulated with.
+/// Returns the thumb with which the data of a fit are simulated.
 [[nodiscard]] TendonDigit true_thumb(const ThumbStudy& study, double skewness);
 
-/// Returns description of a fit: "skewed, arms free, 10 % noise, 2 postures".
+/// Returns a description of a fit: "skewed, arms free, 10 % noise, 2 postures".
 [[nodiscard]] std::string describe_fit(const ThumbFitSettings& settings);
 
 }  // namespace thenar

@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// Returns digit in the frame of another: turned and shifted so that its tip and the tip's
+/// Returns a digit in the frame of another: turned and shifted so that its tip and the tip's
 /// directions at the reference posture are those of `start`. Angles, lengths and tip forces do not
 /// change.
 /// @throws InputError if the digits have other hinges, or strands that run along paths.

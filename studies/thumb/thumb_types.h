@@ -46,13 +46,13 @@ struct MeanThumb {
 /// Returns axes of thumb `number`: a function of (seed, number) alone.
 [[nodiscard]] std::vector<AxisLine> draw_thumb(const MeanThumb& mean, unsigned seed, int number);
 
-/// Returns component of the common normal from one axis to another.
+/// Returns a component of the common normal from one axis to another.
 /// @param toward  unit (3)
 /// @returns [m]
 [[nodiscard]] double normal_component(const AxisLine& first, const AxisLine& second,
                                       const Eigen::Vector3d& toward);
 
-/// Returns type of a thumb. Order at the MCP joint: the common normal from the flexion to the
+/// Returns the type of a thumb. Order at the MCP joint: the common normal from the flexion to the
 /// abduction axis has a component along the metacarpal; the flexion axis is distal if it points
 /// proximally.
 [[nodiscard]] ThumbType classify_thumb(const MeanThumb& mean, const std::vector<AxisLine>& axes);

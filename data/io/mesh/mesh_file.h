@@ -62,7 +62,7 @@ class MeshReader {
   /// kMaxTogether triangles with this one.
   [[nodiscard]] const MeshContent& content(const std::string& path, double scale = 1);
 
-  /// Returns its triangles alone.
+  /// Returns the triangles of a file alone.
   [[nodiscard]] TriangleMesh read(const std::string& path, double scale = 1) {
     return content(path, scale).mesh;
   }
@@ -80,8 +80,8 @@ class MeshReader {
   std::map<Key, DataError> failures_;
 };
 
-/// Returns bytes of an OBJ, STL (binary), PLY or OFF file, by the ending of `path`, which is not
-/// written.
+/// Returns the bytes of an OBJ, STL (binary), PLY or OFF file, by the ending of `path`, which is
+/// not written.
 /// @throws InputError for another ending, and for a mesh without triangles or with invalid ones.
 [[nodiscard]] std::string mesh_bytes(const std::string& path, const TriangleMesh& mesh);
 

@@ -19,7 +19,7 @@ struct Polygons {
   std::vector<int> lines;                 // line of each face in the file, from 1
 };
 
-/// Returns triangulates all faces; polygons that are not convex by ear clipping.
+/// Triangulates all faces; polygons that are not convex by ear clipping.
 /// @param path  names the file in messages
 /// @throws DataError at the line of a face with a corner that does not exist, or if there are more
 /// than kMaxTriangles, or non-convex faces with too many corners.

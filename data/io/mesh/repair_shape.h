@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// Returns repairs the mesh of a shape (repair_to_solid()) if it bounds no solid; the mesh then no
+/// Repairs the mesh of a shape (repair_to_solid()) if it bounds no solid; the mesh then no
 /// longer stands for its file. `warnings` gets what was done, or that repair failed. Other shapes
 /// stay.
 /// @param owner  in words: "link 'palm'"
@@ -17,7 +17,7 @@ namespace thenar {
 [[nodiscard]] bool repair_shape(ShapeSpec& shape, const std::string& owner,
                                 std::vector<std::string>& warnings);
 
-/// repair_shape() for each shape; those that cannot become solids are left out.
+/// Calls repair_shape() for each shape; shapes that cannot be repaired are removed.
 void repair_shapes(std::vector<ShapeSpec>& shapes, const std::string& owner,
                    std::vector<std::string>& warnings);
 

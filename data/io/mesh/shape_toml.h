@@ -26,8 +26,8 @@ namespace thenar {
 /// @throws DataError if one of them is gone.
 [[nodiscard]] FileDigests mesh_files(const std::vector<ShapeSpec>& shapes, const std::string& path);
 
-/// Returns lines `key = value` of a pose or shape, without loss; defaults of the readers are left
-/// out. A mesh with a file is named, others are written out.
+/// Returns the lines `key = value` of a pose or shape, without loss; defaults of the readers are
+/// left out. A mesh with a file is named, others are written out.
 [[nodiscard]] std::vector<std::string> toml_of(const Pose<double>& X);
 [[nodiscard]] std::vector<std::string> toml_of(const ShapeSpec& shape);
 

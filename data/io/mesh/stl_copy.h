@@ -28,7 +28,7 @@ class StlFiles {
   /// many solids when it is read from there; else the triangles stay in the shape.
   /// @param owner  whose shapes they are, for names: "palm"
   void give(std::vector<ShapeSpec>& shapes, const std::string& owner);
-  /// Returns paths and contents of the files that give() made.
+  /// Returns the paths and contents of the files that give() made.
   [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& files() const {
     return files_;
   }

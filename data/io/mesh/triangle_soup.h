@@ -27,7 +27,7 @@ constexpr std::size_t kMaxExact = 64;
 /// Files with more triangles are refused: no hand or object needs them.
 constexpr std::size_t kMaxTriangles = 2'000'000;
 
-/// Returns welds the soup to a surface: corners at exactly the same place become one vertex;
+/// Welds the soup to a surface: corners at exactly the same place become one vertex;
 /// triangles with two equal corners (and so without area) are left out.
 ///
 /// Parts that only touch stay apart, like those of convex decompositions: if consecutive triangles

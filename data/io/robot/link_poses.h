@@ -24,12 +24,12 @@ using DofValues = std::map<std::string, double>;
 /// Returns the motion of a joint by a value: a rotation about its axis, or a translation along it.
 [[nodiscard]] Pose<double> joint_motion(const RobotJoint& joint, double value);
 
-/// Returns poses of all links in the base, in the order of `links`:
+/// Returns the poses of all links in the base, in the order of `links`:
 ///   X_BC = X_BP X_PJ motion(axis, value) X_JC.
 /// @throws InputError if a joint comes before the joint that carries its parent.
 [[nodiscard]] std::vector<Pose<double>> link_poses(const RobotSpec& robot, const DofValues& dofs);
 
-/// Returns links that carry no other, as indices into `links`.
+/// Returns the links that carry no other, as indices into `links`.
 [[nodiscard]] std::vector<std::size_t> leaf_links(const RobotSpec& robot);
 
 }  // namespace thenar

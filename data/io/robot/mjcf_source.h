@@ -92,7 +92,7 @@ class MjcfElement {
   [[nodiscard]] bool has(const char* attribute) const;
   [[nodiscard]] std::string text(const char* attribute, const std::string& otherwise = "") const;
   [[nodiscard]] double number(const char* attribute, double otherwise) const;
-  /// Returns numbers of an attribute; empty if it is absent.
+  /// Returns the numbers of an attribute; empty if it is absent.
   [[nodiscard]] std::vector<double> numbers(const char* attribute) const;
   [[nodiscard]] Eigen::Vector3d vector3(const char* attribute,
                                         const Eigen::Vector3d& otherwise) const;

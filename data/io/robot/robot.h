@@ -147,7 +147,7 @@ bool take_effort_of_speed(RobotDof& dof);
 /// @throws InputError
 void check_robot(const RobotSpec& robot);
 
-/// Returns mounts `tool` on a link of `carrier` by a fixed joint "NAME mount". The result
+/// Mounts `tool` on a link of `carrier` by a fixed joint "NAME mount". The result
 /// approaches and closes as the tool does; a carrier that states no closing stands still. Names of
 /// the tool get "NAME/" in front if the carrier has them already.
 /// @param X_LT  base link of the tool in that link

@@ -47,7 +47,7 @@ struct UrdfText {
   std::vector<std::string> warnings;           // features that URDF cannot express
 };
 
-/// Returns roll, pitch and yaw of URDF,  R = Rz(yaw) Ry(pitch) Rx(roll), accurate at any pitch.
+/// Returns the roll, pitch and yaw of URDF,  R = Rz(yaw) Ry(pitch) Rx(roll), accurate at any pitch.
 /// @returns [rad] (3)
 [[nodiscard]] Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& R);
 

@@ -29,7 +29,7 @@ struct SceneBushingSpec {
 
 namespace internal {
 
-/// [[bushing]]
+/// Reads [[bushing]].
 [[nodiscard]] SceneBushingSpec read_scene_bushing(TomlTable& table);
 
 }  // namespace internal

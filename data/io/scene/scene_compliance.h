@@ -57,12 +57,12 @@ struct SpringKeys {
                                       Range range);
 /// Returns the dimension of the stiffness of "translation" or "rotation".
 [[nodiscard]] Dimension spring_dimension(const std::string& name);
-/// Returns 'stiffening', which is of springs with a toe. @param usual  where it is not stated
+/// Reads 'stiffening', a number of springs with a toe. @param usual  where it is not stated
 [[nodiscard]] double read_stiffening(TomlTable& table, bool has_toe, double usual);
 
-/// [[compliance]]
+/// Reads [[compliance]].
 [[nodiscard]] SceneComplianceSpec read_scene_compliance(TomlTable& table);
-/// [[ligament]]
+/// Reads [[ligament]].
 [[nodiscard]] SceneLigamentSpec read_scene_ligament(TomlTable& table);
 
 }  // namespace internal

@@ -36,7 +36,7 @@ struct ScenePadSpec {
 
 namespace internal {
 
-/// [[pad]]. @param folder  of the scene
+/// Reads [[pad]]. @param folder  folder of the scene
 [[nodiscard]] ScenePadSpec read_scene_pad(TomlTable& table, const std::string& folder);
 
 }  // namespace internal

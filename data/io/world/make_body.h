@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// Returns shapes about the origin of a body; sizes as of ShapeSpec.
+/// Return shapes about the origin of a body; sizes as in ShapeSpec.
 [[nodiscard]] ShapeSpec box_shape(const Eigen::Vector3d& edges);       // full edges [m] (3)
 [[nodiscard]] ShapeSpec ball_shape(double radius);                     // [m]
 [[nodiscard]] ShapeSpec cylinder_shape(double radius, double height);  // axis along z [m]

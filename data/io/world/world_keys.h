@@ -26,7 +26,7 @@ namespace thenar::internal {
                                        const std::vector<std::string>& kinds,
                                        const std::vector<std::string>& places);
 
-/// Returns joint angles, positions of sliding joints, or either in SI as the writer states it:
+/// Reads joint angles, positions of sliding joints, or either in SI as the writer states it:
 /// coordinate
 /// -> [rad] or [m].
 [[nodiscard]] std::map<std::string, double> read_posture(TomlTable& table);
@@ -39,7 +39,8 @@ namespace thenar::internal {
                                           const Materials& materials,
                                           const std::vector<std::string>& places = {});
 
-/// Returns materials of the file that `materials` names over the built-in table, or that alone.
+/// Reads the materials of the file that `materials` names over the built-in table, or returns that
+/// table alone.
 [[nodiscard]] Materials read_materials_key(TomlTable& top, const std::string& folder);
 
 /// Reads [camera]; the usual one if there is none.
