@@ -79,12 +79,12 @@ Measured<double> hold_of(const ForceSet& forces, const ScaledWrench& load,
   return {hold.objective, ""};
 }
 
-/// The weight as the object stands: along -z of the world.
+/// Returns the weight of the object in its present orientation: along -z of the world.
 ScaledWrench weight_load(const GraspBody& object, double weight) {
   return {-weight * object.X_WB.R.transpose().col(2), {0, 0, 0}};
 }
 
-/// Returns the reason why the hand's motors do not hold a load: they bear none of it, or not all.
+/// Returns the reason why the hand's motors do not hold a load: they support none of it, or a part.
 std::string why_not_held(const Asked& asked, const ScaledWrench& load) {
   const WrenchSupport reach = load_margin(asked.forces, load);
   const std::string cannot = "what drives the hand cannot make forces that hold the weight: ";

@@ -32,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A body whose meshes bound solids: mended where it stands still anyway, or if asked to.
+/// Makes the meshes of a body solids: repairs those of obstacles, and others if requested.
 /// @throws DataError naming the holes
 void settle_meshes(BodySpec& body, const std::string& file, bool mend,
                    std::vector<std::string>& warnings, bool dynamic) {
@@ -52,7 +52,7 @@ void settle_meshes(BodySpec& body, const std::string& file, bool mend,
     note_turned(body.shapes, owner, warnings);
     return;
   }
-  // Obstacles need no mass; they are repaired without being asked.
+  // Obstacles need no mass, so repair them without a request.
   repair_shapes(body.shapes, owner, warnings);
   if (body.shapes.empty())
     throw DataError(file, 1, fmt::format("{} is left without a shape", owner));
@@ -157,7 +157,7 @@ double scale_of(const ImportRequest& request) {
 BodySpec object_of(const MeshContent& content, const ImportRequest& request, bool as_in_file) {
   BodySpec body;
   body.name = fs::path(request.file).stem().string();
-  // Exact solids such as boxes and spheres are kept in place of their triangles.
+  // Prefer exact solids such as boxes and spheres to their triangles.
   body.shapes = content.exact;
   if (!body.shapes.empty()) return body;
   ShapeSpec shape;
@@ -343,7 +343,7 @@ RobotSpec with_guesses(const RobotSpec& robot) {
     RobotSpec guessed = graspable(robot);
     const std::size_t digits = digits_in(guessed).size();
     const bool one_jaw = digits == 1 && robot.dofs.size() == 1;
-    // With several digits the guess stands; a single jaw must at least close against something
+    // Accept the guess for several digits; a single jaw must at least close against something
     // fixed.
     if (digits > 1 || (one_jaw && infer_closing(guessed, {true, false}).facing)) return guessed;
     if (one_jaw)
@@ -357,7 +357,7 @@ RobotSpec with_guesses(const RobotSpec& robot) {
 
 using Sentences = std::vector<std::string>;
 
-/// The robot as TOML, with what was guessed marked, and told.
+/// Writes the robot as TOML with marked guesses, and returns the guesses.
 Sentences write_thing(RobotSpec robot, const Imported& imported, const std::string& out) {
   // Let links refer to meshes as seen from the folder of the new file.
   for (RobotLink& link : robot.links)

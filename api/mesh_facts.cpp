@@ -120,7 +120,7 @@ MeshMass mass_of_parts(const TriangleMesh& mesh, const std::vector<TriangleMesh>
   return found;
 }
 
-/// Volume, centre and inertia of triangles, with what is doubtful of them.
+/// Computes volume, centre and inertia of triangles, and doubts about them.
 void weigh_triangles(const TriangleMesh& mesh, MeshFacts& facts) {
   // Weigh connected parts one by one: a mesh may hold several solids.
   const std::vector<TriangleMesh> parts = connected_parts(mesh);

@@ -17,7 +17,7 @@
 namespace thenar {
 namespace {
 
-/// The file of the robot that a name or a file stands for; empty: it is no robot, but a subject.
+/// Returns the file of the robot given by a name or a file; empty: a subject instead of a robot.
 std::string robot_meant(const PoseRequest& request) {
   if (!is_file(request.model)) return robot_file(request.model, data_folders(request.data));
   require_kind(request.model, {"subject", "robot"});

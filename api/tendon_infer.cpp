@@ -45,7 +45,7 @@ std::vector<BandEnds> ends_of(const Net& net, const std::vector<std::string>& ba
   return ends;
 }
 
-/// Reads the three files, and puts what they are into the answer.
+/// Reads the three files, and records them in the result.
 InferenceCase read_case(const InferNetRequest& request, InferNetResult& answer) {
   // Files.
   const SourceText forces = read_source(experiment_file(request.experiment, request.data)),
@@ -118,7 +118,8 @@ void infer_by_search(const InferenceCase& at, const InferNetRequest& request,
   answer.stop = found.stop;
 }
 
-/// Settings that also free what is asked for by words; what a digit has not is no error.
+/// Returns settings that also free the requested parameters; parameters that a digit lacks are
+/// ignored.
 std::string with_freed(std::string settings, const std::vector<std::string>& globs) {
   for (const std::string& glob : globs)
     settings += fmt::format(

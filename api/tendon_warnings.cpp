@@ -25,7 +25,7 @@ std::string slip_doubt(const LoadedDigit& loaded, const DigitPoint& point) {
     return "";
   if (slips.terminal >= kLeastRatio * slips.central && slips.terminal <= kMostRatio * slips.central)
     return "";
-  // Of what is slack no rounding is told.
+  // Skip rounding errors of slack tendons.
   const auto taut = [](double tension) { return tension > kTaut ? tension : 0; };
   const double terminal = taut(slips.terminal), central = taut(slips.central);
   return fmt::format(

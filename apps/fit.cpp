@@ -2,7 +2,7 @@
 //
 // Fits the parameters of a digit to measured fingertip forces. Several specimens are fitted
 // together, as people who differ from their population. With --method mcmc the whole posterior is
-// sampled instead: under mpirun by all ranks, and an interrupted run goes on where it stopped.
+// sampled instead: under mpirun by all ranks, and an interrupted run is continued.
 
 #include <algorithm>
 #include <cstdio>
@@ -35,7 +35,7 @@ constexpr const char* kSampling = "mcmc";
 
 struct FitArguments {
   std::string method = "ceres";
-  Json fit = Json::object(), chains = Json::object();  // what is typed
+  Json fit = Json::object(), chains = Json::object();  // typed arguments
   bool allow_unconverged = false, no_retry = false;
   Outputs outputs;
 };

@@ -24,7 +24,7 @@ namespace {
 
 struct ImportArguments : Arguments<ImportRequest> {
   bool strict = false, allow_missing = false;
-  bool unit_stated = false;  // by --scale, also where that is 1
+  bool unit_stated = false;  // --scale is given, even if it is 1
 };
 
 /// Warnings on the error stream, under the file that they are of.
@@ -32,8 +32,8 @@ void print_of(const std::string& out, const std::vector<std::string>& warnings) 
   for (const std::string& warning : warnings) fmt::print(stderr, "{}: {}\n", out, warning);
 }
 
-/// Refuses to write a robot that lacks parts which its file names: nothing would tell it from a
-/// whole one but its warnings.
+/// Throws for a robot that lacks parts of its file, as only warnings would distinguish it from a
+/// complete one.
 void require_whole(const Imported& imported, const std::vector<std::string>& files) {
   if (files.empty() || !std::holds_alternative<RobotSpec>(imported.thing)) return;
   const auto missing = std::count_if(imported.outcome.warnings.begin(),
@@ -69,7 +69,7 @@ void run_import(const ImportArguments& options) {
   }
   require(!options.strict || warnings == 0, "--strict: {} about '{}'; nothing is written",
           counted(warnings, "warning"), options.request.file);
-  // Refuse what is implausible or incomplete unless it was allowed.
+  // Throw for implausible or incomplete input unless it is allowed.
   if (!files.empty()) require_plausible(imported, options);
   if (!options.allow_missing) require_whole(imported, files);
   for (const std::string& out : files) print_of(out, write_imported(imported, out));

@@ -130,7 +130,7 @@ void deliver(const Outputs& outputs, const Answer& answer) {
   const bool stopped = outcome.stopped();
   if (stopped && outcome.done == 0) tell_if_stopped(0, outcome.asked, outcome.part);
   print_warnings(outcome.warnings);
-  // Files first, so that what is printed is there when a reader closes the pipe.
+  // Write files first, so that they are complete when a reader closes the pipe.
   const FileDigests files = answer.files && !outputs.files.empty() ? answer.files() : FileDigests();
   for (const std::string& path : outputs.with_ending({".json"}))
     write_json_file(answer.json(UnitSystem::kPrinted), path, files);
@@ -140,7 +140,7 @@ void deliver(const Outputs& outputs, const Answer& answer) {
   if (answer.page)
     for (const std::string& path : outputs.with_ending({".html"}))
       write_page(answer.page(), path, files);
-  // Then what is printed.
+  // Print the answer.
   if (outputs.json) {
     print_answer(json_text(answer.json(UnitSystem::kPrinted)) + "\n");
   } else if (outputs.csv && answer.table) {

@@ -4,7 +4,7 @@
 // thenar simulate SCENE [--seconds S] [--method M] [--step-ms MS] [--pads RUNG ...]
 //                [--vary NAME=from:to:count ...]
 //
-// How one digit moves when its muscles are excited, or a scene of bodies and hands by itself.
+// Simulates one digit with excited muscles, or a scene of bodies and hands.
 
 #include <memory>
 #include <optional>

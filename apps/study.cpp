@@ -1,7 +1,7 @@
 // thenar study thumb -o PAGE.html
 // thenar study thumb-types -o PAGE.html
 //
-// Simulated experiments with known ground truth: how well models explain them, what is learnt.
+// Simulated experiments with known ground truth: accuracy of models, and information gain.
 
 #include "studies/questions/study.h"
 

@@ -28,7 +28,7 @@ std::string answer_to_signal(const std::string& kept) {
                      isatty(STDERR_FILENO) == 0 ? "" : "\r\033[K", kept.empty() ? "" : ": ", kept);
 }
 
-constexpr double kLong = 10;  // what takes longer is told beforehand [s]
+constexpr double kLongDuration = 10;  // shortest estimated duration that is announced [s]
 
 constexpr double kMore = 2;  // times what was told, from which it is told again [1]
 
@@ -49,7 +49,7 @@ class Teller {
  private:
   void foretell() {
     const std::optional<double> whole = pace_.total_time();
-    if (!whole || *whole < std::max(kLong, kMore * told_)) return;
+    if (!whole || *whole < std::max(kLongDuration, kMore * told_)) return;
     wipe();
     fmt::print(stderr, "thenar: this takes {}about {}\n", told_ > 0 ? "longer, " : "",
                rough_time(*whole));

@@ -46,7 +46,7 @@ CacheOptions current_options() {
   return options_in_use();
 }
 
-/// Changes whenever the program is built anew: what it computes may have changed with it.
+/// Returns an identifier of the build, as another build may compute other results.
 const std::string& build_id() {
   static const std::string id = [] {
     // Versions of libraries, and size and time of the program's file, which a rebuild changes.
@@ -196,10 +196,11 @@ std::optional<std::string> find_cached(const std::string& kind, const std::strin
     std::string result = text.substr(start);
     if (text.compare(kHeading.size() + kHashDigits, kHashDigits, sha256(result)) != 0)
       return std::nullopt;
-    fs::last_write_time(path, fs::file_time_type::clock::now(), failed);  // it was used
+    fs::last_write_time(path, fs::file_time_type::clock::now(),
+                        failed);  // marks it as recently used
     return result;
   } catch (const std::exception&) {
-    return std::nullopt;  // it cannot be read
+    return std::nullopt;  // unreadable
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kLeastFitted = 4, kLeastChecked = 1;  // presses, as fit_laws() asks
-constexpr double kFitShare = 0.01;                          // of the time, roughly [1]
+constexpr double kFitShare = 0.01;  // estimated share of fits in the total time [1]
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -66,7 +66,7 @@ void add_forces(PadLaws& out) {
   }
 }
 
-/// Presses that trials ask for.
+/// Returns the number of presses of the trials.
 std::size_t count_of(const std::vector<PressTrial>& trials) {
   std::size_t count = 0;
   for (const PressTrial& trial : trials) count += trial.depths.size();

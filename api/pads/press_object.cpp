@@ -185,7 +185,7 @@ PadTouch touch_pad(const PadShape& shape, const Shape& object, double angle, dou
   R.col(1) = Vector3d::UnitY();
   R.col(0) = R.col(1).cross(R.col(2));
   touch.X_PO.R = R * rotation_about<double>({0, 0, 1}, turn);
-  // From where the skin lies farthest against the motion.
+  // Start from the point of the skin that is farthest against the motion.
   const std::vector<Vector3d> skin = sampled_skin(shape);
   touch.X_PO.p = *std::min_element(skin.begin(), skin.end(), [&](const auto& p, const auto& q) {
     return p.dot(touch.along) < q.dot(touch.along);

@@ -20,7 +20,7 @@
 namespace thenar {
 namespace {
 
-constexpr int kBedRings = 18;  // of a bed, as laws are fitted with [LawFitOptions]
+constexpr int kBedRings = 18;  // rings of a bed, equal to those of LawFitOptions [1]
 
 /// The laws of a pad, or why there are none.
 struct LawsFound {
@@ -58,7 +58,7 @@ template <typename Call>
 double seconds_of_call(int calls, const Call& call) {
   std::array<double, 21> seconds{};
   // Write each value to a volatile, and take the median of 21 batches.
-  volatile double kept = 0;  // so that no call is left out
+  volatile double kept = 0;  // prevents the removal of calls
   for (double& each : seconds) {
     const double began = thread_seconds();
     for (int i = 0; i < calls; ++i) kept = call();
@@ -78,7 +78,8 @@ PressRung law_rung(const std::string& name, const std::string& message) {
   return rung;
 }
 
-/// The hard point, which has either the force that is asked for and no patch, or no force.
+/// Returns the rung of the hard point, which has either the requested force and no patch, or no
+/// force.
 PressRung hard_point(const PressResult& pressed) {
   PressRung rung =
       law_rung("hard point", pressed.request.force
@@ -107,7 +108,7 @@ std::vector<PressRung> law_rungs(const PressResult& pressed, double depth) {
   if (depth > laws.evidence.depth)
     note += fmt::format(" to {:.3g} mm only", laws.evidence.depth / kMm);
 
-  // By curvatures of the gap where the skin lies deepest.
+  // Evaluate the laws by curvatures of the gap at the deepest point of the skin.
   const PadShape& shape = pressed.pad.model.shape;
   const DeepestSkin deepest = deepest_skin(PadChart(shape), object, X_PO);
   const RelativeCurvatures gap = skin_gap(*skin_solid(shape), object, X_PO, deepest.place);
@@ -208,7 +209,7 @@ std::vector<PressRung> compare_rungs(const PressResult& pressed, const Progress&
   for (std::size_t i = 0; i < trials.size() && !progress.stop(); ++i) {
     progress(static_cast<double>(i) / static_cast<double>(trials.size()), "comparing elements");
     rungs.push_back(try_rung(pressed, trials[i], depth, progress));
-    if (progress.stop()) rungs.pop_back();  // it may have been cut off
+    if (progress.stop()) rungs.pop_back();  // possibly incomplete
   }
   // Errors against the last, if all were done and it was solved.
   if (rungs.size() < all || !rungs.back().message.empty()) return rungs;

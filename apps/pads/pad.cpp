@@ -30,7 +30,7 @@
 namespace thenar {
 namespace {
 
-/// An output must not overwrite what it comes from.
+/// Checks that an output does not overwrite its input.
 void require_other_file(const std::string& output, const std::string& input) {
   std::error_code none;
   require(output.empty() || !std::filesystem::equivalent(output, input, none),
@@ -38,7 +38,7 @@ void require_other_file(const std::string& output, const std::string& input) {
 }
 
 /// Delivers an answer, and its own file if there is a text for it.
-/// @return words on a file that was asked for and not written
+/// @return message about a requested file that was not written
 template <typename Result>
 std::string deliver_with_file(Outputs outputs, const Result& found, const std::string& file,
                               const std::string& text) {

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double kNoPrice = 1e-9;       // rounding [N/N]
-constexpr double kPriceDiffers = 1e-4;  // of the larger price
+constexpr double kPriceDiffers = 1e-4;  // smallest difference over the larger price [1]
 constexpr std::size_t kMaxNamed = 3;    // muscles in a sentence
 
 TipModel model_of(const FeasibleForcePoint& point) {
@@ -105,7 +105,7 @@ std::vector<Fields> limit_fields(const FeasibleForceResult& answer,
 
 void add_largest(const FeasibleForceResult& answer, const FeasibleForcePoint& point,
                  Fields& fields) {
-  // Status and axes are told even if there is no load.
+  // State status and axes even if there is no load.
   const MaxTipForce& largest = *point.largest;
   const LoadWords words = words_of(answer.request.load),
                   other = words_of(other_load(answer.request.load));
@@ -118,7 +118,7 @@ void add_largest(const FeasibleForceResult& answer, const FeasibleForcePoint& po
     fields.add("tension", units::kNewton, nullptr);
     return;
   }
-  // Loads are stated in the axes that were asked for.
+  // State loads in the requested axes.
   const auto in_axes = [&](const Eigen::Vector3d& load) {
     return Eigen::Vector3d(point.axes.to_world.transpose() * load);
   };
@@ -254,7 +254,7 @@ std::string loss_text(const FeasibleForceResult& answer, const FeasibleForcePoin
 
 /// The largest force at one posture.
 std::string largest_text(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
-  // State the load in newtons and along the axes that were asked for.
+  // State the load in newtons along the requested axes.
   const MaxTipForce& largest = *point.largest;
   const LoadWords words = words_of(point.load), other = words_of(other_load(point.load));
   const auto in_axes = [&](const Eigen::Vector3d& load, const LoadWords& of) {
@@ -516,7 +516,7 @@ Table limit_table(const FeasibleForceResult& answer, const FeasibleForcePoint& p
 }
 
 std::string force_status_words(Status status, TipLoad load, TipModel model) {
-  // Each status is told with its mechanical reason.
+  // Return each status with its mechanical reason.
   const std::string one = words_of(load).one;
   switch (status) {
     case Status::kSolved:

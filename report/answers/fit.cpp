@@ -60,7 +60,7 @@ std::vector<Fields> left_out_fields(const FitResult& result) {
   return list;
 }
 
-/// Every coordinate with what it means, best known first.
+/// Every coordinate with its meaning, best known first.
 std::vector<Fields> learnt_fields(const Fit& fit) {
   std::vector<Fields> list;
   for (const int i : sorted_by_sd(fit.covariance)) {

@@ -190,8 +190,8 @@ void add_poses(const Poses& poses, Fields& fields) {
 }  // namespace
 
 std::string mobility_in_words(const TipPose& tip) {
-  constexpr double kNearlySingular = 100;  // of the condition number
-  // Rank and condition of the Jacobian tell how freely the tip moves.
+  constexpr double kNearlySingular = 100;  // smallest condition number of a nearly singular tip [1]
+  // State rank and condition of the Jacobian.
   if (tip.joints.empty()) return "fixed: every joint between wrist and tip is frozen";
   const TipManipulability& can = tip.mobility;
   if (can.rank == 3 && can.condition < kNearlySingular)

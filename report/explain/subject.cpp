@@ -1,4 +1,4 @@
-// What is built of a subject's digit, and what can be asked of it.
+// Explanation of a subject's digit: its parts, and possible questions.
 
 #include <cmath>
 
@@ -130,7 +130,7 @@ std::string state_of(const FitParameters& fit, std::size_t p) {
   return fmt::format("tied to {}{}", ratio, nth(fit.all, leader).name);
 }
 
-/// Every number that a fit may move, and what is believed of it beforehand.
+/// Tabulates every free parameter of a fit with its prior.
 Section explain_parameters(const DigitExplained& digit) {
   Section section{"parameters", "Parameters of a fit, under settings " + digit.settings};
   const FitParameters& fit = digit.parameters;

@@ -168,7 +168,7 @@ Fields fields_of(const PressResult& pressed) {
                 {"assumed", assumed_words(pressed.pad.spec)},
                 {"status", name_of(pressed.outcome.status)},
                 {"message", pressed.message}};
-  // The last instant by itself, then all of them.
+  // State the last instant, then all.
   if (!pressed.instants.empty()) fields.append(instant_fields(pressed.instants.back()));
   fields.add("object_place", units::kMillimetre, pressed.X_PO.p);
   fields.add("along", units::kOne, pressed.touch.along);

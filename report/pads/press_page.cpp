@@ -130,7 +130,7 @@ Json pad_scene(const PressResult& pressed, MeshTable& meshes) {
 
 /// The part of the skin near the patch; all of it where there is none.
 PressedSkin near_patch(const PressedSkin& skin) {
-  // Bound the patch, and keep what lies within a multiple of its size.
+  // Bound the patch, and keep the nodes within a multiple of its size.
   Eigen::AlignedBox3d patch;
   for (Index k = 0; k < skin.places.cols(); ++k)
     if (nth(skin.contact, k) != SkinContact::kFree)
@@ -233,7 +233,7 @@ Json curve_section(const PressResult& pressed) {
 
 /// Force over time; while the object stands still also over the logarithm of time.
 Json relaxation_section(const PressResult& pressed) {
-  // The whole course in time, and the hold by itself on a logarithmic axis.
+  // Chart the whole press over time, and the hold alone on a logarithmic axis.
   const std::vector<PressPhase> both{PressPhase::kWay, PressPhase::kHold};
   const auto time = [](const PressInstant& now) { return now.time; };
   Json charts = Json::array(

@@ -132,7 +132,7 @@ std::string question_words(const FeasibleForceResult& answer) {
           ? fmt::format(", or up to {:.4g} degrees off it", answer.request.tolerance / kDegree)
           : "",
       beside, answer.map.empty() ? "every joint in balance and " : "");
-  // A single posture also tells its limits.
+  // Add the limits for a single posture.
   if (answer.single() && !answer.points.empty()) {
     const std::string limits = limit_words(answer, answer.points.front());
     if (!limits.empty()) words += "\n\nIt is " + limits + ".";

@@ -63,7 +63,7 @@ Json warning_section(const GraspResult& result) {
                                {"assumption"}, rows)}));
 }
 
-/// A table, and what is to be said of its rows below it: notes are too long for columns.
+/// Returns a table with the notes of its rows below it, which are too long for columns.
 Json measure_blocks(const std::string& caption, const std::vector<MeasureRow>& measures) {
   Json rows = Json::array(), notes = Json::array();
   for (const MeasureRow& each : measures) {
@@ -74,7 +74,7 @@ Json measure_blocks(const std::string& caption, const std::vector<MeasureRow>& m
 }
 
 Json measure_section(const GraspResult& result) {
-  // Measures of the grasp, then its robustness if it was asked for.
+  // Add measures of the grasp, then its robustness if requested.
   Json blocks = measure_blocks(
       "Loads and motions of the object, in its own frame and about its centre of mass.",
       measure_rows(*result.measures));
