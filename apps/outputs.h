@@ -30,7 +30,7 @@ struct Outputs {
   [[nodiscard]] std::vector<std::string> with_ending(const std::vector<std::string>& endings) const;
   /// Returns the only file with the ending; "" if there is none. @throws InputError if there are
   /// several.
-  [[nodiscard]] std::string one(const std::string& ending) const;
+  [[nodiscard]] std::string only_file(const std::string& ending) const;
   [[nodiscard]] bool page() const { return !with_ending({".html"}).empty(); }
 };
 

@@ -106,7 +106,7 @@ void complain(const std::string& complaint, bool allowed) {
   print_warnings({complaint});
 }
 
-void tell_if_stopped(std::size_t done, std::size_t asked, const std::string& what) {
+void throw_if_stopped(std::size_t done, std::size_t asked, const std::string& what) {
   if (done >= asked) return;
   if (done == 0) throw Stopped(fmt::format("stopped before the first {} was done", what));
   throw Stopped(fmt::format("stopped after {} of {} {}s; they are kept", done, asked, what));

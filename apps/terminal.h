@@ -26,7 +26,7 @@ void complain(const std::string& complaint, bool allowed);
 
 /// Reports the completed part of stopped work, after its answer was delivered.
 /// @param what  "posture"  @throws Stopped if less was done than requested
-void tell_if_stopped(std::size_t done, std::size_t asked, const std::string& what);
+void throw_if_stopped(std::size_t done, std::size_t asked, const std::string& what);
 
 /// Checks that all printed output was written; an error such as a full disk may appear only at the
 /// end.

@@ -253,7 +253,7 @@ std::string text_of(const CompareResult& result) {
   // Put serious warnings before the numbers, all others after them.
   std::string text;
   for (const std::string& warning : comparison.warnings)
-    if (is_grave(warning)) text += fmt::format("warning: {}\n", warning);
+    if (is_serious(warning)) text += fmt::format("warning: {}\n", warning);
   text += titled("Grasps: share with force closure, its 95 % interval, and loads",
                  cell_table(comparison));
   text += load_rule() +
@@ -271,7 +271,7 @@ std::string text_of(const CompareResult& result) {
       "approach pinched",
       hand_table(comparison));
   for (const std::string& warning : comparison.warnings)
-    if (!is_grave(warning)) text += fmt::format("warning: {}\n", warning);
+    if (!is_serious(warning)) text += fmt::format("warning: {}\n", warning);
   return text;
 }
 

@@ -270,7 +270,7 @@ std::string text_of(const GraspResult& result) {
                                  result.setting.setup.object.name, explanation(result));
   // Put warnings that change the question before the numbers.
   std::vector<std::string> warnings = folded(result.outcome.warnings);
-  const auto light = std::stable_partition(warnings.begin(), warnings.end(), is_grave);
+  const auto light = std::stable_partition(warnings.begin(), warnings.end(), is_serious);
   const auto add_warning = [&](const std::string& warning) {
     text += fmt::format("warning: {}\n", warning);
   };

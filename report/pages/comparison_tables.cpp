@@ -95,7 +95,7 @@ Json banner(const Comparison& comparison) {
                         comparison.hands.size() * comparison.objects.size());
   std::vector<std::string> grave;
   std::copy_if(comparison.warnings.begin(), comparison.warnings.end(), std::back_inserter(grave),
-               is_grave);
+               is_serious);
   return banner_block(title, grave, comparison.complete && grave.empty());
 }
 

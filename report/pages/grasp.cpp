@@ -28,7 +28,7 @@ Json outcome_banner(const GraspResult& result) {
   const bool ok = grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure;
   std::vector<std::string> grave;
   std::copy_if(result.outcome.warnings.begin(), result.outcome.warnings.end(),
-               std::back_inserter(grave), is_grave);
+               std::back_inserter(grave), is_serious);
   return banner_block(outcome_words(grasp), grave, ok && grave.empty());
 }
 

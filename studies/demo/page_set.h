@@ -31,7 +31,7 @@ struct SetPage {
 /// Fills the front page of a set: the lines are its summary, and each page with a line gets a
 /// section with its result, its figure and a link. Meshes of figures are copied.
 /// @param front  file, title, opening and page without sections; receives the sections
-void sum_up(const std::vector<SetPage>& pages, SetPage& front);
+void fill_front_page(const std::vector<SetPage>& pages, SetPage& front);
 
 /// Adds to every page its opening and the list of all pages.
 void link_pages(std::vector<SetPage>& pages);

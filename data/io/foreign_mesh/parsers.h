@@ -28,13 +28,13 @@ namespace thenar {
 /// @throws DataError at the first line that is wrong.
 void check_collada(const std::string& text, const std::string& path);
 
-/// Prevents this process from opening files except by read_one(), so that parsers and their
-/// libraries cannot open textures, fonts and files that a mesh refers to.
-void open_nothing();
+/// Prevents this process from opening files except by read_permitted_file(), so that parsers and
+/// their libraries cannot open textures, fonts and files that a mesh refers to.
+void forbid_opening_files();
 
-/// Reads a file within the size limit of meshes [bytes], also after open_nothing().
+/// Reads a file within the size limit of meshes [bytes], also after forbid_opening_files().
 /// @throws DataError
-[[nodiscard]] std::string read_one(const std::string& path);
+[[nodiscard]] std::string read_permitted_file(const std::string& path);
 
 /// Returns true if `file` is a regular file in the folder of `path` or below it, with links
 /// resolved.

@@ -21,7 +21,7 @@ enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInvento
 /// @throws DataError for an unknown ending, listing the known ones.
 [[nodiscard]] MeshFormat mesh_format(const std::string& path);
 
-/// Returns a name whose letters file systems and URLs all take; others become underscores.
+/// Returns a name with letters that all file systems and URLs accept; others become underscores.
 [[nodiscard]] std::string plain_file_name(std::string name);
 
 /// Returns whether mesh_format() knows the ending.
@@ -38,8 +38,8 @@ enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInvento
 /// Content of a mesh file [m].
 struct MeshContent {
   TriangleMesh mesh;  // result of read_mesh()
-  // If VRML or Inventor consists of spheres, boxes and cylinders that its transforms leave what
-  // they are: these, with sizes and poses to rounding. Otherwise empty.
+  // Exact shapes of a VRML or Inventor file that consists of spheres, boxes and cylinders whose
+  // transforms preserve them, with sizes and poses to rounding; otherwise empty.
   std::vector<ShapeSpec> exact;
 };
 
@@ -58,7 +58,7 @@ struct MeshTime {
 class MeshReader {
  public:
   /// Returns the content of a file, as read_mesh().
-  /// @throws DataError also if earlier meshes took all the time, or if there are more than
+  /// @throws DataError also if earlier meshes used up the time, or if there are more than
   /// kMaxTogether triangles with this one.
   [[nodiscard]] const MeshContent& content(const std::string& path, double scale = 1);
 
@@ -67,7 +67,7 @@ class MeshReader {
     return content(path, scale).mesh;
   }
 
-  /// Returns all files that were asked for and are there, also those that could not be read.
+  /// Returns the digests of all requested files that exist, also of those that could not be read.
   [[nodiscard]] FileDigests files() const;
 
   static constexpr Eigen::Index kMaxTogether = 4'000'000;  // triangles

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Spheres, boxes and cylinders that a transform leaves what they are.
+/// Transforms that map spheres, boxes and cylinders to such solids.
 
 #include <optional>
 

@@ -37,8 +37,8 @@ struct JointRange {
 /// within its limits.
 [[nodiscard]] JointRange range_through(const RobotJoint& joint);
 
-/// Widens the limits of a joint by what it leaves them over the range of the degree of freedom that
-/// it follows, looked at in so many intervals.
+/// Widens the limits of a joint by its excess over the range of the degree of freedom that it
+/// follows, evaluated at the given number of intervals.
 void widen_limits(RobotJoint& joint, const RobotDof& dof, int intervals);
 
 /// Returns the joint or degree of freedom of that name, or null.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Linkages: bars and joints that a motor moves, held together by loops.
+/// Linkages: bars and joints moved by a motor and constrained by closed loops.
 
 #include <map>
 #include <optional>

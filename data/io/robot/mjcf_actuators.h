@@ -43,8 +43,8 @@ struct MjcfActuator {
   EffortRange effort;         // range of effort on the joint or tendon
 };
 
-/// Returns whether an element names a hinge or slide of the robot. In an incomplete model it may
-/// name another, which is noted.
+/// Returns true if an element refers to a hinge or slide of the robot. Other names in an incomplete
+/// model are recorded.
 /// @throws DataError if there is no such joint in a complete model
 [[nodiscard]] bool has_joint(const MjcfSource& source, const RobotSpec& robot,
                              const pugi::xml_node& node, const std::string& name);
