@@ -28,7 +28,7 @@ struct LoadedDigit {
   std::string subject, digit;
   std::shared_ptr<const DigitTendons> tendons;  // never null
   Eigen::VectorXd t;                            // tension of each muscle [N] (muscles)
-  PostureGrid grid;                             // the postures asked for
+  PostureGrid grid;                             // requested postures
   std::vector<SourceText> sources;              // texts of the subject and of a net
 
   [[nodiscard]] const TendonDigit& bones() const { return tendons->digit(); }

@@ -7,7 +7,7 @@
 
 namespace thenar {
 
-/// Exception of work that was asked to stop, thrown after results are saved, where there is no
+/// Exception of stopped work, thrown after results are saved, where there is no
 /// result to return.
 class Stopped : public Error {
  public:

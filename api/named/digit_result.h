@@ -54,7 +54,7 @@ template <typename Point>
 }
 
 /// Calls `ask` at every posture in order, until progress requests a stop, and counts the postures.
-/// Where only some postures have no answer, `fail` is called for each, and a warning counts them.
+/// If only some postures have no result, `fail` is called for each, and a warning counts them.
 /// @throws the exception of `ask`, if there is a single posture or none has an answer
 void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fail,
                   const Progress& progress);

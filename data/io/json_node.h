@@ -67,7 +67,7 @@ struct JsonNode {
                                   int first_line = 1);
 
 /// Returns the members of the object at the end of `steps` that are a text, or a list of nothing
-/// but texts; none where no object stands.
+/// but texts; none if there is no object there.
 /// @param steps  names of members from the root
 [[nodiscard]] std::map<std::string, std::vector<std::string>> text_members(
     const JsonNode& root, const std::vector<std::string>& steps);

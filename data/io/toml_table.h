@@ -4,7 +4,7 @@
 ///
 /// The unit of a quantity stands at the end of its key: the length "point" is read in metres from
 /// `point_mm`, `point_cm` or `point_m`. A number needs a citation: a `source` key in its table or
-/// in one around it. Every getter notes its key, so that done() can refuse keys that nobody knows.
+/// in one around it. Every getter notes its key, so that done() can throw for unknown keys.
 
 #include <array>
 #include <cstddef>
@@ -119,7 +119,7 @@ class TomlTable {
   /// Accepts a key without reading it.
   void ignore(const std::string& key) { known_.insert(key); }
 
-  /// @throws DataError for the first key that no getter asked for.
+  /// @throws DataError for the first key that no getter requested.
   void done() const;
 
   /// Throws a DataError at this table, or at one of its keys (with or without unit).
@@ -152,8 +152,8 @@ class TomlTable {
   const TomlNode* node_;
   std::string title_;
   std::vector<std::string> sources_;
-  std::set<std::string> known_;  // keys asked for so far
-  std::vector<Quantity> asked_;  // quantities asked for so far
+  std::set<std::string> known_;  // requested keys
+  std::vector<Quantity> asked_;  // requested quantities
 };
 
 namespace internal {

@@ -20,7 +20,7 @@ struct Finding {
   std::string line;
 };
 
-/// Returns a page with what was found. @param figure  type of the block that stands for it; "":
+/// Returns a page with a finding. @param figure  type of the block that represents it; "":
 /// none
 [[nodiscard]] SetPage page_for(const std::string& file, const std::string& title,
                                const Finding& finding, Json page, const char* figure);

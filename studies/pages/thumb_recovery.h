@@ -12,7 +12,7 @@ namespace thenar {
 
 /// Returns the section about the recovery of a thumb: the simulated data, and the values found by
 /// least squares and chains beside the truth: axes, every tilt and shift with its 95 % interval,
-/// the agreement of both methods, what could not be told, and the axes in space.
+/// the agreement of both methods, undetermined numbers, and the axes in space.
 [[nodiscard]] Json thumb_recovery_section(const ThumbRecovery& recovery);
 
 /// Count of simulated numbers: three force components of each trial and each task, and an

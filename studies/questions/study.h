@@ -27,7 +27,7 @@ struct ThumbStudyRequest {
 
 struct ThumbStudyResult {
   ThumbStudy study;
-  std::optional<ThumbCalibration> calibration;  // absent unless asked for
+  std::optional<ThumbCalibration> calibration;  // absent unless requested
   unsigned seed = 1;
   Outcome outcome;  // stopped: the parts finished by then
 };

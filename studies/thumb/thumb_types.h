@@ -1,6 +1,6 @@
 #pragma once
 
-/// Types of thumbs: draws of joint axes, told apart by how their axes lie to each other.
+/// Types of thumbs: draws of joint axes, classified by the relative position of the axes.
 
 #include <array>
 #include <string>
@@ -18,7 +18,7 @@ namespace thenar {
 /// Returns a chain with every common normal pointing from its axis to the next one, so that
 /// a >= 0: where a < 0, x of the frame is turned by half a turn about the next axis,
 ///   theta_i + pi, -a_i, -alpha_i, theta_(i+1) - pi  (the base and the tool turn at the ends).
-/// In this form a normal that changes its direction turns two thetas by half a turn.
+/// In this convention a normal that changes its direction changes two thetas by half a turn.
 [[nodiscard]] DhChain with_normals_outwards(const DhChain& chain);
 
 /// A thumb by its two criteria.
@@ -114,7 +114,8 @@ struct ThumbTypes {
 /// Published share of thumbs whose MCP flexion axis is distal. Source: [SantosValeroCuevas2006].
 inline constexpr double kPublishedFlexionDistal = 0.652;
 
-/// Draws thumbs and tells their types; same settings, same bits, whatever the number of threads.
+/// Draws thumbs and classifies them. The same settings give bitwise equal results for any number of
+/// threads.
 /// @throws InputError unless draws > 0.
 [[nodiscard]] ThumbTypes study_thumb_types(const ThumbTypesInputs& inputs,
                                            const ThumbTypesSettings& settings);

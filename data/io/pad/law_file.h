@@ -24,7 +24,7 @@ namespace thenar {
 void write_laws(const std::string& path, const CalibratedLaws& laws, const std::string& source);
 
 /// Returns a warning where laws carry the digest of other numbers than the pad's; "" if they fit,
-/// or if their file tells no digest.
+/// or if their file states no digest.
 [[nodiscard]] std::string version_doubt(const CalibratedLaws& laws, const PadSpec& pad);
 
 }  // namespace thenar

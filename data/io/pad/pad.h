@@ -22,7 +22,7 @@ struct PadTissueSpec {
   std::vector<double> relaxation_share;  // share of the instantaneous stress (terms) [1]
   std::vector<double> relaxation_time;   // [s] (terms)
   std::string source;                    // citation keys
-  std::vector<std::string> assumed;      // keys of the file whose values are nobody's measurements
+  std::vector<std::string> assumed;      // keys of the file whose values are not measured
 };
 
 /// A pad as a file states it. Frame: origin in the middle of the nail's plane, x distal, y radial,
@@ -64,7 +64,7 @@ struct PadSpec {
 /// @param comment  lines above it, without their '#'; empty: none
 [[nodiscard]] std::string pad_toml(const PadSpec& pad, const std::string& comment = "");
 
-/// Returns "length_mm" of [shape], "law" of [pulp] ..: all that the file says nobody measured.
+/// Returns all keys that the file marks as not measured: "length_mm" of [shape], "law" of [pulp] ..
 [[nodiscard]] std::vector<std::string> assumed_words(const PadSpec& pad);
 
 }  // namespace thenar

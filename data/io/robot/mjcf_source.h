@@ -44,7 +44,7 @@ class MjcfDefaults {
   [[nodiscard]] bool has_class(const std::string& name) const { return by_name_.count(name) > 0; }
 
  private:
-  // Index that stands for no class
+  // Index of no class
   static constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
   /// Values that a class states itself; the class around it states the rest.
   struct Class {
@@ -67,7 +67,7 @@ struct MjcfSource {
   MeshReader& meshes;
 };
 
-/// Returns whether an element stands for bodies that are not read: <attach>, <composite>,
+/// Returns true if an element represents bodies that are not read: <attach>, <composite>,
 /// <flexcomp>.
 [[nodiscard]] bool makes_bodies(const pugi::xml_node& node);
 

@@ -148,7 +148,7 @@ bool take_effort_of_speed(RobotDof& dof);
 void check_robot(const RobotSpec& robot);
 
 /// Mounts `tool` on a link of `carrier` by a fixed joint "NAME mount". The result
-/// approaches and closes as the tool does; a carrier that states no closing stands still. Names of
+/// approaches and closes as the tool does; a carrier that states no closing does not move. Names of
 /// the tool get "NAME/" in front if the carrier has them already.
 /// @param X_LT  base link of the tool in that link
 /// @throws InputError if the carrier has no such link, or as check_robot().

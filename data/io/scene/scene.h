@@ -114,7 +114,7 @@ struct SceneFrictionSpec {
   int line = 1;
 };
 
-/// Two things that are never asked for contacts.
+/// Two bodies or links between which contacts are ignored.
 struct SceneApartSpec {
   std::vector<std::string> between;  // two of body, hand, "HAND/LINK"
   int line = 1;

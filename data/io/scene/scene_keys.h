@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tables of a scene, each by itself.
+/// Readers of single tables of a scene.
 
 #include "data/io/scene/scene.h"
 #include "data/io/toml_table.h"
