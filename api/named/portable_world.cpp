@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 using FileSet = std::set<fs::path>;
 
-constexpr std::size_t kMostCopied = 1UL << 30U;  // Largest file that goes with a world [bytes]
+constexpr std::size_t kMaxCopied = 1UL << 30U;  // largest file that goes with a world [bytes]
 
 fs::path whole_path(const fs::path& folder, const fs::path& file) {
   return fs::absolute(folder / file).lexically_normal();
@@ -230,7 +230,7 @@ void write_copies(const PortableWorld& portable, const InsideFolder& folder) {
     if (folder.entry(name.string()) != InsideFolder::Entry::kNothing) continue;
     try {
       for (const fs::path& file : copies.files)
-        folder.write((name / file).string(), read_file((copies.from / file).string(), kMostCopied));
+        folder.write((name / file).string(), read_file((copies.from / file).string(), kMaxCopied));
       // Remove an incomplete folder, as it would be taken for a complete one next time.
     } catch (const Error&) {
       std::error_code ignored;

@@ -18,8 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kLeastFitted = 4, kLeastChecked = 1;  // presses, as fit_laws() asks
-constexpr double kFitShare = 0.01;  // estimated share of fits in the total time [1]
+constexpr std::size_t kMinFitted = 4,
+                      kMinChecked = 1;  // smallest numbers of presses for fit_laws() [1]
+constexpr double kFitShare = 0.01;      // estimated share of fits in the total time [1]
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -77,8 +78,8 @@ std::size_t count_of(const std::vector<PressTrial>& trials) {
 void add_laws(PadLaws& out, const LawTrials& trials, const MeasuredPresses& fit,
               const MeasuredPresses& check) {
   // At least half of the presses of each kind must be solved.
-  const std::size_t to_fit = std::max(kLeastFitted, (count_of(trials.fit) + 1) / 2);
-  const std::size_t to_check = std::max(kLeastChecked, (count_of(trials.check) + 1) / 2);
+  const std::size_t to_fit = std::max(kMinFitted, (count_of(trials.fit) + 1) / 2);
+  const std::size_t to_check = std::max(kMinChecked, (count_of(trials.check) + 1) / 2);
   if (fit.presses.size() < to_fit || check.presses.size() < to_check) {
     out.calibration.message =
         fmt::format("{} presses to fit and {} to check were solved, and laws need {} and {}",

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostCurvePoints = 1000;
+constexpr int kMaxCurvePoints = 1000;
 constexpr double kForceByDepth = 2;      // power that spreads forces about evenly in depth [1]
 constexpr double kSameLoad = 1e-6;       // difference of equal loads over the largest load [1]
 constexpr double kCurveTimeShare = 0.1;  // share of curves in the total time [1]
@@ -132,8 +132,8 @@ void add_curves(FittedPad& out, const Progress& progress) {
 
 FittedPad fit_pad(const PadFitRequest& request, const Progress& progress) {
   // Read the data and open the pad that they name.
-  require(request.points >= 1 && request.points <= kMostCurvePoints,
-          "wanted 1 to {} points of a curve, got {}", kMostCurvePoints, request.points);
+  require(request.points >= 1 && request.points <= kMaxCurvePoints,
+          "wanted 1 to {} points of a curve, got {}", kMaxCurvePoints, request.points);
   FittedPad out;
   out.request = request;
   const std::string path = named_file("file of measured presses", request.presses, "presses",

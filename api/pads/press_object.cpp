@@ -29,7 +29,7 @@ constexpr double kEdgeRadius = 0.5e-3;  // Radius of an edge without a stated on
 constexpr double kSteepestPress = 60;
 constexpr int kSkinSamples = 50;        // Samples of the skin along a radius of the chart's disc
 constexpr double kTouchingGap = 1e-9;   // Gap below which object and pad touch [m]
-constexpr int kMostMarches = 2000;      // Most steps of a search for the touch
+constexpr int kMaxMarches = 2000;       // largest number of steps of a search for the touch
 constexpr double kPictureError = 5e-5;  // Largest error of the picture of a rounded edge [m]
 
 TriangleMesh placed(TriangleMesh mesh, const Pose<double>& X) {
@@ -138,7 +138,7 @@ double way_to_touch(const std::vector<Vector3d>& points, const Shape& object,
   // Sphere tracing: each march goes as far as is safe in every direction.
   Pose<double> X = X_PO;
   double way = 0;
-  for (int k = 0; k < kMostMarches; ++k) {
+  for (int k = 0; k < kMaxMarches; ++k) {
     // No point is nearer than the smallest gap: so far the object may go.
     const Pose<double> X_OP = X.inverse();
     double gap = std::numeric_limits<double>::infinity();
