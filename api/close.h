@@ -1,6 +1,6 @@
 #pragma once
 
-/// The closing of a hand where it stands in a world: what stops every joint, and what it holds.
+/// Closing of a hand in place in a world: what stops every joint, and what it holds.
 
 #include "api/grasp.h"
 
@@ -11,11 +11,11 @@ struct CloseRequest {
   WorldRequest world;
 };
 
-/// The hand where it came to rest.
+/// Hand at the end of closing.
 struct CloseResult {
   CloseRequest request;
-  Outcome outcome;    // of the grasp
-  GraspResult grasp;  // without an approach; its grasp.closed has what stopped every coordinate
+  Outcome outcome;    // outcome of the grasp
+  GraspResult grasp;  // grasp without an approach; grasp.closed says what stopped each coordinate
 };
 
 /// Closes the hand of a world without approaching the object, and measures the grasp if the object

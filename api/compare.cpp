@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 // Triangles of each drawn link of a human hand, as many hands share a page
 constexpr int kLinkTriangles = 2500;
-constexpr const char* kProgram = "/proc/self/exe";  // of this process, on Linux
+constexpr const char* kProgram = "/proc/self/exe";  // executable of this process on Linux
 
 /// @throws InputError where there is no object, or a file of another kind
 std::string object_file(const std::string& name, const std::string& data) {
@@ -131,7 +131,7 @@ void require_object_materials(const CompareRequest& request, const std::vector<B
   }
 }
 
-/// The hands to be compared; a hand warns of what is assumed of the objects.
+/// Builds the compared hands; warnings state assumptions about the objects.
 std::vector<ComparedHand> compared_hands(const std::vector<NamedHand>& named,
                                          const std::vector<std::string>& without_material) {
   std::vector<ComparedHand> hands;
@@ -234,7 +234,7 @@ bool holds(const std::vector<HandOnObject>& cells, const HandOnObject& wanted) {
 }
 
 void require_fits(const BestGrasp& best, const NamedHand& hand, const std::string& path) {
-  // Refuse cells that were kept for another version of the hand: their postures have other lengths.
+  // Throw for stored cells of another version of the hand: their postures have other lengths.
   const Eigen::Index angles = hand.hand->layout().lower.size();
   if (best.q.size() != angles)
     throw DataError(path, 1,
@@ -290,7 +290,7 @@ Comparison go_on(const CompareRequest& request, CompareOptions options, const Js
       provenance = next_provenance(kept.provenance, request.run, of.files);
     save(comparison);
   };
-  // Compare what the file does not have, and write the whole.
+  // Compare the pairs that the file lacks, and write all.
   const Comparison comparison = compare(hands, of.objects, options, progress, kept.cells);
   save(comparison);
   return joined(comparison, kept.cells);
@@ -314,7 +314,7 @@ CompareResult compare_hands(const CompareRequest& request, const Progress& progr
     }
   const Materials materials = materials_of_file(request.materials);
   require_object_materials(request, result.objects, materials);
-  // Collect the inputs before hands are built, because they decide whether kept cells are still
+  // Collect the inputs before hands are built, because they decide whether stored cells are still
   // valid.
   const JsonNode inputs = inputs_of(request, result.objects, materials);
   result.inputs = input_texts(inputs, request.seed);

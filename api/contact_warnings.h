@@ -10,12 +10,12 @@
 
 namespace thenar {
 
-/// Sentences, none where nothing is odd: normals that were made unit with a length off by 1e-3 or
-/// more, places beyond 5 m or 20 torque scales (millimetres?), all normals out of the object, one
-/// place twice, friction above 5 (degrees?). Qualities are computed all the same.
+/// Returns a sentence for each probable mistake: normals whose length differs from 1 by 1e-3 or
+/// more, places beyond 5 m or 20 torque scales (millimetres?), all normals pointing out of the
+/// object, a repeated place, friction above 5 (degrees?). Qualities are computed anyway.
 [[nodiscard]] std::vector<std::string> contact_warnings(const ContactFile& file);
 
-/// Contacts of a file as grasp/ has them, in the order of the file.
+/// Returns the contacts of a file as grasp/ defines them, in the order of the file.
 [[nodiscard]] std::vector<Contact> contacts_of(const ContactFile& file);
 
 }  // namespace thenar

@@ -5,21 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "base/provenance.h"
 #include "data/io/experiment.h"
 #include "data/io/subject.h"
-#include "base/provenance.h"
 
 namespace thenar {
 
 /// Sentences, each with its line in the experiment's file: "H01.toml:31: posture 'Hook' ..".
 struct SubjectMatch {
-  std::vector<std::string> misfits;  // why no fit can be made
-  std::vector<std::string> doubts;   // what may be right, but is worth a look
+  std::vector<std::string> misfits;  // errors that make a fit impossible
+  std::vector<std::string> doubts;   // sentences about what is unusual but possible
 };
 
-/// Compares names of digit, joints, muscles and segment; then whether the subject has been
-/// calibrated on the specimen, and in every posture joint limits and how straight the finger is; in
-/// every trial whether tensions and forces are plausible:
+/// Compares names of digit, joints, muscles and segment. Then checks whether the subject was
+/// calibrated on the specimen; in every posture, joint limits and how straight the finger is; and
+/// in every trial, whether tensions and forces are plausible:
 ///   |force| <= sum of tensions + 2 sds  levers of a finger are shorter for tendons than for forces
 ///   median angle to the subject's own prediction < 90 deg
 /// @param source  text and path of the experiment

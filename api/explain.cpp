@@ -39,7 +39,7 @@ double median_seconds(Call call) {
   return seconds[seconds.size() / 2];
 }
 
-/// Keeps a result that nobody looks at from being optimised away.
+/// Prevents the compiler from optimising an unused result away.
 template <typename T>
 void keep(const T& value) {
   asm volatile("" : : "r"(&value) : "memory");
@@ -114,7 +114,7 @@ void add_parameters(const TendonDigit& built, const SourceText& settings, DigitE
     to.parameters =
         choose_parameters(built, {kEachPosture}, parse_fit_settings(settings.text, settings.path));
   } catch (const InputError& error) {
-    to.settings_trouble = error.what();
+    to.settings_message = error.what();
     to.parameters = choose_parameters(built, {kEachPosture}, {});
   }
 }
@@ -167,7 +167,7 @@ ThingExplained explain_thing(const ExplainRequest& request) {
   require(kind != "posterior" && kind != "motion" && kind != "scene run", "'{}' is a {}: {}", path,
           kind, listed(contents_of(path).commands));
   ThingExplained out{request, {}, path, read_thing(path), {}, {}};
-  // Results carry a checksum, which tells whether someone changed the file by hand.
+  // Verify the checksum of a result, which detects changes by hand.
   out.outcome.warn(checksum_warnings(path));
   if (const auto* subject = std::get_if<Subject>(&out.thing))
     out.digit = explain_digit_of(*subject, request);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Explanation of an input file: what is built and dropped, assumed and spent, fitted and found.
+/// Explanation of an input file: its kept and dropped parts, assumptions, costs, and fitted values.
 
 #include <map>
 #include <memory>
@@ -21,9 +21,9 @@ namespace thenar {
 /// Options of explain(): a file or name, and the part of it to explain.
 struct ExplainRequest {
   std::string thing;         // a file, or the name of something that comes with thenar
-  std::string digit;         // of a subject; empty: the only one that it has
+  std::string digit;         // digit of a subject; empty: its only one
   std::string settings;      // fit settings for a subject, file or name; empty: the built-in ones
-  std::optional<Path> path;  // of a subject's tendons; absent: default_path()
+  std::optional<Path> path;  // tendon paths of a subject; absent: default_path()
   std::string data;          // folder with subjects/ ..; empty: the usual ones
 };
 
@@ -41,32 +41,32 @@ struct DigitExplained {
   DigitExplanation parts;                       // kept and dropped
   std::vector<QuestionCost> costs;
   std::string settings;          // path of the fit settings
-  std::string settings_trouble;  // why they do not suit the digit; empty: they do
-  FitParameters parameters;      // under these settings, or with all fixed
+  std::string settings_message;  // why the settings do not fit the digit; empty: they do
+  FitParameters parameters;      // parameters under these settings, or with all fixed
 };
 
 /// Predictions and values of a fit, recomputed.
 struct FitExplained {
-  std::vector<Prediction> predictions;            // of the experiments that were fitted
-  std::vector<FittedValues> values;               // of the population, then of each specimen
+  std::vector<Prediction> predictions;            // predictions of the fitted experiments
+  std::vector<FittedValues> values;               // values of the population, then of each specimen
   std::map<std::string, std::string> written_by;  // program -> version
 };
 
-/// A thing, with what asking it takes.
+/// Thing with its explanation.
 struct ThingExplained {
   ExplainRequest request;
   Outcome outcome;
   std::string path;
   Thing thing;
-  std::optional<DigitExplained> digit;  // of a subject
-  std::optional<FitExplained> fit;      // of a fit
+  std::optional<DigitExplained> digit;  // present for a subject
+  std::optional<FitExplained> fit;      // present for a fit
 };
 
-/// Name of the posture that stands for all postures of an experiment among parameters.
+/// Placeholder in parameter names for every posture of an experiment.
 inline constexpr const char* kEachPosture = "<posture>";
 
-/// Reads a thing; builds the digit of a subject and times what can be asked of it.
-/// @throws InputError or DataError where something is not to be found or wrong.
+/// Reads a thing; builds the digit of a subject and measures the time of each question about it.
+/// @throws InputError or DataError if an input is not found or wrong.
 [[nodiscard]] ThingExplained explain_thing(const ExplainRequest& request);
 
 }  // namespace thenar

@@ -55,7 +55,8 @@ void require_moments(const FeasibleForceRequest& request, const DigitAtPosture& 
   // A row of zeros in W marks an axis about which the map was not measured.
   const Eigen::VectorXd known = at.statics.W.cwiseAbs().rowwise().sum();
   if (request.load == TipLoad::kForce) return;
-  // A moment that is zero by request needs no row; tolerances and whole sets use all three.
+  // Leave out the rows of a moment that is zero by request; tolerances and whole sets use all
+  // three.
   const Eigen::Vector3d wanted = request.direction.value_or(Eigen::Vector3d::Ones());
   for (int k = 0; k < 3; ++k)
     require(known(k) > 0 || (wanted(k) == 0 && !request.whole_set && request.tolerance == 0),
@@ -183,11 +184,11 @@ HeldJoints held_joints(const FeasibleForceRequest& request, const DigitCase& dig
                        std::vector<std::string>& warnings) {
   HeldJoints held;
   const bool held_wrist = request.wrist == WristLoad::kHeld;
-  // A held wrist bears any torque, so it enters no balance.
+  // A held wrist resists any torque, so it is not part of the balance.
   if (held_wrist && request.stops.empty()) return held;
   require(digit.map.empty(), "tip map '{}' knows no joints: it has neither a wrist nor stops",
           digit.map);
-  // A stop is a one-sided reaction; its sign tells at which end of the range it acts.
+  // Add each stop as a one-sided reaction; its sign selects the end of the range.
   const std::vector<std::string>& joints = digit.bones().names.coordinates;
   for (const auto& [joint, most] : request.stops) {
     const std::size_t i = index_of_name(joint, joints, "free joint");
@@ -195,7 +196,7 @@ HeldJoints held_joints(const FeasibleForceRequest& request, const DigitCase& dig
     held.stops.push_back({static_cast<int>(i), most});
   }
   if (held_wrist) return held;
-  // The wrist is those free joints that lie proximal to more than one digit.
+  // Find the wrist: the free joints that are proximal to more than one digit.
   for (const std::string& joint : shared_joints(digit.subject)) {
     const auto found = std::find(joints.begin(), joints.end(), joint);
     if (found != joints.end()) held.wrist.push_back(static_cast<int>(found - joints.begin()));
@@ -238,8 +239,8 @@ DigitAtPosture without_muscles(DigitAtPosture at, const std::vector<std::string>
   return at;
 }
 
-/// The digit with its wrist as it is asked for. What ligaments do at a stop is the stop's torque:
-/// the passive moment there is a part of it, and does not come on top.
+/// Builds the digit with the requested wrist. The effect of ligaments at a stop is the stop's
+/// torque: the passive moment there is a part of it, and does not come on top.
 DigitAtPosture with_wrist(DigitAtPosture whole, const HeldJoints& held, WristLoad load) {
   DigitAtPosture at = without_muscles(std::move(whole), held.others);
   TipStatics& statics = at.statics;
@@ -257,7 +258,7 @@ DigitAtPosture with_wrist(DigitAtPosture whole, const HeldJoints& held, WristLoa
   return at;
 }
 
-/// Warns of stops of joints that stand elsewhere than at the end of their range.
+/// Warns of stops of joints that are not at the end of their range.
 void warn_of_stops(const HeldJoints& held, const DigitCase& digit, DigitAtPosture& at) {
   constexpr double kAtTheEnd = 1 * kDegree;
   for (const JointStop& stop : held.stops) {
@@ -273,9 +274,9 @@ void warn_of_stops(const HeldJoints& held, const DigitCase& digit, DigitAtPostur
   }
 }
 
-std::vector<StopAnswer> stop_answers(const HeldJoints& held, const DigitAtPosture& at,
+std::vector<StopTorque> stop_answers(const HeldJoints& held, const DigitAtPosture& at,
                                      const MaxTipLoad& found) {
-  std::vector<StopAnswer> answers;
+  std::vector<StopTorque> answers;
   // Shares of stops are defined only at an optimum.
   if (found.largest.status != Status::kSolved) return answers;
   for (std::size_t k = 0; k < held.stops.size(); ++k) {
@@ -302,7 +303,7 @@ FeasibleForcePoint point_at(const FeasibleForceRequest& request, const HeldJoint
   require_moments(request, at);
   const TipLoadOptions options = options_of(request, held, point.axes);
   if (request.direction) {
-    // Solve the linear program for the largest load in the direction asked for.
+    // Solve the linear program for the largest load in the requested direction.
     const MaxTipLoad found =
         max_tip_load(at.statics, point.axes.to_world * *request.direction, options);
     point.largest = found.largest;
@@ -310,7 +311,7 @@ FeasibleForcePoint point_at(const FeasibleForceRequest& request, const HeldJoint
     point.stops = stop_answers(held, at, found);
     point.change = change_of(at, found, request);
   }
-  // Without a direction the answer is the whole convex set.
+  // Compute the whole convex set if there is no direction.
   if (!request.direction || request.whole_set) point.whole = whole_set(at.statics, options);
   return point;
 }
@@ -333,7 +334,7 @@ FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
   asked.wrist = request.wrist == WristLoad::kHeld ? WristMode::kWelded : WristMode::kFree;
   const DigitCase digit = build_digit(asked, TendonOptions().hood);
   FeasibleForceResult answer{begin_digit_result(digit), request, {}, {}, {}, {}};
-  // Take out muscles that belong to other digits, then weaken those asked for.
+  // Remove muscles of other digits, then weaken the requested ones.
   const HeldJoints held = held_joints(request, digit, answer.outcome.warnings);
   answer.muscles = kept_names(answer.muscles, held.others);
   keep_weak_muscles(request, digit.subject, answer);
@@ -357,7 +358,7 @@ FeasibleForceResult compute_feasible_force(const FeasibleForceRequest& request,
     answer.points.push_back(std::move(point));
     return at.warnings;
   };
-  ask_postures(answer, ask, kept_in(answer.points), progress);
+  ask_postures(answer, ask, failure_recorder(answer.points), progress);
   return answer;
 }
 

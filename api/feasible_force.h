@@ -21,10 +21,10 @@ namespace thenar {
 
 /// Effect of a digit's load on the joints that digits share: the wrist.
 enum class WristLoad {
-  kHeld,  // nothing: something holds the wrist
-  kFree,  // the wrist balances it, with the tendons across it, as of a digit that pushes the world
-  kPinch  // it ends within the hand, as between thumb and index finger: the wrist balances tendons
-          // alone, see without_load_on()
+  kHeld,  // no load: the wrist is held from outside
+  kFree,  // the load and the tendons that cross the wrist balance there: a digit pushes the world
+  kPinch  // the load ends within the hand, as between thumb and index finger: only tendons load the
+          // wrist, see without_load_on()
 };
 
 inline constexpr std::array kWristLoadNames{EnumName{WristLoad::kHeld, "held"},
@@ -39,26 +39,24 @@ inline constexpr std::array kDirectionFrameNames{EnumName{DirectionFrame::kWorld
 /// Forces and moments are those of the tip on the world, moments about the tip.
 struct FeasibleForceRequest {
   DigitRequest digit;
-  TipLoad load = TipLoad::kForce;                 // whether forces or moments are asked for
-  double most_other = 0;                          // of each component of the other load about the
-                                                  // axes of `frame`: 0 none, infinite: a rigid
-                                                  // hold                       [N m] or [N]
-  std::optional<Eigen::Vector3d> direction;       // of the load, of any length; absent: the set
+  TipLoad load = TipLoad::kForce;  // requested load: force or moment
+  double most_other = 0;           // bound on each component of the other load in `frame`; 0: none;
+                                   // infinite: a rigid hold [N m] or [N]
+  std::optional<Eigen::Vector3d> direction;       // any length; absent: the set
   double tolerance = 0;                           // half angle of the cone about it [rad]
-  DirectionFrame frame = DirectionFrame::kWorld;  // of the direction and of answers
+  DirectionFrame frame = DirectionFrame::kWorld;  // frame of the direction and of the results
   bool whole_set = false;                         // the set in addition to a direction
   std::vector<std::string> without;               // muscles that are paralysed: they do not pull
-  std::map<std::string, double> weakened;         // muscle -> what it can pull at most, if less
-                                                  // than its F0 [N]
+  std::map<std::string, double> weakened;  // muscle -> its largest tension, if less than its F0 [N]
   WristLoad wrist = WristLoad::kHeld;
   std::map<std::string, double> stops;  // joint at the end of its range -> the largest torque of
                                         // its ligaments, positive flexes; may be infinite [N m]
 };
 
-/// Axes in which forces are asked for and shown.
+/// Axes of the requested direction and of the reported forces.
 struct ForceAxes {
   std::string name = "world";                              // "world", "tip" or "map"
-  std::array<std::string, 3> names{"x", "y", "z"};         // of each axis
+  std::array<std::string, 3> names{"x", "y", "z"};         // name of each axis
   Eigen::Matrix3d to_world = Eigen::Matrix3d::Identity();  // columns: the axes, world frame (3, 3)
 };
 
@@ -68,53 +66,53 @@ struct WholeForceSet {
   std::vector<MaxTipForce> along;  // +1, -1, +2, -2, +3, -3 (6)
 };
 
-/// Loss of tip force by paralysed and weakened muscles, along the direction asked for.
+/// Loss of tip force by paralysed and weakened muscles, along the requested direction.
 struct ParalysisLoss {
-  MaxTipForce intact;  // with all muscles
+  MaxTipForce intact;  // largest force with all muscles intact
   double share;        // 1 - component without them / component with all, 0 .. 1; NaN: one of the
                        // two forces is not known, or the intact hand makes none
 };
 
-/// Torque of ligaments at a joint that stands at the end of its range.
-struct StopAnswer {
+/// Torque of the ligaments at a joint at the end of its range.
+struct StopTorque {
   std::string joint;
-  double torque;  // positive flexes [N m]
-  double most;    // with the same sign; may be infinite [N m]
-  double price;   // of a newton metre more of `most` [N/(N m)]; NaN: not known
+  double torque;      // positive flexes [N m]
+  double max_torque;  // largest torque, with the same sign; may be infinite [N m]
+  double
+      price;  // marginal value of `max_torque`: rise of the force per N m [N/(N m)]; NaN: not known
 };
 
-/// The answer at one posture.
+/// Result at one posture.
 struct FeasibleForcePoint {
   Eigen::VectorXd q;               // [rad] (joints); empty for a map
-  std::string failure;             // why there is no answer; empty: there is one
-  TipLoad load = TipLoad::kForce;  // what `largest` and `whole` are of
-  ForceAxes axes;                  // of the forces that are shown
+  std::string message;             // why there is no answer; empty: there is one
+  TipLoad load = TipLoad::kForce;  // load that `largest` and `whole` describe
+  ForceAxes axes;                  // axes of the reported forces
   Eigen::Vector3d tip{0, 0, 0};    // place of the tip, world frame [m] (3); 0 for a map
-  double condition = 0;            // of the tip's Jacobian, in the plane of parallel axes [1]
-  std::optional<Eigen::Vector3d>
-      plane_normal;                     // of flexion, where all axes are parallel, world (3)
-  std::optional<MaxTipForce> largest;   // along the direction, if there is one; with prices of F0;
-                                        // of moments [N] reads [N m]
-  Eigen::Vector3d other{0, 0, 0};       // the other load meanwhile, world frame [N m] or [N] (3)
-  std::vector<StopAnswer> stops;        // meanwhile, where `largest` is solved
-  Eigen::VectorXd change;               // of largest->component by each joint, the direction fixed
-                                        // in its axes [N/rad] (joints); empty: no such force, a map
-  std::optional<WholeForceSet> whole;   // if it was asked for
-  std::optional<ParalysisLoss> loss;    // of `largest`, where muscles are paralysed or weak
-  std::vector<std::vector<int>> alike;  // muscles of the same moment arms at all joints, so that an
-                                        // answer decides the sum of their tensions alone
+  double condition = 0;            // condition number of the tip's Jacobian [1]
+  std::optional<Eigen::Vector3d> plane_normal;  // unit, where all axes are parallel, world (3)
+  std::optional<MaxTipForce> largest;  // largest load along the direction, if there is one, with
+                                       // prices of F0; of moments [N] reads [N m]
+  Eigen::Vector3d other{0, 0, 0};      // other load at the same time, world frame [N m] or [N] (3)
+  std::vector<StopTorque> stops;  // torques at the stops at this load, where `largest` is solved
+  Eigen::VectorXd change;  // derivative of largest->component by each joint angle, the direction
+                           // fixed in its axes [N/rad] (joints); empty: no such force, a map
+  std::optional<WholeForceSet> whole;   // present if requested
+  std::optional<ParalysisLoss> loss;    // loss of `largest`, where muscles are paralysed or weak
+  std::vector<std::vector<int>> alike;  // muscles with equal moment arms at all joints: only the
+                                        // sum of their tensions is determined
 };
 
-/// Answers posture by posture, in the order of the grid; as many as were done.
+/// Results posture by posture, in the order of the grid; fewer if stopped.
 struct FeasibleForceResult : DigitResult {
   FeasibleForceRequest request;
   Eigen::VectorXd max_tension;             // F0 [N] (muscles); 0 of those that are paralysed
   std::vector<std::string> without;        // muscles of the digit that are paralysed
-  std::map<std::string, double> weakened;  // those that are weak, and what they can pull [N]
+  std::map<std::string, double> weakened;  // weak muscles, and the largest tension of each [N]
   std::vector<FeasibleForcePoint> points;
 };
 
-/// Loads below this are reported as none: rounding of what tendons make.
+/// Loads below these are reported as zero: they are rounding errors.
 inline constexpr double kNoTipForce = 1e-6;   // [N]
 inline constexpr double kNoTipMoment = 1e-8;  // [N m]
 [[nodiscard]] double no_tip_load(TipLoad load);

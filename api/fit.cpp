@@ -64,7 +64,7 @@ std::vector<std::string> misfit_warnings(const FitResult& result) {
   return warnings;
 }
 
-/// Specimens whose forces ask for much more noise than is stated.
+/// Returns warnings about specimens whose forces require much more noise than stated.
 std::vector<std::string> noise_warnings(const FitResult& result) {
   const FitProblem& problem = result.fit.problem;
   std::vector<std::string> warnings;
@@ -116,7 +116,7 @@ std::vector<std::string> stray_warnings(const Covariance& covariance) {
       kFarMoved, some_of(names))};
 }
 
-/// Inputs with their settings chosen, if that was asked for.
+/// Chooses the settings of the inputs, if requested.
 struct Preparation {
   FitInputs inputs;
   FitSettings settings;  // before they were chosen; empty where they are not
@@ -133,7 +133,7 @@ Preparation prepare(const FitRequest& request, FitInputs inputs, const SolveOpti
   return out;
 }
 
-/// Predictions of what was left out, and the settings that folds chose.
+/// Predicts left-out trials, and collects the settings that folds chose.
 struct LeftOut {
   std::vector<CrossValidation> validations;
   std::vector<FoldChoice> choices;
@@ -219,7 +219,7 @@ FitInputs read_fit_inputs(const FitSources& sources) {
   require_fit_path(sources.path);
   require(!sources.experiments.empty(), "a fit needs at least one experiment");
   FitInputs inputs;
-  // Subject and settings are kept as text, so that the fit can be repeated without the files.
+  // Store subject and settings as text, so that the fit can be repeated without the files.
   inputs.subject = subject_source(sources.subject, sources.data);
   for (const std::string& name : sources.experiments)
     inputs.experiments.push_back(read_source(experiment_file(name, sources.data)));
@@ -236,7 +236,7 @@ FitInputs read_fit_inputs(const FitSources& sources) {
 }
 
 FitResult fit_digit(const FitRequest& request, const Progress& progress) {
-  // The fit, kept at once: leaving out takes longer.
+  // Fit, and write the result at once: cross-validation takes longer.
   if (!request.output.empty()) require_result_path(request.output);
   // Pass on the settings of the optimiser; the rest of the request concerns the inputs.
   SolveOptions options;
@@ -266,7 +266,7 @@ FitResult fit_digit(const FitRequest& request, const Progress& progress) {
   outcome.warn(path_cautions(fit.inputs));
   if (!request.output.empty()) write_fit(result.fit, request.output);
 
-  // Predict in sample, then by fits that have not seen what they predict.
+  // Predict in sample, then by fits without the predicted trials.
   result.in_sample = predict_own(result.fit);
   LeftOut left_out = leave_out(request, result.fit.problem, prepared, options);
   result.left_out = std::move(left_out.validations);

@@ -20,33 +20,33 @@ namespace thenar {
 /// Inputs of a fit, by name or file.
 struct FitSources {
   std::vector<std::string> experiments;  // files, or names of experiments/
-  std::string subject;                   // that the fit starts from: a file, or a name of subjects/
-  std::string settings;                  // file, or name of fits/; empty: the digit's built-in ones
-  std::vector<std::string> also_free;    // globs of further parameters that move
-  std::string net = {};                  // file, or name of nets/, of the extensor mechanism in
-                                         // place of the subject's hood; empty: none
-  std::string scale = "subject";         // sizes of the digit: the subject's own, or of "outside"
-  std::string data;                      // folder with subjects/ ..; empty: the usual ones
-  std::optional<Path> path = {};         // as require_fit_path() allows
+  std::string subject;   // subject that the fit starts from: a file, or a name of subjects/
+  std::string settings;  // file, or name of fits/; empty: the digit's built-in ones
+  std::vector<std::string> also_free;  // globs of further free parameters
+  std::string net = {};                // file, or name of nets/, of the extensor mechanism in
+                                       // place of the subject's hood; empty: none
+  std::string scale = "subject";       // sizes of the digit: the subject's own, or of "outside"
+  std::string data;                    // folder with subjects/ ..; empty: the usual ones
+  std::optional<Path> path = {};       // tendon paths, see require_fit_path()
 };
 
 struct FitRequest {
   FitSources sources;
   LeastSquaresMethod method = LeastSquaresMethod::kCeres;
-  unsigned seed = 1;                // of a global search
+  unsigned seed = 1;                // seed of a global search
   int max_evaluations = 0;          // 0: the method's own limit [1]
-  std::vector<LeaveOut> leave_out;  // what is also predicted by fits that have not seen it
-  bool choose_settings = false;     // by left-out data, before the fit and in every fold anew
+  std::vector<LeaveOut> leave_out;  // trial groups that are also predicted by fits without them
+  bool choose_settings = false;     // choose settings by left-out data, in each fold too
   std::string output;               // result file (.h5), written before anything is left out; or ""
-  RunRecord run;                    // for the file
+  RunRecord run;                    // record of the run for the file
 };
 
-/// Fit with the fractions of the subject's hood in place of a net, otherwise like the main fit;
-/// settings are chosen anew where they are chosen.
+/// Fit with the fractions of the subject's hood instead of a net, otherwise like the main fit.
+/// Settings are chosen separately where they are chosen at all.
 struct FractionsFit {
   Fit fit;
-  std::vector<Prediction> in_sample;      // as of FitResult
-  std::vector<CrossValidation> left_out;  // as of FitResult
+  std::vector<Prediction> in_sample;      // see FitResult
+  std::vector<CrossValidation> left_out;  // see FitResult
 };
 
 struct FitResult {
@@ -54,12 +54,12 @@ struct FitResult {
   Outcome outcome;  // stopped: the fit is the best point so far. Warnings: of the experiments, the
                     // subject, misfits that are beyond chance, and estimates beyond 3 prior sds
   Fit fit;
-  std::vector<Prediction> in_sample;      // of each experiment, by its specimen's own parameters,
-                                          // with predictive sds
+  std::vector<Prediction> in_sample;      // predictions of each experiment, by its specimen's own
+                                          // parameters, with predictive sds
   std::vector<CrossValidation> left_out;  // in the order of the request; fewer if stopped
-  std::vector<Misfit> misfits = {};       // of each experiment
-  std::optional<ChosenSettings> chosen = {};  // where that was asked for
-  std::vector<FoldChoice> fold_choices = {};  // of the folds of left_out, in their order
+  std::vector<Misfit> misfits = {};       // misfit of each experiment
+  std::optional<ChosenSettings> chosen = {};  // chosen settings, present if requested
+  std::vector<FoldChoice> fold_choices = {};  // choices of the folds of left_out, in their order
   // Of each experiment, by every subject of the data that knows its digit, muscles and joints, as
   // it was published and without a fit; the subject that the fit starts from comes first. Empty
   // where nothing is left out.
@@ -68,23 +68,23 @@ struct FitResult {
   std::optional<FractionsFit> fractions = {};
 };
 
-/// Reads fit settings by name or file; without a name those that are built in for the digit.
+/// Reads fit settings by name or file; without a name, the built-in ones for the digit.
 /// @param data  folder with fits/; empty: the usual ones
 /// @throws InputError if there are none of that name, or they cannot be read.
 [[nodiscard]] SourceText fit_settings_source(const std::string& settings, const std::string& digit,
                                              const std::string& data);
 
-// Paths of a fit run straight between via points, on whatever rung questions about its subject are.
+// Tendon paths of a fit are straight between via points, even where other questions wrap them.
 
-/// @throws InputError for paths that the force model of a fit cannot have; absent ones and via
-/// points are its own.
+/// @throws InputError for paths that the force model of a fit cannot have; absent paths and via
+/// points are accepted.
 void require_fit_path(const std::optional<Path>& path);
 
-/// A sentence where questions about the subject wrap by default and its fit does not; none
-/// elsewhere.
+/// Returns a warning if tendons of the subject wrap by default but its fit does not wrap them; else
+/// nothing.
 [[nodiscard]] std::vector<std::string> path_cautions(const FitInputs& inputs);
 
-/// The texts of the inputs. Without settings those that are built in for the digit.
+/// Returns the texts of the inputs; without settings, the built-in ones for the digit.
 /// @throws InputError or DataError for a source that is not there or cannot be read.
 [[nodiscard]] FitInputs read_fit_inputs(const FitSources& sources);
 
@@ -92,16 +92,18 @@ void require_fit_path(const std::optional<Path>& path);
 /// @throws InputError or DataError as the readers and builders do.
 [[nodiscard]] FitResult fit_digit(const FitRequest& request, const Progress& progress = {});
 
-/// "posture", "tendon" or "specimen". @throws InputError naming these for anything else.
+/// Returns the value named "posture", "tendon" or "specimen". @throws InputError naming these for
+/// anything else.
 [[nodiscard]] LeaveOut leave_out_named(const std::string& name);
 
-/// An experiment by its file or its name. @throws InputError with the places looked in.
+/// Returns the file of an experiment given by its file or its name. @throws InputError listing the
+/// searched folders.
 [[nodiscard]] std::string experiment_file(const std::string& name_or_path, const std::string& data);
 
-/// The experiments of a fit as it was fitted to them, with predictive sds, in their order.
+/// Returns predictions of the experiments of a fit in their order, with predictive sds.
 [[nodiscard]] std::vector<Prediction> predict_own(const Fit& fit);
 
-/// The digit with the fitted parameters of a specimen.
+/// Returns the digit with the fitted parameters of a specimen.
 /// @param specimen  index in fit.problem.specimens()
 [[nodiscard]] TendonDigit fitted_digit(const Fit& fit, int specimen);
 

@@ -77,14 +77,14 @@ WrenchSet wrenches_of(const GraspResult& result, const std::vector<HandContact>&
 
 // ---- starts
 
-/// Closed grasps before others, and of these the larger epsilon first.
+/// Orders grasps: force closures first, then by falling epsilon.
 bool is_better(const Grasp& a, const Grasp& b) {
   const bool has = a.outcome == GraspOutcome::kGrasped, had = b.outcome == GraspOutcome::kGrasped;
   return has != had ? has : has && a.quality.lower > b.quality.lower;
 }
 
 Grasp grasp_from(const GraspResult& result, const Pregrasp& start) {
-  // Without an approach the hand closes where it stands.
+  // Close the hand in place if there is no approach.
   const GraspOptions options = options_of(result);
   const GraspSetup& setup = result.setting.setup;
   GraspOptions here = options;
@@ -102,10 +102,10 @@ Grasp grasp_from(const GraspResult& result, const Pregrasp& start) {
 /// tips: a pinch of all tips ranks above a force closure by inner links, such as bars.
 enum class Standing {
   kNothing,
-  kTouched,        // by two digits
-  kHeld,           // between two hard points
-  kHeldByInner,    // in force closure by links that are no fingertips
-  kHeldByAllTips,  // between two hard points, by every fingertip there is
+  kTouched,        // touched by two digits
+  kHeld,           // held between two hard points
+  kHeldByInner,    // held in force closure by links that are not fingertips
+  kHeldByAllTips,  // held between two hard points by all fingertips
   kHeldByTips      // in force closure
 };
 
@@ -229,7 +229,7 @@ GraspRobustness robustness_of(const GraspResult& result, const Progress& progres
         return disturbed(contacts, asked.contacts, rng);
       },
       random, options);
-  // The object elsewhere: grasped anew from the same start, also where the hand stays.
+  // Displace the object and grasp it again from the same start, also without an approach.
   GraspSetup setup = result.setting.setup;
   random.seed(result.request.seed);
   Robustness of_pose = robustness(

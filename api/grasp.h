@@ -20,47 +20,47 @@ namespace thenar {
 
 /// Uncertainties of a grasp, and the number of random draws.
 struct RobustnessRequest {
-  int draws = 0;                                // 0: robustness is not asked
-  ContactUncertainty contacts{0.2, 2e-3, 0.1};  // friction by a fifth, 2 mm, 0.1 rad
-  double place = 5e-3;                          // of the object, standard deviation an axis [m]
-  double turn = 0.05;                           // of the object, standard deviation an axis [rad]
+  int draws = 0;                                // number of draws; 0: robustness is not computed
+  ContactUncertainty contacts{0.2, 2e-3, 0.1};  // sds: 20 % of friction, 2 mm, 0.1 rad
+  double place = 5e-3;  // standard deviation of the object's position along each axis [m]
+  double turn = 0.05;   // standard deviation of the object's rotation about each axis [rad]
 };
 
 /// Options of a grasp: the hand, the object, and the measures of the grasp.
 struct GraspRequest {
-  WorldRequest world;            // with `starts` the hand may be one that the world does not have
-  bool approach = true;          // goes along the palm's direction first; false: closes where the
-                                 // hand is, as a mounted hand always does
-  double approach_distance = 1;  // farthest approach [m]
-  int starts = 0;                // pregrasps drawn at random; 0: the world's own
-  unsigned seed = 1;             // of the starts, and of robustness
-  ForceNorm limit = ForceNorm::kL1;  // of contact forces in epsilon and volume
+  WorldRequest world;    // world; with `starts` the hand need not be part of it
+  bool approach = true;  // true: approach along the palm's direction first; false: close in place,
+                         // as mounted hands always do
+  double approach_distance = 1;      // farthest approach [m]
+  int starts = 0;                    // pregrasps drawn at random; 0: the world's own
+  unsigned seed = 1;                 // seed of the starts and of the robustness draws
+  ForceNorm limit = ForceNorm::kL1;  // norm that limits contact forces in epsilon and volume
   double tolerance = 1e-3;           // largest difference of epsilon's certified bounds [1]
-  int edges = 0;                     // of friction pyramids, 3 .. 100; 0: cones
+  int edges = 0;                     // edges of friction pyramids, 3 .. 100; 0: cones
   RobustnessRequest robustness;
-  bool wrench_meshes = false;  // whether answers hold the wrench set as meshes, too
+  bool wrench_meshes = false;  // include the wrench set as meshes in answers
 };
 
 /// Robustness of a grasp under uncertain contacts, and under an uncertain pose of the object.
 struct GraspRobustness {
-  Robustness contacts;  // the same contacts with other friction, places and normals
-  Robustness pose;      // the object moved and turned: approached, closed and touched anew
+  Robustness contacts;  // same contacts with perturbed friction, places and normals
+  Robustness pose;      // object moved and turned; approach and closing are repeated
 };
 
-/// The best grasp of all starts, with its measures.
+/// Best grasp of all starts, with its measures.
 struct GraspResult {
   GraspRequest request;
   Outcome outcome;                            // done: starts; stopped also while it measures
   WorldCase setting;                          // the world, its hand and its scene
   CollisionHand collision_hand;               // collision model of the hand of `setting`
   Grasp grasp;                                // the best of all starts
-  WrenchSet wrenches;                         // of its contacts, cones or pyramids
-  std::array<int, 6> outcomes{};              // of all starts, by GraspOutcome
+  WrenchSet wrenches;                         // wrenches of its contacts, cones or pyramids
+  std::array<int, 6> outcomes{};              // number of starts by GraspOutcome
   int closures = 0;                           // starts that ended in force closure
   int best = -1;                              // start of the best grasp; -1: none was drawn
-  Pregrasp start;                             // where the best grasp began
-  std::optional<GraspMeasures> measures;      // none: no grasp, or stopped before
-  std::optional<GraspRobustness> robustness;  // none: not asked, or stopped before
+  Pregrasp start;                             // pregrasp from which the best grasp started
+  std::optional<GraspMeasures> measures;      // absent: no grasp, or stopped before
+  std::optional<GraspRobustness> robustness;  // absent: not requested, or stopped before
   double cpu = 0;                             // processor time, measures included [s]
 
   [[nodiscard]] int started() const;
@@ -68,24 +68,23 @@ struct GraspResult {
 
 /// Puts the hand of a world on its object and measures the grasp.
 ///
-/// Start n of several is sample_pregrasp() n, as in compare(), and the object yields to jaws as in
-/// centred_grasp(); so it does where the world's own hand approaches it. That hand stands off by a
-/// quarter to all of max_stand_off() where it holds nothing from the palm: no force closure, and no
-/// two digits that touch. Robustness: moves of the
-/// object are normal along and about each of its axes, about its centre of mass; a move after which
-/// the hand does not grasp is a miss, which is no force closure and below every epsilon. Closing
-/// moves the object between jaws, but does not turn it: a box that is off by angles touches flat
-/// jaws along edges or at corners, where it may turn about their line, and epsilon is near zero;
-/// real jaws would turn it flush.
+/// Start n of several is sample_pregrasp() n, as in compare(). The object yields to jaws as in
+/// centred_grasp(), also where the world's own hand approaches it. If that hand reaches neither
+/// force closure nor contact of two digits from the palm, it is tried at stand-offs of a quarter to
+/// all of max_stand_off(). Robustness: displacements of the object are normally distributed along
+/// and about each of its axes through its centre of mass. A displacement after which the hand does
+/// not grasp counts as no force closure and as an epsilon below all others. Closing moves the
+/// object between jaws but does not rotate it: a misaligned box touches flat jaws along edges or at
+/// corners, may rotate about their line, and has an epsilon near zero; real jaws would align it.
 /// @throws InputError where a number is out of range, something is not to be found, the hand has no
-///         surface or begins in something, or a mounted hand is to start at random; DataError of
-///         files; Stopped where it is stopped before the first grasp.
+///         surface or begins in something, or a mounted hand is to start at random; DataError for a
+///         wrong file; Stopped before the first grasp.
 [[nodiscard]] GraspResult measure_grasp(const GraspRequest& request, const Progress& progress = {});
 
 /// Returns assumptions made about the hand of a result, and doubts about its grasp.
 [[nodiscard]] std::vector<std::string> grasp_warnings(const GraspResult& result);
 
-/// The world with the hand as the grasp left it.
+/// Returns the world with the hand in its final posture.
 /// @throws InputError if the hand did not reach the object.
 [[nodiscard]] WorldSpec grasped_world(const GraspResult& result);
 

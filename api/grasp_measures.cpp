@@ -19,8 +19,8 @@ namespace {
 constexpr double kGravity = 9.81;  // Acceleration of free fall [m/s^2]
 
 template <typename Value>
-Measured<Value> none(const std::string& reason) {
-  return {{}, reason};
+Measured<Value> none(const std::string& message) {
+  return {{}, message};
 }
 
 /// Inputs from which loads are computed.
@@ -72,19 +72,19 @@ Measured<InscribedBall> ball_of(const Asked& asked) {
 }
 
 Measured<double> hold_of(const ForceSet& forces, const ScaledWrench& load,
-                         const std::string& failure) {
+                         const std::string& if_infeasible) {
   const GraspForce hold = minimum_grasp_force(forces, load, GraspForceObjective::kSum);
-  if (hold.status == Status::kInfeasible) return none<double>(failure);
+  if (hold.status == Status::kInfeasible) return none<double>(if_infeasible);
   if (hold.status != Status::kSolved) return none<double>("the programme did not converge");
   return {hold.objective, ""};
 }
 
-/// The weight as the object stands: along -z of the world.
+/// Returns the weight of the object in its present orientation: along -z of the world.
 ScaledWrench weight_load(const GraspBody& object, double weight) {
   return {-weight * object.X_WB.R.transpose().col(2), {0, 0, 0}};
 }
 
-/// Returns the reason why the hand's motors do not hold a load: they bear none of it, or not all.
+/// Returns the reason why the hand's motors do not hold a load: they support none of it, or a part.
 std::string why_not_held(const Asked& asked, const ScaledWrench& load) {
   const WrenchSupport reach = load_margin(asked.forces, load);
   const std::string cannot = "what drives the hand cannot make forces that hold the weight: ";
@@ -96,7 +96,7 @@ std::string why_not_held(const Asked& asked, const ScaledWrench& load) {
 void add_holds(const Asked& asked, GraspMeasures& measures) {
   // An object of unknown mass has no weight to hold.
   if (!measures.weight.value) {
-    measures.hold = measures.hold_actuated = none<double>(measures.weight.reason);
+    measures.hold = measures.hold_actuated = none<double>(measures.weight.message);
     return;
   }
   const ScaledWrench load = weight_load(asked.result.setting.setup.object, *measures.weight.value);
@@ -104,27 +104,27 @@ void add_holds(const Asked& asked, GraspMeasures& measures) {
   measures.hold = hold_of(free_forces(asked.held.set), load,
                           "no forces within friction hold the weight as the object stands");
   if (!measures.hold.value) {
-    measures.hold_actuated = none<double>(measures.hold.reason);
+    measures.hold_actuated = none<double>(measures.hold.message);
     return;
   }
   // Then limit the forces by the efforts of motors or muscles.
   const std::string unknown = explain_unknown_effort(asked.held);
   measures.hold_actuated =
       unknown.empty() ? hold_of(asked.forces, load, "") : none<double>(unknown);
-  if (!measures.hold_actuated.value && measures.hold_actuated.reason.empty())
-    measures.hold_actuated.reason = why_not_held(asked, load);
+  if (!measures.hold_actuated.value && measures.hold_actuated.message.empty())
+    measures.hold_actuated.message = why_not_held(asked, load);
 }
 
 Measured<SupportedLoad> load_of(const GraspLoads& loads, GraspTask task) {
   const auto found = loads.with_structure.find(name_of(task));
   if (found == loads.with_structure.end()) return none<SupportedLoad>("not asked");
-  const auto why = loads.reasons.find(name_of(task));
-  const std::string reason = why == loads.reasons.end() ? "" : why->second;
-  if (!std::isfinite(found->second)) return none<SupportedLoad>(reason);
+  const auto reason = loads.reasons.find(name_of(task));
+  const std::string message = reason == loads.reasons.end() ? "" : reason->second;
+  if (!std::isfinite(found->second)) return none<SupportedLoad>(message);
   SupportedLoad load{{}, found->second};
   if (const double active = loads.margin.at(name_of(task)); std::isfinite(active))
     load.active = active;
-  return {load, load.active == 0.0 && load.with_structure > 0 ? "" : reason};
+  return {load, load.active == 0.0 && load.with_structure > 0 ? "" : message};
 }
 
 void add_margins(const Asked& asked, GraspMeasures& measures) {
@@ -134,12 +134,12 @@ void add_margins(const Asked& asked, GraspMeasures& measures) {
                   measures.weight.value.value_or(kGravity) / kGravity,
                   {GraspTask::kHoldWeight, GraspTask::kPull, GraspTask::kTurn});
   measures.times_weight = measures.weight.value ? load_of(loads, GraspTask::kHoldWeight)
-                                                : none<SupportedLoad>(measures.weight.reason);
+                                                : none<SupportedLoad>(measures.weight.message);
   // A zero is along one axis, maybe not along z.
   if (measures.times_weight.value && measures.times_weight.value->with_structure == 0) {
     const std::optional<ScaledWrench> load = unsupported_load(asked.forces);
     if (load && !load->force.isZero(0))
-      measures.times_weight.reason += ": nothing withstands " + direction_words(*load);
+      measures.times_weight.message += ": nothing withstands " + direction_words(*load);
   }
   // Pull and turn are loads along and about every axis, in newtons and newton metres.
   measures.pull = load_of(loads, GraspTask::kPull);

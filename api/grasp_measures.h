@@ -15,42 +15,42 @@ namespace thenar {
 
 struct GraspResult;
 
-/// A measure, or why there is none.
+/// A measure, or a message that says why there is none.
 template <typename Value>
 struct Measured {
   std::optional<Value> value;
-  std::string reason;  // where there is no value, or what to know of it
+  std::string message;  // why there is no value, or a remark on the value
 };
 
 /// A load that a grasp supports.
 struct SupportedLoad {
-  std::optional<double> active;  // by efforts and friction alone; none: the programme did not end
-  double with_structure = 0;     // and with what joint limits, locks and drives that cannot be
-                                 // driven back bear
+  std::optional<double> active;  // by efforts and friction alone; absent: not converged
+  double with_structure = 0;     // plus joint limits, locks and non-backdrivable drives
 };
 
-/// Torques in wrenches are about the object's centre of mass and over its reach; its own frame.
+/// Measures of a grasp. Wrenches are in the object's frame, their torques about its centre of mass
+/// and divided by its reach.
 struct GraspMeasures {
-  Volume volume{};                        // of the wrench set [unit forces^6]
-  Measured<InscribedBall> actuated;       // epsilon within the hand's limits [N]
-  Measured<double> weight;                // of the object [N]
-  Measured<double> hold;                  // least sum of normal forces that holds it as it
-                                          // stands, by friction alone [N]
-  Measured<double> hold_actuated;         // the same within the hand's efforts [N]
-  Measured<SupportedLoad> times_weight;   // along each of its axes both ways [1]
-  Measured<SupportedLoad> pull;           // along its z axis, the weaker way [N]
-  Measured<SupportedLoad> turn;           // about its z axis, the weaker way [N m]
-  Measured<GraspStiffness> stiffness;     // of soft pads at kPadForce, joints locked [N/m]
-  Measured<ObjectMotion> manipulability;  // object per drive, without slip
-  int edges = 0;  // of the pyramids of `volume`; 0: cones, as all others have
+  Volume volume{};                   // volume of the wrench set [unit forces^6]
+  Measured<InscribedBall> actuated;  // epsilon within the hand's limits [N]
+  Measured<double> weight;           // weight of the object [N]
+  Measured<double> hold;  // least sum of normal forces that holds the object as it is placed, by
+                          // friction alone [N]
+  Measured<double> hold_actuated;        // same sum within the hand's efforts [N]
+  Measured<SupportedLoad> times_weight;  // along each axis of the object both ways [1]
+  Measured<SupportedLoad> pull;          // force along the object's z axis, the weaker way [N]
+  Measured<SupportedLoad> turn;          // torque about the object's z axis, the weaker way [N m]
+  Measured<GraspStiffness> stiffness;    // stiffness of soft pads at kPadForce, joints locked [N/m]
+  Measured<ObjectMotion> manipulability;  // motion of the object per drive, without slip
+  int edges = 0;  // edges of the friction pyramids of `volume`; 0: cones, as in all other measures
 };
 
-inline constexpr double kPadForce = 1;  // on every contact, for the stiffness of pads [N]
+inline constexpr double kPadForce = 1;  // normal force at which pads are linearised [N]
 
-/// Measures a closed grasp. Friction is of true cones, except in the volume, which is of the
-/// result's wrenches. Pads are springs of pad_stiffness() under kPadForce.
-/// @param result  whose grasp has contacts: GraspOutcome::kGrasped
-/// @throws Stopped where progress says stop
+/// Measures a closed grasp. Friction cones are exact, except in the volume, which uses the wrenches
+/// of the result. Pads are linear springs: pad_stiffness() at kPadForce.
+/// @param result  with contacts: GraspOutcome::kGrasped
+/// @throws Stopped if progress requests a stop
 [[nodiscard]] GraspMeasures grasp_measures_of(const GraspResult& result,
                                               const Progress& progress = {});
 

@@ -32,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A body whose meshes bound solids: mended where it stands still anyway, or if asked to.
+/// Makes the meshes of a body solids: repairs those of obstacles, and others if requested.
 /// @throws DataError naming the holes
 void settle_meshes(BodySpec& body, const std::string& file, bool mend,
                    std::vector<std::string>& warnings, bool dynamic) {
@@ -52,7 +52,7 @@ void settle_meshes(BodySpec& body, const std::string& file, bool mend,
     note_turned(body.shapes, owner, warnings);
     return;
   }
-  // Obstacles need no mass; they are repaired without being asked.
+  // Obstacles need no mass, so repair them without a request.
   repair_shapes(body.shapes, owner, warnings);
   if (body.shapes.empty())
     throw DataError(file, 1, fmt::format("{} is left without a shape", owner));
@@ -157,7 +157,7 @@ double scale_of(const ImportRequest& request) {
 BodySpec object_of(const MeshContent& content, const ImportRequest& request, bool as_in_file) {
   BodySpec body;
   body.name = fs::path(request.file).stem().string();
-  // Exact solids such as boxes and spheres are kept in place of their triangles.
+  // Prefer exact solids such as boxes and spheres to their triangles.
   body.shapes = content.exact;
   if (!body.shapes.empty()) return body;
   ShapeSpec shape;
@@ -235,7 +235,7 @@ Imported import_mesh(const ImportRequest& request) {
     }
   }
   // Look at the surface as it is now, after the repair if there was one.
-  MeshFacts facts = look_at_mesh(content);
+  MeshFacts facts = compute_mesh_facts(content);
   facts.closed = holes - facts.surface.holes.size();
   facts.repaired = repaired;
   // A stated mass turns the mesh into an object, for which it has to bound a volume.
@@ -343,7 +343,7 @@ RobotSpec with_guesses(const RobotSpec& robot) {
     RobotSpec guessed = graspable(robot);
     const std::size_t digits = digits_in(guessed).size();
     const bool one_jaw = digits == 1 && robot.dofs.size() == 1;
-    // With several digits the guess stands; a single jaw must at least close against something
+    // Accept the guess for several digits; a single jaw must at least close against something
     // fixed.
     if (digits > 1 || (one_jaw && infer_closing(guessed, {true, false}).facing)) return guessed;
     if (one_jaw)
@@ -357,13 +357,13 @@ RobotSpec with_guesses(const RobotSpec& robot) {
 
 using Sentences = std::vector<std::string>;
 
-/// The robot as TOML, with what was guessed marked, and told.
+/// Writes the robot as TOML with marked guesses, and returns the guesses.
 Sentences write_thing(RobotSpec robot, const Imported& imported, const std::string& out) {
   // Let links refer to meshes as seen from the folder of the new file.
   for (RobotLink& link : robot.links)
     point_to(link.shapes, fs::path(imported.request.file).parent_path(), out);
   if (fs::path(out).extension() != ".toml") {
-    (void)write_urdf(out, robot);  // lost_in() has its warnings
+    (void)write_urdf(out, robot);  // unsupported_properties() has its warnings
     return {};
   }
   // Only formats without words for grasping are completed by guesses.
@@ -430,14 +430,14 @@ Sentences write_thing(const MeshContent& content, const Imported& imported,
 
 }  // namespace
 
-std::vector<std::string> endings_for(const Imported& imported) {
+std::vector<std::string> writable_endings(const Imported& imported) {
   if (std::holds_alternative<RobotSpec>(imported.thing)) return {".toml", ".urdf"};
   if (std::holds_alternative<MeshContent>(imported.thing))
     return {".obj", ".stl", ".ply", ".off", ".toml"};
   return {".toml"};
 }
 
-std::vector<std::string> lost_in(const Imported& imported, const std::string& out) {
+std::vector<std::string> unsupported_properties(const Imported& imported, const std::string& out) {
   const std::string ending = fs::path(out).extension();
   if (const auto* robot = std::get_if<RobotSpec>(&imported.thing); robot && ending == ".urdf")
     return robot_urdf(*robot, "").warnings;

@@ -41,7 +41,7 @@ double extent_of(const ShapeSpec& shape) {
 /// Empty if there is none.
 std::string mesh_size_warning(const TriangleMesh& mesh) {
   const double across = extent_of(mesh);
-  if (!(across > kLargestThing)) return "";
+  if (!(across > kMaxObjectSize)) return "";
   return fmt::format("{:.4g} m across: are its numbers millimetres?", across);
 }
 
@@ -120,7 +120,7 @@ MeshMass mass_of_parts(const TriangleMesh& mesh, const std::vector<TriangleMesh>
   return found;
 }
 
-/// Volume, centre and inertia of triangles, with what is doubtful of them.
+/// Computes volume, centre and inertia of triangles, and doubts about them.
 void weigh_triangles(const TriangleMesh& mesh, MeshFacts& facts) {
   // Weigh connected parts one by one: a mesh may hold several solids.
   const std::vector<TriangleMesh> parts = connected_parts(mesh);
@@ -159,7 +159,7 @@ void weigh_exact(const MeshContent& content, MeshFacts& facts) {
 
 }  // namespace
 
-MeshFacts look_at_mesh(const MeshContent& content) {
+MeshFacts compute_mesh_facts(const MeshContent& content) {
   // Look at the surface first: without a volume there is no mass.
   MeshFacts facts;
   facts.surface = check_mesh(content.mesh);
@@ -196,7 +196,7 @@ std::vector<std::string> size_warnings(const std::vector<ShapeSpec>& shapes,
                                        const std::string& owner) {
   std::vector<std::string> warnings;
   for (const ShapeSpec& shape : shapes)
-    if (const double across = extent_of(shape); across > kLargestThing)
+    if (const double across = extent_of(shape); across > kMaxObjectSize)
       warnings.push_back(fmt::format("{}: a {} of {:.4g} m: are its numbers millimetres?", owner,
                                      name_of(shape.kind), across));
   return warnings;

@@ -70,12 +70,12 @@ MomentArmResult compute_moment_arms(const DigitCase& digit, const Progress& prog
     return tendons.digit().fidelity.path == Path::kFitted ? std::vector<std::string>{}
                                                           : collapse_warnings(tendons, q);
   };
-  ask_postures(answer, ask, kept_in(answer.points), progress);
+  ask_postures(answer, ask, failure_recorder(answer.points), progress);
 
   // An arm at any posture shows that the muscle crosses the joint.
   answer.crosses.setConstant(start.size(), answer.reference.size(), false);
   for (const MomentArmPoint& point : answer.points)
-    if (point.failure.empty())
+    if (point.message.empty())
       answer.crosses = answer.crosses.array() || (point.arms.array().abs() > kNoArm);
   return answer;
 }

@@ -11,34 +11,34 @@
 
 namespace thenar {
 
-/// The answer at one posture.
+/// Result at one posture.
 struct MomentArmPoint {
   Eigen::VectorXd q;              // [rad] (joints)
-  std::string failure;            // why there is no answer; else empty
+  std::string message;            // why there is no answer; empty: there is one
   Eigen::MatrixXd arms;           // -d length / dq; flexion, radial + [m/rad] (muscles, joints)
-  Eigen::VectorXd length_change;  // since MomentArmResult::reference; longer + [m] (muscles)
+  Eigen::VectorXd length_change;  // change since MomentArmResult::reference; longer + [m] (muscles)
   Eigen::Vector3d tip{0, 0, 0};   // world frame [m] (3)
 };
 
-/// Answers posture by posture, in the order of the grid; as many as were done.
+/// Results posture by posture, in the order of the grid; fewer if stopped.
 struct MomentArmResult : DigitResult {
   Eigen::VectorXd reference;  // posture of no length change [rad] (joints)
-  Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> crosses;  // whether a muscle has an arm about
+  Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> crosses;  // true: the muscle has an arm about
                                                                 // a joint (muscles, joints)
   std::vector<MomentArmPoint> points;
 };
 
 /// Computes the moment arms  -d length / dq  of every muscle about every joint that it crosses, and
-/// how much longer it is than with all joints at 0 (or, if the paths are not to be trusted there,
-/// than at the first posture). A muscle that pulls several strands of a hood has the arm and the
-/// length of all, each weighted with its share of the tension; differences of lengths are the arms
-/// where shares are constant and sheaths smooth.
-/// @throws InputError for what is unknown, a tip map, or a net, whose arms depend on tensions;
+/// its length change from the posture with all joints at 0 (or, if tendon paths are not reliable
+/// there, from the first posture). Arms and lengths of a muscle that pulls several strands of a
+/// hood are averages weighted by the shares of its tension; derivatives of the lengths equal the
+/// arms where shares are constant and sheaths frictionless.
+/// @throws InputError for unknown names, a tip map, or a net, whose arms depend on tensions;
 /// DataError for a wrong file.
 [[nodiscard]] MomentArmResult compute_moment_arms(const DigitRequest& request,
                                                   const Progress& progress = {});
 
-/// Computes those of a digit that is already built, at the postures of its grid.
+/// Computes the moment arms of a built digit at the postures of its grid.
 /// @throws InputError for a tip map or a net
 [[nodiscard]] MomentArmResult compute_moment_arms(const DigitCase& digit,
                                                   const Progress& progress = {});

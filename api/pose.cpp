@@ -17,7 +17,7 @@
 namespace thenar {
 namespace {
 
-/// The file of the robot that a name or a file stands for; empty: it is no robot, but a subject.
+/// Returns the file of the robot given by a name or a file; empty: a subject instead of a robot.
 std::string robot_meant(const PoseRequest& request) {
   if (!is_file(request.model)) return robot_file(request.model, data_folders(request.data));
   require_kind(request.model, {"subject", "robot"});
@@ -25,10 +25,10 @@ std::string robot_meant(const PoseRequest& request) {
   return find_file_kind(request.model) == FileKind::kRobot ? request.model : "";
 }
 
-std::vector<JointNow> joints_now(const Skeleton& skeleton, const TreeState<double>& state,
-                                 const Eigen::VectorXd& q) {
+std::vector<JointPose> joints_now(const Skeleton& skeleton, const TreeState<double>& state,
+                                  const Eigen::VectorXd& q) {
   // A joint that follows another one turns by ratio q + offset of its leader.
-  std::vector<JointNow> joints;
+  std::vector<JointPose> joints;
   for (std::size_t i = 0; i < skeleton.tree.size(); ++i) {
     const Hinge<double>& hinge = skeleton.tree[i];
     const std::string& name = skeleton.hinge_names[i];
@@ -40,10 +40,10 @@ std::vector<JointNow> joints_now(const Skeleton& skeleton, const TreeState<doubl
   return joints;
 }
 
-std::vector<SegmentNow> segments_now(const Subject& subject, const Skeleton& skeleton,
-                                     const TreeState<double>& state) {
+std::vector<SegmentPose> segments_now(const Subject& subject, const Skeleton& skeleton,
+                                      const TreeState<double>& state) {
   // Skip segments that the tree leaves out, as those of other digits.
-  std::vector<SegmentNow> segments;
+  std::vector<SegmentPose> segments;
   for (const Segment& segment : subject.segments) {
     const auto link = skeleton.link_of_segment.find(segment.name);
     if (link == skeleton.link_of_segment.end()) continue;
@@ -65,8 +65,8 @@ std::set<int> coordinates_of(const Skeleton& skeleton, const SkeletonTip& tip) {
   return coordinates;
 }
 
-TipNow tip_now(const Skeleton& skeleton, const TreeState<double>& state, const SkeletonTip& tip) {
-  TipNow now{tip.digit, moved(state, tip.link, tip.p), tip.axes, {}, {}, {}};
+TipPose tip_now(const Skeleton& skeleton, const TreeState<double>& state, const SkeletonTip& tip) {
+  TipPose now{tip.digit, moved(state, tip.link, tip.p), tip.axes, {}, {}, {}};
   if (tip.link >= 0) now.axes = state[static_cast<std::size_t>(tip.link)].X.R * tip.axes;
   // Keep the columns of the joints that move this tip; all others are zero.
   const Eigen::Matrix3Xd J =

@@ -14,48 +14,48 @@
 
 namespace thenar {
 
-/// A joint at one posture.
-struct JointNow {
+/// Joint at one posture.
+struct JointPose {
   std::string name;
   double angle;           // [rad]
   Eigen::Vector3d axis;   // unit, world (3)
-  Eigen::Vector3d point;  // of the axis, world [m] (3)
+  Eigen::Vector3d point;  // point on the axis, world [m] (3)
   std::string led_by;     // coordinate that drives a coupled joint; empty: itself
 };
 
-/// A segment at one posture.
-struct SegmentNow {
+/// Segment at one posture.
+struct SegmentPose {
   std::string name;
   Pose<double> X;            // displacement from the reference posture
   Eigen::Vector3d proximal;  // end nearer the wrist, world [m] (3)
   Eigen::Vector3d distal;    // end nearer the tip, world [m] (3)
 };
 
-/// A tip at one posture, and how it can move from there.
-struct TipNow {
+/// Tip at one posture, with its Jacobian and manipulability.
+struct TipPose {
   std::string digit;
   Eigen::Vector3d p;                // world [m] (3)
   Eigen::Matrix3d axes;             // columns proximal, dorsal, radial, world (3, 3)
   std::vector<std::string> joints;  // free joints that move it, columns of J
   Eigen::Matrix3Xd J;               // position Jacobian, world [m/rad] (3, joints)
-  TipManipulability mobility;       // not set if no joint moves the tip
+  TipManipulability mobility;       // empty if no joint moves the tip
 };
 
-/// A subject at one posture.
+/// Subject at one posture.
 struct SubjectPose {
   Eigen::VectorXd q;  // [rad] (coordinates)
-  std::vector<JointNow> joints;
-  std::vector<SegmentNow> segments;
-  std::vector<TipNow> tips;
+  std::vector<JointPose> joints;
+  std::vector<SegmentPose> segments;
+  std::vector<TipPose> tips;
 };
 
-/// A subject posture by posture, in the order of the grid; as many as were done.
+/// Poses of a subject, posture by posture, in the order of the grid; fewer if stopped.
 struct SubjectPoses {
   PoseRequest request;
-  Outcome outcome;  // warnings: of limits
+  Outcome outcome;  // warnings: angles outside limits
   std::string subject;
   std::vector<std::string> coordinates;  // names of free joints
-  PostureGrid grid;                      // postures asked for
+  PostureGrid grid;                      // requested postures
   std::vector<SubjectPose> points;
   std::vector<SourceText> sources;
 };
@@ -63,12 +63,12 @@ struct SubjectPoses {
 /// Poses of a subject or of a robot, depending on the request's model.
 using PoseAnswer = std::variant<SubjectPoses, RobotPoses>;
 
-/// Poses of a subject or a robot.
-/// @throws InputError for what is unknown, a subject without joints, and digits or frozen joints of
-/// a robot; DataError for a wrong file.
+/// Computes the poses of a subject or a robot.
+/// @throws InputError for unknown names, a subject without joints, and digits or frozen joints of a
+/// robot; DataError for a wrong file.
 [[nodiscard]] PoseAnswer ask_pose(const PoseRequest& request, const Progress& progress = {});
 
-/// One posture of a subject. @param q  (coordinates) [rad]
+/// Computes the pose of a subject at one posture. @param q  [rad] (coordinates)
 [[nodiscard]] SubjectPose pose_of(const Subject& subject, const Skeleton& skeleton,
                                   const Eigen::VectorXd& q);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What is asked of the poses of a subject or a robot.
+/// Options of a question for the poses of a subject or a robot.
 
 #include <string>
 #include <vector>
@@ -13,9 +13,9 @@ namespace thenar {
 struct PoseRequest {
   std::string model;                // a subject or a robot: its name, or its file
   std::string data;                 // folder with subjects/, robots/ ..; empty: the usual ones
-  std::vector<std::string> digits;  // to keep, of a subject; empty: all
-  PostureRequest posture;           // joints not named are at 0
-  PostureRequest frozen;            // joints of a subject that are welded there
+  std::vector<std::string> digits;  // digits of a subject to keep; empty: all
+  PostureRequest posture;           // joints that are not named are at 0
+  PostureRequest frozen;            // joints of a subject that are welded at these angles
   std::vector<Vary> vary;           // in the unit of the posture; the last one varies fastest
 };
 

@@ -45,7 +45,7 @@ PosteriorSettings settings_of(const SampleRequest& request, const FitInputs& inp
   run.draws = request.draws > 0 ? request.draws : 1000 / sparse;
   constexpr long kMaxGrowth = 4;  // most draws over the first ones, where nobody says how many [1]
   if (request.draws == 0) settings.max_draws = kMaxGrowth * run.draws;
-  // Checkpoints stand beside the result, so that a killed run goes on.
+  // Store checkpoints beside the result, so that a killed run can be continued.
   run.threads = request.threads;
   run.folder = request.output + ".chains";
   run.checkpoint_every = request.checkpoint_every;
@@ -53,8 +53,7 @@ PosteriorSettings settings_of(const SampleRequest& request, const FitInputs& inp
   return settings;
 }
 
-/// Forgets a run with all its attempts. States go first: what is left if we are killed here begins
-/// anew.
+/// Deletes a run with all its attempts, states first, so that a run killed in between restarts.
 /// @throws InputError if another process is sampling there.
 void forget_run(const std::string& folder) {
   std::error_code none;
@@ -88,7 +87,7 @@ void keep(const PosteriorResult& result) {
   const PosteriorRun& run = result.run;
   if (run.draws.draws() == 0) return;
   write_posterior(run, result.request.output);
-  // Chains that have not converged may be asked for more draws.
+  // Keep the state of chains that have not converged, for more draws later.
   if (run.draws.complete && (run.convergence.warnings.empty() || !result.request.keep_unconverged))
     forget_run(run.settings.run.folder);
 }
@@ -174,7 +173,7 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
   PredictResult& result = out.predicted;
   result.request = {request.posterior, request.experiments, request.population, request.data,
                     request.path};
-  // Tell which fit predicts, with what it was fitted to.
+  // Describe the predicting fit and its data.
   result.inputs = run.inputs;
   result.fitted_by = run.run;
   result.fidelity = problem.digit().fidelity;

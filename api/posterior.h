@@ -19,70 +19,72 @@ struct SampleRequest {
   FitSources sources;
   SamplingMethod method = SamplingMethod::kNuts;
   unsigned seed = 1;
-  int chains = 4;                  // independent chains, or ensembles [1]
-  int walkers = 0;                 // chains of one ensemble; 0: as the sampler needs [1]
-  long warm_up = 1000;             // steps that adapt and are thrown away [1]
-  long draws = 0;                  // of each chain; 0: 1000 steps in all, which are doubled up to
-                                   // twice where more of them may make the chains agree [1]
-  int thin = 0;                    // steps a draw; 0: 1, of ensembles of many walkers 10 [1]
-  double target_acceptance = 0.9;  // of nuts and hmc: thumbs bend more than textbook posteriors [1]
-  std::vector<double> retry_acceptances{0.95, 0.99};  // begin anew at the next once a trajectory
-                                                      // diverges; empty: never [1]
-  int max_depth = 10;                                 // of trees of nuts: 2^depth steps at most [1]
-  int temperatures = 1;                               // of parallel tempering; 1: none [1]
+  int chains = 4;       // independent chains, or ensembles [1]
+  int walkers = 0;      // chains of one ensemble; 0: as the sampler needs [1]
+  long warm_up = 1000;  // adaptation steps, which are discarded [1]
+  long draws = 0;       // draws of each chain; 0: 1000 steps in all, which are doubled up to
+                        // twice where more of them may make the chains agree [1]
+  int thin = 0;         // steps a draw; 0: 1, of ensembles of many walkers 10 [1]
+  double target_acceptance = 0.9;  // target of nuts and hmc; above the usual 0.8, as posteriors of
+                                   // thumbs are strongly curved [1]
+  std::vector<double> retry_acceptances{
+      0.95, 0.99};     // restarts with the next target once a trajectory diverges; empty: none [1]
+  int max_depth = 10;  // largest tree depth of nuts: at most 2^depth steps [1]
+  int temperatures = 1;          // temperatures of parallel tempering; 1: none [1]
   double min_beta = 0;           // power of the likelihood on the hottest rung [1]
   int swap_every = 1;            // steps between swaps of temperatures [1]
-  int mode_starts = 0;           // of the search for modes; 0: PosteriorSettings' own [1]
-  bool fixed_noise = false;      // believe the stated noise
+  int mode_starts = 0;           // starts of the search for modes; 0: PosteriorSettings' own [1]
+  bool fixed_noise = false;      // take the stated noise as known
   int threads = 0;               // 0: as many as there are processors
-  double checkpoint_every = 10;  // what a kill may cost [s]
-  bool fresh = false;            // forget an interrupted run of this output
-  bool keep_unconverged = true;  // keep the state of chains that have not converged: they may be
-                                 // asked for more draws
-  std::string output;            // posterior file (.nc); its chains lie in OUTPUT.chains
-  RunRecord run;                 // for the file
+  double checkpoint_every = 10;  // time between checkpoints [s]
+  bool fresh = false;            // discard an interrupted run of this output
+  bool keep_unconverged =
+      true;            // keep the state of chains that have not converged, for more draws later
+  std::string output;  // posterior file (.nc); its chains are stored in OUTPUT.chains
+  RunRecord run;       // record of the run for the file
 };
 
-/// A posterior with everything that is said of it.
+/// Posterior with its summary and outcome.
 struct PosteriorResult {
-  SampleRequest request;                    // of one that was opened `output` alone
+  SampleRequest request;                    // request; of an opened posterior, `output` alone
   Outcome outcome;                          // done: draws of each chain; stalled: not converged
   PosteriorRun run;                         // no draws: stopped before the first
   std::optional<PosteriorSummary> summary;  // absent without draws
-  std::size_t rows = 20;                    // parameters that words list, the best known first
-  FileDigests files = {};                   // that were sampled, or the posterior that was opened
+  std::size_t rows = 20;                    // parameters listed in texts, the best known first
+  FileDigests files = {};                   // digests of the inputs, or of the opened posterior
 };
 
-/// Samples, and writes the file. Under mpirun all ranks call it together; the first alone writes.
-/// A run that was stopped goes on with the same request, to the same draws.
-/// @returns nothing on all ranks but the first
-/// @throws InputError if another process is sampling there, or if the state that an interrupted run
-/// left is damaged or of other settings; as the readers and samplers do.
+/// Samples, and writes the file. Under mpirun all ranks call it together; only the first writes. A
+/// stopped run is continued by the same request, with the same final draws.
+/// @returns no value on all ranks but the first
+/// @throws InputError if another process is sampling there, or if the state of an interrupted run
+/// is damaged or has other settings; and as the readers and samplers do.
 [[nodiscard]] std::optional<PosteriorResult> sample_fit(const SampleRequest& request,
                                                         const Progress& progress = {});
 
-/// The posterior of a file. @throws InputError if it is something else; DataError if it is damaged.
+/// Returns the posterior of a file. @throws InputError if it is no posterior; DataError if it is
+/// damaged.
 [[nodiscard]] PosteriorResult open_posterior(const std::string& path);
 
 struct PosteriorPredictRequest {
   std::string posterior;                 // file of sample_fit() (.nc)
   std::vector<std::string> experiments;  // files, or names of experiments/
   bool population = false;               // predict a fitted specimen as if it had never been seen
-  long draws = 2000;                     // to predict with [1]
+  long draws = 2000;                     // draws to predict with [1]
   std::string data;                      // folder with experiments/; empty: the usual ones
-  std::optional<Path> path = {};         // as require_fit_path() allows
+  std::optional<Path> path = {};         // tendon paths, see require_fit_path()
 };
 
 /// Predictions of posterior draws, with the posterior.
 struct PosteriorPrediction {
   PosteriorPredictRequest request;
-  Outcome outcome;            // of `predicted`; stalled: by chains that have not converged
+  Outcome outcome;            // stalled: the chains have not converged
   PredictResult predicted;    // means of the draws
-  PosteriorResult posterior;  // without a summary
+  PosteriorResult posterior;  // posterior without a summary
 };
 
-/// Predicts every experiment by draws, and compares with what was measured.
-/// @throws as predict_forces(), of a posterior
+/// Predicts every experiment by draws, and compares with the measurements.
+/// @throws as predict_forces() does
 [[nodiscard]] PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request);
 
 }  // namespace thenar

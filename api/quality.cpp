@@ -94,7 +94,7 @@ double seconds_since(std::clock_t start) {
 Epsilon epsilon_of(const WrenchSet& set, const ContactFile& file,
                    const ContactQualityRequest& request) {
   if (file.planar) return planar_epsilon(set, request.norm);
-  // A polytope is searched to a smaller gap than is asked for: its epsilon comes out exact.
+  // Search a polytope to a smaller gap than requested, which makes its epsilon exact.
   EpsilonOptions wanted;
   wanted.limit = request.norm;
   wanted.gap = request.gap;
@@ -151,7 +151,7 @@ TaskQuality quality_of(const TaskMargin& margin, double torque_scale) {
   return task;
 }
 
-/// Each load by itself; the margin is the least of them.
+/// Computes the margin of each load; the margin of the task is the smallest.
 /// @param grasp_forces  of each load gets the least limit that withstands it
 TaskMargin margin_of_each(const ForceSet& forces, const std::vector<ScaledWrench>& loads,
                           double largest, std::vector<std::optional<double>>& grasp_forces) {
@@ -207,7 +207,7 @@ std::optional<TaskQuality> task_of(const WrenchSet& set, const ContactFile& file
   // Below this nothing is borne, but for the programmes' rounding.
   const double none = kMinLoadRatio * largest / std::max(margin.worst_load.norm(), 1e-300);
   if (margin.upper < none) margin.lower = margin.upper = 0;
-  // The worst load is told in N and N m, as the file states loads.
+  // Convert the worst load to N and N m, the units of the file.
   TaskQuality task = quality_of(margin, file.torque_scale);
   task.grasp_forces = std::move(grasp_forces);
   return task;
@@ -241,7 +241,7 @@ ContactQualityResult measure_contacts(const ContactQualityRequest& request) {
   require(!file.planar || request.edges == 0, "pyramids are of cones in space, not in a {}",
           "plane");
   ContactQualityResult found;
-  // Repeat the question, and what was read.
+  // Record the request and the inputs.
   found.request = request;
   found.contacts = file.path;
   found.count = file.contacts.size();

@@ -77,7 +77,7 @@ class MotionReader {
     std::string path = file_.text_or_none("rungs/path"), hood = file_.text_or_none("rungs/hood");
     const bool named = !path.empty();
     if (!named) {
-      // Of an older file: what was built, which a digit with constant arms alone is by itself.
+      // Use the rungs of an older file: a digit with constant arms alone determines them itself.
       const std::vector<std::string> built = parts_of(file_.text_or_none("provenance/fidelity"));
       require(built.size() > kHoodLadder, "it does not say on which rungs");
       path = built[kPathLadder];

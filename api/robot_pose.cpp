@@ -16,8 +16,8 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kMaxWarnings = 20;  // of a whole grid
-constexpr double kSameValue = 1e-9;       // of limits and of values stated twice [rad] or [m]
+constexpr std::size_t kMaxWarnings = 20;  // largest number of warnings for a grid [1]
+constexpr double kSameValue = 1e-9;       // largest difference of equal values [rad] or [m]
 
 /// [rad] or [m] in a unit of a request.
 double drive_unit(bool sliding, PostureUnit unit) {
@@ -105,7 +105,7 @@ class RobotPosture {
   void set(const RobotJoint& joint, double value) {
     const RobotDof* dof = dof_named(robot_, joint.dof);
     if (dof == nullptr || dof->kind != DriveCoupling::kRigid)
-      joints_[joint.name] = value;  // it may part from the others of its motor
+      joints_[joint.name] = value;  // may differ from the other joints of its motor
     else
       move(*dof, motor_of(joint, *dof, value));
   }

@@ -13,63 +13,63 @@
 
 namespace thenar {
 
-/// A joint that moves, at one posture.
-struct RobotJointNow {
+/// Moving joint at one posture.
+struct RobotJointPose {
   std::string name;
-  std::string dof;  // that drives it; empty: none
+  std::string dof;  // degree of freedom that drives it; empty: none
   bool slides = false;
   double value = 0;       // [rad] or [m]
   Eigen::Vector3d axis;   // unit, in the base link (3)
-  Eigen::Vector3d point;  // of the axis, in the base link [m] (3)
+  Eigen::Vector3d point;  // point on the axis, in the base link [m] (3)
 };
 
-/// A link at one posture.
-struct RobotLinkNow {
+/// Link at one posture.
+struct RobotLinkPose {
   std::string name;
-  int parent;         // link that carries it, as an index; -1: none
-  Pose<double> X_BL;  // its frame in the base link
+  int parent;         // index of its parent link; -1: none
+  Pose<double> X_BL;  // pose of its frame in the base link
 };
 
-/// A tip at one posture.
-struct RobotTipNow {
+/// Tip at one posture.
+struct RobotTipPose {
   std::string digit;
   std::string link;
-  Eigen::Vector3d p;  // in the base link [m] (3)
+  Eigen::Vector3d p;  // position in the base link [m] (3)
 };
 
-/// A robot at one posture.
+/// Robot at one posture.
 struct RobotPose {
-  std::vector<double> varied;         // values of what varies [rad] or [m]
-  std::vector<RobotJointNow> joints;  // that move
-  std::vector<RobotLinkNow> links;
-  std::vector<RobotTipNow> tips;
+  std::vector<double> varied;          // values of the varied coordinates [rad] or [m]
+  std::vector<RobotJointPose> joints;  // joints that move
+  std::vector<RobotLinkPose> links;
+  std::vector<RobotTipPose> tips;
   std::vector<std::string> warnings;  // values outside limits
 };
 
-/// A degree of freedom or a joint that varies.
+/// Degree of freedom or joint that varies.
 struct VariedDrive {
   std::string name;
   bool slides = false;
 };
 
-/// A robot posture by posture; as many as were done.
+/// Poses of a robot, posture by posture; fewer if stopped.
 struct RobotPoses {
   PoseRequest request;
-  Outcome outcome;  // warnings: values outside limits, of all postures
+  Outcome outcome;  // warnings: values outside limits at any posture
   std::string robot;
   std::vector<VariedDrive> varied;  // the last one varies fastest; empty: one posture
-  std::size_t row = 1;              // postures that differ in the last one only
+  std::size_t row = 1;  // number of postures in a row, which differ in the last one only
   std::vector<RobotPose> points;
-  FileDigests files = {};  // of the robot
+  FileDigests files = {};  // digests of the robot's files
 };
 
-/// Computes the poses of a robot's joints, links and tips. Tips are those of find_tips(); digits
-/// that no file states are those of infer_digits().
-/// @param request  its posture is of degrees of freedom or joints by name, or of all degrees of
-///                 freedom in order [rad], of slides [m], or as typed [deg], [mm]; what is left out
-///                 stands at 0. What varies is in the same unit, by the same names
-/// @throws InputError for an unknown name, a wrong count, a joint that nothing drives, one that
-/// stands in two ways, or steps that do not lead to their end
+/// Computes the poses of a robot's joints, links and tips. Tips are those of find_tips(); where no
+/// file states digits, they come from infer_digits().
+/// @param request  posture of degrees of freedom or joints by name, or of all degrees of freedom in
+/// order, in [rad], of slides [m], or as typed in [deg], [mm]; the others are at 0. Varied
+/// coordinates have the same names and units
+/// @throws InputError for an unknown name, a wrong count, a joint without drive, contradictory
+/// values of a joint, or steps that do not lead to their end
 [[nodiscard]] RobotPoses pose_robot(const RobotSpec& robot, const PoseRequest& request,
                                     const Progress& progress = {});
 

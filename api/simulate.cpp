@@ -33,7 +33,7 @@ void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
   }
 }
 
-/// The excitation asked for; adds its file to the sources.
+/// Returns the requested excitation; adds its file to the sources.
 Excitation excitation_of(const DigitMotionRequest& request, const std::vector<std::string>& muscles,
                          std::vector<SourceText>& sources) {
   // One kind of input, and at least something that moves the digit.
@@ -107,8 +107,8 @@ void add_rungs(const TendonOptions& rungs, PassiveMoments passive, ResultFile& f
   file.add("rungs/frozen_angle", angles, "rad", {"frozen"});
 }
 
-/// The rung of muscles asked for; else rigid tendons where the subject states the fibre lengths of
-/// all, else bounds, with a warning.
+/// Returns the requested muscle rung; else rigid tendons where the subject states the fibre lengths
+/// of all, else bounds, with a warning.
 Muscle muscle_rung(const DigitMotionRequest& request, const Subject& subject,
                    const TendonDigit& digit, std::vector<std::string>& warnings) {
   // The request decides; otherwise the best rung that the subject has data for.

@@ -24,15 +24,15 @@ struct DigitMotionRequest {
   std::map<std::string, double> excitation;    // muscle -> 0..1 from the start on; others are 0;
                                                // needed unless a file or gravity moves the digit
   std::string excitation_file;                 // CSV time_s,MUSCLE,.. instead of `excitation`
-  std::optional<Muscle> muscle;                // how muscles pull; absent: on rigid tendons where
+  std::optional<Muscle> muscle;                // muscle model; absent: rigid tendons where
                                                // all state fibres, else by bounds
   std::map<std::string, double> tendon_slack;  // muscle -> slack length of its tendon [m]; others
                                                // as the subject says
-  Eigen::Vector3d gravity{0, 0, 0};            // of free fall, subject's frame [m/s^2] (3)
-  double damping = JointResistance().damping;  // of joints whose subject gives none [N m s/rad]
+  Eigen::Vector3d gravity{0, 0, 0};  // acceleration of free fall, subject's frame [m/s^2] (3)
+  double damping = JointResistance().damping;  // where the subject states none [N m s/rad]
   double blend = kBlend;    // strain over which bands of a net go from slack to taut [1]
-  double seconds = 1;       // how long [s]
-  double sample = 5e-3;     // between the instants that are kept [s]
+  double seconds = 1;       // duration [s]
+  double sample = 5e-3;     // time between stored instants [s]
   double tolerance = 1e-6;  // relative error of one step [1]
 };
 
@@ -41,19 +41,19 @@ struct [[nodiscard]] DigitMotionResult {
   DigitMotionRequest request;
   Outcome outcome;             // stalled or limit: do not use it, see trajectory.status
   std::string subject, digit;  // names
-  std::shared_ptr<const DigitTendons> tendons;  // what moved; never null
+  std::shared_ptr<const DigitTendons> tendons;  // simulated digit; never null
   Trajectory trajectory;
   std::vector<SourceText> sources;               // subject, net, excitation file
-  TendonOptions rungs{};                         // by which `tendons` were built
-  PassiveMoments passive = PassiveMoments::kOn;  // as asked for
+  TendonOptions rungs{};                         // options by which `tendons` were built
+  PassiveMoments passive = PassiveMoments::kOn;  // requested setting
 };
 
-/// Simulates the digit from rest at request.digit.posture; all activations start at 0.
+/// Simulates the digit from rest at request.digit.posture; all activations are initially 0.
 /// @throws InputError or DataError saying what is unknown or missing.
 [[nodiscard]] DigitMotionResult simulate_digit(const DigitMotionRequest& request,
                                                const Progress& progress = {});
 
-/// Returns what a motion warns of, unless that is the reason why it must not be used.
+/// Returns the warnings of a motion, except the reason why it must not be used.
 [[nodiscard]] std::vector<std::string> motion_warnings(const Trajectory& trajectory);
 
 /// Format name in files of motions, and the entries of explain() that they keep as rungs.
@@ -66,7 +66,7 @@ inline constexpr std::size_t kPathLadder = 2, kHoodLadder = 3;
 void write_motion(const DigitMotionResult& motion, const std::string& path,
                   const RunRecord& run = {});
 
-/// "done", "stopped", "stuck", "no progress" or "energy does not balance".
+/// Returns "done", "stopped", "stuck", "no progress" or "energy does not balance".
 [[nodiscard]] std::string name_of(MotionStatus status);
 
 }  // namespace thenar

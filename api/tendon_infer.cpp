@@ -45,7 +45,7 @@ std::vector<BandEnds> ends_of(const Net& net, const std::vector<std::string>& ba
   return ends;
 }
 
-/// Reads the three files, and puts what they are into the answer.
+/// Reads the three files, and records them in the result.
 InferenceCase read_case(const InferNetRequest& request, InferNetResult& answer) {
   // Files.
   const SourceText forces = read_source(experiment_file(request.experiment, request.data)),
@@ -118,7 +118,8 @@ void infer_by_search(const InferenceCase& at, const InferNetRequest& request,
   answer.stop = found.stop;
 }
 
-/// Settings that also free what is asked for by words; what a digit has not is no error.
+/// Returns settings that also free the requested parameters; parameters that a digit lacks are
+/// ignored.
 std::string with_freed(std::string settings, const std::vector<std::string>& globs) {
   for (const std::string& glob : globs)
     settings += fmt::format(
@@ -140,7 +141,7 @@ BandProblems free_problems(const InferNetRequest& request, InferNetResult& answe
   // Words become rows of the settings; globs must match, as in a fit.
   std::vector<std::string> words;
   for (const std::string& freed : request.free) {
-    const std::vector<std::string> globs = freed_by(freed);
+    const std::vector<std::string> globs = parameter_globs(freed);
     std::vector<std::string>& to =
         globs.size() == 1 && globs[0] == freed ? inputs.also_free : words;
     to.insert(to.end(), globs.begin(), globs.end());
@@ -226,7 +227,7 @@ std::vector<std::string> doubts_of(const InferredNet& inferred) {
 
 }  // namespace
 
-std::vector<std::string> freed_by(const std::string& word) {
+std::vector<std::string> parameter_globs(const std::string& word) {
   if (word == "slack") return {"net/*/slack"};
   if (word == "stiffness") return {"net/*stiffness"};
   if (word == "paths") return {"path/*", "net/*/radial"};

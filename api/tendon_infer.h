@@ -20,12 +20,12 @@ namespace thenar {
 
 /// Search method for topologies.
 enum class InferMethod {
-  kSparse,  // all candidate bands at once, at a price: select_bands()
-  kExplore  // a population of nets that change by single bands: search_nets()
+  kSparse,  // fits all candidate bands at once, with a penalty on each: select_bands()
+  kExplore  // evolves a population of nets by changes of single bands: search_nets()
 };
 inline constexpr std::array kInferMethodNames{EnumName{InferMethod::kSparse, "sparse"},
                                               EnumName{InferMethod::kExplore, "explore"}};
-/// @throws InputError unless the name is "sparse" or "explore".
+/// Returns the method of a name. @throws InputError unless it is "sparse" or "explore".
 [[nodiscard]] inline InferMethod infer_method_named(const std::string& name) {
   return value_in(kInferMethodNames, name, "method");
 }
@@ -38,66 +38,66 @@ struct InferNetRequest {
   std::string experiment;       // a file, or the name of one of experiments/
   std::string subject;          // a file, or the name of one of subjects/
   std::string data;             // folder with subjects/ ..; empty: the usual ones
-  std::string net = "winslow";  // all candidate bands: name or file
-  std::optional<Path> path;     // of tendons outside of the net; absent: default_path()
+  std::string net = "winslow";  // net of all candidate bands: name or file
+  std::optional<Path> path;     // tendon paths outside of the net; absent: default_path()
   InferMethod method = InferMethod::kSparse;
-  unsigned seed = 1;  // of kExplore, and of draws and sampled sets with `free`
-  int propose = 3;    // tests to propose, at most
-  // Not empty: what else may explain the forces, beside everything that the settings of a fit free.
-  // "slack", "paths", "stiffness", or globs on names of parameters as of `thenar fit --free`. Bands
-  // then get probabilities by band_posterior(); `method` must be kSparse and `path` absent.
+  unsigned seed = 1;  // seed of kExplore, and of draws and sampled sets with `free`
+  int propose = 3;    // largest number of proposed tests
+  // Further free parameters besides those that the settings of a fit free: "slack", "paths",
+  // "stiffness", or globs on names of parameters as in `thenar fit --free`. If not empty, bands get
+  // probabilities by band_posterior(); `method` must be kSparse and `path` absent.
   std::vector<std::string> free = {};
-  std::string settings = {};            // with `free`: file, or name of fits/; empty: the digit's
-  std::vector<std::string> bands = {};  // with `free`: globs on bands in question; empty: all
-  BandPosteriorOptions sets = {};       // with `free`
+  std::string settings = {};  // settings for `free`: file, or name of fits/; empty: the digit's
+  std::vector<std::string> bands = {};  // globs on the bands in question for `free`; empty: all
+  BandPosteriorOptions sets = {};       // options for `free`
 };
 
-/// Globs on parameter names that a word of InferNetRequest::free stands for; the text itself where
-/// it is a glob. @throws InputError if it is neither.
-[[nodiscard]] std::vector<std::string> freed_by(const std::string& word);
+/// Returns the globs on parameter names for a word of InferNetRequest::free; the word itself if it
+/// is a glob. @throws InputError if it is neither.
+[[nodiscard]] std::vector<std::string> parameter_globs(const std::string& word);
 
 /// End nodes of a candidate band.
 struct BandEnds {
   std::string from, to;  // names of nodes
 };
 
-/// A measurement that would tell the remaining nets apart.
+/// Measurement that would distinguish the remaining nets.
 struct ProposedTest {
   std::string name;         // posture and tensions [N]: "MinorFlex EDC=3.28 RI=5.32"
-  double disagreement = 0;  // of nets that fit alike, mean squared, in sds of a reading [1]
+  double disagreement = 0;  // mean squared difference of equally good nets, in sds of a reading [1]
 };
 
 /// Result of an inference in which slack lengths, paths or other parameters are free.
 struct FreeInference {
-  std::vector<std::string> freed;  // as asked
+  std::vector<std::string> freed;  // requested globs
   std::string settings;            // path of the settings
-  int parameters = 0;              // free, with all bands
+  int parameters = 0;              // free parameters with all bands
   int numbers = 0;                 // measured force components
   BandPosterior posterior;
-  std::vector<RankedTrial> next;  // the most telling first, at most `propose`
-  double next_mean = 0;           // information of a trial of the pool on average [bit]
-  std::size_t pool = 0;           // trials that were ranked
+  std::vector<RankedTrial> next;  // most informative first, at most `propose`
+  double next_mean = 0;           // mean information of the trials of the pool [bit]
+  std::size_t pool = 0;           // ranked trials
 };
 
 /// Result of an inference.
 struct [[nodiscard]] InferNetResult {
   InferNetRequest request;
-  Outcome outcome;  // stopped: verdicts of what was tried up to then; stalled: no net was found
+  Outcome outcome;  // stopped: verdicts of the nets tried so far; stalled: no net was found
   std::string experiment, subject, net;  // names
-  Fidelity fidelity;                     // of the digit
+  Fidelity fidelity;                     // fidelity of the digit
   InferredNet inferred;
-  std::vector<BandEnds> ends;              // of each of inferred.verdicts
-  std::vector<ProposedTest> next;          // the most telling first
+  std::vector<BandEnds> ends;              // end nodes of each of inferred.verdicts
+  std::vector<ProposedTest> next;          // most informative first
   std::optional<NetSearchStop> stop;       // why the search ended; absent: kSparse does not search
   std::vector<SourceText> sources;         // experiment, subject, net; with `free` settings, too
-  std::optional<FreeInference> free = {};  // where something was freed: then `inferred`, `next` and
-                                           // `stop` are empty, and `ends` are those of free's bands
+  std::optional<FreeInference> free = {};  // for free parameters; `inferred`, `next` and `stop` are
+                                           // then empty, `ends` those of its bands
 };
 
 /// Fits the nets that candidate bands can form to all trials in which a muscle pulls the net, and
-/// judges every band by how much worse the forces are explained without it. With `free` every band
-/// in question gets a probability, all that is free averaged out, and trials are ranked by what
-/// they are expected to tell.
+/// judges every band by the increase of the misfit without it. With `free` every band in question
+/// gets a probability, marginalised over all free parameters, and trials are ranked by their
+/// expected information.
 /// @throws InputError or DataError saying what is unknown, missing or wrong.
 [[nodiscard]] InferNetResult infer_net(const InferNetRequest& request,
                                        const Progress& progress = {});

@@ -62,7 +62,7 @@ TendonSweepResult sweep_tendons(const TendonRequest& request, const Progress& pr
     for (DigitPoint& point : sweep_digit(*sweep.loaded.tendons, postures, sweep.loaded.t, row))
       sweep.points.push_back(std::move(point));
   }
-  // One posture that is not to be trusted makes the whole doubtful.
+  // Mark the sweep as unreliable if one posture is.
   Outcome& outcome = sweep.outcome;
   if (std::any_of(sweep.points.begin(), sweep.points.end(),
                   [](const DigitPoint& point) { return !trusted(point.pull.status); }))

@@ -28,15 +28,15 @@ struct LoadedDigit {
   std::string subject, digit;
   std::shared_ptr<const DigitTendons> tendons;  // never null
   Eigen::VectorXd t;                            // tension of each muscle [N] (muscles)
-  PostureGrid grid;                             // the postures asked for
-  std::vector<SourceText> sources;              // of the subject, and of a net
+  PostureGrid grid;                             // requested postures
+  std::vector<SourceText> sources;              // texts of the subject and of a net
 
   [[nodiscard]] const TendonDigit& bones() const { return tendons->digit(); }
   /// Returns the tendons as a net; null if their hood is no net.
   [[nodiscard]] const NetTendons* net() const;
 };
 
-/// The answer at one posture.
+/// Result at one posture.
 struct [[nodiscard]] TendonSolveResult {
   TendonRequest request;
   Outcome outcome;  // stalled: do not use it, see point.pull.status
@@ -44,12 +44,12 @@ struct [[nodiscard]] TendonSolveResult {
   DigitPoint point;
 };
 
-/// The answers at a grid of postures, each the one that solve_tendons() gives.
+/// Results at a grid of postures, each equal to that of solve_tendons().
 struct [[nodiscard]] TendonSweepResult {
   TendonRequest request;
-  Outcome outcome;  // stalled: a point is not to be used
+  Outcome outcome;  // stalled: at least one point must not be used
   LoadedDigit loaded;
-  std::vector<DigitPoint> points;  // in the order of loaded.grid.postures; fewer if stopped
+  std::vector<DigitPoint> points;  // points in the order of loaded.grid.postures; fewer if stopped
 };
 
 /// Solves the digit at request.digit.posture; `vary` must be empty.
@@ -62,7 +62,7 @@ struct [[nodiscard]] TendonSweepResult {
 [[nodiscard]] TendonSweepResult sweep_tendons(const TendonRequest& request,
                                               const Progress& progress = {});
 
-/// Force of the tip along its own proximal, dorsal and radial directions [N] (3).
+/// Returns the force of the tip in its own proximal, dorsal and radial directions [N] (3).
 [[nodiscard]] Eigen::Vector3d force_in_tip_axes(const LoadedDigit& loaded, const DigitPoint& point);
 
 }  // namespace thenar

@@ -14,7 +14,7 @@ namespace {
 /// Terminal per central slip that publications give of an extensor's pull: fractions of 0.4945 to
 /// the central slip [Synek2019], and measured forces [Lee2008]. They are a factor of 1.66 apart, by
 /// which either may be off.
-constexpr double kLeastRatio = (1 - 0.4945) / 0.4945, kMostRatio = 1.7 * 1.7 / kLeastRatio;
+constexpr double kMinRatio = (1 - 0.4945) / 0.4945, kMaxRatio = 1.7 * 1.7 / kMinRatio;
 
 /// Returns a warning if the ratio of slip tensions is outside the published range; otherwise empty.
 std::string slip_doubt(const LoadedDigit& loaded, const DigitPoint& point) {
@@ -23,16 +23,16 @@ std::string slip_doubt(const LoadedDigit& loaded, const DigitPoint& point) {
   if (loaded.net() == nullptr || !trusted(point.pull.status) ||
       slips.central + slips.terminal < kTaut)
     return "";
-  if (slips.terminal >= kLeastRatio * slips.central && slips.terminal <= kMostRatio * slips.central)
+  if (slips.terminal >= kMinRatio * slips.central && slips.terminal <= kMaxRatio * slips.central)
     return "";
-  // Of what is slack no rounding is told.
+  // Skip rounding errors of slack tendons.
   const auto taut = [](double tension) { return tension > kTaut ? tension : 0; };
   const double terminal = taut(slips.terminal), central = taut(slips.central);
   return fmt::format(
       "terminal slip {0:.4g} N, central slip {1:.4g} N{2}; published ratios of terminal to central "
       "tension are {3:.3g} to 1.7",
       terminal, central, central > 0 ? fmt::format(" (ratio {:.3g})", terminal / central) : "",
-      kLeastRatio);
+      kMinRatio);
 }
 
 }  // namespace

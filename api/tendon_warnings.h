@@ -1,6 +1,6 @@
 #pragma once
 
-/// Warnings about what tendon tensions do to a digit.
+/// Warnings about results of tendon tensions on a digit.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// "PIP3=30 deg", of the joints that vary.
+/// Returns the angles of the joints that vary: "PIP3=30 deg".
 [[nodiscard]] std::string place_of(const LoadedDigit& loaded, const DigitPoint& point);
 
 /// Returns a warning about the force of a pinned tip; may be empty.

@@ -64,7 +64,7 @@ TipForceResult compute_tip_force(const TipForceRequest& request, const Progress&
     answer.points.push_back(std::move(point));
     return at.warnings;
   };
-  ask_postures(answer, ask, kept_in(answer.points), progress);
+  ask_postures(answer, ask, failure_recorder(answer.points), progress);
   return answer;
 }
 

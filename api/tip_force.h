@@ -18,37 +18,39 @@ namespace thenar {
 /// Options of a tip force: a digit and the tensions of its tendons.
 struct TipForceRequest {
   DigitRequest digit;
-  std::map<std::string, double> tension;           // of each muscle [N]; others are slack
-  TipConstraint hold = TipConstraint::kPinned;     //
-  double hold_length = TipWrenchOptions().length;  // weighs moments of a rigid hold [m]
+  std::map<std::string, double> tension;  // tension of each muscle [N]; others are slack
+  TipConstraint hold = TipConstraint::kPinned;
+  double hold_length =
+      TipWrenchOptions().length;  // length that weights moments of a rigid hold [m]
 };
 
-/// The answer at one posture.
+/// Result at one posture.
 struct TipForcePoint {
   Eigen::VectorXd q;                        // [rad] (joints); empty for a map
-  std::string failure;                      // why there is no answer; else empty
-  std::optional<Eigen::Matrix3d> tip_axes;  // proximal, dorsal, radial now, in world axes (3, 3)
-  Eigen::Vector3d tip{0, 0, 0};             // where it is, world frame [m] (3); 0 for a map
-  Eigen::Vector3d force{0, 0, 0};           // of the tip on the world, world frame [N] (3)
-  Eigen::Vector3d moment{0, 0, 0};          // the same, about the tip [N m] (3); 0 if pinned
-  Eigen::VectorXd residual;                 // torque that no load of the tip balances [N m] (rows)
-  Eigen::VectorXd change;                   // of the force's size by each joint [N/rad] (joints)
-  double condition = 0;                     // of the balance [1]
-  bool singular = false;                    // a pinned tip: some force meets no torque
-  bool minimum_norm = false;                // a rigid hold: many wrenches balance
-  bool planar = false;                      // all axes are parallel: loads across their plane meet
-                                            // no joint, and are 0 here
+  std::string message;                      // why there is no answer; empty: there is one
+  std::optional<Eigen::Matrix3d> tip_axes;  // proximal, dorsal, radial, world frame (3, 3)
+  Eigen::Vector3d tip{0, 0, 0};             // position of the tip, world frame [m] (3); 0 for a map
+  Eigen::Vector3d force{0, 0, 0};           // force of the tip on the world, world frame [N] (3)
+  Eigen::Vector3d moment{0, 0, 0};          // about the tip, world frame [N m] (3); 0 if pinned
+  Eigen::VectorXd residual;                 // torque that no tip load balances [N m] (rows)
+  Eigen::VectorXd change;                   // of |force| by each joint angle [N/rad] (joints)
+  double condition = 0;                     // condition number of the balance [1]
+  bool singular = false;                    // pinned tip: some tip force needs no joint torque
+  bool minimum_norm =
+      false;  // rigid hold: the balance has many solutions, and the result has minimum norm
+  bool planar =
+      false;  // all axes are parallel: loads across their plane do not load any joint, and are 0
 };
 
-/// Answers posture by posture, in the order of the grid; as many as were done.
+/// Results posture by posture, in the order of the grid; fewer if stopped.
 struct TipForceResult : DigitResult {
   TipForceRequest request;
-  Eigen::VectorXd tension;  // of each muscle [N] (muscles)
+  Eigen::VectorXd tension;  // tension of each muscle [N] (muscles)
   std::vector<TipForcePoint> points;
 };
 
 /// Computes the static force of a fingertip: tip_force() or tip_wrench() at every posture.
-/// @throws InputError for what is unknown, a tension that no tendon bears, a rigid hold of a map,
+/// @throws InputError for unknown names, a tension above kMaxTension, a rigid hold of a map,
 /// or a hold length outside of 0 .. 1 m; DataError for a wrong file.
 [[nodiscard]] TipForceResult compute_tip_force(const TipForceRequest& request,
                                                const Progress& progress = {});

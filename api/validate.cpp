@@ -62,7 +62,7 @@ void build_thing(const RobotSpec& robot, FileVerdict& verdict) {
   std::vector<std::string> found = robot.warnings;
   for (const std::vector<std::string>& doubts : {robot_doubts(robot), mass_doubts(robot)})
     for (const std::string& doubt : doubts)
-      if (!is_said(found, doubt)) found.push_back(doubt);
+      if (!contains_warning(found, doubt)) found.push_back(doubt);
   verdict.warnings.insert(verdict.warnings.end(), found.begin(), found.end());
   for (const RobotLink& link : robot.links)
     for (const ShapeSpec& shape : link.shapes)

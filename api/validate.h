@@ -14,19 +14,19 @@ namespace thenar {
 /// Options of a validation: files or names, and the data that they are checked against.
 struct ValidateRequest {
   std::vector<std::string> things;  // files, or names of what comes with thenar
-  std::string subject;              // name or file that experiments are to suit; empty: none
-  std::string materials;            // file over the built-in table that names of materials are
-                                    // held to; empty: that table
-  std::string data;                 // folder with subjects/ ..; empty: the usual ones
+  std::string subject;    // name or file that experiments are checked against; empty: none
+  std::string materials;  // file over the built-in table that names of materials are checked
+                          // against; empty: that table
+  std::string data;       // folder with subjects/ ..; empty: the usual ones
 };
 
-/// One thing, read whole: subjects are built digit by digit, bodies as solids, fits are set up
-/// again from their own inputs.
+/// Result of the validation of one thing: it is read, subjects are built digit by digit, bodies as
+/// solids, and fits are set up from their own inputs.
 struct FileVerdict {
-  std::string path;            // of the file that was found, or the name that was asked for
+  std::string path;            // path of the file, or the requested name if there is none
   std::optional<Thing> thing;  // absent: see `error`
-  std::string error;           // what is wrong; empty: nothing
-  SubjectMatch check;          // of an experiment, where a subject was given
+  std::string error;           // error message; empty: none
+  SubjectMatch check;          // check of an experiment, where a subject was given
   std::vector<std::string> warnings;
 
   [[nodiscard]] bool valid() const { return error.empty() && check.misfits.empty(); }
@@ -34,15 +34,15 @@ struct FileVerdict {
 
 struct Validation {
   ValidateRequest request;
-  std::vector<FileVerdict> files;  // in the order of the request
-  std::string subject;             // path of the subject that experiments were held to; empty: none
+  std::vector<FileVerdict> files;  // verdicts in the order of the request
+  std::string subject;             // path of the subject for experiments; empty: none
 
   [[nodiscard]] bool valid() const;
 };
 
-/// Reads and builds each thing; what is wrong with one does not hinder the others.
-/// @throws InputError or DataError if the subject cannot be read, or no experiment is to be held to
-/// it.
+/// Reads and builds each thing; an error in one does not affect the others.
+/// @throws InputError or DataError if the subject cannot be read, or there is no experiment to
+/// check against it.
 [[nodiscard]] Validation validate(const ValidateRequest& request);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 // thenar close WORLD [--hand NAME] [--object NAME] [-o REPORT.html]
 //
-// Closes the hand of a world where it stands, and says of every coordinate why it stopped.
+// Closes the hand of a world in place, and says why every coordinate stopped.
 
 #include "api/close.h"
 

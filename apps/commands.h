@@ -1,6 +1,6 @@
 #pragma once
 
-/// The subcommands of `thenar`; each stands in the file of its name.
+/// Subcommands of `thenar`, each defined in the file of its name.
 
 #include <CLI/CLI.hpp>
 

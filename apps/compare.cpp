@@ -1,6 +1,6 @@
 // thenar compare --hands human:skewed,barrett,... --objects sphere_70,mug,... -o OUT.json
 //
-// Hands compared: the same approaches to the same objects, and what each hand can do by itself.
+// Compares hands: the same approaches to the same objects, and abilities of each hand alone.
 
 #include <algorithm>
 #include <memory>
@@ -22,7 +22,7 @@
 namespace thenar {
 namespace {
 
-/// Returns a sentence about what is kept when the command is stopped.
+/// Returns a sentence about the results that are kept when the command is stopped.
 std::string kept_words(const CompareResult& result) {
   const CompareRequest& request = result.request;
   if (request.file.empty()) return "without -o FILE.json nothing is kept";
@@ -46,13 +46,13 @@ Outputs without_json(Outputs outputs) {
 void run_compare(const TypedQuestion& options) {
   CompareRequest request = read_typed(compare_params(), options.request);
   set_request("compare", compare_params().write(request));
-  request.file = options.outputs.one(".json");
+  request.file = options.outputs.only_file(".json");
   request.run = this_run();
   const Progress progress = terminal_progress(
       request.file.empty() ? "without -o FILE.json nothing is kept"
                            : fmt::format("finished pairs are kept in '{}'", request.file));
   const CompareResult result = compare_hands(request, progress);
-  // A page of half a comparison would be read as a whole one.
+  // Write no page of an incomplete comparison, which would look complete.
   if (result.outcome.stopped())
     throw Stopped("stopped; " + kept_words(result) +
                   (options.outputs.page() ? "; the page is drawn when all is compared" : ""));

@@ -1,11 +1,11 @@
 // thenar demo -o out
 //
-// The main job on real data: fits the middle fingers of two hands to measured forces by every
-// solver, cross-validates, predicts what was not seen, samples their posteriors, asks
-// what forces tell of a thumb's axes, finds a thumb again from made-up forces and muscle activity
-// and adds what was measured in people, compares two thumbs, moves two scenes, lets hands grasp,
-// presses a finger pad, pinches a pencil on every rung of pads, and writes a page for each
-// question, and a front page that sums them up.
+// Shows the main applications on real data: fits the middle fingers of two hands to measured forces
+// by every solver, cross-validates, predicts unseen specimens, samples posteriors, computes the
+// information of forces about a thumb's axes, recovers a thumb from simulated forces and muscle
+// activity and adds measurements, compares two thumbs, simulates two scenes, compares hands in
+// grasping, presses a finger pad, pinches a pencil on every rung of pads, and writes a page for
+// each question and a front page with a summary.
 
 #include "studies/questions/demo.h"
 
@@ -41,7 +41,7 @@ void run_demo(const DemoArguments& options) {
   require_writable(path);
   const DemoResult demo =
       run_demo_study({options.data, options.output, this_run(), options.path}, progress);
-  if (demo.stopped) throw Stopped("stopped before the report was complete");
+  if (demo.outcome.stopped()) throw Stopped("stopped before the report was complete");
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const std::vector<SetPage> pages = demo_pages(demo, seconds);

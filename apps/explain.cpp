@@ -1,6 +1,6 @@
 // thenar explain FILE|NAME [--digit D] [--settings NAME|FITS.toml] [--path P] [--json] [-o FILE]
 //
-// What a file makes thenar do: what is built and dropped, assumed and spent, fitted and found.
+// Explains a file: kept and dropped parts, assumptions, costs, and fitted values.
 
 #include <memory>
 

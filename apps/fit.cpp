@@ -2,7 +2,7 @@
 //
 // Fits the parameters of a digit to measured fingertip forces. Several specimens are fitted
 // together, as people who differ from their population. With --method mcmc the whole posterior is
-// sampled instead: under mpirun by all ranks, and an interrupted run goes on where it stopped.
+// sampled instead: under mpirun by all ranks, and an interrupted run is continued.
 
 #include <algorithm>
 #include <cstdio>
@@ -35,7 +35,7 @@ constexpr const char* kSampling = "mcmc";
 
 struct FitArguments {
   std::string method = "ceres";
-  Json fit = Json::object(), chains = Json::object();  // what is typed
+  Json fit = Json::object(), chains = Json::object();  // typed arguments
   bool allow_unconverged = false, no_retry = false;
   Outputs outputs;
 };
@@ -60,7 +60,7 @@ void fit_best(FitArguments& options) {
   options.fit["method"] = options.method;
   FitRequest request = read_typed(fit_params(), options.fit);
   set_request("fit", fit_params().write(request));
-  request.output = options.outputs.one(".h5");
+  request.output = options.outputs.only_file(".h5");
   request.run = this_run();
   const FitResult result = fit_digit(request, terminal_progress());
   // Settings that data chose are a file of their own, to fit again with.
@@ -103,7 +103,7 @@ void sample_posterior_of(FitArguments& options) {
   set_request("posterior", posterior_params().write(request));
   request.keep_unconverged = !options.allow_unconverged;
   if (options.no_retry) request.retry_acceptances.clear();
-  request.output = options.outputs.one(".nc");
+  request.output = options.outputs.only_file(".nc");
   require(!request.output.empty(), "--method mcmc needs a file for its draws: -o P.nc");
   request.run = this_run();
   const std::optional<PosteriorResult> result = sample_fit(request, terminal_progress());

@@ -24,7 +24,7 @@ namespace {
 
 struct ImportArguments : Arguments<ImportRequest> {
   bool strict = false, allow_missing = false;
-  bool unit_stated = false;  // by --scale, also where that is 1
+  bool unit_stated = false;  // --scale is given, even if it is 1
 };
 
 /// Warnings on the error stream, under the file that they are of.
@@ -32,8 +32,8 @@ void print_of(const std::string& out, const std::vector<std::string>& warnings) 
   for (const std::string& warning : warnings) fmt::print(stderr, "{}: {}\n", out, warning);
 }
 
-/// Refuses to write a robot that lacks parts which its file names: nothing would tell it from a
-/// whole one but its warnings.
+/// Throws for a robot that lacks parts of its file, as only warnings would distinguish it from a
+/// complete one.
 void require_whole(const Imported& imported, const std::vector<std::string>& files) {
   if (files.empty() || !std::holds_alternative<RobotSpec>(imported.thing)) return;
   const auto missing = std::count_if(imported.outcome.warnings.begin(),
@@ -48,7 +48,7 @@ void require_whole(const Imported& imported, const std::vector<std::string>& fil
 /// Refuses to write a mesh of an implausible size as if its unit had been stated.
 void require_plausible(const Imported& imported, const ImportArguments& options) {
   const bool stated = options.unit_stated || !options.request.units.empty();
-  require(stated || !imported.mesh || imported.mesh->across <= kLargestThing,
+  require(stated || !imported.mesh || imported.mesh->across <= kMaxObjectSize,
           "'{}' is {:.4g} m across: are its numbers millimetres? --units mm; if it is as large as "
           "that, --units m; nothing is written",
           options.request.file, imported.mesh ? imported.mesh->across : 0);
@@ -60,16 +60,16 @@ void run_import(const ImportArguments& options) {
   const std::vector<std::string> files =
       options.outputs.with_ending({".toml", ".urdf", ".obj", ".stl", ".ply", ".off"});
   std::size_t warnings = imported.outcome.warnings.size();
-  for (const std::string& out : files) require_ending(out, endings_for(imported));
+  for (const std::string& out : files) require_ending(out, writable_endings(imported));
   print_answer(options.outputs.json ? json_text(json_of(imported)) + "\n" : text_of(imported));
   // Warn of what the format cannot hold, before it is lost.
   for (const std::string& out : files) {
-    print_of(out, lost_in(imported, out));
-    warnings += lost_in(imported, out).size();
+    print_of(out, unsupported_properties(imported, out));
+    warnings += unsupported_properties(imported, out).size();
   }
   require(!options.strict || warnings == 0, "--strict: {} about '{}'; nothing is written",
           counted(warnings, "warning"), options.request.file);
-  // Refuse what is implausible or incomplete unless it was allowed.
+  // Throw for implausible or incomplete input unless it is allowed.
   if (!files.empty()) require_plausible(imported, options);
   if (!options.allow_missing) require_whole(imported, files);
   for (const std::string& out : files) print_of(out, write_imported(imported, out));

@@ -72,7 +72,7 @@ std::string sentence_of(const CLI::App& app, const Error& error) {
   return fmt::format("{} ({})", error.what(), option);
 }
 
-/// Shows no default where nothing stands by default.
+/// Shows no default value where it is empty.
 void hide_empty_defaults(CLI::App& app) {
   // The program, its commands and theirs.
   std::vector<CLI::App*> commands{&app};

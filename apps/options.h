@@ -1,6 +1,6 @@
 #pragma once
 
-/// Options that several commands share, beside those of tables of parameters.
+/// Options that several commands share, in addition to those of parameter tables.
 
 #include <optional>
 #include <string>
@@ -12,23 +12,24 @@
 
 namespace thenar {
 
-/// --materials
+/// Adds --materials.
 void add_materials_option(CLI::App& command, std::string& file);
 
-/// --data
+/// Adds --data.
 void add_data_option(CLI::App& command, std::string& data);
-/// --path via|fitted|wrapped
+/// Adds --path via|fitted|wrapped.
 void add_path_option(CLI::App& command, std::optional<Path>& path);
-/// --path of human hands in worlds, scenes and comparisons.
+/// Adds --path for human hands in worlds, scenes and comparisons.
 void add_hand_path_option(CLI::App& command, std::optional<Path>& path);
-/// --path of fits, which have one rung.
+/// Adds --path for fits, which have one rung.
 void add_fit_path_option(CLI::App& command, std::optional<Path>& path);
 
-/// Command lines that a person can copy, at the end of --help, behind a footer that is there.
-/// @param lines  without the program: "pose barrett"
+/// Adds example command lines at the end of --help, after an existing footer.
+/// @param lines  command lines without the program: "pose barrett"
 void add_examples(CLI::App& command, const std::vector<std::string>& lines);
 
-/// @throws InputError unless `path` is empty or ends in one of `endings`.
+/// Checks the ending of a path. @throws InputError unless `path` is empty or ends in one of
+/// `endings`.
 void require_ending(const std::string& path, const std::vector<std::string>& endings);
 
 }  // namespace thenar

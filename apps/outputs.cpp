@@ -68,7 +68,7 @@ std::vector<std::string> Outputs::with_ending(const std::vector<std::string>& en
   return found;
 }
 
-std::string Outputs::one(const std::string& ending) const {
+std::string Outputs::only_file(const std::string& ending) const {
   const std::vector<std::string> found = with_ending({ending});
   require(found.size() < 2, "wanted one output that ends in {}, got {}", ending,
           fmt::join(found, ", "));
@@ -128,9 +128,9 @@ void write_csv_file(const Table& table, const std::string& path) { write_file(pa
 void deliver(const Outputs& outputs, const Answer& answer) {
   const Outcome& outcome = answer.outcome;
   const bool stopped = outcome.stopped();
-  if (stopped && outcome.done == 0) tell_if_stopped(0, outcome.asked, outcome.part);
+  if (stopped && outcome.done == 0) throw_if_stopped(0, outcome.asked, outcome.part);
   print_warnings(outcome.warnings);
-  // Files first, so that what is printed is there when a reader closes the pipe.
+  // Write files first, so that they are complete when a reader closes the pipe.
   const FileDigests files = answer.files && !outputs.files.empty() ? answer.files() : FileDigests();
   for (const std::string& path : outputs.with_ending({".json"}))
     write_json_file(answer.json(UnitSystem::kPrinted), path, files);
@@ -140,7 +140,7 @@ void deliver(const Outputs& outputs, const Answer& answer) {
   if (answer.page)
     for (const std::string& path : outputs.with_ending({".html"}))
       write_page(answer.page(), path, files);
-  // Then what is printed.
+  // Print the answer.
   if (outputs.json) {
     print_answer(json_text(answer.json(UnitSystem::kPrinted)) + "\n");
   } else if (outputs.csv && answer.table) {
@@ -151,7 +151,7 @@ void deliver(const Outputs& outputs, const Answer& answer) {
   }
   require(answer.refusal.empty(), "{}", answer.refusal);
   if (!stopped) return;
-  tell_if_stopped(outcome.done, outcome.asked, outcome.part);
+  throw_if_stopped(outcome.done, outcome.asked, outcome.part);
   throw Stopped("stopped: this is what was found by then");
 }
 

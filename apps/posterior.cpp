@@ -18,7 +18,7 @@ namespace thenar {
 namespace {
 
 struct PosteriorArguments {
-  PosteriorPredictRequest request;  // its posterior is that of all three
+  PosteriorPredictRequest request;  // its posterior is used by all three commands
   std::size_t rows = 20;
   bool allow_unconverged = false;
   Outputs outputs;

@@ -1,7 +1,7 @@
 // thenar predict FIT.h5 EXPERIMENT...
 //
 // Predicts the forces of any experiment on the fitted digit, also of a specimen that was never
-// fitted, and compares them with what was measured.
+// fitted, and compares them with the measurements.
 
 #include "apps/commands.h"
 #include "apps/request_options.h"

@@ -44,7 +44,7 @@ void print_last(const std::vector<ContactQualityResult>& answers, const Outputs&
   std::fflush(stdout);
 }
 
-/// Writes all answers so far: Ctrl-C leaves what is done.
+/// Writes all results so far, so that Ctrl-C leaves them complete.
 void write_answers(const std::vector<ContactQualityResult>& answers, const Outputs& outputs) {
   std::string lines;
   for (const ContactQualityResult& answer : answers) lines += json_line(json_of(answer));
@@ -78,12 +78,12 @@ bool answer_stream(ContactQualityRequest request) {
   return all;
 }
 
-/// File by file, so that a broken one does not hinder others. @return whether all could be answered
+/// Measures file by file, so that a wrong one does not affect others. @return true if all succeeded
 bool answer_files(const QualityArguments& options, ContactQualityRequest request) {
   bool all = true;
   std::vector<ContactQualityResult> answers;
   for (const std::string& contacts : options.contacts) {
-    // Print and write after each set: what is done stays if a later one fails.
+    // Print and write after each set, so that results are kept if a later one fails.
     request.contacts = contacts;
     try {
       answers.push_back(measure_contacts(request));

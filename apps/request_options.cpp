@@ -25,7 +25,7 @@ double parse_number(const std::string& text, const std::string& what) {
   try {
     value = std::stod(text, &read);
   } catch (const std::exception&) {
-    read = 0;  // not a number at all, or one too large
+    read = 0;  // not a number, or out of range
   }
   require(read > 0 && read == text.size() && std::isfinite(value), "wanted {}, got '{}'", what,
           text);
@@ -55,7 +55,7 @@ std::string what_is(const Schema& schema) {
 /// @param form  of a pair: "MUSCLE=newton"
 Json typed_map(const Schema& schema, const std::string& form,
                const std::vector<std::string>& texts) {
-  // A list of plain values is told from pairs by its first entry.
+  // Distinguish a list of plain values from pairs by its first entry.
   const bool named = !schema.unnamed || texts.empty() || texts[0].find('=') != std::string::npos;
   Json json = named ? Json::object() : Json::array();
   for (const std::string& text : texts) {
@@ -135,7 +135,7 @@ std::string without_stop(std::string text) {
   return text;
 }
 
-/// One sentence, without its full stop, with the form of what is typed and its unit.
+/// Returns a help sentence, without its full stop, with the form of the argument and its unit.
 std::string help_of(const Param& param, const Schema& schema) {
   std::string text = without_stop(param.member.about);
   const std::string& unit = schema.each ? schema.each->unit : schema.unit;

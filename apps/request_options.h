@@ -1,7 +1,6 @@
 #pragma once
 
-/// Options of a command from the parameters of a request: `NAME=number`, words, flags and files as
-/// people type them.
+/// Options of a command from the parameters of a request: `NAME=number`, words, flags and files.
 
 #include <memory>
 #include <string>
@@ -18,13 +17,14 @@
 namespace thenar {
 
 /// Adds an option for each parameter that has one, with its default and its unit in the help.
-/// @param request  gets what is typed, by keys with printed units; lives as long as the command
+/// @param request  receives the typed values, by keys with printed units; must outlive the command
 void add_request_options(CLI::App& command, const std::vector<Param>& params, Json& request);
 
-/// The error of a request, by the option of the field that it names: "sampler" for "method".
+/// Returns an error of a request that names the option instead of the field: "sampler" for
+/// "method".
 [[nodiscard]] InputError option_error(const std::vector<Param>& params, const InputError& error);
 
-/// The request that is typed. @throws InputError by the option that is wrong
+/// Returns the typed request. @throws InputError naming the wrong option
 template <typename Request>
 [[nodiscard]] Request read_typed(const RequestTable<Request>& table, const Json& typed) {
   try {
@@ -34,11 +34,11 @@ template <typename Request>
   }
 }
 
-/// The parameters but for those of these names.
+/// Returns the parameters except those with these names.
 [[nodiscard]] std::vector<Param> without(std::vector<Param> params,
                                          const std::vector<std::string>& names);
 
-/// A command that asks one question.
+/// Command that answers one question.
 struct QuestionCommand {
   const char* name;      // "tip-force"
   const char* question;  // "tip_force"
@@ -53,11 +53,11 @@ struct TypedQuestion {
   Outputs outputs;
 };
 
-/// Asks, and delivers. @throws as Question::ask, errors by the option that is wrong
+/// Answers a question and delivers the answer. @throws as Question::ask, naming the wrong option
 void ask_and_deliver(const TypedQuestion& typed);
 
 /// Adds a command with the options of its question.
-/// @return what is typed, and the command, for options that it has besides
+/// @return the command and its typed arguments, for further options
 std::pair<CLI::App*, std::shared_ptr<TypedQuestion>> add_question_command(
     CLI::App& app, const QuestionCommand& about);
 

@@ -73,7 +73,7 @@ RecordedRun on_its_paths(RecordedRun recorded, bool takes_path) {
   return recorded;
 }
 
-/// Asks again what a program or a client of a server had asked.
+/// Repeats the question of a program or a client of a server.
 void ask_again(const RecordedRun& recorded, const Outputs& outputs) {
   OrderedJson request = OrderedJson::parse(recorded.run.request, nullptr, false);
   require(request.is_object() && request.contains("question") && request["question"].is_string(),
@@ -86,7 +86,7 @@ void ask_again(const RecordedRun& recorded, const Outputs& outputs) {
 
 void run_rerun(const RerunArguments& options, const CLI::App& app) {
   const RecordedRun written = read_recorded_run(options.file);
-  // A run that was asked by a program has a request in place of arguments.
+  // A run by a program has a request instead of arguments.
   if (written.run.arguments.empty()) {
     if (options.print) return deliver(options.outputs, written);
     return ask_again(written, options.outputs);

@@ -4,7 +4,7 @@
 // thenar simulate SCENE [--seconds S] [--method M] [--step-ms MS] [--pads RUNG ...]
 //                [--vary NAME=from:to:count ...]
 //
-// How one digit moves when its muscles are excited, or a scene of bodies and hands by itself.
+// Simulates one digit with excited muscles, or a scene of bodies and hands.
 
 #include <memory>
 #include <optional>
@@ -50,7 +50,7 @@ void tell_outcome(const Result& result, bool stopped, const Outputs& outputs) {
 /// Simulates a scene, delivers, and refuses as the other answers of `simulate` do.
 void simulate_and_deliver(const SceneRequest& request, const Outputs& outputs) {
   // Refuse to overwrite any other file before hours of simulation.
-  const std::string file = outputs.one(".h5");
+  const std::string file = outputs.only_file(".h5");
   if (!file.empty()) require_result_path(file);
   const Progress progress = terminal_progress();
   if (request.vary.empty()) {
@@ -64,7 +64,7 @@ void simulate_and_deliver(const SceneRequest& request, const Outputs& outputs) {
   // Numbers that vary make a sweep, which several processes may share.
   const std::optional<SceneSweepResult> sweep = sweep_scene(request, progress);
   if (!sweep) return;  // another process of mpirun has the answer
-  if (sweep->runs.empty()) tell_if_stopped(0, sweep->outcome.asked, "run");
+  if (sweep->runs.empty()) throw_if_stopped(0, sweep->outcome.asked, "run");
   print_warnings(sweep->outcome.warnings);
   if (!file.empty()) write_scene_sweep(*sweep, file, this_run());
   deliver(outputs, *sweep);
@@ -74,9 +74,10 @@ void simulate_and_deliver(const SceneRequest& request, const Outputs& outputs) {
 /// Compares rungs of pads, delivers, and refuses as the other answers of `simulate` do.
 void compare_and_deliver(const SceneRequest& request, const std::vector<std::string>& rungs,
                          const Outputs& outputs) {
-  require(outputs.one(".h5").empty(), "wanted one rung of pads for a file of its motion (.h5)");
+  require(outputs.only_file(".h5").empty(),
+          "wanted one rung of pads for a file of its motion (.h5)");
   const RungComparison comparison = compare_rungs(request, rungs, terminal_progress());
-  if (comparison.runs.empty()) tell_if_stopped(0, comparison.outcome.asked, "rung");
+  if (comparison.runs.empty()) throw_if_stopped(0, comparison.outcome.asked, "rung");
   print_warnings(comparison.outcome.warnings);
   deliver(outputs, comparison);
   tell_outcome(comparison, comparison.outcome.stopped(), outputs);
@@ -90,7 +91,7 @@ struct SimulateArguments : TypedQuestion {
 void simulate_digit_of(const SimulateArguments& options) {
   const DigitMotionRequest request = read_typed(digit_motion_params(), options.request);
   set_request("digit_motion", digit_motion_params().write(request));
-  const std::string file = options.outputs.one(".h5");
+  const std::string file = options.outputs.only_file(".h5");
   if (!file.empty()) require_result_path(file);
   const DigitMotionResult motion = simulate_digit(request, terminal_progress());
   print_warnings(motion.outcome.warnings);

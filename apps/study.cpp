@@ -1,7 +1,7 @@
 // thenar study thumb -o PAGE.html
 // thenar study thumb-types -o PAGE.html
 //
-// Simulated experiments with known ground truth: how well models explain them, what is learnt.
+// Simulated experiments with known ground truth: accuracy of models, and information gain.
 
 #include "studies/questions/study.h"
 
@@ -28,7 +28,7 @@ struct StudyArguments : Arguments<ThumbStudyRequest> {
 void run_thumb(const StudyArguments& options) {
   const ThumbStudyResult result = ask_thumb_study(options.request, terminal_progress());
   deliver(options.outputs, result);
-  if (result.stopped) throw Stopped("stopped; what was finished by then is kept");
+  if (result.outcome.stopped()) throw Stopped("stopped; what was finished by then is kept");
   const std::string complaint = study_complaint(result);
   if (!complaint.empty() && !options.allow_unconverged)
     throw Error(complaint + "; --allow-unconverged accepts them");

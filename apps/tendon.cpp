@@ -1,7 +1,7 @@
 // thenar tendon solve|sweep|infer ...
 //
 // The tendons of one digit: the tension in every band of its extensor hood at one posture or over
-// many, and which bands measured forces ask for.
+// many, and which bands measured forces require.
 
 #include "apps/commands.h"
 #include "apps/request_options.h"

@@ -28,7 +28,7 @@ std::string answer_to_signal(const std::string& kept) {
                      isatty(STDERR_FILENO) == 0 ? "" : "\r\033[K", kept.empty() ? "" : ": ", kept);
 }
 
-constexpr double kLong = 10;  // what takes longer is told beforehand [s]
+constexpr double kLongDuration = 10;  // shortest estimated duration that is announced [s]
 
 constexpr double kMore = 2;  // times what was told, from which it is told again [1]
 
@@ -40,7 +40,7 @@ class Teller {
   void hear(double fraction, const std::string& what) {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
-    pace_.hear(std::chrono::duration<double>(now - begin_).count(), fraction);
+    pace_.add_report(std::chrono::duration<double>(now - begin_).count(), fraction);
     if (interrupted()) return;
     foretell();
     if (isatty(STDERR_FILENO) != 0) draw(now, fraction, what);
@@ -48,8 +48,8 @@ class Teller {
 
  private:
   void foretell() {
-    const std::optional<double> whole = pace_.whole();
-    if (!whole || *whole < std::max(kLong, kMore * told_)) return;
+    const std::optional<double> whole = pace_.total_time();
+    if (!whole || *whole < std::max(kLongDuration, kMore * told_)) return;
     wipe();
     fmt::print(stderr, "thenar: this takes {}about {}\n", told_ > 0 ? "longer, " : "",
                rough_time(*whole));
@@ -64,7 +64,7 @@ class Teller {
     drawn_ = true;
     constexpr int kWidth = 30;
     const int full = static_cast<int>(kWidth * std::min(1.0, std::max(0.0, fraction)));
-    const std::optional<double> left = pace_.left();
+    const std::optional<double> left = pace_.remaining_time();
     fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} %{} {}", "", full, "", kWidth - full,
                100 * fraction, left ? fmt::format(", {} left,", rough_time(*left)) : "", what);
     std::fflush(stderr);
@@ -106,7 +106,7 @@ void complain(const std::string& complaint, bool allowed) {
   print_warnings({complaint});
 }
 
-void tell_if_stopped(std::size_t done, std::size_t asked, const std::string& what) {
+void throw_if_stopped(std::size_t done, std::size_t asked, const std::string& what) {
   if (done >= asked) return;
   if (done == 0) throw Stopped(fmt::format("stopped before the first {} was done", what));
   throw Stopped(fmt::format("stopped after {} of {} {}s; they are kept", done, asked, what));

@@ -28,7 +28,7 @@ BoundedNormal::Image BoundedNormal::at(double x) const {
   const double left = normal_probability(x), right = normal_probability(-x);
   const double p = below_ + within_ * left, q = above_ + within_ * right;
   double z = p <= q ? normal_quantile(p) : -normal_quantile(q);
-  if (std::min(p, q) == 0 || std::isnan(x)) z = x;  // beyond all numbers, and no bound to keep it
+  if (std::min(p, q) == 0 || std::isnan(x)) z = x;  // overflow without a bound
   z = std::clamp(z, lower_, upper_);
   // Derivatives of z by x and by both bounds, from P(z) = below + within Phi(x).
   const double inverse_density = std::exp(0.5 * z * z);

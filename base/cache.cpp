@@ -46,7 +46,7 @@ CacheOptions current_options() {
   return options_in_use();
 }
 
-/// Changes whenever the program is built anew: what it computes may have changed with it.
+/// Returns an identifier of the build, as another build may compute other results.
 const std::string& build_id() {
   static const std::string id = [] {
     // Versions of libraries, and size and time of the program's file, which a rebuild changes.
@@ -178,7 +178,7 @@ CacheOptions cache_options_of_user() {
   return options;
 }
 
-std::optional<std::string> kept(const std::string& kind, const std::string& input) {
+std::optional<std::string> find_cached(const std::string& kind, const std::string& input) {
   const CacheOptions options = current_options();
   if (options.folder.empty()) return std::nullopt;
   const std::string name = name_of_entry(kind, input);
@@ -196,14 +196,15 @@ std::optional<std::string> kept(const std::string& kind, const std::string& inpu
     std::string result = text.substr(start);
     if (text.compare(kHeading.size() + kHashDigits, kHashDigits, sha256(result)) != 0)
       return std::nullopt;
-    fs::last_write_time(path, fs::file_time_type::clock::now(), failed);  // it was used
+    fs::last_write_time(path, fs::file_time_type::clock::now(),
+                        failed);  // marks it as recently used
     return result;
   } catch (const std::exception&) {
-    return std::nullopt;  // it cannot be read
+    return std::nullopt;  // unreadable
   }
 }
 
-void keep(const std::string& kind, const std::string& input, const std::string& result) {
+void store_cached(const std::string& kind, const std::string& input, const std::string& result) {
   const CacheOptions options = current_options();
   if (options.folder.empty() || result.size() > options.max_bytes / 2) return;
   try {

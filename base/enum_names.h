@@ -1,6 +1,6 @@
 #pragma once
 
-/// Values of an enumeration with the names that people type: one table for both ways.
+/// Tables of enumeration values and their names, for conversion both ways.
 
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@ struct EnumName {
 template <typename Enum>
 EnumName(Enum, const char*) -> EnumName<Enum>;
 
-/// The names of a table, in its order.
+/// Returns the names of a table, in its order.
 template <typename Enum, std::size_t size>
 [[nodiscard]] std::vector<std::string> names_in(const std::array<EnumName<Enum>, size>& table) {
   std::vector<std::string> names;
@@ -28,7 +28,7 @@ template <typename Enum, std::size_t size>
   return names;
 }
 
-/// The name of a value; "" if the table lacks it.
+/// Returns the name of a value; "" if the table lacks it.
 template <typename Enum, std::size_t size>
 [[nodiscard]] std::string name_in(const std::array<EnumName<Enum>, size>& table, Enum value) {
   for (const EnumName<Enum>& each : table)
@@ -36,7 +36,7 @@ template <typename Enum, std::size_t size>
   return "";
 }
 
-/// The value of a name. @param kind  how the message calls a name: "fit method"
+/// Returns the value of a name. @param kind  word for a name in messages: "fit method"
 /// @throws InputError as index_of_name() for a name that the table lacks
 template <typename Enum, std::size_t size>
 [[nodiscard]] Enum value_in(const std::array<EnumName<Enum>, size>& table, const std::string& name,

@@ -1,9 +1,9 @@
 #pragma once
 
-/// Exceptions that this library throws on purpose.
+/// Exceptions of this library.
 ///
-/// A bad call or a bad file throws. Bad luck (no convergence, infeasible) is a
-/// status in the result, so the caller can still look at the best point found.
+/// A wrong call or a wrong file throws. Failure of a method (no convergence, infeasible) is a
+/// status in the result, so that the caller can still use the best point found.
 
 #include <stdexcept>
 #include <string>
@@ -15,32 +15,33 @@ namespace thenar {
 
 class Error : public std::runtime_error {
  public:
-  /// @param field  of the request that is wrong, left out or of help; empty: none, or not known
+  /// @param field  field of the request that is wrong, missing or helpful; empty: none, or not
+  /// known
   explicit Error(const std::string& what, std::string field = "")
       : std::runtime_error(what), field_(std::move(field)) {}
 
-  /// Name of the field in words joined by "_", as in "centre_of_mass". A command has an option of
-  /// that name, a server a parameter, Python a keyword.
+  /// Returns the name of the field in words joined by "_": "centre_of_mass". It is the name of an
+  /// option of a command, a parameter of the server and a keyword in Python.
   [[nodiscard]] const std::string& field() const { return field_; }
 
  private:
   std::string field_;
 };
 
-/// The caller asked for something impossible: wrong shape, sign, name or tier.
+/// Error in the arguments of a call: wrong shape, sign, name or rung.
 class InputError : public Error {
  public:
   using Error::Error;
 };
 
-/// A data file is wrong. The message always starts with "path:line: ".
+/// Error in a data file. The message always starts with "path:line: ".
 class DataError : public Error {
  public:
   DataError(const std::string& path, int line, const std::string& what, std::string field = "")
       : Error(fmt::format("{}:{}: {}", path, line, what), std::move(field)) {}
 };
 
-/// Throws InputError unless ok. State what was wanted and the value that came:
+/// Throws InputError unless ok. The message states the requirement and the actual value:
 ///   require(mu >= 0, "contact friction must be >= 0, got {}", mu);
 template <typename... Args>
 void require(bool ok, fmt::format_string<Args...> message, Args&&... args) {

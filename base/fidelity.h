@@ -1,11 +1,10 @@
 #pragma once
 
-/// Fidelity of a model: all physics that may be left out, on one page.
+/// Fidelity of a model: all physics that may be neglected.
 ///
-/// Each ladder goes from the cheapest rung to the richest; a rung names the
-/// assumption it makes. A question states what it needs beside its declaration, and
-/// `a | b` takes the richer rung of every ladder. No other code asks `if (fidelity)`:
-/// only the builders look at it.
+/// Each ladder goes from the cheapest rung to the richest; each rung names its assumption. A
+/// question states the rungs that it needs, and `a | b` is the richer rung of every ladder. Only
+/// the builders of models depend on it.
 
 #include <algorithm>
 #include <string>
@@ -20,19 +19,18 @@ enum class Hood { kSeparate, kFractions, kFloatingNet };
 enum class Muscle { kBounds, kRigidTendon, kElasticTendon };
 enum class ContactModel { kNone, kHardPoint, kSoftFinger, kElasticFoundation, kFiniteElement };
 
-/// One rung of every ladder; the default is the cheapest hand there is.
+/// One rung of every ladder; the default is the cheapest hand.
 struct Fidelity {
   Motion motion = Motion::kPosed;   // posed < static < dynamic
   Joint joint = Joint::kHinge;      // hinge axes < compliant
   Path path = Path::kNone;          // none < constant arms < via points < fitted < wrapped
   Hood hood = Hood::kSeparate;      // separate tendons < fixed fractions < floating net
   Muscle muscle = Muscle::kBounds;  // bounds < rigid-tendon Hill < elastic tendon
-  ContactModel contact =
-      ContactModel::kNone;  // none < point < soft finger < foundation < finite elements
+  ContactModel contact = ContactModel::kNone;  // none < .. < finite elements
 
   Fidelity() = default;
 
-  /// Sets the named rungs and leaves the other ladders at their lowest.
+  /// Sets the given rungs and leaves the other ladders at their lowest.
   template <typename... Rungs>
   constexpr explicit Fidelity(Rungs... rungs) {
     (set(rungs), ...);
@@ -46,14 +44,14 @@ struct Fidelity {
   constexpr void set(ContactModel rung) { contact = rung; }
 };
 
-/// The least fidelity that serves both questions.
+/// Returns the lowest fidelity that is sufficient for both questions.
 [[nodiscard]] constexpr Fidelity operator|(const Fidelity& a, const Fidelity& b) {
   return Fidelity(std::max(a.motion, b.motion), std::max(a.joint, b.joint),
                   std::max(a.path, b.path), std::max(a.hood, b.hood), std::max(a.muscle, b.muscle),
                   std::max(a.contact, b.contact));
 }
 
-/// One line for reports: "static, hinge, via points, fixed fractions, bounds, none".
+/// Returns one line for reports: "static, hinge, via points, fixed fractions, bounds, none".
 [[nodiscard]] std::string describe(const Fidelity& fidelity);
 
 /// One rung in words.
@@ -63,10 +61,10 @@ struct RungWords {
   std::string assumes;  // "inertia and damping do not matter"
 };
 
-/// The rung of every ladder, with what it assumes.
+/// Returns the rung of every ladder, with what it assumes.
 [[nodiscard]] std::vector<RungWords> explain(const Fidelity& fidelity);
 
-/// Throws InputError naming the first ladder on which `have` stands below `need`.
+/// Throws InputError naming the first ladder on which `have` is below `need`.
 void require_fidelity(const Fidelity& have, const Fidelity& need, const std::string& question);
 
 }  // namespace thenar

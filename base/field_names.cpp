@@ -47,7 +47,7 @@ std::string field_name(const std::string& name) {
 
 std::string name_of_field(const std::string& field, const std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), field) != names.end()) return field;
-  // A field stands for a name only if no other name has the same field.
+  // Accept a field only if a single name has it.
   std::string found;
   for (const std::string& name : names) {
     if (field_name(name) != field) continue;

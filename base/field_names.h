@@ -1,20 +1,20 @@
 #pragma once
 
-/// Names as fields of structures in MATLAB and Octave, as their jsondecode makes them.
+/// Names as fields of structures in MATLAB and Octave, following their jsondecode.
 
 #include <string>
 #include <vector>
 
 namespace thenar {
 
-/// A name as a field: letters, digits and "_", a letter first, at most 63 of them. Blanks go, and
-/// the letter behind one becomes a capital; other characters become "_"; what does not begin with a
-/// letter gets an "x" in front. Two names may have one field.
-/// Source: MATLAB, matlab.lang.makeValidName.
+/// Returns a name as a field: at most 63 letters, digits and "_", beginning with a letter. Spaces
+/// are removed, and a letter after one is capitalised; other characters become "_"; an "x" is
+/// prepended where the first is not a letter. Different names may have the same field. Source:
+/// MATLAB, matlab.lang.makeValidName.
 [[nodiscard]] std::string field_name(const std::string& name);
 
-/// The name of a list that is meant: the name itself, or that of a field, if it is of one name
-/// alone; "" if there is none.
+/// Returns the name that a field refers to: the name itself if it is in `names`, or the only name
+/// with this field; "" if there is none.
 [[nodiscard]] std::string name_of_field(const std::string& field,
                                         const std::vector<std::string>& names);
 

@@ -90,7 +90,7 @@ std::string read_file(const std::string& path, std::size_t most) {
     refuse(path, fmt::format("wanted at most {} bytes, got {}", most, size));
   };
   if (file.size() > most) refuse_size(file.size());
-  std::string bytes = file.first(most + 1);  // it may have grown meanwhile
+  std::string bytes = file.first(most + 1);  // may have grown since its size was read
   if (bytes.size() > most) refuse_size(bytes.size());
   return bytes;
 }
@@ -103,7 +103,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A new file beside `path`, under a name that nobody uses; removed unless it is renamed.
+/// New file beside `path` with an unused name; removed unless it is renamed.
 class Temporary {
  public:
   explicit Temporary(const std::string& path) {
@@ -146,7 +146,7 @@ class Temporary {
 
 /// Returns the target of a path when links are followed, whether it exists or not.
 std::string behind_links(const std::string& path) {
-  constexpr int kMaxLinks = 40;  // as many as Linux follows
+  constexpr int kMaxLinks = 40;  // limit of Linux for followed links [1]
   fs::path place(path);
   std::error_code error;
   // One link after the other.
@@ -205,7 +205,7 @@ bool is_named(int file, const std::string& name) {
 /// Returns the file behind links, also one that does not exist yet, so that two names of one file
 /// share one lock.
 std::string file_behind(const std::string& path) {
-  constexpr int kMaxLinks = 40;  // as the system follows
+  constexpr int kMaxLinks = 40;  // limit of Linux for followed links [1]
   std::error_code none;
   std::filesystem::path file = path;
   for (int i = 0; i < kMaxLinks && std::filesystem::is_symlink(file, none); ++i)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Reading and writing of whole files, without trust in what stands under their names.
+/// Safe reading and writing of whole files.
 
 #include <cstddef>
 #include <string>
@@ -9,42 +9,41 @@
 
 namespace thenar {
 
-/// Returns whether a regular file, or a link to one, is there; false also where that cannot be
-/// found out, as of names that are too long.
+/// Returns true if the path is a regular file or a link to one; false also if that cannot be
+/// determined, for example for names that are too long.
 [[nodiscard]] bool is_file(const std::string& path);
 
-/// All bytes of a regular file, or of a link to one. A folder, a pipe, a socket or a device (which
-/// may block for ever, or never end) is refused before anything is read from it.
-/// @param most  bytes; a longer file is refused before memory is taken for it
-/// @throws DataError `path:1: ...` if there is no such file, or it is none of these.
+/// Returns all bytes of a regular file, or of a link to one. Throws for a folder, a pipe, a socket
+/// or a device (which may block for ever, or never end) before anything is read.
+/// @param most  largest size [bytes]; throws for a longer file before memory is allocated
+/// @throws DataError `path:1: ...` if there is no such file, or it is not regular.
 [[nodiscard]] std::string read_file(const std::string& path, std::size_t most);
 
-/// The first bytes of a regular file: all of them if it has no more.
-/// @param count  how many are wanted [bytes]
+/// Returns the first bytes of a regular file: all of them if it has no more.
+/// @param count  number of bytes to read [bytes]
 /// @throws DataError like read_file().
 [[nodiscard]] std::string read_start(const std::string& path, std::size_t count);
 
-/// Writes a file so that nothing half-written is ever left: first a new file of its own beside
-/// `path`, renamed when complete. A full disk leaves an older file at `path` as it was, and
-/// nothing beside it. Missing folders are made. Where `path` is a symbolic link, what it points to
-/// is written, and the link stays.
+/// Writes a file atomically: to a new temporary file beside `path`, which is renamed when complete.
+/// On a full disk an older file at `path` is unchanged, and no temporary file is left. Missing
+/// folders are made. If `path` is a symbolic link, its target is written, and the link is kept.
 /// @throws InputError if it cannot be written.
 void write_file(const std::string& path, const std::string& content);
 
-/// Writes files that belong together: all are complete on the disk before the first is renamed, so
-/// that a full disk leaves none of them. They appear in their order.
+/// Writes a group of files: all are complete on the disk before the first is renamed, so that a
+/// full disk leaves none of them. They appear in order.
 /// @param files  path and content of each
 /// @throws InputError if one of them cannot be written.
 void write_files(const std::vector<std::pair<std::string, std::string>>& files);
 
-/// Makes the missing folders of `path`, and checks that a file can be written there: to be called
-/// before long work whose result goes to it. Touches no other file.
+/// Makes the missing folders of `path`, and checks that a file can be written there. Call it before
+/// long work whose result is written there. Touches no other file.
 /// @throws InputError if it cannot.
 void require_writable(const std::string& path);
 
-/// Keeps other processes from a file while this one works on it: a lock on an empty file beside it
-/// (where links lead), its name and ".lock", which is removed at the end. It is released however
-/// the process ends.
+/// Lock that keeps other processes from a file: a lock on an empty file beside the file (or the
+/// target of its link) with the added ending ".lock", which is removed at the end. It is released
+/// however the process ends.
 class FileLock {
  public:
   /// @throws InputError if another process holds it, or the lock cannot be made.

@@ -4,7 +4,7 @@
 /// chosen at run time. With -ffp-contract=off all versions give the same bits, as long as the
 /// function fixes the order of its sums.
 
-// Sanitizers of addresses and threads are not awake yet when the loader picks a version.
+// Address and thread sanitizers are not initialised yet when the loader picks a version.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define THENAR_FOR_ALL_PROCESSORS __attribute__((target_clones("avx512f", "avx2", "default")))

@@ -37,7 +37,7 @@ class OpenEntry {
   OpenEntry(const OpenEntry&) = delete;
   OpenEntry& operator=(const OpenEntry&) = delete;
   [[nodiscard]] int file() const { return file_; }
-  /// @returns whether what was written is on its way to the disk
+  /// @returns true if closing reported no error
   [[nodiscard]] bool close() { return ::close(std::exchange(file_, -1)) == 0; }
 
  private:
@@ -87,7 +87,7 @@ void require_place(int folder, const std::string& name) {
     refuse_write(name, "it is a link or a device, and none is followed");
 }
 
-/// A new file under a name that nobody has; removed unless it is renamed.
+/// New file with an unused name; removed unless it is renamed.
 class NewFile {
  public:
   NewFile(int folder, const std::string& name) : folder_(folder), whole_(name) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Questions to whole lists, and lists that are made of others.
+/// Searches in lists, and transformations of lists.
 
 #include <algorithm>
 #include <iterator>
@@ -11,20 +11,20 @@
 
 namespace thenar {
 
-/// Returns whether a list has a value.
+/// Returns true if a list contains a value.
 template <typename List, typename Value>
 [[nodiscard]] bool contains(const List& list, const Value& value) {
   return std::find(std::begin(list), std::end(list), value) != std::end(list);
 }
 
-/// Index of the first entry with a value; -1: there is none.
+/// Returns the index of the first entry with a value; -1: there is none.
 template <typename List, typename Value>
 [[nodiscard]] int place_in(const List& list, const Value& value) {
   const auto found = std::find(std::begin(list), std::end(list), value);
   return found == std::end(list) ? -1 : static_cast<int>(found - std::begin(list));
 }
 
-/// The first entry whose member `name` is this; null: there is none.
+/// Returns the first entry whose member `name` equals `name`; null: there is none.
 template <typename List>
 [[nodiscard]] auto* find_named(List& list, const std::string& name) {
   const auto found = std::find_if(std::begin(list), std::end(list),
@@ -32,26 +32,26 @@ template <typename List>
   return found == std::end(list) ? nullptr : &*found;
 }
 
-/// Index in a vector of the first entry whose member `name` is this; -1: there is none.
+/// Returns the index of the first entry whose member `name` equals `name`; -1: there is none.
 template <typename Entry>
 [[nodiscard]] int place_named(const std::vector<Entry>& list, const std::string& name) {
   const Entry* found = find_named(list, name);
   return found == nullptr ? -1 : static_cast<int>(found - list.data());
 }
 
-/// Returns whether an entry passes a test.
+/// Returns true if any entry passes a test.
 template <typename List, typename Test>
 [[nodiscard]] bool any_of(const List& list, const Test& test) {
   return std::any_of(std::begin(list), std::end(list), test);
 }
 
-/// Returns whether all entries pass a test.
+/// Returns true if all entries pass a test.
 template <typename List, typename Test>
 [[nodiscard]] bool all_of(const List& list, const Test& test) {
   return std::all_of(std::begin(list), std::end(list), test);
 }
 
-/// What a function makes of each entry, in the order of the list.
+/// Returns the results of a function for each entry, in the order of the list.
 template <typename List, typename Make>
 [[nodiscard]] auto transformed(const List& list, const Make& make) {
   std::vector<std::decay_t<decltype(make(*std::begin(list)))>> made;
@@ -60,7 +60,7 @@ template <typename List, typename Make>
   return made;
 }
 
-/// Keys of a map, in its order.
+/// Returns the keys of a map, in its order.
 template <typename Map>
 [[nodiscard]] std::vector<typename Map::key_type> map_keys(const Map& map) {
   return transformed(map, [](const auto& each) { return each.first; });

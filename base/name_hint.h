@@ -1,13 +1,13 @@
 #pragma once
 
-/// Hint for a name that is not known, before the list of the names that there are.
+/// Hint for an unknown name, followed by the list of known names.
 
 #include <string>
 #include <vector>
 
 namespace thenar {
 
-/// ", did you mean 'x'?" with the nearest name, or ";" if nothing is alike.
+/// Returns ", did you mean 'x'?" with the nearest name, or ";" if none is similar.
 [[nodiscard]] std::string hint_before_list(const std::string& wanted,
                                            const std::vector<std::string>& names);
 

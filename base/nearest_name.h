@@ -1,6 +1,6 @@
 #pragma once
 
-/// Names that were typed: looked up in a list, and what a misspelt one was meant to be.
+/// Look-up of typed names in a list, with suggestions for misspelt ones.
 
 #include <cstddef>
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace thenar {
 
-/// Least number of letters inserted, deleted or replaced that turns `a` into `b`.
+/// Returns the smallest number of insertions, deletions and replacements of letters that turns `a`
+/// into `b`.
 [[nodiscard]] int edit_distance(const std::string& a, const std::string& b);
 
 /// Returns the name most similar to `wanted`; empty if `names` is, or if more than half of the
@@ -16,15 +17,15 @@ namespace thenar {
 [[nodiscard]] std::string nearest_name(const std::string& wanted,
                                        const std::vector<std::string>& names);
 
-/// ", did you mean 'x'?" with the nearest name, or "" if nothing is alike.
+/// Returns ", did you mean 'x'?" with the nearest name, or "" if none is similar.
 [[nodiscard]] std::string did_you_mean(const std::string& wanted,
                                        const std::vector<std::string>& names);
 
-/// "a, b, c", or "none".
+/// Returns the names joined as "a, b, c", or "none".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
 /// Returns the position of `name` in `names`, or of the only one that has it as a field_name().
-/// @param kind  how the message calls a name: "muscle"
+/// @param kind  word for a name in messages: "muscle"
 /// @throws InputError "no muscle 'FPD', did you mean 'FDP'? there are FDP, FDS" if it is not there.
 [[nodiscard]] std::size_t index_of_name(const std::string& name,
                                         const std::vector<std::string>& names,

@@ -83,8 +83,8 @@ fs::path fence_around(const std::string& folder) {
 }  // namespace
 
 std::optional<std::string> outside_fault(const std::string& text, OutsideUse use) {
-  if (text.size() > kLongestOutsidePath)
-    return fmt::format("{} bytes, of which at most {} are taken", text.size(), kLongestOutsidePath);
+  if (text.size() > kMaxOutsidePath)
+    return fmt::format("{} bytes, of which at most {} are taken", text.size(), kMaxOutsidePath);
   const std::size_t control = find_control(text);
   if (control != std::string::npos) return fmt::format("a control character at byte {}", control);
   return use == OutsideUse::kInside ? fault_inside(text) : std::nullopt;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Names and paths that come from outside: from a client's request, a dropped file, a log, a result
-/// file, or a file that names another. What such a text may be is decided here and nowhere else;
+/// Validation of untrusted names and paths: from a client's request, a dropped file, a log, a
+/// result file, or a file that names another. Such texts are checked here and nowhere else;
 /// tests/outside_paths_test.py lists the places that make paths of texts.
 
 #include <cstddef>
@@ -10,32 +10,33 @@
 
 namespace thenar {
 
-/// Purpose of a name from outside.
+/// Purpose of an untrusted name.
 enum class OutsideUse {
-  kRead,    // a name, or any file of this machine: UTF-8 as it is, without control characters
-  kInside,  // a file in a folder: also relative, without "..", no part of it begins with a dot
+  kRead,    // a name, or any file of this machine: UTF-8 without control characters
+  kInside,  // a file in a folder: in addition relative, without "..", no part begins with a dot
 };
 
-/// Most bytes of a path from outside.
-inline constexpr std::size_t kLongestOutsidePath = 4000;
+/// Largest length of an untrusted path [bytes].
+inline constexpr std::size_t kMaxOutsidePath = 4000;
 
-/// The fault of a text, as "a control character at byte 3"; nothing if it may be taken.
+/// Returns the fault of a text: "a control character at byte 3"; absent if it is acceptable.
 [[nodiscard]] std::optional<std::string> outside_fault(const std::string& text, OutsideUse use);
 
-/// The text as a path, "a/b" of kInside for "./a//b". It is this string that is to be looked at and
-/// opened.
+/// Returns the text as a normalised path, for kInside "a/b" for "./a//b". Use the returned string
+/// for all checks and for opening.
 /// @throws InputError with the fault
 [[nodiscard]] std::string outside_path(const std::string& text, OutsideUse use);
 
-/// The path of a file that a file in `folder` names: beside it, or where an absolute name leads.
-/// @throws InputError with the fault of the name, or if it leads out of a LinkFence
+/// Returns the path of a file that is named in a file in `folder`: relative to the folder, or
+/// absolute.
+/// @throws InputError with the fault of the name, or if it leaves a LinkFence
 [[nodiscard]] std::string linked_path(const std::string& folder, const std::string& name);
 
-/// Returns whether files in `folder` may name a file: false if a LinkFence stands between them.
+/// Returns true if files in `folder` may refer to a file: no LinkFence separates them.
 [[nodiscard]] bool may_link(const std::string& folder, const std::string& path);
 
-/// Keeps what stands in a folder together for as long as it lives: files in a subfolder of it name
-/// files of the same subfolder alone, links followed. What strangers sent is put into such folders.
+/// Scope in which files in a subfolder of `folder` may refer only to files of the same subfolder,
+/// after links are resolved. Uploaded files are put into such folders.
 class LinkFence {
  public:
   explicit LinkFence(const std::string& folder);

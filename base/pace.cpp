@@ -8,25 +8,26 @@
 namespace thenar {
 namespace {
 
-constexpr double kTellingTime = 1.5;    // Work that determines the pace [s]
-constexpr double kTellingShare = 0.02;  // Share of the work that determines the pace [1]
+constexpr double kMinReportedTime = 1.5;  // shortest time between reports for an estimate [s]
+constexpr double kMinReportedShare =
+    0.02;  // smallest share of the work between reports for an estimate [1]
 
 }  // namespace
 
-void Pace::hear(double now, double fraction) {
+void Pace::add_report(double now, double fraction) {
   if (!first_) first_ = {now, fraction};
   last_ = {now, std::max(fraction, last_.fraction)};
 }
 
-std::optional<double> Pace::left() const {
+std::optional<double> Pace::remaining_time() const {
   if (!first_) return {};
   const double taken = last_.at - first_->at, gone = last_.fraction - first_->fraction;
-  if (taken < kTellingTime || gone < kTellingShare) return {};
+  if (taken < kMinReportedTime || gone < kMinReportedShare) return {};
   return taken * std::max(0.0, 1 - last_.fraction) / gone;
 }
 
-std::optional<double> Pace::whole() const {
-  const std::optional<double> rest = left();
+std::optional<double> Pace::total_time() const {
+  const std::optional<double> rest = remaining_time();
   if (!rest) return {};
   return last_.at - begin_ + *rest;
 }

@@ -1,29 +1,29 @@
 #pragma once
 
-/// Foretells how long work takes, from how much of it is done.
+/// Estimate of the duration of work from its progress.
 
 #include <optional>
 #include <string>
 
 namespace thenar {
 
-/// Listens to the progress of one piece of work.
+/// Estimator of the duration of one task from its progress reports.
 class Pace {
  public:
-  /// @param begin  when the work began, on the clock of hear() [s]
+  /// @param begin  start of the work, on the clock of add_report() [s]
   explicit Pace(double begin = 0) : begin_(begin) {}
 
-  /// Takes a report.
-  /// @param now  time on any clock that goes on evenly [s]
-  /// @param fraction  of the work that is done [1]
-  void hear(double now, double fraction);
+  /// Adds a progress report.
+  /// @param now  time on any steady clock [s]
+  /// @param fraction  completed fraction of the work [1]
+  void add_report(double now, double fraction);
 
-  /// Returns the total duration: the time since the beginning plus left(); absent as left() is [s].
-  [[nodiscard]] std::optional<double> whole() const;
+  /// Returns the estimated total duration [s]; absent if remaining_time() is.
+  [[nodiscard]] std::optional<double> total_time() const;
 
-  /// Returns the remaining time at the pace since the first report; absent until 1.5 s of work, and
-  /// 2 % of it, are done since [s].
-  [[nodiscard]] std::optional<double> left() const;
+  /// Returns the estimated remaining time at the rate since the first report [s]; absent until 1.5
+  /// s and 2 % of the work have passed since then.
+  [[nodiscard]] std::optional<double> remaining_time() const;
 
  private:
   struct Mark {
@@ -34,7 +34,7 @@ class Pace {
   Mark last_;
 };
 
-/// "40 s", "3 min" or "2 h": to a step that an estimate deserves.
+/// Returns a duration rounded as an estimate deserves: "40 s", "3 min" or "2 h".
 [[nodiscard]] std::string rough_time(double seconds);
 
 }  // namespace thenar

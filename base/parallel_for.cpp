@@ -33,7 +33,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& wor
   std::mutex failing;
   std::size_t first_failed = count;
   std::exception_ptr failure;
-  // Numbers are dealt in order, so that all below one that fails have begun.
+  // Hand out indices in order, so that all below a failing one have started.
   const auto labour = [&](int) {
     for (std::size_t i = next++; i < count; i = next++) {
       try {

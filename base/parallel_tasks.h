@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tasks that do not wait for each other, on all cores.
+/// Independent tasks on all cores.
 
 #include <functional>
 #include <vector>
@@ -11,15 +11,14 @@ namespace thenar {
 
 /// One of several tasks.
 struct ParallelTask {
-  double seconds;                             // that it takes, roughly [s]
-  std::function<void(const Progress&)> work;  // writes to a place of its own; its progress is 0..1
+  double seconds;                             // estimated duration [s]
+  std::function<void(const Progress&)> work;  // writes to its own memory; its progress is 0..1
 };
 
-/// Runs all tasks, several at once, the longest first; returns when all are done. Reports their
-/// progress as that of the whole, one report at a time. Tasks that have not begun when the whole is
-/// asked to stop are left out.
-/// @throws the exception of one of the tasks that threw; tasks that have not begun then are left
-/// out.
+/// Runs all tasks in parallel, the longest first; returns when all are done. Reports their joint
+/// progress, one report at a time. Tasks that have not started at a stop request are skipped.
+/// @throws the exception of one of the tasks that threw; tasks that have not started by then are
+/// skipped.
 void run_tasks(std::vector<ParallelTask> tasks, const Progress& progress);
 
 }  // namespace thenar

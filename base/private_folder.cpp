@@ -27,7 +27,7 @@ void make_private_folder(const std::string& path, ExistingFolder existing) {
             path, std::strerror(why));
   }
   if (is_new || existing == ExistingFolder::kStays) return;
-  // What is closed is what was looked at, whatever is put in its place meanwhile.
+  // Change the mode of the checked folder itself, even if its path is replaced at the same time.
   const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   require(folder >= 0, "the folder '{}' cannot be used: {}", path, std::strerror(errno));
   struct stat about {};

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Folders of the user's own, which nobody else looks into.
+/// Private folders of the user.
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace thenar {
 enum class ExistingFolder { kIsClosed, kStays };
 
 /// Makes a folder and its missing parents, of mode 700.
-/// @param existing  kIsClosed: one of this user's that others may enter becomes of mode 700, too
+/// @param existing  kIsClosed: an existing folder of this user is set to mode 700, too
 /// @throws InputError if it cannot be made, is a link, or belongs to somebody else.
 void make_private_folder(const std::string& path, ExistingFolder existing);
 

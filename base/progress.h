@@ -7,7 +7,7 @@
 
 namespace thenar {
 
-/// Callbacks of a long computation; the default hears nothing and never stops.
+/// Callbacks of a long computation; the default ignores reports and never stops.
 struct Progress {
   std::function<void(double fraction, const std::string& what)> report;  // fraction 0..1
   std::function<bool()> stop_requested;  // true: return the best result so far

@@ -1,31 +1,30 @@
 #pragma once
 
-/// Long work in parts, each of which reports its own progress, and the end of work that was
-/// stopped.
+/// Progress of long work in parts, and the exception of stopped work.
 
 #include "base/error.h"
 #include "base/progress.h"
 
 namespace thenar {
 
-/// Thrown by work that was asked to stop, after it has saved what it had, where nothing is left to
-/// return.
+/// Exception of stopped work, thrown after results are saved, where there is no
+/// result to return.
 class Stopped : public Error {
  public:
   using Error::Error;
 };
 
-/// Hands out the progress of the whole, part by part.
+/// Progress of a computation, divided into parts.
 class ProgressParts {
  public:
-  /// @param seconds  that all parts take, roughly [s]
+  /// @param seconds  estimated duration of all parts [s]
   ProgressParts(Progress whole, double seconds);
 
-  /// The next part: its 0 .. 1 is its share of the whole.
-  /// @param seconds  that it takes, roughly [s]
+  /// Returns the progress of the next part: its 0 .. 1 is mapped to its share of the whole.
+  /// @param seconds  estimated duration of the part [s]
   [[nodiscard]] Progress next(double seconds);
 
-  /// Lets go of the whole, so that a progress bar leaves the terminal to what is printed next.
+  /// Releases the callbacks, so that a progress bar ends before the next output.
   void finish() { whole_ = {}; }
 
  private:
@@ -33,7 +32,7 @@ class ProgressParts {
   double seconds_, done_ = 0;
 };
 
-/// Reports, or stops. @throws Stopped where progress says stop
+/// Reports progress. @throws Stopped if a stop is requested
 void report_or_stop(const Progress& progress, double fraction, const std::string& what);
 
 }  // namespace thenar

@@ -8,13 +8,13 @@
 
 namespace thenar {
 
-/// SHA-256 of a text, in hexadecimal digits.
+/// Returns the SHA-256 of a text in hexadecimal digits.
 [[nodiscard]] std::string sha256(const std::string& text);
 
 /// Files that an answer came from: path -> SHA-256 of its bytes.
 using FileDigests = std::map<std::string, std::string>;
 
-/// The files as they are now, by their paths without "." and "x/..".
+/// Returns the digests of the files in their present state, by their paths without "." and "x/..".
 /// @throws DataError as read_file()
 [[nodiscard]] FileDigests digests_of(const std::vector<std::string>& paths);
 
@@ -24,11 +24,11 @@ struct SourceText {
   std::string text;
 };
 
-/// Digests of texts, by their paths as they are.
+/// Returns the digests of texts, by their unchanged paths.
 [[nodiscard]] FileDigests source_digests(const std::vector<SourceText>& sources);
 
-/// Versions of thenar, its compiler and the libraries that answers depend on, by name; of shared
-/// libraries the ones that the build found.
+/// Returns the versions of thenar, its compiler and the libraries that results depend on, by name;
+/// for shared libraries, those found by the build.
 [[nodiscard]] std::map<std::string, std::string> versions();
 
 }  // namespace thenar

@@ -12,7 +12,7 @@
 namespace thenar {
 namespace {
 
-/// Seconds since 1970 that the environment asks for; the clock's without.
+/// Returns the seconds since 1970 that the environment states, else those of the clock.
 std::time_t time_of_run() {
   const char* asked = std::getenv("SOURCE_DATE_EPOCH");
   if (asked == nullptr || *asked == '\0') return std::time(nullptr);
@@ -34,7 +34,7 @@ std::string utc(std::time_t time) {
 }  // namespace
 
 RunRecord record_of_run(const std::vector<std::string>& arguments) {
-  std::error_code gone;  // of a folder that was removed: it stays empty
+  std::error_code gone;  // set for a removed working directory, whose path stays empty
   const std::filesystem::path folder = std::filesystem::current_path(gone);
   return {arguments, folder.string(), source_commit(), utc(time_of_run())};
 }

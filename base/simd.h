@@ -1,7 +1,7 @@
 #pragma once
 
-/// Four doubles at a time on any processor (GCC and Clang vector extensions). Internal: every
-/// function is forced inline, so that it is compiled for whatever its caller is compiled for.
+/// Vectors of doubles on any processor (GCC and Clang vector extensions). Internal: every function
+/// is forced inline, so that it is compiled for the target of its caller.
 
 #include <cstdint>
 #include <cstring>
@@ -17,11 +17,11 @@ namespace thenar::internal {
 using Double4 = double __attribute__((vector_size(32)));
 using Bits4 = std::int64_t __attribute__((vector_size(32)));
 
-/// Double2 of that: two doubles in one register of any x86-64.
+/// Two doubles in one register of any x86-64.
 using Double2 = double __attribute__((vector_size(16)));
 using Bits2 = std::int64_t __attribute__((vector_size(16)));
 
-/// Four doubles in two registers of any x86-64. The compiler splits Double4 too, but badly.
+/// Four doubles in two registers of any x86-64. The compiler's own splitting of Double4 is slower.
 struct Double4Sse {
   Double2 low, high;
 
@@ -59,7 +59,7 @@ using Bits8 = std::int64_t __attribute__((vector_size(64)));
 THENAR_INLINE Bits8 bits(const Double8& v) { return reinterpret_cast<const Bits8&>(v); }
 THENAR_INLINE Double8 lanes(const Bits8& b) { return reinterpret_cast<const Double8&>(b); }
 
-/// One alone.
+/// Scalar versions.
 THENAR_INLINE std::uint64_t bits(double v) {
   std::uint64_t b;
   std::memcpy(&b, &v, sizeof b);
@@ -77,7 +77,7 @@ THENAR_INLINE Bits2 bits(const Double2& v) { return reinterpret_cast<const Bits2
 THENAR_INLINE Double4 lanes(const Bits4& b) { return reinterpret_cast<const Double4&>(b); }
 THENAR_INLINE Double2 lanes(const Bits2& b) { return reinterpret_cast<const Double2&>(b); }
 
-/// (y, z, x) of a vector in the first three lanes; the fourth stays.
+/// Returns (y, z, x) of a vector in the first three lanes; the fourth is unchanged.
 THENAR_INLINE Double4 rotated(const Double4& v) {
   return __builtin_shufflevector(v, v, 1, 2, 0, 3);
 }
@@ -86,7 +86,7 @@ THENAR_INLINE Double4Sse rotated(const Double4Sse& v) {
           __builtin_shufflevector(v.low, v.high, 0, 3)};
 }
 
-/// Cross product in the first three lanes; the fourth means nothing.
+/// Returns the cross product in the first three lanes; the fourth is undefined.
 template <typename V>
 THENAR_INLINE V cross(const V& a, const V& b) {
   return rotated(a * rotated(b) - rotated(a) * b);
@@ -99,11 +99,11 @@ struct SinCos {
 
 inline constexpr double kSinCosBound = 1e5;  // Largest |angle| for sin_cos() [rad]
 
-/// Sine and cosine to 1e-16, for |angle| <= kSinCosBound. V is any of the above.
+/// Computes sine and cosine to 1e-16, for |angle| <= kSinCosBound. V is any of the types above.
 ///
-/// The angle is brought to |r| <= pi/4 by subtracting n pi/2 in three parts whose products with
-/// n are exact; polynomials of degree 13 and 14 do the rest.
-/// Source: [Sun1993] fdlibm, k_sin.c, k_cos.c and e_rem_pio2.c.
+/// The angle is reduced to |r| <= pi/4 by subtracting n pi/2 in three parts whose products with n
+/// are exact; then polynomials of degree 13 and 14 are evaluated. Source: [Sun1993] fdlibm,
+/// k_sin.c, k_cos.c and e_rem_pio2.c.
 template <typename V>
 THENAR_INLINE SinCos<V> sin_cos(const V& angle) {
   const double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
@@ -134,7 +134,7 @@ THENAR_INLINE SinCos<V> sin_cos(const V& angle) {
                       z * (-2.75573143513906633035e-07 +
                            z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11))))));
 
-  // Odd quarter turns swap the two; bit 1 of n, or of n + 1, is the sign.
+  // Swap sine and cosine at odd quarter turns; bit 1 of n, or of n + 1, is the sign.
   const auto swap = -(n & 1), sine_sign = (n & 2) << 62, cosine_sign = ((n + 1) & 2) << 62;
   const auto sine = (bits(c) & swap) | (bits(s) & ~swap);
   const auto cosine = (bits(s) & swap) | (bits(c) & ~swap);

@@ -18,18 +18,18 @@ using VectorX = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 template <typename T>
 using MatrixX = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// X_AB: carries coordinates from frame B to frame A,  p_A = R_AB p_B + p_AB.
+/// Rigid transform X_AB from coordinates of frame B to those of frame A:  p_A = R_AB p_B + p_AB.
 template <typename T>
 struct Pose {
   Mat3<T> R = Mat3<T>::Identity();  // rotation R_AB                    (3, 3)
-  Vec3<T> p = Vec3<T>::Zero();      // origin of B, seen from A     [m] (3)
+  Vec3<T> p = Vec3<T>::Zero();      // origin of B in A              [m] (3)
 
   [[nodiscard]] Vec3<T> operator*(const Vec3<T>& point) const { return R * point + p; }
   [[nodiscard]] Pose operator*(const Pose& b) const { return {R * b.R, R * b.p + p}; }
   [[nodiscard]] Pose inverse() const { return {R.transpose(), -(R.transpose() * p)}; }
 };
 
-/// Rodrigues' formula  R = I + sin(a) [d] + (1 - cos(a)) [d]^2.
+/// Returns the rotation by Rodrigues' formula  R = I + sin(a) [d] + (1 - cos(a)) [d]^2.
 /// @param d  unit axis (3);  @param a  angle [rad]
 template <typename T>
 [[nodiscard]] Mat3<T> rotation_about(const Vec3<T>& d, const T& a) {
@@ -44,7 +44,8 @@ template <typename T>
   return R;
 }
 
-/// The motion of a hinge: turns by `a` about the axis of unit direction `d` through `point`.
+/// Returns the motion of a hinge: a rotation by `a` about the axis with unit direction `d` through
+/// `point`.
 template <typename T>
 [[nodiscard]] Pose<T> screw_motion(const Vec3<T>& d, const Vec3<T>& point, const T& a) {
   const Mat3<T> R = rotation_about(d, a);
@@ -53,7 +54,7 @@ template <typename T>
 
 /// Moment and force on a body. As six numbers the moment comes first.
 struct Wrench {
-  Eigen::Vector3d moment{0, 0, 0};  // about a stated point [N m] (3)
+  Eigen::Vector3d moment{0, 0, 0};  // moment about a stated point [N m] (3)
   Eigen::Vector3d force{0, 0, 0};   // [N] (3)
 
   Wrench& operator+=(const Wrench& b) {
@@ -63,14 +64,14 @@ struct Wrench {
   }
 };
 
-/// Wrench about the origin of a force at a point.
+/// Returns the wrench about the origin of a force at a point.
 /// @param p  point [m] (3);  @param f  force [N] (3)
 [[nodiscard]] inline Wrench wrench_of_force(const Eigen::Vector3d& p, const Eigen::Vector3d& f) {
   return {p.cross(f), f};
 }
 
-/// Two unit vectors that complete `d` to a right-handed frame (e1, e2, d).
-/// Constant in the sense of [Duff2017]: continuous except at d.z = 0-, exact to rounding.
+/// Two unit vectors that complete `d` to a right-handed frame (e1, e2, d). Source: [Duff2017]:
+/// continuous except at d.z = 0-, exact to rounding.
 struct Tangents {
   Eigen::Vector3d e1;  // first tangent  (3)
   Eigen::Vector3d e2;  // second tangent (3)

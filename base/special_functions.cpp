@@ -17,7 +17,7 @@ double chi_square_tail(double x, double dof) {
 }
 
 double beta_quantile(double p, double a, double b) {
-  // Halve the interval until no number lies within.
+  // Halve the interval until no number is inside.
   double below = 0, above = 1;
   while (true) {
     const double x = below + (above - below) / 2;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// A request to stop that work hears which is called far below whoever was asked: factors of a
-/// matrix, facets of a hull, unions of solids that a file is read into.
+/// Stop request for work deep below the caller that set it: matrix factorisations, facets of a
+/// hull, unions of solids read from a file.
 
 #include <functional>
 
@@ -9,16 +9,16 @@
 
 namespace thenar {
 
-/// Whom the work of this thread asks whether to stop, for as long as it lives; then as before. It
-/// is of the thread, and no argument, because readers and solvers that end in an instant but for
-/// what they are given would otherwise hand it on through all of their callers.
+/// Scope that sets the stop request of this thread, and restores the previous one at its end. It
+/// belongs to the thread instead of an argument list, because readers and solvers that are slow
+/// only for extreme inputs would otherwise pass it through all of their callers.
 class StopScope {
  public:
-  using Request = std::function<bool()>;  // as Progress::stop_requested
+  using Request = std::function<bool()>;  // see Progress::stop_requested
 
   explicit StopScope(const Progress& progress) : StopScope(&progress.stop_requested) {}
   /// Joins the scope of another thread that works on the same task.
-  /// @param stop_requested  of its scope; null: none
+  /// @param stop_requested  request of its scope; null: none
   explicit StopScope(const Request* stop_requested);
   ~StopScope();
   StopScope(const StopScope&) = delete;
@@ -31,9 +31,9 @@ class StopScope {
   const Request* before_;
 };
 
-/// Ends work that was asked to stop. It is called by amount of work and never by time, so that work
-/// that is repeated asks as often.
-/// @throws Stopped where the scope of this thread says so
+/// Throws if a stop is requested. It is called after amounts of work and never after times, so that
+/// repeated work calls it equally often.
+/// @throws Stopped if the scope of this thread requests it
 void end_if_stopped();
 
 }  // namespace thenar

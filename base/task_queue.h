@@ -1,6 +1,6 @@
 #pragma once
 
-/// Pieces of work of one call that several threads take, and that may add others.
+/// Queue of tasks for several threads; tasks may add further ones.
 
 #include <condition_variable>
 #include <cstddef>
@@ -11,19 +11,20 @@
 
 namespace thenar {
 
-/// A queue of pieces of work. Where each piece writes to a place of its own, and adds the same
-/// others whenever it runs, the result is the same with any number of threads.
+/// Queue of tasks. If each task writes to its own memory and always adds the same tasks, the result
+/// is the same with any number of threads.
 class TaskQueue {
  public:
   using Task = std::function<void()>;
 
-  /// Adds a piece behind all that wait, or before them; also from a piece that runs.
+  /// Add a task behind or before all waiting ones; also from a running task.
   void add(Task task);
   void add_first(Task task);
 
-  /// Runs all pieces on so many threads; the caller is one of them, and calls `between` after each
-  /// of its own and once more when all are done.
-  /// @throws what a piece or `between` threw first; pieces that have not begun then are left out.
+  /// Runs all tasks on the given number of threads; the caller is one of them, and calls `between`
+  /// after each of its tasks and once more at the end.
+  /// @throws the first exception of a task or of `between`; tasks that have not started by then are
+  /// skipped.
   void run(int threads, const std::function<void()>& between = {});
 
  private:

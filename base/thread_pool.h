@@ -1,6 +1,6 @@
 #pragma once
 
-/// A pool of threads for common work in rounds.
+/// Pool of threads for parallel work in rounds.
 
 #include <condition_variable>
 #include <exception>
@@ -11,7 +11,7 @@
 
 namespace thenar::internal {
 
-/// A pool in which the caller is worker 0; a pool of one starts no thread.
+/// Pool in which the caller is worker 0; a pool of size 1 starts no thread.
 class ThreadPool {
  public:
   explicit ThreadPool(int size);
@@ -21,8 +21,8 @@ class ThreadPool {
 
   [[nodiscard]] int size() const { return static_cast<int>(threads_.size()) + 1; }
 
-  /// Every worker does its part; returns when all are done.
-  /// @throws what the first of them threw, when all are done.
+  /// Calls work(k) on every worker k; returns when all are done.
+  /// @throws the exception of the first worker that threw, when all are done.
   void run(const std::function<void(int worker)>& work);
 
  private:

@@ -1,12 +1,12 @@
 #pragma once
 
-/// Processor time, for what runs cost.
+/// Processor time of a thread.
 
 #include <ctime>
 
 namespace thenar {
 
-/// Processor time that the calling thread has taken [s]. Differences count.
+/// Returns the processor time of the calling thread [s]; only differences are meaningful.
 [[nodiscard]] inline double thread_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

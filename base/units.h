@@ -1,6 +1,6 @@
 #pragma once
 
-/// Units for people and files; everything inside is in SI and radians.
+/// Units of input and output; all internal numbers are in SI and radians.
 
 namespace thenar {
 
@@ -9,10 +9,10 @@ inline constexpr double kDegree = kPi / 180;           // A degree [rad]
 inline constexpr double kMm = 1e-3;                    // A millimetre [m]
 inline constexpr double kNewtonMillimetre = 1e-3;      // A newton millimetre [N m]
 
-/// @param angle [deg]  @return [rad]
+/// Converts degrees to radians. @param angle [deg]  @return [rad]
 [[nodiscard]] constexpr double radians(double angle) { return angle * kDegree; }
 
-/// @param angle [rad]  @return [deg]
+/// Converts radians to degrees. @param angle [rad]  @return [deg]
 [[nodiscard]] constexpr double degrees(double angle) { return angle / kDegree; }
 
 }  // namespace thenar

@@ -18,7 +18,7 @@ std::string some_of(const std::vector<std::string>& names, std::size_t named) {
   return text;
 }
 
-std::string these(const std::string& what, const std::vector<std::string>& names) {
+std::string quoted_list(const std::string& what, const std::vector<std::string>& names) {
   std::vector<std::string> quoted;
   quoted.reserve(names.size());
   for (const std::string& name : names) quoted.push_back("'" + name + "'");

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Words of messages: numbers of things, and lists that are cut short.
+/// Words of messages: counts, and truncated lists.
 
 #include <cstddef>
 #include <string>
@@ -8,13 +8,14 @@
 
 namespace thenar {
 
-/// "1 thing", "2 things".
+/// Returns a count with its noun: "1 thing", "2 things".
 [[nodiscard]] std::string counted(std::size_t count, const std::string& thing);
 
-/// "a, b and 3 more": at most so many names, the others counted.
+/// Returns at most `named` names and the number of the others: "a, b and 3 more".
 [[nodiscard]] std::string some_of(const std::vector<std::string>& names, std::size_t named = 4);
 
-/// "joint 'a'", "joints 'a', 'b' and 3 more".
-[[nodiscard]] std::string these(const std::string& what, const std::vector<std::string>& names);
+/// Returns quoted names with their noun: "joint 'a'", "joints 'a', 'b' and 3 more".
+[[nodiscard]] std::string quoted_list(const std::string& what,
+                                      const std::vector<std::string>& names);
 
 }  // namespace thenar

@@ -46,10 +46,10 @@ std::optional<TriangleMesh> mesh_of(const std::string& bytes) {
 
 TriangleMesh cached_mesh(const std::string& kind, const std::string& input,
                          const std::function<TriangleMesh()>& make) {
-  if (const std::optional<std::string> bytes = kept(kind, input))
+  if (const std::optional<std::string> bytes = find_cached(kind, input))
     if (std::optional<TriangleMesh> mesh = mesh_of(*bytes)) return std::move(*mesh);
   TriangleMesh mesh = make();
-  keep(kind, input, bytes_of(mesh));
+  store_cached(kind, input, bytes_of(mesh));
   return mesh;
 }
 

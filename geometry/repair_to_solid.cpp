@@ -345,13 +345,13 @@ RepairedSolid repair_to_solid(const TriangleMesh& mesh) {
   constexpr Eigen::Index kManyTriangles = 2000;
   if (mesh.triangles.cols() < kManyTriangles) return mended(mesh);
   const std::string input = bytes_of(mesh), kind = "mended mesh 2";
-  if (const std::optional<std::string> entry = kept(kind, input)) {
+  if (const std::optional<std::string> entry = find_cached(kind, input)) {
     const std::size_t end = std::min(entry->find('\n'), entry->size() - 1);
     if (std::optional<TriangleMesh> known = mesh_of(entry->substr(end + 1)))
       return {std::move(*known), entry->substr(0, end)};
   }
   RepairedSolid now = mended(mesh);
-  keep(kind, input, now.done + "\n" + bytes_of(now.mesh));
+  store_cached(kind, input, now.done + "\n" + bytes_of(now.mesh));
   return now;
 }
 

@@ -48,7 +48,7 @@ class Chooser {
     take(score_of(found_.settings));
     // One choice after the other, until a whole round has changed nothing.
     std::size_t since_change = 0;
-    for (std::size_t at = 0; since_change < choices.size() && !found_.stopped;
+    for (std::size_t at = 0; since_change < choices.size() && found_.status != Status::kStopped;
          at = (at + 1) % choices.size()) {
       progress(static_cast<double>(since_change) / static_cast<double>(choices.size()),
                "choosing " + choices[at].name);
@@ -65,7 +65,7 @@ class Chooser {
       FitSettings other = found_.settings;
       set_choice(other, at, value);
       const LeftOutScore score = score_of(other);
-      if (found_.stopped) return false;
+      if (found_.status == Status::kStopped) return false;
       if (score.loss > found_.loss - kMinChoiceGain) continue;
       take(score);
       best = std::move(other);
@@ -90,8 +90,8 @@ class Chooser {
     LeftOutScore sum;
     for (const LeaveOut what : found_.by) {
       const CrossValidation validation = cross_validate(problem, what, options_);
-      found_.stopped = validation.stopped;
-      if (found_.stopped) return {};
+      found_.status = validation.status;
+      if (found_.status == Status::kStopped) return {};
       const LeftOutScore one = mean_score(validation);
       sum.loss += one.loss / static_cast<double>(found_.by.size());
       sum.error += one.error / static_cast<double>(found_.by.size());

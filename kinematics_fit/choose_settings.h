@@ -26,7 +26,7 @@ struct ChosenSettings {
   std::vector<TriedSettings> tried;  // each once, in their order; the first is the start
   double loss = 0;                   // of the settings chosen, see TriedSettings; 0 where none were
   double error = 0;                  // tried [nat], [1]
-  bool stopped = false;              // by request; the best of those tried
+  Status status = Status::kSolved;   // kStopped: the settings are the best of those tried
 };
 
 /// Chooses among settings.choices, one choice at a time, over and over until none is bettered: by

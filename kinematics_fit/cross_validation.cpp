@@ -82,8 +82,8 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
   for (const std::string& fold : out.folds) {
     options.progress(static_cast<double>(out.folds_done) / static_cast<double>(out.folds.size()),
                      name_of(what));
-    out.stopped = options.progress.stop();
-    if (out.stopped) break;
+    if (options.progress.stop()) out.status = Status::kStopped;
+    if (out.status == Status::kStopped) break;
     FitProblem rest = subset(problem, [&](const Experiment& experiment, const Trial& trial) {
       return !in_fold(what, fold, experiment, trial);
     });
@@ -91,8 +91,8 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
     const ScaledFit scaled = fit_with_scales(rest, options);
     const Solution& fit = scaled.solution;
     // A half-way fit has learnt less than its fold would say.
-    out.stopped = fit.status == Status::kStopped;
-    if (out.stopped) break;
+    if (fit.status == Status::kStopped) out.status = Status::kStopped;
+    if (out.status == Status::kStopped) break;
     out.not_converged += fit.status == Status::kSolved ? 0 : 1;
     predict_fold(scaled.problem, fit.z, what, fold, problem.experiments(), out.experiments);
     ++out.folds_done;

@@ -27,7 +27,7 @@ struct CrossValidation {
                                         // them; error.trials is their number
   std::vector<std::string> folds;       // "HyperExt", "FDS", "H02"; the first folds_done are done
   int folds_done = 0;                   // folds fitted and predicted [1]
-  bool stopped = false;                 // by request; the unfinished fold is dropped
+  Status status = Status::kSolved;      // kStopped: the unfinished fold is dropped
   int not_converged = 0;                // folds done whose fit did not converge [1]
 };
 

@@ -238,7 +238,7 @@ DigitCurves LiveDigit::sweep(const std::string& joint, int count, const Progress
   for (Eigen::Index k = 0; k < postures; ++k) {
     const MomentArmPoint& point = answer.points[k];
     curves.angle[k] = point.q[i];
-    if (!point.failure.empty()) continue;
+    if (!point.message.empty()) continue;
     curves.arms.col(k) = point.arms.col(static_cast<Eigen::Index>(i));
     curves.lengths.col(k) = point.length_change;
   }

@@ -73,8 +73,8 @@ void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPr
     goal.X_PO.p = touch + depth * trial.along;
     // Press to the depth; a press that is not solved ends the trial.
     const PadPressResult result = press.step(goal);
-    out.stopped = result.solved.status == Status::kStopped;
-    if (out.stopped) return;
+    if (result.solved.status == Status::kStopped) out.status = Status::kStopped;
+    if (out.status == Status::kStopped) return;
     if (result.solved.status != Status::kSolved) {
       out.failures.push_back(
           fmt::format("{}, {:g} mm: {}{}", trial.name, depth / kMm, result.solved.message,
@@ -150,7 +150,7 @@ MeasuredPresses measure_presses(const PadModel& model, const std::vector<PressTr
                                 PadPressOptions options, const Progress& progress) {
   options.step.stop = progress.stop_requested;
   MeasuredPresses out;
-  for (std::size_t i = 0; i < trials.size() && !out.stopped; ++i) {
+  for (std::size_t i = 0; i < trials.size() && out.status != Status::kStopped; ++i) {
     require(trials[i].object.shape != nullptr, "the trial '{}' has no object", trials[i].name);
     const auto share = [&](double part) {
       return (static_cast<double>(i) + part) / static_cast<double>(trials.size());

@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "geometry/collision/curvature.h"
 #include "pads/pad_model.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -61,7 +62,7 @@ struct LawTrials {
 struct [[nodiscard]] MeasuredPresses {
   std::vector<MeasuredPress> presses;
   std::vector<std::string> failures;
-  bool stopped = false;  // whether there were more to come
+  Status status = Status::kSolved;  // kStopped: the remaining presses were not made
 };
 /// Presses the pad in all trials. After a press that is not solved, the deeper presses of its trial
 /// are left out; a press with too few nodes for a patch is a failure, too, but deeper presses go

@@ -80,8 +80,8 @@ void run_searches(const LeastSquares& problem, const ModeSearchOptions& search, 
   const int given = static_cast<int>(search.extra_starts.cols());
   const int total = given + search.starts + search.global_searches;
   for (int i = 0; i < total; ++i) {
-    found.stopped = search.progress.stop();
-    if (found.stopped) return;
+    if (search.progress.stop()) found.status = Status::kStopped;
+    if (found.status == Status::kStopped) return;
     search.progress(double(i) / total, fmt::format("search {} of {} for modes", i + 1, total));
     if (i < given)
       found.searches.push_back(search_from(problem, search.extra_starts.col(i), search.polish));

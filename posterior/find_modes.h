@@ -37,7 +37,7 @@ struct [[nodiscard]] FoundModes {
   std::vector<Mode> modes;          // by rising cost; empty if no search ended at finite cost
   std::vector<Solution> searches;   // all searches, in the order in which they were made
   std::vector<int> mode_of_search;  // index of its mode; -1: none
-  bool stopped = false;             // by a stop request: some searches were not made
+  Status status = Status::kSolved;  // kStopped: some searches were not made
 };
 
 /// Searches from many starts, each polished by the local solver, and merges minima that the data

@@ -153,7 +153,7 @@ RequestTable<SceneRequest> scene_sweep_params() {
   const Schema range = object_schema({{"name", text_schema(), "Which number.", true},
                                       {"from", number_schema(""), "First value.", true},
                                       {"to", number_schema(""), "Last value.", true},
-                                      {"count", integer_schema(1, kMostRuns), "Values.", true}});
+                                      {"count", integer_schema(1, kMaxRuns), "Values.", true}});
   Param vary{{"vary", list_schema(range, 1, 20),
               "Numbers that differ from run to run: friction, mass/BODY [kg], force/NAME [N], "
               "drive/NAME [N, N m], step [s], longest [s], tolerance; a run for each combination."},

@@ -177,7 +177,7 @@ Schema integer_schema(double lower, double upper) {
 Schema text_schema(std::size_t most) { return sized_schema(Schema::Kind::kText, 0, most); }
 
 Schema saved_file_schema() {
-  Schema schema = text_schema(kLongestOutsidePath);
+  Schema schema = text_schema(kMaxOutsidePath);
   schema.use = OutsideUse::kInside;
   return schema;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The blocks of a report as JSON; what each may hold is in viewer/README.md.
+/// Blocks of a report as JSON; viewer/README.md describes the members of each.
 
 #include <string>
 #include <utility>
@@ -22,47 +22,49 @@ struct BlockColumn {
 
   std::string name;
   std::string unit;  // empty: none
-  int digits = -1;   // after the point; -1: four significant
+  int digits = -1;   // decimals; -1: four significant digits
 };
 
-/// The first paragraph of a page, its "opening": what was asked, done and learnt, in sentences.
+/// Returns the first paragraph of a page, its "opening": sentences on the question, the method and
+/// the result.
 [[nodiscard]] Json opening_json(const std::string& asked, const std::string& done,
                                 const std::string& learnt);
 [[nodiscard]] Json section(const std::string& id, const std::string& title, const std::string& text,
                            Json blocks);
 [[nodiscard]] Json text_block(const std::string& text);
 [[nodiscard]] Json row_block(Json blocks);
-/// Whether what follows may be relied on, and why not.
+/// Returns a banner that says whether the content below is reliable, and why not.
 [[nodiscard]] Json banner_block(const std::string& title, Json reasons, bool ok = false);
-/// A block with further members: {{"search", true}}.
+/// Returns a block with further members: {{"search", true}}.
 [[nodiscard]] Json with(Json block, const Json& more);
-/// One of the series of a chart. @param style  "points", "both"; empty: lines
+/// Returns one series of a chart. @param style  "points", "both"; empty: lines
 [[nodiscard]] Json curve_json(const std::string& name, Json x, Json y,
                               const std::string& style = "");
-/// A chart of curves. @param series  of curve_json()
+/// Returns a chart of curves. @param series  list of curve_json()
 [[nodiscard]] Json lines_block(const std::string& caption, const std::string& x_label,
                                const std::string& y_label, Json series);
-/// A chart of intervals, one below the other. @param rows  {"name", "estimate", "low", "high"} each
+/// Returns a chart of intervals, one below the other. @param rows  {"name", "estimate", "low",
+/// "high"} each
 [[nodiscard]] Json interval_block(const std::string& caption, const std::string& x_label,
                                   Json rows);
 [[nodiscard]] Json table_block(const std::string& caption, const std::vector<BlockColumn>& columns,
                                Json rows);
 
-/// Rows that are also printed: cells that are numbers become numbers, "-" becomes null.
+/// Returns a printed table as a block: cells with numbers become numbers, "-" becomes null.
 [[nodiscard]] Json table_block(const std::string& caption, const Table& table);
 
-/// A layer of a scene: what is drawn in one colour, and shown and hidden as one.
+/// Returns a layer of a scene: items of one colour that are shown and hidden together.
 [[nodiscard]] Json layer(const std::string& name, const std::string& color, Json items);
 
-/// [x, y, z] in millimetres, from metres.
+/// Returns [x, y, z] in millimetres, from metres.
 [[nodiscard]] Json in_mm(const Eigen::Vector3d& p);
-/// [x, y, z] as it is.
+/// Returns [x, y, z] without conversion.
 [[nodiscard]] Json numbers3(const Eigen::Vector3d& v);
 
-/// Indices 0 .. count - 1, at most `most` of them, evenly spread.
+/// Returns at most `most` of the indices 0 .. count - 1, evenly spread.
 [[nodiscard]] std::vector<Eigen::Index> spread(Eigen::Index count, Eigen::Index most);
 
-/// A list of numbers, with no more digits than matter at this scale: four of `scale` itself.
+/// Returns a list of numbers rounded at a scale: to four significant digits of `scale`.
 [[nodiscard]] Json rounded(const Eigen::Ref<const Eigen::VectorXd>& values, double scale);
 
 }  // namespace thenar

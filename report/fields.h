@@ -1,7 +1,7 @@
 #pragma once
 
-/// Results as named numbers with units: JSON of commands and replies of servers are made of the
-/// same fields.
+/// Results as named numbers with units, from which JSON of commands and replies of servers are
+/// made.
 
 #include <initializer_list>
 #include <optional>
@@ -18,12 +18,12 @@
 
 namespace thenar {
 
-/// Unit of a number in SI and as people read it: printed = si * numerator / denominator.
+/// Unit of a number in SI and in print: printed = si * numerator / denominator.
 struct FieldUnit {
-  const char* si = "";       // as keys end: "N_m"
+  const char* si = "";       // ending of keys: "N_m"
   const char* printed = "";  // "N_mm"
   double numerator = 1, denominator = 1;
-  bool is_measured = false;  // by the clock of a computation: another one every time
+  bool is_measured = false;  // measured by a clock: differs from run to run
 };
 
 /// Units by the name in which they are printed.
@@ -59,7 +59,7 @@ inline constexpr FieldUnit kMillimetrePerRadian{"m_per_rad", "mm_per_rad", 1, kM
 inline constexpr FieldUnit kNewtonPerMetre{"N_per_m", "N_per_m"};
 inline constexpr FieldUnit kNewtonPerMillimetre{"N_per_m", "N_per_mm", kMm};
 // Printed under keys of earlier versions.
-inline constexpr FieldUnit kMeasuredSeconds{"", "", 1, 1, true};  // as kCpuSecond
+inline constexpr FieldUnit kMeasuredSeconds{"", "", 1, 1, true};  // see kCpuSecond
 inline constexpr FieldUnit kMetrePerSecondShort{"m_per_s", "m_s"};
 inline constexpr FieldUnit kRadianPerSecondShort{"rad_per_s", "rad_s"};
 inline constexpr FieldUnit kDegreePerSecondShort{"rad_per_s", "deg_s", 1, thenar::kDegree};
@@ -74,11 +74,11 @@ inline constexpr FieldUnit kNewtonMetreBare{"N_m", ""};
 
 /// Units in which fields are written.
 enum class UnitSystem {
-  kSi,      // servers and files of programs
-  kPrinted  // what people read
+  kSi,      // servers and machine-readable files
+  kPrinted  // text and JSON of commands
 };
 
-/// A key with its unit: "tip_force_N".
+/// Returns a key with its unit: "tip_force_N".
 [[nodiscard]] std::string key_with(const std::string& key, const FieldUnit& unit,
                                    UnitSystem system);
 
@@ -91,9 +91,9 @@ struct Field {
   Field(std::string name, OrderedJson si) : Field(std::move(name), units::kOne, std::move(si)) {}
   Field(std::string name, const FieldUnit& its_unit, double si)
       : Field(std::move(name), its_unit, OrderedJson(si)) {}
-  /// null where there is none
+  /// Number, or null if absent.
   Field(std::string name, const FieldUnit& its_unit, const std::optional<double>& si);
-  /// A vector as a list, a matrix as a list of rows.
+  /// Vector as a list, or matrix as a list of rows.
   template <typename Derived>
   Field(std::string name, const FieldUnit& its_unit, const Eigen::MatrixBase<Derived>& si)
       : Field(std::move(name), its_unit, OrderedJson(to_json(si))) {}
@@ -102,16 +102,16 @@ struct Field {
   Field(std::string name, const FieldUnit& its_unit, const std::vector<std::string>& names,
         const Eigen::MatrixBase<Derived>& si)
       : Field(std::move(name), its_unit, to_json(names, si)) {}
-  /// A part with fields of its own.
+  /// Part with its own fields.
   Field(std::string name, Fields part);
-  /// A list of such parts.
+  /// List of parts.
   Field(std::string name, std::vector<Fields> list);
 
-  std::string key;            // without its unit: "tip_force"
-  FieldUnit unit;             // of all numbers in `value`
-  OrderedJson value;          // in SI
-  std::vector<Fields> parts;  // in place of a value
-  bool is_list = false;       // of parts, however many
+  std::string key;            // key without its unit: "tip_force"
+  FieldUnit unit;             // unit of all numbers in `value`
+  OrderedJson value;          // value in SI
+  std::vector<Fields> parts;  // members, instead of a value
+  bool is_list = false;       // a list of parts, even if there is one
 };
 
 /// Fields of a result in the order in which they are written.
@@ -126,7 +126,7 @@ class Fields {
   }
   /// Adds a list, unless it is empty.
   void add_some(std::string key, std::vector<Fields> list);
-  /// Adds all fields of another result behind these.
+  /// Appends all fields of another result.
   void append(Fields more);
 
   [[nodiscard]] const std::vector<Field>& all() const { return fields_; }
@@ -135,23 +135,23 @@ class Fields {
   std::vector<Field> fields_;
 };
 
-/// Parts made of some items. @param make  the fields of one of them
+/// Returns the fields of each item. @param make  returns the fields of one item
 template <typename Items, typename Make>
 [[nodiscard]] std::vector<Fields> fields_of_each(const Items& items, const Make& make) {
   return transformed(items, make);
 }
 
-/// A value in another unit than SI, numbers that are not finite as null.
+/// Returns a value in the unit of a system, with null for numbers that are not finite.
 [[nodiscard]] OrderedJson value_in(const OrderedJson& si, const FieldUnit& unit, UnitSystem system);
 
-/// The fields as an object, the unit in each key; numbers that are not finite are null. In SI
-/// processor times are left out, so that the same request gives the same text.
+/// Returns the fields as an object, the unit in each key; numbers that are not finite are null. In
+/// SI processor times are left out, so that the same request gives the same text.
 [[nodiscard]] OrderedJson json_of(const Fields& fields, UnitSystem system);
 
-/// An object of one result, a list of such of several.
+/// Returns an object for one result, a list of objects for several.
 [[nodiscard]] OrderedJson json_of(const std::vector<Fields>& results, UnitSystem system);
 
-/// JSON of any result that has fields, in printed units.
+/// Returns JSON of any result that has fields, in printed units.
 template <typename Result>
 [[nodiscard]] auto json_of(const Result& result)
     -> decltype(json_of(fields_of(result), UnitSystem::kPrinted)) {

@@ -14,12 +14,12 @@ namespace thenar {
 using Json = nlohmann::json;                 // members in alphabetic order: pages
 using OrderedJson = nlohmann::ordered_json;  // members in the order they were added: answers
 
-/// The number; null where it is not finite.
+/// Returns the number; null where it is not finite.
 [[nodiscard]] inline Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json();
 }
 
-/// A vector as a list, a matrix as a list of rows.
+/// Returns a vector as a list, a matrix as a list of rows.
 template <typename Derived>
 [[nodiscard]] Json to_json(const Eigen::MatrixBase<Derived>& values) {
   Json list = Json::array();
@@ -31,7 +31,7 @@ template <typename Derived>
   return list;
 }
 
-/// {"FDP": 10, ...} in the order of the names.
+/// Returns an object in the order of the names: {"FDP": 10, ...}.
 template <typename Derived>
 [[nodiscard]] OrderedJson to_json(const std::vector<std::string>& names,
                                   const Eigen::MatrixBase<Derived>& values) {
@@ -41,7 +41,7 @@ template <typename Derived>
   return object;
 }
 
-/// JSON as text. Bytes that are not UTF-8, as in names of files of others, become U+FFFD.
+/// Returns JSON as text. Bytes that are not UTF-8, for example in file names, become U+FFFD.
 /// @param indent  spaces a level; -1: all on one line
 template <typename AnyJson>
 [[nodiscard]] std::string json_text(const AnyJson& json, int indent = 2) {

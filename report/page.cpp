@@ -26,7 +26,7 @@ std::string replaced(const std::string& text, char from, const std::string& to) 
 std::string report_page(const nlohmann::json& report) {
   const std::string title =
       replaced(replaced(report.value("title", "thenar"), '&', "&amp;"), '<', "&lt;");
-  // No "</script>" may stand inside the data.
+  // Escape "</script>" inside the data.
   const std::string data = replaced(
       report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), '<', "\\u003c");
   return fmt::format(

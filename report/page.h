@@ -1,6 +1,6 @@
 #pragma once
 
-/// A report as one HTML file that needs no network: JSON in, page out.
+/// Conversion of a report from JSON to a single HTML file that needs no network.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// The page that draws `report`; its blocks are described in viewer/README.md.
+/// Returns the page that draws `report`; its blocks are described in viewer/README.md.
 [[nodiscard]] std::string report_page(const nlohmann::json& report);
 
 /// Writes the page to a temporary file and renames it when complete.

@@ -67,7 +67,7 @@ std::string oblique_words(const Eigen::Vector3d& v) {
 
 std::string axis_words(const Parts& parts, const TendonDigit* digit) {
   if (parts.size() != 4) return "";
-  // A tilt is told by the direction that it turns about, a shift by where it goes.
+  // Describe a tilt by the axis of its rotation, a shift by its direction.
   const std::string axis = joint_words(parts[1]) + " axis";
   const std::optional<HingeFrame> frame = hinge_frame(parts, digit);
   if (parts[2] == "direction") {

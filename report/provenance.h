@@ -11,9 +11,9 @@
 
 namespace thenar {
 
-/// The hash of every file by its path, and the versions of all that computed.
+/// Returns the hash of every file by its path, and the versions of all programs and libraries.
 [[nodiscard]] nlohmann::json provenance_json(const FileDigests& files);
-/// Returns the hash of every source by its path, and the versions of all programs that computed.
+/// Returns the hash of every source by its path, and the versions of all programs and libraries.
 [[nodiscard]] nlohmann::json provenance_json(const std::vector<SourceText>& sources);
 /// Returns the provenance of sources, with the fidelity.
 [[nodiscard]] nlohmann::json provenance_json(const std::vector<SourceText>& sources,

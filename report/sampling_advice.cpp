@@ -21,7 +21,7 @@ bool swaps_seldom(const PosteriorRun& run) {
          !(run.draws.swap_rate.minCoeff<Eigen::PropagateNaN>() >= run.settings.limits.swap_rate);
 }
 
-/// Are figures of convergence below what is wanted, whatever the cause?
+/// Returns true if convergence diagnostics are insufficient, for any reason.
 bool too_short(const PosteriorRun& run) {
   const Convergence& c = run.convergence;
   const ConvergenceLimits& limits = run.settings.limits;
@@ -49,7 +49,7 @@ void against_divergence(const SamplerOptions& options, Changes& changes) {
               "--target-acceptance", target);
 }
 
-/// Settings that answer what is wrong, beside more draws.
+/// Returns settings that remedy the problem, besides more draws.
 Changes changed_settings(const PosteriorRun& run) {
   // Each cause has a setting that answers it.
   Changes changes;

@@ -10,24 +10,24 @@
 
 namespace thenar {
 
-/// One way out.
+/// One remedy.
 struct SamplingAdvice {
-  std::string remedy;   // a sentence that names the cause and the options
-  std::string command;  // the line to type; "" where the file does not say which command made it
+  std::string remedy;   // sentence that names the cause and the options
+  std::string command;  // command line; "" if the file does not record its command
 };
 
-/// Ways out of what is wrong with a run, the most promising first; none if nothing is. More draws
-/// go on from where the chains stand; other settings need --fresh.
+/// Returns remedies for the problems of a run, the most promising first; none without problems.
+/// More draws continue the chains; other settings need --fresh.
 [[nodiscard]] std::vector<SamplingAdvice> advise(const PosteriorRun& run);
 
-/// The remedies one under the other, each with its command.
+/// Returns a text with all remedies, each with its command.
 [[nodiscard]] std::string advice_text(const std::vector<SamplingAdvice>& advice);
 
-/// Options with new values; an empty value takes the option away.
+/// Options with new values; an empty value removes the option.
 using OptionChanges = std::vector<std::pair<std::string, std::string>>;
 
-/// The arguments of a command with some options changed: "--draws 100" and "--draws=100" alike.
-/// Options that take a value only; --fresh is added where asked for, and else taken away.
+/// Returns the arguments of a command with some options changed: "--draws 100" and "--draws=100"
+/// alike. Only for options with a value; --fresh is added if requested, else removed.
 [[nodiscard]] std::vector<std::string> with_options(const std::vector<std::string>& arguments,
                                                     const OptionChanges& changes, bool fresh);
 

@@ -8,7 +8,8 @@
 
 namespace thenar {
 
-/// "subject 'an_chao_middle': 5 segments, 4 joints, 6 muscles, 1 digit (middle)".
+/// Returns the kind, name and content: "subject 'an_chao_middle': 5 segments, 4 joints, 6 muscles,
+/// 1 digit (middle)".
 [[nodiscard]] std::string summary_of(const Thing& thing);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tables as plain aligned text for people, and as CSV.
+/// Tables as aligned text and as CSV.
 
 #include <cstddef>
 #include <string>
@@ -9,33 +9,33 @@
 
 namespace thenar {
 
-/// Rows of cells under a header that carries the units: "angle_deg".
+/// Rows of cells under a header with units: "angle_deg".
 struct Table {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows = {};
 
   void add(std::vector<std::string> cells) { rows.push_back(std::move(cells)); }
-  /// Adds a row put together from lists of cells.
+  /// Adds a row that concatenates lists of cells.
   void add_parts(const std::vector<std::vector<std::string>>& parts);
 };
 
-/// The table with columns two blanks apart; columns of numbers are flush right.
+/// Returns the table with columns two spaces apart; columns of numbers are right-aligned.
 [[nodiscard]] std::string aligned(const Table& table);
 
-/// aligned() with a title above and an empty line below; "" if there are no rows.
+/// Returns aligned() with a title above and an empty line below; "" if there are no rows.
 [[nodiscard]] std::string titled(const std::string& title, const Table& table);
 
-/// The table as CSV: commas, one line a row, cells with commas, quotes or line ends in quotes.
-/// Source: RFC 4180, but for line ends, which are LF.
+/// Returns the table as CSV: commas, one line a row, cells with commas, quotes or line ends in
+/// quotes. Source: RFC 4180, except line ends, which are LF.
 [[nodiscard]] std::string csv(const Table& table);
 
-/// A number with so many decimals: never "-0.00"; "inf" where infinite.
+/// Returns a number with the given decimals: never "-0.00"; "inf" if infinite.
 [[nodiscard]] std::string shown(double value, int decimals);
 
-/// A number with four significant digits, for columns that mix sizes.
+/// Returns a number with four significant digits, for columns that mix sizes.
 [[nodiscard]] std::string shown(double value);
 
-/// Numbers of a vector as cells.
+/// Returns the numbers of a vector as cells.
 template <typename Vector>
 [[nodiscard]] std::vector<std::string> cells(const Vector& values, int decimals) {
   std::vector<std::string> result;
@@ -45,16 +45,16 @@ template <typename Vector>
   return result;
 }
 
-/// The entry of a list at an index of Eigen: names beside numbers.
+/// Returns the entry of a list at an index of type Eigen::Index.
 template <typename List, typename Index>
 [[nodiscard]] auto& nth(List&& list, Index i) {
   return list[static_cast<std::size_t>(i)];
 }
 
-/// A row put together from lists of cells.
+/// Returns a row that concatenates lists of cells.
 [[nodiscard]] std::vector<std::string> row(const std::vector<std::vector<std::string>>& parts);
 
-/// The text, or "-" where there is none.
+/// Returns the text, or "-" where there is none.
 [[nodiscard]] inline std::string or_dash(const std::string& text) {
   return text.empty() ? "-" : text;
 }

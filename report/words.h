@@ -1,6 +1,6 @@
 #pragma once
 
-/// Phrases that several answers share.
+/// Phrases that several results share.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace thenar {
 
-/// "FDP 0.12, LU 0.03": words on each of some items. @param words  of one of them
+/// Returns the words on each item, joined: "FDP 0.12, LU 0.03". @param words  returns the words on
+/// one item
 template <typename Items, typename Words>
 [[nodiscard]] std::string each_in_words(const Items& items, const Words& words,
                                         const std::string& between = ", ") {
@@ -22,14 +23,14 @@ template <typename Items, typename Words>
   return text;
 }
 
-/// "MCP3_FE=10 PIP3=45 deg": angles of some joints.
-/// @param names   of all coordinates (coordinates)
-/// @param joints  which of them, in the order of the text
+/// Returns the angles of some joints: "MCP3_FE=10 PIP3=45 deg".
+/// @param names   names of all coordinates (coordinates)
+/// @param joints  indices of the joints, in the order of the text
 /// @param q       [rad] (coordinates)
 [[nodiscard]] std::string angles_in_words(const std::vector<std::string>& names,
                                           const std::vector<int>& joints, const Eigen::VectorXd& q);
 
-/// Angles of all joints, in the order of the coordinates.
+/// Returns the angles of all joints, in the order of the coordinates.
 [[nodiscard]] std::string angles_in_words(const std::vector<std::string>& names,
                                           const Eigen::VectorXd& q);
 
@@ -37,11 +38,12 @@ template <typename Items, typename Words>
 inline constexpr const char* kDirectionWords[3][2] = {
     {"proximal", "distal"}, {"dorsal", "palmar"}, {"radial", "ulnar"}};
 
-/// "palmar" of a component (0, -1, 0) along proximal, dorsal and radial; "" of none.
+/// Returns the word for a direction along proximal, dorsal and radial: "palmar" for (0, -1, 0); ""
+/// for zero.
 [[nodiscard]] std::string direction_word(const Eigen::RowVector3i& signs);
 
-/// "flexion", "abduction" or "pronation": what a positive angle of a joint does, and a positive
-/// moment arm, by the joint's name (docs/conventions.md).
+/// Returns the motion of a positive angle and a positive moment arm of a joint, by its name
+/// (docs/conventions.md): "flexion", "abduction" or "pronation".
 [[nodiscard]] std::string positive_motion(const std::string& joint);
 
 }  // namespace thenar

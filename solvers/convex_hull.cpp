@@ -177,7 +177,7 @@ ConvexHull convex_hull(const Eigen::Ref<const Eigen::MatrixXd>& points) {
 
   Qhull qhull(points);
   ConvexHull hull{{}, qhull.failure(), {}};
-  if (!hull.failure.empty()) return hull;
+  if (!hull.message.empty()) return hull;
   hull.facets = qhull.facets();
   if (d == 3)
     for (HullFacet& facet : hull.facets) sort_ring(points, facet);

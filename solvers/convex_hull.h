@@ -26,7 +26,7 @@ struct HullCheck {
 
 struct ConvexHull {
   std::vector<HullFacet> facets;  // coplanar ones merged; empty on failure
-  std::string failure;            // why there is no hull; empty if there is one
+  std::string message;            // why there is no hull; empty: there is one
   HullCheck check;
 };
 

@@ -1,8 +1,14 @@
 #pragma once
 
-/// Status of a numerical method, and outcome of a question: one enumeration for optimisers, root
-/// finders and the questions that they answer. Enumerations with words of a domain stand beside
-/// what they describe, as NetStatus and OdeStatus.
+/// Status of a numerical method, and outcome of a question.
+///
+/// All results follow one convention (docs/conventions.md):
+///   Status status                   how a numerical method ended; kStopped: by request of the
+///   caller Outcome outcome                 how the work on a question of api/ or studies/ ended
+///   std::string message             why there is no answer; empty: there is one
+///   vector<string> warnings         assumptions and doubts about an answer that there is
+/// Enumerations with words of a domain are declared beside what they describe: NetStatus,
+/// OdeStatus.
 
 #include <array>
 #include <cstddef>
@@ -13,7 +19,7 @@
 
 namespace thenar {
 
-/// A result says more beside it: a `message`, residuals, a certificate.
+/// Status of a numerical method. Its result adds a `message`, residuals or a certificate.
 enum class Status {
   kSolved,      // the result is an answer, and its certificate holds
   kInfeasible,  // no point obeys the constraints

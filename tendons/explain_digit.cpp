@@ -26,8 +26,8 @@ class Explainer {
   DigitExplanation take() { return std::move(says_); }
 
  private:
-  void drop(const std::string& what, const std::string& name, const std::string& why) {
-    says_.dropped.push_back({what, name, why});
+  void drop(const std::string& what, const std::string& name, const std::string& reason) {
+    says_.dropped.push_back({what, name, reason});
   }
 
   [[nodiscard]] bool kept_segment(const std::string& name) const {

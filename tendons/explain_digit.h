@@ -13,7 +13,7 @@ namespace thenar {
 struct DroppedPart {
   std::string what;  // "segment", "joint", "strand", "muscle", "hood"
   std::string name;
-  std::string why;
+  std::string reason;
 };
 
 struct DigitExplanation {

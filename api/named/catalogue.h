@@ -1,7 +1,7 @@
 #pragma once
 
-/// Names that commands take: subjects, experiments, worlds, hands .. of all data folders, and what
-/// a subject or a robot is made of.
+/// Names that commands accept: subjects, experiments, worlds, hands .. of all data folders, and the
+/// parts of a subject or a robot.
 
 #include <string>
 #include <vector>
@@ -11,16 +11,16 @@ namespace thenar {
 /// Options of a list of names.
 struct CatalogueRequest {
   std::string what;  // "subjects", "hands" .., "joints", "muscles", "digits"; empty: all but parts
-  std::string of;    // subject (name or file), or robot, whose joints, muscles or digits are asked
+  std::string of;    // subject (name or file) or robot whose joints, muscles or digits are listed
   std::string materials;  // file of materials, over the built-in table; empty: that table
   std::string data;       // folder with subjects/ ..; empty: the usual ones
 };
 
-/// One name, with what it is.
+/// One name, with a description.
 struct CatalogueEntry {
   std::string kind;    // "subject"
-  std::string name;    // as commands take it
-  std::string about;   // its title, or what a joint or muscle is; may be empty
+  std::string name;    // name that commands accept
+  std::string about;   // its title, or a description of a joint or muscle; may be empty
   std::string source;  // citation keys; may be empty
   std::string file;    // empty: none of its own
 };
@@ -30,10 +30,11 @@ struct Catalogue {
   std::vector<std::string> warnings;  // files that cannot be read
 };
 
-/// "subjects", "experiments" .. "muscles": what a request may ask for.
+/// Returns "subjects", "experiments" .. "muscles": what a request may ask for.
 [[nodiscard]] std::vector<std::string> catalogue_words();
 
-/// Names in alphabetic order within each kind; where several data folders have one, the first.
+/// Lists names in alphabetic order within each kind. Where several data folders have a name, the
+/// first counts.
 /// @throws InputError for an unknown word, or a subject or robot that is not to be found.
 [[nodiscard]] Catalogue list_names(const CatalogueRequest& request);
 

@@ -7,35 +7,38 @@
 
 namespace thenar {
 
-/// Folders with robots/, objects/, worlds/, contacts/, subjects/.. in the order of search:
+/// Returns folders with robots/, objects/, worlds/, contacts/, subjects/.. in the order of search:
 ///   `given` (--data), the environment's THENAR_DATA, ./data, `near`, what was installed with the
 ///   program (../share/thenar beside it), the sources that it was built from.
-/// Those that are not set are left out; those that are not there are not.
-/// @param near  above the folder of a world, whose hands may stand beside it; "": nothing
+/// Folders that are not set are left out; set folders that do not exist are kept.
+/// @param near parent of the folder of a world, whose hands may be beside it; "": none
 [[nodiscard]] std::vector<std::string> data_folders(const std::string& given,
                                                     const std::string& near = "");
 
-/// The first of `places` that has `what`, with it: "data/robots/barrett.toml"; "" if none has it.
+/// Returns the path of `what` in the first of `places` that contains it:
+/// "data/robots/barrett.toml"; "" if none does.
 [[nodiscard]] std::string find_in(const std::vector<std::string>& places, const std::string& what);
 
-/// The first data folder that has the folder `what`.
-/// @throws InputError that names all places, if none has it.
+/// Returns the first data folder that has the folder `what`.
+/// @throws InputError listing all folders, if none has it.
 [[nodiscard]] std::string data_with(const std::string& what, const std::string& given);
 
-/// Names of the files of a folder like "robots" without ending, of all places, in alphabetic order.
+/// Returns the names, without ending, of the files in a folder like "robots" of all places, in
+/// alphabetic order.
 [[nodiscard]] std::vector<std::string> names_in(const std::vector<std::string>& places,
                                                 const std::string& folder,
                                                 const std::string& ending = ".toml");
 
-/// A file, or by its name one that comes with thenar: "barrett_bobbin" of "worlds".
+/// Returns the path of a file given by its path, or by the name of a file that comes with thenar:
+/// "barrett_bobbin" of "worlds".
 /// @param what  for messages: "world";  @param folder  "worlds";  @param ending  ".toml"
-/// @throws InputError if there is neither, with the places looked in and the nearest name, or what
-/// else has that name: "it is a hand: thenar pose barrett".
+/// @throws InputError if there is neither, listing the searched folders and the nearest name, or
+/// the other kind that has this name: "it is a hand: thenar pose barrett".
 [[nodiscard]] std::string named_file(const std::string& what, const std::string& name,
                                      const std::string& folder, const std::string& ending,
                                      const std::vector<std::string>& places);
 
-/// "looked in a, b, c".
+/// Returns "looked in a, b, c".
 [[nodiscard]] std::string places_words(const std::vector<std::string>& places);
 
 }  // namespace thenar

@@ -42,7 +42,7 @@ DigitResult begin_digit_result(const DigitCase& at) {
   result.outcome.warnings = at.warnings;
   result.outcome.part = "posture";
   result.outcome.asked = at.map.empty() ? at.grid.postures.size() : 1;
-  // A tip map stands for one posture, so that there is no grid to go through.
+  // A tip map has a single posture, so there is no grid.
   if (!at.map.empty()) {
     const DigitAtPosture map = digit_at(at, {});
     result.built = map.built;
@@ -61,7 +61,7 @@ DigitResult begin_digit_result(const DigitCase& at) {
 
 void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fail,
                   const Progress& progress) {
-  // Collect failures by kind, so that a thousand alike make one warning.
+  // Collect failures by kind, so that a thousand equal ones make one warning.
   Outcome& outcome = result.outcome;
   const std::size_t count = outcome.asked;
   Occurrence doubts, failures;
@@ -70,7 +70,7 @@ void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fa
     const Eigen::VectorXd q =
         result.map.empty() ? result.grid.postures[outcome.done] : Eigen::VectorXd();
     const std::string angles = varied_angles(result.rows, result.grid, q);
-    // A posture without an answer becomes a gap in the result; the next ones are still asked.
+    // Record a posture without a result as a gap, and continue with the next.
     try {
       const std::vector<std::string> warnings = ask(q);
       if (!warnings.empty()) doubts.add(warnings.front(), angles);

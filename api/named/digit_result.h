@@ -1,6 +1,6 @@
 #pragma once
 
-/// A digit asked posture by posture: what every answer about a fingertip has in common.
+/// Common part of all results about a fingertip, posture by posture.
 
 #include <functional>
 #include <memory>
@@ -16,49 +16,50 @@
 
 namespace thenar {
 
-/// A digit that was asked posture by posture: what is the same in all results about one.
+/// Common part of all results about a digit, posture by posture.
 struct DigitResult {
   Outcome outcome;  // done: postures, or 1 for a map
   std::string subject, digit;
-  std::string map;                              // empty: built from bones and tendons
-  std::string built;                            // fidelity, or which map, in words
-  std::vector<std::string> rows;                // of the balance: joints, or Fx Fy Fz tx ..
-  std::vector<std::string> muscles;             //
-  PostureGrid grid;                             // postures asked for; none for a map
-  std::shared_ptr<const DigitTendons> tendons;  // for pictures; null for a map
-  std::vector<SourceText> sources;              // of the subject
+  std::string map;                // empty: built from bones and tendons
+  std::string built;              // fidelity, or which map, in words
+  std::vector<std::string> rows;  // rows of the balance: joints, or Fx Fy Fz tx ..
+  std::vector<std::string> muscles;
+  PostureGrid grid;                             // requested postures; none for a map
+  std::shared_ptr<const DigitTendons> tendons;  // tendons for pictures; null for a map
+  std::vector<SourceText> sources;              // text of the subject
 
-  /// One posture, or a map: an answer and no table of answers.
+  /// Returns true for a single posture or a map, which has one result instead of a table.
   [[nodiscard]] bool single() const { return grid.varied.empty(); }
 };
 
-/// Begins the result of a digit that was built: no posture is done yet.
+/// Returns the result of a built digit without any posture.
 /// @throws InputError if its hood is a net
 [[nodiscard]] DigitResult begin_digit_result(const DigitCase& at);
 
-/// Asks at one posture. @param q  [rad] (coordinates); empty for a map  @return warnings
+/// Computes the result at one posture. @param q  [rad] (coordinates); empty for a map  @return
+/// warnings
 using AskPosture = std::function<std::vector<std::string>(const Eigen::VectorXd& q)>;
-/// Hears why there is no answer at a posture.
-using NoAnswer = std::function<void(const Eigen::VectorXd& q, const std::string& why)>;
+/// Records that there is no answer at a posture, and the message that says why.
+using NoAnswer = std::function<void(const Eigen::VectorXd& q, const std::string& message)>;
 
-/// Keeps a posture without an answer among the points of the others, with the reason.
+/// Returns a callback that appends a point with the posture and the message to `points`.
 template <typename Point>
-[[nodiscard]] NoAnswer kept_in(std::vector<Point>& points) {
-  return [&points](const Eigen::VectorXd& q, const std::string& why) {
+[[nodiscard]] NoAnswer failure_recorder(std::vector<Point>& points) {
+  return [&points](const Eigen::VectorXd& q, const std::string& message) {
     Point point;
     point.q = q;
-    point.failure = why;
+    point.message = message;
     points.push_back(std::move(point));
   };
 }
 
-/// Asks at every posture in order, until progress says stop, and counts those that are done. Where
-/// only some postures have no answer they are told to `fail`, and a warning says how many.
-/// @throws what `ask` throws, if there is one posture only or none has an answer
+/// Calls `ask` at every posture in order, until progress requests a stop, and counts the postures.
+/// If only some postures have no result, `fail` is called for each, and a warning counts them.
+/// @throws the exception of `ask`, if there is a single posture or none has an answer
 void ask_postures(DigitResult& result, const AskPosture& ask, const NoAnswer& fail,
                   const Progress& progress);
 
-/// "PIP3=30 DIP3=10 deg": angles of the joints that vary.
+/// Returns the angles of the joints that vary: "PIP3=30 DIP3=10 deg".
 [[nodiscard]] std::string varied_angles(const std::vector<std::string>& joints,
                                         const PostureGrid& grid, const Eigen::VectorXd& q);
 

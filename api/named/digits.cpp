@@ -73,8 +73,8 @@ bool can_run_straight(const DigitCase& at, const NetDescription* net) {
   }
 }
 
-/// Builds the digit's tendons. Wrapped paths that nobody asked for may be refused, as where a point
-/// lies inside a surface: then it says which are not.
+/// Builds the digit's tendons. Wrapped paths that were not requested may be impossible, for example
+/// where a point is inside a surface; the message then suggests other paths.
 std::shared_ptr<const DigitTendons> tendons_on_rungs(const DigitCase& at, bool path_asked,
                                                      const NetDescription* net) {
   try {
@@ -87,12 +87,12 @@ std::shared_ptr<const DigitTendons> tendons_on_rungs(const DigitCase& at, bool p
   }
 }
 
-/// Tendons on the rungs that are asked for; adds the text of a net to the sources.
+/// Builds the tendons on the requested rungs; adds the text of a net to the sources.
 void build_tendons_of(const DigitRequest& request, Hood default_hood, DigitCase& at) {
-  // A net replaces the hood, so the default hood counts only if nobody names a net.
+  // A net replaces the hood, so the default hood applies only if no net is named.
   const std::optional<Hood> hood =
       request.hood || !request.net.empty() ? request.hood : std::optional<Hood>(default_hood);
-  const std::string name = net_meant(hood, request.net);
+  const std::string name = requested_net(hood, request.net);
   // Without a net tendons are linear in their tensions: hood fractions or separate slips.
   if (name.empty()) {
     at.rungs = rungs_of(request, at.subject, *hood);
@@ -136,7 +136,7 @@ DigitAtPosture at_map(const DigitCase& at) {
 }  // namespace
 
 SourceText subject_source(const std::string& name_or_path, const std::string& data) {
-  // A folder, a pipe or a device of that name is refused by the reader, which says what it is.
+  // Leave folders, pipes and devices of that name to the reader, which reports them.
   std::error_code none;
   if (is_file(name_or_path)) require_kind(name_or_path, {"subject"});
   if (std::filesystem::exists(name_or_path, none)) return read_source(name_or_path);
@@ -152,7 +152,7 @@ DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
   at.subject = with_passive(parse_subject(at.sources.front().text, at.sources.front().path),
                             request.passive);
   at.digit = choose_digit(at.subject, request.digit);
-  // A digit without bones has a tip map, which stands for one posture of its own.
+  // Use the tip map of a digit without bones, which has a single posture.
   if (!request.map.empty() || !has_bones(at.subject, at.digit)) {
     at.map = find_tip_map(at.subject, at.digit, request.map).name;
     const bool straight = request.path.value_or(Path::kViaPoint) == Path::kViaPoint;
@@ -178,13 +178,13 @@ DigitAtPosture digit_at(const DigitCase& at, const Eigen::VectorXd& q) {
   const TendonTorque pull = at.tendons->evaluate(
       q, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size())));
   require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
-  // Compute the statics and turn the tip's axes with the link that bears them.
+  // Compute the statics, and rotate the tip's axes with its link.
   const TipStatics statics = tip_statics(*at.tendons, q);
   const TreeState<double> state = pose_tree(digit.model.tree, q);
   const int link = digit.model.tip_link;
   const Eigen::Matrix3d turned =
       link < 0 ? Eigen::Matrix3d::Identity() : state[static_cast<std::size_t>(link)].X.R;
-  // Gather the answer, with derivatives for questions that ask how much the posture matters.
+  // Gather the result, with derivatives for the sensitivity to the posture.
   DigitAtPosture found{at.subject.name,
                        at.digit,
                        "",
@@ -271,7 +271,7 @@ std::vector<std::string> reversal_warnings(const DigitTendons& linear, const Pos
         q, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size())));
     const std::vector<ReversedArm> arms = reversed_arms(digit, pull.R);
     if (!trusted(pull.status) || arms.empty() || count++ > 0) continue;
-    // The first posture is told in full.
+    // Describe the first posture in full.
     where = q;
     for (const ReversedArm& arm : arms)
       first.push_back(fmt::format("{} at {} ({:.2g} mm)", arm.muscle, arm.joint, 1e3 * arm.arm));
@@ -315,7 +315,7 @@ SourceText net_source(const std::string& name_or_path) {
   return {found->first, std::string(found->second)};
 }
 
-std::string net_meant(const std::optional<Hood>& hood, const std::string& net) {
+std::string requested_net(const std::optional<Hood>& hood, const std::string& net) {
   if (net.empty()) return hood == Hood::kFloatingNet ? "extensor_hood" : "";
   require(!hood || hood == Hood::kFloatingNet,
           "net '{}' needs a hood that is a net, got the hood '{}'", net,

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Command lines that take a file of a kind; @ stands for the file.
+/// Command lines that accept a file of a kind; @ is replaced by the file.
 struct KindCommands {
   const char* kind;
   std::vector<std::string> lines;
@@ -113,7 +113,7 @@ FileContents of_xml(const std::string& path, const std::string& start) {
   } catch (const DataError&) {
     return {"", "XML", {}};  // broken
   }
-  // The root element tells GraspIt! worlds and robots of URDF or MJCF apart.
+  // Distinguish GraspIt! worlds, URDF and MJCF by the root element.
   if (root == "world") return {"world", "GraspIt! XML", {}};
   if (root == "robot" || root == "mujoco" || root == "mujocoinclude") return of_robot(path);
   if (start.find("<geometryFile") != std::string::npos) return {"object", "GraspIt! XML", {}};
@@ -152,7 +152,7 @@ FileContents look_into(const std::string& path) {
   const std::string ending = fs::path(path).extension();
   if (ending == ".toml") return {name_of(find_file_kind(path)), "TOML", {}};
   if (is_mesh_file(path)) return {"mesh", ending.substr(1), {}};
-  // Other formats are told by their ending or their first sign.
+  // Recognise other formats by their ending or their first character.
   const std::string start = read_start(path, kStartBytes);
   if (ending == ".html" || ending == ".htm") return of_html(path);
   if (first_sign(start) == '<') return of_xml(path, start);
@@ -171,7 +171,7 @@ std::string absent(const std::string& path) {
   // By the stem: an ending in common says little.
   std::map<std::string, std::string> by_stem;
   std::vector<std::string> stems;
-  // Among files of the same stem prefer the one with the ending that was asked for.
+  // Prefer the requested ending among files of the same stem.
   std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
     const fs::path name = entry.path().filename();
@@ -231,10 +231,10 @@ void require_kind(const std::string& path, const std::vector<std::string>& kinds
   try {
     found = contents_of(path);
   } catch (const DataError&) {
-    return;  // its reader says what it wants
+    return;  // the reader reports the error
   }
   if (found.kind.empty() || std::count(kinds.begin(), kinds.end(), found.kind) > 0) return;
-  // Name what was found, what was wanted, and the commands that take the file.
+  // Name the found kind, the accepted kinds, and the commands that accept the file.
   std::vector<std::string> wanted;
   wanted.reserve(kinds.size());
   for (const std::string& kind : kinds) wanted.push_back(with_article(kind));

@@ -1,7 +1,6 @@
 #pragma once
 
-/// Files that a question reads or writes: their text, what they are, and whether they are of the
-/// right kind.
+/// Files that a question reads or writes: their text, their kind, and checks of that kind.
 
 #include <string>
 #include <vector>
@@ -10,39 +9,40 @@
 
 namespace thenar {
 
-/// A data file as text with its path. @throws DataError if it cannot be read.
+/// Returns a data file as text with its path. @throws DataError if it cannot be read.
 [[nodiscard]] SourceText read_source(const std::string& path);
 
-/// A sentence if damage of a binary result could not be noticed: files of older versions have no
-/// checksum. Empty for all others.
+/// Returns a warning if damage to a binary result would go unnoticed, because files of older
+/// versions have no checksum; else nothing.
 [[nodiscard]] std::vector<std::string> checksum_warnings(const std::string& path);
 
-/// Refuses to write a result over anything that is not a result, and where no file can be made.
-/// @throws InputError saying which.
+/// Checks that a result can be written to a path and overwrites nothing but a result. @throws
+/// InputError otherwise.
 void require_result_path(const std::string& path);
 
-/// Kind of a file, as a person calls it.
+/// Kind of a file, in words.
 struct FileContents {
   // "subject", "experiment", "fit settings", "proportions", "net", "materials", "robot", "object",
   // "world", "scene", "pad", "presses of a pad", "mesh", "fit", "posterior", "motion", "scene run",
-  // "contacts", "comparison", "page", "answer", "folder"; "": none that is known
+  // "contacts", "comparison", "page", "answer", "folder"; "": unknown
   std::string kind;
   std::string format;                 // "TOML", "HDF5", "netCDF", "URDF", "JSON", ..; "": not known
-  std::vector<std::string> commands;  // lines that take it: "thenar explain hand.toml"
+  std::vector<std::string> commands;  // command lines that accept it: "thenar explain hand.toml"
 };
 
 /// Finds the kind of a file by its content, of meshes by the ending of the name. A damaged binary
 /// file may stay unknown; its reader then says what is wrong.
-/// @throws InputError if there is no file of that name, with the nearest one beside it; DataError
-/// if a TOML file is wrong or of no kind.
+/// @throws InputError if there is no such file, with the nearest name in its folder; DataError if a
+/// TOML file is wrong or of no known kind.
 [[nodiscard]] FileContents contents_of(const std::string& path);
 
-/// Refuses a file that is known to be of another kind:
+/// Throws InputError for a file that is known to be of another kind:
 /// "'P.nc' is a posterior, wanted a fit; commands that take it: thenar posterior summary P.nc, ..".
-/// A file of unknown kind, or one that cannot be parsed, is left to its reader.
-/// @param kinds  those that are wanted, as FileContents::kind
-/// @param hint   what to do with a robot, an object or a mesh instead; empty: nothing
-/// @throws InputError so, or if there is no file
+/// Files of unknown kind, and those that cannot be parsed, are accepted here: their reader reports
+/// the error.
+/// @param kinds  accepted kinds, see FileContents::kind
+/// @param hint   advice for a robot, an object or a mesh; empty: none
+/// @throws InputError as above, or if there is no file
 void require_kind(const std::string& path, const std::vector<std::string>& kinds,
                   const std::string& hint = "");
 

@@ -99,7 +99,7 @@ struct HandName {
   PassiveMoments passive = PassiveMoments::kOn;
 };
 
-/// Parts what stands behind a version: tendon paths, passive moments left out, or both.
+/// Splits the suffix of a version: tendon paths, passive moments off, or both.
 void read_tail(const std::string& tail, HandName& name) {
   const std::size_t end = tail.rfind(':');
   const std::string last = end == std::string::npos ? tail : tail.substr(end + 1);

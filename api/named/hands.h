@@ -1,6 +1,6 @@
 #pragma once
 
-/// Hands as commands name them.
+/// Hands by the names that commands accept.
 
 #include <memory>
 #include <string>
@@ -13,31 +13,31 @@
 
 namespace thenar {
 
-/// A hand and what is known of it beyond Hand. Robots have no patches and no targets.
+/// Hand with its name, origin and further data. Robots have no patches and no targets.
 struct NamedHand {
-  std::string name;  // as asked for, with old names of versions replaced: current_hand_name()
-  std::string file;  // that it was built from; empty: the built-in human
+  std::string name;  // requested name, with old version names replaced: current_hand_name()
+  std::string file;  // file that the hand was built from; empty: the built-in human
   std::shared_ptr<const Hand> hand;
   ContactModel contact = ContactModel::kHardPoint;
-  std::vector<SkinPatch> patches;            // pads and nails of a human hand
-  std::vector<OppositionTarget> targets;     // of Kapandji's score, of a human hand
-  ClosingRates rates;                        // of a hand that tendons close; empty: its drives do
-  std::shared_ptr<const Skeleton> skeleton;  // of a human hand; null: a robot
-  Path path = Path::kNone;                   // of a human hand: HumanHand::path
-  std::vector<std::string> warnings;         // what was assumed or left out
-  FileDigests files;                         // that were read for it
+  std::vector<SkinPatch> patches;         // pads and nails of a human hand
+  std::vector<OppositionTarget> targets;  // targets of Kapandji's score, for a human hand
+  ClosingRates rates;  // closing rates of a hand that tendons close; empty: its drives close it
+  std::shared_ptr<const Skeleton> skeleton;  // skeleton of a human hand; null: a robot
+  Path path = Path::kNone;                   // HumanHand::path of a human hand
+  std::vector<std::string> warnings;         // assumptions and omissions
+  FileDigests files;                         // digests of the files that were read for it
 };
 
 /// Data from which a hand of a given name is built.
 struct HandSource {
-  bool human = false;   // of a subject; else a robot
+  bool human = false;   // true: a subject; false: a robot
   std::string file;     // empty: the built-in human
-  std::string version;  // of a human hand: one of kHumanVersionNames
-  std::string path;     // of its tendons: "via", "fitted" or "wrapped"; empty: default_path()
-  PassiveMoments passive = PassiveMoments::kOn;  // of its joints
+  std::string version;  // version of a human hand: one of kHumanVersionNames
+  std::string path;     // tendon paths: "via", "fitted" or "wrapped"; empty: default_path()
+  PassiveMoments passive = PassiveMoments::kOn;  // passive moments of its joints
 };
 
-/// The hand called
+/// Returns the hand called
 ///   "human:orthogonal", "human:skewed", "human:soft", "human:tendons"
 ///                            a version of default_human(); "human" is "human:tendons"
 ///   "FILE.toml:skewed" ..    the same of a subject file; without a version it is "skewed", which
@@ -50,25 +50,25 @@ struct HandSource {
 ///   "barrett"                robots/barrett.toml of the first place that has it
 ///   a path                   a robot of any kind that import_robot() reads
 /// @param places  folders with robots/, as data_folders()
-/// @throws InputError naming the hands there are, if there is none of that name, or what a file is
-///         that is no hand; DataError where a file is wrong.
+/// @throws InputError listing all hands if there is none of that name, or stating the kind of a
+/// file that is no hand; DataError if a file is wrong.
 [[nodiscard]] HandSource find_hand(const std::string& name, const std::vector<std::string>& places);
 
-/// Builds the hand that find_hand() finds. Paths that its name states prevail over those of the
+/// Builds the hand that find_hand() finds. Tendon paths in its name take precedence over the
 /// options. @throws InputError, DataError as find_hand()
 [[nodiscard]] NamedHand hand_by_name(const std::string& name,
                                      const std::vector<std::string>& places,
                                      const HumanHandOptions& options = {});
 
-/// The name of a hand, with an old name of its version replaced: "human:tier4:via" becomes
+/// Returns the name of a hand with an old version name replaced: "human:tier4:via" becomes
 /// "human:tendons:via". Other names stay as they are.
 [[nodiscard]] std::string current_hand_name(const std::string& name);
 
-/// The end of a name that says which version of a human hand is meant, and which tendon paths:
-/// ":tendons:via"; "" if it says none.
+/// Returns the suffix of a name that states the version of a human hand and its tendon paths:
+/// ":tendons:via"; "" if there is none.
 [[nodiscard]] std::string version_of_hand(const std::string& name);
 
-/// The file of the robot of that name, PLACE/robots/NAME.toml; "" if there is none.
+/// Returns the file of the robot of that name, PLACE/robots/NAME.toml; "" if there is none.
 [[nodiscard]] std::string robot_file(const std::string& name,
                                      const std::vector<std::string>& places);
 

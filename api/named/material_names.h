@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tables of materials by file, and names of materials held to them.
+/// Tables of materials by file, and checks of material names.
 
 #include <string>
 #include <vector>
@@ -10,18 +10,19 @@
 
 namespace thenar {
 
-/// The materials and friction of a file over the built-in table. @param file  empty: that table
+/// Returns the built-in table of materials and friction with the entries of a file. @param file
+/// empty: none
 /// @throws InputError if it is a file of another kind, DataError where it is wrong.
 [[nodiscard]] Materials materials_of_file(const std::string& file);
 
-/// "hand.toml:7: no material 'plastc', did you mean 'plastic'?", a sentence for each name that the
-/// table has not; the line is the first that has the name in quotes.
+/// Returns a sentence for each name that the table lacks: "hand.toml:7: no material 'plastc', did
+/// you mean 'plastic'?". The line is the first that contains the name in quotes.
 /// @param file  that uses the names; @param used  names, "" for none
 [[nodiscard]] std::vector<std::string> unknown_materials(const std::string& file,
                                                          const std::vector<std::string>& used,
                                                          const Materials& table);
 
-/// Refuses a hand one of whose links has a material that the table has not.
+/// Checks that the table has the materials of all links of a hand.
 /// @throws InputError with the first sentence of unknown_materials().
 void require_materials(const NamedHand& hand, const Materials& table);
 

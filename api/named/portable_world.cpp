@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 using FileSet = std::set<fs::path>;
 
-constexpr std::size_t kMostCopied = 1UL << 30U;  // Largest file that goes with a world [bytes]
+constexpr std::size_t kMaxCopied = 1UL << 30U;  // largest file that goes with a world [bytes]
 
 fs::path whole_path(const fs::path& folder, const fs::path& file) {
   return fs::absolute(folder / file).lexically_normal();
@@ -61,13 +61,14 @@ fs::path common_folder(const FileSet& files) {
   return common;
 }
 
-/// Files that were read, and what their formats read beside them, by their whole paths.
+/// Returns the files that were read and those that their formats read beside them, by absolute
+/// paths.
 FileSet with_files_beside(const FileDigests& read) {
   FileSet all;
   for (const auto& [file, digest] : read) {
     const fs::path whole = whole_path("", file);
     all.insert(whole);
-    // Numbers of a glTF stand in files of their own.
+    // Add the buffer files of a glTF.
     std::error_code failed;
     if (whole.extension() == ".gltf")
       for (const fs::directory_entry& other : fs::directory_iterator(whole.parent_path(), failed))
@@ -229,8 +230,8 @@ void write_copies(const PortableWorld& portable, const InsideFolder& folder) {
     if (folder.entry(name.string()) != InsideFolder::Entry::kNothing) continue;
     try {
       for (const fs::path& file : copies.files)
-        folder.write((name / file).string(), read_file((copies.from / file).string(), kMostCopied));
-      // Do not leave half a folder behind, as it would be taken for a whole one next time.
+        folder.write((name / file).string(), read_file((copies.from / file).string(), kMaxCopied));
+      // Remove an incomplete folder, as it would be taken for a complete one next time.
     } catch (const Error&) {
       std::error_code ignored;
       fs::remove_all(copies.to, ignored);

@@ -117,7 +117,7 @@ PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request
     grid.postures = std::move(postures);
   }
 
-  // All others lie between the first and the last.
+  // Fill in the values between the first and the last.
   (void)checked_angles(grid.postures.front(), skeleton.coordinate_names);
   (void)checked_angles(grid.postures.back(), skeleton.coordinate_names);
   // Warn once of each joint that leaves its range at either end of the sweep.

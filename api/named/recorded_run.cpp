@@ -39,8 +39,8 @@ void add_json_record(const std::string& path, const std::string& text, RecordedR
     for (std::size_t i = 0; i < provenance->names.size(); ++i)
       if (provenance->items[i].kind == JsonKind::kText)
         texts[provenance->names[i]] = provenance->items[i].text;
-  // The command and its folder make the run repeatable; digests tell whether its inputs are still
-  // the same.
+  // Read the command and its folder, which make the run repeatable; digests show whether its inputs
+  // are still the same.
   out.run = record_of_texts(texts);
   out.version = texts["thenar"];
   const std::string start = "sha256 ";
@@ -48,7 +48,7 @@ void add_json_record(const std::string& path, const std::string& text, RecordedR
     if (value.compare(0, start.size(), start) == 0) out.inputs[name] = value.substr(start.size());
 }
 
-/// Adds inputs of results that store texts by key: the content of an input stands beside its path.
+/// Adds inputs of results that store texts by key, with the content of an input beside its path.
 /// @param ending  of keys: "/path" of HDF5, "_path" of netCDF
 void add_inputs(const std::map<std::string, std::string>& texts, const std::string& slash,
                 RecordedRun& out) {

@@ -10,15 +10,15 @@
 
 namespace thenar {
 
-/// The run that a page, a JSON answer, a fit, a posterior or a motion records.
+/// Run recorded in a page, a JSON answer, a fit, a posterior or a motion.
 struct RecordedRun {
-  std::string file;                           // that records it
+  std::string file;                           // file that holds the record
   RunRecord run;                              // arguments, folder, commit and date
-  std::string version;                        // of thenar that wrote it; empty: it does not say
+  std::string version;                        // thenar version that wrote it; empty: not stated
   std::map<std::string, std::string> inputs;  // path, as the run saw it -> SHA-256
-  int compared = 0;                           // inputs that are files, or were
-  int changed = 0;                            // of these: others now, or gone
-  std::vector<std::string> warnings;          // inputs and sources that are others now
+  int compared = 0;                           // number of inputs that are or were files
+  int changed = 0;                            // number of inputs that have changed or are missing
+  std::vector<std::string> warnings;          // inputs and sources that have changed
 };
 
 /// Reads the record of the run that wrote a file, and compares the inputs with today's files and
@@ -26,13 +26,13 @@ struct RecordedRun {
 /// @throws InputError if the file records no run; DataError if it cannot be read.
 [[nodiscard]] RecordedRun read_recorded_run(const std::string& path);
 
-/// Refuses what is no plain command of thenar, and `rerun` itself.
+/// Checks that the record is a plain command of thenar other than `rerun`.
 /// @param commands  names of the subcommands: "fit", "pose" ..
-/// @throws InputError so, or if the folder of the run is gone.
+/// @throws InputError otherwise, or if the folder of the run is gone.
 void require_repeatable(const RecordedRun& recorded, const std::vector<std::string>& commands);
 
-/// Returns whether tendons of the run were straight where no paths were asked for: they were before
-/// version 0.2, and are default_path() since.
+/// Returns true if the run used straight tendon paths by default: before version 0.2 they were the
+/// default, since then it is default_path().
 [[nodiscard]] bool ran_on_straight_paths(const RecordedRun& recorded);
 
 }  // namespace thenar

@@ -4,13 +4,13 @@
 
 #include <vector>
 
+#include "base/provenance.h"
 #include "base/run_record.h"
 #include "data/io/result_file.h"
-#include "base/provenance.h"
 
 namespace thenar {
 
-/// Adds texts and hashes of all sources, versions of all that computed, and the run.
+/// Adds texts and hashes of all sources, versions of all programs and libraries, and the run.
 void add_origin(const std::vector<SourceText>& sources, const RunRecord& run, ResultFile& file);
 
 }  // namespace thenar

@@ -7,12 +7,12 @@
 
 namespace thenar {
 
-/// Returns the folder into which `cmake --install` puts data, found from the place of the program;
-/// "" if the system does not tell that place.
+/// Returns the folder of data installed by `cmake --install`, found from the location of the
+/// program; "" if that location is not known.
 [[nodiscard]] std::string installed_data();
 
-/// The folders of what comes with thenar: installed with the program, and in the sources that it
-/// was built from.
+/// Returns the folders of data that come with thenar: installed with the program, and in its
+/// sources.
 [[nodiscard]] std::vector<std::string> shipped_data();
 
 }  // namespace thenar

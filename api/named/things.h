@@ -1,6 +1,6 @@
 #pragma once
 
-/// Things that files hold, by file or by name, read: subjects, experiments, nets, worlds ..
+/// Readers of any file, given by path or name: subjects, experiments, nets, worlds ..
 
 #include <string>
 #include <variant>
@@ -26,32 +26,33 @@
 
 namespace thenar {
 
-/// The content of a file; a ResultFile is a motion or a run of a scene, as `thenar simulate` writes
+/// Content of a file; a ResultFile is a motion or a run of a scene, as `thenar simulate` writes
 /// them.
 using Thing =
     std::variant<Subject, Experiment, FitSettings, HandProportions, DigitVariability, PinchLosses,
                  NetDescription, Materials, RobotSpec, BodySpec, WorldSpec, SceneSpec, PadSpec,
                  CalibratedLaws, PadData, Fit, PosteriorRun, ResultFile>;
 
-/// Kind of thing that a name in a command stands for.
+/// Kind of thing that a command accepts by name.
 struct ThingKind {
-  std::string plural;  // as `thenar list` takes it: "hands"
-  std::string kind;    // as FileContents has it: "robot"
-  std::string folder;  // of data, where its files are: "robots"
+  std::string plural;  // word that `thenar list` accepts: "hands"
+  std::string kind;    // FileContents::kind of its files: "robot"
+  std::string folder;  // data folder of its files: "robots"
   std::string ending;  // ".toml"
 };
 
-/// Subjects, experiments, worlds, scenes, hands, objects, pads, nets, contacts, settings and
-/// proportions.
+/// Returns all kinds: subjects, experiments, worlds, scenes, hands, objects, pads, nets, contacts,
+/// settings and proportions.
 [[nodiscard]] const std::vector<ThingKind>& thing_kinds();
 
-/// A file as it is; else the file of that name among all kinds, in the order of thing_kinds().
+/// Returns the path itself if it is a file; else the file of that name among all kinds, in the
+/// order of thing_kinds().
 /// @param data  folder with subjects/ ..; empty: the usual ones
 /// @throws InputError with the nearest name if there is neither.
 [[nodiscard]] std::string named_thing(const std::string& name_or_path, const std::string& data);
 
-/// Reads a file of any kind in which Thing can hold it.
-/// @throws Error with what is wrong, or which command takes a file of its kind.
+/// Reads a file of any kind that Thing can hold.
+/// @throws Error with what is wrong, or with the command that accepts a file of its kind.
 [[nodiscard]] Thing read_thing(const std::string& path);
 
 }  // namespace thenar

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Places = std::vector<std::string>;  // where data is looked for
+using Places = std::vector<std::string>;  // folders searched for data
 
 constexpr int kSmoothTriangles = 2500;  // Triangles of a link that look smooth
 // Largest excess over joint limits, as closing has it [rad] or [m]
@@ -107,7 +107,7 @@ std::vector<std::size_t> parts_of(const WorldSpec& world, std::size_t index) {
   return parts;
 }
 
-/// Locks the motors of a carrier that stand still and whose efforts are unknown; notes that there
+/// Locks the idle motors of a carrier whose efforts are unknown; notes that there
 /// were some.
 RobotSpec locked_where_unknown(RobotSpec carrier, std::vector<std::string>& locked) {
   bool found = false;
@@ -122,7 +122,7 @@ RobotSpec locked_where_unknown(RobotSpec carrier, std::vector<std::string>& lock
 
 /// One robot of a hand and its carriers, from the last of them to the hand.
 void mount(const WorldSpec& world, const Places& data, WorldHand& mounted) {
-  // Begin with the foot: the carrier that stands in the world.
+  // Start with the lowest carrier, which is fixed in the world.
   const std::vector<std::size_t>& parts = mounted.parts;
   const PlacedHand& last = world.hands[parts.back()];
   std::vector<std::string> locked;
@@ -148,7 +148,7 @@ void mount(const WorldSpec& world, const Places& data, WorldHand& mounted) {
   hand.hand = std::make_shared<RobotHand>(robot);
   hand.warnings = robot.warnings;
   hand.files = robot.files;
-  // A locked motor bears any torque, which would make loads look too large unless it is told.
+  // Warn of locked motors, which resist any torque and so make loads look too large.
   if (!locked.empty())
     hand.warnings.push_back(fmt::format(
         "motors of {} whose efforts are unknown are taken for locked: what they would bear is not "
@@ -320,24 +320,24 @@ WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const s
     hand.named = hand_by_name(name_to_build(world, placed), data, human);
     hand.named.name = current_hand_name(placed.name);
   }
-  // The pose is that of the foot, which stands still.
+  // Use the pose of the lowest carrier, which is fixed.
   hand.X_WH = world.hands[hand.parts.back()].X_WH;
   add_names(world, hand, data);
   set_posture(world, path, data, hand);
-  for (std::string& warning : bare_body_warnings(world))
+  for (std::string& warning : missing_material_warnings(world))
     hand.named.warnings.push_back(std::move(warning));
   return hand;
 }
 
-WorldHand hand_as_in(const WorldSpec& world, const std::string& name, const std::string& path,
-                     const std::vector<std::string>& data, WorldHand built) {
+WorldHand reposed_hand(const WorldSpec& world, const std::string& name, const std::string& path,
+                       const std::vector<std::string>& data, WorldHand built) {
   built.parts = parts_of(world, chosen(world, name, path));
   built.X_WH = world.hands[built.parts.back()].X_WH;
   set_posture(world, path, data, built);
   return built;
 }
 
-std::vector<std::string> bare_body_warnings(const WorldSpec& world) {
+std::vector<std::string> missing_material_warnings(const WorldSpec& world) {
   std::vector<std::string> warnings;
   for (const PlacedBody& placed : world.bodies)
     if (placed.body.material.empty())

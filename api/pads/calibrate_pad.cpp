@@ -18,8 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kLeastFitted = 4, kLeastChecked = 1;  // presses, as fit_laws() asks
-constexpr double kFitShare = 0.01;                          // of the time, roughly [1]
+constexpr std::size_t kMinFitted = 4,
+                      kMinChecked = 1;  // smallest numbers of presses for fit_laws() [1]
+constexpr double kFitShare = 0.01;      // estimated share of fits in the total time [1]
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -66,7 +67,7 @@ void add_forces(PadLaws& out) {
   }
 }
 
-/// Presses that trials ask for.
+/// Returns the number of presses of the trials.
 std::size_t count_of(const std::vector<PressTrial>& trials) {
   std::size_t count = 0;
   for (const PressTrial& trial : trials) count += trial.depths.size();
@@ -77,8 +78,8 @@ std::size_t count_of(const std::vector<PressTrial>& trials) {
 void add_laws(PadLaws& out, const LawTrials& trials, const MeasuredPresses& fit,
               const MeasuredPresses& check) {
   // At least half of the presses of each kind must be solved.
-  const std::size_t to_fit = std::max(kLeastFitted, (count_of(trials.fit) + 1) / 2);
-  const std::size_t to_check = std::max(kLeastChecked, (count_of(trials.check) + 1) / 2);
+  const std::size_t to_fit = std::max(kMinFitted, (count_of(trials.fit) + 1) / 2);
+  const std::size_t to_check = std::max(kMinChecked, (count_of(trials.check) + 1) / 2);
   if (fit.presses.size() < to_fit || check.presses.size() < to_check) {
     out.calibration.message =
         fmt::format("{} presses to fit and {} to check were solved, and laws need {} and {}",
@@ -153,13 +154,14 @@ PadLaws calibrate_pad(const PadLawsRequest& request, const Progress& progress) {
   add_presses(out, fit, true);
   MeasuredPresses check;
   const Progress of_check = parts.next(share(trials.check));
-  if (!fit.stopped) check = measure_presses(model, trials.check, options, of_check);
+  if (fit.status != Status::kStopped)
+    check = measure_presses(model, trials.check, options, of_check);
   add_presses(out, check, false);
   out.press_s = seconds_since(began);
 
   // Fits, which take less than a second and are not stopped.
   const Clock::time_point pressed = Clock::now();
-  if (fit.stopped || check.stopped) {
+  if (fit.status == Status::kStopped || check.status == Status::kStopped) {
     out.calibration.status = Status::kStopped;
     out.calibration.message = "presses were left out";
   } else {

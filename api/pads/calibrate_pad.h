@@ -1,6 +1,6 @@
 #pragma once
 
-/// Reduced laws of any pad, fitted to its own finite elements.
+/// Calibration of a pad's reduced contact laws against its own finite elements.
 
 #include <optional>
 #include <string>
@@ -16,25 +16,25 @@ namespace thenar {
 /// Options of calibrate_pad(): a pad, its presses, and the accuracy of the elements.
 struct PadLawsRequest {
   PadRequest pad;
-  double force_error = 0.04;       // estimated by elements, below which their meshes do [1]
-  double max_penetration = 20e-6;  // of an object into faces between their nodes [m]
-  int max_elements = 4000;         // a mesh is not refined beyond
-  std::vector<double> depths;      // of the presses that are fitted [m]; empty: trial_depths()
+  double force_error = 0.04;       // largest estimated error of the force of accepted meshes [1]
+  double max_penetration = 20e-6;  // largest penetration between nodes [m]
+  int max_elements = 4000;         // limit of refinement
+  std::vector<double> depths;      // depths of the fitted presses [m]; empty: trial_depths()
 };
 
 /// Forces of a press by the contact laws.
 struct LawForces {
-  double power = 0, soft_finger = 0;  // by curvatures of the gap [N]
-  double bed = 0;                     // by springs over the skin [N]
-  double bed_area = 0;                // of their patch [m^2]
-  double bed_arm = 0;                 // torsion for a friction of 1 [m]
+  double power = 0, soft_finger = 0;  // forces by curvatures of the gap [N]
+  double bed = 0;                     // force by springs over the skin [N]
+  double bed_area = 0;                // area of the patch of these springs [m^2]
+  double bed_arm = 0;                 // torque per normal force for a friction of 1 [m]
 };
 
-/// A press of the elements, and laws beside it.
+/// Press of the elements, with the forces of the laws.
 struct LawPress {
-  bool fitted = true;  // false: one of those that errors are of
+  bool fitted = true;  // false: one of the presses on which errors are measured
   MeasuredPress elements;
-  std::optional<LawForces> laws;  // absent: there are none
+  std::optional<LawForces> laws;  // absent: no laws
 };
 
 /// Result of a calibration.
@@ -42,23 +42,23 @@ struct [[nodiscard]] PadLaws {
   PadLawsRequest request;
   Outcome outcome;  // its status is that of the calibration
   NamedPad pad;
-  std::vector<double> depths;     // of the presses that are fitted [m]
-  std::vector<LawPress> presses;  // that the elements solved, those of the fit first
-  LawCalibration calibration;     // kStopped, or too few presses: without laws
-  double press_s = 0, fit_s = 0;  // time of presses, of fits [s]
+  std::vector<double> depths;     // depths of the presses that laws are fitted to [m]
+  std::vector<LawPress> presses;  // presses that the elements solved, those of the fit first
+  LawCalibration calibration;     // without laws if stopped, or after too few presses
+  double press_s = 0, fit_s = 0;  // wall time of presses and of fits [s]
 
   [[nodiscard]] bool has_laws() const { return calibration.laws.evidence.fitted > 0; }
 };
 
-/// Presses the pad's elements by standard_trials(), at once and without friction, fits power law,
-/// soft finger and bed of springs to one part of the presses and measures their errors on the
-/// others. Presses that fail are warned of, and what is left is fitted if it is half of them or
-/// more.
-/// @throws InputError as open_pad(), of depths that do not rise from above 0, and unless errors and
+/// Presses the pad's elements in standard_trials(), instantaneously and without friction, fits
+/// power law, soft finger and bed of springs to one part of the presses and measures their errors
+/// on the others. Failed presses are named in warnings; the others are fitted if they are at least
+/// half.
+/// @throws InputError as open_pad(), and unless depths are positive and rising, and errors and
 /// counts are positive.
 [[nodiscard]] PadLaws calibrate_pad(const PadLawsRequest& request, const Progress& progress = {});
 
-/// The laws as a data file for this pad, with its name and digest.
+/// Returns the laws as a data file for this pad, with its name and digest.
 /// @throws InputError if there are none.
 [[nodiscard]] std::string pad_laws_text(const PadLaws& found);
 

@@ -19,10 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostCurvePoints = 1000;
-constexpr double kForceByDepth = 2;  // power that spreads forces about evenly in depth [1]
-constexpr double kSameLoad = 1e-6;   // of the largest load: loads nearer are one [1]
-constexpr double kOfCurves = 0.1;    // of the time [1]
+constexpr int kMaxCurvePoints = 1000;
+constexpr double kForceByDepth = 2;      // power that spreads forces about evenly in depth [1]
+constexpr double kSameLoad = 1e-6;       // difference of equal loads over the largest load [1]
+constexpr double kCurveTimeShare = 0.1;  // share of curves in the total time [1]
 
 /// A call whose complaints name the data file.
 template <typename Call>
@@ -60,7 +60,7 @@ PressCourse with_points(const PressCourse& course, int points) {
     loads.push_back(imposed(load));
     time += load.time;
   }
-  // Where a load of the data is near, it stands for the point.
+  // Replace points near a load of the data by that load.
   const std::size_t own = loads.size();
   for (int k = 1; k < points; ++k) {
     const double part = static_cast<double>(k) / points;
@@ -87,7 +87,7 @@ PressCourse with_points(const PressCourse& course, int points) {
   return out;
 }
 
-/// Presses the pad as it is at the start, so that a press that it cannot bear is told with its
+/// Presses the initial pad, so that a press that fails there is reported with its
 /// line.
 /// @return whether it was not stopped
 bool first_presses(const FittedPad& out, const Progress& progress) {
@@ -132,8 +132,8 @@ void add_curves(FittedPad& out, const Progress& progress) {
 
 FittedPad fit_pad(const PadFitRequest& request, const Progress& progress) {
   // Read the data and open the pad that they name.
-  require(request.points >= 1 && request.points <= kMostCurvePoints,
-          "wanted 1 to {} points of a curve, got {}", kMostCurvePoints, request.points);
+  require(request.points >= 1 && request.points <= kMaxCurvePoints,
+          "wanted 1 to {} points of a curve, got {}", kMaxCurvePoints, request.points);
   FittedPad out;
   out.request = request;
   const std::string path = named_file("file of measured presses", request.presses, "presses",
@@ -145,7 +145,7 @@ FittedPad fit_pad(const PadFitRequest& request, const Progress& progress) {
   out.problem = pad_fit_problem(out.data, out.spec);
 
   ProgressParts parts(progress, 1);
-  const Progress of_fit = parts.next(1 - kOfCurves);
+  const Progress of_fit = parts.next(1 - kCurveTimeShare);
   if (!first_presses(out, of_fit)) {
     out.fit.solution.status = out.outcome.status = Status::kStopped;
     return out;
@@ -165,7 +165,7 @@ FittedPad fit_pad(const PadFitRequest& request, const Progress& progress) {
   out.spec = fitted_pad(out.pad.spec, out.data, out.problem, out.fit);
   if (const std::string assumed = assumption_of(out.spec); !assumed.empty())
     out.outcome.warnings.push_back(assumed);
-  add_curves(out, parts.next(kOfCurves));
+  add_curves(out, parts.next(kCurveTimeShare));
   return out;
 }
 

@@ -19,15 +19,15 @@ struct PadFitRequest {
   std::string presses;             // a data file, or the name of one of presses/
   std::string pad;                 // a file, or a name of pads/; empty: as the data file says
   std::string data;                // folder with presses/ and pads/; empty: the usual ones
-  bool check_mesh = true;          // whether the estimate is pressed once more on finer cells
-  int points = 16;                 // of each curve of the fitted pad
-  bool allow_unconverged = false;  // whether a pad is an answer though its search did not converge
+  bool check_mesh = true;          // repeat the presses of the estimate on finer cells
+  int points = 16;                 // points of each curve of the fitted pad
+  bool allow_unconverged = false;  // accept the pad of a search that did not converge
 };
 
-/// A press of the fitted pad, load by load.
+/// Force-displacement curve of the fitted pad in one press.
 struct FittedCurve {
-  std::vector<double> loads;       // imposed, those of the data among them [N] or [m]
-  std::vector<PressPoint> points;  // (loads); empty: it could not be pressed
+  std::vector<double> loads;       // imposed loads, which include those of the data [N] or [m]
+  std::vector<PressPoint> points;  // point of each load; empty: the press failed
 };
 
 /// Result of a pad fit.
@@ -35,25 +35,25 @@ struct [[nodiscard]] FittedPad {
   PadFitRequest request;
   Outcome outcome;  // stalled: the search did not converge, and that was not allowed
   PadData data;
-  NamedPad pad;  // where the search began, but for starts that the data file states
+  NamedPad pad;  // initial pad, except initial values that the data file states
   PadFitProblem problem;
-  PadFitResult fit;                 // without estimates: stopped before there was one
-  PadSpec spec;                     // the pad with the estimates; where there are none, as before
-  std::vector<FittedCurve> curves;  // of each press of the data; none without estimates
+  PadFitResult fit;                 // result; without estimates if stopped before the first
+  PadSpec spec;                     // pad with the estimates; without estimates, the initial one
+  std::vector<FittedCurve> curves;  // curve of each press of the data; none without estimates
 };
 
 /// Fits the constants that a data file names to the presses that it states.
 ///
-/// A pad of the data file is a file beside it, or a name. A search that is stopped gives the best
-/// estimate by then.
-/// @throws DataError at the file's line if a press cannot be done where the search begins, and as
-/// read_pad_data(), read_pad() and pad_fit_problem(); InputError if something is not to be found,
-/// or there are too few or too many points.
+/// A pad of the data file is a file beside it, or a name. A stopped search returns the best
+/// estimate so far.
+/// @throws DataError at the file's line if a press fails at the start of the search, and as
+/// read_pad_data(), read_pad() and pad_fit_problem(); InputError if an input is not found, or for
+/// too few or too many points.
 [[nodiscard]] FittedPad fit_pad(const PadFitRequest& request, const Progress& progress = {});
 
-/// The fitted pad as a data file: its head says what was found, its name is that of the file. A
-/// mesh of the skin is named as it is seen from there.
-/// @param path  where the text is to be written
+/// Returns the text of a pad file with the estimates, whose head describes the fit and whose name
+/// is that of the file. The path of a skin mesh is relative to it.
+/// @param path  file that the text is meant for
 /// @throws InputError if there is no estimate.
 [[nodiscard]] std::string fitted_pad_text(const FittedPad& fitted, const std::string& path);
 

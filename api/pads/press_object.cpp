@@ -29,7 +29,7 @@ constexpr double kEdgeRadius = 0.5e-3;  // Radius of an edge without a stated on
 constexpr double kSteepestPress = 60;
 constexpr int kSkinSamples = 50;        // Samples of the skin along a radius of the chart's disc
 constexpr double kTouchingGap = 1e-9;   // Gap below which object and pad touch [m]
-constexpr int kMostMarches = 2000;      // Most steps of a search for the touch
+constexpr int kMaxMarches = 2000;       // largest number of steps of a search for the touch
 constexpr double kPictureError = 5e-5;  // Largest error of the picture of a rounded edge [m]
 
 TriangleMesh placed(TriangleMesh mesh, const Pose<double>& X) {
@@ -138,7 +138,7 @@ double way_to_touch(const std::vector<Vector3d>& points, const Shape& object,
   // Sphere tracing: each march goes as far as is safe in every direction.
   Pose<double> X = X_PO;
   double way = 0;
-  for (int k = 0; k < kMostMarches; ++k) {
+  for (int k = 0; k < kMaxMarches; ++k) {
     // No point is nearer than the smallest gap: so far the object may go.
     const Pose<double> X_OP = X.inverse();
     double gap = std::numeric_limits<double>::infinity();
@@ -185,7 +185,7 @@ PadTouch touch_pad(const PadShape& shape, const Shape& object, double angle, dou
   R.col(1) = Vector3d::UnitY();
   R.col(0) = R.col(1).cross(R.col(2));
   touch.X_PO.R = R * rotation_about<double>({0, 0, 1}, turn);
-  // From where the skin lies farthest against the motion.
+  // Start from the point of the skin that is farthest against the motion.
   const std::vector<Vector3d> skin = sampled_skin(shape);
   touch.X_PO.p = *std::min_element(skin.begin(), skin.end(), [&](const auto& p, const auto& q) {
     return p.dot(touch.along) < q.dot(touch.along);

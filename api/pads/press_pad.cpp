@@ -24,7 +24,7 @@ constexpr double kAnyError = 1e9;       // Error of the force with which no mesh
 // Depth of a round object in faces, between nodes, beyond which they are refined [m]
 constexpr double kDeepInFaces = 5e-5;
 constexpr double kHertzPower = 1.5;  // Power of the depth in the force of a first guess [1]
-// Error of the force on the first third of the way, over that asked for [1]
+// Error of the force in the first third of the motion, over the requested one [1]
 constexpr double kEarlyErrorRatio = 3;
 // First instant at a held depth, over the time of holding [1]
 constexpr double kFirstOfHold = 2e-3;
@@ -39,7 +39,7 @@ constexpr double kMaxAcrossCosine = 0.7;
 void check_numbers(const PressRequest& request) {
   require(request.force.has_value() != request.depth.has_value(),
           "wanted one of a force and a depth, got {}", request.force ? "both" : "none");
-  // Limits of a single press lie far above those of fingertips, and keep mistyped units out.
+  // Limits of a press are far above those of fingertips, and catch mistakes in units.
   if (request.force)
     require(*request.force > 0 && *request.force <= kHardestPress,
             "wanted a force above 0 N, of at most {:g} N, got {:g} N", kHardestPress,
@@ -139,7 +139,7 @@ class PressRun {
     return goal;
   }
 
-  /// One step. @returns whether the press goes on
+  /// Makes one step. @returns true to continue the press
   bool step(const PressGoal& goal, PressPhase phase, double fraction) {
     if (progress_.stop()) {
       out_.outcome.status = Status::kStopped;
@@ -153,7 +153,7 @@ class PressRun {
       if (out_.outcome.status != Status::kStopped) out_.message = result.solved.message;
       return false;
     }
-    // An infinite time asks for the relaxed state, and does not count.
+    // An infinite time requests the relaxed state, and is not added.
     if (std::isfinite(goal.time)) time_ += goal.time;
     PressInstant now;
     now.phase = phase;
@@ -175,7 +175,7 @@ class PressRun {
     return true;
   }
 
-  /// Share of the whole work that the way takes, which refines the mesh.
+  /// Share of the motion, which refines the mesh, in the total work.
   [[nodiscard]] double way_share() const { return out_.request.hold > 0 ? 0.7 : 1; }
 
   /// On the first third of the way, where a small patch would want the finest elements, the mesh
@@ -267,7 +267,7 @@ class PressRun {
   const Progress& progress_;
   std::optional<double> rate_;
   double began_ = thread_seconds();
-  double time_ = 0;  // since the touch [s]
+  double time_ = 0;  // time since first touch [s]
   PadPress press_;
 };
 
@@ -275,7 +275,7 @@ void add_warnings(PressResult& out) {
   if (const std::string assumed = assumption_of(out.pad.spec); !assumed.empty())
     out.outcome.warnings.push_back(assumed);
   if (!out.rungs.empty())
-    if (const std::string doubt = doubt_of_laws(out); !doubt.empty())
+    if (const std::string doubt = laws_warning(out); !doubt.empty())
       out.outcome.warnings.push_back(doubt);
   if (out.instants.empty()) return;
   const PressInstant& last = out.instants.back();
@@ -309,7 +309,7 @@ bool PressResult::relaxes() const {
                      [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
 }
 
-const PressInstant* PressResult::end_of_way() const {
+const PressInstant* PressResult::end_of_motion() const {
   const PressInstant* last = nullptr;
   for (const PressInstant& now : instants)
     if (now.phase == PressPhase::kWay) last = &now;

@@ -17,24 +17,24 @@
 
 namespace thenar {
 
-/// Options of press_pad(): the pad, the object, and the way into the pad. One of `force` and
-/// `depth` is given.
+/// Options of press_pad(): the pad, the object, and its motion into the pad. Exactly one of `force`
+/// and `depth` is given.
 struct PressRequest {
   PadRequest pad;
   PressObjectRequest object;
-  double angle = 0;             // of the pad to the object, as touch_pad() [rad]
-  double turn = 0;              // of the object about its way into the pad [rad]
-  std::optional<double> force;  // at the end of the way, along it [N]
-  std::optional<double> depth;  // of the object since it touched [m]
-  std::optional<double> rate;   // of the object [m/s]; 0: so slow that all relaxes; absent: at
-                                // once, before anything relaxes
-  double hold = 0;              // time that the object then stands still, with a rate above 0 [s]
-  double friction = 0.6;        // of skin on aluminium [Seo2009] [1]
-  int points = 12;              // on the way, evenly spread in depth
-  int hold_points = 12;         // while it stands still, ever farther apart
-  double force_error = 0.05;    // estimated, below which the mesh does [1]
-  int max_elements = 20000;     // a mesh is not refined beyond
-  bool rungs = false;           // whether laws, elements, meshes are compared, which takes minutes
+  double angle = 0;             // angle between pad and object, see touch_pad() [rad]
+  double turn = 0;              // rotation of the object about its direction of motion [rad]
+  std::optional<double> force;  // force along the motion at its end [N]
+  std::optional<double> depth;  // displacement of the object after first touch [m]
+  std::optional<double> rate;  // speed of the object [m/s]; 0: quasi-static, fully relaxed; absent:
+                               // instantaneous, without relaxation
+  double hold = 0;             // time at rest after the motion, for a rate above 0 [s]
+  double friction = 0.6;       // friction coefficient of skin on aluminium [Seo2009] [1]
+  int points = 12;             // points during the motion, evenly spread in depth
+  int hold_points = 12;        // points while the object is at rest, at growing intervals
+  double force_error = 0.05;   // largest estimated error of the force of an accepted mesh [1]
+  int max_elements = 20000;    // limit of refinement
+  bool rungs = false;          // compare laws, elements and meshes, which takes minutes
 };
 
 /// Phase of the object's motion.
@@ -45,52 +45,53 @@ inline constexpr std::array kPressPhaseNames{EnumName{PressPhase::kWay, "way"},
   return name_in(kPressPhaseNames, phase);
 }
 
-/// A press at one instant.
+/// State of a press at one instant.
 struct PressInstant {
   PressPhase phase = PressPhase::kWay;
-  double time = 0;                // since the touch [s]; 0 without a rate
-  double depth = 0;               // of the object since it touched [m]
-  double force = 0;               // of the object on the pad, along its way [N]
-  Eigen::Vector3d push{0, 0, 0};  // the same force, pad's frame [N] (3)
-  double area = 0;                // of the patch, deformed [m^2]
+  double time = 0;                // time since first touch [s]; 0 without a rate
+  double depth = 0;               // displacement of the object since first touch [m]
+  double force = 0;               // force of the object on the pad along its motion [N]
+  Eigen::Vector3d push{0, 0, 0};  // force of the object on the pad, pad's frame [N] (3)
+  double area = 0;                // area of the deformed patch [m^2]
   double stick = 0;               // share of the normal force on nodes that stick [1]
-  double pressure = 0;            // largest at a node, at least the mean over the patch [Pa]
-  double force_error = 0;         // estimated, relative [1]
-  double penetration = 0;         // deepest point of the object within a face [m]
+  double pressure = 0;            // largest nodal pressure, at least the mean over the patch [Pa]
+  double force_error = 0;         // estimated relative error of the force [1]
+  double penetration = 0;         // largest penetration of a face [m]
   std::size_t elements = 0;
-  int iterations = 0;  // since the press began
+  int iterations = 0;  // iterations since the press began
   double cpu = 0;      // processor time since the press began [s]
 };
 
 /// Result of press_pad().
 struct [[nodiscard]] PressResult {
   PressRequest request;
-  Outcome outcome;  // done: steps; its status is that of the step that failed, if one did
+  Outcome outcome;  // done: steps; status of the failed step, if there is one
   NamedPad pad;
   PressObject object;
-  PadTouch touch;                      // where it began
-  Pose<double> X_PO;                   // of the object where it ended, pad's frame
-  std::vector<PressInstant> instants;  // those that were solved
-  PressedSkin skin;                    // at the last of them
-  std::vector<PressRung> rungs;        // if asked
+  PadTouch touch;                      // object at first touch
+  Pose<double> X_PO;                   // final pose of the object, pad's frame
+  std::vector<PressInstant> instants;  // solved instants
+  PressedSkin skin;                    // skin at the last instant
+  std::vector<PressRung> rungs;        // comparison, if requested
   std::string message;                 // why it failed; empty: it did not
   double cpu = 0;                      // processor time of the press, without rungs [s]
 
-  [[nodiscard]] bool relaxes() const;                    // whether time counts
-  [[nodiscard]] const PressInstant* end_of_way() const;  // its last instant; null: there is none
+  [[nodiscard]] bool relaxes() const;  // tissue relaxes: time matters
+  [[nodiscard]] const PressInstant* end_of_motion()
+      const;  // last instant of the motion; null: none
 };
 
 /// Presses a pad.
 ///
-/// By depth d the object goes in even steps to d; by force F, to forces that rise with the power
-/// 3/2 of the step, so that depths are about even; there may be fewer points than asked for. With a
-/// rate v time is depth / v, and by force the object goes to depths that Hertz's power through the
-/// steps before foretells of these forces, and at last to F itself, whose time is foretold: a
-/// warning tells of its error. On the first third of the way the estimated error of the force may
-/// be three times what was asked. A step that fails, or that is stopped, ends the press with what
-/// was solved before.
-/// @throws InputError where a number is out of range, or not one of force and depth is given, or
-/// something is not to be found; DataError of files.
+/// With a depth d the object moves to d in even steps. With a force F, forces rise with the power
+/// 3/2 of the step number, so that depths are about even; there may be fewer points than requested.
+/// With a rate v, time is depth / v; with a force and a rate, the object moves to the depths that
+/// Hertz's power law through the previous steps predicts for these forces, and finally to F itself,
+/// whose time is predicted: a warning states its error. During the first third of the motion the
+/// estimated error of the force may be three times the requested one. A step that fails or is
+/// stopped ends the press; the steps before it are kept.
+/// @throws InputError if a number is out of range, not exactly one of force and depth is given, or
+/// an input is not found; DataError for a wrong file.
 [[nodiscard]] PressResult press_pad(const PressRequest& request, const Progress& progress = {});
 
 }  // namespace thenar

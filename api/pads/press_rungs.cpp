@@ -20,7 +20,7 @@
 namespace thenar {
 namespace {
 
-constexpr int kBedRings = 18;  // of a bed, as laws are fitted with [LawFitOptions]
+constexpr int kBedRings = 18;  // rings of a bed, equal to those of LawFitOptions [1]
 
 /// The laws of a pad, or why there are none.
 struct LawsFound {
@@ -58,7 +58,7 @@ template <typename Call>
 double seconds_of_call(int calls, const Call& call) {
   std::array<double, 21> seconds{};
   // Write each value to a volatile, and take the median of 21 batches.
-  volatile double kept = 0;  // so that no call is left out
+  volatile double kept = 0;  // prevents the removal of calls
   for (double& each : seconds) {
     const double began = thread_seconds();
     for (int i = 0; i < calls; ++i) kept = call();
@@ -69,16 +69,17 @@ double seconds_of_call(int calls, const Call& call) {
   return seconds[10];
 }
 
-PressRung law_rung(const std::string& name, const std::string& failure) {
+PressRung law_rung(const std::string& name, const std::string& message) {
   PressRung rung;
   rung.element = name;
   rung.mesh = "law";
   rung.reduced = true;
-  rung.failure = failure;
+  rung.message = message;
   return rung;
 }
 
-/// The hard point, which has either the force that is asked for and no patch, or no force.
+/// Returns the rung of the hard point, which has either the requested force and no patch, or no
+/// force.
 PressRung hard_point(const PressResult& pressed) {
   PressRung rung =
       law_rung("hard point", pressed.request.force
@@ -107,7 +108,7 @@ std::vector<PressRung> law_rungs(const PressResult& pressed, double depth) {
   if (depth > laws.evidence.depth)
     note += fmt::format(" to {:.3g} mm only", laws.evidence.depth / kMm);
 
-  // By curvatures of the gap where the skin lies deepest.
+  // Evaluate the laws by curvatures of the gap at the deepest point of the skin.
   const PadShape& shape = pressed.pad.model.shape;
   const DeepestSkin deepest = deepest_skin(PadChart(shape), object, X_PO);
   const RelativeCurvatures gap = skin_gap(*skin_solid(shape), object, X_PO, deepest.place);
@@ -187,20 +188,20 @@ PressRung try_rung(const PressResult& pressed, const RungTrial& trial, double de
   rung.force = pressed.touch.along.dot(result.push.force);
   rung.area = result.area;
   rung.cpu = thread_seconds() - began;
-  if (result.solved.status != Status::kSolved) rung.failure = result.solved.message;
+  if (result.solved.status != Status::kSolved) rung.message = result.solved.message;
   return rung;
 }
 
 }  // namespace
 
-std::string doubt_of_laws(const PressResult& pressed) {
+std::string laws_warning(const PressResult& pressed) {
   const LawsFound found = find_laws(pressed);
   return found.laws ? version_doubt(*found.laws, pressed.pad.spec) : "";
 }
 
 std::vector<PressRung> compare_rungs(const PressResult& pressed, const Progress& progress) {
   // Every rung goes to the depth that the press reached.
-  const PressInstant* end = pressed.end_of_way();
+  const PressInstant* end = pressed.end_of_motion();
   const double depth = end != nullptr ? end->depth : 0;
   const std::vector<RungTrial> trials = all_trials(pressed.request.force_error);
   std::vector<PressRung> rungs = law_rungs(pressed, depth);
@@ -208,13 +209,13 @@ std::vector<PressRung> compare_rungs(const PressResult& pressed, const Progress&
   for (std::size_t i = 0; i < trials.size() && !progress.stop(); ++i) {
     progress(static_cast<double>(i) / static_cast<double>(trials.size()), "comparing elements");
     rungs.push_back(try_rung(pressed, trials[i], depth, progress));
-    if (progress.stop()) rungs.pop_back();  // it may have been cut off
+    if (progress.stop()) rungs.pop_back();  // possibly incomplete
   }
   // Errors against the last, if all were done and it was solved.
-  if (rungs.size() < all || !rungs.back().failure.empty()) return rungs;
+  if (rungs.size() < all || !rungs.back().message.empty()) return rungs;
   rungs.back().finest = true;
   for (PressRung& rung : rungs)
-    if (rung.failure.empty()) rung.error = std::abs(rung.force / rungs.back().force - 1);
+    if (rung.message.empty()) rung.error = std::abs(rung.force / rungs.back().force - 1);
   return rungs;
 }
 

@@ -47,7 +47,7 @@ std::vector<std::pair<int, int>> pads_of(const std::vector<RungRun>& runs) {
 
 /// Errors of a run against the finest, up to the last instant that both have.
 RungError error_of(const RungComparison& comparison, const SceneResult& scene) {
-  // Compare at the same instants, as both runs were sampled alike.
+  // Compare at the same instants: both runs have the same sampling.
   const SceneResult& finest = comparison.runs[comparison.finest].scene;
   const std::vector<SceneSample>&ours = scene.run.samples, &theirs = finest.run.samples;
   RungError out;

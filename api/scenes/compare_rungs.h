@@ -1,6 +1,6 @@
 #pragma once
 
-/// A scene on several rungs of its finger pads: what each costs, and how far it is from the finest.
+/// Comparison of a scene on several rungs of its finger pads: cost, and difference from the finest.
 
 #include <optional>
 #include <string>
@@ -13,49 +13,50 @@ namespace thenar {
 
 /// Difference of a run from the run on the finest rung.
 struct RungError {
-  // Root of the sum of squares of what normal forces of pads differ, over that of the finest's [1].
-  double force_end = 0;  // at the end
-  double force_all = 0;  // over all instants
-  // Bodies that move and are no links of a hand, the one that is farthest off.
-  double place_end = 0;      // of centres of mass, at the end [m]
-  double place_largest = 0;  // at any instant [m]
-  double turn_end = 0;       // at the end [rad]
+  // Root of the sum of squared differences of the pads' normal forces, over that of the finest's
+  // forces [1].
+  double force_end = 0;  // difference at the end
+  double force_all = 0;  // difference over all instants
+  // Largest difference among moving bodies that are not links of a hand.
+  double place_end = 0;      // distance of centres of mass at the end [m]
+  double place_largest = 0;  // largest distance at any instant [m]
+  double turn_end = 0;       // rotation at the end [rad]
 };
 
-/// A pad at one instant.
+/// Load of a pad at one instant.
 struct PadLoad {
   double force = 0;    // normal [N]
-  double area = 0;     // of the patch; 0: a hard point [m^2]
-  double stick = 0;    // share of the normal force on what sticks [1]
-  double torsion = 0;  // on the first body of the pair, about the normal [N m]
+  double area = 0;     // area of the patch; 0: a hard point [m^2]
+  double stick = 0;    // share of the normal force that sticks [1]
+  double torsion = 0;  // torque on the first body of the pair about the normal [N m]
 };
 
 struct RungRun {
   std::string rung;
   SceneResult scene;  // read scene.run.status first
-  RungError error;    // 0 of the finest
+  RungError error;    // 0 for the finest
 };
 
 struct [[nodiscard]] RungComparison {
   SceneRequest request;
   Outcome outcome;  // done: rungs; stalled: none was solved
   std::string name;
-  std::vector<RungRun> runs;  // in the order in which they were asked for; those that ran
-  std::size_t finest = 0;     // of the runs: the first of pad_rung_names() that was solved, or, if
-                              // none was, that ran
+  std::vector<RungRun> runs;  // completed runs, in the order of the request
+  std::size_t finest = 0;     // index of the finest run: the first of pad_rung_names() that was
+                              // solved, or, if none was, that ran
   std::vector<std::pair<int, int>> pads;  // pairs of bodies, the lower first
   FileDigests files;
 };
 
-/// Loads of the pads of a comparison at an instant of a run (pads).
+/// Returns the loads of the pads of a comparison at an instant of a run (pads).
 [[nodiscard]] std::vector<PadLoad> pad_loads(const RungComparison& comparison,
                                              const SceneSample& sample);
 
-/// Simulates a scene once for each rung, one after the other, so that processor times compare.
-/// Stopped: runs that are done are kept, and that which had begun is not.
+/// Simulates a scene once for each rung, one after the other, so that processor times are
+/// comparable. If stopped, keeps the completed runs and discards the current one.
 /// @param request  `pads` and `vary` empty
 /// @param rungs    of pad_rung_names(), two or more
-/// @throws InputError as simulate_scene(), or if a rung is unknown or asked for twice.
+/// @throws InputError as simulate_scene(), or if a rung is unknown or requested twice.
 [[nodiscard]] RungComparison compare_rungs(const SceneRequest& request,
                                            const std::vector<std::string>& rungs,
                                            const Progress& progress = {});

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 using Eigen::Index;
 
-constexpr double kSamePlace = 1e-6;   // of a body, now and in the file [m]
-constexpr double kUnitLength = 1e-6;  // of quaternions, off 1 [1]
+constexpr double kSamePlace = 1e-6;   // largest difference of a body's place from the file [m]
+constexpr double kUnitLength = 1e-6;  // largest deviation of a quaternion's length from 1 [1]
 
 /// Reader of one file of a scene run.
 class RunReader {
@@ -57,7 +57,7 @@ class RunReader {
     return outside_path(file_.text_or_none(key), OutsideUse::kRead);
   }
 
-  /// The folders in which the scene may have stood.
+  /// Returns possible original folders of the scene.
   [[nodiscard]] std::vector<std::string> folders(const std::string& scene) const {
     std::vector<std::string> out;
     const fs::path from = recorded_path("provenance/folder");
@@ -165,7 +165,7 @@ class RunReader {
 
   void read_contacts() {
     if (file_.arrays.count("contact_instant") == 0) return;
-    // Contacts of all instants stand one below the other, each with the number of its instant.
+    // Read the contacts of all instants from one table, with the index of their instants.
     const Index count = vector_in(file_, "contact_instant").size();
     const auto column = [&](const char* key) { return table(key, count, 1); };
     const auto vectors = [&](const char* key) { return table(key, count, 3); };
@@ -248,7 +248,7 @@ class RunReader {
     const Mechanism& mechanism = out_.built.scene.mechanism;
     const std::size_t bodies = mechanism.bodies.size();
     const std::vector<double>& places = file_.arrays.at("body_position").values;
-    // Pose the first and the last instant; both must stand where the file has them.
+    // Pose the first and the last instant, and compare with the places in the file.
     const TreeModel model = tree_model(mechanism);
     TreeMotion<double> motion(model);
     for (const std::size_t i : {std::size_t{0}, out_.samples.size() - 1}) {

@@ -78,7 +78,7 @@ std::string refusal_of(const SceneResult& scene) {
     return fmt::format("the motion is not finite after {:.6g} s: do not use it",
                        scene.run.samples.back().t);
   if (scene.run.status == SceneStatus::kFailed)
-    return fmt::format("{}: do not use this motion", scene.run.reason);
+    return fmt::format("{}: do not use this motion", scene.run.message);
   // Otherwise collect what makes it unreliable: energy that does not balance, or contacts that were
   // not solved.
   std::vector<std::string> reasons;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Reliability of a run: energy that does not balance, surfaces that overlap, joints beyond their
-/// limits, bounces left out.
+/// Reliability of a run: energy error, penetration, joints beyond their limits, neglected
+/// restitution.
 
 #include <string>
 #include <vector>
@@ -12,16 +12,17 @@
 
 namespace thenar {
 
-/// "0.075 mJ lost to nothing by 0.4 s, 0.095 % of 78.6 mJ total energy exchanged"
+/// Returns the energy error in words: "0.075 mJ lost to nothing by 0.4 s, 0.095 % of 78.6 mJ total
+/// energy exchanged".
 [[nodiscard]] std::string energy_error_words(const FlowBalance& balance);
 
-/// "11.9 deg", "40 mm"
+/// Returns the excess over a limit in words: "11.9 deg", "40 mm".
 [[nodiscard]] std::string beyond_words(const PassedLimit& limit);
 
-/// Joints of a run that went beyond their limits.
+/// Returns the joints of a run that exceeded their limits.
 [[nodiscard]] std::vector<PassedLimit> limits_passed(const SceneResult& scene);
 
-/// The largest restitution that a scene states and that its method leaves out [1]; 0: none.
+/// Returns the largest stated restitution that the scene's method neglects [1]; 0: none.
 [[nodiscard]] double restitution_ignored(const SceneResult& scene);
 
 /// Returns warnings about a run, one sentence each.

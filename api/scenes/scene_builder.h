@@ -9,21 +9,21 @@
 
 namespace thenar {
 
-/// A scene that is put together part by part:
+/// Builder of a scene, part by part:
 ///
 ///     SceneBuilder scene("a cube that falls");
 ///     scene.add_floor();
 ///     scene.add_box("cube", {0.05, 0.05, 0.05}, 0.1, {0, 0, 0.2});
 ///     const SceneResult fall = simulate_scene(scene.spec());
 ///
-/// What an add_..() returns may be changed until the next part of its kind is added: joints,
-/// velocities, materials, postures.
+/// References returned by add_..() are valid until the next part of the same kind is added: joints,
+/// velocities, materials and postures may be changed through them.
 class SceneBuilder {
  public:
   explicit SceneBuilder(std::string name);
 
-  /// Adds a free body whose frame is at a place of the world, not turned.
-  /// @param at  of the origin of its frame, world [m] (3)
+  /// Adds a free body whose frame is at a place of the world, unrotated.
+  /// @param at  origin of its frame, world [m] (3)
   /// @throws InputError if the name is taken, or the place is not finite.
   SceneBodySpec& add_body(BodySpec body, const Eigen::Vector3d& at = {0, 0, 0});
 
@@ -39,7 +39,7 @@ class SceneBuilder {
                           const Eigen::Vector3d& at);
 
   /// Adds the body "floor": a slab of stone of 2 m x 2 m, 0.1 m thick, that does not move.
-  /// @param height  of its top [m]
+  /// @param height  height of its top [m]
   SceneBodySpec& add_floor(double height = 0);
 
   /// Adds a hand, welded to the world: a robot ("barrett", a file) or a human one
@@ -47,10 +47,10 @@ class SceneBuilder {
   /// @throws InputError if the name is taken
   SceneHandSpec& add_hand(const std::string& name, const Pose<double>& X_WH = {});
 
-  /// Sets the friction and the restitution of all pairs that have none of their own.
+  /// Sets the friction and the restitution of all pairs without their own values.
   void set_contact(double friction, double restitution = 0);
 
-  /// The scene so far; forces, drives, muscles and options may be added to it.
+  /// Returns the scene; forces, drives, muscles and options may be added to it.
   [[nodiscard]] SceneSpec& spec() { return spec_; }
   [[nodiscard]] const SceneSpec& spec() const { return spec_; }
 

@@ -114,7 +114,7 @@ SceneResult simulated(const RequestedScene& read,
                       const std::vector<std::pair<std::string, double>>& numbers,
                       const Progress& progress, std::optional<SceneRun> done = {}) {
   SceneResult out;
-  // Take over names and what was read, for the provenance of the result.
+  // Copy names and inputs for the provenance of the result.
   out.name = read.spec.name;
   out.description = read.spec.description;
   out.camera = read.spec.camera;
@@ -122,7 +122,7 @@ SceneResult simulated(const RequestedScene& read,
   out.files = read.open.files;
   out.varied = numbers;
   out.request = read.request;
-  // Change the numbers in a copy, since runs share what was read.
+  // Change the numbers in a copy, since runs share their input.
   auto built = std::make_shared<BuiltScene>(read.open.built);
   for (const auto& [name, value] : numbers) set_number(*built, name, value);
   out.run = done ? std::move(*done) : simulate_by_method(built->scene, built->options, progress);
@@ -152,14 +152,14 @@ std::size_t count_runs(const std::vector<SceneVariation>& vary) {
   for (const SceneVariation& each : vary) {
     require(each.count >= 1, "wanted at least one value of '{}', got {}", each.name, each.count);
     require(names.insert(each.name).second, "'{}' varies twice", each.name);
-    require(static_cast<std::size_t>(each.count) <= kMostRuns / runs, "wanted at most {} runs",
-            kMostRuns);
+    require(static_cast<std::size_t>(each.count) <= kMaxRuns / runs, "wanted at most {} runs",
+            kMaxRuns);
     runs *= static_cast<std::size_t>(each.count);
   }
   return runs;
 }
 
-/// Progress of several runs at once, told as one.
+/// Joint progress of several parallel runs.
 class SharedProgress {
  public:
   SharedProgress(const Progress& whole, std::size_t runs) : whole_(whole), done_(runs, 0) {}
@@ -201,7 +201,7 @@ bool is_scene(const std::string& name_or_path, const std::string& data) {
   try {
     return contents_of(name_or_path).kind == "scene";
   } catch (const DataError&) {
-    return false;  // its reader says what it wants
+    return false;  // the reader reports the error
   }
 }
 
@@ -266,7 +266,7 @@ SceneResult simulate_scene(const SceneSpec& scene, const SceneRequest& request,
 
 namespace {
 
-/// Runs of a sweep; what is absent was not made here, or not begun.
+/// Runs of a sweep; absent ones ran in another process, or did not start.
 using SweptRuns = std::vector<std::optional<SceneResult>>;
 
 /// Puts the runs of all processes together on the first. Only motions are sent: each process has
@@ -288,7 +288,7 @@ void gather_runs(const RequestedScene& read, const std::vector<SceneVariation>& 
   });
 }
 
-/// Fills in the outcome of a sweep from those of its runs; each warning is told once.
+/// Fills in the outcome of a sweep from those of its runs, without duplicate warnings.
 void tell_outcome(bool stopped, SceneSweepResult& sweep) {
   Outcome& outcome = sweep.outcome;
   outcome.part = "run";
@@ -532,10 +532,10 @@ void add_account(const SceneResult& scene, const std::string& group, ResultFile&
 
 /// Adds the outcome of a run: status, cost, energies and slip of pairs.
 void add_outcome(const SceneResult& scene, const std::string& group, ResultFile& file) {
-  // State how the run ended and what it cost.
+  // Write the status and the cost of the run.
   const SceneCost& cost = scene.run.cost;
   file.add(group + "status", name_of(scene.run.status));
-  if (!scene.run.reason.empty()) file.add(group + "reason", scene.run.reason);
+  if (!scene.run.message.empty()) file.add(group + "reason", scene.run.message);
   file.add(group + "steps", static_cast<double>(cost.steps), "1");
   file.add(group + "unsolved", static_cast<double>(cost.unsolved), "1");
   if (has_contact_problems(scene)) file.add(group + "worst_residual", cost.worst_residual, "1");
@@ -560,7 +560,7 @@ void add_outcome(const SceneResult& scene, const std::string& group, ResultFile&
 
 /// Adds the names and settings that all runs of a scene share.
 void add_names(const SceneResult& scene, ResultFile& file) {
-  // Names of bodies, coordinates and states stand beside the tables that they label.
+  // Write names of bodies, coordinates and states beside the tables that they label.
   const Mechanism& mechanism = scene.built->scene.mechanism;
   file.add("format", kSceneRunFormat);
   file.add("scene", scene.name);

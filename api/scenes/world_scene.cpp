@@ -223,7 +223,7 @@ class WorldBuilder {
     warnings_.push_back(fmt::format("tendons of '{}' are slack until they are pulled", hand));
   }
 
-  /// Lets drives hold their coordinates where they stand.
+  /// Lets drives hold their coordinates at the present values.
   void set_drives(BuiltScene& built) {
     MovingScene& scene = built.scene;
     if (drives_ == WorldDrives::kNone || scene.drives.empty()) return;
@@ -232,7 +232,7 @@ class WorldBuilder {
     motion.set_position(scene.q);
     motion.set_speed(Eigen::VectorXd::Zero(model.layout.v));
     motion.clear_loads();
-    // Find the efforts that bear the weight at rest, and the inertia that resists motion.
+    // Compute the efforts that balance the weight at rest, and the inertia of each coordinate.
     Eigen::VectorXd weight = Eigen::VectorXd::Zero(model.layout.v);
     InverseDynamics<double> inverse(model);
     inverse.efforts(motion, scene.gravity, Eigen::VectorXd::Zero(model.layout.v), weight);
@@ -259,7 +259,7 @@ class WorldBuilder {
   void hold(const Mechanism& mechanism, double u, double weight, double inertia,
             SceneDrive& drive) {
     bool slides = false;
-    double springs = 0;  // of its joints, on the coordinate
+    double springs = 0;  // stiffness of its joints' springs on the coordinate
     for (const MechanismJoint& joint : mechanism.joints) {
       if (!is_scalar(joint.kind) || joint.coordinate != drive.coordinate) continue;
       slides = slides || joint.kind == JointKind::kSlide;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A world as it stands, as a scene that moves.
+/// Conversion of a world in its present state to a scene.
 
 #include <array>
 #include <string>
@@ -13,9 +13,9 @@ namespace thenar {
 
 /// Drives that move the hands of a world.
 enum class WorldDrives {
-  kHold,     // every coordinate is held where it stands by a drive
-  kTendons,  // the same of robots; muscles of human hands pull, at first without tension
-  kNone      // nothing: efforts are given from outside
+  kHold,     // a drive holds every coordinate at its present value
+  kTendons,  // as kHold for robots; muscles of human hands pull, initially without tension
+  kNone      // no drives: the caller sets efforts
 };
 inline constexpr std::array kWorldDrivesNames{EnumName{WorldDrives::kHold, "hold"},
                                               EnumName{WorldDrives::kTendons, "tendons"},
@@ -24,16 +24,17 @@ inline constexpr std::array kWorldDrivesNames{EnumName{WorldDrives::kHold, "hold
 /// Builds a scene at the present state of a world: obstacles and hands are welded to the world or
 /// to what carries them, objects are free, steps have a fixed length.
 ///
-/// A drive that holds has the coordinate's target where it stands, the effort that bears the hand's
-/// own weight there as its bias, and at 0.1 rad or 10 mm from its target its largest effort; where
-/// that is unknown, the stiffness by which what it moves swings at 5 Hz. It damps critically.
+/// A holding drive has the coordinate's present value as its target and the effort that balances
+/// the hand's own weight as its bias. It reaches its largest effort at 0.1 rad or 10 mm from the
+/// target; where that effort is unknown, its stiffness gives the moved mass a natural frequency of
+/// 5 Hz. Its damping is critical.
 ///
-/// Of a robot whose clutch or springs have let the joints of a motor go apart, the joints go on
-/// from where they stand, rigidly coupled. An object of unknown mass weighs as much as water of its
-/// volume. `warnings` say all that was assumed.
-/// @param world  whose folder its files are relative to
+/// Where a clutch or springs have let the joints of a motor move apart, the joints keep their
+/// values and are rigidly coupled from then on. An object of unknown mass has the density of water.
+/// `warnings` state all assumptions.
+/// @param world  world; its files are relative to its folder
 /// @param data   folder with robots/ ..; empty: the usual ones
-/// @throws InputError or DataError as read_scene() and build_scene() for what does not fit.
+/// @throws InputError or DataError as read_scene() and build_scene().
 [[nodiscard]] BuiltScene build_world_scene(const WorldSpec& world, const std::string& data,
                                            WorldDrives drives = WorldDrives::kHold);
 

@@ -19,7 +19,8 @@
 namespace thenar {
 namespace {
 
-constexpr std::chrono::milliseconds kLook{20};  // between two looks for a signal
+constexpr std::chrono::milliseconds kSignalPollInterval{
+    20};  // time between two checks for a signal [ms]
 
 /// Method that opens a kind of file, and the name of its parameter.
 struct FileOpener {
@@ -120,7 +121,7 @@ std::unique_ptr<Engine> open_engine(const LiveArguments& arguments, const Progre
 }
 
 void wait_for_end(const std::function<bool()>& ended) {
-  while (!interrupted() && !(ended && ended())) std::this_thread::sleep_for(kLook);
+  while (!interrupted() && !(ended && ended())) std::this_thread::sleep_for(kSignalPollInterval);
 }
 
 }  // namespace thenar

@@ -20,17 +20,17 @@ namespace thenar {
 struct LiveArguments {
   std::vector<std::string> files;  // files or names
   ServerAccess access;
-  bool no_token = false;  // nobody is asked for one
+  bool no_token = false;  // clients need no token
   std::string log;        // file; empty: none
   std::string data;       // folder with worlds/ ..; empty: the usual ones
 };
 
-/// FILE, --port, --bind, --token, --no-token, --log, --data. @returns --port
-/// @param count  how many files there may be; -1: any number;  @param port  what --port is for
+/// Adds FILE, --port, --bind, --token, --no-token, --log and --data. @returns --port
+/// @param count  largest number of files; -1: any;  @param port  help text of --port
 CLI::Option* add_live_options(CLI::App& command, LiveArguments& arguments, int count,
                               const std::string& port);
 
-/// A request in the name of the program.
+/// Request made by the program itself.
 struct OpeningRequest {
   std::string method;
   Json params;
@@ -39,23 +39,23 @@ struct OpeningRequest {
 /// Returns the request by which a client would open a file or a name: a world, hand, object, scene,
 /// subject, run, fit or posterior.
 /// @param data  folder with worlds/ ..; empty: the usual ones
-/// @throws InputError if it is none of these, or not to be found.
+/// @throws InputError if it is none of these, or not found.
 [[nodiscard]] OpeningRequest opening_request(const std::string& name, const std::string& data);
 
-/// Makes a token where none is given, and checks that no other machine comes in without.
+/// Generates a token if none is given, and checks that other machines need one.
 /// @throws InputError as require_safe()
 [[nodiscard]] ServerAccess checked_access(const LiveArguments& arguments);
 
-/// Keeps the token of a server where programs of this user find it. A warning is printed, and null
-/// comes back, where it can be kept nowhere; null also where no token is wanted.
+/// Stores the token of a server where programs of this user find it. Returns null, after a warning,
+/// if it cannot be stored; also null if no token is used.
 [[nodiscard]] std::unique_ptr<TokenFile> keep_token(const ServerAccess& access, int port);
 
-/// An engine that has opened all that was named.
-/// @throws InputError with what was refused, Stopped
+/// Returns an engine that has opened all named files.
+/// @throws InputError with the refused request, Stopped
 [[nodiscard]] std::unique_ptr<Engine> open_engine(const LiveArguments& arguments,
                                                   const Progress& progress);
 
-/// Returns when Ctrl-C is pressed or SIGTERM comes, or `ended` says so.
+/// Waits until Ctrl-C is pressed, SIGTERM arrives, or `ended` returns true.
 void wait_for_end(const std::function<bool()>& ended = {});
 
 }  // namespace thenar

@@ -34,7 +34,7 @@ struct ServeArguments {
   std::string methods;        // form in which they are printed; empty: not at all
 };
 
-/// Repeats a log. A reply that differs is an error of whoever changed what it depends on.
+/// Repeats a log. A different reply means that something that it depends on has changed.
 void run_replay(const ServeArguments& options) {
   // Requests that write files are left out unless a folder is given for them.
   SessionPlaces places;

@@ -30,7 +30,7 @@
 namespace thenar {
 namespace {
 
-/// An output must not overwrite what it comes from.
+/// Checks that an output does not overwrite its input.
 void require_other_file(const std::string& output, const std::string& input) {
   std::error_code none;
   require(output.empty() || !std::filesystem::equivalent(output, input, none),
@@ -38,7 +38,7 @@ void require_other_file(const std::string& output, const std::string& input) {
 }
 
 /// Delivers an answer, and its own file if there is a text for it.
-/// @return words on a file that was asked for and not written
+/// @return message about a requested file that was not written
 template <typename Result>
 std::string deliver_with_file(Outputs outputs, const Result& found, const std::string& file,
                               const std::string& text) {
@@ -59,7 +59,7 @@ struct PadFitArguments : Arguments<PadFitRequest> {
 
 void run_pad_fit(PadFitArguments options) {
   options.request.check_mesh = !options.no_mesh_check;
-  const std::string file = options.outputs.one(".toml");
+  const std::string file = options.outputs.only_file(".toml");
   const FittedPad fitted = fit_pad(options.request, terminal_progress());
   const std::string refusal = refusal_of(fitted);
   // A pad is a file only where the search has come to its end.
@@ -107,7 +107,7 @@ struct PadLawsArguments : Arguments<PadLawsRequest> {
 };
 
 void run_pad_laws(PadLawsArguments options) {
-  const std::string file = options.outputs.one(".toml");
+  const std::string file = options.outputs.only_file(".toml");
   options.request.force_error = 0.01 * options.error_percent;
   const PadRequest& pad = options.request.pad;
   require_other_file(file, named_file("pad", pad.pad, "pads", ".toml", data_folders(pad.data)));

@@ -28,7 +28,7 @@ struct Verdict {
   double cpu = 0;   // processor time for a simulated second [ms]
   double error = 0;
   std::vector<double> further;
-  std::string failure;  // empty: none
+  std::string message;  // empty: none
 };
 
 /// All answers of one setting.
@@ -65,12 +65,12 @@ Verdict judge(const PeerTask& task, const PeerSetting& setting, double knob) {
   for (int turn = 0; turn < kTurns; ++turn) {
     const PeerRun run = setting.run(task.peer, knob);
     seconds.push_back(run.cpu_seconds / std::max(run.samples.back().t, task.peer.sample));
-    out.failure = run.failure;
-    if (out.failure.empty() && task.lost(run)) out.failure = "LOST";
+    out.message = run.message;
+    if (out.message.empty() && task.lost(run)) out.message = "LOST";
     out.error = task.error.of(run);
     out.further.clear();
     for (const PeerMeasure& measure : task.further) out.further.push_back(measure.of(run));
-    if (run.cpu_seconds > kLongRun || !out.failure.empty()) break;
+    if (run.cpu_seconds > kLongRun || !out.message.empty()) break;
   }
   out.cpu = 1e3 * median(seconds);
   return out;
@@ -84,7 +84,7 @@ void print(const PeerSetting& setting, const Verdict& verdict) {
   fmt::print("{:<44}{:>10}{:>11.4g}{:>12.3g}", setting.name(), knob_text(setting, verdict.knob),
              verdict.cpu, verdict.error);
   for (const double value : verdict.further) fmt::print("{:>12.3g}", value);
-  fmt::print("  {}\n", verdict.failure);
+  fmt::print("  {}\n", verdict.message);
   std::fflush(stdout);
 }
 
@@ -113,10 +113,10 @@ Json chart(const PeerTask& task, const std::vector<Course>& courses) {
     Json x = Json::array(), y = Json::array(), hints = Json::array();
     for (const Verdict& verdict : course.verdicts) {
       const std::string hint = knob_text(*course.setting, verdict.knob);
-      if (!verdict.failure.empty()) {
+      if (!verdict.message.empty()) {
         lost_x.push_back(verdict.cpu);
         lost_y.push_back(kLostLine);
-        lost_by.push_back(fmt::format("{}, {}: {}", course.setting->name(), hint, verdict.failure));
+        lost_by.push_back(fmt::format("{}, {}: {}", course.setting->name(), hint, verdict.message));
         continue;
       }
       x.push_back(verdict.cpu);
@@ -161,7 +161,7 @@ Json table(const PeerTask& task, const std::vector<Course>& courses) {
       Json row{course.setting->name(), knob_text(*course.setting, verdict.knob), verdict.cpu,
                fmt::format("{:.3g}", verdict.error)};
       for (const double value : verdict.further) row.push_back(fmt::format("{:.3g}", value));
-      row.push_back(verdict.failure.empty() ? "-" : verdict.failure);
+      row.push_back(verdict.message.empty() ? "-" : verdict.message);
       rows.push_back(std::move(row));
     }
   return table_block("All runs", columns, rows);

@@ -66,7 +66,7 @@ Contender loosest(const PeerTask& task, const PeerSetting& setting, double first
                   double most) {
   for (double knob = first; knob > 1e-14; knob *= factor)
     if (const PeerRun run = setting.run(task.peer, knob);
-        run.failure.empty() && task.error.of(run) <= most)
+        run.message.empty() && task.error.of(run) <= most)
       return {setting, knob};
   throw InputError(fmt::format("{} does not reach {:g}", setting.name(), most));
 }

@@ -44,9 +44,9 @@ PeerRun run_world(PeerWorld& world, const PeerScene& scene, double step) {
     for (; done < until; ++done) world.step();
     run.cpu_seconds += thread_seconds() - start;
     run.samples.push_back({step * static_cast<double>(done), world.motion()});
-    if (!finite(run.samples.back().bodies)) run.failure = "not finite";
-    if (run.cpu_seconds > kPatience) run.failure = "too slow";
-    if (!run.failure.empty()) break;
+    if (!finite(run.samples.back().bodies)) run.message = "not finite";
+    if (run.cpu_seconds > kPatience) run.message = "too slow";
+    if (!run.message.empty()) break;
   }
   return run;
 }

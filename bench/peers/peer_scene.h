@@ -48,7 +48,7 @@ struct PeerSample {
 struct PeerRun {
   std::vector<PeerSample> samples;  // the start first
   double cpu_seconds = 0;           // of this thread, without building the scene [s]
-  std::string failure;              // empty: it ran to the end
+  std::string message;              // empty: it ran to the end
 };
 
 /// Which scenes a setting is for: all, or those where its difference shows.

@@ -74,7 +74,7 @@ PeerSetting setting(const std::string& name, Make make) {
                       stepper.initialize(hand.state);
                       stepper.stepTo(peer.seconds);
                     } catch (const std::exception&) {
-                      run.failure = "not finite";
+                      run.message = "not finite";
                       return run;
                     }
                     run.cpu_seconds = thread_seconds() - start;

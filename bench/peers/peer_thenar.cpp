@@ -27,7 +27,7 @@ PeerRun run_ours(const PeerScene& peer, SceneOptions options, Simulate simulate 
   run.cpu_seconds = ours.cost.cpu_seconds;
   // Energy that does not balance is an error of the motion, which is measured.
   if (ours.status != SceneStatus::kDone && ours.status != SceneStatus::kUnbalanced)
-    run.failure = ours.status == SceneStatus::kStopped ? "too slow" : name_of(ours.status);
+    run.message = ours.status == SceneStatus::kStopped ? "too slow" : name_of(ours.status);
   return run;
 }
 

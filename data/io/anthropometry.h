@@ -16,7 +16,7 @@ enum class SimpleAxis { kFlexion, kAbduction };
 inline constexpr std::array kSimpleAxisNames{EnumName{SimpleAxis::kFlexion, "flexion"},
                                              EnumName{SimpleAxis::kAbduction, "abduction"}};
 
-/// A joint in front of a segment.
+/// Joint at the proximal end of a segment.
 struct SimpleJoint {
   std::string name;  // "MCP2_FE"
   SimpleAxis axis = SimpleAxis::kFlexion;
@@ -28,7 +28,7 @@ struct SimpleJoint {
 struct SegmentProportion {
   std::string name;                 // "PP2"
   double length = 0;                // times hand length [1]
-  std::vector<SimpleJoint> joints;  // from the wrist outwards
+  std::vector<SimpleJoint> joints;  // joints from the wrist outwards
 };
 
 /// A digit of a flat hand.

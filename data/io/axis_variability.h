@@ -12,18 +12,19 @@ namespace thenar {
 
 /// Normal distribution of one axis about that of the mean subject. The axis passes through
 ///   p + along u + across w,   along ~ N(along, along_sd^2),  across ~ N(0, across_sd^2),
-/// p the point of joint `beside`, u the bone's direction (distal), w square to u and to the axis.
-/// Its direction is  d + tan(a) e1 + tan(b) e2, a and b ~ N(0, tilt_sd^2), e1 and e2 square to d.
+/// p the point of joint `beside`, u the bone's direction (distal), w perpendicular to u and to the
+/// axis. Its direction is  d + tan(a) e1 + tan(b) e2, a and b ~ N(0, tilt_sd^2), e1 and e2
+/// perpendicular to d.
 struct AxisVariability {
   std::string joint;     // "MCP1_AA"
-  std::string beside;    // joint of the mean subject from whose point places are counted
+  std::string beside;    // joint of the mean subject from whose point places are measured
   std::string bone;      // segment of the mean subject that u goes along
   double along = 0;      // [m]
   double along_sd = 0;   // [m]
   double across_sd = 0;  // [m]
   double tilt_sd = 0;    // [rad]
   std::string source;    // citation keys
-  std::vector<std::string> assumed;  // keys of the file whose numbers are nobody's measurements
+  std::vector<std::string> assumed;  // keys of the file whose numbers are not measured
 };
 
 /// Direction in a digit's reference posture.
@@ -35,7 +36,7 @@ inline constexpr std::array kDigitDirectionNames{EnumName{DigitDirection::kDista
   return name_in(kDigitDirectionNames, direction);
 }
 
-/// A question about the common normal from one axis to another: does it point that way?
+/// Question whether the common normal from one axis to another points in a direction.
 struct NormalQuestion {
   std::string first, second;  // joints
   DigitDirection toward = DigitDirection::kRadial;

@@ -18,7 +18,7 @@ inline constexpr const char* kUncheckedProgram = "thenar";
 /// the file invalidates the checksum.
 [[nodiscard]] std::string with_checksum(std::string bytes);
 
-/// Result of take_checksum(); a checksum that was found holds.
+/// Result of take_checksum(): the checksum is right, or absent.
 enum class Checksum { kHolds, kAbsent };
 
 /// Removes the checksum from the end of bytes, if there is one, and verifies it.
@@ -26,17 +26,17 @@ enum class Checksum { kHolds, kAbsent };
 /// @throws DataError if the checksum does not hold.
 [[nodiscard]] Checksum take_checksum(std::string& bytes, const std::string& path);
 
-/// Refuses a file of another program, or one whose checksum is lost.
+/// Throws for a file of another program, or one without its checksum.
 /// @param program  value of its attribute `program`; "" if there is none
 /// @param format   in messages: "a result file of thenar, got another HDF5 file"
 /// @throws DataError
 void require_ours(const std::string& program, Checksum checksum, const std::string& path,
                   const std::string& format);
 
-/// Returns whether a regular file begins as HDF5 does; false if there is no such file.
+/// Returns true if a regular file begins with the HDF5 signature; false if there is no such file.
 [[nodiscard]] bool has_hdf5_start(const std::string& path);
 
-/// Returns whether a file ends with a checksum, which is not verified.
+/// Returns true if a file ends with a checksum, which is not verified.
 [[nodiscard]] bool has_checksum(const std::string& path);
 
 }  // namespace thenar

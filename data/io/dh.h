@@ -14,9 +14,9 @@ namespace thenar {
 
 /// One row of a Denavit-Hartenberg table, at joint angle zero.
 struct DhRow {
-  double theta = 0;  // about z of the frame before  [rad]
-  double d = 0;      // along z of the frame before  [m]
-  double a = 0;      // along the common normal      [m]
+  double theta = 0;  // rotation about z of the previous frame [rad]
+  double d = 0;      // translation along z of the previous frame [m]
+  double a = 0;      // translation along the common normal [m]
   double alpha = 0;  // twist between the axes       [rad]
 };
 
@@ -28,26 +28,27 @@ struct AxisLine {
 
 /// The axes of a chain at joint angles zero, and the frame at its end.
 struct DhAxes {
-  std::vector<AxisLine> axes;        // one for each row
+  std::vector<AxisLine> axes;        // one axis for each row
   std::vector<Pose<double>> frames;  // after each row
 };
 
 /// A whole chain:  X_end = base * row_1 * .. * row_n * tool.
 struct DhChain {
-  Pose<double> base;        // its z is the first axis
-  std::vector<DhRow> rows;  // one for each axis
-  Pose<double> tool;        // from the last row's frame to the end frame
+  Pose<double> base;        // base frame; its z is the first axis
+  std::vector<DhRow> rows;  // one row for each axis
+  Pose<double> tool;        // pose of the end frame in the last row's frame
 };
 
-/// Displacement across one row, at joint angle zero.
+/// Returns the displacement across one row, at joint angle zero.
 [[nodiscard]] Pose<double> dh_motion(const DhRow& row);
 
-/// Joint axes of a table of rows, in the frame in which `base` is given.
+/// Returns the joint axes of a table of rows, in the frame in which `base` is given.
 [[nodiscard]] DhAxes axes_from_dh(const Pose<double>& base, const std::vector<DhRow>& rows);
 
-/// Table for given axes, by their common normals; exact for skew, parallel, intersecting and
-/// coincident neighbours. Four numbers a row leave freedom, which is used so: the base carries
-/// theta and d of row 1, the last row reaches the tip point, `tool` is a pure rotation.
+/// Returns the table for given axes, by their common normals; exact for skew, parallel,
+/// intersecting and coincident neighbours. The remaining freedom is fixed as follows: the base
+/// includes theta and d of row 1, the last row reaches the tip point, and `tool` is a pure
+/// rotation.
 /// @param tip  end frame at joint angles zero
 /// @throws InputError for no axes.
 [[nodiscard]] DhChain dh_from_axes(const std::vector<AxisLine>& axes, const Pose<double>& tip);

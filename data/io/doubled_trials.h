@@ -1,6 +1,6 @@
 #pragma once
 
-/// Rows of experiments that stand there twice.
+/// Duplicate rows of experiments.
 
 #include <string>
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace thenar {
 
-/// Returns a warning where trials have the posture, the loads, the load cell's place and all digits
-/// of the force of another trial, in the same experiment or another one: a row that was copied
-/// counts twice, so that intervals come out too narrow. Forces of zero are left out.
+/// Returns a warning if a trial has the same posture, loads, place of the load cell and all digits
+/// of the force as another trial, in the same experiment or another one: a copied row counts twice,
+/// so that intervals are too narrow. Forces of zero are ignored.
 /// @return one sentence that names the first copy and counts the others; empty: none
 [[nodiscard]] std::vector<std::string> doubled_trial_warnings(
     const std::vector<Experiment>& experiments);

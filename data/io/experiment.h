@@ -22,23 +22,23 @@ enum class TipConstraint {
 inline constexpr std::array kTipConstraintNames{EnumName{TipConstraint::kPinned, "pinned"},
                                                 EnumName{TipConstraint::kRigid, "rigid"}};
 
-/// Course of tendons from the mount on which a digit stands to the muscles.
+/// Path of tendons from the mount of a digit to the muscles.
 enum class TendonExit {
-  kCrossing,  // straight on from where they cross the joint next to the mount
-  kAlongBone  // turned along the bone by the mount, proximal
+  kCrossing,  // straight from the crossing of the joint next to the mount
+  kAlongBone  // redirected by the mount along the bone, proximally
 };
 inline constexpr std::array kTendonExitNames{EnumName{TendonExit::kCrossing, "crossing"},
                                              EnumName{TendonExit::kAlongBone, "along_bone"}};
 
 /// Place of a load cell that does not hold the tip.
 struct ForceSite {
-  std::string at;    // segment that it holds in place of the tip; or, of the base, the mount
-                     // on which the digit stands while its tip is held
+  std::string at;    // segment that it holds instead of the tip; or, on the base, the mount of the
+                     // digit while its tip is held
   std::string axes;  // segment whose directions the force components use
-  std::optional<double> fraction;  // how far along the bone it holds: 0 proximal, 1 distal; empty:
-                                   // half-way, on the tip's segment at the tip          [1]
+  std::optional<double> fraction;        // fixation along the bone: 0 proximal, 1 distal; empty:
+                                         // half-way, on the tip's segment at the tip          [1]
   std::optional<Eigen::Vector3d> point;  // instead: at the reference posture, subject frame [m] (3)
-  TendonExit leave = TendonExit::kCrossing;  // of a mount
+  TendonExit leave = TendonExit::kCrossing;  // exit of the tendon from a mount
 };
 
 [[nodiscard]] bool operator==(const ForceSite& a, const ForceSite& b);
@@ -53,19 +53,19 @@ struct PostureRecord {
 struct Trial {
   std::string posture;
   std::map<std::string, double> tension;  // muscle -> tendon tension, after pulley losses [N]
-  Eigen::Vector3d force{0, 0, 0};         // of the tip on the world, experiment axes [N] (3)
-  std::optional<Eigen::Vector3d> moment;  // of the tip on the world, about the tip [N m] (3)
+  Eigen::Vector3d force{0, 0, 0};         // force of the tip on the world, experiment axes [N] (3)
+  std::optional<Eigen::Vector3d> moment;  // moment of the tip on the world about the tip [N m] (3)
   std::optional<Eigen::Vector3d> sd;      // of the force, if stated for this row [N] (3)
-  std::optional<ForceSite> site = {};     // where the force was measured; empty: at the tip
+  std::optional<ForceSite> site = {};     // place of the force measurement; empty: the tip
 };
 
 /// One task, measured by electromyography and the load cell.
 struct ActivationRow {
   std::string posture;
   std::map<std::string, double> activation;  // muscle -> 0..1; unnamed muscles are silent [1]
-  std::map<std::string, double> sd;          // of each activation [1]
-  Eigen::Vector3d force{0, 0, 0};            // of the tip on the world, experiment axes [N] (3)
-  std::optional<Eigen::Vector3d> force_sd;   // if stated for this row [N] (3)
+  std::map<std::string, double> sd;          // standard deviation of each activation [1]
+  Eigen::Vector3d force{0, 0, 0};  // force of the tip on the world, experiment axes [N] (3)
+  std::optional<Eigen::Vector3d> force_sd;  // of the force, if stated for this row [N] (3)
 };
 
 /// One specimen under one protocol.
@@ -78,7 +78,7 @@ struct Experiment {
   std::string digit;   // "middle"
   TipConstraint hold = TipConstraint::kPinned;
   std::string force_segment;  // segment whose axes the force components use: "DP3"
-  int components = 3;         // of a force that are fitted; 2: those in the plane of flexion [1]
+  int components = 3;         // fitted components of a force; 2: those in the plane of flexion [1]
   Eigen::Matrix3i axes_of_digit = Eigen::Matrix3i::Identity();
   // row i: component i as signed (proximal, dorsal, radial) of the digit, 0 if not fitted (3, 3)
   double sd_relative = 0;  // force noise: sd^2 = sd_floor^2 + (sd_relative |F|)^2 [1]
@@ -97,10 +97,10 @@ struct Experiment {
 /// Parses an experiment from text already in memory; `path` only names it in messages.
 [[nodiscard]] Experiment parse_experiment(const std::string& text, const std::string& path);
 
-/// Standard deviation of the force components of a trial: its own, or the stated noise; infinite
-/// for a component that is not fitted [N] (3)
+/// Returns the standard deviation of the force components of a trial: its own, or the stated noise;
+/// infinite for a component that is not fitted [N] (3)
 [[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const Trial& trial);
-/// Standard deviation of the force components of an activation row [N] (3)
+/// Returns the standard deviation of the force components of an activation row [N] (3)
 [[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const ActivationRow& row);
 
 }  // namespace thenar

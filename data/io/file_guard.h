@@ -1,8 +1,8 @@
 #pragma once
 
-/// Limits that every file must keep before a parser sees it: regular, of bounded size, nesting and
-/// number of values. Parsers recurse with the nesting and take many bytes of memory for one of the
-/// file, so that a small crafted file could end the program or take all memory.
+/// Limits that every file must satisfy before it is parsed: regular, of bounded size, nesting and
+/// number of values. Parsers recurse with the nesting and use many bytes of memory for each byte of
+/// the file, so that a small malicious file could crash the program or exhaust memory.
 
 #include <cstddef>
 #include <string>
@@ -25,28 +25,28 @@ enum class GuardedKind {
 /// The limits of one kind; the table with its reasons is in file_guard.cpp.
 struct FileLimit {
   GuardedKind kind;
-  const char* name;    // in messages: "TOML"
+  const char* name;    // name in messages: "TOML"
   std::size_t bytes;   // size of the file [bytes]
-  int depth;           // of nesting; 0: not counted
+  int depth;           // nesting depth; 0: not counted
   std::size_t values;  // number of values, by its separators; 0: not counted
 };
 
-/// The limits of a kind.
+/// Returns the limits of a kind.
 [[nodiscard]] const FileLimit& limit_of(GuardedKind kind);
 
-/// Reads a regular file that keeps the limits of its kind.
+/// Reads a regular file that satisfies the limits of its kind.
 /// @throws DataError `path:line: what was wanted, what came`.
 [[nodiscard]] std::string read_guarded(const std::string& path, GuardedKind kind);
 
 /// Checks a text in memory against the limits of its kind, in one pass, without recursion, with one
-/// number of memory for each open bracket. The text need not be well-formed.
+/// number for each open bracket. The text need not be well-formed.
 /// @param path        only names it in messages
 /// @param first_line  number of the text's first line, for messages
 /// @throws DataError at the line on which a limit is exceeded.
 void guard_text(std::string_view text, const std::string& path, GuardedKind kind,
                 int first_line = 1);
 
-/// Returns whether `file`, which need not exist, is in the folder of `path` or below it, with links
+/// Returns true if `file`, which need not exist, is in the folder of `path` or below it, with links
 /// resolved.
 [[nodiscard]] bool is_in_folder_of(const std::string& path, const std::string& file);
 

@@ -47,7 +47,7 @@ inline constexpr std::array kFileKindNames{
 [[nodiscard]] inline std::string name_of(FileKind kind) { return name_in(kFileKindNames, kind); }
 
 /// Finds the kind of a file: an HDF5 result by its first bytes, a TOML file by its top-level keys.
-/// @throws DataError if the file cannot be read, is not TOML, or has no key that tells.
+/// @throws DataError if the file cannot be read, is not TOML, or has no distinctive key.
 [[nodiscard]] FileKind find_file_kind(const std::string& path);
 
 }  // namespace thenar

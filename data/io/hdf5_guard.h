@@ -32,14 +32,16 @@ class Hdf5Object {
 /// Keeps other threads from HDF5 and netCDF, which are built for one, while it lives.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> lock_hdf5();
 
-/// Time limit for reading a file of this size: a hundred times what it takes [s of processor]
+/// Returns the time limit for reading a file of this size: a hundred times what it takes [s of
+/// processor]
 [[nodiscard]] inline int seconds_to_read(std::size_t bytes) {
   return 1 + static_cast<int>(bytes / (20 * 1000 * 1000));
 }
 
-/// Walks over every object of a file and compares it with the file's size. Groups nest at most 8
-/// deep; arrays have at most 8 dimensions, lie in the file itself, and together with attributes
-/// promise no more bytes than the file has. No value is read, and no memory is taken for any.
+/// Checks every object of a file against the file's size. Groups nest at
+/// most 8 deep; arrays have at most 8 dimensions, lie in the file itself, and together with
+/// attributes promise no more bytes than the file has. No value is read, and no memory is taken for
+/// any.
 /// @param bytes  of the file
 /// @param path   only names it in messages
 /// @returns keys of all datasets: "group/array", in order of their names

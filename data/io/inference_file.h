@@ -21,7 +21,7 @@ struct InferenceArray {
 /// Arrays of one group, and names along its dimensions; those without names are counted 0, 1, 2,
 /// ...
 struct InferenceGroup {
-  std::map<std::string, std::size_t> lengths;                   // of every dimension
+  std::map<std::string, std::size_t> lengths;                   // length of every dimension
   std::map<std::string, std::vector<std::string>> coordinates;  // dimension -> names
   std::map<std::string, InferenceArray> arrays;
 };
@@ -30,7 +30,7 @@ struct InferenceGroup {
 /// observed_data, ...
 struct InferenceFile {
   std::map<std::string, InferenceGroup> groups;
-  std::map<std::string, std::string> attributes;  // of the whole file: provenance, inputs
+  std::map<std::string, std::string> attributes;  // file attributes: provenance, inputs
 };
 
 /// Writes a file beside `path`, with a checksum, and renames it. `az.from_netcdf(path)` opens it.

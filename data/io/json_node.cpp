@@ -18,10 +18,10 @@
 namespace thenar {
 namespace {
 
-using PlainJson = nlohmann::json;            // members in alphabetic order
-using FileJson = nlohmann::ordered_json;     // members as they were added
-constexpr int kMaxMisspelling = 2;           // Most letters by which a misspelt key differs
-constexpr double kLargestNumber = 1e12;      // Largest number; beyond it wrenches lose all digits
+using PlainJson = nlohmann::json;         // members in alphabetic order
+using FileJson = nlohmann::ordered_json;  // members as they were added
+constexpr int kMaxMisspelling = 2;   // largest number of letters by which a misspelt key differs
+constexpr double kMaxNumber = 1e12;  // largest number; beyond it wrenches lose all digits
 constexpr std::size_t kLongestShown = 60;    // Most characters of a value in a message
 constexpr double kLargestWhole = 1LL << 53;  // Largest whole number up to which a double is exact
 
@@ -324,7 +324,7 @@ std::vector<double> JsonValue::numbers(std::size_t count) const {
 }
 
 int JsonValue::count() const {
-  constexpr int kMaxCount = 1000000000;  // Largest count [1]
+  constexpr int kMaxCount = 1000000000;  // largest count [1]
   if (node_.kind != JsonKind::kNumber || !node_.whole || node_.number < 0 ||
       node_.number > kMaxCount)
     fail_wanted(fmt::format("an integer of 0 to {}", kMaxCount));
@@ -332,8 +332,7 @@ int JsonValue::count() const {
 }
 
 double JsonValue::bounded(double number) const {
-  if (!(std::abs(number) <= kLargestNumber))
-    fail_wanted(fmt::format("no more than {:g}", kLargestNumber));
+  if (!(std::abs(number) <= kMaxNumber)) fail_wanted(fmt::format("no more than {:g}", kMaxNumber));
   return number;
 }
 

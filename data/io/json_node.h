@@ -17,13 +17,13 @@ enum class JsonKind { kNull, kFlag, kNumber, kText, kArray, kObject };
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree
 struct JsonNode {
   JsonKind kind = JsonKind::kNull;
-  int line = 1;                    // on which the value starts, from 1
-  bool flag = false;               // of kFlag
+  int line = 1;                    // line on which the value starts, from 1
+  bool flag = false;               // value of kFlag
   bool whole = false;              // kNumber without point and exponent, of 64 bits at most
-  double number = 0;               // of kNumber; not finite: written as null
-  std::string text;                // of kText
-  std::vector<JsonNode> items;     // of kArray, and the values of kObject
-  std::vector<std::string> names;  // of kObject, in the order of the file; as many as `items`
+  double number = 0;               // value of kNumber; not finite: written as null
+  std::string text;                // value of kText
+  std::vector<JsonNode> items;     // entries of kArray, or values of kObject
+  std::vector<std::string> names;  // member names of kObject, one for each of `items`
 
   JsonNode() = default;
   explicit JsonNode(JsonKind its_kind) : kind(its_kind) {}
@@ -39,7 +39,7 @@ struct JsonNode {
     for (const Value& value : values) items.emplace_back(value);
   }
 
-  /// The member of that name; null if there is none, or if this is no object.
+  /// Returns the member of that name; null if there is none, or if this is no object.
   [[nodiscard]] const JsonNode* find(const std::string& name) const;
   [[nodiscard]] JsonNode* find(const std::string& name);
   /// Adds a member, or gives the one of that name another value; a null becomes an object.
@@ -54,7 +54,7 @@ struct JsonNode {
   JsonNode& member(const std::string& name);
 };
 
-/// Return whether two trees have equal values, and whether they do not. The order of members, and
+/// Compare two trees by their values. The order of members, and
 /// lines, do not count.
 [[nodiscard]] bool operator==(const JsonNode& a, const JsonNode& b);
 [[nodiscard]] bool operator!=(const JsonNode& a, const JsonNode& b);
@@ -66,8 +66,8 @@ struct JsonNode {
 [[nodiscard]] JsonNode parse_json(const std::string& path, const std::string& text,
                                   int first_line = 1);
 
-/// Members of the object at the end of `steps` that are a text, or a list of nothing but texts;
-/// none where no object stands.
+/// Returns the members of the object at the end of `steps` that are a text, or a list of nothing
+/// but texts; none if there is no object there.
 /// @param steps  names of members from the root
 [[nodiscard]] std::map<std::string, std::vector<std::string>> text_members(
     const JsonNode& root, const std::vector<std::string>& steps);
@@ -76,7 +76,7 @@ struct JsonNode {
 /// @param indent  blanks a level; -1: all on one line
 [[nodiscard]] std::string written(const JsonNode& node, int indent = -1);
 
-/// The text that checksums are of: on one line, members in alphabetic order.
+/// Returns the text that checksums are of: on one line, members in alphabetic order.
 [[nodiscard]] std::string canonical_text(const JsonNode& node);
 
 /// A value of a file with the way to it: takes what is wanted, or says what came instead.
@@ -92,21 +92,21 @@ class JsonValue {
 
   /// Returns whether it has a member that is not null.
   [[nodiscard]] bool gives(const std::string& member) const;
-  /// A member. @throws DataError if there is none.
+  /// Returns a member. @throws DataError if there is none.
   [[nodiscard]] JsonValue operator[](const std::string& member) const;
-  /// The entries of a list. @throws DataError, as wanting `what`, if it is none.
+  /// Returns the entries of a list. @throws DataError, as wanting `what`, if it is none.
   [[nodiscard]] std::vector<JsonValue> entries(const std::string& what) const;
-  /// Number of entries; 0 if it is no list.
+  /// Returns the number of entries; 0 if it is no list.
   [[nodiscard]] std::size_t size() const;
   /// Names of members that are none of `known`.
   /// @throws DataError if it is no object, or for a name that looks like a known one misspelt.
   [[nodiscard]] std::vector<std::string> others_than(const std::vector<std::string>& known) const;
 
-  /// A number of at most 1e12. @throws DataError, as wanting `what`, otherwise.
+  /// Returns a number of at most 1e12. @throws DataError, as wanting `what`, otherwise.
   [[nodiscard]] double number(const std::string& what) const;
   /// Returns `count` numbers of at most 1e12 each. @throws DataError otherwise.
   [[nodiscard]] std::vector<double> numbers(std::size_t count) const;
-  /// A whole number from 0 to 1e9. @throws DataError otherwise.
+  /// Returns a whole number from 0 to 1e9. @throws DataError otherwise.
   [[nodiscard]] int count() const;
 
  private:

@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// Path of the file that a key of a table names.
+/// Returns the path of the file that a key of a table names.
 /// @param name    what the key says;  @param folder  that it is relative to
 /// @param kind    what it is to be, for the message: "mesh"
 /// @throws DataError at the key, if linked_path() refuses the name or no file is there.

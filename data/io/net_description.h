@@ -33,8 +33,8 @@ inline constexpr std::array kFingerJointNames{EnumName{FingerJoint::kMcp, "MCP"}
 struct NetPlace {
   BoneRole bone = BoneRole::kProximal;
   double along = 0;   // 0 at the bone's proximal end, 1 at its distal end; from -1 to 2 [1]
-  double angle = 0;   // about the bone: 0 dorsal, +90 degrees radial, 180 palmar [rad]
-  double height = 0;  // from the bone's line, in the reference finger [m]
+  double angle = 0;   // angle about the bone: 0 dorsal, +90 degrees radial, 180 palmar [rad]
+  double height = 0;  // distance from the bone's line, in the reference finger [m]
 };
 
 /// A point of a strand of the subject.
@@ -48,18 +48,18 @@ struct NetSurface {
   std::string name;
   SurfaceShape shape = SurfaceShape::kSphere;  // sphere, cylinder or capsule
   NetPlace center;
-  double radius = 0;       // in the reference finger [m]
-  bool across = false;     // its axis runs along the joint's axis, not along the bone
-  double half_length = 0;  // of the axis, reference finger [m]
+  double radius = 0;       // radius in the reference finger [m]
+  bool across = false;     // axis along the joint's axis instead of the bone
+  double half_length = 0;  // half length of the axis, reference finger [m]
 };
 
 /// A node of the net.
 struct NetNodePlan {
   std::string name;
   bool floating = true;
-  NetPlace place;                     // its place, or the start of a floating node
+  NetPlace place;                     // place, or start of a floating node
   StrandPoint strand;                 // replaces `place` in subjects that have it
-  std::vector<std::string> surfaces;  // on which a floating node may rest
+  std::vector<std::string> surfaces;  // surfaces on which a floating node may rest
 };
 
 /// A band between two nodes.
@@ -70,7 +70,7 @@ struct NetBandPlan {
   std::string strains_like;  // band whose strain it is fitted to have in the straight finger
   double EA = 0;             // tension per strain [N]
   double toe = 0;            // strain up to which fibres are recruited [1]
-  double most_strain = 0.1;  // that it bears [1]
+  double most_strain = 0.1;  // largest admissible strain [1]
   std::string over;          // surface over which it bends; empty: straight
   double side = 0;           // direction from that surface's centre to the band, about the bone, as
                              // NetPlace::angle [rad]
@@ -79,13 +79,13 @@ struct NetBandPlan {
 /// One node at which a muscle pulls on the net.
 struct NetPullPlan {
   std::string node;
-  double share = 1;      // of the muscle's tension [1]
+  double share = 1;      // share of the muscle's tension [1]
   bool relayed = false;  // hands on, over a bone, what other pulls have given to the net already:
                          // it does not count as a share
-  StrandPoint exit;      // where its run leaves the net, in subjects that have it; otherwise:
+  StrandPoint exit;      // exit of its path from the net, in subjects that have it; otherwise:
   std::optional<NetPlace> exit_place;  // absent: at the exit of the muscle's own path
   std::string over;                    // surface over which it bends; empty: straight
-  double EA = 0;                       // of the run inside the net, for muscles given by length [N]
+  double EA = 0;  // axial stiffness of the part inside the net, for muscles given by length [N]
 };
 
 /// A muscle that pulls on the net. If its shares do not add up to one, the rest pulls on the bone,
@@ -93,7 +93,7 @@ struct NetPullPlan {
 struct NetMusclePlan {
   std::string role;                       // "EDC"
   std::vector<std::string> names;         // muscles of the subject that may have this role
-  BoneRole exit = BoneRole::kMetacarpal;  // its own path ends at its last point up to this bone
+  BoneRole exit = BoneRole::kMetacarpal;  // last bone of the muscle's own path
   bool optional = false;                  // a finger without this muscle still has the net
   bool hood_share = false;  // the subject's own fraction into the hood, if it has a rule, replaces
                             // the shares given here
@@ -110,12 +110,12 @@ struct NetDescription {
   std::string name;
   std::string description;
   std::string source;                      // citation keys, "A, B"
-  std::map<BoneRole, double> bone_length;  // of the reference finger [m]
-  std::map<FingerJoint, double> height;    // of its extensor over the joints' axes [m]
+  std::map<BoneRole, double> bone_length;  // bone lengths of the reference finger [m]
+  std::map<FingerJoint, double> height;    // height of its extensor over the joints' axes [m]
   /// Strands whose moment arm in the straight finger is that height in a subject; if the subject
   /// has none of them, the strand of the first muscle.
   std::map<FingerJoint, std::vector<std::string>> height_strands;
-  double friction = 0;  // of nodes on bone, at most 1 [1]
+  double friction = 0;  // friction coefficient of nodes on bone, at most 1 [1]
   std::vector<NetSurface> surfaces;
   std::vector<NetNodePlan> nodes;
   std::vector<NetBandPlan> bands;

@@ -14,7 +14,7 @@ namespace thenar {
 /// An array of a file, row-major.
 struct ResultArray {
   std::vector<double> values;       // row-major (product of shape)
-  std::vector<std::size_t> shape;   // at most 3 dimensions
+  std::vector<std::size_t> shape;   // lengths of at most 3 dimensions
   std::string unit;                 // "N", "1"
   std::vector<std::string> labels;  // name of each dimension: {"trial", "component"}
 };
@@ -31,7 +31,7 @@ struct ResultFile {
   void add(const std::string& key, const std::string& text);
   void add(const std::string& key, std::vector<std::string> list);
 
-  /// Values by key. @throws InputError naming the key if it is absent or has another shape.
+  /// Return values by key. @throws InputError naming the key if it is absent or has another shape.
   [[nodiscard]] Eigen::MatrixXd matrix(const std::string& key) const;
   [[nodiscard]] double number(const std::string& key) const;
   [[nodiscard]] const std::string& text(const std::string& key) const;
@@ -48,7 +48,8 @@ void write_result(const ResultFile& file, const std::string& path);
 /// has.
 [[nodiscard]] ResultFile read_result(const std::string& path);
 
-/// A matrix of finite numbers with so many rows and columns. @param path  of the file, for messages
+/// Returns a matrix of finite numbers with so many rows and columns. @param path  of the file, for
+/// messages
 /// @throws DataError `path:1: ..` if it is absent, of another shape, or has other numbers.
 [[nodiscard]] Eigen::MatrixXd finite_matrix(const ResultFile& file, const std::string& path,
                                             const std::string& key, Eigen::Index rows,

@@ -25,9 +25,10 @@ void check_layout(const InferenceFile& file, const std::string& path);
 /// Returns whether a file says that it is of a format that has a layout.
 [[nodiscard]] bool has_layout(const ResultFile& file);
 
-/// Numbers of an array of one dimension. @throws InputError if it is absent or has others.
+/// Returns the numbers of an array of one dimension. @throws InputError if it is absent or has
+/// others.
 [[nodiscard]] Eigen::VectorXd vector_in(const ResultFile& file, const std::string& key);
-/// Lengths of an array of a group. @throws InputError if a dimension of it has none.
+/// Returns the lengths of an array of a group. @throws InputError if a dimension of it has none.
 [[nodiscard]] std::vector<std::size_t> shape_in(const InferenceGroup& group,
                                                 const InferenceArray& array);
 

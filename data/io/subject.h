@@ -24,10 +24,10 @@ struct Segment {
   std::string name;              // e.g. "PP3": proximal phalanx of the middle finger
   double mass = 0;               // [kg]; 0 if unknown
   Eigen::Vector3d com{0, 0, 0};  // centre of mass [m] (3)
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about com [kg m^2] (3, 3)
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // inertia about com [kg m^2] (3, 3)
   Eigen::Vector3d proximal{0, 0, 0};                  // end nearer the wrist [m] (3)
   Eigen::Vector3d distal{0, 0, 0};                    // end nearer the tip   [m] (3)
-  double radius = 0;  // of the skin around the bone [m]; 0 if unknown
+  double radius = 0;  // radius of the skin around the bone [m]; 0 if unknown
 };
 
 /// Joint `name` turns by  ratio * (angle of leader) + offset  instead of freely.
@@ -51,19 +51,19 @@ inline constexpr std::array kPassiveNames{EnumName{PassiveMoments::kOn, "on"},
 
 /// A hinge about a general (skewed) axis. A universal joint is two hinges in a row.
 struct JointAxis {
-  std::string name;                    // in our files "MCP3_FE", "PIP3", "CMC1_AA"
+  std::string name;                    // name; in our files "MCP3_FE", "PIP3", "CMC1_AA"
   std::string parent;                  // segment that carries the axis
   std::string child;                   // segment that it moves
   Eigen::Vector3d direction{1, 0, 0};  // unit; angle + flexes, turns radially, pronates (3)
   Eigen::Vector3d point{0, 0, 0};      // any point of the axis [m] (3)
-  double direction_sd = 0;             // of repeated measurements [rad]; 0 if unknown
-  double point_sd = 0;                 // of repeated measurements [m]; 0 if unknown
+  double direction_sd = 0;             // sd of repeated measurements [rad]; 0 if unknown
+  double point_sd = 0;                 // sd of repeated measurements [m]; 0 if unknown
   double lower = -kPi;                 // joint limit [rad]
   double upper = kPi;                  // joint limit [rad]
   double rest = 0;                     // angle without passive torque [rad]
   double stiffness = 0;                // passive torque = -stiffness (q - rest) [N m/rad], less
-  PassiveEnd flexing, extending;       // what these ends take of it, see passive_moment()
-  double passive_spread = 0;           // of passive moments between people: sd of their logarithm
+  PassiveEnd flexing, extending;       // passive moment towards each end, see passive_moment()
+  double passive_spread = 0;           // sd of the logarithm of passive moments between people
                                        // [1]; 0 if unknown
   double damping = 0;                  // [N m s/rad]
   std::optional<Coupling> coupling;    // absent: the joint is free
@@ -94,16 +94,18 @@ struct Surface {
 /// A point of a tendon's path, fixed in a segment, or a surface over which the path bends.
 struct PathPoint {
   std::string segment;         // segment that carries the point
-  Eigen::Vector3d p{0, 0, 0};  // at the reference posture [m] (3)
-  double sd = 0;               // of each coordinate [m]; 0 if unknown
-  std::string surface;         // not empty: bends over it where necessary, on the side where p is
-  std::string rides_on;  // not empty: originates from this strand and moves with it (lumbricals)
+  Eigen::Vector3d p{0, 0, 0};  // position at the reference posture [m] (3)
+  double sd = 0;               // sd of each coordinate [m]; 0 if unknown
+  std::string surface;   // surface over which the path bends where necessary, on the side where p
+                         // is; or empty
+  std::string rides_on;  // strand from which the path originates and with which it moves
+                         // (lumbricals); or empty
 };
 
 /// A run of tendon under one tension.
 struct Strand {
   std::string name;                    // "FDP", or a band of the hood: "TE", "RB", "UB", "ES"
-  std::vector<PathPoint> path;         // from insertion to origin; empty: arms only
+  std::vector<PathPoint> path;         // points from insertion to origin; empty: arms only
   std::map<std::string, double> arms;  // joint -> constant moment arm, flexion + [m]
 };
 
@@ -156,7 +158,7 @@ struct Digit {
 
 /// A published map from tendon tensions to tip force and torque, at one posture.
 struct TipMap {
-  std::string name;  // of this map
+  std::string name;  // name of this map
   std::string digit;
   std::vector<std::string> rows;     // "Fx", "Fy", "Fz" [N], "tx".. [N m]
   std::vector<std::string> muscles;  // columns
@@ -184,7 +186,7 @@ struct Subject {
   std::string description;
   std::string side;             // "right" or "left"
   std::string base;             // segment that does not move
-  double reference_length = 0;  // by which path points were normalised [m]; 0: none
+  double reference_length = 0;  // length that normalised path points [m]; 0: none
   std::vector<Segment> segments;
   std::vector<JointAxis> joints;
   std::vector<Surface> surfaces;
@@ -196,13 +198,13 @@ struct Subject {
   std::vector<CalibratedOn> calibrated_on;  // empty: no number was fitted to measured forces
 };
 
-/// "on" or "off" as people type it. @throws InputError for any other word
+/// Returns "on" or "off" as people type it. @throws InputError for any other word
 [[nodiscard]] PassiveMoments passive_named(const std::string& word);
 
-/// The subject with joints that turn without passive moments, dampers apart, or as it is.
+/// Returns the subject with joints that turn without passive moments, dampers apart, or as it is.
 [[nodiscard]] Subject with_passive(Subject subject, PassiveMoments passive);
 
-/// The joints between the base and a segment, the last first; they point into the subject.
+/// Returns the joints between the base and a segment, the last first; they point into the subject.
 [[nodiscard]] std::vector<const JointAxis*> joints_to(const Subject& subject, std::string segment);
 
 /// Returns whether a joint has a passive moment.

@@ -16,7 +16,7 @@ constexpr double kShortestLink = 0.005;            // Least length of a digit pe
 constexpr double kShortestTip = 0.004;             // Least distance of a tip from its last axis [m]
 constexpr double kNarrowestRange = 4 * kPi / 180;  // Least range of a joint [rad]
 constexpr double kFurthestLimit = 1.5 * kPi;  // Largest limit, from the reference posture [rad]
-constexpr double kLargestStiffness = 50;      // Largest stiffness of a joint [N m/rad]
+constexpr double kMaxStiffness = 50;          // largest stiffness of a joint [N m/rad]
 // Least and largest constant moment arm [m]
 constexpr double kShortestArm = 1e-4, kLongestArm = 0.1;
 // Distance of a path's chord from an axis [m]
@@ -33,7 +33,7 @@ constexpr double kFurthestBone = 0.08;
 constexpr double kShortestFibre = 2e-3, kLongestFibre = 0.5;  // Length of a muscle's fibres [m]
 constexpr double kLongestSlack = 1;  // Largest slack length of a tendon [m]
 // Pennation of fibres [rad]
-constexpr double kLeastPennation = 0.6 * kDegree, kMostPennation = 70 * kDegree;
+constexpr double kMinPennation = 0.6 * kDegree, kMaxPennation = 70 * kDegree;
 
 const char* const kMillimetres = "are its numbers millimetres, as they are read?";
 
@@ -128,7 +128,7 @@ void doubt_joints(const Subject& subject, std::vector<std::string>& doubts) {
           fmt::format("joint '{}' turns from {:.0f} to {:.0f} degrees: are its limits of the unit "
                       "that its key names?",
                       joint.name, degrees(joint.lower), degrees(joint.upper)));
-    if (joint.stiffness > kLargestStiffness)
+    if (joint.stiffness > kMaxStiffness)
       stiff.push_back(
           fmt::format("joint '{}' has a stiffness of {:.3g} N m/rad: is it of the unit "
                       "that its key names?",
@@ -230,7 +230,7 @@ void doubt_muscles(const Subject& subject, std::vector<std::string>& doubts) {
     least = std::min(least, muscle.pennation);
     most = std::max(most, muscle.pennation);
   }
-  if (most > kMostPennation || (most > 0 && most < kLeastPennation))
+  if (most > kMaxPennation || (most > 0 && most < kMinPennation))
     angles.push_back(
         fmt::format("pennations are from {:.3g} to {:.3g} degrees: are they of the unit "
                     "that their keys name?",

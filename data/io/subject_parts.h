@@ -25,7 +25,7 @@ struct PointFrame {
 /// A subject that is being read.
 struct SubjectDraft {
   Subject subject;
-  double specific_tension = 0;                 // of muscles without their own [Pa]
+  double specific_tension = 0;                 // specific tension of muscles without their own [Pa]
   std::map<std::string, std::string> aliases;  // other name of a segment -> its name
   std::map<std::string, PointFrame> frames;
   std::map<std::string, Eigen::Vector3d> chain_ends;  // digit -> end of its DH chain [m] (3)

@@ -12,9 +12,9 @@ namespace thenar {
 /// Columns of numbers over time, as the file has them.
 struct TimeTable {
   std::vector<std::string> columns;  // beside the time, each once
-  Eigen::VectorXd time;              // from 0 on, never falling [s] (rows)
-  Eigen::MatrixXd value;             // in the units of the columns (rows, columns)
-  std::vector<int> lines;            // of the rows
+  Eigen::VectorXd time;              // times from 0 on, never falling [s] (rows)
+  Eigen::MatrixXd value;             // values in the units of the columns (rows, columns)
+  std::vector<int> lines;            // line of each row
   int header_line = 1;
 };
 

@@ -15,15 +15,15 @@ enum class TomlKind { kText, kNumber, kFlag, kDate, kArray, kTable };
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the text
 struct TomlNode {
   TomlKind kind = TomlKind::kTable;
-  int line = 1;                                           // in the file, from 1
-  std::string text;                                       // of kText
-  double number = 0;                                      // of kNumber, integers too
-  bool flag = false;                                      // of kFlag
-  std::vector<TomlNode> items;                            // of kArray
-  std::vector<std::pair<std::string, TomlNode>> members;  // of kTable, in file order
+  int line = 1;                                           // line in the file, from 1
+  std::string text;                                       // value of kText
+  double number = 0;                                      // value of kNumber, integers too
+  bool flag = false;                                      // value of kFlag
+  std::vector<TomlNode> items;                            // entries of kArray
+  std::vector<std::pair<std::string, TomlNode>> members;  // members of kTable, in file order
   std::vector<std::size_t> by_name;                       // indices of members, sorted by name
 
-  /// The member of that name, or null; found by bisection.
+  /// Returns the member of that name, or null; found by bisection.
   [[nodiscard]] const TomlNode* find(const std::string& key) const;
 };
 
@@ -31,10 +31,11 @@ struct TomlNode {
 /// @throws DataError at the line of the first syntax error.
 [[nodiscard]] TomlNode parse_toml(const std::string& text, const std::string& path);
 
-/// Name of a kind in messages: "a number".
+/// Returns the name of a kind in messages: "a number".
 [[nodiscard]] std::string kind_name(TomlKind kind);
 
-/// Whole content of a regular file. @throws DataError if it is not one, or cannot be opened.
+/// Returns the whole content of a regular file. @throws DataError if it is not one, or cannot be
+/// opened.
 [[nodiscard]] std::string read_text_file(const std::string& path);
 
 }  // namespace thenar

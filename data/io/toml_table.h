@@ -4,7 +4,7 @@
 ///
 /// The unit of a quantity stands at the end of its key: the length "point" is read in metres from
 /// `point_mm`, `point_cm` or `point_m`. A number needs a citation: a `source` key in its table or
-/// in one around it. Every getter notes its key, so that done() can refuse keys that nobody knows.
+/// in one around it. Every getter notes its key, so that done() can throw for unknown keys.
 
 #include <array>
 #include <cstddef>
@@ -36,14 +36,14 @@ class TomlFile {
   TomlFile(const TomlFile&) = delete;
   TomlFile& operator=(const TomlFile&) = delete;
 
-  /// The top level of the file. Its `[sources]` table, if any, is read already.
+  /// Returns the top level of the file. Its `[sources]` table, if any, is read already.
   [[nodiscard]] TomlTable top() const;
 
   [[nodiscard]] const std::string& path() const { return path_; }
 
-  /// Citation keys of data/sources.bib, then those of the file's own `[sources]`.
+  /// Returns the citation keys of data/sources.bib, then those of the file's own `[sources]`.
   [[nodiscard]] const std::vector<std::string>& sources() const { return sources_; }
-  /// The file's own `[sources]`: what each key means.
+  /// Returns the file's own `[sources]`: what each key means.
   [[nodiscard]] const std::map<std::string, std::string>& own_sources() const {
     return own_sources_;
   }
@@ -73,19 +73,19 @@ class TomlTable {
   TomlTable(const TomlFile& file, const TomlNode& node, std::string title,
             std::vector<std::string> sources);
 
-  /// Keys without unit: texts, choices of words, lists of texts.
+  /// Read keys without unit: texts, choices of words, lists of texts.
   [[nodiscard]] bool has(const std::string& key);
   [[nodiscard]] std::string text(const std::string& key);
   [[nodiscard]] std::string text_or(const std::string& key, const std::string& fallback);
   [[nodiscard]] std::string choice(const std::string& key, const std::vector<std::string>& of);
-  /// The value of a word in a table of names.
+  /// Returns the value of a word in a table of names.
   template <typename Enum, std::size_t size>
   [[nodiscard]] Enum choice(const std::string& key, const std::array<EnumName<Enum>, size>& of) {
     return value_in(of, choice(key, names_in(of)), key);
   }
   [[nodiscard]] std::vector<std::string> texts(const std::string& key);
 
-  /// Quantities in SI; `base` is the key without its unit.
+  /// Read quantities in SI; `base` is the key without its unit.
   [[nodiscard]] bool has(Dimension dimension, const std::string& base);
   [[nodiscard]] double number(Dimension dimension, const std::string& base,
                               Range range = Range::kAny);
@@ -104,12 +104,12 @@ class TomlTable {
   /// Names to quantities, `arms_mm = {PIP3 = 5.6}`. Empty if absent.
   [[nodiscard]] std::map<std::string, double> named(Dimension dimension, const std::string& base,
                                                     Range range = Range::kAny);
-  /// All keys of this table as quantities, by name without unit: for tables of free names.
+  /// Returns all keys of this table as quantities, by name without unit: for tables of free names.
   [[nodiscard]] std::map<std::string, double> all(Dimension dimension);
-  /// Named lists in file order, `rows = {Fx = [..], Fy = [..]}`.
+  /// Reads named lists in file order, `rows = {Fx = [..], Fy = [..]}`.
   [[nodiscard]] std::vector<NamedNumbers> lists(const std::string& key);
 
-  /// Tables within this one.
+  /// Return tables within this one.
   [[nodiscard]] std::optional<TomlTable> table(const std::string& key);
   [[nodiscard]] std::vector<TomlTable> tables(const std::string& key);  // none if absent
 
@@ -119,7 +119,7 @@ class TomlTable {
   /// Accepts a key without reading it.
   void ignore(const std::string& key) { known_.insert(key); }
 
-  /// @throws DataError for the first key that no getter asked for.
+  /// @throws DataError for the first key that no getter requested.
   void done() const;
 
   /// Throws a DataError at this table, or at one of its keys (with or without unit).
@@ -152,8 +152,8 @@ class TomlTable {
   const TomlNode* node_;
   std::string title_;
   std::vector<std::string> sources_;
-  std::set<std::string> known_;  // keys asked for so far
-  std::vector<Quantity> asked_;  // quantities asked for so far
+  std::set<std::string> known_;  // requested keys
+  std::vector<Quantity> asked_;  // requested quantities
 };
 
 namespace internal {

@@ -9,11 +9,12 @@
 
 namespace thenar {
 
-/// A number with as few digits as restore every bit, including the sign of zero: 0.1, -0.0, 1e-07.
+/// Returns a number with as few digits as restore every bit, including the sign of zero: 0.1, -0.0,
+/// 1e-07.
 /// @throws InputError if it is not finite.
 [[nodiscard]] std::string toml_number(double value);
 
-/// A text in quotes, with escapes.
+/// Returns a text in quotes, with escapes.
 [[nodiscard]] std::string toml_quoted(const std::string& text);
 
 /// Lists: of numbers, of quoted texts, of the components of a vector.
@@ -25,13 +26,13 @@ namespace thenar {
 /// Splits citation keys "A, B".
 [[nodiscard]] std::vector<std::string> keys_in(const std::string& keys);
 
-/// Citation keys "A, B" as a list: ["A", "B"].
+/// Returns the citation keys "A, B" as a list: ["A", "B"].
 [[nodiscard]] std::string toml_keys(const std::string& keys);
 
-/// Keys of the entries of a BibTeX text, in its order.
+/// Returns the keys of the entries of a BibTeX text, in its order.
 [[nodiscard]] std::vector<std::string> citation_keys(const std::string& bibtex);
 
-/// Keys of data/sources.bib as it was when the program was built.
+/// Returns the keys of data/sources.bib at build time.
 [[nodiscard]] const std::vector<std::string>& known_sources();
 
 }  // namespace thenar

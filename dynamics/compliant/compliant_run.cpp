@@ -57,7 +57,7 @@ class CompliantLoop {
       CompliantStep step = motion_.step(std::min(end, next));
       if (step.status != SceneStatus::kDone) {
         run_.status = step.status;
-        run_.reason = std::move(step.reason);
+        run_.message = std::move(step.message);
         return;
       }
       // Cost, depths and limits of the step.

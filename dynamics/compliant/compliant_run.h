@@ -14,7 +14,7 @@ namespace thenar::internal {
 /// Result of a step of an integrator.
 struct CompliantStep {
   SceneStatus status = SceneStatus::kDone;  // kDone, kNotFinite, kFailed
-  std::string reason;                       // of kFailed
+  std::string message;                      // what went wrong, where the status is kFailed
 };
 
 /// A scene on its way by one integrator.

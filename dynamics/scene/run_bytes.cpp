@@ -102,18 +102,18 @@ void pass_cost(Stream& stream, SceneCost& cost) {
 /// Writes or reads a run, its parts in the same order.
 template <typename Stream>
 void pass_run(Stream& stream, SceneRun& run) {
-  // Samples, cost and the reason of a failure, each list after its size.
-  auto& [status, samples, cost, reason] = run;
+  // Samples, cost and the message of a failure, each list after its size.
+  auto& [status, samples, cost, message] = run;
   stream.plain(status);
   std::size_t instants = samples.size();
   stream.count(instants);
   samples.resize(instants);
   for (SceneSample& sample : samples) pass_sample(stream, sample);
   pass_cost(stream, cost);
-  std::size_t letters = reason.size();
+  std::size_t letters = message.size();
   stream.count(letters);
-  reason.resize(letters);
-  for (char& letter : reason) stream.plain(letter);
+  message.resize(letters);
+  for (char& letter : message) stream.plain(letter);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace thenar {
 ///   samples:   t, q, v, z, contacts, kinetic energy, weight, springs, energy of elements
 ///     contacts:  a, b, id, point, normal, force, torsion, gap, mode
 ///   cost:      counts, then the largest residual, depth, time at rest, processor time
-///   reason:    letters
+///   message:   letters
 ///
 /// There is no version and no order of bytes: what is written is to be read by the same program on
 /// the same kind of machine, at once: processes of one sweep do so (sweep_scene()). Files of runs

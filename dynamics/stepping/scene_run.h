@@ -64,7 +64,7 @@ struct SceneSample {
   Eigen::VectorXd q, v, z;              // as SceneState
   std::vector<ContactSample> contacts;  // that do not open; forces are means of the last substep,
                                         // of first order in its length
-  SceneEnergy energy;           // [J]; springs also hold that of compliant contacts
+  SceneEnergy energy;                   // [J]; springs also hold that of compliant contacts
   Eigen::VectorXd w;  // EnergyFlows since the start [J] (7); empty: the method has none
 };
 
@@ -74,7 +74,7 @@ enum class SceneStatus {
   kStopped,    // the caller asked for it
   kUnsolved,   // went on, but contact problems missed their tolerance: see `unsolved`
   kNotFinite,  // positions or speeds became infinite; all before that is kept
-  kFailed,     // the integrator could not go on, see `reason`; all before that is kept
+  kFailed,     // the integrator could not go on, see `message`; all before that is kept
   kUnbalanced  // at the end, but its energy does not balance: FlowBalance::holds()
 };
 inline constexpr std::array kSceneStatusNames{
@@ -111,7 +111,7 @@ struct [[nodiscard]] SceneRun {
   SceneStatus status = SceneStatus::kDone;
   std::vector<SceneSample> samples;  // the start first
   SceneCost cost;
-  std::string reason;  // of kFailed: what went wrong, and when
+  std::string message;  // what went wrong, and when, where the status is kFailed
 };
 
 }  // namespace thenar

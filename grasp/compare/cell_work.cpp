@@ -100,7 +100,7 @@ void CellWork::attempt(int number, TaskQueue& queue) {
     const GraspBody& object = object_.setup().object;
     ExplainedLoad epsilon = hand_epsilon(held_by(hand_.hand(), tried.grasp, object), object);
     tried.hand_epsilon = epsilon.value;
-    tried.reason = std::move(epsilon.reason);
+    tried.message = std::move(epsilon.message);
   }
   spent(seconds_since(start));
   ++tried_count_;
@@ -164,7 +164,7 @@ void CellWork::describe(std::size_t place, int number) {
   best.with_structure = std::move(loads.with_structure);
   best.reasons = std::move(loads.reasons);
   best.hand_epsilon = tried.hand_epsilon;
-  if (!tried.reason.empty()) best.reasons["epsilon"] = tried.reason;
+  if (!tried.message.empty()) best.reasons["epsilon"] = tried.message;
   spent(seconds_since(start));
   if (--left_ > 0) return;
   tried_.clear();

@@ -75,7 +75,7 @@ class CellWork {
   struct Tried {
     Grasp grasp;
     double hand_epsilon = std::numeric_limits<double>::quiet_NaN();  // of closures [N]
-    std::string reason;                                              // why it is 0 or unknown
+    std::string message;                                             // why it is 0 or unknown
     [[nodiscard]] bool closes() const;
   };
 

@@ -124,8 +124,8 @@ GraspLoads grasp_loads(const HeldObject& held, const GraspBody& object, double m
     const double active = active_part(held_by, forces, list, result.value);
     loads.with_structure[name_of(task)] = result.value;
     loads.margin[name_of(task)] = active;
-    const bool is_borne = result.reason.empty() && active == 0;
-    if (const std::string reason = is_borne ? kBorneByStructure : result.reason; !reason.empty())
+    const bool is_borne = result.message.empty() && active == 0;
+    if (const std::string reason = is_borne ? kBorneByStructure : result.message; !reason.empty())
       loads.reasons[name_of(task)] = reason;
   }
   return loads;

@@ -41,8 +41,8 @@ struct HandForceInputs {
 
 /// A load with the reason if it is zero, unknown or unlimited.
 struct ExplainedLoad {
-  double value = 0;    // NaN: unknown; infinite: unlimited [N]
-  std::string reason;  // why it is zero, unknown or infinite; otherwise empty
+  double value = 0;     // NaN: unknown; infinite: unlimited [N]
+  std::string message;  // why it is zero, unknown or infinite; otherwise empty
 };
 
 /// Result of grasp_loads().

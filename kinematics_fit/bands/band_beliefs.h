@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kinematics_fit/bands/band_evidence.h"
+#include "solvers/status.h"
 #include "tendons/topology/assess_bands.h"
 
 namespace thenar {
@@ -61,17 +62,17 @@ struct BandPosteriorOptions {
 
 /// Posterior over sets. Beforehand all sets that carry the loads are equally probable.
 struct [[nodiscard]] BandPosterior {
-  bool found = false;             // a set carries the loads; otherwise nothing else is meant
-  bool enumerated = false;        // every set was fitted
-  bool by_draws = false;          // all sets that matter were integrated by draws
-  bool stopped = false;           // on request: of what was fitted until then
-  std::vector<BandSet> sets;      // kept, most probable first; probabilities sum to 1
-  std::vector<BandBelief> bands;  // in the order of BandProblems::bands()
-  std::size_t fitted = 0;         // sets
-  std::size_t failed = 0;         // of these, sets that do not carry the loads
-  double noise = 1;               // sqrt(chi^2 / (numbers - effective)) of the best set: its errors
-                                  // per stated noise [1]
-  double entropy = 0;             // of the sets [bit]
+  bool found = false;               // a set carries the loads; otherwise nothing else is meant
+  bool enumerated = false;          // every set was fitted
+  bool by_draws = false;            // all sets that matter were integrated by draws
+  Status status = Status::kSolved;  // kStopped: the posterior of the sets fitted by then
+  std::vector<BandSet> sets;        // kept, most probable first; probabilities sum to 1
+  std::vector<BandBelief> bands;    // in the order of BandProblems::bands()
+  std::size_t fitted = 0;           // sets
+  std::size_t failed = 0;           // of these, sets that do not carry the loads
+  double noise = 1;    // sqrt(chi^2 / (numbers - effective)) of the best set: its errors
+                       // per stated noise [1]
+  double entropy = 0;  // of the sets [bit]
 };
 
 }  // namespace thenar

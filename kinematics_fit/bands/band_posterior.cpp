@@ -256,7 +256,7 @@ BandPosterior band_posterior(const BandProblems& problems, std::mt19937& random,
     fit_all(known, bands, progress);
   else
     sampled = sample_sets(known, bands, random, options, progress);
-  out.stopped = progress.stop();
+  if (progress.stop()) out.status = Status::kStopped;
   out.fitted = known.all().size();
   out.enumerated = enumerates && known.all().size() == std::size_t{1} << bands;
   for (const auto& [set, evidence] : known.all()) out.failed += evidence.holds ? 0 : 1;

@@ -53,7 +53,7 @@ WorldCase case_of(const LiveWorld& live, const LiveMeeting& meeting) {
   setting.hand.X_WH = meeting.stands.stand.X_WH;
   setting.hand.q = meeting.stands.stand.q;
   setting.hand.named.name = name_of(state, meeting.stands);
-  append_all(setting.hand.named.warnings, bare_body_warnings(setting.world));
+  append_all(setting.hand.named.warnings, missing_material_warnings(setting.world));
   setting.files = setting.world.files;
   setting.files.insert(setting.hand.named.files.begin(), setting.hand.named.files.end());
   return setting;

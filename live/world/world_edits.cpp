@@ -198,7 +198,7 @@ AddedThing add_hand(LiveWorld& live, const std::string& hand, const WantedPlace&
   std::shared_ptr<const LiveHand> built = live.hand_of(world, last, "world", progress);
   next.placed[last].X_WH = pose_for(next, built->balls, place);
   world.hands = next.placed;
-  const WorldHand stands = hand_as_in(world, placed.name, "world", live.data(), built->hand);
+  const WorldHand stands = reposed_hand(world, placed.name, "world", live.data(), built->hand);
   AddedThing added{placed.name, built->hand.named.warnings};
   next.hands.push_back({std::move(built), stands.parts, {stands.X_WH, stands.q}});
   live.apply(std::move(next), "add " + added.name);
@@ -226,7 +226,7 @@ void remove_thing(LiveWorld& live, const std::string& name) {
     world.hands = next.placed;
     std::shared_ptr<const LiveHand> built = live.hand_of(world, bare, "world", {});
     const WorldHand stands =
-        hand_as_in(world, next.placed[bare].name, "world", live.data(), built->hand);
+        reposed_hand(world, next.placed[bare].name, "world", live.data(), built->hand);
     next.hands.push_back({std::move(built), stands.parts, {stands.X_WH, stands.q}});
   }
   live.apply(std::move(next), "remove " + name);

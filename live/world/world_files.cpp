@@ -34,7 +34,7 @@ std::shared_ptr<const WorldSpec> header_of(const WorldSpec& world) {
 }
 
 std::vector<std::string> load_warnings(const WorldState& state, const WorldSpec& world) {
-  std::vector<std::string> warnings = bare_body_warnings(world);
+  std::vector<std::string> warnings = missing_material_warnings(world);
   for (const StateHand& hand : state.hands)
     for (const std::string& warning : hand.built->hand.named.warnings)
       warnings.push_back(name_of(state, hand) + ": " + warning);
@@ -78,7 +78,7 @@ WorldState state_of_world(LiveWorld& live, const WorldSpec& world, const std::st
   for (std::size_t i = 0; i < world.hands.size(); ++i) {
     if (carries_any(world, world.hands[i])) continue;
     std::shared_ptr<const LiveHand> built = live.hand_of(world, i, path, progress);
-    const WorldHand stands = hand_as_in(world, world.hands[i].name, path, data, built->hand);
+    const WorldHand stands = reposed_hand(world, world.hands[i].name, path, data, built->hand);
     state.hands.push_back({std::move(built), stands.parts, {stands.X_WH, stands.q}});
   }
   return state;

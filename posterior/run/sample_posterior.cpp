@@ -103,7 +103,7 @@ struct Beginning {
 /// Finds the modes, unless asked to stop: half a search would give other starts than the whole one.
 std::optional<Beginning> begin(PosteriorRun& run, const RunOptions& options) {
   FoundModes found = search_modes(run.posterior->problem(), run.settings);
-  if (found.stopped || options.progress.stop()) return {};
+  if (found.status == Status::kStopped || options.progress.stop()) return {};
   require(!found.modes.empty(), "no search from {} starts ended at a finite cost",
           found.searches.size());
   run.modes = std::move(found.modes);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Files that an answer came from, for its record: `thenar rerun` names those that have changed.
+/// Input files of a result, for its record: `thenar rerun` names those that have changed.
 
 #include <type_traits>
 #include <vector>
@@ -25,8 +25,8 @@
 
 namespace thenar {
 
-/// Path -> SHA-256 of each file that was read for an answer, meshes of robots and objects included;
-/// of results (.h5, .nc) that were read the file itself.
+/// Returns path -> SHA-256 of each file that was read for a result, including meshes of robots and
+/// objects; for input results (.h5, .nc), of the file itself.
 template <typename Result>
 [[nodiscard]] auto files_of(const Result& result) -> decltype(source_digests(result.sources)) {
   return source_digests(result.sources);

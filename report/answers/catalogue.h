@@ -1,6 +1,6 @@
 #pragma once
 
-/// Names that commands take, as lines, a table and JSON.
+/// Names that commands accept, as lines, a table and JSON.
 
 #include <string>
 
@@ -10,9 +10,9 @@
 
 namespace thenar {
 
-/// A table of names and titles under each kind.
+/// Returns a table of names and titles under each kind.
 [[nodiscard]] std::string text_of(const Catalogue& catalogue);
-/// [{"kind", "name", "about", "source", "file"}].
+/// Returns a list of objects: [{"kind", "name", "about", "source", "file"}].
 [[nodiscard]] OrderedJson json_of(const Catalogue& catalogue);
 [[nodiscard]] Table table_of(const Catalogue& catalogue);
 

@@ -34,7 +34,7 @@ constexpr std::array kVersionWords{
         "tendons in place of strengths: joints share muscles through the net, and the hand closes "
         "as its flexors run in"}};
 
-constexpr const char* kEpsilon = "epsilon";  // as BestGrasp::reasons has it
+constexpr const char* kEpsilon = "epsilon";  // key in BestGrasp::reasons
 
 constexpr std::array kOutcomeWords{
     EnumName{GraspOutcome::kGrasped, "touched without force closure"},
@@ -91,7 +91,7 @@ Table cell_table(const Comparison& comparison) {
     table.header.push_back(structure_key(task));
   }
   for (const HandOnObject& cell : comparison.cells) table.add(cell_row(cell, loads));
-  // Seldom needed: a column only where there is something to tell.
+  // Add this column only if it has content.
   std::vector<std::string> unknown;
   for (const HandOnObject& cell : comparison.cells)
     unknown.push_back(unknown_words(cell, comparison.tasks));
@@ -189,7 +189,7 @@ std::string load_rule() {
 
 std::string unknown_words(const HandOnObject& cell, const std::vector<std::string>& tasks) {
   std::vector<std::string> parts;
-  bool any = false;  // is known
+  bool any = false;  // at least one load is known
   const auto tell = [&](const std::string& name, const LoadFound& load) {
     any = any || load.known > 0;
     if (load.known < load.asked)
@@ -250,10 +250,10 @@ std::string reading_words(const Comparison& comparison) {
 
 std::string text_of(const CompareResult& result) {
   const Comparison& comparison = result.comparison;
-  // Grave warnings stand before the numbers, all others behind them.
+  // Put serious warnings before the numbers, all others after them.
   std::string text;
   for (const std::string& warning : comparison.warnings)
-    if (is_grave(warning)) text += fmt::format("warning: {}\n", warning);
+    if (is_serious(warning)) text += fmt::format("warning: {}\n", warning);
   text += titled("Grasps: share with force closure, its 95 % interval, and loads",
                  cell_table(comparison));
   text += load_rule() +
@@ -271,7 +271,7 @@ std::string text_of(const CompareResult& result) {
       "approach pinched",
       hand_table(comparison));
   for (const std::string& warning : comparison.warnings)
-    if (!is_grave(warning)) text += fmt::format("warning: {}\n", warning);
+    if (!is_serious(warning)) text += fmt::format("warning: {}\n", warning);
   return text;
 }
 

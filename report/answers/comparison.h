@@ -1,6 +1,6 @@
 #pragma once
 
-/// A comparison of hands as words, fields and a table.
+/// Comparison of hands as text, fields and a table.
 
 #include <string>
 #include <vector>
@@ -15,35 +15,36 @@ namespace thenar {
 /// as on the page.
 [[nodiscard]] std::string text_of(const CompareResult& result);
 
-/// Members as docs/data_format.md has them; null: not known; "infinite". most_closures: the hand
-/// that has more than each other beyond chance, null if none.
+/// Returns the fields described in docs/data_format.md; null: not known; "infinite". most_closures:
+/// the hand with significantly more closures than every other, null if none.
 [[nodiscard]] Fields fields_of(const CompareResult& result);
 
-/// A row for each hand on each object.
+/// Returns a table with a row for each hand on each object.
 [[nodiscard]] Table table_of(const CompareResult& result);
 
-/// A line for each version of the human hand that is compared: what it adds to
-/// the one before.
+/// Returns a line for each compared version of the human hand: its additions to the previous
+/// version.
 [[nodiscard]] std::vector<std::string> version_lines(const Comparison& comparison);
 
-/// Returns the rule by which the loads of several grasps become one number.
+/// Returns a sentence on how the loads of several grasps are combined to one number.
 [[nodiscard]] std::string load_rule();
 
-/// "epsilon 3 of 12, hold-weight 1 of 3: the programme did not converge": of how many grasps a load
-/// is not known, and why, by the first that tells; "all: .." if none is; "" if all are.
+/// Returns the number of grasps whose loads are unknown, with the first reason: "epsilon 3 of 12,
+/// hold-weight 1 of 3: the programme did not converge"; "all: .." if none is known; "" if all are.
 [[nodiscard]] std::string unknown_words(const HandOnObject& cell,
                                         const std::vector<std::string>& tasks);
 
-/// "12 missed, 5 touched without force closure": how the approaches ended, the most frequent first.
+/// Returns the outcomes of the approaches, the most frequent first: "12 missed, 5 touched without
+/// force closure".
 [[nodiscard]] std::string outcome_words(const HandOnObject& cell);
 
-/// A number as well as it is known: to the place of the first digit of its error.
+/// Returns a number rounded to the first significant digit of its error.
 [[nodiscard]] double rounded_to(double value, double error);
 
-/// A number of which only two digits mean anything.
+/// Returns a number rounded to two significant digits.
 [[nodiscard]] double in_two_digits(double value);
 
-/// Returns an explanation of the numbers, with the settings of the comparison.
+/// Returns a text that explains the numbers, with the settings of the comparison.
 [[nodiscard]] std::string reading_words(const Comparison& comparison);
 
 }  // namespace thenar

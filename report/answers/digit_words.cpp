@@ -14,7 +14,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kNoChange = 1e-9;  // of the largest change: rounding
+constexpr double kNoChange = 1e-9;  // rounding error, over the largest change [1]
 
 /// " MCP3_FE=10 PIP3=45" of the joints that stay as they are.
 std::string standing_angles(const DigitResult& about) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Phrases of every answer about a fingertip.
+/// Phrases in all results about a fingertip.
 
 #include <functional>
 #include <string>
@@ -14,32 +14,34 @@ namespace thenar {
 
 /// Returns a warning if the finger is nearly straight: its condition, and the joint on which the
 /// force depends most. Empty below kNearlyStraight.
-/// @param change  of the force by each joint [N/rad] (joints)
+/// @param change  derivative of the force by each joint angle [N/rad] (joints)
 [[nodiscard]] std::string posture_note(const std::vector<std::string>& joints, double condition,
                                        const Eigen::VectorXd& change);
 
-/// "per degree of joint rotation [N/deg]: PIP2 0.31, DIP2 0.12", the most first.
-/// @param change  in `unit` per radian
+/// Returns the sensitivity to each joint, the largest first: "per degree of joint rotation [N/deg]:
+/// PIP2 0.31, DIP2 0.12".
+/// @param change  derivative in `unit` per radian (joints)
 [[nodiscard]] std::string change_line(const std::vector<std::string>& joints,
                                       const Eigen::VectorXd& change, const std::string& unit = "N");
 
-/// Digit, posture or how many of them, and fidelity: the first lines of a text.
+/// Returns the first lines of a text: digit, posture or number of postures, and fidelity.
 [[nodiscard]] std::string text_header(const DigitResult& about);
 
-/// Subject, digit, posture and fidelity, and what `add` adds of the one posture; of several
-/// postures, what varies and a list "postures" with a member for each.
+/// Returns subject, digit, posture and fidelity, and the fields that `add` adds for a single
+/// posture; for several postures, the joints that vary and a list "postures" with an entry for
+/// each.
 [[nodiscard]] Fields digit_fields(
     const DigitResult& about, const std::function<void(std::size_t point, Fields& fields)>& add);
 
-/// The joints that vary, over the postures that are done.
+/// Returns the joints that vary, with their values at the completed postures.
 [[nodiscard]] SweepAxes axes_of(const DigitResult& about);
 
-/// "PIP3_deg" of all joints, and their angles at a posture.
+/// Return the column names of all joints, "PIP3_deg", and their angles at a posture.
 [[nodiscard]] std::vector<std::string> joint_header(const DigitResult& about);
 [[nodiscard]] std::vector<std::string> joint_cells(const Eigen::VectorXd& q);
 
-/// A row for each posture of an answer about a digit: what varies, then a line of its own; dashes
-/// where it failed. @param line  cells of one of the points, under `header`
+/// Returns a table with a row for each posture: the joints that vary, then the cells of `line`;
+/// dashes where there is no result. @param line  returns the cells of one point, under `header`
 template <typename Answer, typename Line>
 [[nodiscard]] Table posture_table(const Answer& answer, const std::vector<std::string>& header,
                                   const Line& line) {
@@ -48,7 +50,7 @@ template <typename Answer, typename Line>
   Table table{row({header_of(axes), header})};
   for (std::size_t i = 0; i < answer.points.size(); ++i) {
     const auto& point = answer.points[i];
-    table.rows.push_back(row({cells_of(axes, i), point.failure.empty() ? line(point) : none}));
+    table.rows.push_back(row({cells_of(axes, i), point.message.empty() ? line(point) : none}));
   }
   return table;
 }

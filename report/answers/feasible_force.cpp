@@ -18,7 +18,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double kNoPrice = 1e-9;       // rounding [N/N]
-constexpr double kPriceDiffers = 1e-4;  // of the larger price
+constexpr double kPriceDiffers = 1e-4;  // smallest difference over the larger price [1]
 constexpr std::size_t kMaxNamed = 3;    // muscles in a sentence
 
 TipModel model_of(const FeasibleForcePoint& point) {
@@ -105,7 +105,7 @@ std::vector<Fields> limit_fields(const FeasibleForceResult& answer,
 
 void add_largest(const FeasibleForceResult& answer, const FeasibleForcePoint& point,
                  Fields& fields) {
-  // Status and axes are told even if there is no load.
+  // State status and axes even if there is no load.
   const MaxTipForce& largest = *point.largest;
   const LoadWords words = words_of(answer.request.load),
                   other = words_of(other_load(answer.request.load));
@@ -118,7 +118,7 @@ void add_largest(const FeasibleForceResult& answer, const FeasibleForcePoint& po
     fields.add("tension", units::kNewton, nullptr);
     return;
   }
-  // Loads are stated in the axes that were asked for.
+  // State loads in the requested axes.
   const auto in_axes = [&](const Eigen::Vector3d& load) {
     return Eigen::Vector3d(point.axes.to_world.transpose() * load);
   };
@@ -133,10 +133,10 @@ void add_largest(const FeasibleForceResult& answer, const FeasibleForcePoint& po
   fields.add("certificate", std::move(certificate));
   fields.add("activation", units::kOne, answer.muscles, largest.activation);
   fields.add("tension", units::kNewton, answer.muscles, largest.tension);
-  fields.add_some("stops", fields_of_each(point.stops, [&](const StopAnswer& stop) {
+  fields.add_some("stops", fields_of_each(point.stops, [&](const StopTorque& stop) {
                     return Fields{{"joint", stop.joint},
                                   {"torque", units::kNewtonMetre, stop.torque},
-                                  {"most", units::kNewtonMetre, stop.most},
+                                  {"most", units::kNewtonMetre, stop.max_torque},
                                   {words.suffix.substr(1) + "_per_Nm", stop.price}};
                   }));
   if (priced(point)) {
@@ -168,8 +168,8 @@ void add_whole(const FeasibleForcePoint& point, Fields& fields) {
 }
 
 void add_point(const FeasibleForceResult& answer, const FeasibleForcePoint& point, Fields& fields) {
-  if (!point.failure.empty()) {
-    fields.add("failure", point.failure);
+  if (!point.message.empty()) {
+    fields.add("failure", point.message);
     return;
   }
   if (answer.map.empty()) fields.add("condition", point.condition);
@@ -201,10 +201,11 @@ std::string plane_note(const FeasibleForceResult& answer, const FeasibleForcePoi
 std::string stop_note(const FeasibleForcePoint& point) {
   if (!makes_force(point)) return "";
   std::string note;
-  for (const StopAnswer& stop : point.stops) {
+  for (const StopTorque& stop : point.stops) {
     note += fmt::format("{}the stop of {} {} with {:.4g}", note.empty() ? "" : "; ", stop.joint,
-                        stop.most > 0 ? "flexes" : "extends", std::abs(stop.torque));
-    note += std::isinf(stop.most) ? " N m" : fmt::format(" of {:.4g} N m", std::abs(stop.most));
+                        stop.max_torque > 0 ? "flexes" : "extends", std::abs(stop.torque));
+    note += std::isinf(stop.max_torque) ? " N m"
+                                        : fmt::format(" of {:.4g} N m", std::abs(stop.max_torque));
     if (stop.price > kNoPrice)
       note +=
           fmt::format(", 1 N m more gives {:.3g} {} more", stop.price, words_of(point.load).unit);
@@ -253,7 +254,7 @@ std::string loss_text(const FeasibleForceResult& answer, const FeasibleForcePoin
 
 /// The largest force at one posture.
 std::string largest_text(const FeasibleForceResult& answer, const FeasibleForcePoint& point) {
-  // State the load in newtons and along the axes that were asked for.
+  // State the load in newtons along the requested axes.
   const MaxTipForce& largest = *point.largest;
   const LoadWords words = words_of(point.load), other = words_of(other_load(point.load));
   const auto in_axes = [&](const Eigen::Vector3d& load, const LoadWords& of) {
@@ -370,7 +371,7 @@ std::vector<std::string> whole_cells(const FeasibleForcePoint& point, int decima
 /// Axes of the first posture that has an answer.
 ForceAxes axes_of_answer(const FeasibleForceResult& answer) {
   for (const FeasibleForcePoint& point : answer.points)
-    if (point.failure.empty()) return point.axes;
+    if (point.message.empty()) return point.axes;
   return {};
 }
 
@@ -421,7 +422,7 @@ std::vector<std::string> loss_header(const FeasibleForceResult& answer) {
 std::string notes_text(const FeasibleForceResult& answer) {
   std::vector<std::pair<std::string, std::size_t>> notes;
   for (const FeasibleForcePoint& point : answer.points) {
-    const std::string note = point.failure.empty() ? note_of(answer, point) : "";
+    const std::string note = point.message.empty() ? note_of(answer, point) : "";
     if (note.empty()) continue;
     const auto known = std::find_if(notes.begin(), notes.end(),
                                     [&](const auto& each) { return each.first == note; });
@@ -515,7 +516,7 @@ Table limit_table(const FeasibleForceResult& answer, const FeasibleForcePoint& p
 }
 
 std::string force_status_words(Status status, TipLoad load, TipModel model) {
-  // Each status is told with its mechanical reason.
+  // Return each status with its mechanical reason.
   const std::string one = words_of(load).one;
   switch (status) {
     case Status::kSolved:
@@ -637,7 +638,7 @@ Table table_of(const FeasibleForceResult& answer) {
   // Failed postures keep their angles and the reason.
   for (const FeasibleForcePoint& point : answer.points) {
     std::vector<std::string> line = joint_cells(point.q);
-    if (point.failure.empty()) {
+    if (point.message.empty()) {
       if (direction)
         line = row({line, largest_cells(answer, point, 6, ""), {limiting_names(answer, point)}});
       if (point.loss) line = row({line, loss_cells(answer, *point.loss, 6, "")});
@@ -646,7 +647,7 @@ Table table_of(const FeasibleForceResult& answer) {
       if (whole) line = row({line, whole_cells(point, 6)});
     }
     line.resize(table.header.size() - 1);
-    line.push_back(point.failure.empty() ? note_of(answer, point) : point.failure);
+    line.push_back(point.message.empty() ? note_of(answer, point) : point.message);
     table.add(std::move(line));
   }
   return table;

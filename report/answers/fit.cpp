@@ -60,7 +60,7 @@ std::vector<Fields> left_out_fields(const FitResult& result) {
   return list;
 }
 
-/// Every coordinate with what it means, best known first.
+/// Every coordinate with its meaning, best known first.
 std::vector<Fields> learnt_fields(const Fit& fit) {
   std::vector<Fields> list;
   for (const int i : sorted_by_sd(fit.covariance)) {
@@ -213,7 +213,7 @@ std::string chosen_text(const FitResult& result) {
   std::string text = fmt::format(
       "settings chosen by {}{}: log loss plus log relative error {:.3f}, {:.3f} before (relative "
       "error {:.3f}, {:.3f} before), {} settings tried\n",
-      judged_words(chosen), chosen.stopped ? " (stopped)" : "", chosen.loss,
+      judged_words(chosen), chosen.status == Status::kStopped ? " (stopped)" : "", chosen.loss,
       chosen.tried.front().loss, chosen.error, chosen.tried.front().error, chosen.tried.size());
   for (const SettingChoice& choice : chosen.settings.choices) {
     std::string others;
@@ -239,7 +239,7 @@ Fields choice_fields(const ChosenSettings& chosen) {
   return {{"by", by},
           {"loss", chosen.tried.empty() ? kNaN : chosen.loss},
           {"relative_error", chosen.tried.empty() ? kNaN : chosen.error},
-          {"complete", !chosen.stopped},
+          {"complete", chosen.status != Status::kStopped},
           {"choices", std::move(choices)},
           {"tried", std::move(tried)}};
 }
@@ -251,7 +251,7 @@ std::string left_out_text(const CrossValidation& validation) {
       text += fmt::format("  {:<20} {}: RMS error {:.3f} N, relative {:.3f}{}{}\n", p.experiment,
                           name_of(validation.what), p.error.rms, p.error.relative, trivial_words(p),
                           seen_words(p));
-  if (validation.stopped)
+  if (validation.status == Status::kStopped)
     text += fmt::format("  {}: stopped after {} of {} folds; the errors are of those alone\n",
                         name_of(validation.what), validation.folds_done, validation.folds.size());
   return text;

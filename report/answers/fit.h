@@ -1,6 +1,6 @@
 #pragma once
 
-/// A fit as words, fields and rows.
+/// Fit as text, fields and rows.
 
 #include <string>
 
@@ -9,32 +9,33 @@
 
 namespace thenar {
 
-/// Returns a fit as text: its ending, errors in sample and left out, what the data determine best,
-/// and what the prior alone determines.
+/// Returns a fit as text: its status, errors in sample and left out, the coordinates that the data
+/// determine best, and those that the prior alone determines.
 [[nodiscard]] std::string text_of(const FitResult& result);
 
-/// Returns a fit complete and with unrounded numbers.
+/// Returns the complete fit with unrounded numbers.
 [[nodiscard]] Fields fields_of(const FitResult& result);
 
-/// One row for each coordinate of the fit, best known first: its meaning, and estimate and sd in
-/// prior sds.
+/// Returns a table with a row for each coordinate of the fit, best known first: its meaning, and
+/// estimate and sd in prior sds.
 [[nodiscard]] Table table_of(const FitResult& result);
 
-/// Returns the reason why the best point is not to be used; "" if it has converged.
-/// @param allowed  the person asked for it all the same
+/// Returns the reason why the best point must not be used; "" if the fit has converged.
+/// @param allowed  the user accepts an unconverged fit
 [[nodiscard]] std::string fit_complaint(const FitResult& result, bool allowed);
 
-/// "postures and specimens left out": what settings were chosen by.
+/// Returns the data by which settings were chosen: "postures and specimens left out".
 [[nodiscard]] std::string judged_words(const ChosenSettings& chosen);
-/// One row for each choice of settings: its value at first and chosen, and those of the folds of
-/// every cross-validation. No rows where nothing was tried.
+/// Returns a table with a row for each choice of settings: initial and chosen value, and those of
+/// the folds of every cross-validation; without rows if nothing was tried.
 [[nodiscard]] Table choice_table(const FitResult& result);
 
-/// "; the subject has seen this specimen" behind an error that is not of a stranger, else "".
+/// Returns "; the subject has seen this specimen" if the specimen is not new to the subject, else
+/// "".
 [[nodiscard]] std::string seen_words(const Prediction& prediction);
 
-/// "; the mean of others' forces 0.598", the error of trivial_force() on the same trials; "" where
-/// nobody else measured them.
+/// Returns the error of trivial_force() on the same trials: "; the mean of others' forces 0.598";
+/// "" where no other specimen has them.
 [[nodiscard]] std::string trivial_words(const Prediction& prediction,
                                         const std::string& who = "the mean of others' forces");
 /// Returns the error of trivial_words() as numbers, or null.

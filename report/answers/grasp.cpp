@@ -19,7 +19,7 @@
 namespace thenar {
 namespace {
 
-// Clearance up to which a stop is told with what it touches [m]
+// Largest clearance of a contact that is named as the reason of a stop [m]
 constexpr double kTouchClearance = 2e-4;
 
 const LinkSurface& surface_of(const GraspResult& result, const HandContact& contact) {
@@ -90,7 +90,7 @@ std::string contacts_text(const GraspResult& result) {
 
 std::string joints_text(const GraspResult& result) {
   Table joints{{"coordinate", "value", "stopped by"}};
-  for (const JointRow& row : joint_rows(result)) joints.add({row.name, row.shown, row.why});
+  for (const JointRow& row : joint_rows(result)) joints.add({row.name, row.shown, row.reason});
   return joints.rows.empty() ? "" : "\n" + aligned(joints);
 }
 
@@ -103,7 +103,7 @@ std::vector<Fields> coordinate_fields(const GraspResult& result) {
                     {"kind", row.slides ? "slides" : "turns"},
                     {"value", row.slides ? units::kMetreBare : units::kRadianBare, row.value},
                     {"stopped_by", row.stopped_by},
-                    {"why", row.why}});
+                    {"why", row.reason}});
   return list;
 }
 
@@ -190,7 +190,7 @@ Fields wrench_set_fields(const GraspResult& result) {
 
 /// -0 is no answer.
 void drop_signs_of_zeros(OrderedJson& json) {
-  // The whole, its parts and theirs.
+  // Process the fields, their parts and so on.
   std::vector<OrderedJson*> values{&json};
   while (!values.empty()) {
     OrderedJson& value = *values.back();
@@ -268,9 +268,9 @@ std::vector<std::string> folded(const std::vector<std::string>& warnings) {
 std::string text_of(const GraspResult& result) {
   std::string text = fmt::format("{} and {}: {}\n", result.setting.hand.named.name,
                                  result.setting.setup.object.name, explanation(result));
-  // Warnings that make it the answer to another question stand before the numbers.
+  // Put warnings that change the question before the numbers.
   std::vector<std::string> warnings = folded(result.outcome.warnings);
-  const auto light = std::stable_partition(warnings.begin(), warnings.end(), is_grave);
+  const auto light = std::stable_partition(warnings.begin(), warnings.end(), is_serious);
   const auto add_warning = [&](const std::string& warning) {
     text += fmt::format("warning: {}\n", warning);
   };
@@ -292,7 +292,7 @@ std::string text_of(const CloseResult& result) { return text_of(result.grasp); }
 Fields fields_of(const GraspResult& result) {
   const Grasp& grasp = result.grasp;
   const NamedHand& hand = result.setting.hand.named;
-  // The outcome tells force closure apart from a mere touch.
+  // Distinguish force closure from mere contact by the outcome.
   const Pose<double>& X = grasp.approached.X_WH;
   Fields fields{
       {"world", result.setting.path},
@@ -349,8 +349,8 @@ Table table_of(const GraspResult& result) {
 Table table_of(const CloseResult& result) {
   Table table{{"coordinate", "kind", "value_rad_or_m", "stopped_by", "why"}};
   for (const JointRow& row : joint_rows(result.grasp))
-    table.add(
-        {row.name, row.slides ? "slides" : "turns", shown(row.value, 6), row.stopped_by, row.why});
+    table.add({row.name, row.slides ? "slides" : "turns", shown(row.value, 6), row.stopped_by,
+               row.reason});
   return table;
 }
 

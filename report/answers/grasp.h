@@ -1,6 +1,6 @@
 #pragma once
 
-/// A grasp, or a hand that closed, as text, fields and a table.
+/// Grasp, or closed hand, as text, fields and a table.
 
 #include <string>
 #include <vector>
@@ -10,39 +10,40 @@
 
 namespace thenar {
 
-/// Final value of a coordinate, and the reason why it went no farther.
+/// Final value of a coordinate, and the reason why it stopped.
 struct JointRow {
   std::string name;
-  bool slides;             // rather than turns
+  bool slides;             // true: a sliding joint
   double value;            // [rad] or [m]
-  std::string shown;       // in degrees or millimetres
+  std::string shown;       // value in degrees or millimetres
   std::string stopped_by;  // name_of(StoppedBy)
-  std::string why;         // in words
+  std::string reason;      // obstacle or limit that stopped it, in words
 };
 
-/// Every coordinate; none where nothing was closed.
+/// Returns a row for every coordinate; none if the hand did not close.
 [[nodiscard]] std::vector<JointRow> joint_rows(const GraspResult& result);
 
-/// outcome_words(), and what to do where a hand closed on nothing because it stayed where it is.
+/// Returns outcome_words(), and advice if a hand closed on nothing because it did not approach.
 [[nodiscard]] std::string explanation(const GraspResult& result);
 
-/// "hard point" or "soft finger".
+/// Returns the contact model: "hard point" or "soft finger".
 [[nodiscard]] std::string contact_model_of(const GraspResult& result);
 
-/// One line for all warnings of a kind, those that begin alike up to the first comma or colon: the
-/// first of them, with how many more there are.
+/// Returns one line for all warnings with the same text up to the first comma or colon: the first
+/// of them, and the number of further ones.
 [[nodiscard]] std::vector<std::string> folded(const std::vector<std::string>& warnings);
 
-/// Quality, measures, robustness, joints, contacts, warnings.
+/// Returns a text with quality, measures, robustness, joints, contacts, warnings.
 [[nodiscard]] std::string text_of(const GraspResult& result);
 [[nodiscard]] std::string text_of(const CloseResult& result);
 
 [[nodiscard]] Fields fields_of(const GraspResult& result);
 [[nodiscard]] Fields fields_of(const CloseResult& result);
 
-/// The contacts: surface, digit, position, normal and friction, in the object's frame.
+/// Returns a table of contacts: surface, digit, position, normal and friction, in the object's
+/// frame.
 [[nodiscard]] Table table_of(const GraspResult& result);
-/// The coordinates: value, and what stopped each.
+/// Returns a table of coordinates: value, and what stopped each.
 [[nodiscard]] Table table_of(const CloseResult& result);
 
 }  // namespace thenar

@@ -22,7 +22,7 @@ void put(Fields& fields, Fields& reasons, const std::string& key, const FieldUni
          const Measured<Value>& measured, const To& to) {
   Field& field = measured.value ? fields.add(key, to(*measured.value)) : fields.add(key, nullptr);
   field.unit = unit;
-  if (!measured.reason.empty()) reasons.add(key, unit, OrderedJson(measured.reason));
+  if (!measured.message.empty()) reasons.add(key, unit, OrderedJson(measured.message));
 }
 
 Fields ball_fields(const InscribedBall& ball) {
@@ -44,7 +44,7 @@ Fields stiffness_fields(const GraspStiffness& stiffness) {
 template <typename Value, typename Words>
 void add_row(std::vector<MeasureRow>& rows, const std::string& name,
              const Measured<Value>& measured, const Words& words) {
-  rows.push_back({name, measured.value ? words(*measured.value) : "no value", measured.reason});
+  rows.push_back({name, measured.value ? words(*measured.value) : "no value", measured.message});
 }
 
 std::string short_volume_words(const Volume& v) {
@@ -73,7 +73,7 @@ std::string load_note(const SupportedLoad& load, const std::string& unit) {
 void add_load_row(std::vector<MeasureRow>& rows, const std::string& name,
                   const Measured<SupportedLoad>& load, const std::string& unit,
                   const std::string& directions = "") {
-  MeasureRow row{name, "no value", load.reason};
+  MeasureRow row{name, "no value", load.message};
   if (load.value) {
     row.value = load_words(*load.value, unit) + directions;
     const std::string note = load_note(*load.value, unit);

@@ -9,16 +9,16 @@
 
 namespace thenar {
 
-/// A surface of a hand at something.
+/// Surface of a hand that touches a body or another surface.
 struct Touching {
-  int surface;             // of Hand::surfaces()
+  int surface;             // index in Hand::surfaces()
   std::string other;       // body of the setup, or surface of the hand
   double gap;              // [m]
-  int other_surface = -1;  // of the hand; -1: a body
+  int other_surface = -1;  // other surface of the hand; -1: a body
 };
 
-/// Finds everything that a posed hand touches, itself included; links that overlap by design do not
-/// count. @param within  what still touches [m]
+/// Finds the bodies and own surfaces that a posed hand touches; links that overlap by design are
+/// ignored. @param within  largest gap that counts as touching [m]
 [[nodiscard]] std::vector<Touching> find_touching(const PosedCollisionHand& posed,
                                                   const GraspSetup& setup, double within);
 
@@ -28,10 +28,10 @@ struct Touching {
                                                   const ClosedHand& closed,
                                                   const std::vector<Touching>& touching);
 
-/// A coordinate in degrees or millimetres: "31.5 deg", "12.00 mm".
+/// Returns a coordinate in degrees or millimetres: "31.5 deg", "12.00 mm".
 [[nodiscard]] std::string value_words(double value, bool slides);
 
-/// An epsilon as it is shown: 0 where it is within 1e-9, to which epsilon() is exact, and never -0.
+/// Returns an epsilon for display: 0 if within 1e-9, the accuracy of epsilon(), and never -0.
 [[nodiscard]] double without_rounding(double epsilon);
 
 }  // namespace thenar

@@ -17,7 +17,7 @@ namespace {
 struct HoodRow {
   std::string experiment, what;
   HoodRowErrors errors;
-  std::optional<HoodRowErrors> fractions;  // of the same trials by the fit with fractions
+  std::optional<HoodRowErrors> fractions;  // errors of the same trials by the fit with fractions
 };
 
 /// The prediction of the same experiment in the other fit.
@@ -42,7 +42,7 @@ std::vector<HoodRow> hood_rows(const FitResult& result) {
         rows.push_back(
             {one.experiment, what, std::move(*errors), errors_beside(others, one, muscles)});
   };
-  // In sample, then what was left out.
+  // Add rows in sample, then left out.
   const FractionsFit* beside = result.fractions ? &*result.fractions : nullptr;
   add(result.in_sample, beside ? &beside->in_sample : nullptr, "in sample");
   for (std::size_t k = 0; k < result.left_out.size(); ++k)
@@ -102,7 +102,7 @@ Table hood_row_table(const FitResult& result) {
   Table table{{"experiment", "predicted"}};
   if (rows.empty()) return table;
   const std::vector<std::string> muscles = muscles_of(rows);
-  // The fit without the net stands beside each number, if there is one.
+  // Add the fit without the net to each number, if there is one.
   const bool beside = result.fractions.has_value();
   const auto head = [&](const std::string& name) {
     table.header.push_back(name);

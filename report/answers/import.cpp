@@ -98,7 +98,7 @@ OrderedJson leaf_places(const RobotSpec& robot) {
   return positions;
 }
 
-/// @param placed  whether it tells where the shapes are
+/// @param placed  include the places of the shapes
 std::vector<Fields> shape_fields(const std::vector<ShapeSpec>& specs, bool placed = false) {
   std::vector<Fields> list;
   for (const ShapeSpec& shape : specs) {

@@ -29,8 +29,8 @@ std::vector<std::string> arm_cells(const MomentArmResult& answer, const MomentAr
 }
 
 void add_point(const MomentArmResult& answer, const MomentArmPoint& point, Fields& fields) {
-  if (!point.failure.empty()) {
-    fields.add("failure", point.failure);
+  if (!point.message.empty()) {
+    fields.add("failure", point.message);
     return;
   }
   OrderedJson arms = OrderedJson::object();
@@ -100,7 +100,7 @@ Table table_of(const MomentArmResult& answer) {
   for (const std::string& joint : answer.rows) arms.push_back("arm_" + joint + "_mm");
   Table table{row({joint_header(answer), {"muscle"}, arms, {"length_change_mm"}})};
   for (const MomentArmPoint& point : answer.points)
-    for (std::size_t m = 0; m < answer.muscles.size() && point.failure.empty(); ++m)
+    for (std::size_t m = 0; m < answer.muscles.size() && point.message.empty(); ++m)
       table.add_parts(
           {joint_cells(point.q),
            {answer.muscles[m]},

@@ -11,13 +11,13 @@ namespace thenar {
 
 [[nodiscard]] std::string text_of(const MomentArmResult& answer);
 [[nodiscard]] Fields fields_of(const MomentArmResult& answer);
-/// A row for each muscle at each posture.
+/// Returns a table with a row for each muscle at each posture.
 [[nodiscard]] Table table_of(const MomentArmResult& answer);
 
-/// "flexion + at MCP3_FE, PIP3; abduction + at MCP3_AA": which sense is positive.
+/// Returns the positive sense of each joint: "flexion + at MCP3_FE, PIP3; abduction + at MCP3_AA".
 [[nodiscard]] std::string sign_words(const std::vector<std::string>& joints);
 
-/// "with all joints at 0", or the angles of the posture of no length change.
+/// Returns the posture of zero length change in words: "with all joints at 0", or its angles.
 [[nodiscard]] std::string reference_words(const MomentArmResult& answer);
 
 }  // namespace thenar

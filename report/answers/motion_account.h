@@ -9,10 +9,10 @@
 
 namespace thenar {
 
-/// Each with `joint` and `beyond`, in rad or m.
+/// Returns the fields `joint` and `beyond` of each exceeded limit [rad] or [m].
 [[nodiscard]] std::vector<Fields> limit_fields(const std::vector<PassedLimit>& limits);
 
-/// A row for each measure of how far a run is to be believed.
+/// Returns a table with a row for each measure of a run's reliability.
 [[nodiscard]] Table account_table(const SceneResult& scene);
 
 }  // namespace thenar

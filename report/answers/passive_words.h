@@ -1,6 +1,6 @@
 #pragma once
 
-/// Phrases about passive moments of joints that an answer counts.
+/// Phrases about passive moments of joints in a result.
 
 #include <string>
 
@@ -12,8 +12,8 @@
 
 namespace thenar {
 
-/// "passive moments of joints, counted [N mm]: MCP2_FE -12.1, PIP2 3.2" as a line of text; empty
-/// where no joint has any.
+/// Returns the passive moments as a line of text: "passive moments of joints, counted [N mm]:
+/// MCP2_FE -12.1, PIP2 3.2"; empty if no joint has any.
 /// @param q  [rad] (coordinates)
 [[nodiscard]] std::string passive_line(const Skeleton& skeleton, const Eigen::VectorXd& q);
 /// Returns the passive moments of a sweep's only posture; if there are several, a line without
@@ -22,7 +22,7 @@ namespace thenar {
 
 /// Adds "passive_moment", by coordinate, where a joint has any.
 void add_passive(const Skeleton& skeleton, const Eigen::VectorXd& q, Fields& fields);
-/// Adds "passive_moment" at a posture of a sweep. @param point  its place in the sweep
+/// Adds "passive_moment" at a posture of a sweep. @param point  index of the posture
 void add_passive(const DigitResult& about, std::size_t point, Fields& fields);
 
 }  // namespace thenar

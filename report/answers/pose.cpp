@@ -24,7 +24,7 @@ std::string direction(const Eigen::Vector3d& d) {
 std::string joint_text(const SubjectPose& pose) {
   Table table{{"joint", "angle_deg", "axis_x", "axis_y", "axis_z", "point_x_mm", "point_y_mm",
                "point_z_mm"}};
-  for (const JointNow& joint : pose.joints) {
+  for (const JointPose& joint : pose.joints) {
     const std::string name =
         joint.led_by.empty() ? joint.name : fmt::format("{} (led by {})", joint.name, joint.led_by);
     table.add_parts({{name, shown(joint.angle / kDegree, 2)},
@@ -37,21 +37,21 @@ std::string joint_text(const SubjectPose& pose) {
 std::string segment_text(const SubjectPose& pose) {
   Table table{{"segment", "turned_deg", "proximal_x_mm", "proximal_y_mm", "proximal_z_mm",
                "distal_x_mm", "distal_y_mm", "distal_z_mm"}};
-  for (const SegmentNow& segment : pose.segments)
+  for (const SegmentPose& segment : pose.segments)
     table.add_parts({{segment.name, shown(Eigen::AngleAxisd(segment.X.R).angle() / kDegree, 2)},
                      cells(segment.proximal / kMm, 2),
                      cells(segment.distal / kMm, 2)});
   return titled("Segments, turned from the reference posture", table);
 }
 
-std::string jacobian_text(const TipNow& tip) {
+std::string jacobian_text(const TipPose& tip) {
   Table table{{"joint", "x_mm_per_rad", "y_mm_per_rad", "z_mm_per_rad"}};
   for (std::size_t j = 0; j < tip.joints.size(); ++j)
     table.add_parts({{tip.joints[j]}, cells(tip.J.col(static_cast<Eigen::Index>(j)) / kMm, 2)});
   return titled(fmt::format("How the {} tip moves: {}", tip.digit, mobility_in_words(tip)), table);
 }
 
-Fields tip_fields(const TipNow& tip) {
+Fields tip_fields(const TipPose& tip) {
   Fields fields{{"digit", tip.digit},
                 {"position", units::kMillimetre, tip.p},
                 {"proximal", units::kOne, tip.axes.col(0)},
@@ -67,14 +67,14 @@ Fields tip_fields(const TipNow& tip) {
 }
 
 Fields pose_fields(const SubjectPose& pose) {
-  const auto segment_fields = [](const SegmentNow& segment) {
+  const auto segment_fields = [](const SegmentPose& segment) {
     return Fields{{"name", segment.name},
                   {"rotation", units::kOne, segment.X.R},
                   {"translation", units::kMillimetre, segment.X.p},
                   {"proximal", units::kMillimetre, segment.proximal},
                   {"distal", units::kMillimetre, segment.distal}};
   };
-  const auto joint_fields = [](const JointNow& joint) {
+  const auto joint_fields = [](const JointPose& joint) {
     return Fields{{"name", joint.name},
                   {"angle", units::kDegree, joint.angle},
                   {"axis", units::kOne, joint.axis},
@@ -89,16 +89,16 @@ Fields pose_fields(const SubjectPose& pose) {
 std::string subject_text(const SubjectPose& pose) {
   std::string text = joint_text(pose) + segment_text(pose);
   Table tips{{"digit", "tip_x_mm", "tip_y_mm", "tip_z_mm"}};
-  for (const TipNow& tip : pose.tips) tips.add_parts({{tip.digit}, cells(tip.p / kMm, 2)});
+  for (const TipPose& tip : pose.tips) tips.add_parts({{tip.digit}, cells(tip.p / kMm, 2)});
   text += titled("Tips", tips);
-  for (const TipNow& tip : pose.tips) text += jacobian_text(tip);
+  for (const TipPose& tip : pose.tips) text += jacobian_text(tip);
   return text;
 }
 
 /// [rad] or [m] in what people read.
 double display_unit(bool sliding) { return sliding ? kMm : kDegree; }
 
-std::string value_text(const RobotJointNow& joint) {
+std::string value_text(const RobotJointPose& joint) {
   return fmt::format("{} {}", shown(joint.value / display_unit(joint.slides), 2),
                      joint.slides ? "mm" : "deg");
 }
@@ -107,7 +107,7 @@ std::string robot_text(const RobotPose& pose) {
   // Joints with their axes in the base frame; lengths in mm.
   Table joints{
       {"joint", "value", "axis_x", "axis_y", "axis_z", "point_x_mm", "point_y_mm", "point_z_mm"}};
-  for (const RobotJointNow& joint : pose.joints) {
+  for (const RobotJointPose& joint : pose.joints) {
     const std::string name = joint.dof.empty() || joint.dof == joint.name
                                  ? joint.name
                                  : fmt::format("{} (driven by {})", joint.name, joint.dof);
@@ -116,7 +116,7 @@ std::string robot_text(const RobotPose& pose) {
   }
   std::string text = titled("Joints, axes in directions of the base link", joints);
   Table links{{"link", "x_mm", "y_mm", "z_mm", "qw", "qx", "qy", "qz"}};
-  for (const RobotLinkNow& link : pose.links) {
+  for (const RobotLinkPose& link : pose.links) {
     const Eigen::Quaterniond q(link.X_BL.R);
     links.add_parts({{link.name},
                      cells(link.X_BL.p / kMm, 2),
@@ -125,21 +125,21 @@ std::string robot_text(const RobotPose& pose) {
   }
   text += titled("Links, frames in the base link", links);
   Table tips{{"digit", "link", "tip_x_mm", "tip_y_mm", "tip_z_mm"}};
-  for (const RobotTipNow& tip : pose.tips)
+  for (const RobotTipPose& tip : pose.tips)
     tips.add_parts({{tip.digit, tip.link}, cells(tip.p / kMm, 2)});
   return text + titled("Tips", tips);
 }
 
 Fields pose_fields(const RobotPose& pose) {
   std::vector<Fields> tips, links, joints;
-  for (const RobotTipNow& tip : pose.tips)
+  for (const RobotTipPose& tip : pose.tips)
     tips.push_back(
         {{"digit", tip.digit}, {"link", tip.link}, {"position", units::kMillimetre, tip.p}});
-  for (const RobotLinkNow& link : pose.links)
+  for (const RobotLinkPose& link : pose.links)
     links.push_back({{"name", link.name},
                      {"rotation", units::kOne, link.X_BL.R},
                      {"position", units::kMillimetre, link.X_BL.p}});
-  for (const RobotJointNow& joint : pose.joints)
+  for (const RobotJointPose& joint : pose.joints)
     joints.push_back({{"name", joint.name},
                       {"dof", joint.dof},
                       {"value", joint.slides ? units::kMillimetre : units::kDegree, joint.value},
@@ -189,9 +189,9 @@ void add_poses(const Poses& poses, Fields& fields) {
 
 }  // namespace
 
-std::string mobility_in_words(const TipNow& tip) {
-  constexpr double kNearlySingular = 100;  // of the condition number
-  // Rank and condition of the Jacobian tell how freely the tip moves.
+std::string mobility_in_words(const TipPose& tip) {
+  constexpr double kNearlySingular = 100;  // smallest condition number of a nearly singular tip [1]
+  // State rank and condition of the Jacobian.
   if (tip.joints.empty()) return "fixed: every joint between wrist and tip is frozen";
   const TipManipulability& can = tip.mobility;
   if (can.rank == 3 && can.condition < kNearlySingular)
@@ -236,15 +236,15 @@ SweepAxes axes_of(const RobotPoses& poses) {
 
 std::vector<NamedPlace> places_of(const SubjectPose& pose) {
   std::vector<NamedPlace> places;
-  for (const TipNow& tip : pose.tips) places.push_back({tip.digit, tip.p});
+  for (const TipPose& tip : pose.tips) places.push_back({tip.digit, tip.p});
   return places;
 }
 
 std::vector<NamedPlace> places_of(const RobotPose& pose) {
   std::vector<NamedPlace> places;
-  for (const RobotTipNow& tip : pose.tips) places.push_back({tip.digit, tip.p});
+  for (const RobotTipPose& tip : pose.tips) places.push_back({tip.digit, tip.p});
   if (!places.empty()) return places;
-  for (const RobotLinkNow& link : pose.links) places.push_back({link.name, link.X_BL.p});
+  for (const RobotLinkPose& link : pose.links) places.push_back({link.name, link.X_BL.p});
   return places;
 }
 
@@ -262,12 +262,12 @@ Fields fields_of(const SubjectPoses& poses) {
 Table table_of(const SubjectPoses& poses) {
   std::vector<std::string> angles, conditions;
   for (const std::string& joint : poses.coordinates) angles.push_back(joint + "_deg");
-  for (const TipNow& tip : poses.points.front().tips)
+  for (const TipPose& tip : poses.points.front().tips)
     conditions.push_back(tip.digit + "_condition");
   Table table{row({angles, place_header(places_of(poses.points.front())), conditions})};
   for (const SubjectPose& pose : poses.points) {
     std::vector<std::string> line = row({joint_cells(pose.q), place_cells(places_of(pose), 6)});
-    for (const TipNow& tip : pose.tips)
+    for (const TipPose& tip : pose.tips)
       line.push_back(tip.joints.empty() ? "" : shown(tip.mobility.condition));
     table.add(std::move(line));
   }
@@ -289,12 +289,12 @@ Fields fields_of(const RobotPoses& poses) {
 
 Table table_of(const RobotPoses& poses) {
   Table table;
-  for (const RobotJointNow& joint : poses.points.front().joints)
+  for (const RobotJointPose& joint : poses.points.front().joints)
     table.header.push_back(joint.name + (joint.slides ? "_mm" : "_deg"));
   table.header = row({table.header, place_header(places_of(poses.points.front()))});
   for (const RobotPose& pose : poses.points) {
     std::vector<std::string> line;
-    for (const RobotJointNow& joint : pose.joints)
+    for (const RobotJointPose& joint : pose.joints)
       line.push_back(shown(joint.value / display_unit(joint.slides)));
     table.add_parts({line, place_cells(places_of(pose), 6)});
   }

@@ -34,7 +34,7 @@ std::string doubts_text(const std::string& about, const std::vector<std::string>
 
 std::string banner_text(const PosteriorRun& run) {
   const Convergence& c = run.convergence;
-  // Agreement, cautions, or a frame that nobody overlooks.
+  // Start with agreement, cautions, or a prominent frame.
   if (c.warnings.empty() && c.cautions.empty())
     return run.draws.complete ? "converged: the chains agree\n" : "";
   if (c.warnings.empty()) return doubts_text("converged, with a caution", c.cautions);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A sampled posterior as words, fields and rows.
+/// Sampled posterior as text, fields and rows.
 
 #include <string>
 
@@ -13,20 +13,20 @@ namespace thenar {
 /// leave-one-out, parameters, directions and modes.
 [[nodiscard]] std::string text_of(const PosteriorResult& result);
 
-/// Returns a posterior complete and with unrounded numbers.
+/// Returns the complete posterior with unrounded numbers.
 [[nodiscard]] Fields fields_of(const PosteriorResult& result);
 
-/// One row for each parameter and factor, best known first.
+/// Returns a table with a row for each parameter and factor, best known first.
 [[nodiscard]] Table table_of(const PosteriorResult& result);
 
-/// Returns the predictions of the draws: as text, fields and rows like any prediction.
+/// Return the predictions of the draws as text, fields and rows, like any prediction.
 [[nodiscard]] std::string text_of(const PosteriorPrediction& result);
 [[nodiscard]] std::vector<Fields> fields_of(const PosteriorPrediction& result);
 [[nodiscard]] Table table_of(const PosteriorPrediction& result);
 
-/// Returns the reason why the draws are not to be used, with remedies and commands; "" if they may
-/// be used.
-/// @param allowed  the person asked for them all the same
+/// Returns the reason why the draws must not be used, with remedies and commands; "" if they may be
+/// used.
+/// @param allowed  the user accepts unconverged draws
 [[nodiscard]] std::string convergence_complaint(const PosteriorRun& run, bool allowed);
 
 /// Returns cautions about converged draws, with remedies; often empty.

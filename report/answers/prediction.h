@@ -1,6 +1,6 @@
 #pragma once
 
-/// Predicted forces beside the measured ones, as words, fields and rows.
+/// Predicted and measured forces as text, fields and rows.
 
 #include <string>
 #include <vector>
@@ -14,17 +14,17 @@ namespace thenar {
 /// errors.
 [[nodiscard]] std::string text_of(const PredictResult& result);
 
-/// Fields of each experiment.
+/// Returns the fields of each experiment.
 [[nodiscard]] std::vector<Fields> fields_of(const PredictResult& result);
 
-/// One row for each trial of each experiment. Columns 1, 2 and 3 are the components in the order of
-/// the column "components".
+/// Returns a table with a row for each trial of each experiment. Columns 1, 2 and 3 are the
+/// components in the order of the column "components".
 [[nodiscard]] Table table_of(const PredictResult& result);
 
-/// "proximal dorsal -radial": what the three components of a force are.
+/// Returns the directions of the three components of a force: "proximal dorsal -radial".
 [[nodiscard]] std::string component_names(const Experiment& experiment);
 
-/// "was never fitted; the population predicts".
+/// Returns the meaning in words: "was never fitted; the population predicts".
 [[nodiscard]] std::string in_words(PredictedBy by);
 
 }  // namespace thenar

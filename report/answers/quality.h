@@ -1,6 +1,6 @@
 #pragma once
 
-/// Qualities of contacts as words, fields and a table.
+/// Qualities of contacts as text, fields and a table.
 
 #include <string>
 #include <vector>
@@ -10,16 +10,17 @@
 
 namespace thenar {
 
-/// A line for each quality, under the name of the file.
+/// Returns a line for each quality, under the name of the file.
 [[nodiscard]] std::string text_of(const ContactQualityResult& result);
 
-/// Members as docs/data_format.md has them; null: not known, or there is none.
+/// Returns the fields described in docs/data_format.md; null: not known, or undefined.
 [[nodiscard]] Fields fields_of(const ContactQualityResult& result);
 
-/// A row for each contact set: bounds of epsilon, volume, rank, grasp matrix and task.
+/// Returns a table with a row for each contact set: bounds of epsilon, volume, rank, grasp matrix
+/// and task.
 [[nodiscard]] Table table_of(const std::vector<ContactQualityResult>& results);
 
-/// The only answer, or {"answers": [..]} of several.
+/// Returns the fields of a single result, or {"answers": [..]} for several.
 [[nodiscard]] Fields fields_of(const std::vector<ContactQualityResult>& results);
 
 }  // namespace thenar

@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// The command line, then folder, date, commit and what has changed.
+/// Returns a text with the command line, then folder, date, commit and changed inputs.
 [[nodiscard]] std::string text_of(const RecordedRun& recorded);
 [[nodiscard]] Fields fields_of(const RecordedRun& recorded);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Words, fields and tables of a digit in motion.
+/// Text, fields and tables of a digit in motion.
 
 #include <string>
 
@@ -9,16 +9,17 @@
 
 namespace thenar {
 
-/// Joints and muscles at the start, the end and their extremes, the tip, and the energy account.
+/// Returns a text with joints and muscles at the start, the end and their extremes, the tip, and
+/// the energy account.
 [[nodiscard]] std::string text_of(const DigitMotionResult& motion);
-/// The state at the end, and the energy account; `drift` is null where it is not known.
+/// Returns the state at the end, and the energy account; `drift` is null where it is not known.
 [[nodiscard]] Fields fields_of(const DigitMotionResult& motion);
-/// A row for each instant: angles, speeds, excitations, activations, tensions, excursions, slips,
-/// tip, energies. Columns: trajectory_table().
+/// Returns a table with a row for each instant: angles, speeds, excitations, activations, tensions,
+/// excursions, slips, tip, energies. Columns: trajectory_table().
 [[nodiscard]] Table table_of(const DigitMotionResult& motion);
 
-/// Returns the reason why the motion must not be used: it did not reach its end, or its energy does
-/// not balance; empty if it may. A motion that was stopped on request may be used.
+/// Returns the reason why the motion must not be used: it ended early, or its energy does not
+/// balance; empty if it may be used. A motion that was stopped on request may be used.
 [[nodiscard]] std::string refusal_of(const DigitMotionResult& motion);
 
 }  // namespace thenar

@@ -232,7 +232,7 @@ OrderedJson losses_json(const SceneResult& scene) {
 Fields outcome_fields(const SceneResult& scene) {
   // Energy balances only where the method keeps account of it.
   const SceneCost& cost = scene.run.cost;
-  const std::string& reason = scene.run.reason;
+  const std::string& reason = scene.run.message;
   const std::optional<FlowBalance>& worst = scene.measures.worst;
   return {{"status", name_of(scene.run.status)},
           {"reason", reason.empty() ? OrderedJson() : OrderedJson(reason)},

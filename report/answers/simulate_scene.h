@@ -1,6 +1,6 @@
 #pragma once
 
-/// Words, fields and tables of scenes that were simulated.
+/// Text, fields and tables of simulated scenes.
 
 #include <string>
 
@@ -9,13 +9,13 @@
 
 namespace thenar {
 
-/// Bodies at the end, pairs that touched, energy, and how the run went.
+/// Returns a text with final bodies, pairs that touched, energy, and the account of the run.
 [[nodiscard]] std::string text_of(const SceneResult& scene);
 [[nodiscard]] Fields fields_of(const SceneResult& scene);
-/// A row for each instant: energies, places of all bodies that move, contacts.
+/// Returns a table with a row for each instant: energies, places of all bodies that move, contacts.
 [[nodiscard]] Table table_of(const SceneResult& scene);
 
-/// A row for each run: the numbers that vary, the largest slip, penetration, energy, cost.
+/// Returns a text with a row for each run: varied numbers, largest slip, penetration, energy, cost.
 [[nodiscard]] std::string text_of(const SceneSweepResult& sweep);
 [[nodiscard]] Fields fields_of(const SceneSweepResult& sweep);
 [[nodiscard]] Table table_of(const SceneSweepResult& sweep);
@@ -23,7 +23,7 @@ namespace thenar {
 /// Returns the reason why a run of a sweep must not be used; empty if all may.
 [[nodiscard]] std::string refusal_of(const SceneSweepResult& sweep);
 
-/// "events", "time-stepping" ..
+/// Returns the name of the stepping method: "events", "time-stepping" ..
 [[nodiscard]] std::string method_of(const SceneResult& scene);
 
 }  // namespace thenar

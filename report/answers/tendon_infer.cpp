@@ -128,7 +128,7 @@ std::string text_of_free(const InferNetResult& inference) {
 Fields fields_of_free(const InferNetResult& inference) {
   const FreeInference& free = *inference.free;
   const BandPosterior& posterior = free.posterior;
-  // Bands, sets that were kept, and trials.
+  // Add bands, kept sets, and trials.
   std::vector<Fields> bands, sets, next;
   for (std::size_t k = 0; k < posterior.bands.size(); ++k)
     bands.push_back(belief_fields(posterior.bands[k], inference.ends[k]));

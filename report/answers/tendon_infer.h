@@ -1,11 +1,10 @@
 #pragma once
 
-/// Words, fields and tables of which bands of an extensor net measured forces ask for.
+/// Text, fields and tables of the bands of an extensor net that measured forces require.
 ///
-/// A band is decided by its evidence: by how much chi-square is worse without it than with it, in
-/// units of the errors that the best net leaves. Above 6 it exists, below -6 it does not, between
-/// the data leave it open. With slack lengths, paths and the like free it has a probability
-/// instead.
+/// The evidence for a band is the increase of chi-square without it, in units of the errors of the
+/// best net. Above 6 it exists, below -6 it does not, between it is undecided. With free slack
+/// lengths, paths and the like it has a probability instead.
 
 #include <string>
 #include <vector>
@@ -16,31 +15,32 @@
 namespace thenar {
 
 /// Returns an inference as text: the fit of the best net to the forces, the verdict on every band,
-/// the bands that cannot be told apart, and the next measurements.
+/// the bands that cannot be distinguished, and the next measurements.
 [[nodiscard]] std::string text_of(const InferNetResult& inference);
 /// Returns an inference as fields; evidence, sd_of_log_EA, log_bayes_factor, chi2_without and
 /// effective_parameters_with are null where they are infinite, EA where the data do not decide it.
 [[nodiscard]] Fields fields_of(const InferNetResult& inference);
-/// A row for each candidate band.
+/// Returns a table with a row for each candidate band.
 [[nodiscard]] Table table_of(const InferNetResult& inference);
 
 /// Returns the errors of the best net, a sentence each.
 [[nodiscard]] std::vector<std::string> fit_in_words(const InferNetResult& inference);
 /// Returns the expected information of the proposed tests, in one sentence.
 [[nodiscard]] std::string next_in_words(const InferNetResult& inference);
-/// Bands that the data want some of, but not which, a sentence each.
+/// Returns a sentence for each group of bands of which the data require some, but do not determine
+/// which.
 [[nodiscard]] std::vector<std::string> groups_in_words(const InferredNet& inferred);
 
 /// Returns the reason why there is no answer; empty if there is one.
 [[nodiscard]] std::string refusal_of(const InferNetResult& inference);
 
-// The same where slack lengths, paths and the like are free.
+// Free inference: slack lengths, paths and the like are free.
 
-/// "yes", "no", or why it cannot be told.
+/// Returns the verdict in words: "yes", "no", or why it is undecided.
 [[nodiscard]] std::string verdict_words(const BandBelief& band);
-/// "0.97", "0.43 +- 0.05", "1 (no set without it)".
+/// Returns the probability in words: "0.97", "0.43 +- 0.05", "1 (no set without it)".
 [[nodiscard]] std::string probability_words(const BandBelief& band);
-/// "17.67 +- 0.12", "held" [mm].
+/// Returns the slack length in words [mm]: "17.67 +- 0.12", "held".
 [[nodiscard]] std::string slack_words(const BandBelief& band);
 
 /// Returns the number of fitted sets and the errors of the best set, a sentence each.

@@ -64,7 +64,7 @@ double slip_ratio(const SlipTension& slips) {
   return slips.central > kTaut ? slips.terminal / slips.central : std::nan("");
 }
 
-/// A tension with four decimals; "0" of what is slack.
+/// A tension with four decimals; "0" for a slack tendon.
 std::string shown_tension(double tension) {
   return std::abs(tension) > kTaut ? shown(tension, 4) : "0";
 }

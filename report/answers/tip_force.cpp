@@ -12,8 +12,8 @@ namespace {
 std::string hold_name(TipConstraint hold) { return name_in(kTipConstraintNames, hold); }
 
 void add_point(const TipForceResult& answer, const TipForcePoint& point, Fields& fields) {
-  if (!point.failure.empty()) {
-    fields.add("failure", point.failure);
+  if (!point.message.empty()) {
+    fields.add("failure", point.message);
     return;
   }
   fields.add("hold", hold_name(answer.request.hold));
@@ -144,9 +144,9 @@ Table table_of(const TipForceResult& answer) {
   // A failed posture keeps its angles and the reason.
   for (const TipForcePoint& point : answer.points) {
     std::vector<std::string> line = joint_cells(point.q);
-    if (!point.failure.empty()) {
+    if (!point.message.empty()) {
       line.resize(table.header.size() - 1);
-      line.push_back(point.failure);
+      line.push_back(point.message);
       table.add(line);
       continue;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The force of a fingertip as words, fields and rows.
+/// Force of a fingertip as text, fields and rows.
 
 #include <string>
 
@@ -11,13 +11,14 @@ namespace thenar {
 
 [[nodiscard]] std::string text_of(const TipForceResult& answer);
 [[nodiscard]] Fields fields_of(const TipForceResult& answer);
-/// A row for each posture.
+/// Returns a table with a row for each posture.
 [[nodiscard]] Table table_of(const TipForceResult& answer);
 
-/// Returns a warning about the answer at a posture; may be empty.
+/// Returns a warning about the result at a posture; may be empty.
 [[nodiscard]] std::string note_of(const TipForceResult& answer, const TipForcePoint& point);
 
-/// The force along proximal, dorsal and radial of the tip, where it has bones [N] (3).
+/// Returns the force along the tip's proximal, dorsal and radial axes [N] (3). The point must have
+/// tip axes.
 [[nodiscard]] Eigen::Vector3d force_along_tip(const TipForcePoint& point);
 
 }  // namespace thenar

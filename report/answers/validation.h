@@ -8,11 +8,12 @@
 
 namespace thenar {
 
-/// "FILE: what it holds", or its error, which starts with the path; doubts and misfits below.
+/// Returns a line for each file, "FILE: what it holds", or its error, which starts with the path;
+/// doubts and misfits below.
 [[nodiscard]] std::string text_of(const Validation& validation);
-/// [{"file", "valid", "holds" or "error", ..}].
+/// Returns a list of objects: [{"file", "valid", "holds" or "error", ..}].
 [[nodiscard]] OrderedJson json_of(const Validation& validation);
-/// A row a file.
+/// Returns a table with a row for each file.
 [[nodiscard]] Table table_of(const Validation& validation);
 
 }  // namespace thenar

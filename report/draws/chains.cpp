@@ -21,7 +21,7 @@ constexpr int kRankBins = 20;  // Bins of a histogram of ranks
 // Chains up to which all traces are drawn, and most traces
 constexpr std::size_t kAllShown = 8, kMaxShown = 16;
 
-/// The chains whose traces are drawn, and what they are called.
+/// Chains whose traces are drawn, and their names.
 struct ShownChains {
   std::vector<Eigen::Index> columns;
   std::vector<std::string> names;
@@ -53,7 +53,7 @@ Json trace(const Eigen::Ref<const Eigen::VectorXd>& chain, const std::vector<Eig
 
 /// Autocorrelations of the chains shown, and the mean time that all need to forget.
 struct Memory {
-  Json rho = Json::array();  // at every `step`-th lag
+  Json rho = Json::array();  // autocorrelation at every `step`-th lag
   Eigen::Index step = 1;
   double tau = 1;
 };

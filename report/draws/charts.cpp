@@ -12,7 +12,7 @@
 namespace thenar {
 namespace {
 
-constexpr int kRankPoints = 50;  // at which curves of calibration are looked at
+constexpr int kRankPoints = 50;  // number of points of calibration curves [1]
 
 /// Observations that are to be trusted, or not, as one series of points; NaN is not.
 Json k_series(const LeftOutObservations& left_out, bool trusted) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Charts that tell whether to believe a sampler or a model.
+/// Charts that diagnose a sampler or a model.
 
 #include <string>
 #include <vector>
@@ -14,29 +14,29 @@ namespace thenar {
 
 /// Simulation-based calibration: ranks of true values among draws of simulated data.
 struct CalibrationRanks {
-  std::vector<std::string> names;     // of the quantities (quantities)
+  std::vector<std::string> names;     // names of the quantities (quantities)
   Eigen::MatrixXi rank;               // 0 .. draws (quantities, simulations)
-  int draws = 0;                      // of each simulation
-  std::vector<std::string> warnings;  // to doubt the sampler, as RankCalibration::warnings
+  int draws = 0;                      // draws of each simulation
+  std::vector<std::string> warnings;  // reasons to doubt the sampler, see RankCalibration::warnings
 };
 
-/// The error of one sampler as it runs.
+/// Error of one sampler over time.
 struct SamplerCourse {
   std::string name;
   std::vector<double> seconds;  // wall time, warm-up included [s] (points)
-  std::vector<double> error;    // of the posterior mean, in posterior sds, RMS over entries [1]
+  std::vector<double> error;  // RMS error of the posterior mean over entries, in posterior sds [1]
 };
 
-/// Pareto k of every observation, those above the limit by name.
+/// Returns a chart of the Pareto k of every observation, with names above the limit.
 /// @throws InputError if there is not one name for each.
 [[nodiscard]] Json pareto_chart(const LeftOutObservations& left_out);
 
-/// Empirical distribution of ranks less the uniform one, over the band that holds 95 % of such
-/// curves whole. Curves that leave it are named, the others are drawn alike.
+/// Returns a chart of the empirical distribution of ranks minus the uniform one, with a
+/// simultaneous 95 % band. Curves that leave the band are named, the others look alike.
 /// @throws InputError if names and ranks disagree.  Source: [Sailynoja2022].
 [[nodiscard]] Json calibration_chart(const CalibrationRanks& calibration);
 
-/// Error over time on logarithmic axes, one line a sampler.
+/// Returns a chart of error over time on logarithmic axes, one line for each sampler.
 [[nodiscard]] Json sampler_chart(const std::vector<SamplerCourse>& samplers);
 
 }  // namespace thenar

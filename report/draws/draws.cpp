@@ -64,7 +64,7 @@ std::vector<std::size_t> shown_first(const std::vector<Quantity>& quantities) {
   return order;
 }
 
-/// A number without the digits that an error of this size leaves open, two of the error's own kept.
+/// Returns a number rounded to two significant digits of its error.
 double to_error(double value, double error) {
   if (!std::isfinite(value) || !(error > 0)) return value;
   const double step = std::pow(10, std::floor(std::log10(error)) - 1);
@@ -90,7 +90,7 @@ constexpr std::size_t kMinKnown = 4;  // rows kept of what nothing was learnt ab
 struct Learning {
   const Quantity* quantity;
   Eigen::VectorXd posterior, prior;  // rising, in prior sds from the prior mean
-  double sd;                         // of the posterior, the same unit [1]
+  double sd;                         // posterior sd, same unit [1]
 };
 
 Learning learning(const Quantity& quantity) {

@@ -10,10 +10,10 @@
 
 namespace thenar {
 
-/// Share of the draws in each mode, how often chains cross, and means of the quantities that tell
-/// the modes apart best, in their units.
+/// Returns a table with the share of the draws in each mode, the number of crossings of chains, and
+/// the means of the quantities that best distinguish the modes, in their units.
 /// @param quantities  of the same draws and chains as the table
-/// @param most        quantities shown
+/// @param most        largest number of quantities
 /// @throws InputError if a quantity has other draws than the table.
 [[nodiscard]] Json mode_table(const ModeTable& modes, const std::vector<Quantity>& quantities,
                               std::size_t most = 4);

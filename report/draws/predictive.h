@@ -1,6 +1,6 @@
 #pragma once
 
-/// Forces that a posterior predicts beside those that were measured.
+/// Forces predicted by a posterior, and measured forces.
 
 #include <string>
 
@@ -14,12 +14,13 @@ namespace thenar {
 /// Predicted and measured forces of one experiment.
 struct PredictedForces {
   Experiment experiment;
-  Eigen::MatrixXd replicated;  // with noise, one column a draw [N] (3 trials, draws)
+  Eigen::MatrixXd replicated;  // draws with noise, one column a draw [N] (3 trials, draws)
   std::string what;            // "H01, in sample": the caption starts with it
 };
 
-/// Measured components over posterior predictive 50 and 95 % intervals, by posture and tendon.
-/// @throws InputError if `replicated` has not three rows a trial.
+/// Returns a chart of measured components over posterior predictive 50 and 95 % intervals, by
+/// posture and tendon.
+/// @throws InputError unless `replicated` has three rows for each trial.
 [[nodiscard]] Json predictive_block(const PredictedForces& predicted);
 
 }  // namespace thenar

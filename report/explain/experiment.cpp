@@ -1,4 +1,4 @@
-// How an experiment was done, and what it measured.
+// Explanation of an experiment: its protocol and measurements.
 
 #include <cmath>
 #include <map>

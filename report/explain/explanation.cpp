@@ -29,7 +29,7 @@ OrderedJson rows_json(const Table& table) {
   return rows;
 }
 
-/// Settings and proportions do nothing by themselves: a line says what they are.
+/// Explains settings and proportions, which have no effect alone, by a line.
 Explanation explain_plain(const ThingExplained& explained) {
   Section section{"file", summary_of(explained.thing)};
   if (std::holds_alternative<FitSettings>(explained.thing))

@@ -1,6 +1,6 @@
 #pragma once
 
-/// An explanation as sections of lines and a table, for people and as fields alike.
+/// Explanations as sections of lines and a table, for text and for fields.
 
 #include <string>
 #include <vector>
@@ -11,27 +11,29 @@
 namespace thenar {
 
 struct Section {
-  std::string key;                      // in JSON: "cost"
-  std::string title;                    // for people
-  Table table = {};                     // may be empty
+  std::string key;                      // key in JSON: "cost"
+  std::string title;                    // title for people
+  Table table = {};                     // content; may be empty
   std::vector<std::string> lines = {};  // sentences above the table
 };
 
 using Explanation = std::vector<Section>;
 
-/// One digit of a subject: what is built, what it costs, what can be asked, what a fit may move.
+/// Explains one digit of a subject: its parts, costs, possible questions, and free parameters of a
+/// fit.
 [[nodiscard]] Explanation explain(const Subject& subject, const DigitExplained& says);
 [[nodiscard]] Explanation explain(const Experiment& experiment);
 [[nodiscard]] Explanation explain(const Fit& fit, const FitExplained& found);
-/// An extensor net: its nodes, bands, muscles and surfaces, and what a hood that is a net assumes.
+/// Explains an extensor net: its nodes, bands, muscles and surfaces, and the assumptions of a hood
+/// that is a net.
 [[nodiscard]] Explanation explain(const NetDescription& net);
 /// Explains an object, a world or materials: bodies, materials and friction.
 [[nodiscard]] Explanation explain(const BodySpec& body);
 [[nodiscard]] Explanation explain(const WorldSpec& world);
 [[nodiscard]] Explanation explain(const Materials& materials);
-/// A scene that moves: what is in it, which pads meet what, and what nobody measured of them.
+/// Explains a scene: its parts, the pairs of its pads, and their assumed properties.
 [[nodiscard]] Explanation explain(const SceneSpec& scene);
-/// Links, joints and the motors that drive them.
+/// Explains a robot: links, joints and motors.
 [[nodiscard]] Explanation explain(const RobotSpec& robot);
 
 [[nodiscard]] std::string text_of(const ThingExplained& explained);

@@ -1,4 +1,4 @@
-// What was fitted to what, how it ended, and what it taught.
+// Explanation of a fit: its data, its status, and its information gain.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// What an extensor net is made of, and what is assumed of it.
+// Explanation of an extensor net: its parts and assumptions.
 
 #include <fmt/format.h>
 

@@ -69,7 +69,7 @@ Section explain_scene_bodies(const SceneSpec& scene) {
   return section;
 }
 
-/// Pads one by one, as the file has them; "-" is what it leaves to the fingertip and the pair.
+/// Tabulates the pads of the file; "-" marks values that the fingertip and the pair determine.
 Section explain_pads(const SceneSpec& scene) {
   Section section{"pads", "Pads"};
   if (scene.pads.empty()) return section;

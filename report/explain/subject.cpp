@@ -1,4 +1,4 @@
-// What is built of a subject's digit, and what can be asked of it.
+// Explanation of a subject's digit: its parts, and possible questions.
 
 #include <cmath>
 
@@ -32,8 +32,8 @@ Section explain_dropped(const DigitExplanation& says) {
   std::vector<std::vector<std::string>> names;
   auto& rows = section.table.rows;
   for (const DroppedPart& part : says.dropped) {
-    if (rows.empty() || rows.back()[0] != part.what || rows.back()[2] != part.why) {
-      rows.push_back({part.what, "", part.why, ""});
+    if (rows.empty() || rows.back()[0] != part.what || rows.back()[2] != part.reason) {
+      rows.push_back({part.what, "", part.reason, ""});
       names.emplace_back();
     }
     names.back().push_back(part.name);
@@ -130,14 +130,14 @@ std::string state_of(const FitParameters& fit, std::size_t p) {
   return fmt::format("tied to {}{}", ratio, nth(fit.all, leader).name);
 }
 
-/// Every number that a fit may move, and what is believed of it beforehand.
+/// Tabulates every free parameter of a fit with its prior.
 Section explain_parameters(const DigitExplained& digit) {
   Section section{"parameters", "Parameters of a fit, under settings " + digit.settings};
   const FitParameters& fit = digit.parameters;
   // Settings of another digit may name parameters that this one lacks.
-  if (!digit.settings_trouble.empty())
+  if (!digit.settings_message.empty())
     section.lines = {
-        fmt::format("these settings do not suit this digit: {}", digit.settings_trouble),
+        fmt::format("these settings do not suit this digit: {}", digit.settings_message),
         "without them, all are fixed and have these priors:"};
   section.lines.push_back(
       fmt::format("{} parameters, {} coordinates; '{}' stands for each posture of an "

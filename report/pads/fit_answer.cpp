@@ -229,7 +229,7 @@ std::string text_of(const FittedPad& fitted) {
 }
 
 Fields fields_of(const FittedPad& fitted) {
-  // The search first, then what it found, and the origin of the data.
+  // State the search first, then its estimates, and the origin of the data.
   const PadFitResult& fit = fitted.fit;
   return {{"pad", fitted.pad.spec.name},
           {"presses", fitted.data.path},

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A pad that was fitted to measured presses, as text, fields, a table and a page.
+/// Pad fitted to measured presses, as text, fields, a table and a page.
 
 #include <string>
 
@@ -9,30 +9,32 @@
 
 namespace thenar {
 
-/// Constants, data beside predictions, correlations, and how the search ended.
+/// Returns a text with constants, data beside predictions, correlations, and the end of the search.
 [[nodiscard]] std::string text_of(const FittedPad& fitted);
-/// Fields of the fit, with curves of the fitted pad and the meaning of citation keys. Constants and
-/// data are in the unit that stands beside each.
+/// Returns fields of the fit, with curves of the fitted pad and the meaning of citation keys.
+/// Constants and data state their units.
 [[nodiscard]] Fields fields_of(const FittedPad& fitted);
-/// A row for each constant.
+/// Returns a table with a row for each constant.
 [[nodiscard]] Table table_of(const FittedPad& fitted);
 /// Returns the page of a fit: its tables, force by depth and area by force of the fitted pad with
 /// the data on them, and sources. Defined in fit_page.cpp.
 [[nodiscard]] Json page_of(const FittedPad& fitted);
 [[nodiscard]] FileDigests files_of(const FittedPad& fitted);
 
-/// "index_fitted fitted to flat presses: 2 constants, 3 data".
+/// Returns the title: "index_fitted fitted to flat presses: 2 constants, 3 data".
 [[nodiscard]] std::string title_of(const FittedPad& fitted);
-/// "search converged after 21 evaluations; misfit 0.77 with 2 degrees of freedom".
+/// Returns a line on the search: "search converged after 21 evaluations; misfit 0.77 with 2 degrees
+/// of freedom".
 [[nodiscard]] std::string conditions_of(const FittedPad& fitted);
-/// A row for each datum: measured, predicted, by how many sds they differ, source.
+/// Returns a table with a row for each datum: measured, predicted, difference in sds, source.
 [[nodiscard]] Table data_table(const FittedPad& fitted);
-/// A row for each constant; without rows if there is one alone, or one that may have any value.
+/// Returns a table with a row for each constant; without rows if there is only one, or one is
+/// undetermined.
 [[nodiscard]] Table correlation_table(const FittedPad& fitted);
 /// Returns the meaning of the columns of table_of(). Lines end with '\n'.
 [[nodiscard]] std::string constants_note(const FittedPad& fitted);
 
-/// Unit of a measured number; of parts "".
+/// Returns the unit of a measured number; "" for a dimensionless one.
 [[nodiscard]] DisplayUnit display_unit(const PressDatum& datum);
 
 }  // namespace thenar

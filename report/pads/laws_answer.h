@@ -1,6 +1,6 @@
 #pragma once
 
-/// Reduced laws of a pad that were calibrated, as text, fields, a table and a page.
+/// Calibrated reduced laws of a pad, as text, fields, a table and a page.
 
 #include <string>
 
@@ -9,22 +9,25 @@
 
 namespace thenar {
 
-/// Errors of each law, presses with what laws say of them, and how the calibration ended.
+/// Returns a text with errors of each law, presses with the forces of the laws, and the end of the
+/// calibration.
 [[nodiscard]] std::string text_of(const PadLaws& found);
-/// Fields of the calibration, with the constants of the laws.
+/// Returns fields of the calibration, with the constants of the laws.
 [[nodiscard]] Fields fields_of(const PadLaws& found);
-/// Two rows for each law: root of the mean square and worst of its errors [%]. None without laws.
+/// Returns a table with two rows for each law: root mean square and largest error [%]; without rows
+/// if there are no laws.
 [[nodiscard]] Table table_of(const PadLaws& found);
 /// Returns the page of a calibration: its tables, and the force of laws over that of the elements.
 /// Defined in laws_page.cpp.
 [[nodiscard]] Json page_of(const PadLaws& found);
 [[nodiscard]] FileDigests files_of(const PadLaws& found);
 
-/// "index_pad: laws fitted to presses (20), checked on others (12)".
+/// Returns the title: "index_pad: laws fitted to presses (20), checked on others (12)".
 [[nodiscard]] std::string title_of(const PadLaws& found);
-/// "pressed to 0.5, 1, 1.5, 2 mm; solved; presses 190.2 s, fits 3.1 s".
+/// Returns a line on the calibration: "pressed to 0.5, 1, 1.5, 2 mm; solved; presses 190.2 s,
+/// fits 3.1 s".
 [[nodiscard]] std::string conditions_of(const PadLaws& found);
-/// A row for each press: elements, laws beside them.
+/// Returns a table with a row for each press: elements, laws beside them.
 [[nodiscard]] Table press_table(const PadLaws& found);
 /// Returns the meaning of the columns of table_of(). Lines end with '\n'.
 [[nodiscard]] std::string errors_note();

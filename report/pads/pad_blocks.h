@@ -9,10 +9,10 @@
 
 namespace thenar {
 
-/// Returns a banner with the ending of an answer, and its warnings.
-/// @param refusal   why it is not the whole answer; empty: it is
+/// Returns a banner with the outcome of a result and its warnings.
+/// @param refusal   why the result is incomplete; empty: it is complete
 /// @param warnings  doubts and assumptions
-/// @param title     if it is
+/// @param title     title of a complete result
 [[nodiscard]] Json pad_banner(const std::string& refusal, const std::vector<std::string>& warnings,
                               const std::string& failed_title, const std::string& title);
 

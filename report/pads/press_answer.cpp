@@ -70,7 +70,7 @@ std::vector<Fields> rung_fields(const std::vector<PressRung>& rungs) {
   std::vector<Fields> list;
   for (const PressRung& rung : rungs) {
     // A rung that failed has no numbers, but a reason.
-    const bool solved = rung.failure.empty();
+    const bool solved = rung.message.empty();
     list.push_back({{"element", rung.element},
                     {"mesh", rung.mesh},
                     {"elements", rung.elements},
@@ -82,7 +82,7 @@ std::vector<Fields> rung_fields(const std::vector<PressRung>& rungs) {
                     {"finest", rung.finest},
                     {"reduced", rung.reduced},
                     {"note", rung.note},
-                    {"failure", rung.failure}});
+                    {"failure", rung.message}});
   }
   return list;
 }
@@ -99,7 +99,7 @@ std::string ending_words(const PressResult& pressed) {
 }  // namespace
 
 std::string title_of(const PressResult& pressed) {
-  const PressInstant* end = pressed.end_of_way();
+  const PressInstant* end = pressed.end_of_motion();
   const std::string what =
       fmt::format("{} under {}", pressed.pad.spec.name, with_article(pressed.object.name));
   return end == nullptr
@@ -131,7 +131,7 @@ Table rung_table(const PressResult& pressed) {
   Table table{{"element", "mesh", "elements", "force_N", "error", "area_mm2", "torsion_mm", "cpu_s",
                "note"}};
   for (const PressRung& rung : pressed.rungs) {
-    const bool solved = rung.failure.empty();
+    const bool solved = rung.message.empty();
     table.add(
         {rung.element, rung.mesh, rung.reduced ? "-" : std::to_string(rung.elements),
          solved ? shown(rung.force) : "-", solved && !rung.finest ? shown(rung.error, 4) : "-",
@@ -139,7 +139,7 @@ Table rung_table(const PressResult& pressed) {
          rung.torsion ? shown(*rung.torsion / kMm) : "-", rung.cpu > 0 ? shown(rung.cpu) : "-",
          rung.finest ? "the finest"
          : solved    ? rung.note
-                     : rung.failure});
+                     : rung.message});
   }
   return table;
 }
@@ -168,7 +168,7 @@ Fields fields_of(const PressResult& pressed) {
                 {"assumed", assumed_words(pressed.pad.spec)},
                 {"status", name_of(pressed.outcome.status)},
                 {"message", pressed.message}};
-  // The last instant by itself, then all of them.
+  // State the last instant, then all.
   if (!pressed.instants.empty()) fields.append(instant_fields(pressed.instants.back()));
   fields.add("object_place", units::kMillimetre, pressed.X_PO.p);
   fields.add("along", units::kOne, pressed.touch.along);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A pad that was pressed, as text, fields, a table and a page.
+/// Pressed pad, as text, fields, a table and a page.
 
 #include <string>
 
@@ -15,24 +15,25 @@ inline constexpr double kKilopascal = 1e3;  // A kilopascal [Pa]
 
 /// Returns a press as text: pad, object, every instant, the rungs, and the accuracy.
 [[nodiscard]] std::string text_of(const PressResult& pressed);
-/// Fields of a press, with the nodes of the patch: places, pressure, stick.
+/// Returns the fields of a press, with the nodes of the patch: places, pressure, stick.
 [[nodiscard]] Fields fields_of(const PressResult& pressed);
-/// A row for each instant.
+/// Returns a table with a row for each instant.
 [[nodiscard]] Table table_of(const PressResult& pressed);
-/// The deformed pad in space, its pressure and stick from below, force over depth, area over force,
-/// relaxation, rungs: those that there are. Defined in press_page.cpp.
+/// Returns a page with the deformed pad in space, its pressure and stick from below, force over
+/// depth, area over force, relaxation and rungs, as far as present. Defined in press_page.cpp.
 [[nodiscard]] Json page_of(const PressResult& pressed);
 [[nodiscard]] FileDigests files_of(const PressResult& pressed);
 
-/// "index_pad under a plane: 1 N at 1.84 mm": the end of its way.
+/// Returns the title with the end of the motion: "index_pad under a plane: 1 N at 1.84 mm".
 [[nodiscard]] std::string title_of(const PressResult& pressed);
-/// "angle 20 deg, friction 0.6, at once: nothing relaxes; neo-hookean, Q1P0".
+/// Returns a line on the conditions: "angle 20 deg, friction 0.6, at once: nothing relaxes;
+/// neo-hookean, Q1P0".
 [[nodiscard]] std::string conditions_of(const PressResult& pressed);
-/// A row for each rung, the finest last.
+/// Returns a table with a row for each rung, the finest last.
 [[nodiscard]] Table rung_table(const PressResult& pressed);
 
-/// Returns the reason why the answer is incomplete: a step that failed; empty if none did. A press
-/// that was stopped on request is no failure.
+/// Returns the reason why the result is incomplete: a failed step; empty if there is none. A press
+/// that was stopped on request is not a failure.
 [[nodiscard]] std::string refusal_of(const PressResult& pressed);
 
 }  // namespace thenar

@@ -130,7 +130,7 @@ Json pad_scene(const PressResult& pressed, MeshTable& meshes) {
 
 /// The part of the skin near the patch; all of it where there is none.
 PressedSkin near_patch(const PressedSkin& skin) {
-  // Bound the patch, and keep what lies within a multiple of its size.
+  // Bound the patch, and keep the nodes within a multiple of its size.
   Eigen::AlignedBox3d patch;
   for (Index k = 0; k < skin.places.cols(); ++k)
     if (nth(skin.contact, k) != SkinContact::kFree)
@@ -233,13 +233,13 @@ Json curve_section(const PressResult& pressed) {
 
 /// Force over time; while the object stands still also over the logarithm of time.
 Json relaxation_section(const PressResult& pressed) {
-  // The whole course in time, and the hold by itself on a logarithmic axis.
+  // Chart the whole press over time, and the hold alone on a logarithmic axis.
   const std::vector<PressPhase> both{PressPhase::kWay, PressPhase::kHold};
   const auto time = [](const PressInstant& now) { return now.time; };
   Json charts = Json::array(
       {lines_block("Force over time from the touch on", "time [s]", "force [N]",
                    {press_curve(pressed, pressed.pad.spec.name, both, time, force_of)})});
-  const PressInstant* end = pressed.end_of_way();
+  const PressInstant* end = pressed.end_of_motion();
   const double began = end != nullptr ? end->time : 0;
   if (pressed.request.hold > 0) {
     charts.push_back(with(
@@ -256,7 +256,7 @@ Json rung_section(const PressResult& pressed) {
   // One series for each law, for each element on even meshes, and for meshes that refine.
   std::map<std::string, Json> series;
   for (const PressRung& rung : pressed.rungs) {
-    if (!rung.failure.empty() || rung.finest || !(rung.error > 0)) continue;
+    if (!rung.message.empty() || rung.finest || !(rung.error > 0)) continue;
     const std::string name = rung.reduced   ? rung.element
                              : rung.refined ? rung.element + ", refined"
                                             : rung.element + ", even";

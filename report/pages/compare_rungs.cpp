@@ -13,7 +13,7 @@
 namespace thenar {
 namespace {
 
-constexpr Eigen::Index kRungInstants = 50;  // of each film
+constexpr Eigen::Index kRungInstants = 50;  // instants of each film [1]
 constexpr Eigen::Index kCurveInstants = 500;
 
 /// A point for each rung that was solved and is not the finest, whose error is 0.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Words, JSON, tables and the page of a scene on several rungs of its finger pads.
+/// Text, JSON, tables and the page of a scene on several rungs of its finger pads.
 
 #include <string>
 
@@ -14,17 +14,17 @@ namespace thenar {
 /// pads at the end.
 [[nodiscard]] std::string text_of(const RungComparison& comparison);
 [[nodiscard]] OrderedJson json_of(const RungComparison& comparison);
-/// A row for each rung.
+/// Returns a table with a row for each rung.
 [[nodiscard]] Table table_of(const RungComparison& comparison);
-/// A row for each rung and pad: its load at the end.
+/// Returns a table with a row for each rung and pad: its load at the end.
 [[nodiscard]] Table pad_table_of(const RungComparison& comparison);
 
 /// Returns the reference of the errors: "against elements", and whether that rung was solved.
 [[nodiscard]] std::string finest_words(const RungComparison& comparison);
-/// CPU time for a simulated second [s]; not a number where nothing was simulated.
+/// Returns the CPU time for a simulated second [s]; not a number where nothing was simulated.
 [[nodiscard]] double cpu_per_second(const RungRun& run);
 
-/// Errors over what rungs cost, forces over time, and a film of each rung.
+/// Returns a page with error over cost of the rungs, forces over time, and a film of each rung.
 [[nodiscard]] Json page_of(const RungComparison& comparison);
 
 /// Returns the reason why the comparison must not be used: the finest run was not solved; empty if

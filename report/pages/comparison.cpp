@@ -136,7 +136,7 @@ Json best_section(const Comparison& comparison, const std::vector<BodySpec>& obj
 
 Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshes) {
   Json blocks = Json::array();
-  // Hands stand upright; those with nails are seen from the back, too.
+  // Draw hands upright; show those with nails from the back, too.
   for (const ComparePicture& picture : pictures) {
     const Hand& hand = *picture.drawn;
     const Eigen::VectorXd q = open_posture(hand.layout());

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A comparison of hands as sections of a report.
+/// Comparison of hands as sections of a report.
 
 #include <memory>
 #include <string>
@@ -11,27 +11,29 @@
 
 namespace thenar {
 
-/// A hand as the page draws it.
+/// Hand drawn on the page.
 struct ComparePicture {
-  std::string hand;  // its name in the comparison
+  std::string hand;  // name of the hand in the comparison
   std::shared_ptr<const Hand> drawn;
   std::vector<SkinPatch> patches;
 };
 
-/// Sections "At a glance", "Grasps", "How good", "Best grasps", "Abilities", "How to read this".
+/// Returns the sections "At a glance", "Grasps", "How good", "Best grasps", "Abilities", "How to
+/// read this".
 ///
-/// @param objects   those of the comparison, unscaled; others are not drawn
+/// @param objects   unscaled objects of the comparison; others are not drawn
 /// @param pictures  hands without one are not drawn
-/// @param progress  hears of pictures; what a stop leaves is no page
+/// @param progress  reports each picture; after a stop the page is incomplete
 [[nodiscard]] Json compare_page(const Comparison& comparison, const std::vector<BodySpec>& objects,
                                 const std::vector<ComparePicture>& pictures, MeshTable& meshes,
                                 const Progress& progress = {});
 
-/// The page of a comparison: the best grasps drawn, every number, and what the numbers depend on.
-/// @param progress  hears of pictures; what a stop leaves is no page
+/// Returns the page of a comparison: the best grasps drawn, every number, and what the numbers
+/// depend on.
+/// @param progress  reports each picture; after a stop the page is incomplete
 [[nodiscard]] Json page_of(const CompareResult& result, const Progress& progress = {});
 
-/// Every hand by itself, with its joints where closing begins: a look at what is compared.
+/// Returns a section with a picture of every hand at the start of closing.
 [[nodiscard]] Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshes);
 
 }  // namespace thenar

@@ -32,7 +32,7 @@ const HandOnObject* cell_of(const Comparison& comparison, const std::string& han
   return nullptr;
 }
 
-/// A number as the page has it; none of what is not finite.
+/// Returns a number for the page; null if it is not finite.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 /// A load, which may be borne without limit.
@@ -95,7 +95,7 @@ Json banner(const Comparison& comparison) {
                         comparison.hands.size() * comparison.objects.size());
   std::vector<std::string> grave;
   std::copy_if(comparison.warnings.begin(), comparison.warnings.end(), std::back_inserter(grave),
-               is_grave);
+               is_serious);
   return banner_block(title, grave, comparison.complete && grave.empty());
 }
 

@@ -7,16 +7,19 @@
 
 namespace thenar {
 
-/// A quantile by linear interpolation; NaN of no values. @param p  in [0, 1]
+/// Returns a quantile by linear interpolation; NaN without values. @param p  probability, in [0, 1]
 [[nodiscard]] double quantile_of(const Eigen::VectorXd& ascending, double p);
 
-/// A line for every hand over all objects, and whether the comparison is whole.
+/// Returns a section with a line for every hand over all objects, and whether the comparison is
+/// complete.
 [[nodiscard]] Json glance_section(const Comparison& comparison);
 
-/// Success and best epsilon, hands by objects; every cell; why loads are zero or unknown.
+/// Returns a section with success and best epsilon, hands by objects; every cell; reasons for zero
+/// or unknown loads.
 [[nodiscard]] Json cells_section(const Comparison& comparison);
 
-/// Quantiles of epsilon of every hand on every object, by geometry and with the hand's own efforts.
+/// Returns a section with quantiles of epsilon of every hand on every object, by geometry and with
+/// the hand's own efforts.
 [[nodiscard]] Json distribution_section(const Comparison& comparison);
 
 /// Returns the section about the abilities of hands without an object.

@@ -13,7 +13,7 @@
 namespace thenar {
 Json digit_page(const DigitResult& about, const std::string& what, Json sections,
                 const MeshTable& meshes, const std::string& learnt) {
-  // Provenance tells the model that was built, which may be less than was asked for.
+  // State the built model in the provenance, which may be simpler than requested.
   const Fidelity fidelity = about.tendons ? about.tendons->digit().fidelity : Fidelity{};
   Json provenance = provenance_json(about.sources, fidelity);
   provenance["fidelity"] = about.built;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Pages about one digit: poses, moment arms, forces of its tip; and what they have in common.
+/// Pages about one digit: poses, moment arms, forces of its tip; and their common parts.
 
 #include <array>
 #include <functional>
@@ -18,60 +18,64 @@
 
 namespace thenar {
 
-/// Joints, bones or links, and tips in space and in rows.
+/// Returns a page with joints, bones or links, and tips in space and in rows.
 [[nodiscard]] Json page_of(const SubjectPoses& poses);
 [[nodiscard]] Json page_of(const RobotPoses& poses);
-/// The tendons in space, arms and lengths over the joints that vary.
+/// Returns a page with the tendons in space, arms and lengths over the joints that vary.
 [[nodiscard]] Json page_of(const MomentArmResult& answer);
-/// The force of the tip in space, in rows, over the joints that vary.
+/// Returns a page with the force of the tip in space, in rows, over the joints that vary.
 [[nodiscard]] Json page_of(const TipForceResult& answer);
-/// The largest forces in space, what limits them, over the joints that vary.
+/// Returns a page with the largest forces in space, their limits, and charts over the joints that
+/// vary.
 [[nodiscard]] Json page_of(const FeasibleForceResult& answer);
 
-/// Colours of the postures that are drawn at most, from the first to the last.
+/// Largest number of drawn postures, and their colours, from the first to the last.
 inline constexpr std::size_t kDrawnPostures = 5;
 inline constexpr std::array<const char*, kDrawnPostures> kPostureTints{
     "#b8a48a", "#7fa8c9", "#5fa38c", "#c98f5f", "#9a7fb8"};
 
-/// The frame of such a page. @param what  "tip forces";  @param meshes  that its scenes name
-/// @param learnt  for its first paragraph, in sentences
+/// Returns a page with its header and provenance. @param what  "tip forces";  @param meshes  meshes
+/// that its scenes refer to
+/// @param learnt  sentences on the result, for the first paragraph
 [[nodiscard]] Json digit_page(const DigitResult& about, const std::string& what, Json sections,
                               const MeshTable& meshes, const std::string& learnt);
 
-/// "0.31 N", "0.21 to 0.42 N": the least and the largest of them; "": there is none.
+/// Returns the range of values in words: "0.31 N", "0.21 to 0.42 N"; "" without values.
 [[nodiscard]] std::string range_words(const std::vector<double>& values, const std::string& unit);
 
-/// The text of a first section: what was asked at which postures, and every warning.
+/// Returns the text of a first section: the question, its postures, and every warning.
 [[nodiscard]] std::string digit_introduction(const DigitResult& about, const std::string& words);
 
 /// Adds further layers to the picture of a posture. @param tint  colour of the posture
 using AddLayers = std::function<void(std::size_t point, const std::string& tint, Json& layers)>;
 
-/// Bones at up to five of the postures, each a layer, and tendons where they run straight; null for
-/// a map. The first posture is within the subject's skin.
-/// @param meshes  gets those of the skin
-/// @param add     adds to each posture's bones
+/// Returns a scene with the bones at up to kDrawnPostures postures, each a layer, and tendons where
+/// they are straight; null for a map. The first posture is drawn within the subject's skin.
+/// @param meshes  receives the meshes of the skin
+/// @param add     adds layers to each posture
 [[nodiscard]] Json digit_scene(const DigitResult& about, const std::string& caption,
                                MeshTable& meshes, const AddLayers& add);
 
-/// Arrows from the tip: how long one newton is drawn [mm/N], so that the largest force is 40 mm.
+/// Returns the length of arrows per force [mm/N], so that the largest force is 40 mm long.
 [[nodiscard]] double arrow_scale(double largest);
 
-/// A layer with one arrow. @param from  [m] (3);  @param vector  as drawn [mm] (3)
+/// Returns a layer with one arrow. @param from  origin [m] (3);  @param vector  drawn vector [mm]
+/// (3)
 [[nodiscard]] Json arrow_layer(const std::string& name, const std::string& color,
                                const Eigen::Vector3d& from, const Eigen::Vector3d& vector);
 
-/// A quantity of every posture; NaN where there is no answer. @param value  of one of the points
+/// Returns a quantity at every posture; NaN where there is no result. @param value  returns it for
+/// one point
 template <typename Point, typename Value>
 [[nodiscard]] Curve curve_over(const std::vector<Point>& points, const std::string& name,
                                const Value& value) {
   Curve curve{name, Eigen::VectorXd(static_cast<Eigen::Index>(points.size()))};
   for (std::size_t i = 0; i < points.size(); ++i)
-    curve.y(static_cast<Eigen::Index>(i)) = points[i].failure.empty() ? value(points[i]) : kNaN;
+    curve.y(static_cast<Eigen::Index>(i)) = points[i].message.empty() ? value(points[i]) : kNaN;
   return curve;
 }
 
-/// Charts side by side, two a row.
+/// Returns charts in rows of two.
 [[nodiscard]] Json paired(const Json& charts);
 
 }  // namespace thenar

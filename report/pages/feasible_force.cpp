@@ -56,7 +56,7 @@ void add_direction_charts(const FeasibleForceResult& answer, const SweepAxes& ax
 void add_set_charts(const FeasibleForceResult& answer, const SweepAxes& axes, Json& charts) {
   // Names of the axes come from the first posture that has an answer.
   const auto with_axes = std::find_if(answer.points.begin(), answer.points.end(),
-                                      [](const auto& point) { return point.failure.empty(); });
+                                      [](const auto& point) { return point.message.empty(); });
   std::vector<Curve> along;
   for (std::size_t k = 0; k < 6; ++k)
     along.push_back(curve_over(answer.points, axis_direction(with_axes->axes, k),
@@ -97,7 +97,7 @@ Json force_scene(const FeasibleForceResult& answer, MeshTable& meshes) {
       meshes, [&](std::size_t i, const std::string& tint, Json& layers) {
         const FeasibleForcePoint& point = answer.points[i];
         // Draw the largest load, and the convex hull of all loads at the tip.
-        if (!point.failure.empty()) return;
+        if (!point.message.empty()) return;
         if (makes_force(point))
           layers.push_back(arrow_layer("largest " + words.one, "#d55e00", point.tip,
                                        scale * point.largest->force));
@@ -132,7 +132,7 @@ std::string question_words(const FeasibleForceResult& answer) {
           ? fmt::format(", or up to {:.4g} degrees off it", answer.request.tolerance / kDegree)
           : "",
       beside, answer.map.empty() ? "every joint in balance and " : "");
-  // A single posture also tells its limits.
+  // Add the limits for a single posture.
   if (answer.single() && !answer.points.empty()) {
     const std::string limits = limit_words(answer, answer.points.front());
     if (!limits.empty()) words += "\n\nIt is " + limits + ".";

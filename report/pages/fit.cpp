@@ -34,7 +34,7 @@ Json interval_row(const Fit& fit, int entry) {
 }
 
 Json coordinate_table(const Fit& fit) {
-  // Order by the sd that is left: what the data tell most comes first.
+  // Order by the remaining sd: the best-determined coordinates first.
   Json rows = Json::array();
   for (const int i : sorted_by_sd(fit.covariance)) {
     const CoordinateEstimate& learnt = nth(fit.covariance.learnt, i);
@@ -111,7 +111,7 @@ Json error_row(const Prediction& prediction, const std::string& what, const Json
 }
 
 Json error_table(const FitResult& result) {
-  // In sample first, then what was left out, then published models.
+  // Add errors in sample first, then left out, then of published models.
   Json rows = Json::array();
   for (std::size_t e = 0; e < result.in_sample.size(); ++e)
     rows.push_back(
@@ -119,7 +119,7 @@ Json error_table(const FitResult& result) {
                   e < result.misfits.size() ? Json(result.misfits[e].times_noise) : Json(nullptr)));
   for (const CrossValidation& validation : result.left_out) {
     std::string what = name_of(validation.what);
-    if (validation.stopped)
+    if (validation.status == Status::kStopped)
       what += fmt::format(", {} of {} folds", validation.folds_done, validation.folds.size());
     for (const Prediction& prediction : validation.experiments)
       if (!prediction.trials.empty()) rows.push_back(error_row(prediction, what, nullptr));

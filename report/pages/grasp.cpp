@@ -28,7 +28,7 @@ Json outcome_banner(const GraspResult& result) {
   const bool ok = grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure;
   std::vector<std::string> grave;
   std::copy_if(result.outcome.warnings.begin(), result.outcome.warnings.end(),
-               std::back_inserter(grave), is_grave);
+               std::back_inserter(grave), is_serious);
   return banner_block(outcome_words(grasp), grave, ok && grave.empty());
 }
 
@@ -63,7 +63,7 @@ Json warning_section(const GraspResult& result) {
                                {"assumption"}, rows)}));
 }
 
-/// A table, and what is to be said of its rows below it: notes are too long for columns.
+/// Returns a table with the notes of its rows below it, which are too long for columns.
 Json measure_blocks(const std::string& caption, const std::vector<MeasureRow>& measures) {
   Json rows = Json::array(), notes = Json::array();
   for (const MeasureRow& each : measures) {
@@ -74,7 +74,7 @@ Json measure_blocks(const std::string& caption, const std::vector<MeasureRow>& m
 }
 
 Json measure_section(const GraspResult& result) {
-  // Measures of the grasp, then its robustness if it was asked for.
+  // Add measures of the grasp, then its robustness if requested.
   Json blocks = measure_blocks(
       "Loads and motions of the object, in its own frame and about its centre of mass.",
       measure_rows(*result.measures));
@@ -127,7 +127,7 @@ Json contact_section(const GraspResult& result) {
 
 Json joint_section(const GraspResult& result) {
   Json rows = Json::array();
-  for (const JointRow& row : joint_rows(result)) rows.push_back({row.name, row.shown, row.why});
+  for (const JointRow& row : joint_rows(result)) rows.push_back({row.name, row.shown, row.reason});
   return section("joints", "What stopped every joint", "",
                  Json::array({table_block("Coordinates of the hand when it came to rest.",
                                           {"coordinate", "value", "stopped by"}, rows)}));

@@ -9,12 +9,12 @@
 
 namespace thenar {
 
-/// The page of a grasp: picture, quality, measures, wrenches, contacts, joints, assumptions; those
-/// sections there is something for.
+/// Returns the page of a grasp: picture, quality, measures, wrenches, contacts, joints,
+/// assumptions; empty sections are left out.
 [[nodiscard]] Json page_of(const GraspResult& result);
 [[nodiscard]] Json page_of(const CloseResult& result);
 
-/// The picture alone: hand, object, obstacles, contacts.
+/// Returns the picture alone: hand, object, obstacles, contacts.
 [[nodiscard]] Json grasp_layers(const HandPicture& picture, const GraspSetup& setup,
                                 const std::vector<HandContact>& contacts, MeshTable& meshes);
 

@@ -42,7 +42,7 @@ Json time_chart(const HoodComparison& comparison, const std::string& caption,
               {{"log_x", true}});
 }
 
-/// Error against what was measured, and distance from the finest rung, for every specimen.
+/// Error against the measurements, and distance from the finest rung, for every specimen.
 Json time_charts(const std::vector<HoodComparison>& comparisons) {
   Json errors = Json::array(), distances = Json::array();
   for (const HoodComparison& comparison : comparisons) {

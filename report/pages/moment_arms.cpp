@@ -60,7 +60,7 @@ Json page_of(const MomentArmResult& answer) {
   // Sum up by the range of all arms.
   std::vector<double> arms;
   for (const MomentArmPoint& point : answer.points)
-    if (point.failure.empty())
+    if (point.message.empty())
       for (const double arm : point.arms.reshaped()) arms.push_back(arm / kMm);
   return digit_page(answer, "moment arms", sections, meshes,
                     arms.empty() ? "No moment arm can be determined."

@@ -16,7 +16,7 @@ void add_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, Json& items
 
 Json bones_of(const SubjectPose& pose) {
   Json items = Json::array();
-  for (const SegmentNow& segment : pose.segments)
+  for (const SegmentPose& segment : pose.segments)
     add_segment(segment.proximal, segment.distal, items);
   return items;
 }
@@ -24,10 +24,10 @@ Json bones_of(const SubjectPose& pose) {
 /// Lines from each link to the link that carries it, and to its tip.
 Json bones_of(const RobotPose& pose) {
   Json items = Json::array();
-  for (const RobotLinkNow& link : pose.links)
+  for (const RobotLinkPose& link : pose.links)
     if (link.parent >= 0) add_segment(nth(pose.links, link.parent).X_BL.p, link.X_BL.p, items);
-  for (const RobotTipNow& tip : pose.tips)
-    for (const RobotLinkNow& link : pose.links)
+  for (const RobotTipPose& tip : pose.tips)
+    for (const RobotLinkPose& link : pose.links)
       if (link.name == tip.link) add_segment(link.X_BL.p, tip.p, items);
   return items;
 }

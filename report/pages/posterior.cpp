@@ -90,7 +90,7 @@ Json forces_blocks(const PosteriorPicture& picture) {
   Json blocks = Json::array();
   for (const PredictedForces& predicted : picture.predicted)
     blocks.push_back(predictive_block(predicted));
-  // Pareto k tells where leaving out by weights is not to be believed.
+  // Show Pareto k, which marks unreliable leave-one-out estimates.
   if (picture.left_out) {
     const std::vector<std::string>& doubts = picture.left_out->result.warnings;
     add_doubts("Leaving observations out is doubtful", doubts, blocks);

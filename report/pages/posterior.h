@@ -1,9 +1,9 @@
 #pragma once
 
-/// A posterior as sections of a report: whether to believe it, what was learnt, what it predicts.
+/// Posterior as sections of a report: reliability, information gain, predictions.
 ///
-/// Everything is plain numbers, so that any sampler, study or file can fill it; what is left empty
-/// is left out of the page.
+/// It is plain numbers, so that any sampler, study or file can fill it; empty parts are left out of
+/// the page.
 
 #include <optional>
 #include <string>
@@ -20,16 +20,16 @@ namespace thenar {
 
 /// Content of a page about a posterior.
 struct PosteriorPicture {
-  std::string title;  // "H01 and H02"; heads the sections
+  std::string title;  // "H01 and H02"; title of the sections
   std::vector<Quantity> quantities;
-  std::vector<std::string> warnings;  // of the experiments, the subject, and noise
+  std::vector<std::string> warnings;  // warnings about the experiments, the subject, and noise
                                       // that is far larger than stated
-  std::vector<std::string> advice;    // what may help, sentences
-  Convergence convergence;            // its estimates are not used: quantities have them
-  std::string run;                    // one sentence: sampler, chains, draws, seconds
+  std::vector<std::string> advice;    // sentences on possible remedies
+  Convergence convergence;            // diagnostics; estimates are taken from quantities
+  std::string run;                    // one sentence on the run: sampler, chains, draws, seconds
   std::optional<ModeTable> modes;
   std::optional<TendonDigit> digit;  // before the fit; absent: no scene
-  Eigen::VectorXd posture;           // to draw it in [rad]
+  Eigen::VectorXd posture;           // posture of the drawing [rad]
   std::vector<AxisCloud> clouds;
   std::vector<PredictedForces> predicted;
   std::optional<LeftOutObservations> left_out;
@@ -37,27 +37,27 @@ struct PosteriorPicture {
 
 /// Options of the picture of a sampled posterior.
 struct PictureOptions {
-  std::string title;      // heads the sections
-  std::size_t most = 64;  // quantities shown: those learnt most about, and the eight with the
-                          // largest R-hat
+  std::string title;      // title of the sections
+  std::size_t most = 64;  // largest number of quantities: those with the largest information gain,
+                          // and the eight with the largest R-hat
 };
 
-/// A sampled posterior as the picture that posterior_sections() draws.
+/// Returns the content of a page about a sampled posterior, for posterior_sections().
 [[nodiscard]] PosteriorPicture posterior_picture(const PosteriorRun& run,
                                                  const PictureOptions& options = {});
 
-/// A banner that cannot be overlooked if the run has not converged, a yellow one with cautions, and
-/// a quiet line if all is well.
+/// Returns a prominent banner if the run has not converged, a yellow one with cautions, else a
+/// single line.
 [[nodiscard]] Json convergence_banner(const Convergence& convergence, const std::string& run);
 
-/// The sections of a report. The first has the banner; if the run has not converged, all others say
-/// so too.
+/// Returns the sections of a report. The first has the banner; if the run has not converged, all
+/// others say so too.
 [[nodiscard]] Json posterior_sections(const PosteriorPicture& picture);
 
-/// The page of a posterior.
+/// Returns the page of a posterior.
 [[nodiscard]] Json page_of(const PosteriorResult& result);
 
-/// The page of what draws predict; it says first of all whether they may be used.
+/// Returns the page of predictions by draws, which first states whether they may be used.
 [[nodiscard]] Json page_of(const PosteriorPrediction& result);
 
 }  // namespace thenar

@@ -24,8 +24,8 @@ constexpr std::size_t kMaxCurves = 24;  // Most curves of a chart
 constexpr double kLongestArrow = 0.25;
 constexpr double kBodyOpacity = 0.5;  // Opacity of bodies that are no links [1]
 const char* const kForceColor = "#b3261e";
-const char* const kPatchColor = "#1b6ca8";  // of pads
-const char* const kStickColor = "#0b3d2e";  // what of them sticks
+const char* const kPatchColor = "#1b6ca8";  // colour of contact patches of pads
+const char* const kStickColor = "#0b3d2e";  // colour of their sticking parts
 const char* const kFixedColor = "#b9c0c9";
 
 const char* color_of_owner(std::size_t index) {
@@ -134,7 +134,7 @@ class SceneFilm {
     for (std::size_t b = 0; b < meshes_.size(); ++b) {
       if (meshes_[b].empty() || moves(b)) continue;
       items.push_back(item(b, 0));
-      // The palm of a hand that stands still has the colour of its fingers.
+      // Draw the palm of a fixed hand in the colour of its fingers.
       if (has_moving_part(scene_.built->owner[b]))
         items.back()["color"] = colors_.at(scene_.built->owner[b]);
     }
@@ -201,7 +201,7 @@ class SceneFilm {
 
   const SceneResult& scene_;
   const Mechanism& mechanism_;
-  std::vector<std::string> meshes_;  // of each body; empty: it has none
+  std::vector<std::string> meshes_;  // mesh of each body; empty: none
   std::map<std::string, std::string> colors_;
   double largest_force_ = 0;  // [N]
   double arrow_ = 0.02;       // length of the largest force [m]
@@ -314,7 +314,7 @@ Json used_banner(const std::string& solved, const std::vector<std::string>& warn
 }
 
 Json run_banner(const SceneResult& scene) {
-  // A refused motion says why; otherwise the solver's residual is told.
+  // State the refusal of a motion; otherwise the solver's residual.
   const std::string refusal = refusal_of(scene);
   if (!refusal.empty()) return banner_block("Do not use this motion", Json::array({refusal}));
   return used_banner(has_contact_problems(scene)

@@ -95,7 +95,7 @@ Json page_of(const InferNetResult& inference) {
   if (inference.free)
     provenance["method"] = fmt::format("{} free, seed {}", fmt::join(inference.free->freed, ", "),
                                        inference.request.seed);
-  // Words on the fit, then on bands that the data cannot tell apart.
+  // Add words on the fit, then on bands that the data cannot distinguish.
   std::string text;
   for (const std::string& line :
        inference.free ? posterior_in_words(*inference.free) : fit_in_words(inference))

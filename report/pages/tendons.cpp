@@ -88,7 +88,7 @@ double round_up(double value) {
 struct NetPicture {
   const TendonSweepResult& sweep;
   const NetTendons& net;
-  std::optional<Subject> subject;  // whose skin is drawn
+  std::optional<Subject> subject;  // subject whose skin is drawn
   double highest;                  // tension of the scale [N]
 };
 

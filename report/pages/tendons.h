@@ -12,28 +12,32 @@
 
 namespace thenar {
 
-/// Scenes of the net at some of the postures, linked, bands coloured by tension, within the skin
-/// where the sweep has the source of its subject. @param meshes  gets those of the skin
+/// Returns linked scenes of the net at some of the postures, bands coloured by tension, within the
+/// skin where the sweep has the source of its subject. @param meshes  receives the meshes of the
+/// skin
 [[nodiscard]] Json net_scenes(const TendonSweepResult& sweep, std::size_t most, MeshTable& meshes);
 
-/// Ratio of terminal to central slip over the angle that varies along a row, one line a row; and
-/// the tension of every slip.
+/// Returns charts of the ratio of terminal to central slip over the angle that varies along a row,
+/// one line for each row; and of the tension of every slip.
 [[nodiscard]] Json slip_charts(const TendonSweepResult& sweep);
 
-/// The net in space, its slips, moment arms and tip force over a sweep, or at one posture.
+/// Returns a page with the net in space, its slips, moment arms and tip force over a sweep, or at
+/// one posture.
 [[nodiscard]] Json page_of(const TendonSweepResult& sweep);
 [[nodiscard]] Json page_of(const TendonSolveResult& solution);
 
-/// The verdict on every band, and what to measure next: tendon_infer.cpp.
+/// Returns a page with the verdict on every band, and proposed measurements. Defined in
+/// tendon_infer.cpp.
 [[nodiscard]] Json page_of(const InferNetResult& inference);
 
-/// The digit in space, to be played; angles, tensions and energy over time: motion.cpp.
+/// Returns a page with an animation of the digit; angles, tensions and energy over time. Defined in
+/// motion.cpp.
 [[nodiscard]] Json page_of(const DigitMotionResult& motion);
 
-/// A section with the extensor mechanism on every rung: the net in space and its slips over a
-/// sweep, and the errors of predicted tip forces of every specimen beside the time that a posture
-/// takes: hood.cpp.
-/// @param meshes  gets those of the skin
+/// Returns a section with the extensor mechanism on every rung: the net in space and its slips over
+/// a sweep, and the errors of predicted tip forces of every specimen over the time for a posture.
+/// Defined in hood.cpp.
+/// @param meshes  receives the meshes of the skin
 [[nodiscard]] Json hood_page(const TendonSweepResult& sweep,
                              const std::vector<HoodComparison>& comparisons, MeshTable& meshes);
 

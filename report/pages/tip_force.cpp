@@ -59,7 +59,7 @@ Json tip_scene(const TipForceResult& answer, MeshTable& meshes) {
                   10 / scale),
       meshes, [&](std::size_t i, const std::string&, Json& layers) {
         const TipForcePoint& point = answer.points[i];
-        if (point.failure.empty() && !point.singular)
+        if (point.message.empty() && !point.singular)
           layers.push_back(arrow_layer("force", "#d55e00", point.tip, scale * point.force));
       });
 }
@@ -92,7 +92,7 @@ Json page_of(const TipForceResult& answer) {
   // Sum up by the size of the force.
   std::vector<double> sizes;
   for (const TipForcePoint& point : answer.points)
-    if (point.failure.empty()) sizes.push_back(point.force.norm());
+    if (point.message.empty()) sizes.push_back(point.force.norm());
   return digit_page(answer, "tip forces", sections, meshes,
                     sizes.empty() ? "No force of the tip on the world can be determined."
                                   : fmt::format("The force of the tip on the world is {}.",

@@ -15,10 +15,10 @@ namespace thenar {
 /// Digits of one kind of draws: of the population, or of one specimen.
 struct AxisCloud {
   std::string name;                        // "population", "H01"
-  std::vector<TendonModel<double>> drawn;  // one a draw; 100 to 300 look well
+  std::vector<TendonModel<double>> drawn;  // one model for each draw; 100 to 300 look well
 };
 
-/// The digits at some of the draws, evenly spread.
+/// Returns the digits at `most` evenly spread draws.
 /// @param moving  indices in parameters.all of the rows of `values`; all others stay at their means
 /// @param values  [SI] (moving, draws)
 [[nodiscard]] AxisCloud axis_cloud(const std::string& name, const TendonDigit& digit,
@@ -26,9 +26,10 @@ struct AxisCloud {
                                    const Eigen::Ref<const Eigen::MatrixXd>& values,
                                    Eigen::Index most = 150);
 
-/// A picture: bones, the axes before the fit by name, the clouds, and the true axes if known.
+/// Returns a picture: bones, the axes before the fit by name, the clouds, and the true axes if
+/// known.
 /// @param start  the digit before the fit
-/// @param truth  the digit that simulated data were made with
+/// @param truth  true digit behind simulated data
 /// @param q      posture [rad]
 [[nodiscard]] Json axis_cloud_picture(const TendonDigit& start, const Eigen::VectorXd& q,
                                       const std::vector<AxisCloud>& clouds,

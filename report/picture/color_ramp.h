@@ -10,14 +10,14 @@
 
 namespace thenar {
 
-/// Colour of a fraction, which is clamped to 0..1: the ramp of viewer/picture/color_scale.js, so
-/// that the scale below a picture holds for meshes too.
+/// Returns the colour of a fraction, which is clamped to 0..1: the ramp of
+/// viewer/picture/color_scale.js, so that the scale below a picture also applies to meshes.
 [[nodiscard]] MeshColor ramp_color(double fraction);
 
-/// "#rrggbb" as bytes. @throws InputError if it is none
+/// Returns the bytes of a colour "#rrggbb". @throws InputError if the text has another form
 [[nodiscard]] MeshColor color_of_hex(const std::string& hex);
 
-/// A colour for every value on a scale from 0 to `high`; of values that are 0 or below `none`.
+/// Returns a colour for every value on a scale from 0 to `high`; `none` for values <= 0.
 [[nodiscard]] std::vector<MeshColor> ramp_colors(const Eigen::VectorXd& values, double high,
                                                  const MeshColor& none);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Direction from which a grasp is seen best.
+/// Best viewing direction of a grasp.
 
 #include <vector>
 
@@ -8,23 +8,25 @@
 
 namespace thenar {
 
-/// Limits of the eye's direction.
+/// Preferred viewing direction, and its limits.
 struct Eyes {
-  Eigen::Vector3d usual;  // direction from the object towards the eye, kept if it is as good (3)
-  Eigen::Vector3d up;     // of the picture, world frame (3)
-  double lowest = 0;      // above the plane across `up`, of other directions than the usual [rad]
+  Eigen::Vector3d
+      usual;  // default direction from the object towards the eye, kept if it is as good (3)
+  Eigen::Vector3d up;  // upward direction of the picture, world frame (3)
+  double lowest = 0;   // smallest elevation of directions other than `usual` [rad]
 };
 
-/// The direction that shows most of the contacts, their normals and the object, as near to the
-/// usual one as that leaves, in orthographic view.
+/// Returns the direction that shows most of the contacts, their normals and the object in an
+/// orthographic view, with a preference for the usual one.
 ///
-/// A contact is seen where a ray towards the eye, from 4 mm along its normal in the object, which
-/// is drawn translucent, meets neither hand nor obstacle; it counts by the sine between ray and
-/// normal, so that normals are seen from the side, and 0.7 of that through the object. Of the
-/// object up to 48 corners are asked. Of directions all round, at heights from -50 to 40 deg, the
+/// A contact is visible if a ray towards the eye, from 4 mm along its normal inside the translucent
+/// object, meets neither hand nor obstacle. It counts with the sine between ray and normal, so that
+/// normals are seen from the side, and with 0.7 of that through the object. Up to 48 corners of the
+/// object are tested. The candidates are directions all round at elevations from -50 to 40 deg; the
 /// best has the largest
 ///   (sum of counts / contacts) sqrt(corners seen / corners) + 0.15 cos(angle to the usual).
-/// @param contacts  in the object's frame; none: the usual one
+/// @param contacts  contacts in the object's frame; without contacts the usual direction is
+/// returned
 /// @returns unit, world frame (3)
 [[nodiscard]] Eigen::Vector3d view_of_contacts(const HandPicture& hand, const GraspSetup& setup,
                                                const std::vector<HandContact>& contacts,

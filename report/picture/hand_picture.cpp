@@ -19,7 +19,7 @@ constexpr double kObjectOpacity = 0.6;  // Opacity of the object [1]
 constexpr double kArrowShare = 0.25;
 constexpr double kMaxArrowLength = 12e-3;
 
-/// Colours of digits that tell them apart, paler than those of charts.
+/// Colours of digits, paler than those of charts.
 const char* digit_color(std::size_t index) {
   static constexpr const char* kColors[] = {"#6fa8cf", "#8dbb95", "#c7a6d1",
                                             "#d3a15f", "#7cc0c4", "#b0a37a"};

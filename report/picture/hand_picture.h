@@ -1,6 +1,6 @@
 #pragma once
 
-/// Hands, what they hold and where they touch it, as layers of a picture.
+/// Hands, held objects and contacts as layers of a picture.
 
 #include <vector>
 
@@ -12,31 +12,31 @@
 
 namespace thenar {
 
-/// A hand in its place.
+/// Hand with its posture and pose.
 struct HandPicture {
   const Hand& hand;
-  Eigen::VectorXd q;               // (coordinates) [rad] or [m]
-  Pose<double> X_WH;               //
+  Eigen::VectorXd q;  // (coordinates) [rad] or [m]
+  Pose<double> X_WH;
   std::vector<SkinPatch> patches;  // nails are drawn in their own colour; may be empty
-  int carrier_surfaces = 0;        // the first so many are of arm and base, which the view need
-                                   // not hold
+  int carrier_surfaces = 0;  // number of leading surfaces of arm and base, which may be out of view
 };
 
-/// A layer for every digit, one for what is no digit, one for what carries the hand; skin in the
-/// colour of skin, everything else in a colour for each digit.
+/// Returns a layer for every digit, one for the rest of the hand, and one for its carriers; skin
+/// has the colour of skin, everything else one colour for each digit.
 [[nodiscard]] Json hand_layers(const HandPicture& picture, MeshTable& meshes);
 
-/// The object, seen through so that contacts are seen, and the obstacles, which the view need not
-/// hold.
+/// Returns layers of the object, translucent so that contacts are visible, and of the obstacles,
+/// which may be out of view.
 [[nodiscard]] Json setup_layers(const GraspSetup& setup, MeshTable& meshes);
 
-/// Contacts: points and normals as one layer, friction cones as another.
-/// @param reach  of the object: arrows and sides of cones are a quarter of it, and no longer than a
-///               pad is wide, 12 mm [m]
+/// Returns layers of contacts: points and normals in one, friction cones in another.
+/// @param reach  reach of the object [m]: arrows and sides of cones are a quarter of it, at most 12
+/// mm, the width of a pad
 [[nodiscard]] Json contact_layers(const std::vector<HandContact>& contacts,
                                   const Pose<double>& X_WO, double reach);
 
-/// A block that shows layers. @param view  from the object towards the eye, world frame (3)
+/// Returns a block that shows layers. @param view  direction from the object towards the eye, world
+/// frame (3)
 [[nodiscard]] Json picture_block(const std::string& caption, const Eigen::Vector3d& view,
                                  Json layers);
 
@@ -44,7 +44,7 @@ struct HandPicture {
 [[nodiscard]] Json thumbnail_block(const std::string& caption, const Eigen::Vector3d& view,
                                    Json layers);
 
-/// `more` after `layers`.
+/// Returns `layers` followed by `more`.
 [[nodiscard]] Json joined(Json layers, const Json& more);
 
 }  // namespace thenar

@@ -18,7 +18,7 @@ Json line(const std::vector<Eigen::Vector3d>& points) {
 Json finger_layer(const NetTendons& tendons, const TreeState<double>& state) {
   const FingerFrame& frame = tendons.net().frame;
   Json items = Json::array();
-  constexpr double kShownOfPalm = 0.4;  // of the metacarpal; the rest has nothing on it
+  constexpr double kShownOfPalm = 0.4;  // drawn distal share of the metacarpal [1]
   for (std::size_t i = 0; i < frame.bones.size(); ++i) {
     FingerBone bone = frame.bones[i];
     if (i == 0) bone.proximal = bone.distal + kShownOfPalm * (bone.proximal - bone.distal);

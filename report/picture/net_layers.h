@@ -7,17 +7,18 @@
 
 namespace thenar {
 
-/// The bones of the finger as the net knows them, the metacarpal as well.
+/// Returns a layer with the bones of the net's finger frame, including the metacarpal.
 [[nodiscard]] Json finger_layer(const NetTendons& tendons, const TreeState<double>& state);
 
-/// Surfaces of bones over which the net slides.
+/// Returns a layer with the bone surfaces over which the net slides.
 [[nodiscard]] Json surface_layer(const NetTendons& tendons, const TreeState<double>& state);
 
-/// Bands: those that pull carry their tension as `value` [N], slack ones are dashed.
+/// Returns layers of bands: taut ones have their tension as `value` [N], slack ones are dashed.
 [[nodiscard]] Json band_layers(const NetTendons& tendons, const TreeState<double>& state,
                                const NetEquilibrium& rest);
 
-/// Muscles from where they leave the net, with the tension that they give it as `value`, by name.
+/// Returns a layer of muscles by name, from their exits from the net, with their tension on it as
+/// `value`.
 [[nodiscard]] Json muscle_layer(const NetTendons& tendons, const TreeState<double>& state,
                                 const Eigen::VectorXd& t);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kFleshColor = "#dfab8f";
 constexpr const char* kNailTint = "#f0d3c6";
 constexpr double kSeenThrough = 0.32;  // opacity [1]
-constexpr int kSkinTriangles = 1200;   // of each segment, at most
+constexpr int kSkinTriangles = 1200;   // largest number of triangles of a segment [1]
 
 /// The anatomy of a subject; none if it has too few bones.
 std::optional<HandAnatomy> anatomy_of(const Subject& subject) {
@@ -47,7 +47,7 @@ Json skin_layer(const SkinnedDigit& digit, MeshTable& meshes) {
   // Skin needs the anatomy of the hand, and is drawn of this digit alone.
   std::optional<HandAnatomy> anatomy = anatomy_of(digit.subject);
   if (!anatomy) return nullptr;
-  anatomy->palm.reset();  // without its web, which would hang in the air
+  anatomy->palm.reset();  // its web would not be attached to anything
   const Skeleton& skeleton = digit.tendons.skeleton;
   const DigitAnatomy* own = digit_named(*anatomy, skeleton.tips.front().digit);
   if (own == nullptr) return nullptr;

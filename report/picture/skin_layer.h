@@ -1,6 +1,6 @@
 #pragma once
 
-/// The skin of a digit as a layer of a 3D picture, seen through, with its nail.
+/// Skin of a digit as a translucent layer of a 3D picture, with its nail.
 
 #include "data/io/subject.h"
 #include "report/picture/mesh_table.h"
@@ -8,21 +8,21 @@
 
 namespace thenar {
 
-/// A digit whose skin is drawn.
+/// Digit whose skin is drawn.
 struct SkinnedDigit {
-  const Subject& subject;       // whose skin it is
-  const TendonDigit& tendons;   // the digit before a fit: where its segments are
-  const TreeState<double>& at;  // of its links as they are drawn
+  const Subject& subject;       // subject that the skin belongs to
+  const TendonDigit& tendons;   // digit before a fit, with its segments
+  const TreeState<double>& at;  // state of its links in the picture
 };
 
-/// A mesh for each segment of the digit that has flesh, translucent, so that bones are seen within
-/// it; skin and nail have their own colours.
+/// Returns a layer with a translucent mesh for each segment that has flesh; skin and nail have
+/// their own colours.
 ///
-/// Null where the subject has too few bones for a skin, as find_anatomy() has it.
-/// @param meshes  gets those that are drawn
+/// Null if the subject has too few bones for a skin, see find_anatomy().
+/// @param meshes  receives the meshes of the layer
 [[nodiscard]] Json skin_layer(const SkinnedDigit& digit, MeshTable& meshes);
 
-/// Adds that layer behind the layers of a picture, if there is one.
+/// Appends skin_layer() to the layers of a picture, unless it is null.
 void add_skin(const SkinnedDigit& digit, MeshTable& meshes, Json& layers);
 
 }  // namespace thenar

@@ -19,7 +19,7 @@ OrderedJson closing_json(const LiveWorld& live, const LivePair& pair, const Hand
   OrderedJson stopped = OrderedJson::array();
   const GraspResult standing = standing_grasp(live, pair);
   for (const JointRow& row : joint_rows(standing))
-    stopped.push_back({{"joint", row.name}, {"by", row.stopped_by}, {"why", row.why}});
+    stopped.push_back({{"joint", row.name}, {"by", row.stopped_by}, {"why", row.reason}});
   Grasp told{};
   told.outcome = closing.outcome;
   told.approached = closing.approached;

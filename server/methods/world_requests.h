@@ -20,7 +20,7 @@ namespace thenar::internal {
 LiveWorld& open_live_world(Session& session);
 
 /// Most characters of a name, and of a path.
-inline constexpr std::size_t kNameLength = 300, kPathLength = kLongestOutsidePath;
+inline constexpr std::size_t kNameLength = 300, kPathLength = kMaxOutsidePath;
 inline constexpr double kFarthest = 1000;  // of a position [m]
 
 /// Returns the schema of a place: "position" and "rotation" of a request; each may be left out.

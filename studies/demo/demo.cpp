@@ -302,7 +302,7 @@ std::vector<SetPage> demo_pages(const DemoResult& demo, double seconds) {
   add(grasp_and_pad_pages(demo));
   // Sum up last, because the front page repeats a line and a figure of every page.
   SetPage front = front_of(seconds);
-  sum_up(pages, front);
+  fill_front_page(pages, front);
   pages.insert(pages.begin(), std::move(front));
   link_pages(pages);
   // Pages that say nothing of their origin have that of the whole.

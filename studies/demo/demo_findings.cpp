@@ -259,8 +259,8 @@ Finding thumb_recovery_finding(const ThumbRecoveryResult& result) {
   const KeptAxes made_up = kept_axes(recovery);
   const ReweightedDraws& prior = result.lessons.reweighted.front();
   const DataUpdate& both = update_by_both(prior);
-  std::string measured = fmt::format("is not told ({})", both.untold);
-  if (both.untold.empty()) {
+  std::string measured = fmt::format("is not told ({})", both.message);
+  if (both.message.empty()) {
     const KeptShares kept = kept_shares(prior, both);
     measured = fmt::format("{:.0f} % (rms over {} tilts, of which {} keep more than {:.0f} %){}",
                            100 * kept.rms, prior.names.size(), kept.undecided,

@@ -20,7 +20,8 @@ struct Finding {
   std::string line;
 };
 
-/// A page with what was found. @param figure  type of the block that stands for it; "": none
+/// Returns a page with a finding. @param figure  type of the block that represents it; "":
+/// none
 [[nodiscard]] SetPage page_for(const std::string& file, const std::string& title,
                                const Finding& finding, Json page, const char* figure);
 
@@ -39,7 +40,7 @@ struct Finding {
 /// Returns the finding about the cost of skewed axes for a thumb. @param page  its sections, whose
 /// table has the sets
 [[nodiscard]] Finding thumb_finding(const ThumbStudy& study, const Json& page);
-/// Returns the finding about the recovery of a thumb from made-up data, and about the information
+/// Returns the finding about the recovery of a thumb from simulated data, and about the information
 /// that measurements add.
 [[nodiscard]] Finding thumb_recovery_finding(const ThumbRecoveryResult& result);
 /// Returns the findings about a wine glass, about a thumb on a mug, and about the accuracy of

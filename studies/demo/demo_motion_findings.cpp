@@ -131,11 +131,11 @@ Finding hands_finding(const Comparison& comparison) {
 }
 
 Finding pad_finding(const PressResult& pressed) {
-  const PressInstant* end = pressed.end_of_way();
+  const PressInstant* end = pressed.end_of_motion();
   // The most accurate model that costs less than a millisecond.
   const PressRung* cheap = nullptr;
   for (const PressRung& rung : pressed.rungs)
-    if (rung.failure.empty() && !rung.finest && rung.cpu < 1e-3 &&
+    if (rung.message.empty() && !rung.finest && rung.cpu < 1e-3 &&
         (cheap == nullptr || rung.error < cheap->error))
       cheap = &rung;
   const std::string force = end == nullptr ? "was not solved"

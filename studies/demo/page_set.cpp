@@ -48,7 +48,7 @@ Json first_block(const Json& page, const std::string& type) {
   return nullptr;
 }
 
-void sum_up(const std::vector<SetPage>& pages, SetPage& front) {
+void fill_front_page(const std::vector<SetPage>& pages, SetPage& front) {
   Json lines = Json::array(), sections = Json::array(), meshes = Json::object();
   // Each page gives one line, one figure and a link to the whole.
   for (const SetPage& page : pages) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Specimens that every solver fitted and that were cross-validated, as sections of a page.
+/// Sections of a page about specimens fitted by every solver and cross-validated.
 
 #include <vector>
 
@@ -9,23 +9,24 @@
 
 namespace thenar {
 
-/// Relative errors of everything beside everything: the first section.
+/// Returns the first section: relative errors of all methods on all experiments.
 [[nodiscard]] Json accuracy_page(const std::vector<SpecimenStudy>& studies);
 
-/// Every solver: cost reached, error, time; and both on one chart.
+/// Returns a section about every solver: final cost, error, time; and a chart.
 [[nodiscard]] Json solver_page(const std::vector<SpecimenStudy>& studies);
 
-/// Measured against predicted force vectors, in sample and left out.
+/// Returns a section with measured and predicted force vectors, in sample and left out.
 [[nodiscard]] Json force_page(const std::vector<SpecimenStudy>& studies);
 
 /// Returns the page about parameters: what the data determine, and what they cannot.
 [[nodiscard]] Json parameter_page(const std::vector<SpecimenStudy>& studies);
 
-/// Several specimens as one population, and specimens that it has not seen.
+/// Returns a section about several specimens as one population, and about unseen specimens.
 [[nodiscard]] Json population_page(const PopulationStudy& study,
                                    const std::vector<SpecimenStudy>& studies);
 
-/// The fitted finger in 3D, its axes before and after. @param meshes  gets those of its skin
+/// Returns a section with the fitted finger in 3D, its axes before and after the fit. @param meshes
+/// receives the meshes of its skin
 [[nodiscard]] Json finger_page(const std::vector<SpecimenStudy>& studies, MeshTable& meshes);
 
 }  // namespace thenar

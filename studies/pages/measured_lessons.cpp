@@ -117,13 +117,13 @@ Json measured_table(const MeasuredLessons& of) {
 /// A row of the table of updates; without numbers where weights tell nothing.
 Json update_row(const ReweightedDraws& draws, const DataUpdate& update) {
   // Numbers of the weights come first: without them nothing behind is to be believed.
-  const bool told = update.untold.empty();
+  const bool told = update.message.empty();
   const ImportanceWeights& weights = update.weights;
   Json row{draws.name, update.added.name, draws.tilts.cols()};
   for (const double number : {weights.effective_size, weights.k, weights.good_k})
     row.push_back(weights.weight.size() > 0 && std::isfinite(number) ? Json(number)
                                                                      : Json(nullptr));
-  row.push_back(!told ? "NO: " + update.untold : weights.reliable() ? "yes" : "NO");
+  row.push_back(!told ? "NO: " + update.message : weights.reliable() ? "yes" : "NO");
   if (!told) {
     for (int i = 0; i < 6; ++i) row.push_back(nullptr);
     return row;
@@ -311,9 +311,9 @@ std::string alone_words(const ThumbRecoveryResult& result) {
       " Of {} thumbs of the prior {} cannot press in key pinch at all and have no weight.{}\n\n",
       prior.tilts.cols(), (prior.predicted.intact.array() < kNoPinch).count(),
       undecided_words(prior));
-  if (!both.untold.empty())
+  if (!both.message.empty())
     return fmt::format("What the {} numbers teach alone is not told: {}.", measured_numbers(of),
-                       both.untold) +
+                       both.message) +
            cannot;
   // Compare with what the made-up data leave of an axis.
   const KeptShares kept = kept_shares(prior, both);
@@ -340,7 +340,7 @@ std::string beside_words(const MeasuredLessons& of) {
   const DataUpdate& both = update_by_both(posterior);
   const Misses misses = misses_of_truth(of);
   std::string words;
-  if (both.untold.empty()) {
+  if (both.message.empty()) {
     const KeptShares kept = kept_shares(posterior, both);
     words = fmt::format(
         "Beside the made-up data they leave {:.0f} to {:.0f} % of what those had left ({:.0f} % in "
@@ -348,7 +348,7 @@ std::string beside_words(const MeasuredLessons& of) {
         "widen it.",
         100 * kept.least, 100 * kept.most, 100 * kept.rms, doubt_of(both));
   } else {
-    words = fmt::format("What they teach beside the made-up data is not told: {}.", both.untold);
+    words = fmt::format("What they teach beside the made-up data is not told: {}.", both.message);
   }
   return words +
          fmt::format(
@@ -366,7 +366,7 @@ std::string limits_words(const MeasuredLessons& of) {
   std::vector<std::string> doubtful;
   for (const ReweightedDraws& draws : of.reweighted)
     for (const DataUpdate& update : draws.updates)
-      if (!update.untold.empty() || !update.weights.reliable())
+      if (!update.message.empty() || !update.weights.reliable())
         doubtful.push_back(fmt::format("{} ({}, effective size {:.0f})", update.added.name,
                                        draws.name, update.weights.effective_size));
   return (doubtful.empty() ? "All weights are reliable by their Pareto k."
@@ -379,7 +379,7 @@ std::string limits_words(const MeasuredLessons& of) {
 }  // namespace
 
 std::string doubt_of(const DataUpdate& update) {
-  if (!update.untold.empty()) return fmt::format(" (NOT told: {})", update.untold);
+  if (!update.message.empty()) return fmt::format(" (NOT told: {})", update.message);
   return update.weights.reliable() ? "" : " (NOT reliable: Pareto k is above its limit)";
 }
 

@@ -10,27 +10,28 @@
 namespace thenar {
 
 /// Returns the section about published measurements: their values, the predictions of models, and
-/// the sds of tilts that remain once they are added, to the prior and to the posterior of made-up
+/// the sds of tilts that remain once they are added, to the prior and to the posterior of simulated
 /// data.
 [[nodiscard]] Json measured_lessons_section(const ThumbRecoveryResult& result);
 
-/// Share of its plain sd that each tilt keeps under an update: rms over tilts, least and most.
+/// Ratio of the sd of each tilt after an update to that before: rms, smallest and largest over
+/// tilts.
 struct KeptShares {
   double rms, least, most;         // [1]
   std::string least_name;          // "CMC1_AA tilt 2"
-  double largest_shift;            // of a mean, in plain sds [1]
-  std::string largest_shift_name;  // likewise
-  int narrower = 0;                // tilts that keep less than 1 by two errors [1]
-  int undecided = 0;               // tilts that keep more than kUndecidedShare [1]
+  double largest_shift;            // largest shift of a mean, in plain sds [1]
+  std::string largest_shift_name;  // name of the quantity with the largest shift
+  int narrower = 0;                // tilts with a ratio below 1 by two errors [1]
+  int undecided = 0;               // tilts with a ratio above kUndecidedShare [1]
 };
-/// @param update  whose weights tell something
+/// Computes the shares. @param update  update with reliable weights
 [[nodiscard]] KeptShares kept_shares(const ReweightedDraws& draws, const DataUpdate& update);
 
-/// "" if weights are to be believed; else " (NOT reliable ..)", or " (NOT told ..)" without
+/// Returns "" if weights are reliable; else " (NOT reliable ..)", or " (NOT told ..)" without
 /// numbers.
 [[nodiscard]] std::string doubt_of(const DataUpdate& update);
 
-/// The update of both measurements as they are stated.
+/// Returns the update by both measurements with their stated sds.
 [[nodiscard]] const DataUpdate& update_by_both(const ReweightedDraws& draws);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A study of made-up thumbs as words, fields and rows.
+/// Study of simulated thumbs as text, fields and rows.
 
 #include <string>
 
@@ -12,13 +12,15 @@ namespace thenar {
 /// Returns the errors of each fit in explaining forces of the true thumb.
 [[nodiscard]] std::string text_of(const ThumbStudyResult& result);
 
-/// Fits with what each learnt, thumbs that were not fitted, and the calibration if there is one.
+/// Returns the fits with their learnt numbers, thumbs that were not fitted, and the calibration if
+/// there is one.
 [[nodiscard]] Fields fields_of(const ThumbStudyResult& result);
 
-/// One row for each fit: errors of directions and forces, of tasks, elpd, modes, R-hat.
+/// Returns a table with a row for each fit: errors of directions and forces, of tasks, elpd, modes,
+/// R-hat.
 [[nodiscard]] Table table_of(const ThumbStudyResult& result);
 
-/// "3 of 12 fits have NOT converged; they are marked ..": why the study is not to be relied on; ""
+/// Returns why the study is not reliable: "3 of 12 fits have NOT converged; they are marked .."; ""
 /// if it is.
 [[nodiscard]] std::string study_complaint(const ThumbStudyResult& result);
 

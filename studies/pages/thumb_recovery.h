@@ -1,6 +1,6 @@
 #pragma once
 
-/// A thumb found again from made-up forces and muscle activity.
+/// Recovery of a thumb from simulated forces and muscle activity.
 
 #include <cstddef>
 #include <string>
@@ -10,28 +10,29 @@
 
 namespace thenar {
 
-/// Returns the section about the recovery of a thumb: the made-up data, and the values found by
+/// Returns the section about the recovery of a thumb: the simulated data, and the values found by
 /// least squares and chains beside the truth: axes, every tilt and shift with its 95 % interval,
-/// the agreement of both methods, what could not be told, and the axes in space.
+/// the agreement of both methods, undetermined numbers, and the axes in space.
 [[nodiscard]] Json thumb_recovery_section(const ThumbRecovery& recovery);
 
-/// Numbers that were made up: three components of the force of each trial and each task, and an
-/// activation of each muscle that a task read [1].
+/// Count of simulated numbers: three force components of each trial and each task, and an
+/// activation of each measured muscle of a task [1].
 struct MadeUpNumbers {
   std::size_t forces = 0, activations = 0;
 };
 [[nodiscard]] MadeUpNumbers made_up_numbers(const ThumbRecovery& of);
 
-/// Sentences on what did not converge, each after a space; "" if both methods did.
+/// Returns sentences on methods that did not converge, each after a space; "" if both did.
 [[nodiscard]] std::string recovery_doubts(const ThumbRecovery& recovery);
 
-/// Shares of the prior's sd that made-up data leave of an axis, by the draws: least and most [1].
+/// Smallest and largest ratio of the draws' sd of an axis to its prior sd [1].
 struct KeptAxes {
   double least, most;
 };
 [[nodiscard]] KeptAxes kept_axes(const ThumbRecovery& recovery);
 
-/// "CMC1_AA tilt 2" of "axis/CMC1_AA/direction/2", "IP1 shift 1" of "axis/IP1/point/1".
+/// Returns a parameter of an axis in words: "CMC1_AA tilt 2" for "axis/CMC1_AA/direction/2", "IP1
+/// shift 1" for "axis/IP1/point/1".
 [[nodiscard]] std::string words_of_axis_parameter(const std::string& name);
 
 }  // namespace thenar

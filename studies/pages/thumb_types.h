@@ -7,7 +7,8 @@
 
 namespace thenar {
 
-/// Shares of the types, their Denavit-Hartenberg parameters, and the distribution drawn from.
+/// Returns a page with shares of the types, their Denavit-Hartenberg parameters, and the
+/// distribution drawn from.
 [[nodiscard]] Json page_of(const ThumbTypesResult& result);
 
 }  // namespace thenar

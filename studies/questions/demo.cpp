@@ -290,8 +290,8 @@ DemoResult run_demo_study(const DemoRequest& request, const Progress& progress) 
   run_tasks(std::move(tasks), progress);
   // Files, one by one.
   write_posteriors(request, places, demo);
-  demo.stopped = progress.stop();
-  if (demo.stopped) return demo;
+  if (progress.stop()) demo.outcome.status = Status::kStopped;
+  if (demo.outcome.stopped()) return demo;
   for (std::optional<SpecimenStudy>& specimen : places.specimens)
     demo.specimens.push_back(std::move(specimen.value()));
   write_fits(request, demo);

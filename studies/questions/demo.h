@@ -1,6 +1,7 @@
 #pragma once
 
-/// The main job on real data: middle fingers of two hands fitted to measured forces.
+/// Demo of the main applications on real data: middle fingers of two hands fitted to measured
+/// forces, and more.
 
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@
 #include "dynamics/scene/work_precision.h"
 #include "kinematics_fit/bands/hood_comparison.h"
 #include "posterior/run/posterior_summary.h"
+#include "solvers/status.h"
 #include "studies/questions/fit_study.h"
 #include "studies/questions/study.h"
 
@@ -26,74 +28,77 @@ namespace thenar {
 struct DemoRequest {
   std::string data;               // folder with subjects/, fits/ and experiments/
   std::string output;             // folder for results: NAME.h5 of fits, NAME.nc of posteriors
-  RunRecord run;                  // for the files
-  std::optional<Path> path = {};  // of tendons of human hands in scenes; absent: default_path()
+  RunRecord run;                  // record of the run for the files
+  std::optional<Path> path = {};  // tendon paths of human hands in scenes; absent: default_path()
 };
 
-/// A posterior that the demo sampled.
+/// Posterior sampled by the demo.
 struct DemoPosterior {
-  std::string name;  // of the experiment, or "population"
+  std::string name;  // name of the experiment, or "population"
   PosteriorRun run;
-  std::vector<Prediction> fitted, unseen;  // of each experiment of the run; of each other one
+  std::vector<Prediction> fitted,
+      unseen;  // of each experiment of the run; of each other one
   LeftOutObservations left_out;
 };
 
-/// The extensor hood of the middle finger while it bends, DIP by two thirds of PIP.
+/// Extensor hood of the middle finger during flexion, with DIP at two thirds of PIP.
 struct DemoHood {
   TendonSweepResult sweep;
   std::vector<HoodComparison> rungs;  // every rung of hood beside each experiment
 };
 
-/// A thumb at a posture of its own.
+/// Thumb with its posture.
 struct DemoThumb {
   std::string title;
   Subject subject;
   std::map<std::string, double> posture;  // joint -> angle [rad]
-  Eigen::Vector3d dorsal{0, 1, 0};        // of the palm, subject's frame (3)
+  Eigen::Vector3d dorsal{0, 1, 0};        // dorsal direction of the palm, subject's frame (3)
 };
 
-/// Scenes in motion.
+/// Simulated scenes.
 struct DemoMotion {
   SceneResult glass;                 // figure 3 of [Miller2005]: data/scenes/wine_glass.toml
-  SceneResult thumb, thumb_on_pins;  // its figure 8: thumb_mug.toml, whose joints give or do not
-  std::vector<PadState> pad, pad_on_pins;  // the thumb's against the mug
-  std::vector<WorkPoint> work;             // on ball_on_ball.toml; errors of the ball's place [m]
+  SceneResult thumb, thumb_on_pins;  // figure 8 of [Miller2005]: thumb_mug.toml, with compliant and
+                                     // with rigid joints
+  std::vector<PadState> pad, pad_on_pins;  // states of the thumb's pad against the mug
+  std::vector<WorkPoint> work;             // ball_on_ball.toml: cost, error of the ball's place [m]
 };
 
 struct DemoResult {
   StudyInputs inputs;
-  std::vector<SpecimenStudy> specimens;       // each alone
-  std::optional<PopulationStudy> population;  // both together; absent: stopped
-  std::vector<DemoPosterior> posteriors;      // of each alone, and of both
+  std::vector<SpecimenStudy> specimens;       // each specimen alone
+  std::optional<PopulationStudy> population;  // both specimens together; absent: stopped
+  std::vector<DemoPosterior> posteriors;      // posteriors of each specimen alone, and of both
   ThumbStudyResult thumb_study;
-  ThumbRecoveryResult thumb_recovery;  // made-up data, and measurements
+  ThumbRecoveryResult thumb_recovery;  // simulated data, and measurements
   DemoHood hood;
   std::vector<DemoThumb> thumbs;
   DemoMotion motion;
   CompareResult hands;             // a human and three robot hands on two objects
-  PressResult pad;                 // under a ball
-  RungComparison pencil;           // pinched by pads, on every rung
-  std::vector<std::string> files;  // that were written
-  bool stopped = false;            // by request: parts are missing, no fit was written
+  PressResult pad;                 // press by a ball
+  RungComparison pencil;           // pencil pinched by pads, on every rung
+  std::vector<std::string> files;  // written files
+  Outcome outcome;                 // stopped: parts are missing, and no fit was written
 };
 
-/// Fits by every solver, cross-validates, predicts what was not seen, samples posteriors, asks what
-/// forces tell of a thumb's axes, finds a thumb again from made-up forces and muscle activity and
-/// adds measurements, bends a finger with its hood, moves scenes, lets hands grasp and presses
-/// pads. Some minutes of all cores; the same bits with any number of them,
-/// but for times and the last digits of Ipopt, whose BLAS goes by where memory lies.
+/// Fits by every solver, cross-validates, predicts unseen specimens, samples posteriors, computes
+/// the information of forces about a thumb's axes, recovers a thumb from simulated forces and
+/// muscle activity and adds measurements, flexes a finger with its hood, simulates scenes, compares
+/// hands in grasping and presses pads. Takes some minutes of all cores. Results are bitwise equal
+/// for any number of cores, except times and the last digits of Ipopt, whose BLAS depends on memory
+/// alignment.
 /// @throws InputError if data are missing or the folder cannot be written.
 [[nodiscard]] DemoResult run_demo_study(const DemoRequest& request, const Progress& progress = {});
 
-/// Tasks that simulate the scenes of the demo.
+/// Returns tasks that simulate the scenes of the demo.
 /// @param data  folder with scenes/, robots/ ..; empty: the usual ones
-/// @param path  as of DemoRequest
-/// @param motion  that they fill in; outlives them
+/// @param path  see DemoRequest
+/// @param motion  receives their results; must outlive them
 [[nodiscard]] std::vector<ParallelTask> demo_scene_tasks(const std::string& data,
                                                          const std::optional<Path>& path,
                                                          DemoMotion& motion);
 
-/// Simulates the scenes of the demo: some seconds.
+/// Simulates the scenes of the demo, which takes some seconds.
 [[nodiscard]] DemoMotion move_demo_scenes(const std::string& data, const Progress& progress = {},
                                           const std::optional<Path>& path = {});
 

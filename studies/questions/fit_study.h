@@ -1,6 +1,6 @@
 #pragma once
 
-/// Compares a fit with other solvers, left-out data and baselines on the same trials.
+/// Comparison of a fit with other solvers, left-out data and baselines on the same trials.
 
 #include <string>
 #include <vector>
@@ -17,17 +17,17 @@ namespace thenar {
 struct SolverRun {
   LeastSquaresMethod method;
   Solution solution;
-  ForceError error;  // in sample
+  ForceError error;  // error in sample
 };
 
 /// One specimen, fitted alone.
 struct SpecimenStudy {
-  Fit fit;                        // by the first solver
-  Prediction in_sample;           // with predictive sds
+  Fit fit;                        // fit by the first solver
+  Prediction in_sample;           // predictions with predictive sds
   CrossValidation postures;       // leave one posture out
   CrossValidation tendons;        // leave one tendon out
   std::vector<SolverRun> runs;    // every solver from the same start
-  std::vector<Profile> profiles;  // of the coordinates with the smallest posterior sds
+  std::vector<Profile> profiles;  // profiles of the coordinates with the smallest posterior sds
   std::vector<BaselinePrediction> baselines;
 };
 
@@ -56,7 +56,7 @@ struct NamedSubject {
 /// Inputs of a study: fits, and baselines to compare them with.
 struct StudyInputs {
   FitInputs specimen;                   // subject and settings of the single fits; all experiments
-  SourceText population_subject;        // where the population starts
+  SourceText population_subject;        // subject at which the population starts
   std::vector<SourceText> unseen;       // experiments to predict and never to fit
   std::vector<NamedSubject> baselines;  // used as they are, in the plane of the finger
   std::vector<LeastSquaresMethod> methods;

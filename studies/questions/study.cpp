@@ -29,10 +29,11 @@ ThumbCalibrationSettings calibration_of(const ThumbStudyRequest& request,
 
 ThumbStudyResult ask_thumb_study(const ThumbStudyRequest& request, const Progress& progress) {
   const ThumbStudyInputs inputs = thumb_study_inputs(data_with("fits", request.data));
-  ThumbStudyResult result{study_thumb(inputs, settings_of(request, progress)), {}, request.seed};
+  ThumbStudyResult result{
+      study_thumb(inputs, settings_of(request, progress)), {}, request.seed, {}};
   if (request.simulations > 0 && !progress.stop())
     result.calibration = calibrate_thumb(inputs, calibration_of(request, progress));
-  result.stopped = !result.study.complete || progress.stop();
+  if (!result.study.complete || progress.stop()) result.outcome.status = Status::kStopped;
   return result;
 }
 
@@ -57,8 +58,8 @@ ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
   recovery.progress = parts.next(kRecoveryTime);
   ThumbRecoveryResult result;
   result.recovery = recover_thumb(thumb_study_inputs(data), recovery);
-  result.stopped = !result.recovery.complete;
-  if (result.stopped) return result;
+  if (!result.recovery.complete) result.outcome.status = Status::kStopped;
+  if (result.outcome.stopped()) return result;
 
   // Draws of its prior and posterior, weighed by what was measured.
   MeasuredLessonsSettings lessons;
@@ -66,7 +67,7 @@ ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
   lessons.progress = parts.next(kLessonsTime);
   result.lessons = reweight_by_measurements(measured_thumb_inputs(data), result.recovery.run,
                                             result.recovery.truth, lessons);
-  result.stopped = !result.lessons.complete;
+  if (!result.lessons.complete) result.outcome.status = Status::kStopped;
   return result;
 }
 

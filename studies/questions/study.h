@@ -1,13 +1,14 @@
 #pragma once
 
-/// Studies of thumbs: information about a thumb's axes in forces, by a made-up experiment whose
-/// answer is known; types of thumbs that result from the spread of axes between people; recovery of
-/// a thumb from forces and muscle activity, and the information that published measurements add.
+/// Studies of thumbs: information about a thumb's axes in forces, by a simulated experiment with
+/// known truth; types of thumbs that result from the spread of axes between people; recovery of a
+/// thumb from forces and muscle activity, and the information that published measurements add.
 
 #include <optional>
 #include <string>
 
 #include "base/progress.h"
+#include "solvers/status.h"
 #include "studies/thumb/measured_lessons.h"
 #include "studies/thumb/thumb_calibration.h"
 #include "studies/thumb/thumb_recovery.h"
@@ -19,19 +20,20 @@ namespace thenar {
 struct ThumbStudyRequest {
   std::string data;     // folder with fits/, studies/, subjects/; empty: the usual ones
   bool quick = false;   // arms known, one skewness: seconds instead of minutes
-  long draws = 0;       // of each of 4 chains, and of warm-up; 0: as the study has them [1]
-  int simulations = 0;  // thumbs that the sampler is calibrated with; 0: it is not [1]
-  unsigned seed = 1;    // of noise and chains
+  long draws = 0;       // draws of each of 4 chains, and of warm-up; 0: as the study has them [1]
+  int simulations = 0;  // simulated thumbs for the calibration of the sampler; 0: none [1]
+  unsigned seed = 1;    // seed of noise and chains
 };
 
 struct ThumbStudyResult {
   ThumbStudy study;
-  std::optional<ThumbCalibration> calibration;  // absent unless asked for
+  std::optional<ThumbCalibration> calibration;  // absent unless requested
   unsigned seed = 1;
-  bool stopped = false;  // by request; what was finished by then is here
+  Outcome outcome;  // stopped: the parts finished by then
 };
 
-/// Fits orthogonal and skewed thumbs to forces of a skewed one. Same request, same bits.
+/// Fits orthogonal and skewed thumbs to forces of a skewed one. The same request gives bitwise
+/// equal results.
 /// @throws InputError if no data folder has fits/.
 [[nodiscard]] ThumbStudyResult ask_thumb_study(const ThumbStudyRequest& request,
                                                const Progress& progress = {});
@@ -39,7 +41,7 @@ struct ThumbStudyResult {
 struct ThumbTypesRequest {
   std::string data;   // folder with studies/ and subjects/; empty: the usual ones
   int draws = 3550;   // [1]
-  unsigned seed = 1;  // of the draws
+  unsigned seed = 1;  // seed of the draws
 };
 
 struct ThumbTypesResult {
@@ -47,32 +49,34 @@ struct ThumbTypesResult {
   unsigned seed = 1;
 };
 
-/// Computes the types of thumbs that the spread of joint axes makes, and the number of each. Same
-/// request, same bits. @throws InputError if no data folder has studies/, or draws is not positive.
+/// Computes the types of thumbs that result from the spread of joint axes, and the number of each.
+/// The same request gives bitwise equal results. @throws InputError if no data folder has studies/,
+/// or draws is not positive.
 [[nodiscard]] ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request,
                                                const Progress& progress = {});
 
 struct ThumbRecoveryRequest {
   std::string data;   // folder with fits/, studies/, experiments/, subjects/; empty: the usual
                       // ones
-  long draws = 0;     // of each of 4 chains, and of warm-up; 0: as the study has them [1]
-  long weighed = 0;   // draws of the prior that measurements weigh; 0: likewise [1]
-  unsigned seed = 1;  // of noise and chains
+  long draws = 0;     // draws of each of 4 chains, and of warm-up; 0: as the study has them [1]
+  long weighed = 0;   // draws of the prior that measurements weight; 0: as the study has them [1]
+  unsigned seed = 1;  // seed of noise and chains
 };
 
 struct ThumbRecoveryResult {
-  ThumbRecovery recovery;   // from made-up data
-  MeasuredLessons lessons;  // of published measurements
-  bool stopped = false;     // by request; what was finished by then is here
+  ThumbRecovery recovery;   // recovery from simulated data
+  MeasuredLessons lessons;  // information in published measurements
+  Outcome outcome;          // stopped: the parts finished by then
 };
 
-/// Finds a thumb again from made-up forces and muscle activity, by least squares and by chains, and
-/// adds what was published of people's thumbs. Some 20 s. Same request, same bits.
+/// Recovers a thumb from simulated forces and muscle activity, by least squares and by chains, and
+/// adds published measurements of thumbs. Takes some 20 s. The same request gives bitwise equal
+/// results.
 /// @throws InputError if no data folder has fits/, DataError if a file is missing or wrong.
 [[nodiscard]] ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
                                                      const Progress& progress = {});
 
-/// Fits whose chains have not converged.
+/// Returns the number of fits whose chains have not converged.
 [[nodiscard]] std::size_t unconverged_fits(const ThumbStudy& study);
 
 }  // namespace thenar

@@ -17,16 +17,16 @@ class DrawnModels {
 
   [[nodiscard]] Eigen::Index count() const { return values_.cols(); }
 
-  /// The model of the first specimen at point k, 0 .. count() - 1.
+  /// Returns the model of the first specimen at point k, 0 .. count() - 1.
   [[nodiscard]] TendonModel<double> at(Eigen::Index k) const;
 
-  /// The models at all points.
+  /// Returns the models at all points.
   [[nodiscard]] std::vector<TendonModel<double>> all() const;
 
-  /// Values of parameters of one kind at all points [SI] (parameters that move, count).
+  /// Returns the values of free parameters of one kind at all points [SI] (parameters, count).
   [[nodiscard]] Eigen::MatrixXd values(ParameterKind kind) const;
 
-  /// Names of the rows of values().
+  /// Returns the names of the rows of values().
   [[nodiscard]] std::vector<std::string> names(ParameterKind kind) const;
 
  private:

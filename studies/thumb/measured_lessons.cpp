@@ -128,13 +128,13 @@ DataUpdate update_tilts(const AddedData& added, const Eigen::Ref<const Eigen::Ma
   // Draws that can say what was measured at all.
   DataUpdate update{added, "", {}, {}};
   if (!(log_likelihood.array() > -kInfinity).any()) {
-    update.untold = fmt::format("none of {} draws can have weight", tilts.cols());
+    update.message = fmt::format("none of {} draws can have weight", tilts.cols());
     return update;
   }
   // A single draw has no spread.
   update.weights = importance_weights(log_likelihood, chains);
   if (update.weights.effective_size < kOneDraw)
-    update.untold = "one draw takes all the weight";
+    update.message = "one draw takes all the weight";
   else
     update.tilts = weighted_spread(tilts, update.weights.weight, chains);
   return update;

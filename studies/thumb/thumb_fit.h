@@ -7,18 +7,18 @@
 
 namespace thenar::internal {
 
-/// Simulated data of one noise level and number of postures, with the digit that made them and the
-/// digit that fits start from.
+/// Simulated data of one noise level and number of postures, with their true digit and the digit at
+/// which fits start.
 struct ThumbData {
-  TendonDigit truth;  // in the frame of `start`
+  TendonDigit truth;  // true thumb in the frame of `start`
   TendonDigit start;
   Experiment pulls;
   Experiment tasks;
-  MeanThumb criteria{};  // by which types are told
+  MeanThumb criteria{};  // criteria of thumb types
 };
 
-/// The thumb of a subject without passive moments: load cells are zeroed under the thumb at rest,
-/// so that forces are those of tendons alone.
+/// Returns the thumb of a subject without passive moments: load cells are zeroed under the thumb at
+/// rest, so that forces are those of tendons alone.
 [[nodiscard]] TendonDigit thumb_of(const SourceText& source);
 
 /// Mean and sd over trials of the angle between predicted and measured force [rad].
@@ -27,11 +27,11 @@ struct DirectionErrors {
 };
 [[nodiscard]] DirectionErrors direction_errors(const Prediction& prediction);
 
-/// Inputs of a fit: files, and globs of the arms that it may move.
+/// Returns the inputs of a fit: files, and globs of the free arms.
 [[nodiscard]] FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs,
                                          const ThumbFitSettings& settings, const ThumbData& data);
 
-/// Settings of the chains of a study or a recovery. @param file  settings with priors
+/// Returns the settings of the chains of a study or a recovery. @param file  settings with priors
 template <typename Study>
 [[nodiscard]] PosteriorSettings chain_settings(const SourceText& file, const Study& study) {
   PosteriorSettings out;
@@ -46,7 +46,7 @@ template <typename Study>
 
 /// Samples a posterior; while chains disagree, samples again with twice as many draws and shorter
 /// steps.
-/// @param retries  at most [1]
+/// @param retries  largest number of repetitions [1]
 [[nodiscard]] PosteriorRun sample_with_retries(const FitInputs& inputs, PosteriorSettings settings,
                                                int retries);
 

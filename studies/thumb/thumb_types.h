@@ -1,6 +1,6 @@
 #pragma once
 
-/// Types of thumbs: draws of joint axes, told apart by how their axes lie to each other.
+/// Types of thumbs: draws of joint axes, classified by the relative position of the axes.
 
 #include <array>
 #include <string>
@@ -18,7 +18,7 @@ namespace thenar {
 /// Returns a chain with every common normal pointing from its axis to the next one, so that
 /// a >= 0: where a < 0, x of the frame is turned by half a turn about the next axis,
 ///   theta_i + pi, -a_i, -alpha_i, theta_(i+1) - pi  (the base and the tool turn at the ends).
-/// In this form a normal that changes its direction turns two thetas by half a turn.
+/// In this convention a normal that changes its direction changes two thetas by half a turn.
 [[nodiscard]] DhChain with_normals_outwards(const DhChain& chain);
 
 /// A thumb by its two criteria.
@@ -31,29 +31,30 @@ struct ThumbType {
 
 /// The mean thumb, ready to be varied.
 struct MeanThumb {
-  std::vector<AxisLine> axes;          // of DigitVariability::axes, before any draw
+  std::vector<AxisLine> axes;          // axes of DigitVariability::axes, before any draw
   std::vector<Eigen::Vector3d> along;  // direction of each axis' bone, distal; unit (3)
   std::vector<AxisVariability> spread;
   Pose<double> tip;                          // axes proximal, dorsal, radial in columns
   int mcp_flexion = -1, mcp_abduction = -1;  // MCP1_FE and MCP1_AA, in `axes`
-  int first = -1, second = -1;               // of the second question
+  int first = -1, second = -1;               // axes of the second question
   DigitDirection toward = DigitDirection::kRadial;
 };
 
 /// @throws InputError if the subject lacks a digit "thumb", a joint, or a bone that is named.
 [[nodiscard]] MeanThumb mean_thumb(const DigitVariability& variability, const Subject& subject);
 
-/// Axes of thumb `number`: a function of (seed, number) alone.
+/// Returns axes of thumb `number`: a function of (seed, number) alone.
 [[nodiscard]] std::vector<AxisLine> draw_thumb(const MeanThumb& mean, unsigned seed, int number);
 
-/// Component of the common normal from one axis to another.
+/// Returns a component of the common normal from one axis to another.
 /// @param toward  unit (3)
 /// @returns [m]
 [[nodiscard]] double normal_component(const AxisLine& first, const AxisLine& second,
                                       const Eigen::Vector3d& toward);
 
-/// Type of a thumb. Order at the MCP joint: the common normal from the flexion to the abduction
-/// axis has a component along the metacarpal; the flexion axis is distal if it points proximally.
+/// Returns the type of a thumb. Order at the MCP joint: the common normal from the flexion to the
+/// abduction axis has a component along the metacarpal; the flexion axis is distal if it points
+/// proximally.
 [[nodiscard]] ThumbType classify_thumb(const MeanThumb& mean, const std::vector<AxisLine>& axes);
 
 /// Mean and sd of the Denavit-Hartenberg parameters of one axis; of angles the mean direction
@@ -62,7 +63,7 @@ struct DhStatistics {
   DhRow mean, sd;  // theta, alpha [rad]; d, a [m]
 };
 
-/// Axes of a digit's model in its reference posture, in the order of `mean.spread`.
+/// Returns axes of a digit's model in its reference posture, in the order of `mean.spread`.
 /// @param hinges  names of the model's hinges
 /// @throws InputError if one of the axes is missing.
 [[nodiscard]] std::vector<AxisLine> thumb_axes(const MeanThumb& mean,
@@ -73,7 +74,7 @@ struct DhStatistics {
 struct ThumbTypeShare {
   ThumbType type;
   int count = 0;
-  std::vector<DhStatistics> rows;  // of each axis, of with_normals_outwards(); empty without draws
+  std::vector<DhStatistics> rows;  // by with_normals_outwards(); empty without draws
 };
 
 /// Share of the draws in which the common normal of two successive axes points distally, dorsally
@@ -92,7 +93,7 @@ struct ThumbTypesInputs {
 [[nodiscard]] ThumbTypesInputs thumb_types_inputs(const std::string& data);
 
 struct ThumbTypesSettings {
-  int draws = 3550;  // as many as [SantosValeroCuevas2006] needed [1]
+  int draws = 3550;  // number of draws that [SantosValeroCuevas2006] needed [1]
   unsigned seed = 1;
   Progress progress;
 };
@@ -102,7 +103,7 @@ struct ThumbTypes {
   DigitVariability variability;
   int draws = 0;  // done
   bool complete = false;
-  std::array<ThumbTypeShare, 4> types;  // by ThumbType::index()
+  std::array<ThumbTypeShare, 4> types;  // shares by ThumbType::index()
   int flexion_distal = 0;               // draws whose MCP flexion axis is the distal one
   /// Probability that the flexion axis is distal if axes were neither tilted nor shifted across:
   ///   Phi((m_FE - m_AA) / sqrt(s_FE^2 + s_AA^2))  [1]
@@ -113,12 +114,13 @@ struct ThumbTypes {
 /// Published share of thumbs whose MCP flexion axis is distal. Source: [SantosValeroCuevas2006].
 inline constexpr double kPublishedFlexionDistal = 0.652;
 
-/// Draws thumbs and tells their types; same settings, same bits, whatever the number of threads.
+/// Draws thumbs and classifies them. The same settings give bitwise equal results for any number of
+/// threads.
 /// @throws InputError unless draws > 0.
 [[nodiscard]] ThumbTypes study_thumb_types(const ThumbTypesInputs& inputs,
                                            const ThumbTypesSettings& settings);
 
-/// "MCP flexion axis distal, normal ulnar": of types by their index.
+/// Returns "MCP flexion axis distal, normal ulnar": of types by their index.
 [[nodiscard]] std::string describe_type(const ThumbType& type, DigitDirection toward);
 
 }  // namespace thenar

@@ -196,7 +196,7 @@ ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& p
   for (int round = 0; round < kMaxRounds; ++round) {
     // Hull of the points so far.
     ConvexHull hull = convex_hull(local_points(frame, points));
-    if (!hull.failure.empty()) return hull;
+    if (!hull.message.empty()) return hull;
     bool grown = false;
     double open = 0;  // of facets that are exceeded, though by no new point
     // Ask for the farthest point over every facet that is not certified yet.
@@ -328,19 +328,19 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
   // Hull of support points, then of its corners alone.
   std::vector<Point> points = distinct(frame, support);
   ConvexHull hull = grow(oracle, frame, points, set.excess);
-  if (hull.failure.empty()) {
+  if (hull.message.empty()) {
     points = corners(hull, frame, points);
     hull = convex_hull(local_points(frame, points));
   }
-  if (!hull.failure.empty() || oracle.worst() != Status::kSolved) {
+  if (!hull.message.empty() || oracle.worst() != Status::kSolved) {
     set.status = Status::kStalled;
-    set.failure = hull.failure.empty() ? "a linear program stalled" : hull.failure;
+    set.message = hull.message.empty() ? "a linear program stalled" : hull.message;
     return;
   }
   // Facets must be certified.
   if (!(set.excess <= kAcceptedExcess)) {
     set.status = Status::kStalled;
-    set.failure = "a facet of the hull could not be certified";
+    set.message = "a facet of the hull could not be certified";
     return;
   }
   // A polygon's corners in order; a solid's facets in triangles.
@@ -353,7 +353,7 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
         check.volume_error <= kVolumeDifference * check.volume)
       return;
     set.status = Status::kStalled;
-    set.failure = "nearly flat facets leave a gap in the hull";
+    set.message = "nearly flat facets leave a gap in the hull";
     return;
   }
   std::vector<int> ring(points.size());

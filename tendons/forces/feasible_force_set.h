@@ -25,7 +25,7 @@ struct FeasibleForceSet {
   Eigen::Matrix3Xd carried;    // directions the skeleton carries alone, orthonormal [1] (3, c)
   double excess;               // by which forces may exceed a facet, part of the extent [1]
   double imbalance;            // largest of |J' f - R' t - tau_0| at the vertices   [N m]
-  std::string failure;         // why, if status is kStalled
+  std::string message;         // why there is no set, where the status is kStalled
 };
 
 /// The feasible force set { f : J' f = R' t + tau_0, 0 <= t <= F0 } of a pinned tip, exactly.

@@ -175,7 +175,7 @@ class Recorder {
 /// End of a motion with its reason, thrown where it is found.
 struct Ending {
   MotionStatus status;
-  std::string why;
+  std::string message;
 };
 
 constexpr std::array kOdeReasons{
@@ -298,7 +298,7 @@ class Integration {
       end = early;
     }
     tell_loose();
-    Trajectory path = recorder_.take(end.status, end.why, ode_, account_.balance());
+    Trajectory path = recorder_.take(end.status, end.message, ode_, account_.balance());
     path.effort = motion_.effort();
     return path;
   }

@@ -25,7 +25,7 @@ TEST(ExplainThing, BuildsAndTimesTheDigitOfASubject) {
   EXPECT_EQ(found.digit->parts.joints.size(), 4U);  // MCP has two axes, PIP and DIP one each
   for (const QuestionCost& cost : found.digit->costs) EXPECT_GT(cost.seconds, 0) << cost.question;
   EXPECT_GT(found.digit->parameters.coordinates(), 0);
-  EXPECT_TRUE(found.digit->settings_trouble.empty());
+  EXPECT_TRUE(found.digit->settings_message.empty());
 }
 
 // A name, as a fit takes it, and the file of that name are the same settings.

@@ -37,7 +37,7 @@ TEST(MeasureGrasp, WeighsTheObject) {
   const GraspMeasures measures = *measure_grasp(request).measures;
   EXPECT_NEAR(*measures.weight.value, 0.07 * 9.81, 1e-9);
   EXPECT_FALSE(measures.stiffness.value);  // plastic on wood has no soft layer
-  EXPECT_FALSE(measures.stiffness.reason.empty());
+  EXPECT_FALSE(measures.stiffness.message.empty());
 }
 
 }  // namespace

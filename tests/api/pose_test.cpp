@@ -37,7 +37,7 @@ TEST(AskPose, VariesARobotsDrives) {
   const auto alone = std::get<RobotPoses>(ask_pose(request));
   const std::string first = alone.points.front().joints[0].dof;
   std::string second;
-  for (const RobotJointNow& joint : alone.points.front().joints)
+  for (const RobotJointPose& joint : alone.points.front().joints)
     if (joint.dof != first) second = joint.dof;
   request.vary = {{first, 0, 20, 10}, {second, 0, 10, 10}};
   const auto poses = std::get<RobotPoses>(ask_pose(request));

@@ -56,9 +56,11 @@ TEST(InferNet, SaysThatItWasStopped) {
 }
 
 TEST(InferNet, KnowsWhatWordsFree) {
-  EXPECT_EQ(freed_by("slack"), std::vector<std::string>{"net/*/slack"});
-  EXPECT_EQ(freed_by("net/DIP_dorsum/radius"), std::vector<std::string>{"net/DIP_dorsum/radius"});
-  EXPECT_NE(message_of([] { (void)freed_by("slacks"); }).find("got 'slacks'"), std::string::npos);
+  EXPECT_EQ(parameter_globs("slack"), std::vector<std::string>{"net/*/slack"});
+  EXPECT_EQ(parameter_globs("net/DIP_dorsum/radius"),
+            std::vector<std::string>{"net/DIP_dorsum/radius"});
+  EXPECT_NE(message_of([] { (void)parameter_globs("slacks"); }).find("got 'slacks'"),
+            std::string::npos);
 }
 
 TEST(InferNet, NeedsSomethingFreeForBandsInQuestion) {

@@ -47,23 +47,23 @@ std::string text_of(const fs::path& path) {
 
 TEST_F(Cache, GivesBackWhatWasKeptForTheSameInput) {
   const std::string bytes("a\0b\n", 4);
-  EXPECT_EQ(kept("mesh 1", "input"), std::nullopt);
-  keep("mesh 1", "input", bytes);
-  EXPECT_EQ(kept("mesh 1", "input"), bytes);
-  EXPECT_EQ(kept("mesh 2", "input"), std::nullopt);
-  EXPECT_EQ(kept("mesh 1", "input "), std::nullopt);
+  EXPECT_EQ(find_cached("mesh 1", "input"), std::nullopt);
+  store_cached("mesh 1", "input", bytes);
+  EXPECT_EQ(find_cached("mesh 1", "input"), bytes);
+  EXPECT_EQ(find_cached("mesh 2", "input"), std::nullopt);
+  EXPECT_EQ(find_cached("mesh 1", "input "), std::nullopt);
 }
 
 TEST_F(Cache, KeepsNothingWithoutAFolder) {
   use_cache({});
-  keep("mesh 1", "input", "result");
-  EXPECT_EQ(kept("mesh 1", "input"), std::nullopt);
+  store_cached("mesh 1", "input", "result");
+  EXPECT_EQ(find_cached("mesh 1", "input"), std::nullopt);
   EXPECT_TRUE(files().empty());
 }
 
 // Every byte of an entry in turn turned around, and every shorter entry.
 TEST_F(Cache, IgnoresADamagedEntryAndWritesItAnew) {
-  keep("mesh 1", "input", "result");
+  store_cached("mesh 1", "input", "result");
   ASSERT_EQ(files().size(), 1U);
   const fs::path entry = files()[0];
   const std::string sound = text_of(entry);
@@ -71,14 +71,14 @@ TEST_F(Cache, IgnoresADamagedEntryAndWritesItAnew) {
     std::string damaged = sound;
     damaged[i] = static_cast<char>(damaged[i] ^ 4);
     std::ofstream(entry, std::ios::binary) << damaged;
-    EXPECT_TRUE(kept("mesh 1", "input") == std::nullopt || damaged[i] == sound[i] ||
+    EXPECT_TRUE(find_cached("mesh 1", "input") == std::nullopt || damaged[i] == sound[i] ||
                 sound[i] == '\n')
         << i;
     std::ofstream(entry, std::ios::binary) << sound.substr(0, i);
-    EXPECT_EQ(kept("mesh 1", "input"), std::nullopt) << i;
+    EXPECT_EQ(find_cached("mesh 1", "input"), std::nullopt) << i;
   }
-  keep("mesh 1", "input", "result");
-  EXPECT_EQ(kept("mesh 1", "input"), "result");
+  store_cached("mesh 1", "input", "result");
+  EXPECT_EQ(find_cached("mesh 1", "input"), "result");
 }
 
 TEST_F(Cache, FailsNobodyWhereItCannotWrite) {
@@ -86,8 +86,8 @@ TEST_F(Cache, FailsNobodyWhereItCannotWrite) {
   for (const std::string& folder : {path("file"), path("file") + "/below",
                                     std::string("/proc/none"), std::string("/dev/full")}) {
     use_cache({folder});
-    keep("mesh 1", "input", "result");
-    EXPECT_EQ(kept("mesh 1", "input"), std::nullopt) << folder;
+    store_cached("mesh 1", "input", "result");
+    EXPECT_EQ(find_cached("mesh 1", "input"), std::nullopt) << folder;
   }
   EXPECT_EQ(text_of(path("file")), "no folder");
 }
@@ -95,8 +95,8 @@ TEST_F(Cache, FailsNobodyWhereItCannotWrite) {
 TEST_F(Cache, FailsNobodyInAFolderThatMustNotBeWritten) {
   fs::create_directories(path("cache"));
   ::chmod(path("cache").c_str(), 0500);
-  keep("mesh 1", "input", "result");  // root may, others may not
-  const auto found = kept("mesh 1", "input");
+  store_cached("mesh 1", "input", "result");  // root may, others may not
+  const auto found = find_cached("mesh 1", "input");
   EXPECT_TRUE(found == std::nullopt || *found == "result");
   ::chmod(path("cache").c_str(), 0700);
 }
@@ -107,21 +107,21 @@ TEST_F(Cache, LetsTheLeastRecentlyUsedGoAndNoOtherFiles) {
   fs::create_directories(path("cache"));
   std::ofstream(path("cache/mine.txt")) << std::string(200000, 'x');
   const std::string large(20000, 'y');
-  for (int i = 0; i < 4; ++i) keep("mesh 1", std::to_string(i), large);
+  for (int i = 0; i < 4; ++i) store_cached("mesh 1", std::to_string(i), large);
   // The first is asked for again, later than all others were made.
   const auto past = fs::file_time_type::clock::now() - std::chrono::hours(1);
   for (const fs::path& file : files()) fs::last_write_time(file, past);
-  EXPECT_EQ(kept("mesh 1", "0"), large);
-  keep("mesh 1", "4", large);
-  EXPECT_EQ(kept("mesh 1", "0"), large);
-  EXPECT_EQ(kept("mesh 1", "4"), large);
+  EXPECT_EQ(find_cached("mesh 1", "0"), large);
+  store_cached("mesh 1", "4", large);
+  EXPECT_EQ(find_cached("mesh 1", "0"), large);
+  EXPECT_EQ(find_cached("mesh 1", "4"), large);
   std::uintmax_t total = 0;
   for (const fs::path& file : files())
     if (file.extension() == ".thenar") total += fs::file_size(file);
   EXPECT_LE(total, small.max_bytes);
   EXPECT_EQ(fs::file_size(path("cache/mine.txt")), 200000U);
-  keep("mesh 1", "too large", std::string(60000, 'z'));
-  EXPECT_EQ(kept("mesh 1", "too large"), std::nullopt);
+  store_cached("mesh 1", "too large", std::string(60000, 'z'));
+  EXPECT_EQ(find_cached("mesh 1", "too large"), std::nullopt);
 }
 
 // Two processes write and read the same entries at once: what is read is whole.
@@ -130,8 +130,8 @@ TEST_F(Cache, IsSharedByProcesses) {
     bool sound = true;
     for (int i = 0; i < 100; ++i) {
       const std::string input = std::to_string(i % 7), result(5000, static_cast<char>('a' + i % 7));
-      keep("mesh 1", input, result);
-      const auto found = kept("mesh 1", input);
+      store_cached("mesh 1", input, result);
+      const auto found = find_cached("mesh 1", input);
       sound = sound && (found == std::nullopt || *found == result);
     }
     return sound;

@@ -57,8 +57,8 @@ TEST(OutsidePath, TellsFaultsWithoutWhatATerminalObeys) {
 }
 
 TEST(OutsidePath, IsOfBoundedLength) {
-  EXPECT_FALSE(outside_fault(std::string(kLongestOutsidePath, 'x'), OutsideUse::kRead));
-  EXPECT_TRUE(outside_fault(std::string(kLongestOutsidePath + 1, 'x'), OutsideUse::kRead));
+  EXPECT_FALSE(outside_fault(std::string(kMaxOutsidePath, 'x'), OutsideUse::kRead));
+  EXPECT_TRUE(outside_fault(std::string(kMaxOutsidePath + 1, 'x'), OutsideUse::kRead));
   // Nor does a client grow a tree that nobody can remove.
   std::string deep = "x";
   for (int i = 0; i < 31; ++i) deep.insert(0, "a/");

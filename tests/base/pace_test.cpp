@@ -10,31 +10,31 @@ namespace {
 // By hand: from 0.1 to 0.3 in 4 s, so that 0.7 takes 14 s more, and all 5 + 4 + 14 s.
 TEST(Pace, GoesOnAsFromTheFirstReport) {
   Pace pace(95);
-  pace.hear(100, 0.1);
-  pace.hear(104, 0.3);
-  EXPECT_DOUBLE_EQ(pace.left().value(), 14);
-  EXPECT_DOUBLE_EQ(pace.whole().value(), 23);
+  pace.add_report(100, 0.1);
+  pace.add_report(104, 0.3);
+  EXPECT_DOUBLE_EQ(pace.remaining_time().value(), 14);
+  EXPECT_DOUBLE_EQ(pace.total_time().value(), 23);
 }
 
 TEST(Pace, IsSilentBeforeItKnows) {
   Pace pace;
-  EXPECT_FALSE(pace.left());
-  pace.hear(0, 0);
-  pace.hear(1, 0.5);  // too early
-  EXPECT_FALSE(pace.whole());
+  EXPECT_FALSE(pace.remaining_time());
+  pace.add_report(0, 0);
+  pace.add_report(1, 0.5);  // too early
+  EXPECT_FALSE(pace.total_time());
   Pace slow;
-  slow.hear(0, 0);
-  slow.hear(60, 0.001);  // too little of the work
-  EXPECT_FALSE(slow.whole());
+  slow.add_report(0, 0);
+  slow.add_report(60, 0.001);  // too little of the work
+  EXPECT_FALSE(slow.total_time());
 }
 
 // A part may report less than another did before it.
 TEST(Pace, NeverGoesBack) {
   Pace pace;
-  pace.hear(0, 0);
-  pace.hear(2, 0.5);
-  pace.hear(4, 0.25);
-  EXPECT_DOUBLE_EQ(pace.left().value(), 4);
+  pace.add_report(0, 0);
+  pace.add_report(2, 0.5);
+  pace.add_report(4, 0.25);
+  EXPECT_DOUBLE_EQ(pace.remaining_time().value(), 4);
 }
 
 TEST(Pace, IsRoundedAsAnEstimateDeserves) {

@@ -51,13 +51,13 @@ TEST_F(PrivateFolder, IsNoLinkAndNoFile) {
 // The folder of the cache is this user's, as it was made by versions that left it open, too.
 TEST_F(PrivateFolder, IsWhereResultsAreCached) {
   use_cache({path("new/thenar"), 1000});
-  keep("kind", "input", "result");
+  store_cached("kind", "input", "result");
   EXPECT_EQ(mode("new/thenar"), 0700U);
   fs::create_directory(path("old"));
   ASSERT_EQ(chmod(path("old").c_str(), 0755), 0);
   use_cache({path("old"), 1000, true});
-  keep("kind", "input", "result");
-  EXPECT_EQ(kept("kind", "input"), "result");
+  store_cached("kind", "input", "result");
+  EXPECT_EQ(find_cached("kind", "input"), "result");
   use_cache({});
   EXPECT_EQ(mode("old"), 0700U);
 }

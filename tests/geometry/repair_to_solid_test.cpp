@@ -281,10 +281,10 @@ TEST_F(KeptMending, IsThatOfTheFirstTime) {
 TEST_F(KeptMending, IsNotDoneAgainUnlessWhatWasKeptIsBroken) {
   const TriangleMesh open = loose(mug(600), 0, 1);
   const std::string mended = repair_to_solid(open).done;
-  keep("mended mesh 2", bytes_of(open), "as kept\n" + bytes_of(box_at({0, 0, 0})));
+  store_cached("mended mesh 2", bytes_of(open), "as kept\n" + bytes_of(box_at({0, 0, 0})));
   EXPECT_EQ(repair_to_solid(open).done, "as kept");
   for (const std::string broken : {"", "as kept", "as kept\n", "as kept\nno mesh"}) {
-    keep("mended mesh 2", bytes_of(open), broken);
+    store_cached("mended mesh 2", bytes_of(open), broken);
     EXPECT_EQ(repair_to_solid(open).done, mended);
   }
 }

@@ -86,7 +86,7 @@ TEST(BandPosterior, SaysThatItWasStopped) {
   std::mt19937 random(1);
   const BandProblems problems = planted::problems(planted::experiment(), kBands);
   const BandPosterior found = band_posterior(problems, random, {}, progress);
-  EXPECT_TRUE(found.stopped);
+  EXPECT_EQ(found.status, Status::kStopped);
   EXPECT_EQ(found.fitted, 1U);
 }
 

@@ -73,7 +73,7 @@ FitProblem problem_with(const ChoiceScene& scene, const FitSettings& settings) {
 void expect_best_of_neighbours(const ChoiceScene& scene, const std::vector<LeaveOut>& by) {
   const ChosenSettings found = choose_settings(scene.setup.problem(), scene.settings);
   EXPECT_EQ(found.by, by);
-  EXPECT_FALSE(found.stopped);
+  EXPECT_EQ(found.status, Status::kSolved);
   const double best = left_out_loss(problem_with(scene, found.settings), by);
   EXPECT_NEAR(best, found.loss, 1e-12);
   int worse = 0;
@@ -131,12 +131,12 @@ TEST(ChooseSettings, StopsWithTheBestOfThoseTried) {
     return choose_settings(scene.setup.problem(), scene.settings, {}, options);
   };
   const ChosenSettings all = choose();
-  EXPECT_FALSE(all.stopped);
+  EXPECT_EQ(all.status, Status::kSolved);
   // The same search, stopped half-way.
   most = asked / 2;
   asked = 0;
   const ChosenSettings found = choose();
-  EXPECT_TRUE(found.stopped);
+  EXPECT_EQ(found.status, Status::kStopped);
   ASSERT_FALSE(found.tried.empty());
   EXPECT_LT(found.tried.size(), all.tried.size());
   for (const TriedSettings& one : found.tried) EXPECT_GE(one.loss, found.loss - 1e-3);

@@ -113,14 +113,14 @@ TEST(CrossValidation, InterruptedHoldsOnlyWholeFolds) {
   const FitProblem problem = sample::middle_finger(kFreeAxes).problem();
   const CrossValidation whole = cross_validate(problem, LeaveOut::kPosture);
   EXPECT_EQ(whole.folds_done, 4);
-  EXPECT_FALSE(whole.stopped);
+  EXPECT_EQ(whole.status, Status::kSolved);
   for (int patience = 0; patience < 40; patience += 3) {
     int asked = 0;
     SolveOptions options;
     options.progress.stop_requested = [&] { return ++asked > patience; };
     const CrossValidation part = cross_validate(problem, LeaveOut::kPosture, options);
     const Prediction& some = part.experiments[0];
-    EXPECT_EQ(part.stopped, part.folds_done < 4);
+    EXPECT_EQ(part.status == Status::kStopped, part.folds_done < 4);
     EXPECT_EQ(some.trials.size(), 6U * static_cast<std::size_t>(part.folds_done));
     EXPECT_EQ(some.error.trials, 6 * part.folds_done);
     for (std::size_t i = 0; i < some.trials.size(); ++i)

@@ -27,13 +27,13 @@ using Eigen::VectorXd;
 
 // A motor is a damper to a target that moves on: free, it runs at its speed; blocked, it has its
 // largest effort, to the bit.
-constexpr double kSpeed = 0.25;       // of closing, times RobotDof::speed [rad/s]
-constexpr double kEffort = 0.3;       // of a blocked motor [N m]
-constexpr double kArm = 0.1;          // speed of a slide over that of a hinge [m/rad]
-constexpr double kBack = 3e-3;        // the palm stands off the object [m]
-constexpr double kLeastForce = 0.05;  // least normal force of a contact, over kEffort / kArm [1]
-constexpr double kClearance = 1e-5;   // at which grasp/closing lets links touch [m]
-constexpr double kSamePlace = 1e-3;   // [m]
+constexpr double kSpeed = 0.25;      // of closing, times RobotDof::speed [rad/s]
+constexpr double kEffort = 0.3;      // of a blocked motor [N m]
+constexpr double kArm = 0.1;         // speed of a slide over that of a hinge [m/rad]
+constexpr double kBack = 3e-3;       // the palm stands off the object [m]
+constexpr double kMinForce = 0.05;   // least normal force of a contact, over kEffort / kArm [1]
+constexpr double kClearance = 1e-5;  // at which grasp/closing lets links touch [m]
+constexpr double kSamePlace = 1e-3;  // [m]
 // A tenth of a millimetre, from clearance and facets, on radii and arms of 20 mm or more.
 constexpr double kSameDirection = 5e-3;  // [rad]
 constexpr double kSameForce = 1e-2;      // relative: of both [1]
@@ -190,7 +190,7 @@ class StaticLimit : public testing::TestWithParam<LadderPair> {
     const Eigen::FullPivLU<MatrixXd> lu(out.normal.transpose());
     if (!lu.isInvertible() || lu.rcond() < 1e-2) return false;
     const VectorXd f = lu.solve(tau);
-    if (f.minCoeff() < kLeastForce * kEffort / kArm) return false;
+    if (f.minCoeff() < kMinForce * kEffort / kArm) return false;
     k = 0;
     for (auto& [name, touch] : out.touches) touch.force = f[k++] * touch.normal;
     return true;

@@ -149,7 +149,7 @@ TEST(FindModes, StopsWhenAsked) {
   ModeSearchOptions search;
   search.progress.stop_requested = [&] { return ++asked > 3; };
   const FoundModes found = find_modes(two_wells(), search);
-  EXPECT_TRUE(found.stopped);
+  EXPECT_EQ(found.status, Status::kStopped);
   EXPECT_EQ(found.searches.size(), 3);
   EXPECT_FALSE(found.modes.empty());
 }

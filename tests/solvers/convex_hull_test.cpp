@@ -24,7 +24,7 @@ MatrixXd cube() {
 
 TEST(ConvexHull, MergesTheSidesOfACube) {
   const ConvexHull hull = convex_hull(cube());
-  EXPECT_EQ(hull.failure, "");
+  EXPECT_EQ(hull.message, "");
   ASSERT_EQ(hull.facets.size(), 6U);
   for (const HullFacet& facet : hull.facets) EXPECT_EQ(facet.ring.size(), 4U);
 }
@@ -76,7 +76,7 @@ TEST(ConvexHull, SquareHasFourEdges) {
 TEST(ConvexHull, FlatSetIsReportedNotJoggled) {
   const ConvexHull hull = convex_hull(cube().topRows(4));  // the bottom of the cube
   EXPECT_TRUE(hull.facets.empty());
-  EXPECT_NE(hull.failure.find("QH6154"), std::string::npos) << hull.failure;
+  EXPECT_NE(hull.message.find("QH6154"), std::string::npos) << hull.message;
 }
 
 TEST(ConvexHull, RefusesTooFewPoints) {

@@ -20,7 +20,7 @@ DigitExplanation explained(const std::string& file, const std::string& digit,
 /// Why a part was dropped; empty if it was not.
 std::string why(const DigitExplanation& says, const std::string& name) {
   for (const DroppedPart& part : says.dropped)
-    if (part.name == name) return part.why;
+    if (part.name == name) return part.reason;
   return "";
 }
 

@@ -18,9 +18,9 @@ void set_open_files(bool any) {
 
 }  // namespace
 
-void open_nothing() { set_open_files(false); }
+void forbid_opening_files() { set_open_files(false); }
 
-std::string read_one(const std::string& path) {
+std::string read_permitted_file(const std::string& path) {
   // Open this one file, and restore the limit.
   rlimit before{};
   (void)getrlimit(RLIMIT_NOFILE, &before);

@@ -20,23 +20,23 @@ namespace thenar {
 /// Coin.
 [[nodiscard]] TriangleSoup read_inventor_mesh(const std::string& path);
 
-/// Refuses a Collada text on which assimp would not end or read beyond its numbers: malformed XML,
-/// lists of whole numbers (<p>, <vcount>..) with other content, <accessor>s that reach beyond their
-/// <float_array>; and a text that names other files, or whose nodes contain themselves or stand for
-/// more than 100,000 nodes.
+/// Checks a Collada text for faults on which assimp would not terminate or read out of bounds:
+/// malformed XML, lists of whole numbers (<p>, <vcount>..) with other content, <accessor>s that
+/// reach beyond their <float_array>; and a text that names other files, or whose nodes contain
+/// themselves or expand to more than 100,000 nodes.
 /// @param path  names the file in messages
 /// @throws DataError at the first line that is wrong.
 void check_collada(const std::string& text, const std::string& path);
 
-/// Forbids this process to open files except by read_one(): parsers and the libraries below them
-/// find none of the textures, fonts and files that a mesh may name.
-void open_nothing();
+/// Prevents this process from opening files except by read_permitted_file(), so that parsers and
+/// their libraries cannot open textures, fonts and files that a mesh refers to.
+void forbid_opening_files();
 
-/// Reads a file within the size limit of meshes [bytes], also after open_nothing().
+/// Reads a file within the size limit of meshes [bytes], also after forbid_opening_files().
 /// @throws DataError
-[[nodiscard]] std::string read_one(const std::string& path);
+[[nodiscard]] std::string read_permitted_file(const std::string& path);
 
-/// Returns whether `file` is a regular file in the folder of `path` or below it, with links
+/// Returns true if `file` is a regular file in the folder of `path` or below it, with links
 /// resolved.
 [[nodiscard]] bool is_file_beside(const std::string& path, const std::string& file);
 

@@ -18,7 +18,7 @@ struct GraspitLink {
   std::string material;                    // empty: not stated
   double mass = 0;                         // [kg]; 0: not stated
   Eigen::Vector3d com{0, 0, 0};            // [m] (3)
-  std::optional<Eigen::Matrix3d> inertia;  // about com [kg m^2] (3, 3)
+  std::optional<Eigen::Matrix3d> inertia;  // inertia about com [kg m^2] (3, 3)
   std::vector<std::string> warnings;       // elements that were not understood
 };
 

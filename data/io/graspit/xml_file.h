@@ -24,13 +24,13 @@ class XmlFile {
   XmlFile(const XmlFile&) = delete;
   XmlFile& operator=(const XmlFile&) = delete;
 
-  /// The outermost element.
+  /// Returns the outermost element.
   [[nodiscard]] pugi::xml_node root() const;
   [[nodiscard]] std::string root_name() const;
 
   [[nodiscard]] const std::string& path() const { return path_; }
 
-  /// Line number of an element, from 1.
+  /// Returns the line number of an element, from 1.
   [[nodiscard]] int line(const pugi::xml_node& node) const;
 
   /// Renames elements that differ from one of these names by case only.
@@ -40,15 +40,15 @@ class XmlFile {
   /// Throws a DataError at an element.
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const;
 
-  /// The text inside an element, without white space around it.
+  /// Returns the text inside an element, without white space around it.
   [[nodiscard]] std::string text(const pugi::xml_node& node) const;
 
-  /// The numbers in an element's text, separated by spaces, commas or brackets.
+  /// Returns the numbers in an element's text, separated by spaces, commas or brackets.
   /// @param count  number wanted; 0: any
   /// @throws DataError if their number differs, or one is not a finite number.
   [[nodiscard]] std::vector<double> numbers(const pugi::xml_node& node, int count = 0) const;
 
-  /// The warning "path:line: <name> is not understood and was left out".
+  /// Returns the warning "path:line: <name> is not understood and was left out".
   [[nodiscard]] std::string not_understood(const pugi::xml_node& node) const;
 
  private:
@@ -62,9 +62,9 @@ class XmlFile {
 
 namespace thenar::internal {
 
-/// Next node after `node` in the order of the text, below `top`: its first child, otherwise the
-/// next sibling of it or of an ancestor; null at the end. Needs no stack, however deep the XML
-/// nests: for (pugi::xml_node node = top; node; node = next_below(top, node)) ..
+/// Returns the next node after `node` in the order of the text, below `top`: its first child,
+/// otherwise the next sibling of it or of an ancestor; null at the end. Needs no stack, however
+/// deep the XML nests: for (pugi::xml_node node = top; node; node = next_below(top, node)) ..
 /// @tparam Node  pugi::xml_node
 template <typename Node>
 [[nodiscard]] Node next_below(const Node& top, Node node) {

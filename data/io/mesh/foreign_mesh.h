@@ -13,7 +13,7 @@ namespace thenar {
 struct MeshReaderLimits {
   int processor_seconds = 8;                  // [s]
   double clock_seconds = 12;                  // allows for a busy machine [s]
-  std::size_t memory = std::size_t{1} << 30;  // in addition to its libraries [bytes]
+  std::size_t memory = std::size_t{1} << 30;  // memory in addition to its libraries [bytes]
 };
 
 /// Reads the triangles of a glTF, GLB, Collada, VRML or Inventor file, with exact shapes, in single
@@ -26,8 +26,8 @@ struct MeshReaderLimits {
 [[nodiscard]] TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format,
                                              MeshTime& left);
 
-/// Path of the program: THENAR_MESH_READER, or thenar-mesh-reader beside the running program, where
-/// it was built or installed, or on the PATH. Empty if it is missing.
+/// Returns the path of the program: THENAR_MESH_READER, or thenar-mesh-reader beside the running
+/// program, where it was built or installed, or on the PATH. Empty if it is missing.
 [[nodiscard]] std::string find_mesh_reader();
 
 }  // namespace thenar

@@ -17,11 +17,11 @@ namespace thenar {
 /// Format of a mesh file.
 enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInventor };
 
-/// Format by the ending of the file name, .wrl for VRML and .iv for Inventor.
+/// Returns the format by the ending of the file name, .wrl for VRML and .iv for Inventor.
 /// @throws DataError for an unknown ending, listing the known ones.
 [[nodiscard]] MeshFormat mesh_format(const std::string& path);
 
-/// A name whose letters file systems and URLs all take; others become underscores.
+/// Returns a name with letters that all file systems and URLs accept; others become underscores.
 [[nodiscard]] std::string plain_file_name(std::string name);
 
 /// Returns whether mesh_format() knows the ending.
@@ -37,9 +37,9 @@ enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInvento
 
 /// Content of a mesh file [m].
 struct MeshContent {
-  TriangleMesh mesh;  // as read_mesh() returns it
-  // If VRML or Inventor consists of spheres, boxes and cylinders that its transforms leave what
-  // they are: these, with sizes and poses to rounding. Otherwise empty.
+  TriangleMesh mesh;  // result of read_mesh()
+  // Exact shapes of a VRML or Inventor file that consists of spheres, boxes and cylinders whose
+  // transforms preserve them, with sizes and poses to rounding; otherwise empty.
   std::vector<ShapeSpec> exact;
 };
 
@@ -57,30 +57,31 @@ struct MeshTime {
 /// all files together have a limit of time and of triangles.
 class MeshReader {
  public:
-  /// Content of a file, as read_mesh().
-  /// @throws DataError also if earlier meshes took all the time, or if there are more than
+  /// Returns the content of a file, as read_mesh().
+  /// @throws DataError also if earlier meshes used up the time, or if there are more than
   /// kMaxTogether triangles with this one.
   [[nodiscard]] const MeshContent& content(const std::string& path, double scale = 1);
 
-  /// Its triangles alone.
+  /// Returns the triangles of a file alone.
   [[nodiscard]] TriangleMesh read(const std::string& path, double scale = 1) {
     return content(path, scale).mesh;
   }
 
-  /// All files that were asked for and are there, also those that could not be read.
+  /// Returns the digests of all requested files that exist, also of those that could not be read.
   [[nodiscard]] FileDigests files() const;
 
   static constexpr Eigen::Index kMaxTogether = 4'000'000;  // triangles
 
  private:
   MeshTime left_;
-  Eigen::Index triangles_ = 0;                 // in all meshes returned
+  Eigen::Index triangles_ = 0;                 // triangles in all returned meshes
   using Key = std::pair<std::string, double>;  // file and scale
   std::map<Key, MeshContent> contents_;
   std::map<Key, DataError> failures_;
 };
 
-/// Bytes of an OBJ, STL (binary), PLY or OFF file, by the ending of `path`, which is not written.
+/// Returns the bytes of an OBJ, STL (binary), PLY or OFF file, by the ending of `path`, which is
+/// not written.
 /// @throws InputError for another ending, and for a mesh without triangles or with invalid ones.
 [[nodiscard]] std::string mesh_bytes(const std::string& path, const TriangleMesh& mesh);
 

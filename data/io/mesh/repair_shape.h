@@ -10,22 +10,23 @@
 namespace thenar {
 
 /// Repairs the mesh of a shape (repair_to_solid()) if it bounds no solid; the mesh then no longer
-/// stands for its file. `warnings` gets what was done, or that repair failed. Other shapes stay.
+/// refers to its file. `warnings` receives the repairs, or the failure. Other shapes are unchanged.
 /// @param owner  in words: "link 'palm'"
 /// @returns false if the mesh cannot become a solid, for example if it is flat.
 [[nodiscard]] bool repair_shape(ShapeSpec& shape, const std::string& owner,
                                 std::vector<std::string>& warnings);
 
-/// repair_shape() for each shape; those that cannot become solids are left out.
+/// Calls repair_shape() for each shape; shapes that cannot be repaired are removed.
 void repair_shapes(std::vector<ShapeSpec>& shapes, const std::string& owner,
                    std::vector<std::string>& warnings);
 
-/// Warns of meshes with triangles that face opposite ways; they are turned wherever a solid is
+/// Warns of meshes with inconsistently oriented triangles, which are reoriented when a solid is
 /// built.
 void note_turned(const std::vector<ShapeSpec>& shapes, const std::string& owner,
                  std::vector<std::string>& warnings);
 
-/// Refuses a mesh that bounds no solid (solid_parts()), with its file and its holes.
+/// Checks that a mesh bounds a solid (solid_parts()). @throws InputError with its file and its
+/// holes otherwise.
 /// @throws InputError
 void require_solid(const ShapeSpec& shape, const std::string& owner);
 

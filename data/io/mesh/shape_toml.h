@@ -21,12 +21,13 @@ namespace thenar {
 /// @throws DataError if a key, a size or the mesh is wrong.
 [[nodiscard]] ShapeSpec read_shape_table(TomlTable& table, const std::string& path);
 
-/// The mesh files of shapes that read_shape_table() read. @param path  of the file that names them
+/// Returns the mesh files of shapes that read_shape_table() read. @param path  of the file that
+/// names them
 /// @throws DataError if one of them is gone.
 [[nodiscard]] FileDigests mesh_files(const std::vector<ShapeSpec>& shapes, const std::string& path);
 
-/// Lines `key = value` of a pose or shape, without loss; defaults of the readers are left out. A
-/// mesh with a file is named, others are written out.
+/// Returns the lines `key = value` of a pose or shape, without loss; defaults of the readers are
+/// left out. A mesh with a file is named, others are written out.
 [[nodiscard]] std::vector<std::string> toml_of(const Pose<double>& X);
 [[nodiscard]] std::vector<std::string> toml_of(const ShapeSpec& shape);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Meshes that stand in no file, as STL files beside the file that names them.
+/// STL files for meshes without a file, beside the file that refers to them.
 
 #include <set>
 #include <string>
@@ -11,32 +11,33 @@
 
 namespace thenar {
 
-/// The surface as an STL file keeps it: corners in single precision, welded as they are read.
+/// Returns the surface as stored in an STL file: corners in single precision, welded as by the
+/// reader.
 /// @throws DataError if no triangle is left of it
 [[nodiscard]] TriangleMesh as_in_stl(const TriangleMesh& mesh);
 
-/// A file and the STL files of the meshes that it names and that stand in no file yet.
+/// Writer of a file and of STL files for its meshes that have no file yet.
 class StlFiles {
  public:
-  /// @param out  the file that names the others, which stand beside it
+  /// @param out  file that refers to the others, which are written beside it
   explicit StlFiles(std::string out) : out_(std::move(out)) {}
 
-  /// Leaves the files alone where meshes of these shapes stand. To be called of all shapes first.
+  /// Excludes the mesh files of these shapes from being overwritten. Call it for all shapes first.
   void leave(const std::vector<ShapeSpec>& shapes);
-  /// Gives each mesh that stands in no file one beside `out`, "hand_palm_0.stl", if it bounds as
-  /// many solids when it is read from there; else the triangles stay in the shape.
-  /// @param owner  whose shapes they are, for names: "palm"
+  /// Assigns a file beside `out`, "hand_palm_0.stl", to each mesh without one, if it bounds the
+  /// same number of solids when read from there; else the triangles are kept in the shape.
+  /// @param owner  owner of the shapes, for file names: "palm"
   void give(std::vector<ShapeSpec>& shapes, const std::string& owner);
-  /// Paths and contents of the files that give() made.
+  /// Returns the paths and contents of the files that give() made.
   [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& files() const {
     return files_;
   }
-  /// Writes them, and `out` last, as it names the others.
+  /// Writes the STL files, and `out` last, as it refers to them.
   void write(const std::string& text);
 
  private:
   std::string out_;
-  std::set<std::string> taken_;  // normal absolute paths that are not to be written
+  std::set<std::string> taken_;  // normalised absolute paths that must not be overwritten
   std::vector<std::pair<std::string, std::string>> files_;
 };
 

@@ -19,19 +19,19 @@ class TextLines {
   /// Moves to the next line. @returns false at the end of the text
   [[nodiscard]] bool next();
 
-  /// The next word of the line; empty at its end.
+  /// Returns the next word of the line; empty at its end.
   [[nodiscard]] std::string_view word();
 
-  /// The next word as a finite number. @throws DataError
+  /// Returns the next word as a finite number. @throws DataError
   [[nodiscard]] double number();
 
-  /// The next word as a whole number in lower..upper. @throws DataError
+  /// Returns the next word as a whole number in lower..upper. @throws DataError
   [[nodiscard]] int whole(int lower, int upper);
 
-  /// Line number of the current line, from 1.
+  /// Returns the line number of the current line, from 1.
   [[nodiscard]] int line() const { return line_; }
 
-  /// Number of bytes behind the line.
+  /// Returns the number of bytes behind the line.
   [[nodiscard]] std::size_t bytes_left() const { return text_.size() - next_; }
 
   [[noreturn]] void fail(const std::string& what) const;
@@ -39,12 +39,12 @@ class TextLines {
  private:
   std::string_view text_;
   const std::string& path_;
-  std::string_view rest_;  // of the current line
+  std::string_view rest_;  // rest of the current line
   std::size_t next_ = 0;   // start of the next line
   int line_ = 0, next_line_ = 1;
 };
 
-/// A word in quotes for a message, cut if it is long.
+/// Returns a word in quotes for a message, cut if it is long.
 [[nodiscard]] std::string in_quotes(std::string_view word);
 
 /// Parses a whole word as a finite decimal number, with or without a sign; "1e-400" is 0.

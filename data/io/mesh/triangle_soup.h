@@ -21,14 +21,14 @@ struct TriangleSoup {
   std::vector<ShapeSpec> exact = {};
 };
 
-/// Files with more exact shapes keep triangles only.
+/// Largest number of exact shapes of a file; beyond it only triangles are used.
 constexpr std::size_t kMaxExact = 64;
 
-/// Files with more triangles are refused: no hand or object needs them.
+/// Largest number of triangles of a file; no hand or object needs more.
 constexpr std::size_t kMaxTriangles = 2'000'000;
 
-/// Welds the soup to a surface: corners at exactly the same place become one vertex; triangles with
-/// two equal corners (and so without area) are left out.
+/// Welds the soup to a surface: corners at exactly the same place become one vertex;
+/// triangles with two equal corners (and so without area) are left out.
 ///
 /// Parts that only touch stay apart, like those of convex decompositions: if consecutive triangles
 /// of the file close a surface, its vertices are its own, unless merging everything leaves fewer

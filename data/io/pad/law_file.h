@@ -23,8 +23,8 @@ namespace thenar {
 /// @throws InputError as laws_text(), or if the file cannot be written.
 void write_laws(const std::string& path, const CalibratedLaws& laws, const std::string& source);
 
-/// A warning where laws carry the digest of other numbers than the pad's; "" if they fit, or if
-/// their file tells no digest.
+/// Returns a warning where laws carry the digest of other numbers than the pad's; "" if they fit,
+/// or if their file states no digest.
 [[nodiscard]] std::string version_doubt(const CalibratedLaws& laws, const PadSpec& pad);
 
 }  // namespace thenar

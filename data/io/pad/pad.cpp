@@ -15,13 +15,13 @@ namespace thenar {
 namespace {
 
 constexpr int kMostCells = 64;  // Most cells along one way; finer meshes are made by refinement
-constexpr std::size_t kMostLayers = 8;      // Most layers of skin
-constexpr std::size_t kMostTerms = 8;       // Most terms of relaxation
-constexpr double kLongestPad = 0.2;         // Longest pad; longer ones have a wrong unit [m]
-constexpr double kMostShearModulus = 1e9;   // Largest shear modulus [Pa]
-constexpr double kMostExponent = 1e3;       // Largest |exponent| of a law [1]
-constexpr double kLeastPoisson = -0.999;    // Least Poisson's ratio [1]
-constexpr double kMostPoisson = 0.4999999;  // Largest Poisson's ratio [1]
+constexpr std::size_t kMaxLayers = 8;      // largest number of layers of skin
+constexpr std::size_t kMaxTerms = 8;       // largest number of terms of relaxation
+constexpr double kLongestPad = 0.2;        // Longest pad; longer ones have a wrong unit [m]
+constexpr double kMaxShearModulus = 1e9;   // largest shear modulus [Pa]
+constexpr double kMaxExponent = 1e3;       // largest |exponent| of a law [1]
+constexpr double kMinPoisson = -0.999;     // smallest Poisson's ratio [1]
+constexpr double kMaxPoisson = 0.4999999;  // largest Poisson's ratio [1]
 
 /// Keys whose numbers are assumed. @throws DataError if the table has not one of them
 std::vector<std::string> read_assumed(TomlTable& table) {
@@ -84,9 +84,9 @@ double read_exponent(TomlTable& table, const std::string& law) {
   if (!has_exponent(law)) return 0;
   const double k = table.number(Dimension::kNumber, "exponent");
   const bool fits = law == "ogden" ? k != 0 : k > 0;
-  if (!fits || std::abs(k) > kMostExponent)
+  if (!fits || std::abs(k) > kMaxExponent)
     table.fail(fmt::format("wanted 'exponent' {} and at most {:g} for the law '{}', got {:g}",
-                           law == "ogden" ? "other than 0" : "above 0", kMostExponent, law, k),
+                           law == "ogden" ? "other than 0" : "above 0", kMaxExponent, law, k),
                "exponent");
   return k;
 }
@@ -102,8 +102,8 @@ void read_relaxation(TomlTable& table, PadTissueSpec& tissue) {
     table.fail(fmt::format("wanted as many 'relaxation_time' as 'relaxation_share', {}, got {}",
                            count, tissue.relaxation_time.size()),
                "relaxation_time");
-  if (count > kMostTerms)
-    table.fail(fmt::format("wanted at most {} terms of relaxation, got {}", kMostTerms, count),
+  if (count > kMaxTerms)
+    table.fail(fmt::format("wanted at most {} terms of relaxation, got {}", kMaxTerms, count),
                "relaxation_share");
   const double sum =
       std::accumulate(tissue.relaxation_share.begin(), tissue.relaxation_share.end(), 0.0);
@@ -117,14 +117,14 @@ PadTissueSpec read_tissue(TomlTable& table, bool is_layer) {
   if (is_layer) tissue.thickness = read_length(table, "thickness");
   tissue.law = table.choice("law", tissue_law_names());
   tissue.shear_modulus = table.number(Dimension::kStress, "shear_modulus", Range::kPositive);
-  if (tissue.shear_modulus > kMostShearModulus)
+  if (tissue.shear_modulus > kMaxShearModulus)
     table.fail(fmt::format("wanted 'shear_modulus' of at most {:g} Pa, got {:g} Pa",
-                           kMostShearModulus, tissue.shear_modulus),
+                           kMaxShearModulus, tissue.shear_modulus),
                "shear_modulus");
   tissue.exponent = read_exponent(table, tissue.law);
   tissue.poisson_ratio = table.number(Dimension::kNumber, "poisson_ratio");
-  if (!(tissue.poisson_ratio >= kLeastPoisson && tissue.poisson_ratio <= kMostPoisson))
-    table.fail(fmt::format("wanted 'poisson_ratio' in {}..{}, got {}", kLeastPoisson, kMostPoisson,
+  if (!(tissue.poisson_ratio >= kMinPoisson && tissue.poisson_ratio <= kMaxPoisson))
+    table.fail(fmt::format("wanted 'poisson_ratio' in {}..{}, got {}", kMinPoisson, kMaxPoisson,
                            tissue.poisson_ratio),
                "poisson_ratio");
   read_relaxation(table, tissue);
@@ -191,9 +191,9 @@ PadSpec parse_pad(const std::string& text, const std::string& path) {
   if (!pulp) top.fail("wanted [pulp], the tissue between bone and skin, got none");
   pad.pulp = read_tissue(*pulp, false);
   std::vector<TomlTable> layers = top.tables("layer");
-  if (layers.size() > kMostLayers)
-    layers[kMostLayers].fail(
-        fmt::format("wanted at most {} layers of skin, got {}", kMostLayers, layers.size()));
+  if (layers.size() > kMaxLayers)
+    layers[kMaxLayers].fail(
+        fmt::format("wanted at most {} layers of skin, got {}", kMaxLayers, layers.size()));
   double thick = 0;
   for (TomlTable& layer : layers) {
     pad.layers.push_back(read_tissue(layer, true));

@@ -8,9 +8,9 @@
 
 namespace thenar {
 
-/// SHA-256, in hexadecimal digits, of the pad's shape, its own skin and its tissues with their
-/// relaxation, numbers to 12 digits, so that other units of a file make no other pad. Names, cells,
-/// sources and what is assumed have no part in it.
+/// Returns the SHA-256, in hexadecimal digits, of the pad's shape, its own skin and its tissues
+/// with their relaxation, numbers to 12 digits, so that other units of a file make no other pad.
+/// Names, cells, sources and what is assumed have no part in it.
 [[nodiscard]] std::string pad_digest(const PadSpec& pad);
 
 }  // namespace thenar

@@ -15,7 +15,7 @@ struct LoopClosure {
   std::string a, b;       // links
   Pose<double> X_A, X_B;  // the place in each link
   bool welded = false;    // false: a ball joint, which leaves rotations free
-  std::string words;      // for messages: "<connect> of 'a' and 'b'"
+  std::string words;      // description for messages: "<connect> of 'a' and 'b'"
 };
 
 /// Turns joints in closed loops into followers of the motor that drives the loop.

@@ -14,7 +14,7 @@ namespace thenar {
 struct GraspitDrive {
   int dof = -1;          // -1: a constant, in `offset`
   double ratio = 1;      // [1]
-  double offset = 0;     // in the file's unit [deg] or [mm]
+  double offset = 0;     // offset in the file's unit [deg] or [mm]
   bool ignored = false;  // the offset follows '-' alone, for which GraspIt! itself takes 0
 };
 
@@ -26,8 +26,8 @@ struct GraspitDrive {
 
 namespace thenar::internal {
 
-/// Notes the elements in an element that are not read.
-/// @param read  names of those that are
+/// Records the elements in an element that are not read.
+/// @param read  names of the elements that are read
 void note_others(UnreadElements& unread, const pugi::xml_node& node,
                  const std::set<std::string>& read);
 
@@ -37,7 +37,7 @@ class GraspitDrives {
   GraspitDrives(const XmlFile& file, UnreadElements& unread, RobotSpec& robot)
       : file_(file), unread_(unread), robot_(robot) {}
 
-  /// Adds the degree of freedom of a <dof>, without limits as yet.
+  /// Adds the degree of freedom of a <dof>, at first without limits.
   void add_dof(const pugi::xml_node& node);
   /// Reads a <joint> with frame Rz(theta) Tz(d) Tx(a) Rx(alpha), of which theta or d is driven.
   [[nodiscard]] RobotJoint read_joint(const pugi::xml_node& node);

@@ -15,7 +15,7 @@ struct FollowerCoupling {
   std::string master;
   double ratio = 1;           // [1], [m/rad] or [rad/m]
   double offset = 0;          // [rad] or [m]
-  int line = 1;               // of the file, for messages
+  int line = 1;               // line in the file, for messages
   std::vector<double> curve;  // empty: linear
 };
 
@@ -33,15 +33,15 @@ struct JointRange {
   double lower, upper;  // [rad] or [m]
 };
 
-/// Interval of the degree of freedom that keeps a joint, which follows it linearly, within its
-/// limits.
+/// Returns the interval of the degree of freedom that keeps a joint, which follows it linearly,
+/// within its limits.
 [[nodiscard]] JointRange range_through(const RobotJoint& joint);
 
-/// Widens the limits of a joint by what it leaves them over the range of the degree of freedom that
-/// it follows, looked at in so many intervals.
+/// Widens the limits of a joint by its excess over the range of the degree of freedom that it
+/// follows, evaluated at the given number of intervals.
 void widen_limits(RobotJoint& joint, const RobotDof& dof, int intervals);
 
-/// The joint or degree of freedom of that name, or null.
+/// Returns the joint or degree of freedom of that name, or null.
 [[nodiscard]] RobotJoint* find_joint(RobotSpec& robot, const std::string& name);
 [[nodiscard]] RobotDof* find_dof(RobotSpec& robot, const std::string& name);
 

@@ -29,10 +29,10 @@ struct NamedMeshes {
   MeshReader& reader;
 };
 
-/// The mesh of a name in the robot file as a shape, put into `shape`, whose X_BS is the pose of the
-/// file's frame.
-/// @returns false if the file is missing or cannot be read; `warnings` then say that `link` goes
-/// without it.
+/// Reads the mesh of a name in the robot file into `shape`, whose X_BS is the pose of the file's
+/// frame.
+/// @returns false if the file is missing or cannot be read; `warnings` then say that `link` lacks
+/// it.
 [[nodiscard]] bool try_mesh(ShapeSpec& shape, const std::string& name,
                             const MeshPlacement& placement, const NamedMeshes& from,
                             const std::string& link, std::vector<std::string>& warnings);

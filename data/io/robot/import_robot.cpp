@@ -84,13 +84,13 @@ bool holds(const std::string& text, const char* words) {
 
 }  // namespace
 
-bool is_said(const std::vector<std::string>& warnings, const std::string& doubt) {
+bool contains_warning(const std::vector<std::string>& warnings, const std::string& doubt) {
   return any_of(warnings, [&](const std::string& warning) {
     return warning.compare(0, doubt.size(), doubt) == 0;
   });
 }
 
-bool is_grave(const std::string& warning) {
+bool is_serious(const std::string& warning) {
   const auto has = [&](const char* words) { return holds(warning, words); };
   return has("MISSING") || has("UNREADABLE") || has("INCOMPLETE") || has("LEFT OUT") ||
          has("millimetres") || has("are its limits degrees") || has("cannot move");
@@ -124,7 +124,7 @@ RobotSpec import_robot(const std::string& path) {
   std::vector<std::string> doubts = robot_doubts(robot);
   if (kind != RobotFileKind::kToml) append_all(doubts, mass_doubts(robot));
   for (std::string& doubt : doubts)
-    if (!is_said(said, doubt)) robot.warnings.push_back(std::move(doubt));
+    if (!contains_warning(said, doubt)) robot.warnings.push_back(std::move(doubt));
   robot.warnings = internal::by_severity(robot.warnings);
   // What remains wrong is an error of the file.
   try {
@@ -141,7 +141,7 @@ namespace thenar::internal {
 namespace {
 
 int weight(const std::string& warning) {
-  if (is_grave(warning)) return 0;
+  if (is_serious(warning)) return 0;
   for (const char* light : {"is not read", "is not understood", "is not heeded"})
     if (warning.find(light) != std::string::npos) return 2;
   return 1;

@@ -25,23 +25,23 @@ inline constexpr std::array kRobotFileKindNames{
 /// @throws DataError if it is XML of none of these kinds.
 [[nodiscard]] RobotFileKind find_robot_kind(const std::string& path);
 
-/// Reads a robot of any kind. `warnings` lists what was not understood, and each repair: inertias
-/// that no body has (a principal moment above the sum of the others, or below 0) are replaced by
-/// the nearest possible one; meshes that bound no solid are repaired (repair_to_solid()) or, if
-/// they are flat, left out.
+/// Reads a robot of any kind. `warnings` lists what was not understood, and each repair: impossible
+/// inertias (a principal moment above the sum of the others, or below 0) are replaced by the
+/// nearest possible one; meshes that bound no solid are repaired (repair_to_solid()) or, if they
+/// are flat, left out.
 /// @throws DataError  `path:line: ..`
 [[nodiscard]] RobotSpec import_robot(const std::string& path);
 
-/// Returns whether a warning says that the robot is not the one that was meant: parts of it are
-/// missing or unreadable, its lengths or angles are in another unit, or joints cannot move.
-[[nodiscard]] bool is_grave(const std::string& warning);
+/// Returns true if a warning says that the robot is not the intended one: parts are missing or
+/// unreadable, its lengths or angles are in another unit, or joints cannot move.
+[[nodiscard]] bool is_serious(const std::string& warning);
 
-/// Returns whether a warning says that a file which the robot names is missing.
+/// Returns true if a warning says that a file of the robot is missing.
 [[nodiscard]] bool names_missing_part(const std::string& warning);
 
-/// Returns whether warnings of a robot, which may have been written after it was read, say so
-/// already, perhaps with a count.
-[[nodiscard]] bool is_said(const std::vector<std::string>& warnings, const std::string& doubt);
+/// Returns true if the warnings of a robot contain a warning already, possibly with a count.
+[[nodiscard]] bool contains_warning(const std::vector<std::string>& warnings,
+                                    const std::string& doubt);
 
 }  // namespace thenar
 

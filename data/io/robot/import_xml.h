@@ -39,8 +39,7 @@ namespace thenar::internal {
 [[nodiscard]] std::string required_text(const XmlFile& file, const pugi::xml_node& node,
                                         const char* attribute);
 
-/// Adds a name that no other has: the wanted one, or with a number behind it; "" stands for
-/// `otherwise`.
+/// Adds a unique name: the wanted one, with an added number where needed; `otherwise` replaces "".
 [[nodiscard]] std::string add_unique_name(std::set<std::string>& names, const std::string& wanted,
                                           const std::string& otherwise = "");
 

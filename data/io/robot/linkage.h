@@ -1,6 +1,6 @@
 #pragma once
 
-/// Linkages: bars and joints that a motor moves, held together by loops.
+/// Linkages: bars and joints moved by a motor and constrained by closed loops.
 
 #include <map>
 #include <optional>
@@ -36,8 +36,8 @@ class Linkage {
 
   [[nodiscard]] const std::vector<PassiveJoint>& passives() const { return passives_; }
 
-  /// Residual of the closures: distances of places that coincide, and for welds rotations times 50
-  /// mm [m]. @param u  value of the motor;  @param y  values of passive joints
+  /// Returns the residual of the closures: distances of places that coincide, and for welds
+  /// rotations times 50 mm [m]. @param u  value of the motor;  @param y  values of passive joints
   [[nodiscard]] Eigen::VectorXd loop_residual(double u, const Eigen::VectorXd& y) const;
   [[nodiscard]] Eigen::VectorXd loop_residual(const std::vector<Pose<double>>& links) const;
 

@@ -255,7 +255,7 @@ class BodyTree {
     if (names.empty()) return;
     const bool alone = names.size() == 1;
     robot_.warnings.push_back(fmt::format("{} {} no limits; {} {:.6g} to {:.6g} {}",
-                                          these("joint", names), alone ? "has" : "have",
+                                          quoted_list("joint", names), alone ? "has" : "have",
                                           alone ? "it gets" : "they get", -upper, upper, unit));
   }
 

@@ -23,12 +23,12 @@ struct FixedTendon {
   std::string name;
   std::vector<TendonTerm> terms;
   int line = 1;
-  std::optional<JointRange> limits;  // of its length
+  std::optional<JointRange> limits;  // range of its length
 };
 
 /// Largest efforts in both directions; both 0: unknown.
 struct EffortRange {
-  double up = 0, down = 0;  // at least 0 [N m] or [N]
+  double up = 0, down = 0;  // largest effort either way, >= 0 [N m] or [N]
 
   /// Returns the efforts on a coordinate that moves by 1 / ratio: multiplied by |ratio|, with the
   /// directions exchanged if the ratio is negative.
@@ -39,12 +39,12 @@ struct EffortRange {
 /// An actuator on a joint or a fixed tendon.
 struct MjcfActuator {
   std::string name;
-  std::string joint, tendon;  // one of these
-  EffortRange effort;         // on the joint or tendon
+  std::string joint, tendon;  // joint or tendon that it drives: one of the two is set
+  EffortRange effort;         // range of effort on the joint or tendon
 };
 
-/// Returns whether an element names a hinge or slide of the robot. In an incomplete model it may
-/// name another, which is noted.
+/// Returns true if an element refers to a hinge or slide of the robot. Other names in an incomplete
+/// model are recorded.
 /// @throws DataError if there is no such joint in a complete model
 [[nodiscard]] bool has_joint(const MjcfSource& source, const RobotSpec& robot,
                              const pugi::xml_node& node, const std::string& name);

@@ -45,7 +45,7 @@ class MjcfCouplings {
   const std::vector<double>& refs_;  // values of joints in the file's posture [rad] or [m]
   const std::vector<FixedTendon>& tendons_;
   RobotSpec& robot_;
-  std::map<std::string, double> ref_;  // the same, by joint
+  std::map<std::string, double> ref_;  // reference value by joint
   std::vector<LoopClosure> loops_;
   std::vector<FollowerCoupling> couplings_, held_;
 };

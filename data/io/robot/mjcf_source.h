@@ -23,7 +23,7 @@ struct MjcfCompiler {
   double angle = 0;  // size of one unit of angle [rad]
   std::string euler_sequence = "xyz";
   std::string mesh_folder;  // beside the file
-  bool strip_path = false;  // of mesh files
+  bool strip_path = false;  // strip folders from names of mesh files
   bool auto_limits = true;  // a range alone means limits
   std::string inertia_from_geom = "auto";
   double min_group = 0, max_group = 5;  // groups of geoms with mass
@@ -44,11 +44,12 @@ class MjcfDefaults {
   [[nodiscard]] bool has_class(const std::string& name) const { return by_name_.count(name) > 0; }
 
  private:
-  // Index that stands for no class
+  // Index of no class
   static constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
   /// Values that a class states itself; the class around it states the rest.
   struct Class {
-    std::map<std::pair<std::string, std::string>, std::string> values;  // by element and attribute
+    std::map<std::pair<std::string, std::string>, std::string>
+        values;                    // default value by element and attribute
     std::size_t above = kNoClass;  // index of the class around it
   };
   void read_class(const XmlFile& file, const pugi::xml_node& node, std::size_t own);
@@ -66,7 +67,7 @@ struct MjcfSource {
   MeshReader& meshes;
 };
 
-/// Returns whether an element stands for bodies that are not read: <attach>, <composite>,
+/// Returns true if an element represents bodies that are not read: <attach>, <composite>,
 /// <flexcomp>.
 [[nodiscard]] bool makes_bodies(const pugi::xml_node& node);
 
@@ -91,11 +92,11 @@ class MjcfElement {
   [[nodiscard]] bool has(const char* attribute) const;
   [[nodiscard]] std::string text(const char* attribute, const std::string& otherwise = "") const;
   [[nodiscard]] double number(const char* attribute, double otherwise) const;
-  /// Numbers of an attribute; empty if it is absent.
+  /// Returns the numbers of an attribute; empty if it is absent.
   [[nodiscard]] std::vector<double> numbers(const char* attribute) const;
   [[nodiscard]] Eigen::Vector3d vector3(const char* attribute,
                                         const Eigen::Vector3d& otherwise) const;
-  /// Pose from pos and one of quat, axisangle, euler, xyaxes, zaxis.
+  /// Returns the pose from pos and one of quat, axisangle, euler, xyaxes, zaxis.
   [[nodiscard]] Pose<double> pose() const;
   [[noreturn]] void fail(const std::string& what) const;
   [[nodiscard]] int line() const;
@@ -111,8 +112,8 @@ class MjcfElement {
   std::string class_;
 };
 
-/// Rotation that turns z into `direction` by the smallest angle; half a turn about x if it points
-/// down.
+/// Returns the rotation that turns z into `direction` by the smallest angle; half a turn about x if
+/// it points down.
 /// @param direction  not zero (3)
 [[nodiscard]] Eigen::Matrix3d rotation_to(const Eigen::Vector3d& direction);
 

@@ -25,9 +25,9 @@ struct RobotLink {
   std::string digit;             // digit to which it belongs; empty: palm or arm
   double mass = 0;               // [kg]; 0: unknown
   Eigen::Vector3d com{0, 0, 0};  // [m] (3)
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about com [kg m^2] (3, 3)
-  std::vector<ShapeSpec> shapes;                      // for contacts
-  std::string material;                               // in data/materials; empty: unknown
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // inertia about com [kg m^2] (3, 3)
+  std::vector<ShapeSpec> shapes;                      // shapes for contacts
+  std::string material;  // material name of data/materials; empty: unknown
 };
 
 /// Kinds of joints.
@@ -50,15 +50,15 @@ struct RobotJoint {
   Pose<double> X_PJ;              // joint frame in the parent link
   Eigen::Vector3d axis{0, 0, 1};  // unit, in the joint frame (3)
   Pose<double> X_JC;              // child link in the moved joint frame
-  double lower = 0;               // of the joint value [rad] or [m]
-  double upper = 0;               // of the joint value [rad] or [m]
+  double lower = 0;               // lower limit of the joint value [rad] or [m]
+  double upper = 0;               // upper limit of the joint value [rad] or [m]
   std::string dof;                // degree of freedom that drives it; empty: fixed or free
   double ratio = 1;               // [1], [m/rad] or [rad/m]
   double offset = 0;              // [rad] or [m]
-  std::vector<double> curve;      // of a linkage; empty: linear [rad/rad^2], [rad/rad^3] ..
+  std::vector<double> curve;      // higher coefficients; empty: linear [rad/rad^2], [rad/rad^3] ..
   double damping = 0;             // [N m s/rad] or [N s/m]
   double friction = 0;            // Coulomb's [N m] or [N]
-  double stiffness = 0;           // of a spring to `rest` [N m/rad] or [N/m]
+  double stiffness = 0;           // stiffness of a spring to `rest` [N m/rad] or [N/m]
   double rest = 0;                // [rad] or [m]
 };
 
@@ -66,23 +66,23 @@ struct RobotJoint {
 struct RobotDof {
   std::string name;
   DriveCoupling kind = DriveCoupling::kRigid;
-  double lower = 0;             // [rad] or [m]
-  double upper = 0;             // [rad] or [m]
-  double speed = 0;             // in closing, relative to others; negative: closes downwards [1]
-  double max_effort = 0;        // [N m] or [N]; 0: unknown
-  double breakaway = 0;         // torque at which the clutch opens [N m]
-  double stiffness = 0;         // of a compliant coupling [N m/rad]
+  double lower = 0;       // [rad] or [m]
+  double upper = 0;       // [rad] or [m]
+  double speed = 0;       // closing speed relative to other drives; negative: closes downwards [1]
+  double max_effort = 0;  // [N m] or [N]; 0: unknown
+  double breakaway = 0;   // torque at which the clutch opens [N m]
+  double stiffness = 0;   // stiffness of a compliant coupling [N m/rad]
   bool backdrivable = true;     // false: a worm gear or brake, which no load drives back
   bool nominal_effort = false;  // max_effort is a model's placeholder, not a published number
   std::optional<double> open;   // value when closing begins [rad] or [m]; nothing: the limit from
                                 // which it closes, or for speed 0 zero or the nearest limit
-  double effort_up = 0;         // where a file's efforts differ by direction, both; otherwise 0;
-  double effort_down = 0;       //   not written to files [N m] or [N]
+  double effort_up = 0;    // efforts in both directions, where those of a file differ; otherwise 0;
+  double effort_down = 0;  //   not written to files [N m] or [N]
 };
 
 /// Approach of a hand towards an object: a point of the palm and its direction.
 struct RobotApproach {
-  Eigen::Vector3d point{0, 0, 0};      // in the base link [m] (3)
+  Eigen::Vector3d point{0, 0, 0};      // position in the base link [m] (3)
   Eigen::Vector3d direction{0, 0, 1};  // unit, in the base link (3)
 };
 
@@ -94,7 +94,7 @@ struct RobotSpec {
   std::string name;
   std::string description;
   std::string source;   // citation keys
-  std::string licence;  // of the original file; empty: ours
+  std::string licence;  // licence of the original file; empty: ours
   std::vector<RobotLink> links;
   std::vector<RobotJoint> joints;
   std::vector<RobotDof> dofs;
@@ -104,8 +104,8 @@ struct RobotSpec {
   std::vector<std::string> open_loops;  // unsolved loops: the robot must not grasp
   std::vector<std::pair<std::string, std::string>> joined;  // links held together by solved loops;
                                                             // not written to files
-  std::vector<std::string> warnings;                        // of an importer
-  FileDigests files = {};  // that were read for it, its own first of all; not written to files
+  std::vector<std::string> warnings;                        // warnings of an importer
+  FileDigests files = {};  // digests of its input files, its own first
 };
 
 /// Names of the digits that links belong to.
@@ -128,8 +128,8 @@ bool take_effort_of_speed(RobotDof& dof);
 [[nodiscard]] RobotSpec read_robot(const std::string& path);
 [[nodiscard]] RobotSpec parse_robot(const std::string& text, const std::string& path);
 
-/// The robot as TOML that read_robot() reads without loss, every double to the bit. A mesh from a
-/// file is named, not written out.
+/// Returns the robot as TOML that read_robot() reads without loss, every double to the bit. A mesh
+/// from a file is named, not written out.
 /// @param stated  the robot before digits, materials, closing and approach were inferred: lines
 /// that differ end in a comment, "# guessed"; null: nothing was inferred
 /// @throws InputError as check_robot().
@@ -147,9 +147,9 @@ bool take_effort_of_speed(RobotDof& dof);
 /// @throws InputError
 void check_robot(const RobotSpec& robot);
 
-/// Mounts `tool` on a link of `carrier` by a fixed joint "NAME mount". The result approaches and
-/// closes as the tool does; a carrier that states no closing stands still. Names of the tool get
-/// "NAME/" in front if the carrier has them already.
+/// Mounts `tool` on a link of `carrier` by a fixed joint "NAME mount". The result
+/// approaches and closes as the tool does; a carrier that states no closing does not move. Names of
+/// the tool get "NAME/" in front if the carrier has them already.
 /// @param X_LT  base link of the tool in that link
 /// @throws InputError if the carrier has no such link, or as check_robot().
 [[nodiscard]] RobotSpec attach(const RobotSpec& carrier, const std::string& link,

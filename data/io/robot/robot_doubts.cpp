@@ -14,13 +14,13 @@
 namespace thenar {
 namespace {
 
-constexpr double kMostLength = 10;  // Largest shape or offset; larger ones are in another unit [m]
+constexpr double kMaxLength = 10;  // largest shape or offset; larger ones are in another unit [m]
 // Largest travel of a slide from 0; that of a slide that carries the whole robot, a vehicle [m]
-constexpr double kMostTravel = 1, kMostWay = 100;
-constexpr double kMostTurn = 4 * kPi;  // Largest range of a hinge between its limits [rad]
-constexpr double kFarAbove = 20;       // Ratio of a placeholder to the efforts of others [1]
+constexpr double kMaxTravel = 1, kMaxWay = 100;
+constexpr double kMaxTurn = 4 * kPi;  // largest range of a hinge between its limits [rad]
+constexpr double kFarAbove = 20;      // Ratio of a placeholder to the efforts of others [1]
 // Least efforts of placeholders [N m], [N]
-constexpr double kLeastTorque = 100, kLeastForce = 1000;
+constexpr double kMinTorque = 100, kMinForce = 1000;
 
 /// Longest side of a mesh, otherwise the largest size of a shape, such as a radius [m].
 double across(const ShapeSpec& shape) {
@@ -35,7 +35,7 @@ void doubt_sizes(const RobotSpec& robot, std::vector<std::string>& doubts) {
   for (const RobotLink& link : robot.links)
     for (const ShapeSpec& shape : link.shapes) {
       const double size = across(shape);
-      if (!(size > kMostLength)) continue;
+      if (!(size > kMaxLength)) continue;
       doubts.push_back(
           shape.kind == ShapeKind::kMesh
               ? fmt::format("a mesh of link '{}' is {:.4g} m across: are its numbers millimetres, "
@@ -46,7 +46,7 @@ void doubt_sizes(const RobotSpec& robot, std::vector<std::string>& doubts) {
                             name_of(shape.kind), link.name, size));
     }
   for (const RobotJoint& joint : robot.joints)
-    if (joint.X_PJ.p.norm() > kMostLength)
+    if (joint.X_PJ.p.norm() > kMaxLength)
       doubts.push_back(fmt::format(
           "joint '{}' lies {:.4g} m from its parent's frame: are its numbers millimetres? Lengths "
           "are read as metres",
@@ -68,13 +68,13 @@ void doubt_joints(const RobotSpec& robot, std::vector<std::string>& doubts) {
   double farthest = 0;
   for (const RobotJoint& joint : robot.joints) {
     const double range = joint.upper - joint.lower;
-    if (joint.kind == RobotJointKind::kRevolute && range > kMostTurn && std::isfinite(range))
+    if (joint.kind == RobotJointKind::kRevolute && range > kMaxTurn && std::isfinite(range))
       doubts.push_back(
           fmt::format("hinge '{}' turns by {:.4g} degrees: are its limits degrees? Angles are read "
                       "as radians",
                       joint.name, degrees(range)));
     const double travel = std::max(std::abs(joint.lower), std::abs(joint.upper));
-    if (slides(joint) && travel > (carries_all(robot, joint) ? kMostWay : kMostTravel)) {
+    if (slides(joint) && travel > (carries_all(robot, joint) ? kMaxWay : kMaxTravel)) {
       far.push_back(joint.name);
       farthest = std::max(farthest, travel);
     }
@@ -83,11 +83,11 @@ void doubt_joints(const RobotSpec& robot, std::vector<std::string>& doubts) {
   if (!far.empty())
     doubts.push_back(
         fmt::format("{} {} {:.4g} m: are {} limits millimetres? Lengths are read as metres",
-                    these("joint", far), far.size() == 1 ? "slides by" : "slide by up to", farthest,
-                    far.size() == 1 ? "its" : "their"));
+                    quoted_list("joint", far), far.size() == 1 ? "slides by" : "slide by up to",
+                    farthest, far.size() == 1 ? "its" : "their"));
   if (!stuck.empty())
-    doubts.push_back(
-        fmt::format("{} cannot move: the upper limit is the lower one", these("joint", stuck)));
+    doubts.push_back(fmt::format("{} cannot move: the upper limit is the lower one",
+                                 quoted_list("joint", stuck)));
 }
 
 /// Returns whether a text has a name as a word of its own.
@@ -111,7 +111,7 @@ void doubt_missing_efforts(RobotSpec& robot) {
   }
   if (!missing.empty())
     robot.warnings.push_back(fmt::format("{} {} no effort, unlike others: it is unknown",
-                                         these("joint", missing),
+                                         quoted_list("joint", missing),
                                          missing.size() == 1 ? "has" : "have"));
 }
 
@@ -130,8 +130,8 @@ std::vector<RobotDof*> far_above_others(RobotSpec& robot, bool sliding) {
       next = std::max(next, dof.max_effort);
   }
   // A placeholder is large, a multiple of ten, and far beyond what other joints state.
-  const bool placeholder = most >= (sliding ? kLeastForce : kLeastTorque) &&
-                           std::fmod(most, 10) == 0 && next > 0 && most >= kFarAbove * next;
+  const bool placeholder = most >= (sliding ? kMinForce : kMinTorque) && std::fmod(most, 10) == 0 &&
+                           next > 0 && most >= kFarAbove * next;
   if (!placeholder || above.size() < 2) above.clear();
   return above;
 }
@@ -141,7 +141,7 @@ std::vector<RobotDof*> far_above_others(RobotSpec& robot, bool sliding) {
 void doubt_placeholders(RobotSpec& robot) {
   const auto all = [&](const auto& is) { return all_of(robot.dofs, is); };
   const bool large = all([&](const RobotDof& dof) {
-    return dof.max_effort >= (slides(robot, dof) ? kLeastForce : kLeastTorque);
+    return dof.max_effort >= (slides(robot, dof) ? kMinForce : kMinTorque);
   });
   const double first = robot.dofs.front().max_effort;
   const bool equal = all([&](const RobotDof& dof) { return dof.max_effort == first; });
@@ -170,7 +170,7 @@ void doubt_placeholders(RobotSpec& robot) {
       robot.warnings.push_back(fmt::format(
           "efforts of {:.4g} at {}, far above all others, are taken for placeholders: they are "
           "unknown",
-          effort, these("joint", names)));
+          effort, quoted_list("joint", names)));
   }
 }
 
@@ -197,7 +197,7 @@ std::vector<std::string> mass_doubts(const RobotSpec& robot) {
   if (!any && moves && !massless.empty())
     return {"no link has a mass: nothing tells how the robot moves, or how heavy it is"};
   if (!any || massless.empty()) return {};
-  return {fmt::format("{} {} shapes and no mass", these("link", massless),
+  return {fmt::format("{} {} shapes and no mass", quoted_list("link", massless),
                       massless.size() == 1 ? "has" : "have")};
 }
 

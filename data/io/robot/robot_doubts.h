@@ -10,13 +10,13 @@
 
 namespace thenar {
 
-/// Doubts in a robot of any file, a sentence each: shapes and offsets of joints beyond 10 m, "a box
-/// of link 'palm' .."; hinges that turn by more than two turns; slides that move by more than 1 m;
-/// driven joints whose range is a point.
+/// Returns doubts about a robot of any file, one sentence each: shapes and offsets of joints beyond
+/// 10 m, "a box of link 'palm' .."; hinges that turn by more than two turns; slides that move by
+/// more than 1 m; driven joints whose range is a point.
 [[nodiscard]] std::vector<std::string> robot_doubts(const RobotSpec& robot);
 
-/// Links that have shapes and no mass, the base apart, where others have one, or that no link has:
-/// nothing for a grasp, but wrong in motion.
+/// Returns doubts about links that have shapes and no mass, except the base, where others have one,
+/// or that no link has: nothing for a grasp, but wrong in motion.
 [[nodiscard]] std::vector<std::string> mass_doubts(const RobotSpec& robot);
 
 /// Marks efforts that no hand's motors have as a model's placeholders, RobotDof::nominal_effort:

@@ -20,7 +20,7 @@ template <typename Matrix>
   return std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
 }
 
-/// Checks of one part by itself. @throws InputError
+/// Checks of a single part. @throws InputError
 void check_pose(const Pose<double>& X, const std::string& whose);
 void check_shape(const ShapeSpec& shape, const std::string& whose);
 void check_link(const RobotLink& link);

@@ -95,7 +95,7 @@ class UrdfTranslation {
           "visual shapes stand for the missing collision shapes of {}", fmt::join(shown_, ", ")));
     if (!endless_.empty())
       robot_.warnings.push_back(fmt::format("{} {} one turn, -pi to pi",
-                                            these("continuous joint", endless_),
+                                            quoted_list("continuous joint", endless_),
                                             endless_.size() == 1 ? "gets" : "get"));
     robot_.files.merge(meshes_.files());
   }

@@ -44,10 +44,10 @@ namespace thenar {
 struct UrdfText {
   std::string text;
   std::map<std::string, TriangleMesh> meshes;  // meshes without a file, by the name of a new one
-  std::vector<std::string> warnings;  // what URDF cannot express, also comments in the text
+  std::vector<std::string> warnings;           // features that URDF cannot express
 };
 
-/// Roll, pitch and yaw of URDF,  R = Rz(yaw) Ry(pitch) Rx(roll), accurate at any pitch.
+/// Returns the roll, pitch and yaw of URDF,  R = Rz(yaw) Ry(pitch) Rx(roll), accurate at any pitch.
 /// @returns [rad] (3)
 [[nodiscard]] Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& R);
 

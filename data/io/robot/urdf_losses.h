@@ -1,6 +1,6 @@
 #pragma once
 
-/// What URDF cannot express of a robot, and the couplings that are written in its place.
+/// Properties of a robot that URDF cannot express, and the couplings that replace them.
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace thenar::internal {
 /// Returns a warning for each property of a robot that URDF has no words for.
 [[nodiscard]] std::vector<std::string> losses_in_urdf(const RobotSpec& robot);
 
-/// Returns the joint that stands for a motor: the first with ratio 1 and no offset, otherwise the
+/// Returns the joint that represents a motor: the first with ratio 1 and no offset, otherwise the
 /// first, if possible one that follows no curve. @param dof  moves a joint
 [[nodiscard]] const RobotJoint& leader_of(const RobotSpec& robot, const std::string& dof);
 

@@ -164,7 +164,7 @@ void note_unlimited(UnreadElements& unread, pugi::xml_node robot, const std::str
     names.emplace_back(joint.attribute("name").value());
   }
   if (!names.empty())
-    unread.note(first, fmt::format("{} {} no <limit>: {}", these(type + " joint", names),
+    unread.note(first, fmt::format("{} {} no <limit>: {}", quoted_list(type + " joint", names),
                                    names.size() == 1 ? "has" : "have",
                                    names.size() == 1 ? taken : all_taken));
 }

@@ -10,7 +10,7 @@ namespace thenar {
 
 /// Motion of a body relative to its parent.
 enum class JointKind {
-  kWeld,   // not at all
+  kWeld,   // no motion
   kHinge,  // turns about z of the joint's frames
   kSlide,  // slides along z of the joint's frames
   kBall,   // turns about any axis through the origins of the joint's frames

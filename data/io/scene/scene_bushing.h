@@ -16,20 +16,20 @@ namespace thenar {
 struct SceneBushingSpec {
   std::string name;
   std::string from, to;               // body, or "HAND/LINK"; empty `from`: the world
-  Eigen::Vector3d point{0, 0, 0};     // where it is at the start, world [m] (3)
-  Eigen::Vector3d axis{0, 0, 1};      // of flexion at the start, unit, world (3)
-  std::array<double, 6> stiffness{};  // at rest: across, along, axial [N/m]; flexion, abduction,
-                                      // twist [N m/rad]
+  Eigen::Vector3d point{0, 0, 0};     // initial position, world [m] (3)
+  Eigen::Vector3d axis{0, 0, 1};      // initial axis of flexion, unit, world (3)
+  std::array<double, 6> stiffness{};  // stiffness at rest: across, along, axial [N/m]; flexion,
+                                      // abduction, twist [N m/rad]
   std::array<double, 6> damping{};    // [N s/m], [N m s/rad]
   double translation_toe = std::numeric_limits<double>::infinity();  // [m]
   double rotation_toe = std::numeric_limits<double>::infinity();     // [rad]
   double stiffening = 20;  // largest stiffness over that at rest [1]
-  int line = 1;            // of the file
+  int line = 1;            // line in the file
 };
 
 namespace internal {
 
-/// [[bushing]]
+/// Reads [[bushing]].
 [[nodiscard]] SceneBushingSpec read_scene_bushing(TomlTable& table);
 
 }  // namespace internal

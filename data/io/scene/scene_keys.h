@@ -1,20 +1,21 @@
 #pragma once
 
-/// Tables of a scene, each by itself.
+/// Readers of single tables of a scene.
 
 #include "data/io/scene/scene.h"
 #include "data/io/toml_table.h"
 
 namespace thenar::internal {
 
-/// [body.joint] or [hand.joint]. @param kind  where it is not stated
+/// Reads [body.joint] or [hand.joint]. @param kind  default kind
 [[nodiscard]] SceneJointSpec read_scene_joint(TomlTable& owner, JointKind kind);
-/// `velocity` and `angular_velocity`, which only what is free may have.
+/// Reads `velocity` and `angular_velocity`, which only free bodies may have.
 [[nodiscard]] SceneVelocity read_scene_velocity(TomlTable& owner, JointKind kind);
 [[nodiscard]] SceneForceSpec read_scene_force(TomlTable& table);
 /// @param folder  of the scene
 [[nodiscard]] SceneDriveSpec read_scene_drive(TomlTable& table, const std::string& folder);
-/// [[tendon]] or [[muscle]]. @param tensions  it is [[tendon]];  @param folder  of the scene
+/// Reads [[tendon]] or [[muscle]]. @param tensions  true: [[tendon]];  @param folder  folder of the
+/// scene
 [[nodiscard]] SceneMuscleSpec read_scene_muscle(TomlTable& table, bool tensions,
                                                 const std::string& folder);
 [[nodiscard]] SceneFrictionSpec read_scene_friction(TomlTable& table);

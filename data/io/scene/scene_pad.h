@@ -15,28 +15,28 @@ namespace thenar {
 
 /// A pad on a body, and the bodies that press on it.
 struct ScenePadSpec {
-  std::string on;                     // body, or "HAND/LINK", that carries it
-  std::vector<std::string> against;   // bodies, or "HAND/LINK"; each meets a pad of its own
-  std::string pad = "index_pad";      // as written: a file, or what is built in
-  std::string laws;                   // the same of its laws; empty: those of a pad built in
-  std::string rung = "elements";      // of pad_rung_names()
-  std::optional<Pose<double>> X_BP;   // of the pad in the body; absent: where a fingertip has it
-  std::optional<double> scale;        // of all its lengths [1]; absent: as broad as the fingertip
-                                      // where X_BP is absent, otherwise 1
-  double force_error = 0.05;          // of PadElementOptions [1]
+  std::string on;                    // body, or "HAND/LINK", that carries it
+  std::vector<std::string> against;  // bodies, or "HAND/LINK"; each meets a pad of its own
+  std::string pad = "index_pad";     // pad as written: a file, or a built-in name
+  std::string laws;  // laws as written: a file, or a built-in name; empty: those of a built-in pad
+  std::string rung = "elements";     // one of pad_rung_names()
+  std::optional<Pose<double>> X_BP;  // pose of the pad in the body; absent: that of a fingertip
+  std::optional<double> scale;  // factor on all its lengths [1]; absent: as broad as the fingertip
+                                // where X_BP is absent, otherwise 1
+  double force_error = 0.05;    // see PadElementOptions [1]
   std::optional<double> friction;     // [1]; absent: that of the pair
-  PadSpec spec;                       // what the pad's file says
-  std::optional<CalibratedLaws> law;  // what the laws' file says
-  FileDigests files;                  // that were read for them
-  int line = 1;                       // of the file
+  PadSpec spec;                       // content of the pad's file
+  std::optional<CalibratedLaws> law;  // content of the laws' file
+  FileDigests files;                  // digests of the files that were read for them
+  int line = 1;                       // line in the file
 };
 
-/// "elements", "foundation", "soft-finger", "power-law", "hard-point": the finest first.
+/// Returns "elements", "foundation", "soft-finger", "power-law", "hard-point": the finest first.
 [[nodiscard]] const std::vector<std::string>& pad_rung_names();
 
 namespace internal {
 
-/// [[pad]]. @param folder  of the scene
+/// Reads [[pad]]. @param folder  folder of the scene
 [[nodiscard]] ScenePadSpec read_scene_pad(TomlTable& table, const std::string& folder);
 
 }  // namespace internal

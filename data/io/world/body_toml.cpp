@@ -10,7 +10,7 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kLargestMesh = 10;        // Largest object without a stated scale [m]
+constexpr double kMaxMesh = 10;            // largest object without a stated scale [m]
 constexpr double kInertiaRounding = 1e-6;  // Relative error allowed for moments of inertia [1]
 
 Eigen::Matrix3d read_inertia(TomlTable& table) {
@@ -65,7 +65,7 @@ ShapeSpec read_sized_shape(TomlTable& table, const std::string& path) {
   if (scaled || shape.mesh_file.empty() || shape.mesh.empty()) return shape;
   const Eigen::Matrix3Xd& v = shape.mesh.vertices;
   const double across = (v.rowwise().maxCoeff() - v.rowwise().minCoeff()).maxCoeff();
-  if (across > kLargestMesh)
+  if (across > kMaxMesh)
     table.fail(
         fmt::format("the mesh is {:.4g} m across: are its numbers millimetres? scale = 0.001;"
                     " if it is as large as that, scale = 1",

@@ -10,13 +10,13 @@
 
 namespace thenar {
 
-/// Shapes about the origin of a body; sizes as of ShapeSpec.
+/// Return shapes about the origin of a body; sizes as in ShapeSpec.
 [[nodiscard]] ShapeSpec box_shape(const Eigen::Vector3d& edges);       // full edges [m] (3)
 [[nodiscard]] ShapeSpec ball_shape(double radius);                     // [m]
-[[nodiscard]] ShapeSpec cylinder_shape(double radius, double height);  // about z [m]
+[[nodiscard]] ShapeSpec cylinder_shape(double radius, double height);  // axis along z [m]
 [[nodiscard]] ShapeSpec mesh_shape(TriangleMesh mesh);  // a closed surface [m], its own frame
 
-/// A body of one shape.
+/// Returns a body of one shape.
 /// @param mass      spread evenly over it [kg]; 0: by the density of its material, where that has
 /// one
 /// @param material  of built_in_materials() or of a table of the caller's

@@ -25,10 +25,10 @@ struct Friction {
 struct Material {
   std::string name;
   double density = 0;          // [kg/m^3]; 0 if unknown
-  double young = 0;            // of its soft layer [Pa]; 0: rigid
-  double layer_thickness = 0;  // of its soft layer [m]; 0: rigid
+  double young = 0;            // Young's modulus of its soft layer [Pa]; 0: rigid
+  double layer_thickness = 0;  // thickness of its soft layer [m]; 0: rigid
   std::string like;            // material whose friction it has where it has none; empty: none
-  std::string laws_file;       // of the pad that its layer is, as written; empty: none
+  std::string laws_file;       // laws file of the pad that its layer is, as written; empty: none
   // The soft finger of that file, constant and shared by copies of the table; null: the layer is a
   // bed of springs.
   std::shared_ptr<const ContactLaw> law = nullptr;
@@ -45,10 +45,10 @@ struct Materials {
   std::map<std::pair<std::string, std::string>, Friction> friction;  // names in alphabetic order
   FileDigests files = {};  // laws of pads that were read for it
 
-  /// A material by name. @throws InputError if there is none, listing the names.
+  /// Returns a material by name. @throws InputError if there is none, listing the names.
   [[nodiscard]] const Material& at(const std::string& name) const;
-  /// Friction of a pair; where it has none, that of the materials that both are like, the first's
-  /// before the second's. @throws InputError if there is none either.
+  /// Returns the friction of a pair; where it has none, that of the materials that both are like,
+  /// the first's before the second's. @throws InputError if there is none either.
   [[nodiscard]] Friction between(const std::string& a, const std::string& b) const;
 };
 
@@ -59,10 +59,10 @@ struct Materials {
 [[nodiscard]] Materials parse_materials(const std::string& text, const std::string& path,
                                         const Materials& below = {});
 
-/// The table that comes with thenar, data/materials.toml. "frictionless" slides on everything;
-/// "skin" has measured friction with metal, rubber and sandpaper, and assumed values with the rest;
-/// "fingertip" is skin over the pad of data/pads/laws/index_pad.toml.
-/// Source: [GraspItWorld] for hard materials and rubber, [Seo2009] and [Savescu2008] for skin.
+/// Returns the table that comes with thenar, data/materials.toml. "frictionless" slides on
+/// everything; "skin" has measured friction with metal, rubber and sandpaper, and assumed values
+/// with the rest; "fingertip" is skin over the pad of data/pads/laws/index_pad.toml. Source:
+/// [GraspItWorld] for hard materials and rubber, [Seo2009] and [Savescu2008] for skin.
 [[nodiscard]] const Materials& built_in_materials();
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Worlds whose hands and objects may be told by what they are called.
+/// Worlds whose hands and objects may be given by name.
 
 #include <string>
 #include <vector>

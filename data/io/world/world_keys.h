@@ -11,13 +11,14 @@
 
 namespace thenar::internal {
 
-/// Path of a file that a key names, relative to the working directory.
+/// Returns the path of a file that a key names, relative to the working directory.
 /// @param folder  that the key is relative to
 [[nodiscard]] std::string file_beside(TomlTable& table, const std::string& key,
                                       const std::string& folder);
 
-/// Path of a file that a key names, as seen from a folder: as it is written, or, of "mug" without a
-/// folder and an ending, of PLACE/objects/mug.toml, unless there is a file "mug" in the folder.
+/// Returns the path of a file that a key names, as seen from a folder: as it is written, or, of
+/// "mug" without a folder and an ending, of PLACE/objects/mug.toml, unless there is a file "mug" in
+/// the folder.
 /// @param kinds   folders of places: {"robots", "subjects"}
 /// @param places  in the order of search; empty: files alone
 [[nodiscard]] std::string file_or_name(TomlTable& table, const std::string& key,
@@ -25,7 +26,8 @@ namespace thenar::internal {
                                        const std::vector<std::string>& kinds,
                                        const std::vector<std::string>& places);
 
-/// Joint angles, positions of sliding joints, or either in SI as the writer states it: coordinate
+/// Reads joint angles, positions of sliding joints, or either in SI as the writer states it:
+/// coordinate
 /// -> [rad] or [m].
 [[nodiscard]] std::map<std::string, double> read_posture(TomlTable& table);
 
@@ -37,13 +39,14 @@ namespace thenar::internal {
                                           const Materials& materials,
                                           const std::vector<std::string>& places = {});
 
-/// Materials of the file that `materials` names over the built-in table, or that alone.
+/// Reads the materials of the file that `materials` names over the built-in table, or returns that
+/// table alone.
 [[nodiscard]] Materials read_materials_key(TomlTable& top, const std::string& folder);
 
 /// Reads [camera]; the usual one if there is none.
 [[nodiscard]] Camera read_camera(TomlTable& top);
 
-/// The file's own [sources].
+/// Returns the file's own [sources].
 [[nodiscard]] OwnSources read_own_sources(const std::string& text, const std::string& path);
 
 }  // namespace thenar::internal

@@ -122,10 +122,10 @@ TEST(Tensions, RefuseAMuscleThatCrossesNoFreeJoint) {
 }
 
 TEST(NetMeant, FollowsTheHood) {
-  EXPECT_EQ(net_meant(Hood::kFloatingNet, ""), "extensor_hood");
-  EXPECT_EQ(net_meant(Hood::kFractions, ""), "");
-  EXPECT_EQ(net_meant(std::nullopt, "chao_an"), "chao_an");
-  EXPECT_THROW((void)net_meant(Hood::kSeparate, "chao_an"), InputError);
+  EXPECT_EQ(requested_net(Hood::kFloatingNet, ""), "extensor_hood");
+  EXPECT_EQ(requested_net(Hood::kFractions, ""), "");
+  EXPECT_EQ(requested_net(std::nullopt, "chao_an"), "chao_an");
+  EXPECT_THROW((void)requested_net(Hood::kSeparate, "chao_an"), InputError);
 }
 
 TEST(NetSource, GuessesAName) {

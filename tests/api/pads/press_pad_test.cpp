@@ -233,13 +233,13 @@ TEST_F(RelaxingPad, ComparesRungsAgainstTheFinest) {
   ASSERT_GT(pressed.rungs.size(), 5U);
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_TRUE(pressed.rungs[i].reduced);
-    EXPECT_THAT(pressed.rungs[i].failure, HasSubstr(i == 0 ? "no depth" : "laws/pad.toml"));
+    EXPECT_THAT(pressed.rungs[i].message, HasSubstr(i == 0 ? "no depth" : "laws/pad.toml"));
   }
   // Plain elements lock at this Poisson's ratio: they fail, or are far too stiff.
   for (const PressRung& rung : pressed.rungs) {
     if (rung.reduced) continue;
-    if (!rung.failure.empty()) {
-      EXPECT_EQ(rung.element, "Q1") << rung.failure;
+    if (!rung.message.empty()) {
+      EXPECT_EQ(rung.element, "Q1") << rung.message;
       EXPECT_EQ(rung.error, 0);
       continue;
     }
@@ -278,7 +278,7 @@ TEST(PressPad, ComparesTheLawsOfItsPad) {
   EXPECT_NEAR(rungs[2].force, force, (laws.soft_finger_error.force.worst + 0.2) * force);
   EXPECT_NEAR(rungs[4].force, force, (laws.bed_error.force.worst + 0.2) * force);
   for (std::size_t i = 1; i < 5; ++i) {
-    EXPECT_TRUE(rungs[i].failure.empty()) << rungs[i].failure;
+    EXPECT_TRUE(rungs[i].message.empty()) << rungs[i].message;
     EXPECT_THAT(rungs[i].note, HasSubstr("index_pad"));
     EXPECT_GT(rungs[i].cpu, 0);
   }
@@ -286,18 +286,18 @@ TEST(PressPad, ComparesTheLawsOfItsPad) {
   pressed.request.force = force;
   EXPECT_EQ(laws_of(pressed)[0].area, 0);
   // They were fitted to this version of the pad, and no other.
-  EXPECT_EQ(doubt_of_laws(pressed), "");
+  EXPECT_EQ(laws_warning(pressed), "");
   const PadSpec spec = pressed.pad.spec;
   pressed.pad.spec.pulp.poisson_ratio = 0.48;
-  EXPECT_THAT(doubt_of_laws(pressed), HasSubstr("another version of pad 'index_pad'"));
+  EXPECT_THAT(laws_warning(pressed), HasSubstr("another version of pad 'index_pad'"));
   pressed.pad.spec = spec;
   // Tissue of another law is not what they were calibrated for.
   pressed.request.pad.law = "ogden";
-  EXPECT_THAT(laws_of(pressed)[2].failure, HasSubstr("another was asked for"));
+  EXPECT_THAT(laws_of(pressed)[2].message, HasSubstr("another was asked for"));
   // Nor is a pad that relaxes otherwise.
   pressed.request.pad.law.clear();
   pressed.pad.model.tissues.front().relaxation.pop_back();
-  EXPECT_THAT(laws_of(pressed)[2].failure, HasSubstr("relax otherwise"));
+  EXPECT_THAT(laws_of(pressed)[2].message, HasSubstr("relax otherwise"));
 }
 
 TEST(PressPad, RefusesNonsense) {

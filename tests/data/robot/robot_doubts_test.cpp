@@ -63,7 +63,7 @@ TEST_F(RobotDoubts, AreOfLimitsInDegrees) {
                   "read as radians",
                   "hinge 'right_j' turns by 5157 degrees: are its limits degrees? Angles "
                   "are read as radians"));
-  EXPECT_TRUE(is_grave(hand.warnings[0]));
+  EXPECT_TRUE(is_serious(hand.warnings[0]));
   EXPECT_THAT(robot("prismatic", "90", "3 5").warnings, Not(Contains(HasSubstr("degrees"))));
 }
 
@@ -72,7 +72,7 @@ TEST_F(RobotDoubts, AreOfTravelInMillimetres) {
   EXPECT_THAT(hand.warnings,
               ElementsAre("joints 'left_j', 'right_j' slide by up to 30 m: are their limits "
                           "millimetres? Lengths are read as metres"));
-  EXPECT_TRUE(is_grave(hand.warnings[0]));
+  EXPECT_TRUE(is_serious(hand.warnings[0]));
   EXPECT_THAT(robot("prismatic", "0.9", "30 50").warnings, IsEmpty());
 }
 
@@ -80,7 +80,7 @@ TEST_F(RobotDoubts, AreOfJointsThatCannotMove) {
   const RobotSpec hand = robot("prismatic", "0", "3 5");
   EXPECT_THAT(hand.warnings, ElementsAre("joints 'left_j', 'right_j' cannot move: the upper limit "
                                          "is the lower one"));
-  EXPECT_TRUE(is_grave(hand.warnings[0]));
+  EXPECT_TRUE(is_serious(hand.warnings[0]));
 }
 
 TEST_F(RobotDoubts, AreOfLinksWithoutMass) {

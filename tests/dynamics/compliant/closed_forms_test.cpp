@@ -35,7 +35,7 @@ TEST_P(CompliantPrograms, BallRestsAtTheDepthOfHertz) {
   options.compliance.modulus = 1e6;
   options.compliance.dissipation = 20;
   const SceneRun run = this->run(world.scene, options);
-  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   const double weight = 0.1 * kG;
   const double depth = std::pow(0.75 * weight / (1e6 * std::sqrt(kBallRadius)), 2.0 / 3);
   const SceneSample& end = run.samples.back();
@@ -63,7 +63,7 @@ TEST_P(CompliantPrograms, BouncesKeepTheSpeedOfHuntAndCrossley) {
   options.compliance.dissipation = c;
   options.tolerance = 1e-10;
   const SceneRun run = this->run(world.scene, options);
-  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   const auto G = [&](double u) { return a * u - std::log1p(a * u); };
   double low = 0, high = 1;
   for (int i = 0; i < 60; ++i) {
@@ -83,7 +83,7 @@ TEST_P(CompliantPrograms, CubeSlidesAsItsRampSays) {
   options.compliance.dissipation = 100;
   options.compliance.transition = 0.02;
   const SceneRun run = this->run(world.scene, options);
-  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   // Midpoint steps of the law.
   double way = 0, speed = 0;
   const double h = 1e-5;
@@ -110,7 +110,7 @@ TEST_P(CompliantPrograms, HeldCubeCreepsAtTheSpeedOfItsShare) {
   options.compliance.dissipation = 100;
   const double share = 0.1 * kG / (2 * 0.8 * 2);
   const SceneRun run = this->run(world.scene, options);
-  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   const double creep = options.compliance.transition * creep_speed(FrictionRamp::kQuintic, share);
   EXPECT_NEAR(run.samples.back().v[7], -creep, 1e-4 * creep);
   EXPECT_NEAR(centre(world.scene, world.cube, run.samples.back()).z(), -creep * 0.5, 0.05 * creep);
@@ -133,7 +133,7 @@ TEST(SimbodyScene, MeshRestsOnItsElasticFoundation) {
   options.compliance.modulus = 1e6;
   options.compliance.dissipation = 100;
   const SceneRun run = simulate_simbody_scene(scene, options);
-  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   const double depth = 0.1 * kG * 5e-3 / (1e6 * 0.05 * 0.05);
   EXPECT_NEAR(0.025 - centre(scene, body, run.samples.back()).z(), depth, 1e-2 * depth);
 }
@@ -148,7 +148,7 @@ TEST(PenaltyScene, ResolvesCreepBelowItsTolerance) {
   options.compliance.dissipation = 10;
   options.compliance.transition = 1e-5;
   const SceneRun run = simulate_penalty_scene(world.scene, options);
-  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   const double creep = 1e-5 * creep_speed(FrictionRamp::kQuintic, 0.1 * kG / (2 * 0.8 * 2));
   // Speeds are kept to 0.1 um/s, which is 3 % of it.
   EXPECT_NEAR(centre(world.scene, world.cube, run.samples.back()).z() / (-2 * creep), 1, 0.03);
@@ -173,7 +173,7 @@ TEST_P(CompliantPrograms, EnergyIsKeptWithoutDissipationAndNeverRisesWithIt) {
     options.compliance.modulus = 1e7;
     options.tolerance = 1e-10;
     const SceneRun run = this->run(world.scene, options);
-    ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+    ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
     const double start = run.samples.front().energy.total();
     double last = start;
     for (const SceneSample& at : run.samples) {
@@ -205,7 +205,7 @@ TEST_P(CompliantPrograms, JointsLeanOnStopsByTheirStiffness) {
   options.compliance.stop = 100;
   options.seconds = 3;
   const SceneRun run = this->run(scene, options);
-  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   const double q = run.samples.back().q[0];
   EXPECT_NEAR(100 * (-0.2 - q), 0.1 * kG * 0.1 * std::cos(q), 1e-5);
 }

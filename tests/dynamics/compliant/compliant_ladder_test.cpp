@@ -23,8 +23,8 @@ double difference(const SceneRun& a, const SceneRun& b) {
 std::pair<SceneRun, SceneRun> both(const MovingScene& scene, const SceneOptions& options) {
   std::pair<SceneRun, SceneRun> out{simulate_simbody_scene(scene, options),
                                     simulate_penalty_scene(scene, options)};
-  EXPECT_EQ(out.first.status, SceneStatus::kDone) << out.first.reason;
-  EXPECT_EQ(out.second.status, SceneStatus::kDone) << out.second.reason;
+  EXPECT_EQ(out.first.status, SceneStatus::kDone) << out.first.message;
+  EXPECT_EQ(out.second.status, SceneStatus::kDone) << out.second.message;
   return out;
 }
 
@@ -115,7 +115,7 @@ TEST(CompliantLadder, SwingingPinchTendsToRigidContacts) {
     options.compliance.stiffness = 1e5 * s;
     options.compliance.transition = 4e-3 / s;
     const SceneRun run = simulate_penalty_scene(world.scene, options);
-    ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+    ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
     errors.push_back((centre(world.scene, world.cube, run.samples.back()) -
                       centre(world.scene, world.cube, rigid.samples.back()))
                          .norm());
@@ -137,7 +137,7 @@ TEST(CompliantLadder, SlidingCubeTendsToCoulomb) {
   for (const double s : {1.0, 10.0}) {
     options.compliance.transition = 2e-2 / s;
     const SceneRun run = simulate_penalty_scene(world.scene, options);
-    ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+    ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
     const Eigen::Vector3d moved = centre(world.scene, world.cube, run.samples.back()) -
                                   centre(world.scene, world.cube, run.samples.front());
     errors.push_back(moved.norm() - way);

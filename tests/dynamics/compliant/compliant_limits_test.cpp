@@ -82,7 +82,7 @@ TEST(CompliantLimits, TellsWhenTheToleranceIsBelowRounding) {
   for (const sample::CompliantProgram& program : {sample::kOfSimbody, sample::kOfSundials}) {
     const SceneRun run = program.run(world.scene, options, {});
     EXPECT_EQ(run.status, SceneStatus::kFailed) << program.name;
-    EXPECT_NE(run.reason, "");
+    EXPECT_NE(run.message, "");
     EXPECT_EQ(run.samples.size(), 1);
   }
 }
@@ -111,12 +111,12 @@ TEST(CompliantLimits, SimbodyTellsWhenABallRollsOffABox) {
   scene.v << 0, 0, 0, 0.5, 0, 0;
   const SceneRun run = simulate_simbody_scene(scene, {});
   EXPECT_EQ(run.status, SceneStatus::kFailed);
-  EXPECT_NE(run.reason.find("'table' and 'ball' touch beyond the face"), std::string::npos)
-      << run.reason;
+  EXPECT_NE(run.message.find("'table' and 'ball' touch beyond the face"), std::string::npos)
+      << run.message;
   EXPECT_NEAR(run.samples.back().t, 0.04, 0.011);  // 20 mm at 0.5 m/s
   // Ours knows the box: it falls.
   const SceneRun ours = simulate_penalty_scene(scene, {});
-  EXPECT_EQ(ours.status, SceneStatus::kDone) << ours.reason;
+  EXPECT_EQ(ours.status, SceneStatus::kDone) << ours.message;
   EXPECT_LT(centre(scene, 1, ours.samples.back()).z(), -1);
 }
 
@@ -134,7 +134,7 @@ TEST(CompliantLimits, NothingFastGoesThroughSomethingThin) {
   options.compliance.modulus = 1e11;
   options.compliance.dissipation = 0;
   const SceneRun run = simulate_penalty_scene(scene, options);
-  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   EXPECT_NEAR(run.samples.back().v[5], 30, 1e-3);
   EXPECT_GT(run.cost.rejected, 0);  // steps that went too far
 }
@@ -169,7 +169,7 @@ TEST(CompliantLimits, RestsWhereNothingCanMove) {
   sample::add_body(scene, "table", primitive(ShapeKind::kBox, {0.2, 0.2, 0.1}), 0);
   for (const sample::CompliantProgram& program : {sample::kOfSimbody, sample::kOfSundials}) {
     const SceneRun run = program.run(scene, {}, {});
-    EXPECT_EQ(run.status, SceneStatus::kDone) << program.name << run.reason;
+    EXPECT_EQ(run.status, SceneStatus::kDone) << program.name << run.message;
     EXPECT_EQ(run.samples.size(), 101) << program.name;
   }
 }

@@ -208,7 +208,7 @@ TEST(PadElement, TwoPadsHoldACubeByFrictionWithoutCreep) {
     options.tolerance = 1e-6;
     options.sample = 0.05;
     const SceneRun run = simulate_scene(scene, options);
-    ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+    ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
     const double settled = run.samples[10].q[cube], last = run.samples.back().q[cube];
     EXPECT_LT(settled, -1e-5) << "pads yield to the weight";
     EXPECT_GT(settled, -2e-3);

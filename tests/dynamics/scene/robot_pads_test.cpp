@@ -103,7 +103,7 @@ class SoftJaws : public testing::TestWithParam<std::string> {
 TEST_P(SoftJaws, LiftTheCubeAndHoldIt) {
   const BuiltScene scene = built(read_scene(kSoftJaws), 2.5);
   const SceneRun run = run_of(scene);
-  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   const SceneSample& end = run.samples.back();
   // 30 mm, less what pads shear.
   EXPECT_GT(end.q.tail<1>()[0], 27.5e-3);
@@ -123,8 +123,8 @@ TEST_P(SoftJaws, LiftTheCubeAndHoldIt) {
 // it by micrometres.
 TEST_P(SoftJaws, CarryFromTheFrictionOfStaticsOn) {
   const SceneRun slides = run_of(high_block(0.2)), holds = run_of(high_block(0.23));
-  ASSERT_EQ(slides.status, SceneStatus::kDone) << slides.reason;
-  ASSERT_EQ(holds.status, SceneStatus::kDone) << holds.reason;
+  ASSERT_EQ(slides.status, SceneStatus::kDone) << slides.message;
+  ASSERT_EQ(holds.status, SceneStatus::kDone) << holds.message;
   EXPECT_NEAR(slides.samples.back().q.tail<1>()[0], 0, 1e-5) << "is left on its post";
   EXPECT_GT(holds.samples.back().q.tail<1>()[0], 0.5e-3) << "is carried, of 3 mm";
 }
@@ -147,7 +147,7 @@ TEST_P(RobotPadRung, BothJawsCarryTheSame) {
   Grip held = grip();
   held.gravity = -kFreeFall;
   const SceneRun run = held.run();
-  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   const bool elements = held.rung == "elements";
   for (std::size_t i = 1; i < run.samples.size(); ++i) {
     const auto [left, right] = on_the_cube(run.samples[i]);
@@ -166,8 +166,8 @@ TEST_P(RobotPadRung, UpsideDownIsTheWorldTurned) {
   turned.gravity = -kFreeFall;
   turned.jaws_up = true;
   const SceneRun a = upright.run(), b = turned.run();
-  ASSERT_EQ(a.status, SceneStatus::kDone) << a.reason;
-  ASSERT_EQ(b.status, SceneStatus::kDone) << b.reason;
+  ASSERT_EQ(a.status, SceneStatus::kDone) << a.message;
+  ASSERT_EQ(b.status, SceneStatus::kDone) << b.message;
   ASSERT_EQ(a.samples.size(), b.samples.size());
   for (std::size_t i = 1; i < a.samples.size(); ++i) {
     const Vector3d f = on_the_cube(a.samples[i]).first, g = on_the_cube(b.samples[i]).first;
@@ -187,8 +187,8 @@ TEST_P(RobotPadRung, HalfThePadYieldsHalfUnderAQuarter) {
   half.cube = whole.cube / 2;
   whole.duration = half.duration = 0.15;
   const SceneRun a = whole.run(), b = half.run();
-  ASSERT_EQ(a.status, SceneStatus::kDone) << a.reason;
-  ASSERT_EQ(b.status, SceneStatus::kDone) << b.reason;
+  ASSERT_EQ(a.status, SceneStatus::kDone) << a.message;
+  ASSERT_EQ(b.status, SceneStatus::kDone) << b.message;
   EXPECT_NEAR(depth_at_end(half, b), depth_at_end(whole, a) / 2, 0.02 * depth_at_end(half, b));
   EXPECT_NEAR(b.samples.back().contacts[0].area, a.samples.back().contacts[0].area / 4,
               0.02 * b.samples.back().contacts[0].area);
@@ -213,7 +213,7 @@ TEST(RobotPads, ScaledPadIsThatOfHalfTheNumbers) {
       *length *= 0.5;
   }
   const SceneRun a = scaled.run(), b = run_of(build_scene(own, {robot_named("parallel_jaw")}));
-  ASSERT_EQ(a.status, SceneStatus::kDone) << a.reason;
+  ASSERT_EQ(a.status, SceneStatus::kDone) << a.message;
   ASSERT_EQ(a.samples.size(), b.samples.size());
   for (std::size_t i = 0; i < a.samples.size(); ++i)
     EXPECT_TRUE(matrix_near(a.samples[i].q, b.samples[i].q, 1e-9)) << a.samples[i].t;
@@ -243,7 +243,7 @@ TEST(RobotPads, LinkOnAFixedJointCarriesAPad) {
   const std::string against = "against = [\"cube\"]\n";
   const SceneRun tip = run("panda_hand_tcp\"\n" + against + "position_mm = [0, 0, 20]\n");
   const SceneRun palm = run("panda_hand\"\n" + against + "position_mm = [0, 0, 123.4]\n");
-  ASSERT_EQ(tip.status, SceneStatus::kDone) << tip.reason;
+  ASSERT_EQ(tip.status, SceneStatus::kDone) << tip.message;
   ASSERT_EQ(tip.samples.back().contacts.size(), 1U);
   EXPECT_GT(std::abs(tip.samples.back().contacts[0].force.z()), 0.5 * 0.03 * kFreeFall);
   EXPECT_TRUE(matrix_near(tip.samples.back().q, palm.samples.back().q, 1e-9));

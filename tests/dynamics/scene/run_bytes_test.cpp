@@ -62,7 +62,7 @@ TEST(RunBytes, ComeBackToTheBit) {
 TEST(RunBytes, OfElementsAndAReasonComeBack) {
   SceneRun run = run_of("loose_joint", 0.2);
   run.status = SceneStatus::kFailed;
-  run.reason = "at 0.2 s no step is short enough";
+  run.message = "at 0.2 s no step is short enough";
   EXPECT_GT(run.samples.back().energy.springs, 0);
   // The joint is passive and has no state.
   for (std::size_t k = 0; k < run.samples.size(); ++k) {
@@ -71,7 +71,7 @@ TEST(RunBytes, OfElementsAndAReasonComeBack) {
   }
   const SceneRun back = run_of_bytes(bytes_of(run));
   EXPECT_EQ(back.status, SceneStatus::kFailed);
-  EXPECT_EQ(back.reason, run.reason);
+  EXPECT_EQ(back.message, run.message);
   ASSERT_EQ(back.samples.size(), run.samples.size());
   for (std::size_t k = 0; k < run.samples.size(); ++k) {
     EXPECT_EQ(back.samples[k].z, run.samples[k].z);

@@ -65,7 +65,7 @@ TEST_P(ScenePadRung, CarriesAWeight) {
       scene_of(kPress + pad_on(kHere + "force_error = 0.01\nrung = \"" + GetParam() + "\"\n"));
   EXPECT_EQ(built.pads, 1);
   const SceneRun run = pads_run(built);
-  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   const SceneSample& last = run.samples.back();
   ASSERT_EQ(last.contacts.size(), 1U);
   // What is left of the creep is borne by the damper.
@@ -127,7 +127,7 @@ size_mm = [20, 20, 20]
   const SceneRun run = pads_run(scene_of(text + "[[drive]]\ncoordinate = \"cube\"\ntarget_mm = 0\n"
                                                 "stiffness_N_per_mm = 1000\n"
                                                 "damping_Ns_per_m = 300\n"));
-  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
   ASSERT_EQ(run.samples.back().contacts.size(), 1U);
   const Vector3d at = run.samples.back().contacts[0].point;
   EXPECT_NEAR(at.x(), 9e-3, 0.5e-3);
@@ -156,7 +156,7 @@ TEST(ScenePads, TwoHoldAFreeBox) {
     BuiltScene built = scene_of(text);
     built.options.sample = 1e-3;
     const SceneRun run = pads_run(built);
-    ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+    ASSERT_EQ(run.status, SceneStatus::kDone) << run.message;
     // It swings on its pads: forces over the last 0.4 s are its weight and its change of momentum.
     const std::size_t first = 100, last = run.samples.size() - 1;
     const auto fall = [&](std::size_t i) { return run.samples[i].v.tail<1>()[0]; };

@@ -60,7 +60,7 @@ TEST(GraspLoads, AreNotKnownWhereAnEffortIsNot) {
   EXPECT_EQ(loads.reasons.at("pull"), "the effort of 'motor' is unknown");
   const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.setup.object);
   EXPECT_TRUE(std::isnan(epsilon.value));
-  EXPECT_EQ(epsilon.reason, "the effort of 'motor' is unknown");
+  EXPECT_EQ(epsilon.message, "the effort of 'motor' is unknown");
 }
 
 // A jaw that nothing drives gives way: the other one presses on nothing.
@@ -76,7 +76,7 @@ TEST(GraspLoads, NameTheJointThatGivesWay) {
   EXPECT_EQ(loads.reasons.at("pull"), "needs more motor torque at 'right'");
   const ExplainedLoad epsilon = hand_epsilon(held, squeeze.setup.object);
   EXPECT_EQ(epsilon.value, 0);
-  EXPECT_EQ(epsilon.reason, "needs more motor torque at 'right'");
+  EXPECT_EQ(epsilon.message, "needs more motor torque at 'right'");
 }
 
 TEST(GraspLoads, NameFrictionWhereThereIsNone) {
@@ -135,7 +135,7 @@ TEST(GraspLoads, SayWhyTheyHaveNoLimit) {
   EXPECT_EQ(loads.reasons.at("pull"), "supported by rigid structure (strength unknown)");
   const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.setup.object);
   EXPECT_EQ(epsilon.value, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(epsilon.reason, "supported by rigid structure (strength unknown)");
+  EXPECT_EQ(epsilon.message, "supported by rigid structure (strength unknown)");
 }
 
 // Along x a jaw at most lets go of 2 N, across it friction bears no more; turned about an axis the

@@ -37,14 +37,14 @@ TEST(GraspMeasureRows, TellsOneNumberWhereStructureAddsNothing) {
 
 TEST(GraspMeasureRows, SaysWhyThereIsNoValue) {
   GraspMeasures measures;
-  measures.pull.reason = "the effort of 'motor' is unknown";
+  measures.pull.message = "the effort of 'motor' is unknown";
   const MeasureRow row = row_of(measures, "supports a pull along z");
   EXPECT_EQ(row.value, "no value");
-  EXPECT_EQ(row.note, measures.pull.reason);
+  EXPECT_EQ(row.note, measures.pull.message);
   const OrderedJson json = json_of(measures);
   EXPECT_TRUE(json["pull_N"].is_null());
   EXPECT_TRUE(json["pull_by_efforts_N"].is_null());
-  EXPECT_EQ(json["reasons"]["pull_N"], measures.pull.reason);
+  EXPECT_EQ(json["reasons"]["pull_N"], measures.pull.message);
 }
 
 }  // namespace

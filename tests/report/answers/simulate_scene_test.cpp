@@ -46,10 +46,10 @@ TEST(SceneAnswer, IsRefusedWhereContactsWereNotSolved) {
 TEST(SceneAnswer, IsRefusedWhereTheIntegratorGaveUp) {
   SceneResult scene = pinched();
   scene.run.status = SceneStatus::kFailed;
-  scene.run.reason = "at 0.1 s no step is short enough";
+  scene.run.message = "at 0.1 s no step is short enough";
   EXPECT_EQ(refusal_of(scene), "at 0.1 s no step is short enough: do not use this motion");
   EXPECT_EQ(json_of(scene)["status"], "failed");
-  EXPECT_EQ(json_of(scene)["reason"], scene.run.reason);
+  EXPECT_EQ(json_of(scene)["reason"], scene.run.message);
   EXPECT_TRUE(json_of(pinched())["reason"].is_null());
 }
 
@@ -60,11 +60,11 @@ TEST_F(SceneFile, HasTheReasonOfAFailure) {
   write_scene_run(scene, path("run.h5"), {});
   EXPECT_EQ(read_result(path("run.h5")).texts.count("reason"), 0U);
   scene.run.status = SceneStatus::kFailed;
-  scene.run.reason = "at 0.1 s no step is short enough";
+  scene.run.message = "at 0.1 s no step is short enough";
   write_scene_run(scene, path("run.h5"), {});
   const ResultFile file = read_result(path("run.h5"));
   EXPECT_EQ(file.text("status"), "failed");
-  EXPECT_EQ(file.text("reason"), scene.run.reason);
+  EXPECT_EQ(file.text("reason"), scene.run.message);
 }
 
 // Contacts as springs pose no contact problems: no residual is told, rather than one of 0.

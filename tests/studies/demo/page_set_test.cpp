@@ -36,7 +36,8 @@ TEST(PageSet, FindsBlocksInRows) {
 
 TEST(PageSet, FrontPageHasALineAndASectionOfEachPageWithALine) {
   SetPage front;
-  sum_up({page("a.html", "Line of a."), page("b.html", ""), page("c.html", "Line of c.")}, front);
+  fill_front_page({page("a.html", "Line of a."), page("b.html", ""), page("c.html", "Line of c.")},
+                  front);
   ASSERT_EQ(front.page["summary"].size(), 2u);
   EXPECT_EQ(front.page["summary"][1]["text"], "Line of c.");
   EXPECT_EQ(front.page["summary"][1]["file"], "c.html");
@@ -48,7 +49,7 @@ TEST(PageSet, FrontPageHasALineAndASectionOfEachPageWithALine) {
 // Both pages call a mesh of their own "m0".
 TEST(PageSet, FiguresKeepTheirOwnMeshes) {
   SetPage front;
-  sum_up({page("a.html", "Line."), page("c.html", "Line.")}, front);
+  fill_front_page({page("a.html", "Line."), page("c.html", "Line.")}, front);
   EXPECT_EQ(front.page["meshes"].size(), 2u);
   for (const std::size_t s : {0u, 1u}) {
     const Json& shown = front.page["sections"][s]["blocks"][0]["layers"][0]["items"][0]["mesh"];

@@ -62,7 +62,7 @@ TEST(ThumbRecoveryPage, KeptSharesAreThoseByHand) {
 
 // Five axes; ten tilts and ten shifts by two methods, each beside the truth and the prior.
 TEST(ThumbRecoveryPage, ShowsBothMethodsBesideTheTruth) {
-  ASSERT_FALSE(recovered().stopped);
+  ASSERT_FALSE(recovered().outcome.stopped());
   const Json page = thumb_recovery_section(recovered().recovery);
   EXPECT_EQ(block_of(page, "table").at("rows").size(), 5u);
   for (const int chart : {0, 1}) {

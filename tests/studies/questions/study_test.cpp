@@ -24,7 +24,7 @@ TEST(ThumbStudyQuestion, StopsWithWhatIsFinished) {
   Progress progress;
   progress.stop_requested = [] { return true; };
   const ThumbStudyResult result = ask_thumb_study(request, progress);
-  EXPECT_TRUE(result.stopped);
+  EXPECT_TRUE(result.outcome.stopped());
   EXPECT_FALSE(result.study.complete);
   EXPECT_FALSE(result.calibration);
 }

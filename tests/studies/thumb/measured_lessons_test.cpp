@@ -122,12 +122,12 @@ TEST(MeasuredLessons, LikelihoodIsThatOfGaussians) {
 TEST(MeasuredLessons, WeightsThatTellNothingAreTold) {
   const Eigen::MatrixXd tilts = Eigen::RowVectorXd::LinSpaced(40, -1, 1);
   const AddedData added{"both", true, true};
-  EXPECT_EQ(update_tilts(added, tilts, Eigen::VectorXd::Constant(40, -kInfinity), 0).untold,
+  EXPECT_EQ(update_tilts(added, tilts, Eigen::VectorXd::Constant(40, -kInfinity), 0).message,
             "none of 40 draws can have weight");
   Eigen::VectorXd one = Eigen::VectorXd::Constant(40, -kInfinity);
   one[7] = 0;
-  EXPECT_EQ(update_tilts(added, tilts, one, 4).untold, "one draw takes all the weight");
-  EXPECT_EQ(update_tilts(added, tilts, Eigen::VectorXd::Zero(40), 0).untold, "");
+  EXPECT_EQ(update_tilts(added, tilts, one, 4).message, "one draw takes all the weight");
+  EXPECT_EQ(update_tilts(added, tilts, Eigen::VectorXd::Zero(40), 0).message, "");
 }
 
 /// Chains of the prior and FPL's force alone, its noise as stated.

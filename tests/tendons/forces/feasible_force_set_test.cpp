@@ -298,7 +298,7 @@ TEST(FeasibleForceSetStability, TwentyMusclesClose) {
   std::mt19937 rng(7);
   const MatrixXd A = random_matrix(3, 20, rng);
   const FeasibleForceSet set = feasible_force_set(statics_of(A, VectorXd::Ones(20)));
-  EXPECT_EQ(set.status, Status::kSolved) << set.failure;
+  EXPECT_EQ(set.status, Status::kSolved) << set.message;
   EXPECT_EQ(set.normals.rows(), 380);
 }
 

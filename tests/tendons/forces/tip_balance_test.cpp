@@ -111,7 +111,7 @@ TEST_P(Fingers, SetsReachAsFarAsEveryVertex) {
     const TipStatics statics = tip_statics(digit, draw_posture(digit, rng));
     const VertexOracle oracle(statics);
     const FeasibleForceSet set = feasible_force_set(statics);
-    ASSERT_EQ(set.status, Status::kSolved) << set.failure;
+    ASSERT_EQ(set.status, Status::kSolved) << set.message;
     for (int k = 0; k < 12; ++k) {
       const Vector3d u = k < 6 ? axis(k) : Vector3d(normal(rng), normal(rng), normal(rng));
       const double certain = oracle.support(u.normalized());
