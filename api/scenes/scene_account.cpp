@@ -32,7 +32,7 @@ std::vector<PassedLimit> limits_passed(const SceneResult& scene) {
 
 double restitution_ignored(const SceneResult& scene) {
   const bool bounces = scene.built->options.method != SteppingMethod::kTimeStepping;
-  return bounces ? 0 : largest_restitution(scene.built->scene);
+  return bounces ? 0 : max_restitution(scene.built->scene);
 }
 
 std::vector<std::string> scene_warnings(const SceneResult& scene) {

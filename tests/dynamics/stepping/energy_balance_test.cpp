@@ -168,7 +168,7 @@ TEST(EnergyBalance, OfStepsTooLongDoesNotHold) {
 TEST(EnergyBalance, TurnsNothingOverAtRest) {
   SceneSample start, end;
   start.w = end.w = EnergyFlows::Zero();
-  end.w[kRubbed] = end.w[kStruck] = -1e-19;
+  end.w[kFrictionLoss] = end.w[kImpactLoss] = -1e-19;
   EXPECT_EQ(flow_balance(start, end).turned_over, 0);
 }
 
