@@ -2,7 +2,6 @@
 
 /// Construction of mechanisms from skeletons, robots and objects.
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -24,7 +24,8 @@ struct BodyLoad {
 /// modify: one object per thread.
 class SimbodyMachine {
  public:
-  /// @throws InputError as check_mechanism(), or if no joint follows a shared coordinate linearly.
+  /// Builds the Simbody system. @throws InputError as check_mechanism(), or if no joint follows a
+  /// shared coordinate linearly.
   explicit SimbodyMachine(const Mechanism& mechanism);
   ~SimbodyMachine();
   SimbodyMachine(SimbodyMachine&&) noexcept;

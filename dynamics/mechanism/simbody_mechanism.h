@@ -36,8 +36,8 @@ namespace internal {
 /// share a coordinate are coupled by constraints to the first of them that follows it linearly.
 class SimbodyMechanism {
  public:
-  /// @throws InputError as check_mechanism(); if no joint follows a shared coordinate linearly; if
-  /// Simbody refuses the mass or inertia of a body, with its name.
+  /// Builds the Simbody system. @throws InputError as check_mechanism(); if no joint follows a
+  /// shared coordinate linearly; if Simbody refuses the mass or inertia of a body, with its name.
   explicit SimbodyMechanism(const Mechanism& mechanism);
   ~SimbodyMechanism();
   SimbodyMechanism(SimbodyMechanism&&) noexcept;

@@ -3,8 +3,6 @@
 /// Parameters of compliant contacts: springs and dampers in place of constraints.
 
 #include <array>
-#include <string>
-#include <vector>
 
 #include "base/enum_names.h"
 

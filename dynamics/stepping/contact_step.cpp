@@ -52,6 +52,21 @@ struct ContactStep::Parts {
     contacts.emplace(scene, model);
   }
 
+  /// Advances positions and time by h. @return false if they overflow: velocities are then NaN
+  bool advance(double h, SceneState& state) const {
+    advance_positions(scene.mechanism, model.layout, state.v, h, state.q);
+    state.t += h;
+    if (state.q.allFinite()) return true;
+    state.v.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return false;
+  }
+
+  /// Returns the input of elements at a state, with the links moved there.
+  ElementInput element_input(const SceneState& state) {
+    motion.set_state(state);
+    return efforts.element_input(motion, state);
+  }
+
   /// Sets the links' velocities to the mean over a midpoint step, and advances the element states
   /// to its end with their rates at the midpoint.
   /// @param state  positions and element states at the midpoint, velocities at the end
@@ -152,8 +167,6 @@ ContactStep::~ContactStep() = default;
 ContactStep::ContactStep(ContactStep&&) noexcept = default;
 ContactStep& ContactStep::operator=(ContactStep&&) noexcept = default;
 
-void ContactStep::select_active_forces(double t) { parts_->efforts.select_active_forces(t); }
-
 void ContactStep::set_drives(std::vector<SceneDrive> drives) {
   parts_->scene.drives = std::move(drives);
   parts_->efforts.update_force_kinds();
@@ -163,8 +176,25 @@ void ContactStep::set_solver_options(const ContactSolverOptions& options) {
   parts_->solver_options = options;
 }
 
+void ContactStep::select_active_forces(double t) { parts_->efforts.select_active_forces(t); }
+
+void ContactStep::clear_memory() {
+  Parts& p = *parts_;
+  p.contacts->reset_pairs();
+  p.efforts.reset_elements();
+  p.solver = ContactSolver();
+  p.motion.invalidate();
+}
+
 const MovingScene& ContactStep::scene() const { return parts_->scene; }
 const TreeModel& ContactStep::model() const { return parts_->model; }
+
+// State and kinematics.
+
+SceneState ContactStep::initial_state() const {
+  const Parts& p = *parts_;
+  return {0, p.scene.q, p.scene.v, p.efforts.elements.initial_states(p.scene.q)};
+}
 
 void ContactStep::find_contacts(const SceneState& state, double margin,
                                 std::vector<ActiveContact>& out) {
@@ -173,21 +203,83 @@ void ContactStep::find_contacts(const SceneState& state, double margin,
   p.contacts->find_contacts(p.motion, state, margin, out);
 }
 
+void ContactStep::find_deepest_new(const std::vector<ActiveContact>& found,
+                                   const std::vector<ActiveContact>& closed, StepOutcome& outcome) {
+  outcome.min_new_gap = outcome.new_closing_speed = 0;
+  for (const ActiveContact& contact : found)
+    if (find_contact(closed, contact) == closed.end()) record_if_deepest(contact, outcome);
+}
+
+double ContactStep::tunnelling_ratio(const SceneState& from, const SceneState& to,
+                                     const std::vector<ActiveContact>& touching) {
+  return parts_->contacts->tunnelling_ratio(parts_->motion, from, to, touching);
+}
+
+void ContactStep::compute_poses(const SceneState& state, std::vector<Pose<double>>& out) {
+  parts_->motion.set_position(state.q);
+  out.resize(parts_->scene.mechanism.bodies.size());
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = parts_->motion.links().pose(static_cast<int>(i));
+}
+
+void ContactStep::normalise_quaternions(Eigen::VectorXd& q) const {
+  if (has_no_quaternion(parts_->model.layout)) return;
+  const std::vector<MechanismJoint>& joints = parts_->scene.mechanism.joints;
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    if (joints[i].kind == JointKind::kBall || joints[i].kind == JointKind::kFree)
+      q.segment<4>(parts_->model.layout.first_q[i]).normalize();
+}
+
+bool ContactStep::compute_free_rates(const SceneState& state, Eigen::VectorXd& q_dot,
+                                     Eigen::VectorXd& v_dot, Eigen::VectorXd& z_dot) {
+  Parts& p = *parts_;
+  // Compute efforts and powers at the state.
+  p.motion.set_state(state);
+  const bool acted = p.efforts.compute(p.motion, state, ElementNeed::kRates);
+  z_dot = p.efforts.elements.action().z_rate;
+  p.efforts.compute_powers(p.motion,
+                           {state.t, p.efforts.selection_time(), 0, 0, state.q, state.v, state.v});
+  position_rates(p.scene.mechanism, p.model.layout, state.q, state.v, q_dot);
+  // Compute accelerations by articulated bodies, or by the mass matrix if joints share coordinates.
+  if (p.articulated) {
+    p.articulated->accelerations(p.motion.links(), p.scene.gravity, p.efforts.tau, v_dot);
+    return acted;
+  }
+  p.free.mass.compute(p.motion.links());
+  p.free.solve_efforts(p.motion, p.efforts, 1, v_dot);
+  return acted;
+}
+
+bool ContactStep::is_stiff(const SceneState& state, double h) {
+  Parts& p = *parts_;
+  if (!p.efforts.has_slopes()) return false;
+  // Compare slopes at the state with the diagonal of the mass matrix.
+  p.motion.set_state(state);
+  p.efforts.compute(p.motion, state);
+  p.free.mass.compute(p.motion.links());
+  const ElementAction& action = p.efforts.elements.action();
+  for (int i = 0; i < p.model.layout.v; ++i) {
+    double slope = h * p.efforts.damping[i] + h * h * p.efforts.stiffness[i];
+    if (!p.efforts.elements.empty())
+      slope += h * action.damping(i, i) + h * h * action.stiffness(i, i);
+    if (slope > p.free.mass(i, i)) return true;
+  }
+  // An explicit step would overshoot a faster decay of element states.
+  return !p.efforts.elements.empty() && (h * action.z_decay).maxCoeff() > 1;
+}
+
+// Steps.
+
 void ContactStep::take_euler_substep(SceneState& state, double h,
                                      const std::vector<ActiveContact>& closed, double touch,
                                      StepOutcome& outcome) {
   Parts& p = *parts_;
   outcome.clear();
   // Advance positions to the end of the substep.
-  advance_positions(p.scene.mechanism, p.model.layout, state.v, h, state.q);
-  state.t += h;
-  if (!state.q.allFinite()) {
-    state.v.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return;
-  }
+  if (!p.advance(h, state)) return;
   // Find contacts there. Contacts of `closed` stay active; others only set min_new_gap.
   p.motion.set_state(state);
-  p.contacts->find_contacts(p.motion, state, touch + kContactSearchMargin, p.found);
+  p.contacts->find_contacts(p.motion, state, touch + kSearchMargin, p.found);
   for (ActiveContact& contact : p.found) {
     const auto old = find_contact(closed, contact);
     if (old == closed.end()) {
@@ -220,15 +312,9 @@ void ContactStep::take_midpoint_step(SceneState& state, double h,
                                      const std::vector<ActiveContact>& last, double recovery,
                                      StepOutcome& outcome) {
   Parts& p = *parts_;
-  const MechanismLayout& layout = p.model.layout;
   outcome.clear();
   // Advance positions to the midpoint.
-  advance_positions(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
-  state.t += 0.5 * h;
-  if (!state.q.allFinite()) {
-    state.v.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return;
-  }
+  if (!p.advance(0.5 * h, state)) return;
   p.motion.set_state(state);
   // Advance element states to the midpoint.
   p.z_before = state.z;
@@ -272,14 +358,11 @@ void ContactStep::take_midpoint_step(SceneState& state, double h,
   // Advance element states, energy flows and positions to the end.
   outcome.solved = p.end_elements(h, state) && outcome.solved;
   p.end_flows(h, state);
-  advance_positions(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
+  advance_positions(p.scene.mechanism, p.model.layout, state.v, 0.5 * h, state.q);
   state.t += 0.5 * h;
 }
 
-double ContactStep::tunnelling_ratio(const SceneState& from, const SceneState& to,
-                                     const std::vector<ActiveContact>& touching) {
-  return parts_->contacts->tunnelling_ratio(parts_->motion, from, to, touching);
-}
+// Impact and projection.
 
 void ContactStep::resolve_impact(SceneState& state, const std::vector<ActiveContact>& touching,
                                  StepOutcome& outcome) {
@@ -300,7 +383,7 @@ void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>
   Parts& p = *parts_;
   for (int iteration = 0; iteration < kProjections; ++iteration) {
     p.motion.set_state(state);
-    p.contacts->find_contacts(p.motion, state, kContactSearchMargin, p.found);
+    p.contacts->find_contacts(p.motion, state, kSearchMargin, p.found);
     // Collect contacts with a force, without friction: they have normal rows only.
     std::vector<ActiveContact> pressed;
     double max_gap = 0;
@@ -331,12 +414,7 @@ void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>
   }
 }
 
-void ContactStep::compute_poses(const SceneState& state, std::vector<Pose<double>>& out) {
-  parts_->motion.set_position(state.q);
-  out.resize(parts_->scene.mechanism.bodies.size());
-  for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = parts_->motion.links().pose(static_cast<int>(i));
-}
+// Energy.
 
 SceneEnergy ContactStep::energy(const SceneState& state) {
   // Compute kinetic, gravitational and joint spring energies.
@@ -347,8 +425,7 @@ SceneEnergy ContactStep::energy(const SceneState& state) {
   out.weight = p.motion.links().weight_energy(p.scene.gravity);
   out.springs = p.efforts.spring_energy(state);
   // Add the energy of elements, passive ones separately.
-  const SceneElements::Energy stored =
-      p.efforts.elements.energy(p.efforts.element_input(p.motion, state));
+  const SceneElements::Energy stored = p.efforts.elements.energy(p.element_input(state));
   out.of_elements = stored.active;
   out.of_passive = stored.total - stored.active;
   out.springs += stored.total;
@@ -360,26 +437,6 @@ double ContactStep::kinetic_energy(const SceneState& state) {
   return parts_->motion.links().kinetic_energy();
 }
 
-bool ContactStep::compute_free_rates(const SceneState& state, Eigen::VectorXd& q_dot,
-                                     Eigen::VectorXd& v_dot, Eigen::VectorXd& z_dot) {
-  Parts& p = *parts_;
-  // Compute efforts and powers at the state.
-  p.motion.set_state(state);
-  const bool acted = p.efforts.compute(p.motion, state, ElementNeed::kRates);
-  z_dot = p.efforts.elements.action().z_rate;
-  p.efforts.compute_powers(p.motion,
-                           {state.t, p.efforts.selection_time(), 0, 0, state.q, state.v, state.v});
-  position_rates(p.scene.mechanism, p.model.layout, state.q, state.v, q_dot);
-  // Compute accelerations by articulated bodies, or by the mass matrix if joints share coordinates.
-  if (p.articulated) {
-    p.articulated->accelerations(p.motion.links(), p.scene.gravity, p.efforts.tau, v_dot);
-    return acted;
-  }
-  p.free.mass.compute(p.motion.links());
-  p.free.solve_efforts(p.motion, p.efforts, 1, v_dot);
-  return acted;
-}
-
 Eigen::Index ContactStep::free_flow_count() const {
   return parts_->efforts.has_flows() ? kFreeFlowCount : 0;
 }
@@ -389,39 +446,28 @@ Eigen::VectorBlock<const EnergyFlows> ContactStep::free_powers() const {
   return power.head(free_flow_count());
 }
 
-SceneState ContactStep::initial_state() const {
-  const Parts& p = *parts_;
-  return {0, p.scene.q, p.scene.v, p.efforts.elements.initial_states(p.scene.q)};
+// Force elements.
+
+double ContactStep::element_step_error(const SceneState& state) {
+  SceneElements& elements = parts_->efforts.elements;
+  return elements.empty() ? 0 : elements.max_step_error(parts_->element_input(state));
 }
 
 void ContactStep::accept_step(const SceneState& state) {
-  Parts& p = *parts_;
-  if (p.efforts.elements.empty()) return;
-  p.motion.set_state(state);
-  p.efforts.elements.accept_step(p.efforts.element_input(p.motion, state));
-}
-
-double ContactStep::element_step_error(const SceneState& state) {
-  Parts& p = *parts_;
-  if (p.efforts.elements.empty()) return 0;
-  p.motion.set_state(state);
-  return p.efforts.elements.max_step_error(p.efforts.element_input(p.motion, state));
+  SceneElements& elements = parts_->efforts.elements;
+  if (!elements.empty()) elements.accept_step(parts_->element_input(state));
 }
 
 double ContactStep::max_element_step() const { return parts_->efforts.elements.max_step_length(); }
 
 void ContactStep::add_element_contacts(const SceneState& state, std::vector<ContactSample>& out) {
-  Parts& p = *parts_;
-  if (p.efforts.elements.empty()) return;
-  p.motion.set_state(state);
-  p.efforts.elements.add_contacts(p.efforts.element_input(p.motion, state), out);
+  SceneElements& elements = parts_->efforts.elements;
+  if (!elements.empty()) elements.add_contacts(parts_->element_input(state), out);
 }
 
 bool ContactStep::elements_may_start_motion(const SceneState& state) {
-  Parts& p = *parts_;
-  if (p.efforts.elements.empty()) return false;
-  p.motion.set_state(state);
-  return p.efforts.elements.may_start_motion(p.efforts.element_input(p.motion, state));
+  const SceneElements& elements = parts_->efforts.elements;
+  return !elements.empty() && elements.may_start_motion(parts_->element_input(state));
 }
 
 std::vector<ElementControl> ContactStep::element_controls() const {
@@ -433,51 +479,9 @@ void ContactStep::set_element_control(const std::string& name, double value) {
 }
 
 std::vector<ElementValue> ContactStep::element_readings(const SceneState& state) {
-  Parts& p = *parts_;
-  if (p.efforts.elements.empty()) return {};
-  p.motion.set_state(state);
-  return p.efforts.elements.readings(p.efforts.element_input(p.motion, state));
-}
-
-void ContactStep::clear_memory() {
-  Parts& p = *parts_;
-  p.contacts->reset_pairs();
-  p.efforts.reset_elements();
-  p.solver = ContactSolver();
-  p.motion.invalidate();
-}
-
-void ContactStep::find_deepest_new(const std::vector<ActiveContact>& found,
-                                   const std::vector<ActiveContact>& closed, StepOutcome& outcome) {
-  outcome.min_new_gap = outcome.new_closing_speed = 0;
-  for (const ActiveContact& contact : found)
-    if (find_contact(closed, contact) == closed.end()) record_if_deepest(contact, outcome);
-}
-
-bool ContactStep::is_stiff(const SceneState& state, double h) {
-  Parts& p = *parts_;
-  if (!p.efforts.has_slopes()) return false;
-  // Compare slopes at the state with the diagonal of the mass matrix.
-  p.motion.set_state(state);
-  p.efforts.compute(p.motion, state);
-  p.free.mass.compute(p.motion.links());
-  const ElementAction& action = p.efforts.elements.action();
-  for (int i = 0; i < p.model.layout.v; ++i) {
-    double slope = h * p.efforts.damping[i] + h * h * p.efforts.stiffness[i];
-    if (!p.efforts.elements.empty())
-      slope += h * action.damping(i, i) + h * h * action.stiffness(i, i);
-    if (slope > p.free.mass(i, i)) return true;
-  }
-  // An explicit step would overshoot a faster decay of element states.
-  return !p.efforts.elements.empty() && (h * action.z_decay).maxCoeff() > 1;
-}
-
-void ContactStep::normalise_quaternions(Eigen::VectorXd& q) const {
-  if (has_no_quaternion(parts_->model.layout)) return;
-  const std::vector<MechanismJoint>& joints = parts_->scene.mechanism.joints;
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    if (joints[i].kind == JointKind::kBall || joints[i].kind == JointKind::kFree)
-      q.segment<4>(parts_->model.layout.first_q[i]).normalize();
+  SceneElements& elements = parts_->efforts.elements;
+  if (elements.empty()) return {};
+  return elements.readings(parts_->element_input(state));
 }
 
 }  // namespace thenar

@@ -50,7 +50,8 @@ class ContactStep {
  public:
   // Configuration.
 
-  /// @throws InputError as check_scene(), tree_model() and collision_body().
+  /// Copies a scene and prepares its model. @throws InputError as check_scene(), tree_model() and
+  /// collision_body().
   explicit ContactStep(const MovingScene& scene);
   ~ContactStep();
   ContactStep(ContactStep&&) noexcept;

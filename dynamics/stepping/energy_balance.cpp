@@ -21,8 +21,8 @@ double work_of_elements(const SceneSample& first, const SceneSample& last) {
 
 }  // namespace
 
-double FlowBalance::share() const {
-  return std::abs(error) / (turned_over + kSceneEnergyRest / kSceneEnergyShare);
+double FlowBalance::relative_error() const {
+  return std::abs(error) / (turned_over + kEnergyErrorFloor / kMaxEnergyErrorRatio);
 }
 
 FlowBalance flow_balance(const SceneSample& first, const SceneSample& last) {

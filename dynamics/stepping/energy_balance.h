@@ -10,8 +10,8 @@ namespace thenar {
 
 /// Largest energy error of a valid simulation: a share of the energy turned over [1], and an
 /// absolute error for scenes that hardly turn over any [J].
-inline constexpr double kSceneEnergyShare = 0.01;
-inline constexpr double kSceneEnergyRest = 1e-6;
+inline constexpr double kMaxEnergyErrorRatio = 0.01;
+inline constexpr double kEnergyErrorFloor = 1e-6;
 
 /// Energy balance between two instants, from the energy flows (SceneSample::w).
 struct FlowBalance {
@@ -25,10 +25,10 @@ struct FlowBalance {
   double t = 0;            // last instant [s]
 
   [[nodiscard]] double dissipated() const { return friction + impacts + yielding; }
-  /// Returns |error| over (turned_over + kSceneEnergyRest / kSceneEnergyShare) [1].
-  [[nodiscard]] double share() const;
+  /// Returns |error| over (turned_over + kEnergyErrorFloor / kMaxEnergyErrorRatio) [1].
+  [[nodiscard]] double relative_error() const;
   /// Returns true if the error is within the limit of a valid simulation.
-  [[nodiscard]] bool holds() const { return share() <= kSceneEnergyShare; }
+  [[nodiscard]] bool holds() const { return relative_error() <= kMaxEnergyErrorRatio; }
 };
 
 /// Computes the energy balance between two instants.

@@ -38,7 +38,7 @@ EventStepper::EventStepper(const MovingScene& scene, const SceneOptions& options
 }
 
 void EventStepper::resolve_initial_impacts() {
-  step_.find_contacts(state_, kContactSearchMargin, trials_.end_contacts());
+  step_.find_contacts(state_, kSearchMargin, trials_.end_contacts());
   touching_.update_with_impacts(state_, trials_.end_contacts());
 }
 
@@ -101,7 +101,7 @@ void EventStepper::skip_chattering(double stop) {
   // Record joint limits, then update contacts at the end and resolve their impacts.
   update_limit_excess(step_.scene().mechanism, step_.model().layout, state_.q, cost_.beyond);
   step_.accept_step(state_);
-  step_.find_contacts(state_, kContactSearchMargin, trials_.end_contacts());
+  step_.find_contacts(state_, kSearchMargin, trials_.end_contacts());
   touching_.update_with_impacts(state_, trials_.end_contacts());
 }
 
@@ -140,7 +140,7 @@ bool EventStepper::find_accepted_length(double& length) {
     if (!std::isfinite(trial.error) && length <= options_.shortest) return false;
     // A step longer than options_.longest is valid only if positions hardly move.
     if (length > (1 + kLengthRounding) * options_.longest &&
-        max_displacement(trial, length) >= kContactSearchMargin) {
+        max_displacement(trial, length) >= kSearchMargin) {
       ++cost_.rejected;
       length = control_.cap_at_longest();
       continue;
@@ -186,7 +186,7 @@ void EventStepper::accept_trial(double length, double end) {
   const bool was_still = is_still(state_);
   // Allow longer steps while positions hardly move.
   control_.set_max_length(step_.scene().elements.empty() &&
-                          max_displacement(trial, length) < kContactSearchMargin);
+                          max_displacement(trial, length) < kSearchMargin);
   // Take over state, contacts and counts of the trial.
   update_energy_account(trial.state);
   state_ = trial.state;

@@ -42,14 +42,14 @@ void add_impulse_losses(const std::vector<ActiveContact>& list,
       pair = {};
     }
     // Add the work of the normal to the sum that its previous mode selects, then that of friction.
-    const Eigen::Index tangents = rows_of(blocks[k].law) - 1;
+    const Eigen::Index tangent_rows = rows_of(blocks[k].law) - 1;
     const double first_loss = -f[at] * mean_u[at];
     double& loss = contact.kind == Kind::kJointFriction ? pair.friction
                    : contact.mode == ContactMode::kOpen ? pair.new_normals
                                                         : pair.persisting;
     loss += first_loss;
-    pair.friction -= f.segment(at + 1, tangents).dot(mean_u.segment(at + 1, tangents));
-    at += tangents + 1;
+    pair.friction -= f.segment(at + 1, tangent_rows).dot(mean_u.segment(at + 1, tangent_rows));
+    at += tangent_rows + 1;
   }
   pair.add_to(booking, w);
 }

@@ -46,22 +46,20 @@ void check_drives(const MovingScene& scene) {
     require(drive.coordinate >= 0 &&
                 drive.coordinate < static_cast<int>(scene.mechanism.coordinates.size()),
             "there is no coordinate {}", drive.coordinate);
+    const std::string& name =
+        scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name;
     for (const double number : {drive.bias, drive.target, drive.speed})
-      require(std::isfinite(number), "drive of '{}': wanted finite numbers",
-              scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name);
+      require(std::isfinite(number), "drive of '{}': wanted finite numbers", name);
     require(drive.stiffness >= 0 && drive.damping >= 0 && drive.max_effort >= 0 &&
                 std::isfinite(drive.stiffness) && std::isfinite(drive.damping),
-            "drive of '{}': wanted stiffness, damping and largest effort from 0 up",
-            scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name);
+            "drive of '{}': wanted stiffness, damping and largest effort from 0 up", name);
     check_span("drive", drive.when);
-    if (drive.table)
-      check_table(*drive.table,
-                  scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name);
+    if (drive.table) check_table(*drive.table, name);
   }
 }
 
-/// Returns the slope of a table after a knot; 0 before the first knot (-1) and after the last. Must
-/// not be called between two knots at the same time.
+/// Returns the slope of a table after a knot; 0 before the first knot (-1) and after the last, not
+/// finite between two knots at the same time.
 double slope_after(const TargetTable& table, Eigen::Index knot) {
   if (knot < 0 || knot + 1 == table.time.size()) return 0;
   return (table.target[knot + 1] - table.target[knot]) / (table.time[knot + 1] - table.time[knot]);

@@ -4,7 +4,6 @@
 
 #include <limits>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,7 +28,7 @@ struct SceneForce {
   Eigen::Vector3d point{0, 0, 0};   // point of application, body's frame [m] (3)
   Eigen::Vector3d force{0, 0, 0};   // force, world [N] (3)
   Eigen::Vector3d moment{0, 0, 0};  // additional moment, world [N m] (3)
-  TimeSpan when{};
+  TimeSpan when{};                  // time span in which it acts
 };
 
 /// Target of a coordinate over time: linear between knots, constant before the first and after the
@@ -50,7 +49,7 @@ struct SceneDrive {
   double target = 0;     // target at the start of its time span [rad] or [m]
   double speed = 0;      // rate of the target [rad/s] or [m/s]
   double max_effort = std::numeric_limits<double>::infinity();  // limit of |effort| [N m] or [N]
-  TimeSpan when{};
+  TimeSpan when{};                                              // time span in which it acts
   std::shared_ptr<const TargetTable>
       table{};  // target over time, shared by copies of a scene; null: none
 };
@@ -81,13 +80,14 @@ struct PairFriction {
 
 /// Scene to simulate; constant during a simulation.
 struct MovingScene {
-  Mechanism mechanism;
+  Mechanism mechanism;                   // bodies and joints
   Eigen::Vector3d gravity{0, 0, -9.81};  // acceleration of free fall [m/s^2] (3)
   std::vector<SceneForce> forces;
   std::vector<SceneDrive> drives;
   std::vector<std::shared_ptr<const ForceElement>> elements;
   PairFriction friction{};  // friction of pairs that are not listed below
-  std::vector<std::pair<std::pair<int, int>, PairFriction>> friction_pairs;  // pairs of bodies with own friction
+  std::vector<std::pair<std::pair<int, int>, PairFriction>>
+      friction_pairs;                      // pairs of bodies with own friction
   std::vector<std::pair<int, int>> apart;  // pairs of bodies excluded from contact
   Eigen::VectorXd q;                       // positions at the start (q)
   Eigen::VectorXd v;                       // velocities at the start (v)

@@ -3,7 +3,6 @@
 /// Search for contacts, joint limits and dry frictions of a scene at a state.
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>

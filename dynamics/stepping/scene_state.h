@@ -15,7 +15,7 @@
 namespace thenar {
 
 /// Largest gap at which a contact is searched for, because it may close within a step [m].
-inline constexpr double kContactSearchMargin = 1e-4;
+inline constexpr double kSearchMargin = 1e-4;
 
 /// State of a scene at an instant.
 struct SceneState {
@@ -37,21 +37,21 @@ struct PreviousSpeeds {
   double spin = kNone;                         // angular velocity about the normal [rad/s]
 };
 
-/// A contact point of two bodies, a joint limit, or the dry friction of a joint.
+/// Active constraint: a contact point of two bodies, a joint limit, or the dry friction of a joint.
 struct ActiveContact {
   enum class Kind { kContact, kLowerLimit, kUpperLimit, kJointFriction };
   Kind kind = Kind::kContact;
-  int a = 0, b = 0;                 // kContact: bodies, a < b; otherwise a is the joint
-  int id = 0;                       // kContact: ManifoldPoint::id
-  std::uint64_t feature = 0;        // kContact: ManifoldPoint::feature
-  Eigen::Vector3d point{0, 0, 0};   // point of contact, world [m] (3)
-  Eigen::Vector3d normal{0, 0, 1};  // unit normal out of b, along which a is pushed (3)
-  double gap = 0;                   // gap [m]; of a joint limit [rad] or [m]
-  PairFriction friction{};
-  ContactMode mode = ContactMode::kOpen;
-  Eigen::Vector3d impulse{0, 0, 0};  // impulse on a, world; of joints in x [N s], [N m s] (3)
-  double torsion = 0;                // impulse about the normal [N m s]
-  double slip = 0;                   // tangential speed [m/s]
+  int a = 0, b = 0;                       // kContact: bodies, a < b; otherwise a is the joint
+  int id = 0;                             // kContact: ManifoldPoint::id
+  std::uint64_t feature = 0;              // kContact: ManifoldPoint::feature
+  Eigen::Vector3d point{0, 0, 0};         // point of contact, world [m] (3)
+  Eigen::Vector3d normal{0, 0, 1};        // unit normal out of b, along which a is pushed (3)
+  double gap = 0;                         // gap [m]; of a joint limit [rad] or [m]
+  PairFriction friction{};                // friction and restitution of the bodies
+  ContactMode mode = ContactMode::kOpen;  // mode of the last step
+  Eigen::Vector3d impulse{0, 0, 0};       // impulse on a, world; of joints in x [N s], [N m s] (3)
+  double torsion = 0;                     // impulse about the normal [N m s]
+  double slip = 0;                        // tangential speed [m/s]
   double approach = 0;        // normal velocity, negative while the gap closes [m/s], [rad/s]
   PreviousSpeeds previous{};  // velocities of the last take_midpoint_step()
 

@@ -26,7 +26,8 @@ struct SceneInstant {
 /// Results are bitwise reproducible for the same scene, inputs and steps.
 class SceneStepper {
  public:
-  /// @throws InputError as ContactStep, or if an option is impossible.
+  /// Starts at the scene's initial state. @throws InputError as ContactStep, or if an option is out
+  /// of range.
   explicit SceneStepper(const MovingScene& scene, const SceneOptions& options = {});
 
   /// Advances by one step; does nothing if the state is not finite.

@@ -71,10 +71,9 @@ double StepControl::shorten_after_rejection(StepTrials& trials, double t, double
     // remember the change for the next one.
     is_shortened_for_change_ = true;
     ends_before_change_ =
-        trial.mode_change_time >= 0 && kChangeMargin * trial.mode_change_time < 0.5 * length;
-    if (trial.mode_change_time >= 0 && !ends_before_change_)
-      expected_change_ = t + trial.mode_change_time;
-    length = ends_before_change_ ? kChangeMargin * trial.mode_change_time : 0.5 * length;
+        trial.change_time >= 0 && kChangeMargin * trial.change_time < 0.5 * length;
+    if (trial.change_time >= 0 && !ends_before_change_) expected_change_ = t + trial.change_time;
+    length = ends_before_change_ ? kChangeMargin * trial.change_time : 0.5 * length;
   }
   return std::max(length, options_.shortest);
 }

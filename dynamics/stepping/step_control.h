@@ -16,7 +16,7 @@ class StepControl {
   /// Returns the largest step length at present [s].
   [[nodiscard]] double max_length() const { return max_length_; }
   /// Sets the largest step length: SceneOptions::longest, or a multiple of it for a quiet scene.
-  /// @param is_quiet  no position changed by kContactSearchMargin in the last step
+  /// @param is_quiet  no position changed by kSearchMargin in the last step
   void set_max_length(bool is_quiet);
 
   /// Returns the length of the first trial of a step: `wanted`, or less to end just before an

@@ -107,7 +107,7 @@ double TouchingContacts::close_gaps_and_update(double length, SceneState& state,
   // Close gaps if it is too large; penetration is pushed out no faster than `recovery`.
   if (max_gap > kCorrectionRatio * options_.touch) {
     step_.close_gaps(state, pressed, std::max(options_.touch, options_.recovery * length));
-    step_.find_contacts(state, kContactSearchMargin, found);
+    step_.find_contacts(state, kSearchMargin, found);
   }
   // Update contacts, and record the largest penetration.
   update_with_impacts(state, found);

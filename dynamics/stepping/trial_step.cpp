@@ -9,13 +9,13 @@
 namespace thenar {
 namespace {
 
-constexpr int kModeChangeColumns = 4;     // number of columns if a mode changes within the step
-constexpr double kOrderRatio = 0.1;       // allowed difference of two orders over the tolerance:
-                                          // high orders differ little, and errors add up [1]
-constexpr double kOrderRounding = 1e-12;  // rounding error of the difference of orders [m], [rad]
-constexpr double kVelocityErrorTime = 0.01;  // time that converts velocity errors of smooth steps
-                                             // to position errors [s]
-constexpr double kMinClosingSpeed = 1e-12;   // closing speed below which it counts as this [m/s]
+constexpr int kModeChangeColumns = 4;       // number of columns if a mode changes within the step
+constexpr double kOrderRatio = 0.1;         // allowed difference of two orders over the tolerance:
+                                            // high orders differ little, and errors add up [1]
+constexpr double kOrderRounding = 1e-12;    // rounding error of the difference of orders [m], [rad]
+constexpr double kSpeedErrorTime = 0.01;    // time that converts velocity errors of smooth steps
+                                            // to position errors [s]
+constexpr double kMinClosingSpeed = 1e-12;  // closing speed below which it counts as this [m/s]
 
 }  // namespace
 
@@ -52,7 +52,7 @@ void StepTrials::try_step(const Beginning& from, double length) {
     // If a mode changes, take the finest column; its difference from the previous one is the error.
     last.order = 2;
     last.error =
-        relative_difference(last.state, table_[static_cast<std::size_t>(result_ - 1)].state, 1);
+        scaled_difference(last.state, table_[static_cast<std::size_t>(result_ - 1)].state, 1);
     // If friction reverses within the first substep, all columns have the same error: up to twice
     // the slip before.
     last.error =
@@ -71,8 +71,7 @@ bool StepTrials::extrapolate_column(StepTrial& column) {
   if (columns_.column_count() < 2) return false;
   const double ratio = std::max(kOrderRatio, std::min(1.0, kOrderRounding / options_.tolerance));
   column.error =
-      relative_difference(columns_.highest_order(), columns_.lower_order(), kVelocityErrorTime) /
-      ratio;
+      scaled_difference(columns_.highest_order(), columns_.lower_order(), kSpeedErrorTime) / ratio;
   verdict_ = columns_.judge(column.error);
   if (verdict_ == Verdict::kContinue) return false;
   // Store the extrapolated state in the column.
@@ -89,7 +88,7 @@ bool StepTrials::take_substeps(const Beginning& from, double length, int n, Step
   column.active = from.closed;
   column.h = length / n;
   column.is_smooth = true;
-  column.closing_time = column.mode_change_time = -1;
+  column.closing_time = column.change_time = -1;
   column.error = 0;
   earlier_contacts_.clear();
   scale_impulses(column.active, from.impulse_time > 0 ? column.h / from.impulse_time : 0);
@@ -104,9 +103,8 @@ bool StepTrials::take_substeps(const Beginning& from, double length, int n, Step
     // Record the first mode change, at the instant that the margins predict.
     if (column.is_smooth && !same_modes(column.active, outcome_.active)) {
       column.is_smooth = false;
-      column.mode_change_time =
-          column.h *
-          (i + fraction_before_change(earlier_contacts_, column.active, outcome_.active));
+      column.change_time = column.h * (i + fraction_before_change(earlier_contacts_, column.active,
+                                                                  outcome_.active));
     }
     // Keep the contacts of this substep and of the previous one.
     earlier_contacts_.swap(column.active);
@@ -129,16 +127,15 @@ double StepTrials::estimate_closing_time(double h, int substep) const {
 
 /// Computes the largest difference of two states over the tolerance [1].
 /// @param horizon  time that converts velocity errors to position errors [s]
-double StepTrials::relative_difference(const SceneState& a, const SceneState& b,
-                                       double horizon) const {
-  double max_difference =
+double StepTrials::scaled_difference(const SceneState& a, const SceneState& b,
+                                     double horizon) const {
+  double difference =
       std::max((a.q - b.q).cwiseAbs().maxCoeff(), horizon * (a.v - b.v).cwiseAbs().maxCoeff());
   // The last state, the work of elements, is an output only.
   const Eigen::Index states = a.z.size() - 1;
   if (states > 0)
-    max_difference =
-        std::max(max_difference, horizon * (a.z - b.z).head(states).cwiseAbs().maxCoeff());
-  return max_difference / options_.tolerance;
+    difference = std::max(difference, horizon * (a.z - b.z).head(states).cwiseAbs().maxCoeff());
+  return difference / options_.tolerance;
 }
 
 /// Takes one step of order eight, without contacts.
@@ -149,13 +146,13 @@ void StepTrials::take_free_step(const Beginning& from, double length) {
   trial.active.clear();
   trial.order = 8;
   trial.is_smooth = true;
-  trial.closing_time = trial.mode_change_time = -1;
+  trial.closing_time = trial.change_time = -1;
   trial.h = length;
   // Integrate, with the error over the tolerance.
   trial.state = from.state;
   const FreeStep::Error error = free_.take_step(step_, length, trial.state);
   trial.error =
-      std::max(error.q, kVelocityErrorTime * std::max(error.v, error.z)) / options_.tolerance;
+      std::max(error.q, kSpeedErrorTime * std::max(error.v, error.z)) / options_.tolerance;
   counts_.count_free_step(error.acted);
   if (!is_finite(trial.state)) {
     trial.error = std::numeric_limits<double>::infinity();
@@ -191,7 +188,7 @@ void StepTrials::check_middle(const Beginning& from, double length, StepTrial& t
 void StepTrials::check_end(const Beginning& from, double length, StepTrial& trial) {
   // Find new contacts at the end.
   checked_end_ = true;
-  step_.find_contacts(trial.state, kContactSearchMargin, found_);
+  step_.find_contacts(trial.state, kSearchMargin, found_);
   step_.find_deepest_new(found_, trial.active, outcome_);
   if (outcome_.min_new_gap < -options_.touch) trial.closing_time = estimate_closing_time(length, 0);
   // Reject a motion in which bodies may have passed through each other.
@@ -203,7 +200,7 @@ void StepTrials::check_end(const Beginning& from, double length, StepTrial& tria
 }
 
 void StepTrials::find_end_contacts() {
-  if (!checked_end_) step_.find_contacts(result().state, kContactSearchMargin, found_);
+  if (!checked_end_) step_.find_contacts(result().state, kSearchMargin, found_);
 }
 
 }  // namespace thenar

@@ -57,8 +57,8 @@ struct StepTrial {
   double error = 0;                   // error estimate over the tolerance [1]
   int order = 1;                      // exponent of the error in the step length
   bool is_smooth = true;              // no contact changed its mode; the state is extrapolated
-  double closing_time = -1;      // time from the start until a gap closes [s]; < 0: none closes
-  double mode_change_time = -1;  // time from the start until the first mode change [s]; < 0: none
+  double closing_time = -1;  // time from the start until a gap closes [s]; < 0: none closes
+  double change_time = -1;   // time from the start until the first mode change [s]; < 0: none
 };
 
 /// Integrator of trial steps from one state. Owns their workspace.
@@ -100,8 +100,8 @@ class StepTrials {
   [[nodiscard]] bool extrapolate_column(StepTrial& column);
   [[nodiscard]] bool take_substeps(const Beginning& from, double length, int n, StepTrial& column);
   [[nodiscard]] double estimate_closing_time(double h, int substep) const;
-  [[nodiscard]] double relative_difference(const SceneState& a, const SceneState& b,
-                                           double horizon) const;
+  [[nodiscard]] double scaled_difference(const SceneState& a, const SceneState& b,
+                                         double horizon) const;
   void take_free_step(const Beginning& from, double length);
   void check_middle(const Beginning& from, double length, StepTrial& trial);
   void check_end(const Beginning& from, double length, StepTrial& trial);

@@ -161,7 +161,7 @@ TEST(EnergyBalance, OfStepsTooLongDoesNotHold) {
   const SceneRun good = fixed_run(scene, 1, 1e-3), bad = fixed_run(scene, 1, 4e-2);
   EXPECT_EQ(good.status, SceneStatus::kDone);
   EXPECT_EQ(bad.status, SceneStatus::kUnbalanced);
-  EXPECT_GT(worst_balance(bad.samples).share(), kSceneEnergyShare);
+  EXPECT_GT(worst_balance(bad.samples).relative_error(), kMaxEnergyErrorRatio);
 }
 
 // Losses of what rests may be below zero by rounding; what is turned over is not.
