@@ -27,7 +27,7 @@ constexpr double kGapRoundings = 8;         // rounding error of a gap over that
 constexpr double kMinSceneSize = 0.1;       // smallest scene size for rounding errors [m]
 constexpr double kExtraMargin = 1e-5;       // added to the approach within a midpoint step [m]
 constexpr double kMaxMargin = 0.05;         // largest margin of the contact search of that step [m]
-constexpr int kProjections = 3;             // Newton iterations of close_gaps(): gaps are nonlinear
+constexpr int kProjections = 3;             // largest number of iterations of close_gaps()
 constexpr double kGapLimit = 1e-13;         // gap at which close_gaps() has converged [m], [rad]
 
 /// Records a contact that was not closed before if it is the deepest so far.
@@ -71,7 +71,7 @@ struct ContactStep::Parts {
   /// to its end with their rates at the midpoint.
   /// @param state  positions and element states at the midpoint, velocities at the end
   /// @return false if an element has no valid force
-  bool end_elements(double h, SceneState& state) {
+  bool finish_elements(double h, SceneState& state) {
     v_mean = 0.5 * (v_before + state.v);
     motion.set_speeds(v_mean);
     if (efforts.elements.empty()) return true;
@@ -82,8 +82,8 @@ struct ContactStep::Parts {
     return acted;
   }
 
-  /// Adds the energy flows of a midpoint step. Call after end_elements().
-  void end_flows(double h, SceneState& state) {
+  /// Adds the energy flows of a midpoint step. Call after finish_elements().
+  void add_flows(double h, SceneState& state) {
     // Integrate mean powers; update the measures of turned-over energy.
     efforts.compute_powers(motion,
                            {state.t, efforts.selection_time(), h, 0.5, state.q, v_before, state.v});
@@ -96,15 +96,15 @@ struct ContactStep::Parts {
 
   /// Computes the tolerance of a midpoint step's contact problem: the rounding error of gaps, as a
   /// velocity over the largest velocity of the problem [1].
-  [[nodiscard]] double rounding_of_gaps(double h) const {
+  [[nodiscard]] double gap_rounding(double h) const {
     const double size = contacts->extent(kMinSceneSize);
     const double rounding = kGapRoundings * std::numeric_limits<double>::epsilon() * size;
-    const double share = 2 * rounding / (h * rows.problem.b.lpNorm<Eigen::Infinity>());
-    return std::max(solver_options.tolerance, std::min(share, kMaxTolerance));
+    const double residual = 2 * rounding / (h * rows.problem.b.lpNorm<Eigen::Infinity>());
+    return std::max(solver_options.tolerance, std::min(residual, kMaxTolerance));
   }
 
   /// Assembles the contact problem, with b the velocities without impulses.
-  void set_rows(const std::vector<ActiveContact>& list, double h) {
+  void assemble_rows(const std::vector<ActiveContact>& list, double h) {
     rows.assemble(list, h, motion.links(), free.mass);
     rows.problem.b.noalias() = rows.J.transpose() * free.v;
   }
@@ -113,8 +113,8 @@ struct ContactStep::Parts {
   /// velocities and modes in the list.
   /// @param target_residual  0: use the solver's tolerance; otherwise iterate to this residual, but
   ///                         count kMaxTolerance as solved [1]
-  void solve(std::vector<ActiveContact>& list, SceneState& state, StepOutcome& outcome,
-             ImpulseBooking booking, double target_residual = 0) {
+  void solve_contacts(std::vector<ActiveContact>& list, SceneState& state, StepOutcome& outcome,
+                      ImpulseBooking booking, double target_residual = 0) {
     const ContactProblem& problem = rows.problem;
     if (!problem.W.allFinite() || !problem.b.allFinite()) {
       // Velocities have overflowed: return NaN.
@@ -299,8 +299,8 @@ void ContactStep::take_euler_substep(SceneState& state, double h,
   if (outcome.active.empty()) {
     state.v = p.free.v;
   } else {
-    p.set_rows(outcome.active, h);
-    p.solve(outcome.active, state, outcome, ImpulseBooking::kNet);
+    p.assemble_rows(outcome.active, h);
+    p.solve_contacts(outcome.active, state, outcome, ImpulseBooking::kNet);
   }
   // Add the energy flows of the substep.
   p.efforts.compute_powers(
@@ -351,13 +351,13 @@ void ContactStep::take_midpoint_step(SceneState& state, double h,
   if (outcome.active.empty()) {
     state.v = p.free.v;
   } else {
-    p.set_rows(outcome.active, h);
+    p.assemble_rows(outcome.active, h);
     p.rows.add_midpoint_terms(state.v, h, recovery, outcome.active);
-    p.solve(outcome.active, state, outcome, ImpulseBooking::kLosses, p.rounding_of_gaps(h));
+    p.solve_contacts(outcome.active, state, outcome, ImpulseBooking::kLosses, p.gap_rounding(h));
   }
   // Advance element states, energy flows and positions to the end.
-  outcome.solved = p.end_elements(h, state) && outcome.solved;
-  p.end_flows(h, state);
+  outcome.solved = p.finish_elements(h, state) && outcome.solved;
+  p.add_flows(h, state);
   advance_positions(p.scene.mechanism, p.model.layout, state.v, 0.5 * h, state.q);
   state.t += 0.5 * h;
 }
@@ -373,14 +373,15 @@ void ContactStep::resolve_impact(SceneState& state, const std::vector<ActiveCont
   p.motion.set_state(state);
   outcome.solved = p.free.compute(p.motion, p.efforts, state, 0, 0);
   outcome.active = touching;
-  p.set_rows(outcome.active, 0);
+  p.assemble_rows(outcome.active, 0);
   p.rows.apply_restitution(outcome.active);
-  p.solve(outcome.active, state, outcome, ImpulseBooking::kLosses);
+  p.solve_contacts(outcome.active, state, outcome, ImpulseBooking::kLosses);
 }
 
 void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>& touching,
                              double max_correction) {
   Parts& p = *parts_;
+  // Iterate, because gaps are nonlinear in the positions.
   for (int iteration = 0; iteration < kProjections; ++iteration) {
     p.motion.set_state(state);
     p.contacts->find_contacts(p.motion, state, kSearchMargin, p.found);

@@ -8,9 +8,8 @@ namespace {
 
 constexpr int kInitialColumns = 4;    // target number of columns of the first step
 constexpr double kTargetError = 0.5;  // error of the next step over the tolerance [1]
-constexpr double kOrderGain = 0.9;  // work per time, relative to fewer columns, below which another
-                                    // column pays [1]
-constexpr double kMaxGrowth = 4;    // largest ratio of successive step lengths [1]
+constexpr double kOrderGain = 0.9;    // work ratio that justifies another column [1]
+constexpr double kMaxGrowth = 4;      // largest ratio of successive step lengths [1]
 constexpr double kMinShrink = 0.1, kRejectedShrink = 0.9;  // range of a repeated step's length [1]
 
 /// Returns the work of a step: the substeps of its columns, and one for everything else.
