@@ -67,7 +67,7 @@ void mass_matrix_and_factor(benchmark::State& state) {
   for (auto _ : state) {
     task.q[0] = 0.6 - task.q[0];
     task.motion.set_position(task.q);
-    benchmark::DoNotOptimize(mass.set(task.motion));
+    benchmark::DoNotOptimize(mass.compute(task.motion));
   }
 }
 BENCHMARK(mass_matrix_and_factor);
@@ -88,7 +88,7 @@ void simbody(benchmark::State& state) {
   SimbodyMachine machine(task.mechanism);
   for (auto _ : state) {
     task.q[0] = 0.6 - task.q[0];
-    machine.set(task.q, task.v);
+    machine.set_state(task.q, task.v);
     benchmark::DoNotOptimize(machine.accelerations(task.tau, kFall).sum());
   }
 }

@@ -102,7 +102,7 @@ OrderedJson picture_of(const sample::ThumbOnMug& made, const SceneRun& run) {
     OrderedJson poses = OrderedJson::array();
     std::vector<Pose<double>> X;
     for (const SceneSample& sample : run.samples) {
-      step.poses({sample.t, sample.q, sample.v, sample.z}, X);
+      step.compute_poses({sample.t, sample.q, sample.v, sample.z}, X);
       const Pose<double>& at = X[static_cast<std::size_t>(body_named(made.scene.mechanism, body))];
       poses.push_back({{"R", to_json(at.R)}, {"p", to_json(at.p)}});
     }
@@ -114,7 +114,7 @@ OrderedJson picture_of(const sample::ThumbOnMug& made, const SceneRun& run) {
   OrderedJson mug = OrderedJson::array();
   std::vector<Pose<double>> X;
   for (const SceneSample& sample : run.samples) {
-    step.poses({sample.t, sample.q, sample.v, sample.z}, X);
+    step.compute_poses({sample.t, sample.q, sample.v, sample.z}, X);
     const Pose<double>& at = X[static_cast<std::size_t>(made.mug)];
     mug.push_back({{"R", to_json(at.R)}, {"p", to_json(at.p)}});
   }

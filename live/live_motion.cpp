@@ -122,14 +122,14 @@ void LiveMotion::take_quality(MotionQuality& of) {
   quality_.leaps += of.leaps;
   quality_.worst_residual = std::max(quality_.worst_residual, of.worst_residual);
   quality_.deepest = std::max(quality_.deepest, of.deepest);
-  keep_larger(cost.beyond, beyond_);
+  keep_max_excess(cost.beyond, beyond_);
   add_account(cost.beyond, of);
 }
 
 void LiveMotion::add_account(const Eigen::VectorXd& beyond, MotionQuality& of) const {
   of.balance = flow_balance(start_, stepper_.sample_of(shown()));
   of.limits = passed_limits(scene().mechanism, beyond);
-  of.restitution = largest_restitution(scene());
+  of.restitution = max_restitution(scene());
 }
 
 MotionQuality LiveMotion::quality() const {

@@ -80,7 +80,7 @@ void MotionSwitches::check(const MotionInputs& inputs, const SceneStepper& stepp
   check_size(inputs.efforts, "effort", "N m or N", kLargestEffort);
   check_size(inputs.targets, "target", "rad or m", kFarthestTarget);
   for (const auto& [name, value] : inputs.targets)
-    require(stepper.stiff_drive(coordinate_named(name)) != nullptr,
+    require(stepper.first_stiff_drive(coordinate_named(name)) != nullptr,
             "no drive with stiffness moves '{}': set its effort instead", name);
   check_controls(inputs.tensions, "N");
   check_controls(inputs.excitations, "1");
@@ -129,9 +129,9 @@ std::vector<MotionInput> MotionSwitches::list(const SceneStepper& stepper) const
     const std::string& name = coordinates_[c];
     const int index = static_cast<int>(c);
     const bool slides = slides_along(stepper.scene(), index);
-    const double most = stepper.largest_effort(index);
+    const double most = stepper.max_effort(index);
     out.push_back({name, "effort", slides ? "N" : "N m", -most, most, given(efforts_, index)});
-    if (stepper.stiff_drive(index) != nullptr)
+    if (stepper.first_stiff_drive(index) != nullptr)
       out.push_back({name, "target", slides ? "m" : "rad", ranges[c].lower, ranges[c].upper,
                      given(targets_, index)});
   }

@@ -135,7 +135,7 @@ MotionQuality RecordedMotion::quality() const {
   out.balance = run_.balance;
   out.limits = run_.limits;
   if (run_.built.options.method == SteppingMethod::kTimeStepping)
-    out.restitution = largest_restitution(run_.built.scene);
+    out.restitution = max_restitution(run_.built.scene);
   return out;
 }
 

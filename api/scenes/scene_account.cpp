@@ -18,7 +18,7 @@ std::string energy_error_words(const FlowBalance& balance) {
   return fmt::format("{:.3g} mJ {} by {:.6g} s, {:.2g} % of {:.4g} mJ total energy exchanged",
                      1e3 * std::abs(balance.error),
                      balance.error < 0 ? "made of nothing" : "lost to nothing", balance.t,
-                     100 * balance.share(), 1e3 * balance.turned_over);
+                     100 * balance.relative_error(), 1e3 * balance.turned_over);
 }
 
 std::string beyond_words(const PassedLimit& limit) {
@@ -32,7 +32,7 @@ std::vector<PassedLimit> limits_passed(const SceneResult& scene) {
 
 double restitution_ignored(const SceneResult& scene) {
   const bool bounces = scene.built->options.method != SteppingMethod::kTimeStepping;
-  return bounces ? 0 : largest_restitution(scene.built->scene);
+  return bounces ? 0 : max_restitution(scene.built->scene);
 }
 
 std::vector<std::string> scene_warnings(const SceneResult& scene) {

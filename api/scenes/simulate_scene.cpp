@@ -508,7 +508,7 @@ void add_contacts(const SceneResult& scene, const std::string& group, ResultFile
 void add_account(const SceneResult& scene, const std::string& group, ResultFile& file) {
   // Keep the worst balance of energy, beside the energy that was turned over.
   if (const std::optional<FlowBalance>& worst = scene.measures.worst;
-      worst && std::isfinite(worst->share())) {
+      worst && std::isfinite(worst->relative_error())) {
     file.add(group + "energy_error", worst->error, "J");
     file.add(group + "energy_turned_over", worst->turned_over, "J");
   }

@@ -237,7 +237,7 @@ class WorldBuilder {
     InverseDynamics<double> inverse(model);
     inverse.efforts(motion, scene.gravity, Eigen::VectorXd::Zero(model.layout.v), weight);
     MassMatrix<double> mass(model);
-    require(mass.set(motion), "masses of '{}' are too unequal", world_.name);
+    require(mass.compute(motion), "masses of '{}' are too unequal", world_.name);
     // Add the ends of passive moments, which are elements of the scene.
     for (const std::shared_ptr<const ForceElement>& element : scene.elements)
       if (const auto* stops = dynamic_cast<const JointStops*>(element.get()))

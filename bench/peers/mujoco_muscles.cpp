@@ -66,15 +66,15 @@ class OurHand {
   explicit OurHand(const Subject& subject) : built_(build(subject)), step_(built_.scene) {}
 
   void start() {
-    state_ = step_.start();
+    state_ = step_.initial_state();
     last_.clear();
   }
 
   void step() {
-    step_.act_as_at(state_.t);
-    step_.time_step(state_, kStep, last_, 0.1, outcome_);
+    step_.select_active_forces(state_.t);
+    step_.take_midpoint_step(state_, kStep, last_, 0.1, outcome_);
     std::swap(last_, outcome_.active);
-    step_.accept(state_);
+    step_.accept_step(state_);
     unsolved_ += outcome_.solved ? 0 : 1;
   }
 

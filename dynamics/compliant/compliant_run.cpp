@@ -63,8 +63,8 @@ class CompliantLoop {
       // Cost, depths and limits of the step.
       ++run_.cost.steps;
       note_depth();
-      note_limits(energy_.scene().mechanism, energy_.model().layout, motion_.state().q,
-                  run_.cost.beyond);
+      update_limit_excess(energy_.scene().mechanism, energy_.model().layout, motion_.state().q,
+                          run_.cost.beyond);
       const double t = motion_.state().t;
       if (t >= next - kSameInstant || t >= options_.seconds - kSameInstant) sample();
     }
@@ -109,9 +109,9 @@ void refuse_restitution(const PairFriction& pair) {
 
 double StepReach::follow(ContactStep& step, const SceneState& before, const SceneState& after) {
   // Contacts that touch stick, so that their pairs are not looked at.
-  step.find(after, 0, touching_);
+  step.find_contacts(after, 0, touching_);
   for (ActiveContact& contact : touching_) contact.mode = ContactMode::kStick;
-  const double motion = step.motion_between(before, after, touching_);
+  const double motion = step.tunnelling_ratio(before, after, touching_);
   // Next length, by which surfaces may move half of what is allowed.
   length_ = motion > 0 ? 0.5 * (after.t - before.t) / motion : longest_;
   return motion;

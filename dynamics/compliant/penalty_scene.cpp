@@ -66,7 +66,7 @@ class PenaltyMotion : public CompliantMotion {
   }
 
   void begin_span(double instant) override {
-    step_.act_as_at(instant);
+    step_.select_active_forces(instant);
     state_.t = instant;
     restart();
     reach_.restart(kFirstReach);
@@ -143,7 +143,7 @@ class PenaltyMotion : public CompliantMotion {
     state_.t = ode_->time();
     state_.q = y.head(state_.q.size());
     state_.v = y.tail(state_.v.size());
-    step_.normalise(state_.q);
+    step_.normalise_quaternions(state_.q);
   }
 
   /// Rates of positions and speeds, contacts included.
@@ -151,11 +151,11 @@ class PenaltyMotion : public CompliantMotion {
     trial_.t = t;
     trial_.q = y.head(state_.q.size());
     trial_.v = y.tail(state_.v.size());
-    step_.normalise(trial_.q);
+    step_.normalise_quaternions(trial_.q);
     // Add the accelerations by contacts to those without.
-    (void)step_.free_rates(trial_, q_dot_, v_dot_, z_dot_);  // no elements here
+    (void)step_.compute_free_rates(trial_, q_dot_, v_dot_, z_dot_);  // no elements here
     load(trial_, nullptr);
-    mass_.set(motion_);
+    mass_.compute(motion_);
     mass_.solve(step_.model(), efforts_);
     Eigen::VectorXd out(y.size());
     out << q_dot_, v_dot_ + efforts_;
@@ -167,7 +167,7 @@ class PenaltyMotion : public CompliantMotion {
   /// @return energy of their springs [J]
   double load(const SceneState& state, std::vector<ContactSample>* out) {
     // Contacts within reach, and links in motion.
-    step_.find(state, 0, found_);
+    step_.find_contacts(state, 0, found_);
     motion_.set_position(state.q);
     motion_.set_speed(state.v);
     efforts_.setZero();
@@ -214,7 +214,7 @@ class PenaltyMotion : public CompliantMotion {
     // Efforts at the joints, and the contact as runs keep it.
     const Eigen::Vector3d force = normal.force * contact.normal + friction.force;
     const Eigen::Vector3d moment = friction.torsion * contact.normal;
-    motion_.add_row_against(a, b, contact.point, force, moment, efforts_);
+    motion_.add_relative_jacobian_row(a, b, contact.point, force, moment, efforts_);
     if (out != nullptr && normal.energy > 0) {
       const bool slides = std::hypot(slip.norm(), contact.friction.torsion_radius * spin) >=
                           options_.compliance.transition;

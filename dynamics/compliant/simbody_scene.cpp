@@ -125,7 +125,7 @@ class SimbodyScene {
   [[nodiscard]] SimTK::State state_of(const SceneState& at) const {
     SimTK::State out = bodies.system().getDefaultState();
     bodies.system().realizeModel(out);
-    bodies.write(at.q, at.v, out);
+    bodies.write_state(at.q, at.v, out);
     out.setTime(at.t);
     return out;
   }
@@ -407,7 +407,7 @@ class SimbodyMotion : public CompliantMotion {
   void take_state() {
     const SimTK::State& at = integrator_->getState();
     state_.t = at.getTime();
-    world_.bodies.read(at, state_.q, state_.v);
+    world_.bodies.read_state(at, state_.q, state_.v);
   }
 
   /// Fails where surfaces moved too far to be sure that nothing went through something.

@@ -114,7 +114,7 @@ std::vector<std::string> DigitPull::state_names() const {
   return names;
 }
 
-VectorXd DigitPull::start(const VectorXd& q) const {
+VectorXd DigitPull::initial_states(const VectorXd& q) const {
   const auto count = static_cast<Index>(muscles_.contracting.size());
   VectorXd z = VectorXd::Zero(muscles_.states);
   if (!muscles_.has_excursion) return z;
@@ -235,8 +235,8 @@ const DigitPull::Now& DigitPull::now(const ElementInput& at, ElementNeed need) c
   Now& now = now_;
   gather(at.q, model_->places.q, now.q);
   gather(at.v, model_->places.v, now.q_dot);
-  given_.find(model_->tensions, at.acting);
-  excited_.find(model_->excitations, at.acting);
+  given_.find(model_->tensions, at.selection_time);
+  excited_.find(model_->excitations, at.selection_time);
   set_states(at, now);
   // Without a net arms come first: they do not depend on tension, but tensions may on velocity.
   if (!has_net()) {
@@ -258,7 +258,7 @@ const DigitPull::Now& DigitPull::now(const ElementInput& at, ElementNeed need) c
   return now;
 }
 
-bool DigitPull::act(const ElementInput& at, ElementAction& out) {
+bool DigitPull::add_action(const ElementInput& at, ElementAction& out) {
   // A trial far off: efforts that are no number make the step shorter.
   const std::vector<int>& v = model_->places.v;
   const auto refuse = [&] {
@@ -287,7 +287,7 @@ bool DigitPull::act(const ElementInput& at, ElementAction& out) {
 /// Slopes at constant tensions, then those of the tensions.
 void DigitPull::add_slopes(const Now& now, MatrixXd& G, MatrixXd& A, ElementAction& out) {
   const std::vector<int>& v = model_->places.v;
-  // Slopes at constant tension, from the last accept().
+  // Slopes at constant tension, from the last accept_step().
   if (last_.stiffness_q.size() == 0) set_posture_stiffness(now);
   if (last_.arm_slopes.exist)
     tendons().add_stiffness(last_.arm_slopes, now.tension, v, scratch_.by_pair, out.stiffness);
@@ -394,7 +394,7 @@ void DigitPull::set_excursion_rates(const ElementInput& at, const Now& now, cons
   }
 }
 
-void DigitPull::accept(const ElementInput& at) {
+void DigitPull::accept_step(const ElementInput& at) {
   if (!is_finite(at)) return;
   // Renew slopes of arms, where there is no net, once the posture has changed much.
   gather(at.q, model_->places.q, scratch_.accepted_q);
@@ -413,7 +413,7 @@ void DigitPull::accept(const ElementInput& at) {
     last_.slack_length = tendons().lengths(now.q, now.tension, now.pull) - now.excursion;
 }
 
-std::vector<double> DigitPull::switches() const {
+std::vector<double> DigitPull::switching_times() const {
   std::vector<double> times;
   for (const auto* schedules : {&model_->tensions, &model_->excitations})
     for (const MuscleSchedule& each : *schedules) {
@@ -425,10 +425,11 @@ std::vector<double> DigitPull::switches() const {
   return times;
 }
 
-bool DigitPull::moves(const ElementInput& at) const {
+bool DigitPull::may_start_motion(const ElementInput& at) const {
   // A tension that changes, or a muscle that is not at rest, moves.
   for (const MuscleSchedule& given : model_->tensions)
-    if (given.when.holds(at.acting) && piece_at(given, at.acting).slope() != 0) return true;
+    if (given.when.holds(at.selection_time) && piece_at(given, at.selection_time).slope() != 0)
+      return true;
   if (muscles_.contracting.empty()) return false;
   const Now& now = this->now(at, ElementNeed::kRates);
   return std::any_of(muscles_.contracting.begin(), muscles_.contracting.end(), [&](int m) {

@@ -69,9 +69,9 @@ class PullTensions {
 ///
 /// Slopes for steps are  K = -d tau/d q at constant tension + R' (dt/d excursion) A^-1 R  and
 /// R' (dt/d velocity) R,  A = 1 + G dt/d excursion. The first term of K, the dearest and smallest,
-/// takes the slopes of arms of the last accept() at which the posture had changed much, and the
-/// tensions of now; where arms have no slopes, as under a net, it is that of the last accept() at
-/// which posture or tensions had changed much.
+/// takes the slopes of arms of the last accept_step() at which the posture had changed much, and
+/// the tensions of now; where arms have no slopes, as under a net, it is that of the last
+/// accept_step() at which posture or tensions had changed much.
 class DigitPull final : public ForceElement {
  public:
   /// @throws InputError if shapes or names of muscles disagree, a muscle has a tension and
@@ -81,13 +81,13 @@ class DigitPull final : public ForceElement {
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
   [[nodiscard]] std::string name() const override { return model_->name; }
   [[nodiscard]] std::vector<std::string> state_names() const override;
-  [[nodiscard]] Eigen::VectorXd start(const Eigen::VectorXd& q) const override;
-  /// Returns the reason not to trust the excursions that start() finds; may be empty.
+  [[nodiscard]] Eigen::VectorXd initial_states(const Eigen::VectorXd& q) const override;
+  /// Returns the reason not to trust the excursions that initial_states() finds; may be empty.
   [[nodiscard]] std::string start_warning(const Eigen::VectorXd& q) const;
-  bool act(const ElementInput& at, ElementAction& out) override;
-  void accept(const ElementInput& at) override;
-  [[nodiscard]] std::vector<double> switches() const override;
-  [[nodiscard]] bool moves(const ElementInput& at) const override;
+  bool add_action(const ElementInput& at, ElementAction& out) override;
+  void accept_step(const ElementInput& at) override;
+  [[nodiscard]] std::vector<double> switching_times() const override;
+  [[nodiscard]] bool may_start_motion(const ElementInput& at) const override;
   /// The excitation of each muscle that contracts, the tension of each other one, called after the
   /// muscle: "human/index/FDP2". What is set holds in place of schedules.
   [[nodiscard]] std::vector<ElementControl> controls() const override;
@@ -101,7 +101,7 @@ class DigitPull final : public ForceElement {
   [[nodiscard]] const std::vector<std::string>& muscles() const;
   /// Returns true if a muscle contracts.
   [[nodiscard]] bool contracts(int muscle) const;
-  /// Computes the state of tendons and muscles at an instant, after accept() of that instant.
+  /// Computes the state of tendons and muscles at an instant, after accept_step() of that instant.
   [[nodiscard]] PullInstant at(const ElementInput& at) const;
 
  private:
@@ -149,11 +149,11 @@ class DigitPull final : public ForceElement {
   };
   /// What earlier calls found and later ones begin with.
   struct Last {
-    GroupSlopes arm_slopes;                    // at the last accept(), where they exist; else
+    GroupSlopes arm_slopes;                    // at the last accept_step(), where they exist; else
     Eigen::MatrixXd posture_stiffness;         // (coordinates, coordinates)
-    Eigen::VectorXd tension;                   // of the last act() [N] (muscles)
+    Eigen::VectorXd tension;                   // of the last add_action() [N] (muscles)
     Eigen::VectorXd stiffness_q, stiffness_t;  // where either was found; empty: not yet
-    GroupNodes nodes;                          // of nets at the last accept() [m]
+    GroupNodes nodes;                          // of nets at the last accept_step() [m]
     Eigen::VectorXd slack_length;  // of lines where excursions are 0 [m] (muscles; empty: not held)
   };
   /// Vectors whose memory is used again; they change no answer.

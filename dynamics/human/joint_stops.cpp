@@ -24,7 +24,7 @@ std::unique_ptr<ForceElement> JointStops::clone() const {
   return std::make_unique<JointStops>(*this);
 }
 
-bool JointStops::act(const ElementInput& at, ElementAction& out) {
+bool JointStops::add_action(const ElementInput& at, ElementAction& out) {
   if (at.need == ElementNeed::kStates) return true;
   for (std::size_t i = 0; i < limits_.limits.size(); ++i) {
     // Stop and passive moment, and their slopes.

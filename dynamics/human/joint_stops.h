@@ -24,7 +24,7 @@ class JointStops final : public ForceElement {
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
   [[nodiscard]] std::string name() const override { return name_; }
-  bool act(const ElementInput& at, ElementAction& out) override;
+  bool add_action(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
 
   /// Ranges of the coordinates, and where these stand in the scene.

@@ -30,7 +30,7 @@ std::unique_ptr<ForceElement> BushingElement::clone() const {
   return std::make_unique<BushingElement>(*this);
 }
 
-bool BushingElement::act(const ElementInput& at, ElementAction& out) {
+bool BushingElement::add_action(const ElementInput& at, ElementAction& out) {
   // Frames at both bodies, and the coordinates between them.
   const TreeMotion<double>& motion = at.motion;
   const Pose<double> X_WA = pose_of(motion, proximal_.body) * proximal_.X_BF;
@@ -44,9 +44,9 @@ bool BushingElement::act(const ElementInput& at, ElementAction& out) {
   const Eigen::Vector3d none(0, 0, 0);
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d along = X_WA.R.col(k);
-    motion.add_row_against(b, a, X_WB.p, along, none, J_.col(k));
+    motion.add_relative_jacobian_row(b, a, X_WB.p, along, none, J_.col(k));
     const Eigen::Vector3d about = X_WA.R * pose.turn.row(k).transpose();
-    motion.add_row_against(b, a, X_WB.p, none, about, J_.col(3 + k));
+    motion.add_relative_jacobian_row(b, a, X_WB.p, none, about, J_.col(3 + k));
   }
   // Law at the coordinates and their rates.
   const BushingVector rate = J_.transpose() * at.v;
@@ -72,7 +72,7 @@ std::unique_ptr<ForceElement> LigamentElement::clone() const {
   return std::make_unique<LigamentElement>(*this);
 }
 
-bool LigamentElement::act(const ElementInput& at, ElementAction& out) {
+bool LigamentElement::add_action(const ElementInput& at, ElementAction& out) {
   // Line from one point to the other, and its force.
   const TreeMotion<double>& motion = at.motion;
   const Eigen::Vector3d p = pose_of(motion, from_.body) * from_.p;
@@ -85,8 +85,9 @@ bool LigamentElement::act(const ElementInput& at, ElementAction& out) {
   J_.setZero(at.v.size(), 3);
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
-    motion.add_row(motion.link_of(to_.body), Eigen::Vector3d(p + way), axis, none, J_.col(k));
-    motion.add_row(motion.link_of(from_.body), p, Eigen::Vector3d(-axis), none, J_.col(k));
+    motion.add_jacobian_row(motion.link_of(to_.body), Eigen::Vector3d(p + way), axis, none,
+                            J_.col(k));
+    motion.add_jacobian_row(motion.link_of(from_.body), p, Eigen::Vector3d(-axis), none, J_.col(k));
   }
   const Eigen::VectorXd row = J_ * line;
   // A damper that only pulls, as far as the ligament is stretched.

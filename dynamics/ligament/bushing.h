@@ -29,7 +29,7 @@ class BushingElement : public ForceElement {
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
   [[nodiscard]] std::string name() const override { return name_; }
   /// @return false beyond kMostAbduction
-  bool act(const ElementInput& at, ElementAction& out) override;
+  bool add_action(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
   [[nodiscard]] bool is_passive() const override { return true; }
 
@@ -58,7 +58,7 @@ class LigamentElement : public ForceElement {
   [[nodiscard]] std::string name() const override { return name_; }
   /// Adds the ligament's force; if both points coincide, the ligament is slack and adds nothing.
   /// @return true: its law holds at every length
-  bool act(const ElementInput& at, ElementAction& out) override;
+  bool add_action(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
   [[nodiscard]] bool is_passive() const override { return true; }
 

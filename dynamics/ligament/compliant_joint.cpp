@@ -167,7 +167,7 @@ BushingAction CapsuleElement::action(const ElementInput& at) const {
   return bushing_action(joint_.law, coordinates(at), rate);
 }
 
-bool CapsuleElement::act(const ElementInput& at, ElementAction& out) {
+bool CapsuleElement::add_action(const ElementInput& at, ElementAction& out) {
   const BushingAction action = this->action(at);
   // Efforts and slopes of the ways that yield.
   for (std::size_t i = 0; i < v_.size(); ++i) {

@@ -56,7 +56,7 @@ class CapsuleElement : public ForceElement {
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
   [[nodiscard]] std::string name() const override { return joint_.name; }
   /// @return false beyond kMostAbduction
-  bool act(const ElementInput& at, ElementAction& out) override;
+  bool add_action(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
   [[nodiscard]] bool is_passive() const override { return true; }
 

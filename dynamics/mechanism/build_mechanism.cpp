@@ -10,7 +10,7 @@
 namespace thenar {
 namespace {
 
-/// A frame at `point` whose z is `direction`.
+/// Returns a frame at a point with z along a direction.
 Pose<double> frame_along(const Eigen::Vector3d& direction, const Eigen::Vector3d& point) {
   const Tangents sides = tangents(direction);
   Pose<double> frame;
@@ -19,28 +19,28 @@ Pose<double> frame_along(const Eigen::Vector3d& direction, const Eigen::Vector3d
   return frame;
 }
 
-/// The mass and inertia of a link as stated.
+/// Returns true if mass and inertia of a link are stated.
 bool is_known(const RobotLink& link) {
   return link.mass > 0 && (link.inertia.diagonal().array() > 0).all();
 }
 
-/// A ball of that mass.
+/// Returns the inertia of a ball of given mass [kg] and density [kg/m^3].
 Eigen::Matrix3d ball_inertia(double mass, double density) {
   const double radius = std::cbrt(3 * mass / (4 * kPi * density));
   return 0.4 * mass * radius * radius * Eigen::Matrix3d::Identity();
 }
 
-/// Mass of a robot's link, and a word about it if it was not stated.
+/// Returns the mass of a robot's link; adds a warning if mass or inertia is assumed.
 BodyMass link_mass(const RobotLink& link, std::vector<std::string>& warnings) {
   if (is_known(link)) return {link.mass, link.com, link.inertia};
-  // Without shapes there is nothing to spread the mass over.
+  // Assume a ball for a link without shapes.
   if (link.shapes.empty()) {
     if (link.mass > 0)
       warnings.push_back(fmt::format(
           "link '{}': inertia of a ball of its mass, as its own is unknown", link.name));
     return {link.mass, link.com, ball_inertia(link.mass, kAssumedDensity)};
   }
-  // Shapes at the mass that is stated, or else at an assumed density.
+  // Otherwise take the shapes at the stated mass, or at an assumed density.
   BodySpec body;
   body.name = link.name;
   body.shapes = link.shapes;
@@ -56,13 +56,14 @@ BodyMass link_mass(const RobotLink& link, std::vector<std::string>& warnings) {
   return mass;
 }
 
-/// Entry of the coordinates for a joint: its degree of freedom, or one of its own if it is free.
+/// Returns the coordinate of a joint: its degree of freedom, or one of its own if it has none.
+/// @param known  coordinates so far by name, extended
 int coordinate_of(const RobotSpec& robot, const RobotJoint& joint,
                   std::map<std::string, int>& known, Mechanism& out) {
   const std::string name = joint.dof.empty() ? joint.name : joint.dof;
   const std::string key = (joint.dof.empty() ? "joint " : "drive ") + name;
   const auto [at, is_new] = known.emplace(key, static_cast<int>(out.coordinates.size()));
-  // A new coordinate takes effort and backdrivability of its motor.
+  // Add a new coordinate with the effort and backdrivability of its motor.
   if (is_new) {
     MechanismCoordinate coordinate{name, 0, true};
     for (const RobotDof& dof : robot.dofs) {
@@ -75,8 +76,9 @@ int coordinate_of(const RobotSpec& robot, const RobotJoint& joint,
   return at->second;
 }
 
+/// Converts a movable joint of a robot, without its coordinate.
 MechanismJoint moving_joint(const RobotJoint& joint, int parent) {
-  // Frames F and M, with z along the axis.
+  // Set frames F and M with z along the axis.
   const Pose<double> axis = frame_along(joint.axis, Eigen::Vector3d::Zero());
   MechanismJoint out;
   out.name = joint.name;
@@ -84,7 +86,7 @@ MechanismJoint moving_joint(const RobotJoint& joint, int parent) {
   out.parent = parent;
   out.X_PF = joint.X_PJ * axis;
   out.X_BM = joint.X_JC.inverse() * axis;
-  // Value, limits and resistance.
+  // Copy value function, limits and resistance.
   out.ratio = joint.dof.empty() ? 1 : joint.ratio;
   out.offset = joint.dof.empty() ? 0 : joint.offset;
   if (!joint.dof.empty()) out.curve = joint.curve;
@@ -108,7 +110,7 @@ Mechanism skeleton_mechanism(const Skeleton& skeleton) {
     require(mass.segment_without_inertia.empty(),
             "segment '{}' has mass but neither moments of inertia nor a radius",
             mass.segment_without_inertia);
-    // Frames of all bodies are the base at the reference posture.
+    // Place the joint; body frames are the base frame at the reference posture.
     MechanismJoint joint;
     joint.name = skeleton.hinge_names[i];
     joint.parent = hinge.parent;
@@ -116,6 +118,7 @@ Mechanism skeleton_mechanism(const Skeleton& skeleton) {
     joint.coordinate = hinge.coordinate;
     joint.ratio = hinge.ratio;
     joint.offset = hinge.offset;
+    // Copy limits and resistance to the hinge named as its coordinate.
     if (joint.name == skeleton.coordinate_names[static_cast<std::size_t>(hinge.coordinate)]) {
       const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(hinge.coordinate)];
       joint.lower = limits.lower;
@@ -135,7 +138,7 @@ BuiltMechanism robot_mechanism(const RobotSpec& robot) {
           robot.open_loops.empty() ? "" : robot.open_loops.front());
   BuiltMechanism out;
   std::map<std::string, int> body_of, coordinate_known;
-  // Adds a link with its shapes and mass on a joint.
+  // Function that adds a link with its shapes and mass on a joint.
   const auto add = [&](const RobotLink& link, MechanismJoint joint) {
     body_of[link.name] = static_cast<int>(out.mechanism.bodies.size());
     std::shared_ptr<const Solid> solid;
@@ -144,12 +147,12 @@ BuiltMechanism robot_mechanism(const RobotSpec& robot) {
         {link.name, link_mass(link, out.warnings), solid, link.material, link.digit});
     out.mechanism.joints.push_back(std::move(joint));
   };
-  // The base first, then each joint with its child.
+  // Weld the base to the world.
   MechanismJoint base;
   base.name = robot.links.front().name + " base";
   base.kind = JointKind::kWeld;
   add(robot.links.front(), base);
-  // Fixed joints become welds, the others hinges or slides of their coordinates.
+  // Add each joint with its child: a weld if fixed, otherwise a hinge or slide of its coordinate.
   for (const RobotJoint& joint : robot.joints) {
     const auto child =
         std::find_if(robot.links.begin(), robot.links.end(),
@@ -179,7 +182,7 @@ Mechanism body_mechanism(const PlacedBody& placed, const Materials& materials) {
   body.material = placed.body.material;
   if (!placed.body.shapes.empty())
     body.solid = std::make_shared<const Solid>(build_solid(placed.body.shapes));
-  // An obstacle stands still; a free body turns about its centre of mass.
+  // Put a free body on a free joint at its centre of mass, and weld an obstacle to the world.
   if (placed.dynamic) {
     body.mass = body_mass(placed.body, materials);
     joint.kind = JointKind::kFree;

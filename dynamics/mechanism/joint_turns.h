@@ -1,6 +1,6 @@
 #pragma once
 
-/// Sines and cosines of many angles at once.
+/// Sines and cosines of all joint angles, computed in SIMD pairs.
 
 #include <cmath>
 #include <type_traits>
@@ -10,22 +10,23 @@
 
 namespace thenar::internal {
 
-/// Values of joints, and their sines and cosines. Doubles go two at a time through sin_cos(), which
-/// is as exact as the C library's to the last digit or two.
+/// Values of joints with their sines and cosines. Doubles are computed in pairs by sin_cos(), which
+/// agrees with the C library to one or two units in the last place.
 template <typename T>
 class JointTurns {
  public:
   explicit JointTurns(std::size_t joints)
       : value_(joints + joints % 2, T(0)), sine_(value_), cosine_(value_) {}
 
+  /// Sets the value of joint i [rad].
   void set(std::size_t i, const T& value) { value_[i] = value; }
 
-  /// Sines and cosines of all values.
-  void find() {
+  /// Computes the sines and cosines of all values.
+  void compute() {
     using std::cos;
     using std::sin;
     if constexpr (std::is_same_v<T, double>) {
-      if (find_in_pairs()) return;
+      if (compute_in_pairs()) return;
     }
     for (std::size_t i = 0; i < value_.size(); ++i) {
       sine_[i] = sin(value_[i]);
@@ -38,10 +39,9 @@ class JointTurns {
   [[nodiscard]] const T& cosine(std::size_t i) const { return cosine_[i]; }
 
  private:
-  /// @return false where some angle is too large
-  bool find_in_pairs() {
+  /// Computes all sines and cosines in pairs. @return false if an angle exceeds kSinCosBound
+  bool compute_in_pairs() {
     bool all_small = true;
-    // Take two angles at a time, and note any beyond the range of sin_cos().
     for (std::size_t i = 0; i < value_.size(); i += 2) {
       const Double2 angle{value_[i], value_[i + 1]};
       for (int k = 0; k < 2; ++k) all_small = all_small && std::abs(angle[k]) <= kSinCosBound;
@@ -52,7 +52,7 @@ class JointTurns {
     return all_small;
   }
 
-  std::vector<T> value_, sine_, cosine_;  // (joints, and one more if they are odd)
+  std::vector<T> value_, sine_, cosine_;  // (joints, rounded up to an even number)
 };
 
 }  // namespace thenar::internal

@@ -10,9 +10,12 @@
 namespace thenar {
 namespace {
 
+constexpr double kRotationError = 1e-9;  // largest |R'R - 1| of a rotation [1]
+
+/// Returns true if a pose is a finite rotation, to kRotationError, and translation.
 bool is_rigid(const Pose<double>& X) {
   return X.R.allFinite() && X.p.allFinite() &&
-         (X.R.transpose() * X.R - Eigen::Matrix3d::Identity()).norm() < 1e-9 &&
+         (X.R.transpose() * X.R - Eigen::Matrix3d::Identity()).norm() < kRotationError &&
          X.R.determinant() > 0;
 }
 
@@ -29,7 +32,7 @@ void check_joint(const Mechanism& mechanism, std::size_t i) {
   require(is_rigid(joint.X_PF) && is_rigid(joint.X_BM),
           "joint '{}': wanted frames with rotations, to 1e-9", joint.name);
   if (!is_scalar(joint.kind)) return;
-  // Hinges and slides need a coordinate, finite numbers and limits in order.
+  // Check coordinate, numbers, limits and resistances of hinges and slides.
   require(
       joint.coordinate >= 0 && joint.coordinate < static_cast<int>(mechanism.coordinates.size()),
       "joint '{}': there is no coordinate {}", joint.name, joint.coordinate);
@@ -45,9 +48,9 @@ void check_joint(const Mechanism& mechanism, std::size_t i) {
             resistance);
 }
 
-/// Every coordinate moves something, and no two things of a kind have one name.
+/// Checks that every coordinate moves a joint, and that names of one kind differ.
 void check_names(const Mechanism& mechanism) {
-  // Names of bodies and joints, and coordinates that move a joint.
+  // Check names of bodies and joints; collect the coordinates that move a joint.
   std::set<int> moved;
   std::set<std::string> bodies, joints;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
@@ -57,7 +60,7 @@ void check_names(const Mechanism& mechanism) {
             mechanism.joints[i].name);
     if (is_scalar(mechanism.joints[i].kind)) moved.insert(mechanism.joints[i].coordinate);
   }
-  // Names of coordinates, each of which must move something.
+  // Check names of coordinates, and that each moves a joint.
   std::set<std::string> coordinates;
   for (const MechanismCoordinate& coordinate : mechanism.coordinates)
     require(coordinates.insert(coordinate.name).second, "two coordinates are named '{}'",
@@ -73,11 +76,11 @@ MechanismLayout layout_of(const Mechanism& mechanism) {
   MechanismLayout layout;
   layout.coordinate_q.assign(mechanism.coordinates.size(), -1);
   layout.coordinate_v = layout.coordinate_q;
-  // One place for a coordinate; balls have 4 positions and 3 speeds, free joints 7 and 6.
+  // Assign entries: balls have 4 positions and 3 velocities, free joints 7 and 6.
   for (const MechanismJoint& joint : mechanism.joints) {
     int first_q = -1, first_v = -1;
     if (is_scalar(joint.kind)) {
-      // A coordinate stands where it first moves a body.
+      // A shared coordinate has the entry of the first joint that it moves.
       int& slot_q = layout.coordinate_q[joint.coordinate];
       int& slot_v = layout.coordinate_v[joint.coordinate];
       if (slot_q < 0) slot_q = layout.q++, slot_v = layout.v++;
@@ -119,7 +122,7 @@ int append(Mechanism& whole, const Mechanism& part, const std::string& prefix, i
   for (std::size_t i = 0; i < part.bodies.size(); ++i) {
     whole.bodies.push_back(part.bodies[i]);
     whole.bodies.back().name = prefix + part.bodies[i].name;
-    // Its joint hangs on the carrier where it hung on the world.
+    // Attach joints on the world to the carrier, and renumber parents and coordinates.
     MechanismJoint joint = part.joints[i];
     joint.name = prefix + joint.name;
     if (joint.parent < 0) joint.X_PF = X_CW * joint.X_PF;
@@ -127,7 +130,7 @@ int append(Mechanism& whole, const Mechanism& part, const std::string& prefix, i
     if (is_scalar(joint.kind)) joint.coordinate += coordinates;
     whole.joints.push_back(std::move(joint));
   }
-  // Append its coordinates behind those of the whole.
+  // Append the part's coordinates.
   for (MechanismCoordinate coordinate : part.coordinates) {
     coordinate.name = prefix + coordinate.name;
     whole.coordinates.push_back(std::move(coordinate));

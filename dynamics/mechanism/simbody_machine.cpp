@@ -16,7 +16,7 @@ struct SimbodyMachine::Parts {
     bodies.system().realizeModel(state);
   }
 
-  /// @param body  -1: the world
+  /// Returns Simbody's body. @param body  -1: the world
   [[nodiscard]] const SimTK::MobilizedBody& body(int body) const {
     return bodies.matter().getMobilizedBody(SimTK::MobilizedBodyIndex(body + 1));
   }
@@ -31,8 +31,8 @@ SimbodyMachine::~SimbodyMachine() = default;
 SimbodyMachine::SimbodyMachine(SimbodyMachine&&) noexcept = default;
 SimbodyMachine& SimbodyMachine::operator=(SimbodyMachine&&) noexcept = default;
 
-void SimbodyMachine::set(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
-  parts_->bodies.write(q, v, parts_->state);
+void SimbodyMachine::set_state(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  parts_->bodies.write_state(q, v, parts_->state);
   parts_->bodies.system().realize(parts_->state, SimTK::Stage::Velocity);
 }
 
@@ -45,7 +45,7 @@ double SimbodyMachine::kinetic_energy() const {
 }
 
 Eigen::MatrixXd SimbodyMachine::mass_matrix() const {
-  // Simbody's mass matrix over its own speeds, reduced to the speeds of the mechanism.
+  // Compute the mass matrix of Simbody's velocities, then reduce it to those of the mechanism.
   SimTK::Matrix M;
   parts_->bodies.matter().calcM(parts_->state, M);
   const Eigen::MatrixXd whole = Eigen::MatrixXd::NullaryExpr(
@@ -65,12 +65,12 @@ Eigen::VectorXd SimbodyMachine::accelerations(const Eigen::VectorXd& tau,
   const SimTK::State& state = parts_->state;
   bodies.system().realize(state, SimTK::Stage::Dynamics);
 
-  // Efforts of shared coordinates act on the joint that leads.
+  // Apply efforts of coordinates to their leading joints.
   SimTK::Vector on_joints(state.getNU(), 0.0);
   const std::vector<SimbodyMechanism::Speed> speeds = bodies.speeds(state);
   for (const SimbodyMechanism::Speed& at : speeds) on_joints[at.theirs] = tau[at.ours] / at.ratio;
 
-  // Weights and loads.
+  // Apply weights and loads.
   SimTK::Vector_<SimTK::SpatialVec> F(bodies.matter().getNumBodies(),
                                       SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0)));
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
@@ -86,12 +86,12 @@ Eigen::VectorXd SimbodyMachine::accelerations(const Eigen::VectorXd& tau,
                                to_simbody(load.force), F);
     body.applyBodyTorque(state, to_simbody(load.moment), F);
   }
-  // Accelerations with the constraints of shared coordinates.
+  // Solve for accelerations with the coupling constraints.
   SimTK::Vector u_dot;
   SimTK::Vector_<SimTK::SpatialVec> A;
   bodies.matter().calcAcceleration(state, on_joints, F, u_dot, A);
 
-  // Accelerations of the coordinates.
+  // Convert them to accelerations of the mechanism.
   Eigen::VectorXd v_dot(bodies.layout().v);
   for (const SimbodyMechanism::Speed& at : speeds) v_dot[at.ours] = u_dot[at.theirs] / at.ratio;
   return v_dot;

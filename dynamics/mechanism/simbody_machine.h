@@ -1,6 +1,6 @@
 #pragma once
 
-/// A mechanism as a Simbody multibody: the second machine, against which the first is held.
+/// Multibody dynamics by Simbody, the reference for this project's own recursions.
 
 #include <memory>
 #include <vector>
@@ -11,38 +11,39 @@
 
 namespace thenar {
 
-/// A force and a moment on a body. Both in world axes.
+/// Force and moment on a body, in world axes.
 struct BodyLoad {
-  int body = -1;                    // -1: the world, which it does not move
-  Eigen::Vector3d p{0, 0, 0};       // where the force acts, world [m] (3)
-  Eigen::Vector3d force{0, 0, 0};   // [N] (3)
-  Eigen::Vector3d moment{0, 0, 0};  // [N m] (3)
+  int body = -1;                    // loaded body; -1: the world, no effect
+  Eigen::Vector3d p{0, 0, 0};       // point of application, world [m] (3)
+  Eigen::Vector3d force{0, 0, 0};   // force [N] (3)
+  Eigen::Vector3d moment{0, 0, 0};  // moment [N m] (3)
 };
 
-/// Dynamics of a mechanism by Simbody. Joints that share a coordinate are held together by
-/// constraints on the first of them that follows it linearly. Owns one Simbody System and State,
-/// which every call changes: one object per thread.
+/// Dynamics of a mechanism by Simbody. Joints that share a coordinate are coupled by constraints to
+/// the first of them that follows it linearly. Owns one Simbody System and State, which calls
+/// modify: one object per thread.
 class SimbodyMachine {
  public:
-  /// @throws InputError as check_mechanism(), or if no joint follows a shared coordinate linearly.
+  /// Builds the Simbody system. @throws InputError as check_mechanism(), or if no joint follows a
+  /// shared coordinate linearly.
   explicit SimbodyMachine(const Mechanism& mechanism);
   ~SimbodyMachine();
   SimbodyMachine(SimbodyMachine&&) noexcept;
   SimbodyMachine& operator=(SimbodyMachine&&) noexcept;
 
-  /// @param q  positions (q);  @param v  speeds (v)
-  void set(const Eigen::VectorXd& q, const Eigen::VectorXd& v);
+  /// Sets the state. @param q  positions (q);  @param v  velocities (v)
+  void set_state(const Eigen::VectorXd& q, const Eigen::VectorXd& v);
 
-  /// Pose of a body in the world.
+  /// Returns the pose of a body in the world.
   [[nodiscard]] Pose<double> pose(int body) const;
-  /// Kinetic energy [J].
+  /// Computes the kinetic energy [J].
   [[nodiscard]] double kinetic_energy() const;
-  /// Mass matrix over the speeds (v, v).
+  /// Computes the mass matrix (v, v).
   [[nodiscard]] Eigen::MatrixXd mass_matrix() const;
 
-  /// Accelerations under efforts at the speeds, weights and loads. (v)
-  /// @param tau      [N m] or [N] (v)
-  /// @param gravity  of free fall [m/s^2] (3)
+  /// Computes the accelerations under generalized forces, weights and loads [rad/s^2], [m/s^2] (v).
+  /// @param tau      generalized forces [N m] or [N] (v)
+  /// @param gravity  acceleration of free fall [m/s^2] (3)
   [[nodiscard]] Eigen::VectorXd accelerations(const Eigen::VectorXd& tau,
                                               const Eigen::Vector3d& gravity,
                                               const std::vector<BodyLoad>& loads = {});

@@ -34,7 +34,7 @@ using internal::to_simbody;
 
 SimTK::MobilizedBodyIndex index_of(int body) { return SimTK::MobilizedBodyIndex(body + 1); }
 
-/// @throws InputError if Simbody refuses the mass or the inertia.
+/// Converts a body to Simbody's. @throws InputError if Simbody refuses its mass or inertia.
 SimTK::Body::Rigid rigid_body(const MechanismBody& of) try {
   const BodyMass& body = of.mass;
   if (body.mass == 0)
@@ -60,7 +60,7 @@ class CouplingError : public SimTK::Function {
   }
   SimTK::Real calcDerivative(const SimTK::Array_<int>& of,
                              const SimTK::Vector& values) const override {
-    // Derivatives up to the second: only the leader's enters more than linearly.
+    // The error is linear in the follower's value; only the leader has a second derivative.
     const JointValue at = joint_value(follower_, (values[0] - offset_) / ratio_);
     if (of.size() == 1) return of[0] == 0 ? at.slope / ratio_ : -1;
     if (of.size() == 2 && of[0] == 0 && of[1] == 0) return at.bend / (ratio_ * ratio_);
@@ -89,7 +89,7 @@ struct SimbodyMechanism::Parts {
     const SimTK::Body::Rigid body = rigid_body(mechanism.bodies[i]);
     const SimTK::Transform F = to_simbody(joint.X_PF), M = to_simbody(joint.X_BM);
     SimTK::MobilizedBody& parent = matter.updMobilizedBody(index_of(joint.parent));
-    // Mobilizer with the joint's frames.
+    // Add the mobilizer with the joint's frames.
     switch (joint.kind) {
       case JointKind::kWeld:
         SimTK::MobilizedBody::Weld(parent, F, body, M);
@@ -98,7 +98,7 @@ struct SimbodyMechanism::Parts {
         SimTK::MobilizedBody::Pin(parent, F, body, M);
         break;
       case JointKind::kSlide: {
-        // Simbody's slider goes along x.
+        // Rotate the frames: Simbody's slider moves along x.
         const SimTK::Transform x_along_z(SimTK::Rotation(SimTK::UnitVec3(0, 0, 1), SimTK::XAxis,
                                                          SimTK::Vec3(0, 1, 0), SimTK::YAxis));
         SimTK::MobilizedBody::Slider(parent, F * x_along_z, body, M * x_along_z);
@@ -111,7 +111,7 @@ struct SimbodyMechanism::Parts {
         SimTK::MobilizedBody::Free(parent, F, body, M);
         break;
     }
-    // The first joint that follows its coordinate linearly leads it.
+    // Make the first joint that follows its coordinate linearly the leader.
     if (!is_scalar(joint.kind)) return;
     int& lead = leader[static_cast<std::size_t>(joint.coordinate)];
     if (lead < 0 && joint.curve.empty() && joint.ratio != 0) lead = static_cast<int>(i);
@@ -120,7 +120,7 @@ struct SimbodyMechanism::Parts {
   void couple(std::size_t i) {
     const MechanismJoint& joint = mechanism.joints[i];
     if (!is_scalar(joint.kind)) return;
-    // Joints that follow a leader are coupled to it by a constraint.
+    // Couple other joints to the leader by a constraint.
     const int lead = leader[static_cast<std::size_t>(joint.coordinate)];
     require(lead >= 0, "no joint follows the coordinate '{}' linearly",
             mechanism.coordinates[static_cast<std::size_t>(joint.coordinate)].name);
@@ -130,7 +130,7 @@ struct SimbodyMechanism::Parts {
     const SimTK::Array_<SimTK::MobilizerQIndex> values(2, SimTK::MobilizerQIndex(0));
     SimTK::Constraint::CoordinateCoupler(
         matter, new CouplingError(mechanism.joints[static_cast<std::size_t>(lead)], joint), bodies,
-        values);  // which owns the function
+        values);  // takes ownership of the function
   }
 
   [[nodiscard]] const SimTK::MobilizedBody& body(std::size_t i) const {
@@ -139,7 +139,7 @@ struct SimbodyMechanism::Parts {
 
   Mechanism mechanism;
   MechanismLayout layout;
-  std::vector<int> leader;  // joint that turns by the coordinate linearly (coordinates)
+  std::vector<int> leader;  // leading joint of each coordinate (coordinates)
   SimTK::MultibodySystem system;
   SimTK::SimbodyMatterSubsystem matter;
 };
@@ -160,12 +160,12 @@ int SimbodyMechanism::leader(int coordinate) const {
   return parts_->leader[static_cast<std::size_t>(coordinate)];
 }
 
-void SimbodyMechanism::write(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                             SimTK::State& state) const {
+void SimbodyMechanism::write_state(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                                   SimTK::State& state) const {
   require(q.size() == parts_->layout.q && v.size() == parts_->layout.v,
           "wanted {} positions and {} speeds, got {} and {}", parts_->layout.q, parts_->layout.v,
           q.size(), v.size());
-  // Values and speeds of joints from those of coordinates; quaternions as they are.
+  // Convert coordinates to joint values and rates; copy quaternions.
   for (std::size_t i = 0; i < parts_->mechanism.bodies.size(); ++i) {
     const int at_q = parts_->layout.first_q[i], at_v = parts_->layout.first_v[i];
     if (at_q < 0) continue;
@@ -182,11 +182,11 @@ void SimbodyMechanism::write(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
   }
 }
 
-void SimbodyMechanism::read(const SimTK::State& state, Eigen::VectorXd& q,
-                            Eigen::VectorXd& v) const {
+void SimbodyMechanism::read_state(const SimTK::State& state, Eigen::VectorXd& q,
+                                  Eigen::VectorXd& v) const {
   q.resize(parts_->layout.q);
   v.resize(parts_->layout.v);
-  // Coordinates from the joints that lead them; quaternions have length 1 again.
+  // Read coordinates from their leading joints; normalise quaternions.
   for (std::size_t i = 0; i < parts_->mechanism.bodies.size(); ++i) {
     const int at_q = parts_->layout.first_q[i], at_v = parts_->layout.first_v[i];
     if (at_q < 0) continue;
@@ -206,14 +206,14 @@ void SimbodyMechanism::read(const SimTK::State& state, Eigen::VectorXd& q,
 
 std::vector<SimbodyMechanism::Speed> SimbodyMechanism::speeds(const SimTK::State& state) const {
   std::vector<Speed> out;
-  // Speeds of balls and free joints are ours; coordinates have their leader's over its ratio.
+  // Balls and free joints correspond one to one, coordinates to their leading joint.
   for (std::size_t i = 0; i < parts_->mechanism.bodies.size(); ++i) {
     const int at = parts_->layout.first_v[i];
     if (at < 0) continue;
     const int row = parts_->body(i).getFirstUIndex(state);
     const MechanismJoint& joint = parts_->mechanism.joints[i];
     if (!is_scalar(joint.kind)) {
-      for (int k = 0; k < speeds_of(joint.kind); ++k) out.push_back({row + k, at + k, 1.0});
+      for (int k = 0; k < speed_count(joint.kind); ++k) out.push_back({row + k, at + k, 1.0});
     } else if (leader(joint.coordinate) == static_cast<int>(i)) {
       out.push_back({row, at, joint.ratio});
     }
@@ -223,7 +223,7 @@ std::vector<SimbodyMechanism::Speed> SimbodyMechanism::speeds(const SimTK::State
 
 Eigen::MatrixXd SimbodyMechanism::speed_map(const SimTK::State& state) const {
   Eigen::MatrixXd N = Eigen::MatrixXd::Zero(state.getNU(), parts_->layout.v);
-  // Slopes of joints by their coordinates, at the leader's value.
+  // Insert the slopes of joints by their coordinates, at the leader's value.
   for (std::size_t i = 0; i < parts_->mechanism.bodies.size(); ++i) {
     if (parts_->layout.first_v[i] < 0) continue;
     const int row = parts_->body(i).getFirstUIndex(state);
@@ -235,7 +235,7 @@ Eigen::MatrixXd SimbodyMechanism::speed_map(const SimTK::State& state) const {
       N(row, parts_->layout.first_v[i]) = joint_value(joint, u).slope;
       continue;
     }
-    for (int k = 0; k < speeds_of(joint.kind); ++k) N(row + k, parts_->layout.first_v[i] + k) = 1;
+    for (int k = 0; k < speed_count(joint.kind); ++k) N(row + k, parts_->layout.first_v[i] + k) = 1;
   }
   return N;
 }

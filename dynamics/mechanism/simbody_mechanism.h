@@ -1,6 +1,6 @@
 #pragma once
 
-/// A mechanism as bodies and joints of Simbody, to which others add forces and contacts.
+/// Conversion of a mechanism to a Simbody multibody system, for further forces and contacts.
 
 #include <memory>
 #include <vector>
@@ -22,7 +22,7 @@ class Transform_;
 namespace thenar {
 namespace internal {
 
-// Vectors and poses of ours as Simbody's, and back.
+// Conversions of vectors and poses to and from Simbody's types.
 
 [[nodiscard]] SimTK::Vec<3, double, 1> to_simbody(const Eigen::Vector3d& v);
 [[nodiscard]] SimTK::Transform_<double> to_simbody(const Pose<double>& X);
@@ -31,13 +31,13 @@ namespace internal {
 
 }  // namespace internal
 
-/// Bodies, joints and couplings of a mechanism in a Simbody System, whose topology is not realized.
-/// Simbody's number of a body is ours + 1, and 0 of the world. Joints that share a coordinate are
-/// held together by constraints on the first of them that follows it linearly.
+/// Simbody System with the bodies, joints and couplings of a mechanism; its topology is not
+/// realized yet. Simbody's index of a body is the mechanism's + 1; the world is 0. Joints that
+/// share a coordinate are coupled by constraints to the first of them that follows it linearly.
 class SimbodyMechanism {
  public:
-  /// @throws InputError as check_mechanism(), if no joint follows a shared coordinate linearly, or
-  /// naming the body whose mass or inertia Simbody refuses.
+  /// Builds the Simbody system. @throws InputError as check_mechanism(); if no joint follows a
+  /// shared coordinate linearly; if Simbody refuses the mass or inertia of a body, with its name.
   explicit SimbodyMechanism(const Mechanism& mechanism);
   ~SimbodyMechanism();
   SimbodyMechanism(SimbodyMechanism&&) noexcept;
@@ -48,22 +48,23 @@ class SimbodyMechanism {
   [[nodiscard]] const Mechanism& mechanism() const;
   [[nodiscard]] const MechanismLayout& layout() const;
 
-  /// Joint that turns by a coordinate linearly.
+  /// Returns the leading joint of a coordinate: the first that follows it linearly.
   [[nodiscard]] int leader(int coordinate) const;
 
-  /// Writes positions and speeds into a state. @param q  (q);  @param v  (v)
-  void write(const Eigen::VectorXd& q, const Eigen::VectorXd& v, SimTK::State& state) const;
-  /// Reads them; quaternions have length 1. @param q  (q);  @param v  (v)
-  void read(const SimTK::State& state, Eigen::VectorXd& q, Eigen::VectorXd& v) const;
+  /// Writes positions and velocities into a Simbody state. @param q  (q);  @param v  (v)
+  void write_state(const Eigen::VectorXd& q, const Eigen::VectorXd& v, SimTK::State& state) const;
+  /// Reads positions and velocities, and normalises quaternions. @param q  (q);  @param v  (v)
+  void read_state(const SimTK::State& state, Eigen::VectorXd& q, Eigen::VectorXd& v) const;
 
-  /// A speed of ours, coordinates by the joint that leads:  Simbody's = ratio times ours.
+  /// Correspondence of a velocity of the mechanism to Simbody's:  theirs = ratio times ours.  A
+  /// coordinate corresponds to the velocity of its leading joint.
   struct Speed {
-    int theirs = 0, ours = 0;  // entries of both vectors
+    int theirs = 0, ours = 0;  // entries of both velocity vectors
     double ratio = 1;          // [1], [m/rad] or [rad/m]
   };
-  /// All speeds of ours.
+  /// Returns the correspondence of all velocities of the mechanism.
   [[nodiscard]] std::vector<Speed> speeds(const SimTK::State& state) const;
-  /// Matrix N of all speeds of Simbody,  N v.
+  /// Computes the matrix N of Simbody's velocities  u = N v  (u, v).
   [[nodiscard]] Eigen::MatrixXd speed_map(const SimTK::State& state) const;
 
  private:

@@ -9,23 +9,24 @@
 namespace thenar {
 namespace {
 
-/// -[a][b], the inertia that turns a moment of mass over two arms into one about a shifted origin.
-Eigen::Matrix3d arm_product(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+/// Returns -[a][b], the term of the parallel axis theorem per unit mass.
+Eigen::Matrix3d parallel_axis_term(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a.dot(b) * Eigen::Matrix3d::Identity() - b * a.transpose();
 }
 
-/// Adds a body to its link.
+/// Adds the mass of a body to its link.
 void add_mass(TreeLink& link, const BodyMass& body, const Pose<double>& X_LB) {
   const Eigen::Vector3d com = X_LB * body.com;
   link.mass += body.mass;
   link.moment += body.mass * com;
-  link.inertia += X_LB.R * body.inertia * X_LB.R.transpose() + body.mass * arm_product(com, com);
+  link.inertia +=
+      X_LB.R * body.inertia * X_LB.R.transpose() + body.mass * parallel_axis_term(com, com);
 }
 
-/// Puts links in the order of their depth in the tree, those of one depth as they came: neighbours
-/// then wait for each other's results only where they have to, and processors overlap them.
+/// Sorts links by their depth in the tree, stably: consecutive links then rarely depend on each
+/// other, and processors can overlap their computation.
 void order_by_depth(TreeModel& model) {
-  // Depths and the stable order by them.
+  // Compute depths and the order by them.
   const std::size_t n = model.links.size();
   std::vector<int> depth(n, 0);
   for (std::size_t i = 0; i < n; ++i)
@@ -35,57 +36,57 @@ void order_by_depth(TreeModel& model) {
   std::iota(old_of.begin(), old_of.end(), std::size_t{0});
   std::stable_sort(old_of.begin(), old_of.end(),
                    [&](std::size_t a, std::size_t b) { return depth[a] < depth[b]; });
-  // Links in that order, and their new numbers.
+  // Reorder the links and note their new indices.
   std::vector<int> new_of(n);
   std::vector<TreeLink> ordered;
   for (const std::size_t old : old_of) {
     new_of[old] = static_cast<int>(ordered.size());
     ordered.push_back(std::move(model.links[old]));
   }
-  // Whatever names a link.
-  const auto rename = [&](int& link) {
+  // Update all indices of links.
+  const auto renumber = [&](int& link) {
     if (link >= 0) link = new_of[static_cast<std::size_t>(link)];
   };
-  for (TreeLink& link : ordered) rename(link.parent);
-  for (BodyInLink& body : model.bodies) rename(body.link);
+  for (TreeLink& link : ordered) renumber(link.parent);
+  for (BodyInLink& body : model.bodies) renumber(body.link);
   model.links = std::move(ordered);
 }
 
-/// A joint whose motion moves no mass has no acceleration.
+/// Checks that every velocity moves some mass; otherwise M would be singular.
 void check_masses(const TreeModel& model) {
   std::vector<bool> carries(model.links.size());
-  // Find inwards which links carry mass, themselves or beyond, and which speeds move any.
+  // Inward pass: find the links with mass on or beyond them, and the velocities that move them.
   std::vector<bool> moves(static_cast<std::size_t>(model.layout.v));
   for (std::size_t i = model.links.size(); i-- > 0;) {
     const TreeLink& link = model.links[i];
     carries[i] = carries[i] || link.mass > 0 || !link.inertia.isZero(0);
     if (carries[i] && link.parent >= 0) carries[static_cast<std::size_t>(link.parent)] = true;
-    if (carries[i]) moves[static_cast<std::size_t>(link.v)] = true;
+    if (carries[i]) moves[static_cast<std::size_t>(link.first_v)] = true;
   }
   for (const TreeLink& link : model.links)
-    require(moves[static_cast<std::size_t>(link.v)], "joint '{}' moves nothing that has mass",
+    require(moves[static_cast<std::size_t>(link.first_v)], "joint '{}' moves nothing that has mass",
             link.joint.name);
 }
 
-/// Structure of the factor L' D L, eliminated from the last speed: two speeds are coupled if some
-/// link moves with both, or if a later one is coupled to both.
-std::vector<std::vector<int>> structure(const TreeModel& model) {
+/// Computes the sparsity pattern of the factor L' D L, eliminated from the last velocity: two
+/// velocities are coupled if a link moves with both, or if a later velocity is coupled to both.
+std::vector<std::vector<int>> factor_structure(const TreeModel& model) {
   std::vector<std::set<int>> lower(static_cast<std::size_t>(model.layout.v));
   for (const TreeLink& link : model.links) {
-    // All speeds that move this link.
+    // Collect all velocities that move this link.
     std::vector<int> movers;
     const TreeLink* at = &link;
     while (true) {
-      for (int k = 0; k < speeds_of(at->kind); ++k) movers.push_back(at->v + k);
+      for (int k = 0; k < speed_count(at->kind); ++k) movers.push_back(at->first_v + k);
       if (at->parent < 0) break;
       at = &model.links[static_cast<std::size_t>(at->parent)];
     }
-    // Each pair of these is coupled.
+    // Couple each pair of them.
     for (const int a : movers)
       for (const int b : movers)
         if (b < a) lower[static_cast<std::size_t>(a)].insert(b);
   }
-  // Fill of the elimination.
+  // Add the fill-in of the elimination.
   for (std::size_t k = lower.size(); k-- > 0;)
     for (const int i : lower[k])
       for (const int j : lower[k])
@@ -103,7 +104,7 @@ TreeModel tree_model(const Mechanism& mechanism) {
   model.layout = layout_of(mechanism);
   std::vector<int> used(mechanism.coordinates.size());
 
-  // One link for each joint that moves; welded bodies join that of their parent.
+  // Create a link for each movable joint; welded bodies join their parent's link.
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
     const MechanismJoint& joint = mechanism.joints[i];
     const BodyInLink parent =
@@ -115,15 +116,15 @@ TreeModel tree_model(const Mechanism& mechanism) {
       TreeLink link;
       link.kind = joint.kind;
       link.parent = parent.link;
-      link.q = model.layout.first_q[i];
-      link.v = model.layout.first_v[i];
+      link.first_q = model.layout.first_q[i];
+      link.first_v = model.layout.first_v[i];
       link.X_PF = X_PF;
       link.joint = joint;
       if (is_scalar(joint.kind)) ++used[static_cast<std::size_t>(joint.coordinate)];
       model.bodies.push_back({static_cast<int>(model.links.size()), joint.X_BM.inverse()});
       model.links.push_back(std::move(link));
     }
-    // Its mass moves with the link.
+    // Add the body's mass to its link.
     const BodyInLink& body = model.bodies.back();
     if (body.link >= 0)
       add_mass(model.links[static_cast<std::size_t>(body.link)], mechanism.bodies[i].mass,
@@ -132,14 +133,14 @@ TreeModel tree_model(const Mechanism& mechanism) {
 
   order_by_depth(model);
 
-  // Coordinates that move several links.
+  // Mark links that share a coordinate.
   for (TreeLink& link : model.links) {
     if (!is_scalar(link.kind)) continue;
-    link.shares = used[static_cast<std::size_t>(link.joint.coordinate)] > 1;
-    model.has_couplings = model.has_couplings || link.shares;
+    link.shares_coordinate = used[static_cast<std::size_t>(link.joint.coordinate)] > 1;
+    model.has_couplings = model.has_couplings || link.shares_coordinate;
   }
   check_masses(model);
-  model.coupled_to = structure(model);
+  model.coupled_to = factor_structure(model);
   return model;
 }
 

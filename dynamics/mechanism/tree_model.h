@@ -1,6 +1,6 @@
 #pragma once
 
-/// A mechanism prepared for recursions: welded bodies are one link, masses stand at joints.
+/// Mechanism prepared for the recursions of multibody dynamics: welded bodies merged into links.
 
 #include <vector>
 
@@ -10,36 +10,38 @@
 
 namespace thenar {
 
-/// A link: a body with all that is welded to it, on one joint with motion.
+/// Link: a body with all bodies welded to it, on one movable joint.
 struct TreeLink {
   JointKind kind = JointKind::kHinge;
-  int parent = -1;                                    // link; -1: the world
-  int q = 0, v = 0;                                   // where the joint's entries begin
-  bool shares = false;                                // its coordinate moves other links, too
-  Pose<double> X_PF;                                  // the joint's F in the parent link's M
-  MechanismJoint joint;                               // value of hinges and slides, resistance
-  double mass = 0;                                    // [kg]
-  Eigen::Vector3d moment{0, 0, 0};                    // mass times its centre, in M [kg m] (3)
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the origin of M [kg m^2] (3, 3)
+  int parent = -1;                  // parent link; -1: the world
+  int first_q = 0, first_v = 0;     // first entries of the joint in q and v
+  bool shares_coordinate = false;   // its coordinate also moves other links
+  Pose<double> X_PF;                // frame F in the parent link's frame M
+  MechanismJoint joint;             // joint of the mechanism
+  double mass = 0;                  // mass [kg]
+  Eigen::Vector3d moment{0, 0, 0};  // mass times centre of mass, in M [kg m] (3)
+  Eigen::Matrix3d inertia =
+      Eigen::Matrix3d::Zero();  // inertia about the origin of M [kg m^2] (3, 3)
 };
 
 /// Pose of a body in its link.
 struct BodyInLink {
-  int link = -1;      // -1: welded to the world
-  Pose<double> X_LB;  // the body in the link's M, or in the world
+  int link = -1;      // link; -1: welded to the world
+  Pose<double> X_LB;  // pose of the body in the link's frame M, or in the world
 };
 
-/// All links, constant once built.
+/// Links of a mechanism; constant after construction.
 struct TreeModel {
-  std::vector<TreeLink> links;               // by depth, so parents before children
-  std::vector<BodyInLink> bodies;            // of the mechanism
-  std::vector<std::vector<int>> coupled_to;  // of each speed, the lower ones with which it may have
-                                             // an entry in the factor of the mass matrix
+  std::vector<TreeLink> links;               // sorted by depth: parents precede children
+  std::vector<BodyInLink> bodies;            // bodies of the mechanism
+  std::vector<std::vector<int>> coupled_to;  // lower velocities with which each velocity may have
+                                             // an entry in the factor of the mass matrix (v)
   MechanismLayout layout;
-  bool has_couplings = false;  // some coordinate moves more than one link
+  bool has_couplings = false;  // a coordinate moves more than one link
 };
 
-/// @throws InputError as check_mechanism(), or if a joint moves nothing that has mass.
+/// Builds the tree model of a mechanism.
+/// @throws InputError as check_mechanism(), or if a joint moves no mass.
 [[nodiscard]] TreeModel tree_model(const Mechanism& mechanism);
 
 }  // namespace thenar

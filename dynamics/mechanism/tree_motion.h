@@ -1,6 +1,6 @@
 #pragma once
 
-/// Positions and velocities of all links, on any scalar.
+/// Kinematics of all links, for any scalar type.
 
 #include <vector>
 
@@ -9,47 +9,49 @@
 
 namespace thenar {
 
-/// A link in motion. Vectors have the axes of the world; moments and velocities are those at the
+/// Motion and loads of a link. Vectors are in world axes; moments and velocities refer to the
 /// origin o of the link's joint frame M, so that a link far from the world's origin loses no
 /// digits.
 template <typename T>
 struct MovingLink {
-  Mat3<T> R;        // of M in the world (3, 3)
-  Vec3<T> o;        // origin of M [m] (3)
-  Vec3<T> r;        // from the parent's origin to it [m] (3)
-  Mat3<T> E;        // of F in the world; its z is the axis of hinges and slides (3, 3)
-  T slope, bend;    // derivatives of the joint's value by its coordinate; 1 and 0 of other joints
-  Mat3<T> inertia;  // about o [kg m^2] (3, 3)
-  Vec3<T> moment;   // mass times arm of its centre from o [kg m] (3)
-  Vec3<T> w, vel;   // angular velocity [rad/s], velocity of o [m/s] (3)
-  Vec3<T> zeta_w, zeta_v;  // acceleration at rest of all speeds, less the parent's: angular
-                           // [rad/s^2], of o [m/s^2] (3)
-  Vec3<T> gyro_m, gyro_f;  // wrench at o that the velocity product needs [N m], [N] (3)
-  Vec3<T> load_m, load_f;  // of loads from outside, about o [N m], [N] (3)
+  Mat3<T> R;               // rotation of M in the world (3, 3)
+  Vec3<T> o;               // origin of M [m] (3)
+  Vec3<T> r;               // o minus the parent's o [m] (3)
+  Mat3<T> E;               // rotation of F in the world; z is the axis of hinges and slides (3, 3)
+  T slope, bend;           // first and second derivative of the joint value by its coordinate
+  Mat3<T> inertia;         // inertia about o [kg m^2] (3, 3)
+  Vec3<T> moment;          // mass times (centre of mass - o) [kg m] (3)
+  Vec3<T> w, vel;          // angular velocity [rad/s], velocity of o [m/s] (3)
+  Vec3<T> zeta_w, zeta_v;  // acceleration relative to the parent at v_dot = 0: angular [rad/s^2],
+                           // of o [m/s^2] (3)
+  Vec3<T> gyro_m, gyro_f;  // gyroscopic wrench at o [N m], [N] (3)
+  Vec3<T> load_m, load_f;  // wrench of external loads at o [N m], [N] (3)
 };
 
-/// Positions, velocities and loads of all links of a model; the model must live on. Calls allocate
-/// nothing. Source of the recursions: [Featherstone2008] chapters 4 and 5, here with the velocity
-/// and acceleration of the point of each body that is its joint's origin.
+/// Positions, velocities and loads of all links of a model. Calls do not allocate memory. Source of
+/// the recursions: [Featherstone2008] chapters 4 and 5, here with the velocity and acceleration of
+/// each link's joint origin.
 template <typename T>
 class TreeMotion {
  public:
+  /// @param model  must outlive the object
   explicit TreeMotion(const TreeModel& model)
       : model_(&model), links_(model.links.size()), turns_(model.links.size()) {}
 
-  /// Poses all links. @param q  positions; quaternions have length 1 (q)
+  /// Computes the poses of all links. @param q  positions with unit quaternions (q)
   template <typename Q>
   void set_position(const Q& q);
 
-  /// Velocities of all links, after set_position(). @param v  speeds (v)
+  /// Computes the velocities of all links. Call after set_position(). @param v  velocities (v)
   template <typename V>
   void set_speed(const V& v);
 
-  /// Takes all loads away.
+  /// Removes all loads.
   void clear_loads() {
     for (MovingLink<T>& link : links_) link.load_m = link.load_f = Vec3<T>::Zero();
   }
-  /// Adds a force and a moment on a link. @param p  world [m] (3)
+  /// Adds a force and a moment on a link; ignored on the world (-1).
+  /// @param p  point of application [m] (3);  @param f  [N] (3);  @param m  [N m] (3)
   void add_load(int link, const Vec3<T>& p, const Vec3<T>& f, const Vec3<T>& m) {
     if (link < 0) return;
     MovingLink<T>& at = links_[static_cast<std::size_t>(link)];
@@ -60,12 +62,12 @@ class TreeMotion {
   [[nodiscard]] const TreeModel& model() const { return *model_; }
   [[nodiscard]] const std::vector<MovingLink<T>>& links() const { return links_; }
 
-  /// Link of a body of the mechanism; -1: the world. @param body  -1: the world
+  /// Returns the link of a body of the mechanism; -1: the world. @param body  -1: the world
   [[nodiscard]] int link_of(int body) const {
     return body < 0 ? -1 : model_->bodies[static_cast<std::size_t>(body)].link;
   }
 
-  /// Pose of a body of the mechanism in the world.
+  /// Returns the pose of a body of the mechanism in the world.
   [[nodiscard]] Pose<T> pose(int body) const {
     const BodyInLink& at = model_->bodies[static_cast<std::size_t>(body)];
     const Pose<T> X_LB{at.X_LB.R.template cast<T>(), at.X_LB.p.template cast<T>()};
@@ -74,41 +76,43 @@ class TreeMotion {
     return Pose<T>{link.R, link.o} * X_LB;
   }
 
-  /// Velocity of a link's point [m/s]. @param link  -1: the world;  @param p  world [m] (3)
+  /// Returns the velocity of a link's point [m/s].
+  /// @param link  -1: the world;  @param p  point, world [m] (3)
   [[nodiscard]] Vec3<T> velocity(int link, const Vec3<T>& p) const {
     if (link < 0) return Vec3<T>::Zero();
     const MovingLink<T>& at = links_[static_cast<std::size_t>(link)];
     return at.vel + at.w.cross(p - at.o);
   }
 
-  /// Adds  scale * (direction . velocity of the link's point p + spin . its angular velocity)  to a
-  /// row over the speeds: the row of a Jacobian.
-  /// @param row  anything indexable (v)
+  /// Adds the Jacobian row of  direction . (velocity of the link's point p) + spin . (its angular
+  /// velocity).
+  /// @param p  point, world [m] (3);  @param direction, spin  world (3)
+  /// @param row  indexable, increased (v)
   template <typename Row>
-  void add_row(int link, const Vec3<T>& p, const Vec3<T>& direction, const Vec3<T>& spin,
-               Row&& row) const;
-  /// Adds the row of the velocity of one link relative to another, both at the point p.
+  void add_jacobian_row(int link, const Vec3<T>& p, const Vec3<T>& direction, const Vec3<T>& spin,
+                        Row&& row) const;
+  /// Adds the Jacobian row of the velocity of one link relative to another, at the point p.
   template <typename Row>
-  void add_row_against(int link, int other, const Vec3<T>& p, const Vec3<T>& direction,
-                       const Vec3<T>& spin, Row&& row) const {
-    add_row(link, p, direction, spin, row);
-    add_row(other, p, Vec3<T>(-direction), Vec3<T>(-spin), row);
+  void add_relative_jacobian_row(int link, int other, const Vec3<T>& p, const Vec3<T>& direction,
+                                 const Vec3<T>& spin, Row&& row) const {
+    add_jacobian_row(link, p, direction, spin, row);
+    add_jacobian_row(other, p, Vec3<T>(-direction), Vec3<T>(-spin), row);
   }
 
-  /// Kinetic energy [J], after set_speed().
+  /// Computes the kinetic energy [J]. Call after set_speed().
   [[nodiscard]] T kinetic_energy() const;
-  /// Energy of weights [J]. @param gravity  of free fall [m/s^2] (3)
+  /// Computes the gravitational energy [J]. @param gravity  acceleration of free fall [m/s^2] (3)
   [[nodiscard]] T weight_energy(const Vec3<T>& gravity) const;
 
  private:
   const TreeModel* model_;
   std::vector<MovingLink<T>> links_;
-  internal::JointTurns<T> turns_;  // of hinges
+  internal::JointTurns<T> turns_;  // joint values with their sines and cosines
 };
 
 namespace internal {
 
-/// Rotation of a unit quaternion (w, x, y, z).
+/// Returns the rotation of a unit quaternion (w, x, y, z). @param first  its first entry in q
 template <typename T, typename Q>
 Mat3<T> rotation_of(const Q& q, int first) {
   const T w = q[first], x = q[first + 1], y = q[first + 2], z = q[first + 3];
@@ -119,21 +123,21 @@ Mat3<T> rotation_of(const Q& q, int first) {
   return R;
 }
 
-/// Adds a wrench at a link's origin, along the axes of its joint, to a row over the speeds.
+/// Adds the components of a wrench at a link's origin along its joint axes to a row (v).
 template <typename T, typename Row>
 void add_along_axes(const TreeLink& constant, const MovingLink<T>& link, const Vec3<T>& m,
                     const Vec3<T>& f, Row&& row) {
   switch (constant.kind) {
     case JointKind::kHinge:
-      row[constant.v] += link.slope * link.E.col(2).dot(m);
+      row[constant.first_v] += link.slope * link.E.col(2).dot(m);
       break;
     case JointKind::kSlide:
-      row[constant.v] += link.slope * link.E.col(2).dot(f);
+      row[constant.first_v] += link.slope * link.E.col(2).dot(f);
       break;
     default:
-      for (int k = 0; k < 3; ++k) row[constant.v + k] += link.E.col(k).dot(m);
+      for (int k = 0; k < 3; ++k) row[constant.first_v + k] += link.E.col(k).dot(m);
       if (constant.kind == JointKind::kBall) break;
-      for (int k = 0; k < 3; ++k) row[constant.v + 3 + k] += link.E.col(k).dot(f);
+      for (int k = 0; k < 3; ++k) row[constant.first_v + 3 + k] += link.E.col(k).dot(f);
   }
 }
 
@@ -142,20 +146,20 @@ void add_along_axes(const TreeLink& constant, const MovingLink<T>& link, const V
 template <typename T>
 template <typename Q>
 void TreeMotion<T>::set_position(const Q& q) {
-  // Values of joints, and sines and cosines of all hinges at once.
+  // Evaluate joint values, and all sines and cosines at once.
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const TreeLink& constant = model_->links[i];
     JointValueOn<T> at{T(0), T(1), T(0)};
-    if (is_scalar(constant.kind)) at = joint_value<T>(constant.joint, q[constant.q]);
+    if (is_scalar(constant.kind)) at = joint_value<T>(constant.joint, q[constant.first_q]);
     links_[i].slope = at.slope;
     links_[i].bend = at.bend;
     turns_.set(i, at.value);
   }
-  turns_.find();
+  turns_.compute();
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const TreeLink& constant = model_->links[i];
     MovingLink<T>& link = links_[i];
-    // Frame F of the joint moves with the parent.
+    // Compute frame F, which moves with the parent.
     if (constant.parent < 0) {
       link.E = constant.X_PF.R.template cast<T>();
       link.o = link.r = constant.X_PF.p.template cast<T>();
@@ -165,7 +169,7 @@ void TreeMotion<T>::set_position(const Q& q) {
       link.r.noalias() = parent.R * constant.X_PF.p.template cast<T>();
       link.o = parent.o + link.r;
     }
-    // Frame M moves in F by the joint.
+    // Compute frame M by the joint's motion in F.
     switch (constant.kind) {
       case JointKind::kHinge: {
         const T c = turns_.cosine(i), s = turns_.sine(i);
@@ -182,17 +186,18 @@ void TreeMotion<T>::set_position(const Q& q) {
         break;
       }
       case JointKind::kFree: {
-        const Vec3<T> local(q[constant.q + 4], q[constant.q + 5], q[constant.q + 6]);
+        const Vec3<T> local(q[constant.first_q + 4], q[constant.first_q + 5],
+                            q[constant.first_q + 6]);
         const Vec3<T> shift = link.E * local;
         link.r += shift;
         link.o += shift;
-        link.R = link.E * internal::rotation_of<T>(q, constant.q);
+        link.R = link.E * internal::rotation_of<T>(q, constant.first_q);
         break;
       }
       default:
-        link.R = link.E * internal::rotation_of<T>(q, constant.q);
+        link.R = link.E * internal::rotation_of<T>(q, constant.first_q);
     }
-    // Moment of mass and inertia in the axes of the world.
+    // Rotate the mass moment and the symmetric inertia to world axes.
     link.moment.noalias() = link.R * constant.moment.template cast<T>();
     const Mat3<T> half = link.R * constant.inertia.template cast<T>();
     for (int row = 0; row < 3; ++row)
@@ -207,7 +212,7 @@ void TreeMotion<T>::set_speed(const V& v) {
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const TreeLink& constant = model_->links[i];
     MovingLink<T>& link = links_[i];
-    // Velocity and acceleration by the parent's motion.
+    // Start with the velocity and acceleration by the parent's motion.
     Vec3<T> base = Vec3<T>::Zero();
     link.vel = link.zeta_v = base;
     if (constant.parent >= 0) {
@@ -219,34 +224,35 @@ void TreeMotion<T>::set_speed(const V& v) {
     }
     link.w = base;
     link.zeta_w = Vec3<T>::Zero();
-    // Velocity and acceleration by the joint's own.
+    // Add those by the joint's motion.
     switch (constant.kind) {
       case JointKind::kHinge: {
-        const T rate = v[constant.v];
+        const T rate = v[constant.first_v];
         const Vec3<T> turn = (link.slope * rate) * link.E.col(2);
         link.w += turn;
         link.zeta_w = base.cross(turn) + (link.bend * rate * rate) * link.E.col(2);
         break;
       }
       case JointKind::kSlide: {
-        const T rate = v[constant.v];
+        const T rate = v[constant.first_v];
         const Vec3<T> shift = (link.slope * rate) * link.E.col(2);
         link.vel += shift;
         link.zeta_v += T(2) * base.cross(shift) + (link.bend * rate * rate) * link.E.col(2);
         break;
       }
       default: {
-        const Vec3<T> turn = link.E * Vec3<T>(v[constant.v], v[constant.v + 1], v[constant.v + 2]);
+        const Vec3<T> turn =
+            link.E * Vec3<T>(v[constant.first_v], v[constant.first_v + 1], v[constant.first_v + 2]);
         link.w += turn;
         link.zeta_w = base.cross(turn);
         if (constant.kind == JointKind::kBall) break;
-        const Vec3<T> shift =
-            link.E * Vec3<T>(v[constant.v + 3], v[constant.v + 4], v[constant.v + 5]);
+        const Vec3<T> shift = link.E * Vec3<T>(v[constant.first_v + 3], v[constant.first_v + 4],
+                                               v[constant.first_v + 5]);
         link.vel += shift;
         link.zeta_v += T(2) * base.cross(shift);
       }
     }
-    // Euler's moment, and the force that keeps the centre of mass on its circle.
+    // Compute the gyroscopic moment and the centripetal force.
     link.gyro_m = link.w.cross(link.inertia * link.w);
     link.gyro_f = link.w.cross(link.w.cross(link.moment));
   }
@@ -254,12 +260,12 @@ void TreeMotion<T>::set_speed(const V& v) {
 
 template <typename T>
 template <typename Row>
-void TreeMotion<T>::add_row(int link, const Vec3<T>& p, const Vec3<T>& direction,
-                            const Vec3<T>& spin, Row&& row) const {
+void TreeMotion<T>::add_jacobian_row(int link, const Vec3<T>& p, const Vec3<T>& direction,
+                                     const Vec3<T>& spin, Row&& row) const {
   while (link >= 0) {
     const TreeLink& constant = model_->links[static_cast<std::size_t>(link)];
     const MovingLink<T>& at = links_[static_cast<std::size_t>(link)];
-    // Moment about the joint's origin.
+    // Shift the wrench to the joint's origin, and project it on the joint's axes.
     internal::add_along_axes<T>(constant, at, (p - at.o).cross(direction) + spin, direction, row);
     link = constant.parent;
   }

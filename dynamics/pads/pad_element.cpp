@@ -92,8 +92,8 @@ void PadElement::set_rows(const ElementInput& at) {
   J_.setZero(at.v.size(), 6);
   for (int k = 0; k < 3; ++k) {
     const Vector3d axis = X_WP.R.col(k);
-    at.motion.add_row_against(object, pad, X_WP.p, none, axis, J_.col(k));
-    at.motion.add_row_against(object, pad, X_WP.p, axis, none, J_.col(3 + k));
+    at.motion.add_relative_jacobian_row(object, pad, X_WP.p, none, axis, J_.col(k));
+    at.motion.add_relative_jacobian_row(object, pad, X_WP.p, axis, none, J_.col(3 + k));
   }
 }
 
@@ -102,7 +102,7 @@ double PadElement::fastest(const ElementInput& at) const {
   return speed.tail<3>().norm() + speed.head<3>().norm() * pad_->reach();
 }
 
-bool PadElement::act(const ElementInput& at, ElementAction& out) {
+bool PadElement::add_action(const ElementInput& at, ElementAction& out) {
   // Without a touch there is no push.
   if (kept_.touch.force <= 0) return has_answer();
   const Prediction seen = predict(at.t, object_pose(at));
@@ -152,7 +152,7 @@ void PadElement::catch_up(double t, const Pose<double>& X_PO, double allowed) {
   if (trial_.touch.status == Status::kSolved) keep_move(trial_.error > kNewStiffness);
 }
 
-double PadElement::doubt(const ElementInput& at) {
+double PadElement::step_error(const ElementInput& at) {
   // A pad without an answer waits, and one that hardly moved has no doubt.
   if (lost_.stale && at.t < lost_.retry) return 0;
   const Pose<double> X_PO = object_pose(at);
@@ -171,7 +171,7 @@ double PadElement::doubt(const ElementInput& at) {
   return std::max(trial_.error, way / most);
 }
 
-void PadElement::accept(const ElementInput& at) {
+void PadElement::accept_step(const ElementInput& at) {
   // Pose at the end of the step, and the push that was predicted for it.
   const Pose<double> X_PO = object_pose(at);
   foresees_ = std::numeric_limits<double>::infinity();
@@ -329,7 +329,7 @@ void PadElement::add_contacts(const ElementInput& at, std::vector<ContactSample>
   out.push_back(contact);
 }
 
-bool PadElement::moves(const ElementInput& at) const {
+bool PadElement::may_start_motion(const ElementInput& at) const {
   if (!has_answer()) return true;
   if (kept_.touch.force <= 0) return false;
   // Whether it still relaxes by more than a thousandth of what is allowed.

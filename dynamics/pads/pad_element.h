@@ -19,8 +19,8 @@ struct PadElementOptions {
 
 /// A pad on a body, against another body, co-simulated: in a step the scene sees the push as
 ///   W(t) = integral of g(t - s) d(K x),
-/// with the pad's stiffness K at the last accept(), the object's motion x against the pad, and the
-/// pad's relaxation g; where a step ends, the pad itself is asked. If both differ by more than
+/// with the pad's stiffness K at the last accept_step(), the object's motion x against the pad, and
+/// the pad's relaxation g; where a step ends, the pad itself is asked. If both differ by more than
 /// `force_error`, or the pad has no answer, the step is made again, shorter. So the scene sees a
 /// smooth force, and the pad moves once a step. Motions that change a push by less than a fifth of
 /// the allowed error, over less than 0.1 mm and 1 degree, do not move it.
@@ -28,8 +28,8 @@ struct PadElementOptions {
 /// Steps of less than 50 us are not made shorter for it: a push that jumps in that time jumps by
 /// itself. If a pad has no answer even so, the object is brought in again from outside at once,
 /// and failing that every 5 ms, while the last push goes on by its stiffness. Friction and
-/// relaxation are forgotten then, and act() fails for a step, so that it counts as unsolved. In
-/// steps of fixed length the pad follows, whatever the error.
+/// relaxation are forgotten then, and add_action() fails for a step, so that it counts as unsolved.
+/// In steps of fixed length the pad follows, whatever the error.
 ///
 /// Before they touch, a step goes no farther than the object is away, and 0.2 mm into the pad.
 class PadElement final : public ForceElement {
@@ -43,17 +43,17 @@ class PadElement final : public ForceElement {
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
   [[nodiscard]] std::string name() const override { return name_; }
-  bool act(const ElementInput& at, ElementAction& out) override;
+  bool add_action(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] bool is_passive() const override { return true; }
   /// Returns the energy of the elastic pad E(x) and of its viscous memory: with F = E' and H_i of
   /// the force as in MemoryStep,  E (g_inf + sum (H_i / F)^2 / g_i), which is exact for springs
   /// with dampers, and for any pad at once and after a long rest.
   [[nodiscard]] double energy(const ElementInput& at) override;
-  [[nodiscard]] double doubt(const ElementInput& at) override;
-  void accept(const ElementInput& at) override;
-  [[nodiscard]] double foresees() const override { return foresees_; }
+  [[nodiscard]] double step_error(const ElementInput& at) override;
+  void accept_step(const ElementInput& at) override;
+  [[nodiscard]] double max_step_length() const override { return foresees_; }
   void add_contacts(const ElementInput& at, std::vector<ContactSample>& out) override;
-  [[nodiscard]] bool moves(const ElementInput& at) const override;
+  [[nodiscard]] bool may_start_motion(const ElementInput& at) const override;
 
  private:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -77,7 +77,7 @@ class PadElement final : public ForceElement {
   [[nodiscard]] bool changed_little(const Prediction& seen, const Pose<double>& X_PO) const;
   [[nodiscard]] bool has_answer() const { return !lost_.stale && !lost_.anew; }
   void try_move(double t, const Pose<double>& X_PO, const Prediction& seen);
-  /// Moves the pad to the last accept(), before a motion to X_PO at t that needs it.
+  /// Moves the pad to the last accept_step(), before a motion to X_PO at t that needs it.
   void catch_up(double t, const Pose<double>& X_PO, double allowed);
   void keep_move(bool new_stiffness);
   void begin_anew(double t, const Pose<double>& X_PO);
@@ -101,7 +101,7 @@ class PadElement final : public ForceElement {
     PadContact touch;
     PushMemory memory;  // of the push [N m], [N]
   };
-  /// The last accept(), which may be later than the pad's move.
+  /// The last accept_step(), which may be later than the pad's move.
   struct Accepted {
     double t = 0;               // to which the memory has come [s]
     Pose<double> X_PO;          // of the object

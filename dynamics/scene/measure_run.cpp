@@ -113,7 +113,7 @@ double work_between(const MovingScene& scene, const MechanismLayout& layout,
 SceneSample with_touching(const SceneSample& sample, ContactStep& step) {
   // Contacts at the state, without forces.
   std::vector<ActiveContact> found;
-  step.find({sample.t, sample.q, sample.v, sample.z}, SceneOptions().touch, found);
+  step.find_contacts({sample.t, sample.q, sample.v, sample.z}, SceneOptions().touch, found);
   SceneSample out = sample;
   for (const ActiveContact& contact : found) {
     if (contact.kind != ActiveContact::Kind::kContact) continue;
@@ -183,7 +183,7 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   ContactStep step(scene);
   out.X_WB.resize(run.samples.size());
   for (std::size_t k = 0; k < run.samples.size(); ++k)
-    step.poses({run.samples[k].t, run.samples[k].q, run.samples[k].v}, out.X_WB[k]);
+    step.compute_poses({run.samples[k].t, run.samples[k].q, run.samples[k].v}, out.X_WB[k]);
   const MechanismLayout& layout = step.model().layout;
   out.moving = moving_bodies(scene.mechanism, step.model());
   const bool has_flows = run.samples.back().w.size() > 0;

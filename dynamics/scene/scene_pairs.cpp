@@ -120,7 +120,7 @@ void set_friction(const SceneSpec& spec, BuiltScene& built) {
 std::map<Pair, double> depths_at(ContactStep& step, const Eigen::VectorXd& q) {
   // Contacts of negative gap, the deepest of each pair.
   std::vector<ActiveContact> found;
-  step.find({0, q, Eigen::VectorXd::Zero(step.model().layout.v)}, 0, found);
+  step.find_contacts({0, q, Eigen::VectorXd::Zero(step.model().layout.v)}, 0, found);
   std::map<Pair, double> depths;
   for (const ActiveContact& contact : found) {
     if (contact.kind != ActiveContact::Kind::kContact) continue;

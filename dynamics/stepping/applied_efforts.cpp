@@ -8,9 +8,10 @@
 namespace thenar {
 namespace {
 
-template <typename Each>
-bool resists(const Each& each) {
-  return each.stiffness > 0 || each.damping > 0;
+/// Returns true if a joint or drive has stiffness or damping.
+template <typename Part>
+bool resists(const Part& part) {
+  return part.stiffness > 0 || part.damping > 0;
 }
 
 }  // namespace
@@ -20,41 +21,41 @@ AppliedEfforts::AppliedEfforts(const MovingScene& scene, const TreeModel& model)
   tau = stiffness = damping = Eigen::VectorXd::Zero(model.layout.v);
   for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i)
     if (is_scalar(scene.mechanism.joints[i].kind) && resists(scene.mechanism.joints[i]))
-      resisting_.push_back(i);
-  note_what_acts();
+      resisting_joints_.push_back(i);
+  update_force_kinds();
 }
 
-void AppliedEfforts::note_what_acts() {
-  has_slopes_ = !elements.empty() || !resisting_.empty() ||
+void AppliedEfforts::update_force_kinds() {
+  has_slopes_ = !elements.empty() || !resisting_joints_.empty() ||
                 std::any_of(scene_.drives.begin(), scene_.drives.end(), resists<SceneDrive>);
   has_flows_ = !elements.empty() || has_powers(scene_);
 }
 
-bool AppliedEfforts::load(SceneMotion& motion, const SceneState& state, ElementNeed need) {
-  // Springs and dampers of joints, then drives whose time it is.
+bool AppliedEfforts::compute(SceneMotion& motion, const SceneState& state, ElementNeed need) {
+  // Add springs and dampers of joints, then active drives.
   tau.setZero();
   stiffness.setZero();
   damping.setZero();
   add_springs(state);
   for (const SceneDrive& drive : scene_.drives)
-    if (drive.when.holds(acting_)) add_drive(drive, state);
-  // Loads on bodies.
+    if (drive.when.holds(selection_time_)) add_drive(drive, state);
+  // Set the loads of active forces.
   TreeMotion<double>& links = motion.links();
   if (!scene_.forces.empty()) links.clear_loads();
   for (const SceneForce& force : scene_.forces) {
-    if (!force.when.holds(acting_)) continue;
+    if (!force.when.holds(selection_time_)) continue;
     links.add_load(links.link_of(force.body), links.pose(force.body) * force.point, force.force,
                    force.moment);
   }
-  // Elements.
+  // Add elements.
   if (elements.empty()) return true;
-  const bool acted = elements.act(input_at(motion, state, need));
+  const bool acted = elements.compute_action(element_input(motion, state, need));
   tau += elements.action().tau;
   return acted;
 }
 
 void AppliedEfforts::add_springs(const SceneState& state) {
-  for (const std::size_t i : resisting_) {
+  for (const std::size_t i : resisting_joints_) {
     const MechanismJoint& joint = scene_.mechanism.joints[i];
     const JointValue at = joint_value_at(scene_, model_, i, state);
     const int row = model_.layout.first_v[i];
@@ -68,10 +69,10 @@ void AppliedEfforts::add_springs(const SceneState& state) {
 void AppliedEfforts::add_drive(const SceneDrive& drive, const SceneState& state) {
   const auto c = static_cast<std::size_t>(drive.coordinate);
   const int row = model_.layout.coordinate_v[c];
-  const double effort =
-      drive_effort(drive, state.q[model_.layout.coordinate_q[c]], state.v[row], state.t, acting_);
+  const double effort = drive_effort(drive, state.q[model_.layout.coordinate_q[c]], state.v[row],
+                                     state.t, selection_time_);
   tau[row] += effort;
-  // At its largest effort it is no spring.
+  // A drive at its effort limit has no slope.
   if (std::abs(effort) >= drive.max_effort) return;
   stiffness[row] += drive.stiffness;
   damping[row] += drive.damping;
@@ -83,23 +84,25 @@ void AppliedEfforts::advance_states(double h, SceneState& state) const {
   state.z.array() += h * action.z_rate.array() / (1 + h * action.z_decay.array());
 }
 
-void AppliedEfforts::find_powers(const SceneMotion& motion, const StepEfforts& at) {
+void AppliedEfforts::compute_powers(const SceneMotion& motion, const StepEfforts& at) {
   if (!has_flows_) return;
-  power.head<kFreeFlows>() << applied_powers(scene_, model_.layout, motion.links(), at),
+  power.head<kFreeFlowCount>() << applied_powers(scene_, model_.layout, motion.links(), at),
       elements.passive_power();
 }
 
 double AppliedEfforts::spring_energy(const SceneState& state) const {
-  double out = 0;
+  double energy = 0;
   for (std::size_t i = 0; i < scene_.mechanism.joints.size(); ++i) {
     const MechanismJoint& joint = scene_.mechanism.joints[i];
     if (!is_scalar(joint.kind) || joint.stiffness == 0) continue;
     const double stretch = joint_value_at(scene_, model_, i, state).value - joint.rest;
-    out += 0.5 * joint.stiffness * stretch * stretch;
+    energy += 0.5 * joint.stiffness * stretch * stretch;
   }
-  return out;
+  return energy;
 }
 
-void AppliedEfforts::forget() { elements = SceneElements(scene_.elements, model_.layout.v); }
+void AppliedEfforts::reset_elements() {
+  elements = SceneElements(scene_.elements, model_.layout.v);
+}
 
 }  // namespace thenar

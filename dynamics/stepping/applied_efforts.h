@@ -1,6 +1,6 @@
 #pragma once
 
-/// Efforts of springs, dampers, drives and elements on a scene, their slopes and their powers.
+/// Efforts of springs, dampers, drives, loads and force elements, their slopes and powers.
 
 #include <vector>
 
@@ -11,47 +11,49 @@
 
 namespace thenar {
 
+/// Generalized forces on a scene apart from contacts, limits and dry friction.
 class AppliedEfforts {
  public:
-  /// @param scene, model  outlive it
+  /// @param scene, model  must outlive the object
   AppliedEfforts(const MovingScene& scene, const TreeModel& model);
 
-  /// Selects the forces and drives that act from now on: those whose span holds t [s].
-  void act_as_at(double t) { acting_ = t; }
-  [[nodiscard]] double acting() const { return acting_; }
-  /// Notes what kinds of forces the scene has, after its drives have changed.
-  void note_what_acts();
-  /// Returns whether some spring, damper or drive may be stiff.
+  /// Selects the forces and drives that act: those whose time span contains t [s].
+  void select_active_forces(double t) { selection_time_ = t; }
+  [[nodiscard]] double selection_time() const { return selection_time_; }
+  /// Updates has_slopes() and has_flows() after the scene's drives have changed.
+  void update_force_kinds();
+  /// Returns true if the scene has springs, dampers, stiff drives or elements.
   [[nodiscard]] bool has_slopes() const { return has_slopes_; }
-  /// Returns whether energy flows where nothing touches.
+  /// Returns true if energy may flow without contacts.
   [[nodiscard]] bool has_flows() const { return has_flows_; }
 
-  /// Sets efforts and their slopes, and loads on bodies.
-  /// @param motion  placed at the state
-  /// @return whether all elements could act
-  bool load(SceneMotion& motion, const SceneState& state, ElementNeed need = ElementNeed::kAll);
+  /// Computes efforts and their slopes, and sets the loads on bodies.
+  /// @param motion  set to the state; receives the loads
+  /// @return false if an element has no valid force
+  bool compute(SceneMotion& motion, const SceneState& state, ElementNeed need = ElementNeed::kAll);
 
-  /// Advances states of elements by what they did last [SceneElements].
+  /// Advances the states of elements by h with the rates of the last compute(), semi-implicitly:
+  /// z += h z' / (1 + h decay). @param h  [s]
   void advance_states(double h, SceneState& state) const;
 
-  /// Sets powers in the mean over a step of all but contacts, after load() [W].
-  void find_powers(const SceneMotion& motion, const StepEfforts& at);
+  /// Sets `power` to the mean powers over a step, without contacts. Call after compute().
+  void compute_powers(const SceneMotion& motion, const StepEfforts& at);
 
-  /// Energy in springs of joints [J].
+  /// Computes the energy of joint springs [J].
   [[nodiscard]] double spring_energy(const SceneState& state) const;
 
-  /// Returns the inputs of elements at a state.
-  [[nodiscard]] ElementInput input_at(const SceneMotion& motion, const SceneState& state,
-                                      ElementNeed need = ElementNeed::kAll) const {
-    return {state.t, acting_, state.q, state.v, state.z, motion.links(), 0, need};
+  /// Returns the input of the elements at a state.
+  [[nodiscard]] ElementInput element_input(const SceneMotion& motion, const SceneState& state,
+                                           ElementNeed need = ElementNeed::kAll) const {
+    return {state.t, selection_time_, state.q, state.v, state.z, motion.links(), 0, need};
   }
 
-  /// Lets elements remember nothing.
-  void forget();
+  /// Replaces the elements by fresh clones of the scene's.
+  void reset_elements();
 
-  Eigen::VectorXd tau;                      // [N m], [N] (v)
-  Eigen::VectorXd stiffness, damping;       // of springs, dampers and drives, over the speeds (v)
-  EnergyFlows power = EnergyFlows::Zero();  // [W]
+  Eigen::VectorXd tau;                      // generalized forces [N m], [N] (v)
+  Eigen::VectorXd stiffness, damping;       // diagonal slopes of springs, dampers and drives (v)
+  EnergyFlows power = EnergyFlows::Zero();  // mean powers over a step [W]
   SceneElements elements;
 
  private:
@@ -60,9 +62,9 @@ class AppliedEfforts {
 
   const MovingScene& scene_;
   const TreeModel& model_;
-  std::vector<std::size_t> resisting_;  // joints with springs or dampers
+  std::vector<std::size_t> resisting_joints_;  // joints with springs or dampers
   bool has_slopes_ = false, has_flows_ = false;
-  double acting_ = 0;  // [s]
+  double selection_time_ = 0;  // instant that selects forces and drives [s]
 };
 
 }  // namespace thenar

@@ -8,17 +8,19 @@ namespace {
 
 using RowKind = ActiveContact::Kind;
 
-constexpr double kStickSpeed = 1e-9;  // slower is sticking [m/s], [rad/s]
-constexpr double kMeanWeight = 0.75;  // of this step in a mean with the step before [1]
+constexpr double kStickSpeed = 1e-9;  // largest speed of a sticking contact [m/s], [rad/s]
+constexpr double kMeanWeight = 0.75;  // weight of this step in the mean with the previous one [1]
 
-/// Mean without what alternates from step to step. @param before  NaN: there was none
-double settled(double now, double before) {
+/// Returns the weighted mean with the previous step, which damps alternation from step to step.
+/// @param before  value of the previous step; NaN: none
+double damped_mean(double now, double before) {
   return std::isnan(before) ? now : kMeanWeight * now + (1 - kMeanWeight) * before;
 }
 
-/// Writes an answer's rows into a contact of two bodies, whose mode by its approach is known.
-void read_contact(const ContactSolution& answer, const ContactBlock& block, int at,
-                  ActiveContact& contact) {
+/// Stores a solution in a contact of two bodies, whose mode is already kOpen or kStick by its
+/// approach. @param at  first row of the contact
+void store_contact(const ContactSolution& answer, const ContactBlock& block, int at,
+                   ActiveContact& contact) {
   contact.impulse = answer.f[at] * contact.normal;
   if (block.law == ConstraintLaw::kUnilateral) return;
   const Tangents sides = tangents(contact.normal);
@@ -35,53 +37,54 @@ void read_contact(const ContactSolution& answer, const ContactBlock& block, int 
 
 }  // namespace
 
-void ContactRows::set(const std::vector<ActiveContact>& list, double h,
-                      const TreeMotion<double>& links, const MassMatrix<double>& mass) {
-  // Blocks and their rows, and the Jacobian of each.
+void ContactRows::assemble(const std::vector<ActiveContact>& list, double h,
+                           const TreeMotion<double>& links, const MassMatrix<double>& mass) {
+  // Set up blocks, then the Jacobian of each.
   int rows = 0;
   problem.blocks.clear();
   for (const ActiveContact& contact : list) {
-    problem.blocks.push_back(block_of(contact, h));
+    problem.blocks.push_back(make_block(contact, h));
     rows += rows_of(problem.blocks.back().law);
   }
   J.setZero(model_.layout.v, rows);
   for_each_row(list, [&](const ActiveContact& contact, const ContactBlock& block, int at) {
-    fill(contact, block.law, at, links);
+    fill_jacobian(contact, block.law, at, links);
   });
-  // W = J' A^-1 J from half of the factor.
+  // Compute W = Y' Y with Y = D^-1/2 L'^-1 J, from the factor A = L' D L.
   Y_ = J;
   for (int i = 0; i < rows; ++i) mass.half_solve(model_, Y_.col(i));
   problem.W.resize(rows, rows);
   problem.W.noalias() = Y_.transpose() * Y_;
 }
 
-ContactBlock ContactRows::block_of(const ActiveContact& contact, double h) const {
-  // Dry friction of a joint: an impulse of at most h times its largest effort.
+ContactBlock ContactRows::make_block(const ActiveContact& contact, double h) const {
+  // Dry friction of a joint: |impulse| at most h times the friction effort.
   if (contact.kind == RowKind::kJointFriction) {
-    const double most = h * scene_.mechanism.joints[static_cast<std::size_t>(contact.a)].friction;
-    return box_block(-most, most);
+    const double max_impulse =
+        h * scene_.mechanism.joints[static_cast<std::size_t>(contact.a)].friction;
+    return box_block(-max_impulse, max_impulse);
   }
-  // Limits and contacts without friction, points with friction, patches with torsion.
+  // Limits and frictionless contacts, points with friction, patches with torsional friction.
   if (contact.kind != RowKind::kContact || contact.friction.coefficient == 0)
     return unilateral_block();
   if (contact.friction.torsion_radius == 0) return coulomb_block(contact.friction.coefficient);
   return soft_finger_block(contact.friction.coefficient, contact.friction.torsion_radius);
 }
 
-void ContactRows::fill(const ActiveContact& contact, ConstraintLaw law, int at,
-                       const TreeMotion<double>& links) {
+void ContactRows::fill_jacobian(const ActiveContact& contact, ConstraintLaw law, int at,
+                                const TreeMotion<double>& links) {
   if (contact.kind != RowKind::kContact) {
-    // d value / d coordinate of the joint.
+    // Joint limit or friction: d value / d coordinate of the joint.
     const auto joint = static_cast<std::size_t>(contact.a);
     const double sign = contact.kind == RowKind::kUpperLimit ? -1 : 1;
     const double slope = links.links()[static_cast<std::size_t>(model_.bodies[joint].link)].slope;
     J(model_.layout.first_v[joint], at) = sign * slope;
     return;
   }
-  // Velocity of a against b at the point, along the normal and the tangents, and about the normal.
+  // Contact: velocity of a relative to b along normal and tangents, and about the normal.
   const int a = links.link_of(contact.a), b = links.link_of(contact.b);
   const auto add = [&](int column, const Eigen::Vector3d& along, const Eigen::Vector3d& about) {
-    links.add_row_against(a, b, contact.point, along, about, J.col(column));
+    links.add_relative_jacobian_row(a, b, contact.point, along, about, J.col(column));
   };
   const Eigen::Vector3d none(0, 0, 0);
   add(at, contact.normal, none);
@@ -92,9 +95,9 @@ void ContactRows::fill(const ActiveContact& contact, ConstraintLaw law, int at,
   if (law == ConstraintLaw::kSoftFinger) add(at + 3, none, contact.normal);
 }
 
-void ContactRows::bounce(std::vector<ActiveContact>& list) {
+void ContactRows::apply_restitution(std::vector<ActiveContact>& list) {
   for_each_row(list, [&](ActiveContact& contact, const ContactBlock& /*block*/, int at) {
-    // Forget impulses, and let closing contacts return with restitution.
+    // Clear impulses; scale the normal velocity of closing contacts by restitution.
     contact.impulse.setZero();
     contact.torsion = 0;
     if (contact.kind == RowKind::kContact && problem.b[at] < 0)
@@ -102,63 +105,64 @@ void ContactRows::bounce(std::vector<ActiveContact>& list) {
   });
 }
 
-void ContactRows::add_speeds_before(const Eigen::VectorXd& v, double h, double recovery,
-                                    std::vector<ActiveContact>& list) {
+void ContactRows::add_midpoint_terms(const Eigen::VectorXd& v, double h, double recovery,
+                                     std::vector<ActiveContact>& list) {
   for_each_row(list, [&](ActiveContact& contact, const ContactBlock& block, int at) {
-    add_speeds(v, h, recovery, at, rows_of(block.law), contact);
+    add_contact_terms(v, h, recovery, at, rows_of(block.law), contact);
   });
 }
 
-void ContactRows::add_speeds(const Eigen::VectorXd& v, double h, double recovery, int at, int rows,
-                             ActiveContact& contact) {
-  // Normal: a gap may close by the next middle; a contact that touched goes on in the mean of both
-  // ends.
-  BeforeSpeeds now;
+void ContactRows::add_contact_terms(const Eigen::VectorXd& v, double h, double recovery, int at,
+                                    int rows, ActiveContact& contact) {
+  // Normal: the gap may close by the next midpoint; a contact that touched obeys its law in the
+  // mean of both ends.
+  PreviousSpeeds now;
   if (contact.kind != RowKind::kJointFriction) {
     double gap_speed = contact.gap / h;
     if (contact.mode != ContactMode::kOpen) {
       now.closing = 2 * gap_speed;
-      gap_speed = settled(now.closing, contact.before.closing);
+      gap_speed = damped_mean(now.closing, contact.previous.closing);
     }
     problem.b[at] += std::max(gap_speed, -recovery);
   }
-  // Tangents and spin: a contact that stuck goes on in the mean, too.
+  // Tangents and spin: a contact that stuck obeys its law in the mean, too.
   if (contact.kind == RowKind::kContact && contact.mode == ContactMode::kStick && rows > 1) {
     const Tangents sides = tangents(contact.normal);
     now.drift = J.col(at + 1).dot(v) * sides.e1 + J.col(at + 2).dot(v) * sides.e2;
     Eigen::Vector3d drift;
-    for (int i = 0; i < 3; ++i) drift[i] = settled(now.drift[i], contact.before.drift[i]);
+    for (int i = 0; i < 3; ++i) drift[i] = damped_mean(now.drift[i], contact.previous.drift[i]);
     problem.b[at + 1] += sides.e1.dot(drift);
     problem.b[at + 2] += sides.e2.dot(drift);
     if (rows > 3) {
       now.spin = J.col(at + 3).dot(v);
-      problem.b[at + 3] += settled(now.spin, contact.before.spin);
+      problem.b[at + 3] += damped_mean(now.spin, contact.previous.spin);
     }
   }
-  contact.before = now;
+  contact.previous = now;
 }
 
 const Eigen::VectorXd& ContactRows::warm_start(const std::vector<ActiveContact>& list) {
-  start_.setZero(problem.W.rows());
+  warm_start_.setZero(problem.W.rows());
   for_each_row(list, [&](const ActiveContact& contact, const ContactBlock& block, int at) {
-    // Impulses of joints are scalars, of contacts vectors in the world.
+    // Impulses of joints are scalars, those of contacts are world vectors.
     if (contact.kind != RowKind::kContact) {
-      start_[at] = contact.impulse.x();
+      warm_start_[at] = contact.impulse.x();
       return;
     }
-    start_[at] = contact.impulse.dot(contact.normal);
+    warm_start_[at] = contact.impulse.dot(contact.normal);
     if (block.law == ConstraintLaw::kUnilateral) return;
     const Tangents sides = tangents(contact.normal);
-    start_[at + 1] = contact.impulse.dot(sides.e1);
-    start_[at + 2] = contact.impulse.dot(sides.e2);
-    if (block.law == ConstraintLaw::kSoftFinger) start_[at + 3] = contact.torsion;
+    warm_start_[at + 1] = contact.impulse.dot(sides.e1);
+    warm_start_[at + 2] = contact.impulse.dot(sides.e2);
+    if (block.law == ConstraintLaw::kSoftFinger) warm_start_[at + 3] = contact.torsion;
   });
-  return start_;
+  return warm_start_;
 }
 
-void ContactRows::read(const ContactSolution& answer, std::vector<ActiveContact>& list) const {
+void ContactRows::store_solution(const ContactSolution& answer,
+                                 std::vector<ActiveContact>& list) const {
   for_each_row(list, [&](ActiveContact& contact, const ContactBlock& block, int at) {
-    // Approach, and the impulse of a joint's friction, which sticks or slides.
+    // Store the approach; dry friction of a joint sticks or slides.
     contact.approach = answer.u[at];
     contact.slip = 0;
     if (contact.kind == RowKind::kJointFriction) {
@@ -167,10 +171,10 @@ void ContactRows::read(const ContactSolution& answer, std::vector<ActiveContact>
           std::abs(contact.approach) > kStickSpeed ? ContactMode::kSlide : ContactMode::kStick;
       return;
     }
-    // Limits and contacts are open or closed by their approach; contacts read their tangents, too.
+    // Limits and contacts open or stick by their approach; contacts may also slide.
     contact.mode = contact.approach > kStickSpeed ? ContactMode::kOpen : ContactMode::kStick;
     if (contact.kind == RowKind::kContact)
-      read_contact(answer, block, at, contact);
+      store_contact(answer, block, at, contact);
     else
       contact.impulse = {answer.f[at], 0, 0};
   });

@@ -13,40 +13,42 @@
 
 namespace thenar {
 
+/// Builder of a step's contact problem from a list of contacts. A "row" is one scalar constraint; a
+/// contact has one to four.
 class ContactRows {
  public:
-  /// @param scene, model  outlive it
+  /// @param scene, model  must outlive the object
   ContactRows(const MovingScene& scene, const TreeModel& model) : scene_(scene), model_(model) {}
 
-  /// Sets blocks, J and W = J' A^-1 J of a list of contacts.
-  /// @param h     of the step, for dry friction [s]
-  /// @param mass  factor of A
-  void set(const std::vector<ActiveContact>& list, double h, const TreeMotion<double>& links,
-           const MassMatrix<double>& mass);
+  /// Assembles the blocks, J and W = J' A^-1 J of a list of contacts.
+  /// @param h     step length, which bounds the impulse of dry friction [s]
+  /// @param mass  factorised A
+  void assemble(const std::vector<ActiveContact>& list, double h, const TreeMotion<double>& links,
+                const MassMatrix<double>& mass);
 
-  /// Multiplies speeds with which contacts close by 1 + restitution, and forgets their impulses.
-  void bounce(std::vector<ActiveContact>& list);
+  /// Multiplies the normal velocities of closing contacts by 1 + restitution, and clears impulses.
+  void apply_restitution(std::vector<ActiveContact>& list);
 
-  /// Adds what contacts ask of the speeds after a midpoint step beyond their laws: gaps, and the
-  /// mean of both ends where they went on (ContactStep::time_step()).
-  /// @param v  at its beginning (v);  @param recovery  [m/s]
-  void add_speeds_before(const Eigen::VectorXd& v, double h, double recovery,
-                         std::vector<ActiveContact>& list);
+  /// Adds the gap and mean-of-both-ends terms of a midpoint step to b, and stores their velocities
+  /// in the list: see ContactStep::take_midpoint_step().
+  /// @param v  velocity at the start of the step (v);  @param h  [s];  @param recovery  [m/s]
+  void add_midpoint_terms(const Eigen::VectorXd& v, double h, double recovery,
+                          std::vector<ActiveContact>& list);
 
-  /// Impulses of a list, for a warm start (rows).
+  /// Returns the impulses of a list as initial guess of the solver [N s], [N m s] (rows).
   [[nodiscard]] const Eigen::VectorXd& warm_start(const std::vector<ActiveContact>& list);
 
-  /// Writes impulses, velocities and modes of an answer into the list.
+  /// Stores impulses, velocities and modes of a solution in the list.
   ///
-  /// Modes are those of the motion: of redundant contacts some may have no force, and which ones is
-  /// chance.
-  void read(const ContactSolution& answer, std::vector<ActiveContact>& list) const;
+  /// Modes follow the motion, not the force: which of several redundant contacts have no force is
+  /// arbitrary.
+  void store_solution(const ContactSolution& answer, std::vector<ActiveContact>& list) const;
 
   ContactProblem problem;
-  Eigen::MatrixXd J;  // rows as columns (v, rows)
+  Eigen::MatrixXd J;  // transposed Jacobian: column i maps row i to the velocities (v, rows)
 
  private:
-  /// Calls with each contact, its block and its first row.
+  /// Calls a function with each contact, its block and the index of its first row.
   template <class List, class Call>
   void for_each_row(List& list, const Call& call) const {
     int at = 0;
@@ -55,16 +57,16 @@ class ContactRows {
       at += rows_of(problem.blocks[k].law);
     }
   }
-  [[nodiscard]] ContactBlock block_of(const ActiveContact& contact, double h) const;
-  void fill(const ActiveContact& contact, ConstraintLaw law, int at,
-            const TreeMotion<double>& links);
-  void add_speeds(const Eigen::VectorXd& v, double h, double recovery, int at, int rows,
-                  ActiveContact& contact);
+  [[nodiscard]] ContactBlock make_block(const ActiveContact& contact, double h) const;
+  void fill_jacobian(const ActiveContact& contact, ConstraintLaw law, int at,
+                     const TreeMotion<double>& links);
+  void add_contact_terms(const Eigen::VectorXd& v, double h, double recovery, int at, int rows,
+                         ActiveContact& contact);
 
   const MovingScene& scene_;
   const TreeModel& model_;
-  Eigen::MatrixXd Y_;      // half of the factor's answer to J (v, rows)
-  Eigen::VectorXd start_;  // (rows)
+  Eigen::MatrixXd Y_;           // D^-1/2 L'^-1 J, so that W = Y' Y (v, rows)
+  Eigen::VectorXd warm_start_;  // initial guess of the impulses (rows)
 };
 
 }  // namespace thenar

@@ -1,6 +1,19 @@
 #pragma once
 
-/// One short step of a scene with contacts, and impacts.
+/// Single steps of a scene with contacts, joint limits and dry friction, and impacts.
+///
+/// One Euler substep, ContactStep::take_euler_substep(); a midpoint step has the same stages:
+///   1. advance_positions() moves the positions with the present velocities.
+///   2. SceneMotion updates poses and velocities of all links.
+///   3. SceneContacts finds contacts, joint limits and dry frictions there, with gaps.
+///   4. AppliedEfforts evaluates springs, dampers, drives, loads and force elements, with slopes.
+///   5. FreeVelocity computes the velocity without contact impulses, and factorises A = M + slopes.
+///   6. ContactRows assembles the contact problem: Jacobian J, W = J' A^-1 J and b = J' v.
+///   7. ContactSolver solves it for the contact impulses.
+///   8. FreeVelocity adds the velocity change of the impulses; ContactRows stores impulses,
+///      velocities and modes in the contacts.
+///   9. AppliedEfforts and add_impulse_losses() integrate the energy flows.
+/// EventStepper (variable length) and FixedStep (fixed length) decide which steps are taken.
 
 #include <memory>
 #include <vector>
@@ -18,153 +31,180 @@ namespace thenar {
 
 /// Outcome of a step.
 struct StepOutcome {
-  bool solved = true;      // the contact problem was solved to its tolerance
-  double residual = 0;     // ContactResidual::natural [1]
-  double deepest_new = 0;  // most negative gap of a contact that was not closed before [m]
-  double closing_new = 0;  // speed at which that one closes its gap [m/s]
-  std::vector<ActiveContact> active;  // contacts, then joints; in a lasting order
+  bool solved = true;            // the contact problem was solved to its tolerance
+  double residual = 0;           // ContactResidual::natural [1]
+  double min_new_gap = 0;        // most negative gap of a contact that was not closed before [m]
+  double new_closing_speed = 0;  // speed at which that contact closes its gap [m/s]
+  std::vector<ActiveContact> active;  // contacts, then joint limits and frictions; stable order
 
-  /// Begins another step, unsolved, in the room of this one.
+  /// Resets to an unsolved step without contacts, and keeps the capacity of `active`.
   void clear() {
     solved = false;
-    residual = deepest_new = closing_new = 0;
+    residual = min_new_gap = new_closing_speed = 0;
     active.clear();
   }
 };
 
-/// Steps of a scene. Owns all room that they need; one object per thread.
+/// Steps of one scene. Owns their workspace; one object per thread.
 class ContactStep {
  public:
-  /// @throws InputError as check_scene(), tree_model() and collision_body().
+  // Configuration.
+
+  /// Copies a scene and prepares its model. @throws InputError as check_scene(), tree_model() and
+  /// collision_body().
   explicit ContactStep(const MovingScene& scene);
   ~ContactStep();
   ContactStep(ContactStep&&) noexcept;
   ContactStep& operator=(ContactStep&&) noexcept;
 
-  /// Selects the forces and drives that are active at time t: those whose span holds t. A step
-  /// keeps the selection of its beginning, also at its very end.
-  void act_as_at(double t);
-
-  /// Replaces the scene's drives from now on; the drives must satisfy check_scene().
+  /// Replaces the scene's drives for all later steps; they must satisfy check_scene().
   void set_drives(std::vector<SceneDrive> drives);
 
-  /// Sets the options of the contact solver from now on.
-  void solve_contacts_by(const ContactSolverOptions& options);
+  /// Sets the options of the contact solver for all later steps.
+  void set_solver_options(const ContactSolverOptions& options);
+
+  /// Selects the forces and drives that act: those whose time span contains t. A step keeps the
+  /// selection of its start, even at its very end. @param t  [s]
+  void select_active_forces(double t);
+
+  /// Resets collision pairs, elements and the solver's warm start to those after construction;
+  /// unsets all element controls.
+  void clear_memory();
 
   [[nodiscard]] const MovingScene& scene() const;
   [[nodiscard]] const TreeModel& model() const;
 
-  /// All contacts nearer than a margin and all joint limits at a state, with velocities.
-  /// @param margin  [m]
-  void find(const SceneState& state, double margin, std::vector<ActiveContact>& out);
+  // State and kinematics.
 
-  /// Half-explicit Euler step on the contacts of `closed`:
-  ///   q+ = q + h v,   v+ = v + A^-1 (h f(q+, v) + J(q+)' P),   A = M(q+) + h D + h^2 K,
-  /// D and K the damping and stiffness of joints, drives and elements, so that stiff ones ask for
-  /// no short step, and  z+ = z + h z'(q+, v, z) / (1 + h decay)  for states of elements; where the
-  /// impulses P keep the velocities J v+ from closing gaps and obey Coulomb's law with the exact
-  /// cone. It is of first order, its error has an expansion in h while all modes stay, and J v+ = 0
-  /// holds to rounding where contacts stick.
-  ///
-  /// A contact of `closed` counts as long as it has a force, whatever its gap; one that has opened
-  /// counts again when its gap is below `touch`. Others count only in `outcome.deepest_new`.
-  /// @param closed   contacts that touch, with modes and impulses to start from
-  /// @param touch    [m]
-  /// @param outcome  its room is used again
-  void substep(SceneState& state, double h, const std::vector<ActiveContact>& closed, double touch,
-               StepOutcome& outcome);
+  /// Returns the scene's initial state, at t = 0.
+  [[nodiscard]] SceneState initial_state() const;
 
-  /// Moreau's midpoint step on whatever is near, for steps of fixed length:
-  ///   q_m = q + h/2 v,   v+ = v + A^-1 (h f(q_m) + J(q_m)' P),   q+ = q_m + h/2 v+,
-  /// A = M(q_m) + h/2 D + h^2/4 K with the damping D and stiffness K of joints and drives,
-  /// f with springs and dampers at v, and the velocity product at the mean of v and of the speeds
-  /// without impulses. It is of second order while no mode changes. A contact may close its gap by
-  /// the next middle, u_n+ >= -gap(q_m) / h, and depth is pushed out at no more than `recovery`;
-  /// nothing bounces. Source: [Moreau1988].
-  ///
-  /// A contact that touched or stuck before goes on in the mean of both ends, u+ = -u~, which keeps
-  /// second order where its Jacobian turns; u~ is 2 gap(q_m) / h or J(q_m)' v. By itself that would
-  /// let speeds and forces alternate for ever, as v+ = -v is at rest in the mean. So u~ is 3/4 of
-  /// this step's and 1/4 of that of the step before: what alternates becomes less by sqrt(1/2) a
-  /// step along the normal and by 1/2 across it, and what is smooth stays to second order.
-  ///
-  /// The contact problem is solved towards the rounding of gaps, as speeds over those of the
-  /// problem: what one step leaves over stays in the gaps, and contacts that are more than the
-  /// freedoms of the bodies then cannot all stick in the next one. 1e-9 counts as solved.
-  /// @param recovery  [m/s]
-  void time_step(SceneState& state, double h, const std::vector<ActiveContact>& last,
-                 double recovery, StepOutcome& outcome);
+  /// Finds all contacts and joint limits within a margin, and all dry frictions, with velocities.
+  /// @param margin  largest gap [m]
+  /// @param out     replaced; its capacity is reused
+  void find_contacts(const SceneState& state, double margin, std::vector<ActiveContact>& out);
 
-  /// Ends all approach of the contacts in `touching` at once, by impulses at a fixed position;
-  /// Newton's restitution  u_n+ >= -e u_n-.
-  ///
-  /// Impulses take energy. What they make all the same, here and in time_step(), is no flow: it is
-  /// missing in the balance (flow_balance()).
-  void impact(SceneState& state, const std::vector<ActiveContact>& touching, StepOutcome& outcome);
+  /// Sets `min_new_gap` and `new_closing_speed` of an outcome from the contacts of `found` that
+  /// are not in `closed`.
+  static void find_deepest_new(const std::vector<ActiveContact>& found,
+                               const std::vector<ActiveContact>& closed, StepOutcome& outcome);
 
-  /// Moves positions so that gaps of `touching` that have a force become zero, by the least motion
-  /// in the metric of the mass matrix. It is no flow of energy: what weights and springs gain by it
-  /// is made of nothing, and what drives do on that way is not told. @param most  of each gap [m]
-  void close_gaps(SceneState& state, const std::vector<ActiveContact>& touching, double most);
+  /// Computes how close two states are to a missed collision: for each pair of bodies that could
+  /// have met in between, the sum of their largest displacements over half the thickness of the
+  /// thinner body. Above 1 they may have passed through each other. [1]
+  /// @param touching  contacts in force, whose pairs of bodies are exempt
+  [[nodiscard]] double tunnelling_ratio(const SceneState& from, const SceneState& to,
+                                        const std::vector<ActiveContact>& touching);
 
-  /// Computes how far surfaces have moved between two states, relative to the motion that may pass
-  /// unseen: for each pair of bodies that could have met, the sum of their largest displacements
-  /// over half the thinner one's thickness. Above 1 they may have gone through each other. [1]
-  /// @param touching  contacts whose pairs need no look
-  [[nodiscard]] double motion_between(const SceneState& from, const SceneState& to,
-                                      const std::vector<ActiveContact>& touching);
+  /// Computes the poses of all bodies in the world. @param out  (bodies)
+  void compute_poses(const SceneState& state, std::vector<Pose<double>>& out);
 
-  /// Poses of all bodies at a state.
-  void poses(const SceneState& state, std::vector<Pose<double>>& out);
+  /// Scales all quaternions of q to length 1. @param q  (q)
+  void normalise_quaternions(Eigen::VectorXd& q) const;
 
-  [[nodiscard]] SceneEnergy energy(const SceneState& state);
-  /// Computes the kinetic energy alone [J].
-  [[nodiscard]] double kinetic_energy(const SceneState& state);
-
-  /// Rates of the state without contacts, limits and dry friction.
+  /// Computes the rates of the state without contacts, joint limits and dry friction.
   /// @param q_dot  (q);  @param v_dot  (v);  @param z_dot  (z)
-  /// @return whether all elements could act
-  bool free_rates(const SceneState& state, Eigen::VectorXd& q_dot, Eigen::VectorXd& v_dot,
-                  Eigen::VectorXd& z_dot);
-  /// Returns the number of energy flows that go on where nothing touches: kFreeFlows, or 0.
-  [[nodiscard]] Eigen::Index free_flows() const;
-  /// Their powers at the last free_rates() [W] (free_flows()).
-  [[nodiscard]] Eigen::VectorBlock<const EnergyFlows> free_powers() const;
-
-  /// The scene's beginning.
-  [[nodiscard]] SceneState start() const;
-  /// Returns the largest error of elements in the step that ends at a state: ForceElement::doubt()
-  /// [1].
-  [[nodiscard]] double elements_doubt(const SceneState& state);
-  /// A step ended at a state: elements go on from there.
-  void accept(const SceneState& state);
-  /// Returns the longest step for which the forces of all elements are valid [s].
-  [[nodiscard]] double elements_foresee() const;
-  /// Adds the contacts that elements stand for.
-  void add_element_contacts(const SceneState& state, std::vector<ContactSample>& out);
-  /// Returns true if an element may set a resting scene in motion.
-  [[nodiscard]] bool elements_move(const SceneState& state);
-  /// Returns the numbers of elements that may be set; readings() returns the values that elements
-  /// report: see ForceElement.
-  [[nodiscard]] std::vector<ElementControl> controls() const;
-  /// @throws InputError if no element has such a control, or it cannot have that value.
-  void set_control(const std::string& name, double value);
-  [[nodiscard]] std::vector<ElementValue> readings(const SceneState& state);
-
-  /// Resets to the state after construction: pairs of bodies and elements remember nothing, and no
-  /// control is set.
-  void forget();
-
-  /// Most negative gap among contacts that are not in `closed`, and how fast it closes.
-  static void note_new(const std::vector<ActiveContact>& found,
-                       const std::vector<ActiveContact>& closed, StepOutcome& outcome);
+  /// @return false if an element has no valid force here
+  bool compute_free_rates(const SceneState& state, Eigen::VectorXd& q_dot, Eigen::VectorXd& v_dot,
+                          Eigen::VectorXd& z_dot);
 
   /// Returns true if springs, dampers and drives are so stiff that an explicit step of this length
-  /// would be unstable: h D > M or h^2 K > M on the diagonal.
+  /// would be unstable: h D > M or h^2 K > M on the diagonal, or h times the decay rate of an
+  /// element state above 1. @param h  [s]
   [[nodiscard]] bool is_stiff(const SceneState& state, double h);
 
-  /// Quaternions to length 1.
-  void normalise(Eigen::VectorXd& q) const;
+  // Steps.
+
+  /// Takes a half-explicit Euler step on the contacts of `closed`:
+  ///   q+ = q + h v,   v+ = v + A^-1 (h f(q+, v) + J(q+)' P),   A = M(q+) + h D + h^2 K,
+  /// with the damping D and stiffness K of joints, drives and elements, so that stiff ones do not
+  /// limit the step size, and  z+ = z + h z'(q+, v, z) / (1 + h decay)  for states of elements. The
+  /// impulses P keep the velocities J v+ from closing gaps and obey Coulomb's law with the exact
+  /// cone. The step is of first order, its error has an expansion in h while no contact changes its
+  /// mode, and J v+ = 0 holds to rounding where contacts stick.
+  ///
+  /// A contact of `closed` with a force takes part at any gap; one that has opened takes part again
+  /// once its gap is below `touch`. Other contacts only set `outcome.min_new_gap`.
+  /// @param h        [s]
+  /// @param closed   contacts that touch, with modes and impulses for the warm start
+  /// @param touch    largest gap that counts as closed [m]
+  /// @param outcome  replaced; its capacity is reused
+  void take_euler_substep(SceneState& state, double h, const std::vector<ActiveContact>& closed,
+                          double touch, StepOutcome& outcome);
+
+  /// Takes Moreau's midpoint step on all contacts nearby, for steps of fixed length:
+  ///   q_m = q + h/2 v,   v+ = v + A^-1 (h f(q_m) + J(q_m)' P),   q+ = q_m + h/2 v+,
+  /// A = M(q_m) + h/2 D + h^2/4 K with the damping D and stiffness K of joints, drives and
+  /// elements, f with springs and dampers at v, and the velocity product at the mean of v and of
+  /// the velocity without impulses. It is of second order while no mode changes. A contact may
+  /// close its gap by the next midpoint, u_n+ >= -gap(q_m) / h; penetration is pushed out no faster
+  /// than `recovery`; restitution is not modelled. Source: [Moreau1988].
+  ///
+  /// A contact that touched or stuck before obeys its law in the mean of both ends, u+ = -u~, which
+  /// keeps second order where its Jacobian turns; u~ is 2 gap(q_m) / h or J(q_m)' v. On its own
+  /// this leaves an undamped alternation of velocities and forces, because v+ = -v has a mean of
+  /// zero. Therefore u~ is 3/4 of this step's value and 1/4 of the previous step's: alternation
+  /// decays by sqrt(1/2) per step along the normal and by 1/2 across it, and smooth motion stays
+  /// second order.
+  ///
+  /// The contact problem is solved to the rounding error of gaps, as a velocity over the largest
+  /// one of the problem: a larger residual would remain in the gaps, and redundant contacts could
+  /// not all stick in the next step. A residual of 1e-9 counts as solved.
+  /// @param h         [s]
+  /// @param last      contacts of the previous step, with modes and impulses for the warm start
+  /// @param recovery  largest speed at which penetration is pushed out [m/s]
+  /// @param outcome   replaced; its capacity is reused
+  void take_midpoint_step(SceneState& state, double h, const std::vector<ActiveContact>& last,
+                          double recovery, StepOutcome& outcome);
+
+  // Impact and projection.
+
+  /// Resolves the impacts of all contacts in `touching` at once, by impulses at a fixed position;
+  /// Newton's restitution  u_n+ >= -e u_n-.
+  ///
+  /// Impulses dissipate energy. Energy that they add nevertheless, here and in
+  /// take_midpoint_step(), is not booked as a flow and appears as an error in flow_balance().
+  void resolve_impact(SceneState& state, const std::vector<ActiveContact>& touching,
+                      StepOutcome& outcome);
+
+  /// Moves positions so that the gaps of contacts of `touching` with a force become zero, by the
+  /// least motion in the metric of the mass matrix. The projection is not booked as an energy flow:
+  /// neither the energy that weights and springs gain, nor the work of drives along the way.
+  /// @param max_correction  largest correction of one gap in one of the three iterations [m]
+  void close_gaps(SceneState& state, const std::vector<ActiveContact>& touching,
+                  double max_correction);
+
+  // Energy.
+
+  /// Computes kinetic, gravitational and spring energies [J].
+  [[nodiscard]] SceneEnergy energy(const SceneState& state);
+  /// Computes the kinetic energy [J].
+  [[nodiscard]] double kinetic_energy(const SceneState& state);
+  /// Returns the number of energy flows without contacts: kFreeFlowCount, or 0 if nothing acts.
+  [[nodiscard]] Eigen::Index free_flow_count() const;
+  /// Returns the powers of these flows at the last compute_free_rates() [W] (free_flow_count()).
+  [[nodiscard]] Eigen::VectorBlock<const EnergyFlows> free_powers() const;
+
+  // Force elements (see ForceElement).
+
+  /// Returns the largest error of any element over the step that ends at a state, relative to its
+  /// tolerance [1].
+  [[nodiscard]] double element_step_error(const SceneState& state);
+  /// Ends a step at a state: elements update what they remember.
+  void accept_step(const SceneState& state);
+  /// Returns the longest step for which the forces of all elements are valid [s].
+  [[nodiscard]] double max_element_step() const;
+  /// Appends the contacts that elements model.
+  void add_element_contacts(const SceneState& state, std::vector<ContactSample>& out);
+  /// Returns true if an element may set a resting scene in motion.
+  [[nodiscard]] bool elements_may_start_motion(const SceneState& state);
+  /// Returns the controls of all elements.
+  [[nodiscard]] std::vector<ElementControl> element_controls() const;
+  /// Sets a control of an element from the next step on.
+  /// @throws InputError if no element has that control, or the value is out of range.
+  void set_element_control(const std::string& name, double value);
+  /// Returns the values that elements report at a state.
+  [[nodiscard]] std::vector<ElementValue> element_readings(const SceneState& state);
 
  private:
   struct Parts;

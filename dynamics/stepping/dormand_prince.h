@@ -7,9 +7,10 @@
 
 namespace thenar {
 
-/// Dormand and Prince's method of order eight with twelve stages, of which lower orders estimate
-/// the error: the stages are  k_i = f(t + c_i h, y + h sum_j a_ij k_j),  the step ends at
-/// y + h sum_i b_i k_i. Source: [Hairer1993] section II.5, and their program DOP853.
+/// Dormand and Prince's method of order eight with twelve stages and embedded methods of orders
+/// five and three for the error estimate: the stages are  k_i = f(t + c_i h, y + h sum_j a_ij k_j),
+/// the step ends at  y + h sum_i b_i k_i.  Source: [Hairer1993] section II.5, and their program
+/// DOP853.
 struct DormandPrince {
   static constexpr std::size_t kStages = 12;
 
@@ -62,22 +63,22 @@ struct DormandPrince {
                                                  2.0136540080403034837e-1,
                                                  4.4710615727772590518e-2};
 
-  /// b less the weights of a method of order five.
-  static constexpr std::array<double, kStages> less_five{1.3120044994194880733e-2,
-                                                         0,
-                                                         0,
-                                                         0,
-                                                         0,
-                                                         -1.2251564463762044407,
-                                                         -4.9575894965725019152e-1,
-                                                         1.664377182454986537,
-                                                         -3.5032884874997368169e-1,
-                                                         3.3417911871301747903e-1,
-                                                         8.1923206485115712466e-2,
-                                                         -2.2355307863886295259e-2};
+  /// Weights b minus those of the embedded method of order five.
+  static constexpr std::array<double, kStages> b_minus_b5{1.3120044994194880733e-2,
+                                                          0,
+                                                          0,
+                                                          0,
+                                                          0,
+                                                          -1.2251564463762044407,
+                                                          -4.9575894965725019152e-1,
+                                                          1.664377182454986537,
+                                                          -3.5032884874997368169e-1,
+                                                          3.3417911871301747903e-1,
+                                                          8.1923206485115712466e-2,
+                                                          -2.2355307863886295259e-2};
 
-  /// Weights of a method of order three.
-  static constexpr std::array<double, kStages> three{
+  /// Weights of the embedded method of order three.
+  static constexpr std::array<double, kStages> b3{
       31.0 / 127, 0, 0, 0, 0, 0, 0, 0, 7.3384668828161185734e-1, 0, 0, 3.0 / 136};
 };
 

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/stepping/energy_flow.h"
+
 namespace thenar {
 namespace {
 
-constexpr double kRoundingShare = 1e-6;  // of what is turned over: smaller errors are alike [1]
+constexpr double kRoundingShare =
+    1e-6;  // error that counts as rounding over turned-over energy [1]
 
-/// Work of elements that are not passive, beyond what they store [J]: their springs are among the
-/// energies.
+/// Computes the work of elements that are not passive on scene and springs: work on the scene plus
+/// the increase of their stored energy, which the balance counts as energy [J].
 double work_of_elements(const SceneSample& first, const SceneSample& last) {
   if (last.z.size() == 0) return 0;
   const Eigen::Index work = last.z.size() - 1;
@@ -18,34 +21,33 @@ double work_of_elements(const SceneSample& first, const SceneSample& last) {
 
 }  // namespace
 
-double FlowBalance::share() const {
-  return std::abs(error) / (turned_over + kSceneEnergyRest / kSceneEnergyShare);
+double FlowBalance::relative_error() const {
+  return std::abs(error) / (turned_over + kEnergyErrorFloor / kMaxEnergyErrorRatio);
 }
 
 FlowBalance flow_balance(const SceneSample& first, const SceneSample& last) {
   FlowBalance out;
   const EnergyFlows flows = last.w - first.w;
   out.t = last.t;
-  out.work = flows[kApplied] + work_of_elements(first, last);
-  out.friction = flows[kRubbed];
-  out.impacts = flows[kStruck];
-  // Passive elements dissipate what they take and do not store.
+  out.work = flows[kAppliedWork] + work_of_elements(first, last);
+  out.friction = flows[kFrictionLoss];
+  out.impacts = flows[kImpactLoss];
+  // Passive elements dissipate the energy that they receive and do not store.
   const double stored = last.energy.of_passive - first.energy.of_passive;
-  out.yielding = flows[kDamped] - flows[kPassive] - stored;
+  out.yielding = flows[kDamperLoss] - flows[kPassiveWork] - stored;
   out.error = first.energy.total() + out.work - out.dissipated() - last.energy.total();
-  const double kinetic =
-      std::max({first.energy.kinetic, last.energy.kinetic, last.w[kMostKinetic]});
-  // Of what rests, losses are rounding.
+  const double kinetic = std::max({first.energy.kinetic, last.energy.kinetic, last.w[kMaxKinetic]});
+  // Ignore negative losses, which are rounding in a scene at rest.
   const auto lost = [](double loss) { return std::max(0.0, loss); };
   out.turned_over =
-      kinetic + flows[kWorked] + lost(out.friction) + lost(out.impacts) + lost(out.yielding);
+      kinetic + flows[kWorkMagnitude] + lost(out.friction) + lost(out.impacts) + lost(out.yielding);
   return out;
 }
 
 FlowBalance worst_balance(const std::vector<SceneSample>& samples) {
   const FlowBalance end = flow_balance(samples.front(), samples.back());
   FlowBalance worst = end;
-  // Largest error from the start on; errors below rounding do not displace the last instant.
+  // Find the largest error; errors below rounding do not replace the last instant.
   for (const SceneSample& sample : samples) {
     const FlowBalance here = flow_balance(samples.front(), sample);
     const double known = std::max(std::abs(worst.error), kRoundingShare * end.turned_over);

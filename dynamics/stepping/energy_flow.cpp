@@ -6,7 +6,7 @@
 namespace thenar {
 namespace {
 
-/// Power of all forces and moments [W].
+/// Computes the power of all loads on links [W].
 double power_of_loads(const TreeMotion<double>& motion) {
   double power = 0;
   for (const MovingLink<double>& link : motion.links())
@@ -14,15 +14,16 @@ double power_of_loads(const TreeMotion<double>& motion) {
   return power;
 }
 
-/// Mean power of a drive over a step [W].
+/// Computes the mean power of a drive over a step [W].
 double power_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
                       const StepEfforts& at) {
-  // Effort at the beginning, less its slopes unless it is cut, times the mean speed.
+  // Linearise the effort over the step, unless it is at its limit; multiply by the mean speed.
   const auto c = static_cast<std::size_t>(drive.coordinate);
   const int row = layout.coordinate_v[c];
-  double effort = drive_effort(drive, at.q[layout.coordinate_q[c]], at.v[row], at.t, at.acting);
+  double effort =
+      drive_effort(drive, at.q[layout.coordinate_q[c]], at.v[row], at.t, at.selection_time);
   if (std::abs(effort) < drive.max_effort)
-    effort -= (at.share * drive.damping + at.share * at.share * at.h * drive.stiffness) *
+    effort -= (at.theta * drive.damping + at.theta * at.theta * at.h * drive.stiffness) *
               (at.v_end[row] - at.v[row]);
   return 0.5 * effort * (at.v[row] + at.v_end[row]);
 }
@@ -37,18 +38,18 @@ bool has_powers(const MovingScene& scene) {
 
 Eigen::Vector2d applied_powers(const MovingScene& scene, const MechanismLayout& layout,
                                const TreeMotion<double>& motion, const StepEfforts& at) {
-  // Power of forces and drives.
+  // Sum the powers of forces and active drives.
   double applied = scene.forces.empty() ? 0 : power_of_loads(motion), damped = 0;
   for (const SceneDrive& drive : scene.drives)
-    if (drive.when.holds(at.acting)) applied += power_of_drive(drive, layout, at);
-  // Dampers, at the speed at which the step takes them, times the mean speed.
+    if (drive.when.holds(at.selection_time)) applied += power_of_drive(drive, layout, at);
+  // Sum joint dampers, evaluated at the velocity that the step uses, times the mean speed.
   for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) {
     const MechanismJoint& joint = scene.mechanism.joints[i];
     if (!is_scalar(joint.kind) || joint.damping == 0) continue;
     const int row = layout.first_v[i];
     const double slope = joint_value(joint, at.q[layout.first_q[i]]).slope;
-    const double taken_at = at.v[row] + at.share * (at.v_end[row] - at.v[row]);
-    damped += joint.damping * slope * slope * taken_at * 0.5 * (at.v[row] + at.v_end[row]);
+    const double speed = at.v[row] + at.theta * (at.v_end[row] - at.v[row]);
+    damped += joint.damping * slope * slope * speed * 0.5 * (at.v[row] + at.v_end[row]);
   }
   return {applied, damped};
 }

@@ -8,14 +8,18 @@
 namespace thenar {
 namespace {
 
-constexpr double kFirstShare = 0.1;        // of the longest step, of the first one [1]
-constexpr double kMostStretch = 1.1;       // of a step, to end where it must [1]
-constexpr int kChatterSteps = 200;         // that are judged together
-constexpr double kChatterTime = 1e-4;      // that they should have passed [s]
-constexpr double kChatterPassTime = 1e-3;  // that steps of fixed length pass instead [s]
-constexpr int kPassSteps = 10;             // of them
-constexpr int kUnsolvedTrials = 3;         // of a step whose problems are not solved, all shorter
-constexpr double kUnsolvedDoubt = 4;  // of such a trial, which tells its length as doubts do [1]
+constexpr double kInitialStepRatio = 0.1;  // length of the first step over the longest step [1]
+constexpr double kMaxStretch = 1.1;        // largest extension of a step to end at a stop [1]
+constexpr int kChatterSteps = 200;         // number of steps over which chattering is judged
+constexpr double kChatterTime = 1e-4;      // time below which these steps count as chattering [s]
+constexpr double kBurstTime = 1e-3;        // time passed by one burst of fixed steps [s]
+constexpr int kBurstSteps = 10;            // number of fixed steps in a burst
+constexpr int kMaxUnsolvedTrials = 3;      // largest number of repetitions of an unsolved step
+constexpr double kUnsolvedError = 4;      // error assigned to an unsolved trial: 0.45 of its length
+                                          // is tried next [1]
+constexpr double kLengthRounding = 1e-9;  // relative rounding error of step lengths [1]
+constexpr double kArcRatio = 0.25;  // excursion of a step that ends where it began, over its length
+                                    // and largest speed: constant deceleration turns it round [1]
 
 }  // namespace
 
@@ -23,205 +27,208 @@ EventStepper::EventStepper(const MovingScene& scene, const SceneOptions& options
     : step_(scene),
       options_(options),
       cost_(cost),
-      switches_(switching_times(scene)),
-      state_(step_.start()),
+      switching_times_(switching_times(scene)),
+      state_(step_.initial_state()),
       counts_(cost),
       trials_(step_, options, counts_, state_),
       touching_(step_, options, counts_, cost),
       control_(options),
-      length_(kFirstShare * options.longest) {
-  step_.solve_contacts_by(options.contacts);
+      next_length_(kInitialStepRatio * options.longest) {
+  step_.set_solver_options(options.contacts);
 }
 
-void EventStepper::begin() {
-  step_.find(state_, kNearGap, trials_.found());
-  touching_.touch_and_bounce(state_, trials_.found());
+void EventStepper::resolve_initial_impacts() {
+  step_.find_contacts(state_, kSearchMargin, trials_.end_contacts());
+  touching_.update_with_impacts(state_, trials_.end_contacts());
 }
 
-/// The instant at which a step must end: at `stop`, or where something begins or ends to act [s].
+/// Returns the instant at which the next step must end: `stop` or the next switching time [s].
 double EventStepper::next_stop(double stop) const {
-  const auto next = std::upper_bound(switches_.begin(), switches_.end(), state_.t);
-  return next == switches_.end() ? stop : std::min(stop, *next);
+  const auto next = std::upper_bound(switching_times_.begin(), switching_times_.end(), state_.t);
+  return next == switching_times_.end() ? stop : std::min(stop, *next);
 }
 
-bool EventStepper::go_on(double stop) {
-  // Piles of events and rest are passed over.
+bool EventStepper::take_step(double stop) {
+  // Pass over chattering and rest.
   if (is_chattering()) {
-    pass_events(stop);
+    skip_chattering(stop);
     return true;
   }
-  if (options_.sleep && sleep_.sleeps()) {
-    pass_time(stop);
+  if (options_.sleep && sleep_.is_asleep()) {
+    skip_rest(stop);
     return true;
   }
-  // Equal parts up to the next stop.
-  const double left = next_stop(stop) - state_.t, reach = control_.reach();
-  length_ = std::min({length_, reach, std::max(step_.elements_foresee(), options_.shortest)});
-  const double parts = std::ceil(left / std::min(kMostStretch * length_, reach) - 1e-9);
-  return step_once(parts > 1 ? left / parts : left, left, stop) > 0;
+  // Divide the time to the next stop into equal steps no longer than the proposed length.
+  const double left = next_stop(stop) - state_.t, max_length = control_.max_length();
+  next_length_ =
+      std::min({next_length_, max_length, std::max(step_.max_element_step(), options_.shortest)});
+  const double parts =
+      std::ceil(left / std::min(kMaxStretch * next_length_, max_length) - kLengthRounding);
+  return take_adaptive_step(parts > 1 ? left / parts : left, left, stop) > 0;
 }
 
 SceneSample EventStepper::sample() {
-  SceneSample out;
-  out.t = state_.t;
-  out.q = state_.q;
-  out.v = state_.v;
-  out.z = state_.z;
-  out.contacts = contact_samples(touching_.closed(), touching_.impulse_time());
-  step_.add_element_contacts(state_, out.contacts);
-  out.energy = step_.energy(state_);
-  out.w = state_.w;
-  return out;
+  return make_sample(step_, state_, touching_.closed(), touching_.impulse_time());
 }
 
-/// Returns whether the last steps went nowhere: events follow each other without end.
+/// Returns true if the last kChatterSteps steps together passed less than kChatterTime.
 bool EventStepper::is_chattering() {
-  // Judge kChatterSteps steps together, by the time that they passed.
-  ++since_mark_;
-  if (since_mark_ < kChatterSteps) return false;
-  since_mark_ = 0;
-  const bool stands = state_.t - mark_ < kChatterTime;
-  mark_ = state_.t;
-  return stands;
+  // Count steps until kChatterSteps can be judged.
+  ++steps_since_mark_;
+  if (steps_since_mark_ < kChatterSteps) return false;
+  steps_since_mark_ = 0;
+  // Compare the time that they passed, and start a new count.
+  const bool chatters = state_.t - mark_time_ < kChatterTime;
+  mark_time_ = state_.t;
+  return chatters;
 }
 
-/// Goes through a pile of events by some steps of fixed length, which need not tell them apart.
-void EventStepper::pass_events(double stop) {
-  // Steps of a fixed length, from impulses scaled to it.
-  const double end = std::min(next_stop(stop), state_.t + kChatterPassTime);
-  const double h = (end - state_.t) / kPassSteps, before = touching_.impulse_time();
+/// Passes a burst of fixed steps, which contain events and need not resolve them one by one.
+void EventStepper::skip_chattering(double stop) {
+  // Take fixed steps, starting from impulses scaled to their length.
+  const double end = std::min(next_stop(stop), state_.t + kBurstTime);
+  const double h = (end - state_.t) / kBurstSteps, before = touching_.impulse_time();
   std::vector<ActiveContact> last = touching_.closed();
   scale_impulses(last, before > 0 ? h / before : 0);
-  step_.act_as_at(state_.t);
+  step_.select_active_forces(state_.t);
   double part = h;
-  for (int i = 0; i < kPassSteps && is_finite(state_); ++i)
-    part = fixed_.take(step_, h, options_, state_, last, cost_);
+  for (int i = 0; i < kBurstSteps && is_finite(state_); ++i)
+    part = fixed_.take_step(step_, h, options_, state_, last, cost_);
   state_.t = end;
   ++cost_.passed;
-  touching_.take(last, part);
+  touching_.set_closed(last, part);
   if (!is_finite(state_)) return;
-  // Contacts at the end, with impacts.
-  note_limits(step_.scene().mechanism, step_.model().layout, state_.q, cost_.beyond);
-  step_.accept(state_);
-  step_.find(state_, kNearGap, trials_.found());
-  touching_.touch_and_bounce(state_, trials_.found());
+  // Record joint limits, then update contacts at the end and resolve their impacts.
+  update_limit_excess(step_.scene().mechanism, step_.model().layout, state_.q, cost_.beyond);
+  step_.accept_step(state_);
+  step_.find_contacts(state_, kSearchMargin, trials_.end_contacts());
+  touching_.update_with_impacts(state_, trials_.end_contacts());
 }
 
-/// Lets time pass at rest.
-void EventStepper::pass_time(double stop) {
+/// Passes time at rest, to the next switching time at most.
+void EventStepper::skip_rest(double stop) {
   const double end = next_stop(stop);
   cost_.asleep += end - state_.t;
   state_.t = end;
-  step_.accept(state_);
+  step_.accept_step(state_);
   wake_at_switches();
 }
 
-/// Makes one step of at most `wanted`. @return its length [s]; 0: there is none
-double EventStepper::step_once(double wanted, double left, double stop) {
-  double length = control_.begin(state_.t, wanted);
-  if (!find_length(length)) return 0;
+/// Takes one step of at most `wanted`. @param left  time to the next stop [s]
+/// @return its length [s]; 0: no step is possible
+double EventStepper::take_adaptive_step(double wanted, double left, double stop) {
+  double length = control_.first_trial_length(state_.t, wanted);
+  if (!find_accepted_length(length)) return 0;
   if (trials_.result().error > 1) ++cost_.coarse;
-  // Contacts at the end of a step that was too short to be looked at.
-  trials_.find_end();
+  // Accept the trial with its contacts at the end, then propose the next length.
+  trials_.find_end_contacts();
   was_solved_ = counts_.unsolved() == 0;
-  accept(length, length == left ? next_stop(stop) : state_.t + length);
-  length_ = std::max(control_.after(trials_, length), options_.shortest);
+  accept_trial(length, length == left ? next_stop(stop) : state_.t + length);
+  next_length_ = std::max(control_.next_step_length(trials_, length), options_.shortest);
   return length;
 }
 
-/// Tries steps, ever shorter, until one is good enough. @return false if the state is no number
-bool EventStepper::find_length(double& length) {
-  int unsolved = 0;  // trials of it that were not solved
+/// Repeats a step with ever shorter lengths until a trial is acceptable.
+/// @param length  of the first trial, replaced by that of the accepted one [s]
+/// @return false if the state is infinite or NaN
+bool EventStepper::find_accepted_length(double& length) {
+  int unsolved_trials = 0;  // number of repetitions for unsolved contact problems
   while (true) {
-    trials_.attempt({state_, touching_.closed(), touching_.impulse_time()}, length);
+    trials_.try_step({state_, touching_.closed(), touching_.impulse_time()}, length);
     const StepTrial& trial = trials_.result();
-    // A state that is no number at the shortest length is hopeless.
+    // Give up if even the shortest step overflows.
     if (!std::isfinite(trial.error) && length <= options_.shortest) return false;
-    // A step beyond the usual longest must hardly move.
-    if (length > (1 + 1e-9) * options_.longest && moved_by(trial, length) >= kNearGap) {
+    // A step longer than options_.longest is valid only if positions hardly move.
+    if (length > (1 + kLengthRounding) * options_.longest &&
+        max_displacement(trial, length) >= kSearchMargin) {
       ++cost_.rejected;
-      length = control_.shorten_to_longest();
+      length = control_.cap_at_longest();
       continue;
     }
-    // No gap closes, and error or length are small enough: elements may still doubt it.
-    double doubt = 0;
-    if (trial.closes < 0 && (trial.error <= 1 || length <= options_.shortest)) {
-      doubt = doubt_of(length, unsolved);
-      if (doubt <= 1) return true;
+    // Accept a trial without closing gap and with a small error, if its other errors are small too.
+    double error = 0;
+    if (trial.closing_time < 0 && (trial.error <= 1 || length <= options_.shortest)) {
+      error = trial_error(length, unsolved_trials);
+      if (error <= 1) return true;
     }
-    // Rejected: shorter for the doubt, the closing gap, the error or the change of modes.
+    // Otherwise shorten the step for these errors, the closing gap, the error or a mode change.
     ++cost_.rejected;
-    if (doubt > 1) {
-      trials_.forget_rates();
-      length = control_.shorten_for(doubt, length);
-    } else if (trial.closes >= 0 && trial.closes <= options_.shortest &&
+    if (error > 1) {
+      trials_.discard_rates();
+      length = control_.shorten_for_elements(error, length);
+    } else if (trial.closing_time >= 0 && trial.closing_time <= options_.shortest &&
                length <= options_.shortest) {
-      control_.note_rejected();
-      return true;  // as near as time is resolved
+      control_.record_rejection();
+      return true;  // the gap closes within the shortest step
     } else {
-      length = control_.shorten(trials_, state_.t, length);
+      length = control_.shorten_after_rejection(trials_, state_.t, length);
     }
   }
 }
 
-/// Doubt in a trial whose error is small enough: that of elements, or of problems that are not
-/// solved and may be so over a shorter step, unless that did not help before [1].
-double EventStepper::doubt_of(double length, int& unsolved) {
-  const double doubt = step_.elements_doubt(trials_.result().state);
+/// Returns the error of a trial beyond its integration error: that of elements, or kUnsolvedError
+/// if contact problems are unsolved and a shorter step may solve them [1].
+double EventStepper::trial_error(double length, int& unsolved_trials) {
+  const double error = step_.element_step_error(trials_.result().state);
   if (length <= options_.shortest) return 0;
-  if (doubt > 1) return doubt;
-  const bool tries_again = counts_.unsolved() > 0 && was_solved_ && unsolved < kUnsolvedTrials;
-  if (!tries_again) return doubt;
-  ++unsolved;
-  return kUnsolvedDoubt;
+  if (error > 1) return error;
+  // Repeat an unsolved step a few times, unless the previous step stayed unsolved, too.
+  const bool repeats =
+      counts_.unsolved() > 0 && was_solved_ && unsolved_trials < kMaxUnsolvedTrials;
+  if (!repeats) return error;
+  ++unsolved_trials;
+  return kUnsolvedError;
 }
 
-/// Goes on from the end of a trial. @param end  instant of it [s]
-void EventStepper::accept(double length, double end) {
+/// Makes the end of a trial the present state. @param end  its instant [s]
+void EventStepper::accept_trial(double length, double end) {
   StepTrial& trial = trials_.result();
   const bool was_still = is_still(state_);
-  // Where positions hardly move, the next step may be long.
-  control_.set_reach(step_.scene().elements.empty() && moved_by(trial, length) < kNearGap);
-  // State, contacts and counts of the trial.
-  keep_account(trial.state);
+  // Allow longer steps while positions hardly move.
+  control_.set_max_length(step_.scene().elements.empty() &&
+                          max_displacement(trial, length) < kSearchMargin);
+  // Take over state, contacts and counts of the trial.
+  update_energy_account(trial.state);
   state_ = trial.state;
   state_.t = end;
-  touching_.take(trial.active, trial.h);
+  touching_.set_closed(trial.active, trial.h);
   counts_.accept();
   ++cost_.steps;
-  note_limits(step_.scene().mechanism, step_.model().layout, state_.q, cost_.beyond);
-  // Contacts that touch at the end, with gaps closed and impacts, then rest and elements.
+  update_limit_excess(step_.scene().mechanism, step_.model().layout, state_.q, cost_.beyond);
+  // Correct gaps and resolve impacts at the end.
   const std::vector<ActiveContact>& closed = touching_.closed();
   const bool slides = std::any_of(closed.begin(), closed.end(), [](const ActiveContact& c) {
     return c.mode == ContactMode::kSlide;
   });
-  const double gap = touching_.touch_again(length, state_, trials_.found());
-  step_.accept(state_);
-  sleep_.observe(step_, was_still, slides, gap, options_.touch, state_);
-  trials_.forget_rates();
+  const double gap = touching_.close_gaps_and_update(length, state_, trials_.end_contacts());
+  // Inform elements, detect rest, and wake the scene at switching times.
+  step_.accept_step(state_);
+  sleep_.observe_step(step_, was_still, slides, gap, options_.touch, state_);
+  trials_.discard_rates();
   wake_at_switches();
 }
 
-/// Measures how much energy there is to keep account of in the step to a state.
-void EventStepper::keep_account(SceneState& end) {
-  end.w[kWorked] = state_.w[kWorked] + std::abs(end.w[kApplied] - state_.w[kApplied]);
-  if (end.z.size() > 0) end.w[kWorked] += std::abs((end.z - state_.z).tail<1>()[0]);
-  end.w[kMostKinetic] = std::max(state_.w[kMostKinetic], step_.kinetic_energy(end));
+/// Updates the measures of turned-over energy for the step to a state.
+void EventStepper::update_energy_account(SceneState& end) {
+  end.w[kWorkMagnitude] =
+      state_.w[kWorkMagnitude] + std::abs(end.w[kAppliedWork] - state_.w[kAppliedWork]);
+  if (end.z.size() > 0) end.w[kWorkMagnitude] += std::abs((end.z - state_.z).tail<1>()[0]);
+  end.w[kMaxKinetic] = std::max(state_.w[kMaxKinetic], step_.kinetic_energy(end));
 }
 
-/// Wakes what rests where something begins or ends to act.
+/// Wakes a resting scene at switching times.
 void EventStepper::wake_at_switches() {
-  if (!std::binary_search(switches_.begin(), switches_.end(), state_.t)) return;
+  if (!std::binary_search(switching_times_.begin(), switching_times_.end(), state_.t)) return;
   sleep_.wake();
-  control_.set_reach(false);
+  control_.set_max_length(false);
 }
 
-/// Distance that a trial moves, at its end or on its way [m], [rad].
-double EventStepper::moved_by(const StepTrial& trial, double length) const {
+/// Estimates the largest displacement of a coordinate during a trial [m], [rad].
+double EventStepper::max_displacement(const StepTrial& trial, double length) const {
   if (state_.v.size() == 0) return 0;
   const double speed =
       std::max(state_.v.cwiseAbs().maxCoeff(), trial.state.v.cwiseAbs().maxCoeff());
-  return std::max((trial.state.q - state_.q).cwiseAbs().maxCoeff(), 0.25 * length * speed);
+  return std::max((trial.state.q - state_.q).cwiseAbs().maxCoeff(), kArcRatio * length * speed);
 }
 
 }  // namespace thenar

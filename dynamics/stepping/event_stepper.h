@@ -1,7 +1,21 @@
 #pragma once
 
-/// A scene that goes on by steps between events: contacts that close, modes that change, forces
-/// that begin or end to act.
+/// Event-driven time stepper: steps of variable length between closing gaps, changes of contact
+/// mode and switching times of forces.
+///
+/// One step, EventStepper::take_step():
+///   1. EventStepper passes over a chattering contact (FixedStep) or a scene at rest (SceneSleep).
+///   2. StepControl chooses the trial length: error estimate, expected mode change, next stop.
+///   3. StepTrials::try_step() integrates a trial. Without closed contacts FreeStep takes one step
+///      of order eight; otherwise Extrapolation combines columns of 1, 2, .. n Euler substeps.
+///   4. ContactStep::take_euler_substep() takes each substep (see contact_step.h).
+///   5. StepTrials reports the error, the instant of a closing gap and that of a mode change; force
+///      elements add their own error. EventStepper accepts the trial, or rejects it and lets
+///      StepControl shorten it.
+///   6. TouchingContacts closes the remaining gaps by projection, resolves impacts and determines
+///      the contact modes for the next step.
+///   7. Force elements accept the step, SceneSleep checks for rest, StepControl sets the next
+///   length.
 
 #include <vector>
 
@@ -13,56 +27,56 @@
 
 namespace thenar {
 
-/// Steps by kEvents: see simulate_scene().
+/// Time stepper for SteppingMethod::kEvents; simulate_scene() describes the method.
 class EventStepper {
  public:
-  /// @param options, cost  outlive it
+  /// @param options, cost  must outlive the stepper
+  /// @throws InputError as ContactStep
   EventStepper(const MovingScene& scene, const SceneOptions& options, SceneCost& cost);
 
-  /// Ends approaches at the start by impacts.
-  void begin();
+  /// Resolves the impacts of contacts that approach at the start. Call once, before take_step().
+  void resolve_initial_impacts();
 
-  /// Goes on by one step, or through a pile of events, or a rest.
-  /// @param stop  instant at which it must end at the latest [s]
-  /// @return false if no step can be made: the state is no number
-  [[nodiscard]] bool go_on(double stop);
+  /// Advances the state by one step, by a burst of fixed steps if contacts chatter, or to the next
+  /// switching time if the scene rests.
+  /// @param stop  latest end of the step [s]
+  /// @return false if no step is possible because the state has become infinite or NaN
+  [[nodiscard]] bool take_step(double stop);
 
   [[nodiscard]] const SceneState& state() const { return state_; }
-  /// The state and its contacts as runs keep them.
+  /// Returns the current state with its contact forces and energies.
   [[nodiscard]] SceneSample sample();
-  /// Energies at a state.
-  [[nodiscard]] SceneEnergy energy_at(const SceneState& state) {
-    return step_.energy(state);
-  }
+  /// Computes the energies at a state.
+  [[nodiscard]] SceneEnergy energy_at(const SceneState& state) { return step_.energy(state); }
 
  private:
   [[nodiscard]] double next_stop(double stop) const;
   [[nodiscard]] bool is_chattering();
-  void pass_events(double stop);
-  void pass_time(double stop);
-  [[nodiscard]] double step_once(double wanted, double left, double stop);
-  [[nodiscard]] bool find_length(double& length);
-  [[nodiscard]] double doubt_of(double length, int& unsolved);
-  void accept(double length, double end);
-  void keep_account(SceneState& end);
+  void skip_chattering(double stop);
+  void skip_rest(double stop);
+  [[nodiscard]] double take_adaptive_step(double wanted, double left, double stop);
+  [[nodiscard]] bool find_accepted_length(double& length);
+  [[nodiscard]] double trial_error(double length, int& unsolved_trials);
+  void accept_trial(double length, double end);
+  void update_energy_account(SceneState& end);
   void wake_at_switches();
-  [[nodiscard]] double moved_by(const StepTrial& trial, double length) const;
+  [[nodiscard]] double max_displacement(const StepTrial& trial, double length) const;
 
   ContactStep step_;
   FixedStep fixed_;
   const SceneOptions& options_;
   SceneCost& cost_;
-  std::vector<double> switches_;  // instants at which something begins or ends to act [s]
+  std::vector<double> switching_times_;  // instants at which forces, drives or laws switch [s]
   SceneState state_;
   ProblemCounts counts_;
   StepTrials trials_;
   TouchingContacts touching_;
   StepControl control_;
   SceneSleep sleep_;
-  double length_ = 0;       // of the next step, if nothing else bounds it [s]
-  bool was_solved_ = true;  // the last step
-  int since_mark_ = 0;      // steps that are judged
-  double mark_ = -1;        // when they began [s]
+  double next_length_ = 0;    // proposed length of the next step [s]
+  bool was_solved_ = true;    // the previous step solved all its contact problems
+  int steps_since_mark_ = 0;  // steps counted by is_chattering() since mark_time_
+  double mark_time_ = -1;     // start of the steps that is_chattering() judges [s]
 };
 
 }  // namespace thenar

@@ -6,31 +6,33 @@
 namespace thenar {
 namespace {
 
-constexpr int kFirstAim = 4;
-constexpr double kAimedError = 0.5;  // of the next step, over the tolerance [1]
-constexpr double kOrderGain = 0.9;   // work per time that makes another order worth while [1]
+constexpr int kInitialColumns = 4;    // target number of columns of the first step
+constexpr double kTargetError = 0.5;  // error of the next step over the tolerance [1]
+constexpr double kOrderGain = 0.9;    // work ratio that justifies another column [1]
+constexpr double kMaxGrowth = 4;      // largest ratio of successive step lengths [1]
+constexpr double kMinShrink = 0.1, kRejectedShrink = 0.9;  // range of a repeated step's length [1]
 
-/// Substeps of a step of so many columns, and what it costs beside them.
+/// Returns the work of a step: the substeps of its columns, and one for everything else.
 double work(int columns) { return 1 + 0.5 * columns * (columns + 1); }
 
-/// Length over that of a step with an error of order n.
+/// Returns the length for kTargetError over the present length, by an error of order n [1].
 double growth(double error, int n) {
-  if (!(error < 1e300)) return 1e-12;
-  return std::min(std::pow(kAimedError / std::max(error, 1e-12), 1.0 / n), 4.0);
+  if (!(error < 1e300)) return 1e-12;  // overflow
+  return std::min(std::pow(kTargetError / std::max(error, 1e-12), 1.0 / n), kMaxGrowth);
 }
 
 }  // namespace
 
-Extrapolation::Extrapolation(const SceneState& like, int most)
-    : most_(most), aim_(std::min(most, kFirstAim)) {
+Extrapolation::Extrapolation(const SceneState& like, int max_columns)
+    : max_columns_(max_columns), target_columns_(std::min(max_columns, kInitialColumns)) {
   rows_.fill(like);
 }
 
-void Extrapolation::add(const SceneState& column) {
+void Extrapolation::add_column(const SceneState& column) {
   ++columns_;
   SceneState& last = rows_[index(columns_ - 1)];
   last = column;
-  // From T_n1 on; a row's entry gives way to that of the next row once it has been used.
+  // Extrapolate from T_n1 on; each entry of the previous row is overwritten once it has been used.
   for (int k = 1; k < columns_; ++k) {
     SceneState& above = rows_[index(k - 1)];
     const double ratio = static_cast<double>(columns_ - k) / k;
@@ -47,33 +49,34 @@ void Extrapolation::add(const SceneState& column) {
 
 Extrapolation::Verdict Extrapolation::judge(double error) {
   errors_[index(columns_)] = error;
-  if (error <= 1 && columns_ >= aim_ - 1) return Verdict::kAccept;
-  const int last = std::min(aim_ + 1, most_);
+  if (error <= 1 && columns_ >= target_columns_ - 1) return Verdict::kAccept;
+  const int last = std::min(target_columns_ + 1, max_columns_);
   if (columns_ >= last) return Verdict::kReject;
-  // One column more than wanted may do, if it has to make the error not much smaller.
+  // Allow one column beyond the target if it can reduce the error enough.
   const double next = columns_ + 1;
-  const bool hopeless = columns_ == aim_ && !(error <= next * next);
-  return hopeless ? Verdict::kReject : Verdict::kGoOn;
+  const bool hopeless = columns_ == target_columns_ && !(error <= next * next);
+  return hopeless ? Verdict::kReject : Verdict::kContinue;
 }
 
 double Extrapolation::next_length(double length, double longest, Verdict verdict) {
-  // The least work per time among the columns that were made.
+  // Choose the number of columns with the least work per time.
   const auto length_of = [&](int n) {
     return std::min(longest, length * growth(errors_[index(n)], n));
   };
   int best = 2;
   for (int n = 3; n <= columns_; ++n)
     if (work(n) / length_of(n) < kOrderGain * work(best) / length_of(best)) best = n;
-  aim_ = best;
-  double next = std::max(length_of(best), 0.1 * length);
+  target_columns_ = best;
+  // Shorten after a rejection; do not grow right after a repeated step.
+  double next = std::max(length_of(best), kMinShrink * length);
   const bool again = was_rejected_;
   was_rejected_ = verdict == Verdict::kReject;
-  if (was_rejected_) return std::min(next, 0.9 * length);
+  if (was_rejected_) return std::min(next, kRejectedShrink * length);
   if (again) return std::min(next, length);
-  // One more, if the last one was worth while.
-  if (best == columns_ && best < most_ && next < longest) {
-    ++aim_;
-    next = std::min(longest, next * work(aim_) / work(best));
+  // Aim at one more column if the last one paid.
+  if (best == columns_ && best < max_columns_ && next < longest) {
+    ++target_columns_;
+    next = std::min(longest, next * work(target_columns_) / work(best));
   }
   return next;
 }

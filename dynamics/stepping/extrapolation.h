@@ -1,6 +1,6 @@
 #pragma once
 
-/// Steps made of ever more substeps, extrapolated to substeps of length zero.
+/// Richardson extrapolation of a step to substeps of length zero, with order and step size control.
 
 #include <array>
 
@@ -8,48 +8,52 @@
 
 namespace thenar {
 
-/// Neville's scheme on columns of 1, 2, .. n substeps of a method of first order, and the choice of
-/// how many columns to make. With T_j1 the end of column j,
-///   T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / (j / (j - k + 1) - 1),
-/// of order k; the difference of T_nn and T_n,n-1 is the error, and falls with H^n. The number of
-/// columns is the one that asks for the least substeps per time. Calls allocate nothing.
-/// Source: [Deuflhard1983]; [Hairer1993] section II.9 for steps and orders.
+/// Neville's scheme on columns of 1, 2, .. n substeps of a first-order method, and the choice of
+/// the number of columns. With T_j1 the end of column j,
+///   T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / (j / (j - k + 1) - 1)
+/// is of order k; the difference of T_nn and T_n,n-1 estimates the error, which falls as H^n. The
+/// number of columns minimises the number of substeps per unit of time. No call allocates memory.
+/// Source: [Deuflhard1983]; [Hairer1993] section II.9 for step size and order.
 class Extrapolation {
  public:
-  static constexpr int kMostColumns = 8;
+  static constexpr int kMaxColumns = 8;  // largest number of columns that an option may ask for
 
   /// Decision after a column: add another, accept the step, or reject it.
-  enum class Verdict { kGoOn, kAccept, kReject };
+  enum class Verdict { kContinue, kAccept, kReject };
 
-  /// @param like  a state of the scene;  @param most  columns, 2..8
-  Extrapolation(const SceneState& like, int most);
+  /// @param like  any state of the scene, for the sizes
+  /// @param max_columns  2..8
+  Extrapolation(const SceneState& like, int max_columns);
 
-  /// A new step.
+  /// Starts a new step or trial.
   void restart() { columns_ = 0; }
-  /// The end of the next column.
-  void add(const SceneState& column);
+  /// Adds the state at the end of the next column and extrapolates.
+  void add_column(const SceneState& column);
 
-  [[nodiscard]] int columns() const { return columns_; }
-  /// T_nn, quaternions as they come.
-  [[nodiscard]] const SceneState& best() const { return rows_[index(columns_ - 1)]; }
-  /// T_n,n-1, with two columns or more.
-  [[nodiscard]] const SceneState& lower() const { return rows_[index(columns_ - 2)]; }
+  [[nodiscard]] int column_count() const { return columns_; }
+  /// Returns T_nn; its quaternions are not normalised.
+  [[nodiscard]] const SceneState& highest_order() const { return rows_[index(columns_ - 1)]; }
+  /// Returns T_n,n-1; needs two columns.
+  [[nodiscard]] const SceneState& lower_order() const { return rows_[index(columns_ - 2)]; }
 
-  /// @param error  of the last column over the tolerance, with two columns or more [1]
+  /// Decides after a column. @param error  of T_nn over the tolerance; needs two columns [1]
   [[nodiscard]] Verdict judge(double error);
 
-  /// After a verdict: how long the next step is, and internally how many columns it aims at.
-  /// @param length   of this step [s];  @param longest  of any [s]
+  /// Returns the length of the next step, or of the next trial after kReject, and sets its target
+  /// number of columns [s].
+  /// @param length  of this step [s];  @param longest  largest length of any step [s]
   [[nodiscard]] double next_length(double length, double longest, Verdict verdict);
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  int most_, aim_;
+  int max_columns_;     // largest number of columns
+  int target_columns_;  // number of columns at which the next step should be accepted
   int columns_ = 0;
-  bool was_rejected_ = false;                      // the step before
-  std::array<SceneState, kMostColumns> rows_;      // T_n1 .. T_nn
-  std::array<double, kMostColumns + 1> errors_{};  // by columns, over the tolerance [1]
+  bool was_rejected_ = false;                 // the previous trial
+  std::array<SceneState, kMaxColumns> rows_;  // T_n1 .. T_nn
+  std::array<double, kMaxColumns + 1>
+      errors_{};  // error over the tolerance by number of columns [1]
 };
 
 }  // namespace thenar

@@ -4,17 +4,17 @@
 
 namespace thenar {
 
-double FixedStep::take(ContactStep& step, double h, const SceneOptions& options, SceneState& state,
-                       std::vector<ActiveContact>& last, SceneCost& cost,
-                       const Progress& progress) {
+double FixedStep::take_step(ContactStep& step, double h, const SceneOptions& options,
+                            SceneState& state, std::vector<ActiveContact>& last, SceneCost& cost,
+                            const Progress& progress) {
   const SceneState before = state;
   const std::vector<ActiveContact> start = last;
-  // Twice as many parts, until surfaces move little enough within a part.
+  // Double the number of parts until bodies cannot pass through each other within a part.
   for (int parts = 1;; parts *= 2) {
     const double part = h / parts;
     double motion = 0, residual = 0;
     long unsolved = 0;
-    // Parts of equal length; a stop goes back to the beginning.
+    // Take the parts; a stop restores the start of the step.
     for (int i = 0; i < parts; ++i) {
       if (parts > 1 && progress.stop()) {
         state = before;
@@ -23,21 +23,21 @@ double FixedStep::take(ContactStep& step, double h, const SceneOptions& options,
       }
       if (parts > 1) progress(static_cast<double>(i) / parts, "a step in parts");
       const SceneState from = state;
-      step.time_step(state, part, last, options.recovery, outcome_);
+      step.take_midpoint_step(state, part, last, options.recovery, outcome_);
       ++cost.substeps;
       if (!outcome_.solved) ++unsolved;
       residual = std::max(residual, outcome_.residual);
       std::swap(last, outcome_.active);
-      motion = std::max(motion, step.motion_between(from, state, last));
+      motion = std::max(motion, step.tunnelling_ratio(from, state, last));
     }
-    // Done if motion is small enough, parts are as short as can be, or the state is no number.
+    // Accept if motion is small enough, parts are the shortest, or the state is not finite.
     if (motion <= 1 || part <= options.shortest || !is_finite(state)) {
       if (motion > 1) ++cost.leaps;
       cost.unsolved += unsolved;
       cost.worst_residual = std::max(cost.worst_residual, residual);
       return part;
     }
-    // Start again with twice as many parts, and impulses for half the length.
+    // Restart from the beginning, with impulses scaled to half the length.
     ++cost.rejected;
     state = before;
     last = start;
@@ -60,12 +60,20 @@ std::vector<ContactSample> contact_samples(const std::vector<ActiveContact>& act
   std::vector<ContactSample> out;
   if (h <= 0) return out;
   for (const ActiveContact& contact : active) {
-    // Contacts with a force, as forces in the mean of the step.
+    // Convert closed contacts, with mean forces.
     if (contact.kind != ActiveContact::Kind::kContact || contact.mode == ContactMode::kOpen)
       continue;
     out.push_back({contact.a, contact.b, contact.id, contact.point, contact.normal,
                    contact.impulse / h, contact.torsion / h, contact.gap, contact.mode});
   }
+  return out;
+}
+
+SceneSample make_sample(ContactStep& step, const SceneState& state,
+                        const std::vector<ActiveContact>& active, double h) {
+  SceneSample out{state.t, state.q, state.v, state.z, contact_samples(active, h), {}, state.w};
+  step.add_element_contacts(state, out.contacts);
+  out.energy = step.energy(state);
   return out;
 }
 

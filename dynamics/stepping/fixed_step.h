@@ -1,6 +1,6 @@
 #pragma once
 
-/// One step of a fixed length, in as many parts as surfaces ask for.
+/// Steps of a fixed length, subdivided where surfaces could pass through each other.
 
 #include <vector>
 
@@ -10,33 +10,39 @@
 
 namespace thenar {
 
-/// Steps by ContactStep::time_step(). Owns the room that they need; one object per thread.
+/// Fixed steps by ContactStep::take_midpoint_step(). Owns their workspace; one object per thread.
 class FixedStep {
  public:
-  /// Takes one step in 1, 2, 4, .. equal parts, the fewest in which nothing goes through something
-  /// thin (ContactStep::motion_between), or parts as short as SceneOptions::shortest.
-  /// @param h      [s]
-  /// @param state  from the beginning to the end of the step
-  /// @param last   contacts of the part before, then of the last part of this step
-  /// @param cost   counts the parts of all trials, and what the step that is kept left unsolved
-  /// @param progress  told and asked before each part but the first
-  /// @return the length of a part [s]; 0: it was stopped, and is where it began
-  double take(ContactStep& step, double h, const SceneOptions& options, SceneState& state,
-              std::vector<ActiveContact>& last, SceneCost& cost, const Progress& progress = {});
+  /// Takes one step in 1, 2, 4, .. equal parts: the fewest whose ContactStep::tunnelling_ratio() is
+  /// at most 1, or parts no longer than SceneOptions::shortest.
+  /// @param h         length of the whole step [s]
+  /// @param state     state at the start, replaced by that at the end
+  /// @param last      contacts of the previous part, replaced by those of the last part
+  /// @param cost      counts the parts of all trials, and the unsolved problems of the final one
+  /// @param progress  called before each part of a subdivided step; may request a stop
+  /// @return length of a part [s]; 0: stopped, state and contacts are those of the start
+  double take_step(ContactStep& step, double h, const SceneOptions& options, SceneState& state,
+                   std::vector<ActiveContact>& last, SceneCost& cost,
+                   const Progress& progress = {});
 
  private:
   StepOutcome outcome_;
 };
 
-/// Multiplies impulses, as of contacts whose step had another length.
+/// Multiplies the impulses of contacts, to convert them to a step of another length.
 void scale_impulses(std::vector<ActiveContact>& list, double factor);
 
-/// Returns true if positions, speeds and states of elements are finite.
+/// Returns true if positions, velocities and element states are finite.
 [[nodiscard]] bool is_finite(const SceneState& state);
 
-/// Contacts of a step that do not open, as runs keep them. @param h  over which impulses acted [s];
-/// 0: no step was made, and there are none
+/// Converts the contacts of a step that are not open to samples with mean forces.
+/// @param h  time over which the impulses acted [s]; 0: no step was taken, the result is empty
 [[nodiscard]] std::vector<ContactSample> contact_samples(const std::vector<ActiveContact>& active,
                                                          double h);
+
+/// Returns a sample of a state, with energies and with the contacts of the step that ended there
+/// and of elements. @param h  time over which the impulses acted [s]
+[[nodiscard]] SceneSample make_sample(ContactStep& step, const SceneState& state,
+                                      const std::vector<ActiveContact>& active, double h);
 
 }  // namespace thenar

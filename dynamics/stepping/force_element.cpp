@@ -17,7 +17,7 @@ void ElementAction::clear(Eigen::Index speeds, Eigen::Index states) {
 
 SceneElements::SceneElements(const std::vector<std::shared_ptr<const ForceElement>>& elements,
                              Eigen::Index speeds) {
-  // Clones with places for their states; the work is the last state.
+  // Clone the elements and assign their states; the work is the last state.
   for (const std::shared_ptr<const ForceElement>& element : elements) {
     elements_.push_back(element->clone());
     first_z_.push_back(states_);
@@ -27,18 +27,18 @@ SceneElements::SceneElements(const std::vector<std::shared_ptr<const ForceElemen
   action_.clear(speeds, states_);
 }
 
-Eigen::VectorXd SceneElements::start(const Eigen::VectorXd& q) const {
+Eigen::VectorXd SceneElements::initial_states(const Eigen::VectorXd& q) const {
   Eigen::VectorXd z = Eigen::VectorXd::Zero(states_);
   for (std::size_t i = 0; i < elements_.size(); ++i) {
-    const Eigen::VectorXd own = elements_[i]->start(q);
+    const Eigen::VectorXd own = elements_[i]->initial_states(q);
     z.segment(first_z_[i], own.size()) = own;
   }
   return z;
 }
 
-bool SceneElements::act(const ElementInput& at) {
+bool SceneElements::compute_action(const ElementInput& at) {
   bool solved = true;
-  // Slopes are cleared for those who read them.
+  // Clear slopes only if they are needed.
   if (at.need == ElementNeed::kAll) {
     action_.clear(at.v.size(), states_);
   } else {
@@ -46,10 +46,10 @@ bool SceneElements::act(const ElementInput& at) {
     action_.z_rate.setZero(states_);
     action_.z_decay.setZero(states_);
   }
-  // Efforts, rates and slopes of all; powers are the differences that each makes to  tau . v.
-  double before = 0, power = 0;  // of all so far; of those that are not passive [W]
+  // Add all actions; the power of an element is the change that it makes to  tau . v.
+  double before = 0, power = 0;  // power of elements so far; of those that are not passive [W]
   for (std::size_t i = 0; i < elements_.size(); ++i) {
-    solved = elements_[i]->act(input_of(i, at), action_) && solved;
+    solved = elements_[i]->add_action(input_of(i, at), action_) && solved;
     const double after = action_.tau.dot(at.v);
     if (!elements_[i]->is_passive()) power += after - before;
     before = after;
@@ -63,24 +63,24 @@ SceneElements::Energy SceneElements::energy(const ElementInput& at) {
   Energy sum;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     const double stored = elements_[i]->energy(input_of(i, at));
-    sum.all += stored;
+    sum.total += stored;
     if (!elements_[i]->is_passive()) sum.active += stored;
   }
   return sum;
 }
 
-double SceneElements::doubt(const ElementInput& at) {
-  double most = 0;
+double SceneElements::max_step_error(const ElementInput& at) {
+  double max_error = 0;
   for (std::size_t i = 0; i < elements_.size(); ++i)
-    most = std::max(most, elements_[i]->doubt(input_of(i, at)));
-  return most;
+    max_error = std::max(max_error, elements_[i]->step_error(input_of(i, at)));
+  return max_error;
 }
 
-double SceneElements::foresees() const {
-  double least = std::numeric_limits<double>::infinity();
+double SceneElements::max_step_length() const {
+  double max_length = std::numeric_limits<double>::infinity();
   for (const std::unique_ptr<ForceElement>& element : elements_)
-    least = std::min(least, element->foresees());
-  return least;
+    max_length = std::min(max_length, element->max_step_length());
+  return max_length;
 }
 
 void SceneElements::add_contacts(const ElementInput& at, std::vector<ContactSample>& out) {
@@ -88,13 +88,13 @@ void SceneElements::add_contacts(const ElementInput& at, std::vector<ContactSamp
     elements_[i]->add_contacts(input_of(i, at), out);
 }
 
-void SceneElements::accept(const ElementInput& at) {
-  for (std::size_t i = 0; i < elements_.size(); ++i) elements_[i]->accept(input_of(i, at));
+void SceneElements::accept_step(const ElementInput& at) {
+  for (std::size_t i = 0; i < elements_.size(); ++i) elements_[i]->accept_step(input_of(i, at));
 }
 
-bool SceneElements::moves(const ElementInput& at) const {
+bool SceneElements::may_start_motion(const ElementInput& at) const {
   for (std::size_t i = 0; i < elements_.size(); ++i)
-    if (elements_[i]->moves(input_of(i, at))) return true;
+    if (elements_[i]->may_start_motion(input_of(i, at))) return true;
   return false;
 }
 
@@ -106,7 +106,7 @@ std::vector<ElementControl> SceneElements::controls() const {
 }
 
 void SceneElements::set_control(const std::string& name, double value) {
-  // The element that knows the name sets it; otherwise the error has the nearest name.
+  // Offer the control to each element; if none has it, throw with the nearest name.
   for (const std::unique_ptr<ForceElement>& element : elements_)
     if (element->set_control(name, value)) return;
   std::vector<std::string> names;

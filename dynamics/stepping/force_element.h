@@ -18,100 +18,108 @@ namespace thenar {
 template <typename T>
 class TreeMotion;
 
-/// Parts of an action that a step needs. Elements may leave out other parts; the parts that they
-/// compute do not depend on the need.
+/// Parts of ElementAction that a step needs. An element may skip the others; the parts that it
+/// computes do not depend on the need.
 enum class ElementNeed {
   kAll,    // efforts, rates of states, slopes
   kRates,  // efforts, rates of states
-  kStates  // rates of states alone; then that of the work means nothing
+  kStates  // rates of states alone; the rate of the work state is then meaningless
 };
 
-/// State of a scene, as its elements see it.
+/// State of a scene at which elements are evaluated.
 struct ElementInput {
-  double t;                          // [s]
-  double acting;                     // whose law acts: a step keeps to that of its beginning [s]
+  double t;                          // time [s]
+  double selection_time;             // start of the step, which selects the law in force [s]
   const Eigen::VectorXd& q;          // positions (q)
-  const Eigen::VectorXd& v;          // speeds (v)
+  const Eigen::VectorXd& v;          // velocities (v)
   const Eigen::VectorXd& z;          // states of all elements (z)
   const TreeMotion<double>& motion;  // poses and velocities of links at q and v
-  Eigen::Index first_z;              // where the states of this element begin
+  Eigen::Index first_z;              // index in z of the first state of this element
   ElementNeed need = ElementNeed::kAll;
 };
 
-/// Action of all elements at a state; each element adds its part.
+/// Sum of the actions of all elements at a state.
 struct ElementAction {
-  Eigen::VectorXd tau;        // efforts [N m] or [N] (v)
-  Eigen::MatrixXd stiffness;  // -d tau / d position, positions moved by the speeds, the symmetric
-                              // part; what is left out costs steps, not accuracy (v, v)
-  Eigen::MatrixXd damping;    // -d tau / d v, likewise (v, v)
+  Eigen::VectorXd tau;        // generalized forces [N m] or [N] (v)
+  Eigen::MatrixXd stiffness;  // symmetric part of -d tau / d position, positions displaced along
+                              // the velocities; omitted terms cost steps, not accuracy (v, v)
+  Eigen::MatrixXd damping;    // symmetric part of -d tau / d v, likewise (v, v)
   Eigen::VectorXd z_rate;     // d z / d t (z)
-  Eigen::VectorXd z_decay;    // -d z_rate / d z of each state by itself, >= 0 [1/s] (z)
+  Eigen::VectorXd z_decay;    // decay rate of each state, -d z_rate[i] / d z[i] >= 0 [1/s] (z)
 
-  /// All zero. @param states  of all elements
+  /// Sets everything to zero. @param speeds  size of v;  @param states  size of z
   void clear(Eigen::Index speeds, Eigen::Index states);
 };
 
-/// A number of an element that may be set between steps, as the tension of a muscle.
+/// Number of an element that may be set between steps, such as the tension of a muscle.
 struct ElementControl {
   std::string name;             // "human/index/FDP2"
-  std::string unit;             // "N": a tension; "1": an excitation
-  double lower = 0, upper = 0;  // what it may be, in its unit; upper may be infinite
-  std::optional<double> set;    // to what it was set; absent: it is as the scene says
+  std::string unit;             // "N" for a tension, "1" for an excitation
+  double lower = 0, upper = 0;  // range of the value, in its unit; upper may be infinite
+  std::optional<double> set;    // value that was set; absent: the scene's own schedule applies
 };
 
 /// Value that an element reports at an instant.
 struct ElementValue {
   std::string name;  // "human/index/FDP2"
   std::string unit;  // "N", "1"
-  double value = 0;
+  double value = 0;  // value in that unit
 };
 
-/// A force element of a scene. Each run of a scene has a clone of its own, so that it may remember
-/// where a search of its own ended; but between two accept() it is a function of its input alone.
+/// Force element of a scene. Each run evaluates its own clone, which may remember, for example, the
+/// solution of its last iteration; but between two calls of accept_step() the action must be a
+/// function of the input alone.
 class ForceElement {
  public:
   virtual ~ForceElement() = default;
   [[nodiscard]] virtual std::unique_ptr<ForceElement> clone() const = 0;
   [[nodiscard]] virtual std::string name() const = 0;
 
-  /// Names of its states, with their units: "activation FDP [1]".
+  // States and action.
+
+  /// Returns the names of the element's states with their units: "activation FDP [1]".
   [[nodiscard]] virtual std::vector<std::string> state_names() const { return {}; }
-  /// Returns the element's states at the start of a scene (its states).
-  [[nodiscard]] virtual Eigen::VectorXd start(const Eigen::VectorXd& /*q*/) const { return {}; }
+  /// Returns the element's states at the start of a scene (states of the element).
+  [[nodiscard]] virtual Eigen::VectorXd initial_states(const Eigen::VectorXd& /*q*/) const {
+    return {};
+  }
+  /// Adds the element's efforts, slopes and rates to the action.
+  /// @return false if it has no valid solution: the step then counts as unsolved
+  virtual bool add_action(const ElementInput& at, ElementAction& out) = 0;
+  /// Returns the instants at which the law switches discontinuously; ElementInput::selection_time
+  /// selects the law [s].
+  [[nodiscard]] virtual std::vector<double> switching_times() const { return {}; }
+  /// Returns true if the element may set a resting scene in motion although no position changes.
+  [[nodiscard]] virtual bool may_start_motion(const ElementInput& /*at*/) const { return false; }
 
-  /// Adds what it does.
-  /// @return false if it found no answer that it can stand for: the step counts as unsolved
-  virtual bool act(const ElementInput& at, ElementAction& out) = 0;
+  // Energy.
 
-  /// Returns true if the element only stores and dissipates energy, as ligaments do: then the
-  /// energy that it takes counts as dissipation, and not as work on the scene.
+  /// Returns true if the element only stores and dissipates energy, as ligaments do: its work then
+  /// counts as dissipation rather than as work on the scene.
   [[nodiscard]] virtual bool is_passive() const { return false; }
-
-  /// Energy that it stores [J].
+  /// Returns the energy that the element stores [J].
   [[nodiscard]] virtual double energy(const ElementInput& /*at*/) { return 0; }
 
-  /// Error of its action over the step that ends here, relative to what it allows. Above 1 the step
-  /// is made again, shorter, where steps have no fixed length; its action may be another one then.
-  virtual double doubt(const ElementInput& /*at*/) { return 0; }
+  // Step control.
 
-  /// A step ended here.
-  virtual void accept(const ElementInput& /*at*/) {}
+  /// Returns the error of the action over the step that ends here, relative to the element's
+  /// tolerance. Above 1 a stepper of variable step size repeats the step with a shorter length, and
+  /// the action may change [1].
+  virtual double step_error(const ElementInput& /*at*/) { return 0; }
+  /// Ends an accepted step at a state: the element updates what it remembers.
+  virtual void accept_step(const ElementInput& /*at*/) {}
+  /// Returns the longest step after accept_step() for which the action is valid [s].
+  [[nodiscard]] virtual double max_step_length() const {
+    return std::numeric_limits<double>::infinity();
+  }
 
-  /// Returns the longest step for which the force is valid after accept() [s].
-  [[nodiscard]] virtual double foresees() const { return std::numeric_limits<double>::infinity(); }
+  // Outputs and controls.
 
-  /// Adds the contacts that it stands for, as a pad does that presses on something.
+  /// Appends the contacts that the element models, such as a pad pressed on an object.
   virtual void add_contacts(const ElementInput& /*at*/, std::vector<ContactSample>& /*out*/) {}
-
-  /// Instants at which its law changes suddenly; which one holds, ElementInput::acting says [s].
-  [[nodiscard]] virtual std::vector<double> switches() const { return {}; }
-
-  /// Returns true if the element may set a resting scene in motion, though no position changes.
-  [[nodiscard]] virtual bool moves(const ElementInput& /*at*/) const { return false; }
-
-  /// Numbers that may be set between steps.
+  /// Returns the numbers that may be set between steps.
   [[nodiscard]] virtual std::vector<ElementControl> controls() const { return {}; }
-  /// Sets one of its controls, from the next step on. @return false if it has none of that name
+  /// Sets one of the controls from the next step on. @return false if no control has that name
   /// @throws InputError if the value is not within the control's range.
   virtual bool set_control(const std::string& /*name*/, double /*value*/) { return false; }
   /// Returns the values of the element at a state, with names and units.
@@ -120,56 +128,63 @@ class ForceElement {
   }
 };
 
-/// All elements of a scene, with the work of those that are not passive as a last state. Without
-/// elements there is no state at all. `first_z` of what is passed in means nothing.
+/// Elements of a scene, evaluated together. The states z of the scene are those of all elements,
+/// then the work of those that are not passive; z is empty without elements. Functions set
+/// `first_z` of the input themselves.
 class SceneElements {
  public:
-  /// @param speeds  of the scene
+  /// Clones the elements. @param speeds  size of v
   SceneElements(const std::vector<std::shared_ptr<const ForceElement>>& elements,
                 Eigen::Index speeds);
 
   [[nodiscard]] bool empty() const { return elements_.empty(); }
-  /// States of all elements and the work (z).
-  [[nodiscard]] Eigen::VectorXd start(const Eigen::VectorXd& q) const;
+  /// Returns the initial states of all elements, and zero work (z).
+  [[nodiscard]] Eigen::VectorXd initial_states(const Eigen::VectorXd& q) const;
 
-  /// Acts with all elements; see action(). @return whether all could
-  bool act(const ElementInput& at);
+  /// Computes the action of all elements, see action().
+  /// @return false if an element has no valid solution
+  bool compute_action(const ElementInput& at);
   [[nodiscard]] const ElementAction& action() const { return action_; }
-  /// Power of the passive ones on the scene, of the last act() [W].
+  /// Returns the power of the passive elements on the scene at the last compute_action() [W].
   [[nodiscard]] double passive_power() const { return passive_power_; }
 
-  /// Energies that elements store [J].
+  /// Energy stored in elements [J].
   struct Energy {
-    double all = 0, active = 0;  // of all; of those that are not passive
+    double total = 0, active = 0;  // energy of all elements; part of those that are not passive [J]
   };
   [[nodiscard]] Energy energy(const ElementInput& at);
-  /// The largest doubt of any of them [1].
-  [[nodiscard]] double doubt(const ElementInput& at);
-  void accept(const ElementInput& at);
-  /// The least of all [s].
-  [[nodiscard]] double foresees() const;
+  /// Returns the largest ForceElement::step_error() [1].
+  [[nodiscard]] double max_step_error(const ElementInput& at);
+  /// Calls ForceElement::accept_step() of all elements.
+  void accept_step(const ElementInput& at);
+  /// Returns the smallest ForceElement::max_step_length() [s].
+  [[nodiscard]] double max_step_length() const;
+  /// Appends the contacts that elements model.
   void add_contacts(const ElementInput& at, std::vector<ContactSample>& out);
-  [[nodiscard]] bool moves(const ElementInput& at) const;
+  /// Returns true if an element may set a resting scene in motion.
+  [[nodiscard]] bool may_start_motion(const ElementInput& at) const;
   /// Returns the controls of all elements.
   [[nodiscard]] std::vector<ElementControl> controls() const;
-  /// @throws InputError with the nearest name if no element has such a control, or if it cannot
-  /// have that value.
+  /// Sets a control of an element.
+  /// @throws InputError with the nearest name if no element has such a control, or if the value is
+  /// out of range.
   void set_control(const std::string& name, double value);
+  /// Returns the values that all elements report at a state.
   [[nodiscard]] std::vector<ElementValue> readings(const ElementInput& at);
 
  private:
   [[nodiscard]] ElementInput input_of(std::size_t i, const ElementInput& at) const {
-    return {at.t, at.acting, at.q, at.v, at.z, at.motion, first_z_[i], at.need};
+    return {at.t, at.selection_time, at.q, at.v, at.z, at.motion, first_z_[i], at.need};
   }
 
   std::vector<std::unique_ptr<ForceElement>> elements_;
-  std::vector<Eigen::Index> first_z_;
-  Eigen::Index states_ = 0;  // with the work
+  std::vector<Eigen::Index> first_z_;  // index of each element's first state (elements)
+  Eigen::Index states_ = 0;            // number of states, including the work
   ElementAction action_;
-  double passive_power_ = 0;
+  double passive_power_ = 0;  // [W]
 };
 
-/// Names of all states of a scene's elements, the work last; empty: it has no elements.
+/// Returns the names of all states of a scene's elements, the work last; empty without elements.
 [[nodiscard]] std::vector<std::string> element_state_names(
     const std::vector<std::shared_ptr<const ForceElement>>& elements);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Steps of a scene on which no contact, limit or dry friction acts.
+/// High-order steps of a scene while no contact, joint limit or dry friction acts.
 
 #include "dynamics/stepping/contact_step.h"
 #include "dynamics/stepping/dormand_prince.h"
@@ -13,38 +13,40 @@ class FreeStep {
  public:
   static constexpr std::size_t kStages = DormandPrince::kStages;
 
-  /// @param scene  for the sizes
+  /// @param scene  any ContactStep of the scene, for the sizes
   explicit FreeStep(const ContactStep& scene);
 
-  /// Error of a step.
+  /// Error estimate of a step.
   struct Error {
-    double q;    // of positions [m], [rad]
-    double v;    // of speeds [m/s], [rad/s]
-    double z;    // of states of elements, each in its unit
-    bool acted;  // all elements could act at all stages
+    double q;    // error of positions [m], [rad]
+    double v;    // error of velocities [m/s], [rad/s]
+    double z;    // error of element states, each in its unit
+    bool acted;  // all elements had a valid force at all stages
   };
 
-  /// Moves a state by h. Quaternions have length 1 afterwards. The error falls with h^8. A step
-  /// from where the last one began uses its first stage again, as long as the same forces act.
-  Error step(ContactStep& scene, double h, SceneState& state);
+  /// Advances a state by h [s] and normalises its quaternions; the error estimate falls as h^8. A
+  /// step from the same state as the last one reuses its first stage.
+  Error take_step(ContactStep& scene, double h, SceneState& state);
 
-  /// Rates at a state may have changed since the last step: forces that act, or elements.
-  void forget() { first_.t = std::numeric_limits<double>::quiet_NaN(); }
+  /// Discards the stored first stage. Call when active forces or elements have changed.
+  void discard_first_stage() { first_.t = std::numeric_limits<double>::quiet_NaN(); }
 
  private:
-  void put(const Eigen::VectorXd& y);
-  bool find_rates(ContactStep& scene, Eigen::Index stage);
+  /// Copies positions, velocities and element states of y into stage_.
+  void unpack(const Eigen::VectorXd& y);
+  /// Computes the rates at stage_ as one column. @return false if an element has no valid force
+  bool compute_rates(ContactStep& scene, Eigen::Index stage);
 
-  /// Error of some entries of the rates' sums e_5 and e_3.
+  /// Combines the error estimates of orders five and three for some entries.
   [[nodiscard]] double error_of(Eigen::Index first, Eigen::Index count) const;
 
-  Eigen::Index flows_;  // of energy; none: they stand still
-  // Of positions, speeds, states and flows, and zeros that fill up the last block of rows.
-  Eigen::MatrixXd rates_;                     // (q + v + z + flows and a rest, stages)
-  Eigen::VectorXd begin_, y_, five_, three_;  // (q + v + z + flows and a rest)
+  Eigen::Index flows_;  // number of energy flows to integrate; 0: nothing does work
+  // Rows: positions, velocities, element states and flows, then zeros up to whole SIMD blocks.
+  Eigen::MatrixXd rates_;                                   // (rows, stages)
+  Eigen::VectorXd y_begin_, y_, error_five_, error_three_;  // (rows)
   Eigen::VectorXd q_dot_, v_dot_, z_dot_;
-  SceneState at_, first_;    // first_: where column 0 of the rates belongs
-  bool first_acted_ = true;  // elements could act there
+  SceneState stage_, first_;  // first_: state of column 0 of rates_; t is NaN if none
+  bool first_acted_ = true;   // all elements had a valid force there
 };
 
 }  // namespace thenar

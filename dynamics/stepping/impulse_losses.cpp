@@ -5,18 +5,18 @@ namespace {
 
 using Kind = ActiveContact::Kind;
 
-/// Work that the impulses of a pair of bodies, or of a joint, took [J].
+/// Energy dissipated by the impulses of a pair of bodies, or of a joint [J].
 struct PairLosses {
-  double went_on = 0;  // of normals of contacts that touched before
-  double struck = 0;   // of all other normals
-  double rubbed = 0;   // of friction
+  double persisting = 0;   // loss at normals of contacts that touched before
+  double new_normals = 0;  // loss at all other normals
+  double friction = 0;     // loss by friction
 
   void add_to(ImpulseBooking booking, EnergyFlows& w) const {
     const bool all = booking == ImpulseBooking::kNet;
-    if (all || went_on > 0) w[kStruck] += went_on;
-    if (!all && struck + rubbed < 0) return;
-    w[kStruck] += struck;
-    w[kRubbed] += rubbed;
+    if (all || persisting > 0) w[kImpactLoss] += persisting;
+    if (!all && new_normals + friction < 0) return;
+    w[kImpactLoss] += new_normals;
+    w[kFrictionLoss] += friction;
   }
 };
 
@@ -36,20 +36,20 @@ void add_impulse_losses(const std::vector<ActiveContact>& list,
   Eigen::Index at = 0;
   for (std::size_t k = 0; k < list.size(); ++k) {
     const ActiveContact& contact = list[k];
-    // A new pair of bodies: book what the last one took.
+    // Book the previous pair of bodies when a new one starts.
     if (k > 0 && !is_same_pair(list[k - 1], contact)) {
       pair.add_to(booking, w);
       pair = {};
     }
-    // Work of the normal, by what the contact did before; then of friction.
-    const Eigen::Index across = rows_of(blocks[k].law) - 1;
-    const double first = -f[at] * mean_u[at];
-    double& taken = contact.kind == Kind::kJointFriction ? pair.rubbed
-                    : contact.mode == ContactMode::kOpen ? pair.struck
-                                                         : pair.went_on;
-    taken += first;
-    pair.rubbed -= f.segment(at + 1, across).dot(mean_u.segment(at + 1, across));
-    at += across + 1;
+    // Add the work of the normal to the sum that its previous mode selects, then that of friction.
+    const Eigen::Index tangent_rows = rows_of(blocks[k].law) - 1;
+    const double first_loss = -f[at] * mean_u[at];
+    double& loss = contact.kind == Kind::kJointFriction ? pair.friction
+                   : contact.mode == ContactMode::kOpen ? pair.new_normals
+                                                        : pair.persisting;
+    loss += first_loss;
+    pair.friction -= f.segment(at + 1, tangent_rows).dot(mean_u.segment(at + 1, tangent_rows));
+    at += tangent_rows + 1;
   }
   pair.add_to(booking, w);
 }

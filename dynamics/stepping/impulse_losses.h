@@ -1,6 +1,6 @@
 #pragma once
 
-/// Energy losses by impulses of contacts, joint limits and dry friction.
+/// Energy dissipated by impulses of contacts, joint limits and dry friction.
 
 #include <vector>
 
@@ -10,22 +10,24 @@
 
 namespace thenar {
 
-/// Selection of the work of impulses that counts.
+/// Rule for which work of impulses is booked.
 enum class ImpulseBooking {
-  kNet,    // all of it, also where it makes energy: substeps, which are extrapolated
-  kLosses  // what two bodies take; what they make is left out
+  kNet,    // all work, also where it adds energy: for substeps that are extrapolated
+  kLosses  // only dissipated energy; energy that impulses add is left out
 };
 
-/// Adds the work of impulses to what friction (kRubbed) and approaches (kStruck) took:
-///   -P . (u + u+) / 2,   just what the kinetic energy loses by them.
+/// Adds the energy that impulses dissipate to the flows kFrictionLoss and kImpactLoss:
+///   -P . (u + u+) / 2,   exactly the kinetic energy that they remove.
 ///
-/// By kLosses each pair of bodies, joint limit and dry friction is held to its law, by which it
-/// takes energy or none: the normals of contacts that went on for themselves, and all else
-/// together, as what opens or strikes turns its slip by its normal impulse. What comes out below
-/// zero is made of nothing and is not added, so that it is missing in the balance of energy.
-/// @param list    with the modes from before these impulses; points of a pair follow each other
-/// @param blocks  one for each of `list`
-/// @param f, mean_u  impulses, and speeds of rows in the mean of before and after [N s], [m/s]
+/// By kLosses each pair of bodies, joint limit and dry friction books only dissipation, as its law
+/// demands: the normals of contacts that persist separately; all else together, because the normal
+/// impulse of a contact that opens or strikes changes its slip. A negative sum is spurious energy:
+/// it is not booked, and appears as an error in the energy balance.
+/// @param list    contacts with the modes before the impulses; points of a pair are adjacent
+/// @param blocks  constraint blocks of the contacts (list)
+/// @param f       impulses [N s], [N m s] (rows)
+/// @param mean_u  mean of the velocities before and after the impulses [m/s], [rad/s] (rows)
+/// @param w       flows, increased [J]
 void add_impulse_losses(const std::vector<ActiveContact>& list,
                         const std::vector<ContactBlock>& blocks,
                         const Eigen::Ref<const Eigen::VectorXd>& f,

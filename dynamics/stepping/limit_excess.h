@@ -1,6 +1,6 @@
 #pragma once
 
-/// Excess of joints beyond their limits.
+/// Excess of joint values over the joint limits.
 
 #include <string>
 #include <vector>
@@ -11,28 +11,29 @@
 
 namespace thenar {
 
-/// Beyond a limit by less is at it: what fixed steps leave over of a landing [rad], [m].
-inline constexpr double kAtLimitTurn = 1e-3;
-inline constexpr double kAtLimitWay = 1e-4;
+/// Excess that still counts as at the limit; fixed steps leave as much when a joint lands [rad],
+/// [m].
+inline constexpr double kLimitAngleTolerance = 1e-3;
+inline constexpr double kLimitLengthTolerance = 1e-4;
 
-/// Keeps the largest way of each hinge and slide beyond its limits, up to these positions.
-/// @param q       (q)
-/// @param beyond  [rad] or [m] (joints); changed: empty at the start, then 0 of joints within them
-void note_limits(const Mechanism& mechanism, const MechanismLayout& layout,
-                 const Eigen::VectorXd& q, Eigen::VectorXd& beyond);
+/// Updates the largest excess of each hinge and slide over its limits with those at a position.
+/// @param q       positions (q)
+/// @param beyond  largest excess so far, 0 within the limits [rad] or [m] (joints); empty: none yet
+void update_limit_excess(const Mechanism& mechanism, const MechanismLayout& layout,
+                         const Eigen::VectorXd& q, Eigen::VectorXd& beyond);
 
-/// Keeps the larger ones of two. @param other, beyond  as of note_limits(); `beyond` is changed
-void keep_larger(const Eigen::VectorXd& other, Eigen::VectorXd& beyond);
+/// Sets `beyond` to the larger entries of both. @param other, beyond  as in update_limit_excess()
+void keep_max_excess(const Eigen::VectorXd& other, Eigen::VectorXd& beyond);
 
-/// A joint that went beyond a limit.
+/// Joint that went beyond a limit.
 struct PassedLimit {
   std::string joint;
-  bool slides = false;
-  double beyond = 0;  // farthest [rad]; of a slide [m]
+  bool slides = false;  // slide, not hinge
+  double beyond = 0;    // largest excess [rad]; of a slide [m]
 };
 
-/// The joints that went beyond their limits by more than kAtLimitTurn or kAtLimitWay.
-/// @param beyond  as of note_limits()
+/// Returns the joints that exceeded a limit by more than the tolerances above.
+/// @param beyond  as in update_limit_excess()
 [[nodiscard]] std::vector<PassedLimit> passed_limits(const Mechanism& mechanism,
                                                      const Eigen::VectorXd& beyond);
 

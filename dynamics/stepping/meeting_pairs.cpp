@@ -5,8 +5,8 @@
 namespace thenar {
 namespace {
 
-/// Groups of bodies that are welded to each other, by the first body of each. Welds to the world do
-/// not count: a table and a robot's base are two things.
+/// Groups bodies that are welded to each other; returns the first body of each body's group. Welds
+/// to the world do not count: a table and a robot's base are two groups.
 std::vector<int> welded_groups(const Mechanism& mechanism) {
   std::vector<int> group(mechanism.bodies.size());
   for (std::size_t i = 0; i < group.size(); ++i) {
@@ -18,15 +18,15 @@ std::vector<int> welded_groups(const Mechanism& mechanism) {
   return group;
 }
 
-/// Pairs of groups that a joint connects, also across groups without a surface (the middle of a
-/// universal joint): they overlap there by design.
+/// Lists the pairs of groups that a joint connects, also across groups without a surface (the
+/// middle of a universal joint): they overlap there by design.
 std::vector<std::pair<int, int>> neighbours(const Mechanism& mechanism,
                                             const std::vector<int>& group) {
   // Find the groups that have a surface.
   std::vector<bool> has_surface(group.size());
   for (std::size_t i = 0; i < group.size(); ++i)
     if (mechanism.bodies[i].solid) has_surface[static_cast<std::size_t>(group[i])] = true;
-  // Parents of each group, up to the first that has a surface.
+  // Pair each group with its ancestors up to the first that has a surface.
   std::vector<std::pair<int, int>> out;
   for (std::size_t i = 0; i < group.size(); ++i) {
     if (group[i] != static_cast<int>(i)) continue;
@@ -50,17 +50,17 @@ bool has_pair(const std::vector<std::pair<int, int>>& pairs, int a, int b) {
 
 std::vector<std::pair<int, int>> pairs_that_may_meet(const MovingScene& scene,
                                                      const TreeModel& model) {
-  // Pairs with surfaces that move apart from each other, are not neighbours and may meet.
+  // Select pairs with surfaces, on different links, not connected by a joint and not excluded.
   const std::vector<int> group = welded_groups(scene.mechanism);
-  const std::vector<std::pair<int, int>> joined = neighbours(scene.mechanism, group);
+  const std::vector<std::pair<int, int>> connected = neighbours(scene.mechanism, group);
   const std::size_t count = scene.mechanism.bodies.size();
   std::vector<std::pair<int, int>> pairs;
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = i + 1; j < count; ++j) {
       if (!scene.mechanism.bodies[i].solid || !scene.mechanism.bodies[j].solid) continue;
       const int a = static_cast<int>(i), b = static_cast<int>(j);
-      if (model.bodies[i].link != model.bodies[j].link && !has_pair(joined, group[i], group[j]) &&
-          !has_pair(scene.apart, a, b))
+      if (model.bodies[i].link != model.bodies[j].link &&
+          !has_pair(connected, group[i], group[j]) && !has_pair(scene.apart, a, b))
         pairs.emplace_back(a, b);
     }
   return pairs;

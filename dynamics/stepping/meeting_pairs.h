@@ -10,11 +10,11 @@
 
 namespace thenar {
 
-/// Pairs of bodies with surfaces, a < b in rising order, except those that move as one, that a
-/// joint connects, or that MovingScene::apart names. A joint connects all that is welded to its two
-/// bodies, also across bodies without a surface (the middle of a universal joint), but nothing that
-/// merely stands on the world as one of them does.
-/// @param model  of the scene's mechanism
+/// Lists the pairs of bodies (a < b, sorted) that may collide: both have a surface, and they do not
+/// belong to one link, are not connected by a joint and are not in MovingScene::apart. A joint
+/// connects all bodies welded to its two bodies, also across bodies without a surface (the middle
+/// of a universal joint); welds to the world do not count.
+/// @param model  tree model of the scene's mechanism
 [[nodiscard]] std::vector<std::pair<int, int>> pairs_that_may_meet(const MovingScene& scene,
                                                                    const TreeModel& model);
 

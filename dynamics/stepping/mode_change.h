@@ -1,6 +1,6 @@
 #pragma once
 
-/// Changes of contact modes within a step: whether there is one, and when.
+/// Detection of contact mode changes within a step, and an estimate of their instant.
 
 #include <vector>
 
@@ -13,17 +13,19 @@ namespace thenar {
 [[nodiscard]] bool same_modes(const std::vector<ActiveContact>& a,
                               const std::vector<ActiveContact>& b);
 
-/// Largest slip, before, of the contacts that then slide the other way [m/s], [rad/s].
-[[nodiscard]] double slip_that_turned(const std::vector<ActiveContact>& before,
-                                      const std::vector<ActiveContact>& after);
+/// Returns the largest slip in `before` of contacts that slide the other way in `after` [m/s],
+/// [rad/s].
+[[nodiscard]] double max_reversed_slip(const std::vector<ActiveContact>& before,
+                                       const std::vector<ActiveContact>& after);
 
-/// Share of a substep after which the first mode changes, if margins go on as in the substep
-/// before: the normal force of what opens, the friction that is left where a contact sticks, the
-/// slip where it slides, each a straight line over the two. 1 if no margin falls; 1/2 if nothing
-/// is known of the substep before.
-/// @param earlier, now, next  contacts two substeps before its end, one before, and there
-[[nodiscard]] double share_before_change(const std::vector<ActiveContact>& earlier,
-                                         const std::vector<ActiveContact>& now,
-                                         const std::vector<ActiveContact>& next);
+/// Estimates the fraction of a substep after which the first contact changes its mode, by linear
+/// extrapolation of its margin from the previous substep: the normal force of a contact that opens,
+/// the remaining friction of one that sticks, the slip of one that slides [1]. 1 if no margin
+/// falls; 1/2 if the previous substep is unknown.
+/// @param earlier, now, next  contacts at the start of the previous substep, at the start of this
+///                            one and at its end
+[[nodiscard]] double fraction_before_change(const std::vector<ActiveContact>& earlier,
+                                            const std::vector<ActiveContact>& now,
+                                            const std::vector<ActiveContact>& next);
 
 }  // namespace thenar

@@ -10,6 +10,8 @@
 namespace thenar {
 namespace {
 
+constexpr double kSeriesAngle = 1e-4;  // angle below which sin(x) / x is a series [rad]
+
 void check_span(const char* what, const TimeSpan& span) {
   require(std::isfinite(span.from) && span.to > span.from,
           "{}: wanted a beginning before its end, got {} to {} s", what, span.from, span.to);
@@ -39,27 +41,26 @@ void check_table(const TargetTable& table, const std::string& name) {
 }
 
 void check_drives(const MovingScene& scene) {
-  // Drives move coordinates that exist, with finite numbers and spans in order.
+  // Check that coordinates exist, numbers are finite and spans are ordered.
   for (const SceneDrive& drive : scene.drives) {
     require(drive.coordinate >= 0 &&
                 drive.coordinate < static_cast<int>(scene.mechanism.coordinates.size()),
             "there is no coordinate {}", drive.coordinate);
+    const std::string& name =
+        scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name;
     for (const double number : {drive.bias, drive.target, drive.speed})
-      require(std::isfinite(number), "drive of '{}': wanted finite numbers",
-              scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name);
+      require(std::isfinite(number), "drive of '{}': wanted finite numbers", name);
     require(drive.stiffness >= 0 && drive.damping >= 0 && drive.max_effort >= 0 &&
                 std::isfinite(drive.stiffness) && std::isfinite(drive.damping),
-            "drive of '{}': wanted stiffness, damping and largest effort from 0 up",
-            scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name);
+            "drive of '{}': wanted stiffness, damping and largest effort from 0 up", name);
     check_span("drive", drive.when);
-    if (drive.table)
-      check_table(*drive.table,
-                  scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name);
+    if (drive.table) check_table(*drive.table, name);
   }
 }
 
-/// Slope of a table behind a knot; -1: before the first. Between knots of one time there is none.
-double slope_behind(const TargetTable& table, Eigen::Index knot) {
+/// Returns the slope of a table after a knot; 0 before the first knot (-1) and after the last, not
+/// finite between two knots at the same time.
+double slope_after(const TargetTable& table, Eigen::Index knot) {
   if (knot < 0 || knot + 1 == table.time.size()) return 0;
   return (table.target[knot + 1] - table.target[knot]) / (table.time[knot + 1] - table.time[knot]);
 }
@@ -68,12 +69,12 @@ double slope_behind(const TargetTable& table, Eigen::Index knot) {
 void add_knots(const TargetTable& table, const TimeSpan& span, std::vector<double>& times) {
   for (Eigen::Index k = 0; k < table.time.size(); ++k)
     if (table.time[k] > span.from && table.time[k] < span.to &&
-        slope_behind(table, k) != slope_behind(table, k - 1))
+        slope_after(table, k) != slope_after(table, k - 1))
       times.push_back(table.time[k]);
 }
 
-/// First entry of the positions of a free joint on the world.
-int free_joint(const Mechanism& mechanism, int body) {
+/// Returns the first entry of a body's free joint in q. @throws InputError as set_free_pose().
+int first_free_entry(const Mechanism& mechanism, int body) {
   const MechanismJoint& joint = mechanism.joints.at(static_cast<std::size_t>(body));
   require(joint.kind == JointKind::kFree && joint.parent < 0,
           "body '{}' hangs on a {} joint: its pose follows from coordinates",
@@ -118,19 +119,21 @@ void check_scene(const MovingScene& scene) {
   }
 }
 
-DriveTarget drive_target(const SceneDrive& drive, double t, double acting) {
+DriveTarget drive_target(const SceneDrive& drive, double t, double selection_time) {
   if (!drive.table) return {drive.target + drive.speed * (t - drive.when.from), drive.speed};
-  // The last knot that is not after the instant.
+  // Find the last knot that is not after the selecting instant, by bisection.
   const TargetTable& table = *drive.table;
   const double* const first = table.time.data();
-  const Eigen::Index knot = std::upper_bound(first, first + table.time.size(), acting) - first - 1;
+  const Eigen::Index knot =
+      std::upper_bound(first, first + table.time.size(), selection_time) - first - 1;
   if (knot < 0) return {table.target[0], 0};
-  const double slope = slope_behind(table, knot);
+  const double slope = slope_after(table, knot);
   return {table.target[knot] + slope * (t - table.time[knot]), slope};
 }
 
-double drive_effort(const SceneDrive& drive, double u, double rate, double t, double acting) {
-  const DriveTarget wanted = drive_target(drive, t, acting);
+double drive_effort(const SceneDrive& drive, double u, double rate, double t,
+                    double selection_time) {
+  const DriveTarget wanted = drive_target(drive, t, selection_time);
   const double effort =
       drive.bias + drive.stiffness * (wanted.value - u) - drive.damping * (rate - wanted.speed);
   return std::clamp(effort, -drive.max_effort, drive.max_effort);
@@ -142,30 +145,31 @@ const PairFriction& pair_friction(const MovingScene& scene, int a, int b) {
   return scene.friction;
 }
 
-double largest_restitution(const MovingScene& scene) {
-  double most = scene.friction.restitution;
-  for (const auto& [bodies, pair] : scene.friction_pairs) most = std::max(most, pair.restitution);
-  return most;
+double max_restitution(const MovingScene& scene) {
+  double restitution = scene.friction.restitution;
+  for (const auto& [bodies, pair] : scene.friction_pairs)
+    restitution = std::max(restitution, pair.restitution);
+  return restitution;
 }
 
-void advance(const Mechanism& mechanism, const MechanismLayout& layout, const Eigen::VectorXd& v,
-             double h, Eigen::VectorXd& q) {
-  // Positions move as speeds do where there is no quaternion.
+void advance_positions(const Mechanism& mechanism, const MechanismLayout& layout,
+                       const Eigen::VectorXd& v, double h, Eigen::VectorXd& q) {
+  // Without quaternions, all positions advance linearly.
   if (has_no_quaternion(layout)) {
     q += h * v;
     return;
   }
-  // Hinges and slides go straight.
+  // Advance hinges and slides linearly, then balls and free joints.
   for (std::size_t c = 0; c < layout.coordinate_q.size(); ++c)
     q[layout.coordinate_q[c]] += h * v[layout.coordinate_v[c]];
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const JointKind kind = mechanism.joints[i].kind;
     if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
     const int at_q = layout.first_q[i], at_v = layout.first_v[i];
-    // exp(h w / 2) times the quaternion, w in the axes of the joint's F.
+    // Multiply the quaternion by exp(h w / 2), with w in the axes of the joint's F.
     const Eigen::Vector3d half = 0.5 * h * v.segment<3>(at_v);
     const double angle = half.norm();
-    const double sinc = angle > 1e-4 ? std::sin(angle) / angle : 1 - angle * angle / 6;
+    const double sinc = angle > kSeriesAngle ? std::sin(angle) / angle : 1 - angle * angle / 6;
     const Eigen::Vector3d x = sinc * half;
     const double w = std::cos(angle);
     const Eigen::Vector4d old = q.segment<4>(at_q);
@@ -179,7 +183,7 @@ void advance(const Mechanism& mechanism, const MechanismLayout& layout, const Ei
 
 void position_rates(const Mechanism& mechanism, const MechanismLayout& layout,
                     const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& q_dot) {
-  // Rates are speeds where there is no quaternion.
+  // Without quaternions, rates are velocities.
   if (has_no_quaternion(layout)) {
     q_dot = v;
     return;
@@ -190,7 +194,7 @@ void position_rates(const Mechanism& mechanism, const MechanismLayout& layout,
     const JointKind kind = mechanism.joints[i].kind;
     if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
     const int at_q = layout.first_q[i], at_v = layout.first_v[i];
-    // (0, w / 2) times the quaternion.
+    // Multiply (0, w / 2) by the quaternion.
     const Eigen::Vector3d half = 0.5 * v.segment<3>(at_v), y = q.segment<3>(at_q + 1);
     q_dot[at_q] = -half.dot(y);
     q_dot.segment<3>(at_q + 1) = q[at_q] * half + half.cross(y);
@@ -200,8 +204,8 @@ void position_rates(const Mechanism& mechanism, const MechanismLayout& layout,
 
 void set_free_pose(const Mechanism& mechanism, int body, const Pose<double>& X_WB,
                    Eigen::VectorXd& q) {
-  const int first = free_joint(mechanism, body);
-  // Pose of M in F, as a quaternion and a position.
+  const int first = first_free_entry(mechanism, body);
+  // Express the pose of M in F as a quaternion and a position.
   const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(body)];
   const Pose<double> X_FM = joint.X_PF.inverse() * X_WB * joint.X_BM;
   const Eigen::Quaterniond turn(X_FM.R);
@@ -212,20 +216,20 @@ void set_free_pose(const Mechanism& mechanism, int body, const Pose<double>& X_W
 void set_free_velocity(const Mechanism& mechanism, int body, const Eigen::VectorXd& q,
                        const Eigen::Vector3d& linear, const Eigen::Vector3d& angular,
                        Eigen::VectorXd& v) {
-  const int first_q = free_joint(mechanism, body);
+  const int first_q = first_free_entry(mechanism, body);
   const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(body)];
   const int first = layout_of(mechanism).first_v[static_cast<std::size_t>(body)];
-  // From the body's origin to that of M.
+  // Find the vector from the body's origin to that of M.
   const Eigen::Quaterniond turn(q[first_q], q[first_q + 1], q[first_q + 2], q[first_q + 3]);
   const Eigen::Matrix3d R_WM = joint.X_PF.R * turn.toRotationMatrix();
   const Eigen::Vector3d arm = R_WM * (joint.X_BM.R.transpose() * joint.X_BM.p);
-  // Speeds of a free joint have the axes of F.
+  // Transfer the velocity to M, in the axes of F.
   v.segment<3>(first) = joint.X_PF.R.transpose() * angular;
   v.segment<3>(first + 3) = joint.X_PF.R.transpose() * (linear + angular.cross(arm));
 }
 
 std::vector<double> switching_times(const MovingScene& scene) {
-  // Ends of spans, jumps and bends of tables, and switches of elements.
+  // Collect ends of time spans, knots of tables and switching times of elements.
   std::vector<double> times;
   const auto add = [&](const TimeSpan& span) {
     times.push_back(span.from);
@@ -237,7 +241,7 @@ std::vector<double> switching_times(const MovingScene& scene) {
     if (drive.table) add_knots(*drive.table, drive.when, times);
   }
   for (const std::shared_ptr<const ForceElement>& element : scene.elements)
-    for (const double t : element->switches()) times.push_back(t);
+    for (const double t : element->switching_times()) times.push_back(t);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;

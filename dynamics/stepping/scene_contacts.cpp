@@ -18,7 +18,7 @@ JointValue joint_value_at(const MovingScene& scene, const TreeModel& model, std:
 
 SceneContacts::SceneContacts(const MovingScene& scene, const TreeModel& model)
     : scene_(scene), model_(model) {
-  // Collision bodies of all bodies with a surface.
+  // Build collision bodies of all bodies with a surface.
   std::vector<std::shared_ptr<const CollisionBody>> bodies;
   for (std::size_t i = 0; i < scene.mechanism.bodies.size(); ++i) {
     const std::shared_ptr<const Solid>& solid = scene.mechanism.bodies[i].solid;
@@ -28,9 +28,9 @@ SceneContacts::SceneContacts(const MovingScene& scene, const TreeModel& model)
   }
   X_WB_.resize(body_of_.size());
   X_before_.resize(body_of_.size());
-  way_.resize(body_of_.size());
+  displacements_.resize(body_of_.size());
   may_meet_.assign(body_of_.size() * body_of_.size(), false);
-  // Pairs that may meet; the collision world leaves out all others.
+  // Mark the pairs that may meet; the collision world excludes all others.
   const std::vector<std::pair<int, int>> pairs = pairs_that_may_meet(scene, model);
   for (std::size_t i = 0; i < body_of_.size(); ++i)
     for (std::size_t j = i + 1; j < body_of_.size(); ++j)
@@ -47,17 +47,17 @@ void SceneContacts::set_world(std::vector<std::shared_ptr<const CollisionBody>> 
         world_->exclude(static_cast<int>(i), static_cast<int>(j));
 }
 
-void SceneContacts::find(const SceneMotion& motion, const SceneState& state, double margin,
-                         std::vector<ActiveContact>& out) {
+void SceneContacts::find_contacts(const SceneMotion& motion, const SceneState& state, double margin,
+                                  std::vector<ActiveContact>& out) {
   out.clear();
-  if (may_touch_) find_contacts(motion.links(), margin, out);
+  if (may_touch_) add_body_contacts(motion.links(), margin, out);
   for (std::size_t i = 0; i < scene_.mechanism.joints.size(); ++i)
-    find_joint(i, state, margin, out);
+    add_joint_contacts(i, state, margin, out);
 }
 
-void SceneContacts::find_contacts(const TreeMotion<double>& links, double margin,
-                                  std::vector<ActiveContact>& out) {
-  // Points of the manifolds, with velocities of a against b.
+void SceneContacts::add_body_contacts(const TreeMotion<double>& links, double margin,
+                                      std::vector<ActiveContact>& out) {
+  // Convert the points of all manifolds, with velocities of a relative to b.
   for (std::size_t i = 0; i < body_of_.size(); ++i) X_WB_[i] = links.pose(body_of_[i]);
   for (const BodyContact& pair : world_->update(X_WB_, margin))
     for (const ManifoldPoint& point : *pair.manifold) {
@@ -78,14 +78,14 @@ void SceneContacts::find_contacts(const TreeMotion<double>& links, double margin
     }
 }
 
-void SceneContacts::find_joint(std::size_t i, const SceneState& state, double margin,
-                               std::vector<ActiveContact>& out) const {
-  // Value and rate of a hinge or slide.
+void SceneContacts::add_joint_contacts(std::size_t i, const SceneState& state, double margin,
+                                       std::vector<ActiveContact>& out) const {
+  // Evaluate the value and rate of a hinge or slide.
   const MechanismJoint& joint = scene_.mechanism.joints[i];
   if (!is_scalar(joint.kind)) return;
   const JointValue at = joint_value_at(scene_, model_, i, state);
   const double rate = at.slope * state.v[model_.layout.first_v[i]];
-  // Limits within the margin, and dry friction.
+  // Add limits within the margin, and dry friction.
   const auto add = [&](Kind kind, double gap, double approach) {
     if (!(gap <= margin)) return;
     ActiveContact limit;
@@ -100,67 +100,68 @@ void SceneContacts::find_joint(std::size_t i, const SceneState& state, double ma
   if (joint.friction > 0) add(Kind::kJointFriction, 0, rate);
 }
 
-/// Largest displacement of a point of a collision body between two poses.
-double SceneContacts::displacement(std::size_t i) const {
+/// Bounds the displacement of any point of a collision body between two poses [m].
+double SceneContacts::max_displacement(std::size_t i) const {
   const Ball& ball = world_->bodies()[i]->ball;
   return (X_WB_[i] * ball.c - X_before_[i] * ball.c).norm() +
          (X_WB_[i].R - X_before_[i].R).norm() * ball.r;
 }
 
-/// Returns whether two collision bodies press on each other.
-bool SceneContacts::press(const std::vector<ActiveContact>& touching, std::size_t i,
-                          std::size_t j) const {
+/// Returns true if two collision bodies have a closed contact.
+bool SceneContacts::are_pressed(const std::vector<ActiveContact>& touching, std::size_t i,
+                                std::size_t j) const {
   return std::any_of(touching.begin(), touching.end(), [&](const ActiveContact& contact) {
     return contact.kind == Kind::kContact && contact.a == body_of_[i] && contact.b == body_of_[j] &&
            contact.mode != ContactMode::kOpen;
   });
 }
 
-double SceneContacts::motion_between(SceneMotion& motion, const SceneState& from,
-                                     const SceneState& to,
-                                     const std::vector<ActiveContact>& touching) {
+double SceneContacts::tunnelling_ratio(SceneMotion& motion, const SceneState& from,
+                                       const SceneState& to,
+                                       const std::vector<ActiveContact>& touching) {
   const std::size_t n = body_of_.size();
   if (n < 2) return 0;
-  // Displacement of each body between the two states.
-  motion.move_to(from.q);
+  // Bound the displacement of each body between the two states.
+  motion.set_position(from.q);
   for (std::size_t i = 0; i < n; ++i) X_before_[i] = motion.links().pose(body_of_[i]);
-  motion.move_to(to.q);
+  motion.set_position(to.q);
   for (std::size_t i = 0; i < n; ++i) X_WB_[i] = motion.links().pose(body_of_[i]);
-  for (std::size_t i = 0; i < n; ++i) way_[i] = displacement(i);
-  // Motion of each pair over half the thinner body's thickness; the largest counts.
-  double most = 0;
+  for (std::size_t i = 0; i < n; ++i) displacements_[i] = max_displacement(i);
+  // Find the largest motion of a pair over half the thinner body's thickness.
+  double max_ratio = 0;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) {
-      const double moved = way_[i] + way_[j];
-      const double over =
+      const double moved = displacements_[i] + displacements_[j];
+      const double ratio =
           2 * moved / std::min(world_->bodies()[i]->thickness, world_->bodies()[j]->thickness);
-      if (over <= most || !may_meet_[i * n + j]) continue;
-      // Balls that stay apart cannot have met.
+      if (ratio <= max_ratio || !may_meet_[i * n + j]) continue;
+      // Skip pairs whose bounding balls stay apart, and those in contact.
       const Ball &a = world_->bodies()[i]->ball, &b = world_->bodies()[j]->ball;
       const double apart = (X_before_[i] * a.c - X_before_[j] * b.c).norm() - a.r - b.r;
-      if (apart < moved && !press(touching, i, j)) most = over;
+      if (apart < moved && !are_pressed(touching, i, j)) max_ratio = ratio;
     }
-  return most;
+  return max_ratio;
 }
 
-double SceneContacts::fastest(SceneMotion& motion, const Eigen::VectorXd& v) const {
-  // Speed of a body's bounding ball: that of its centre, and its turn at the rim.
-  motion.speed_up(v);
+double SceneContacts::max_relative_speed(SceneMotion& motion, const Eigen::VectorXd& v) const {
+  // Add the speed of a bounding ball's centre and that of its surface about the centre.
+  motion.set_speeds(v);
   const TreeMotion<double>& links = motion.links();
-  double most = 0;
+  double max_speed = 0;
   for (std::size_t i = 0; i < body_of_.size(); ++i) {
     const int link = links.link_of(body_of_[i]);
     if (link < 0) continue;
     const Ball& ball = world_->bodies()[i]->ball;
     const Eigen::Vector3d centre = links.pose(body_of_[i]) * ball.c;
-    most = std::max(most, links.velocity(link, centre).norm() +
-                              links.links()[static_cast<std::size_t>(link)].w.norm() * ball.r);
+    max_speed =
+        std::max(max_speed, links.velocity(link, centre).norm() +
+                                links.links()[static_cast<std::size_t>(link)].w.norm() * ball.r);
   }
-  return 2 * most;
+  return 2 * max_speed;
 }
 
-double SceneContacts::extent(double least) const {
-  double size = least;
+double SceneContacts::extent(double min_extent) const {
+  double size = min_extent;
   for (const Pose<double>& X : X_WB_) size = std::max(size, X.p.norm());
   return size;
 }

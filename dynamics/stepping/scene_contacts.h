@@ -1,9 +1,8 @@
 #pragma once
 
-/// Contacts, joint limits and dry friction of a scene at a state.
+/// Search for contacts, joint limits and dry frictions of a scene at a state.
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -13,58 +12,60 @@
 
 namespace thenar {
 
-/// Value and rate of a joint at a state.
+/// Returns the value of a hinge or slide at a state, and its derivatives by the coordinate.
 [[nodiscard]] JointValue joint_value_at(const MovingScene& scene, const TreeModel& model,
                                         std::size_t joint, const SceneState& state);
 
-/// Finds what touches in a scene. Pairs of bodies remember their contacts.
+/// Contact search of a scene. Pairs of bodies keep their manifolds between searches.
 class SceneContacts {
  public:
-  /// @param scene, model  outlive it
+  /// @param scene, model  must outlive the object
   SceneContacts(const MovingScene& scene, const TreeModel& model);
 
-  /// Returns whether some bodies may touch: then motions are placed before find().
+  /// Returns true if some bodies may touch; find_contacts() then needs the links' motion.
   [[nodiscard]] bool may_touch() const { return may_touch_; }
 
-  /// Finds all contacts within the margin, joint limits within it, and dry frictions.
-  /// @param motion  placed at the state, where bodies may touch
-  void find(const SceneMotion& motion, const SceneState& state, double margin,
-            std::vector<ActiveContact>& out);
+  /// Finds all contacts and joint limits within a margin, and all dry frictions.
+  /// @param motion  set to the state if may_touch()
+  /// @param margin  largest gap [m], [rad];  @param out  replaced
+  void find_contacts(const SceneMotion& motion, const SceneState& state, double margin,
+                     std::vector<ActiveContact>& out);
 
-  /// Sum of the largest displacements of two bodies over half the thinner one's thickness, the
-  /// largest of all pairs that could have met between two states: ContactStep::motion_between()
-  /// [1].
-  [[nodiscard]] double motion_between(SceneMotion& motion, const SceneState& from,
-                                      const SceneState& to,
-                                      const std::vector<ActiveContact>& touching);
+  /// Computes the largest displacement of a pair of bodies between two states over half the thinner
+  /// body's thickness [1]: ContactStep::tunnelling_ratio().
+  [[nodiscard]] double tunnelling_ratio(SceneMotion& motion, const SceneState& from,
+                                        const SceneState& to,
+                                        const std::vector<ActiveContact>& touching);
 
-  /// Twice the largest speed of a point of a body, if the speeds were v [m/s].
-  [[nodiscard]] double fastest(SceneMotion& motion, const Eigen::VectorXd& v) const;
+  /// Computes an upper bound of the relative speed of two bodies' points at velocities v: twice the
+  /// largest speed of a bounding ball's surface [m/s].
+  [[nodiscard]] double max_relative_speed(SceneMotion& motion, const Eigen::VectorXd& v) const;
 
-  /// Farthest distance of a body from the origin at the last find(), or `least` [m].
-  [[nodiscard]] double extent(double least) const;
+  /// Returns the largest distance of a body from the world's origin at the last find_contacts(), at
+  /// least `min_extent` [m].
+  [[nodiscard]] double extent(double min_extent) const;
 
-  /// Goes back to a world in which no pair has met yet.
-  void forget() { set_world(world_->bodies()); }
+  /// Clears the manifolds of all pairs.
+  void reset_pairs() { set_world(world_->bodies()); }
 
  private:
   void set_world(std::vector<std::shared_ptr<const CollisionBody>> bodies);
-  void find_contacts(const TreeMotion<double>& links, double margin,
-                     std::vector<ActiveContact>& out);
-  void find_joint(std::size_t i, const SceneState& state, double margin,
-                  std::vector<ActiveContact>& out) const;
-  [[nodiscard]] double displacement(std::size_t i) const;
-  [[nodiscard]] bool press(const std::vector<ActiveContact>& touching, std::size_t i,
-                           std::size_t j) const;
+  void add_body_contacts(const TreeMotion<double>& links, double margin,
+                         std::vector<ActiveContact>& out);
+  void add_joint_contacts(std::size_t i, const SceneState& state, double margin,
+                          std::vector<ActiveContact>& out) const;
+  [[nodiscard]] double max_displacement(std::size_t i) const;
+  [[nodiscard]] bool are_pressed(const std::vector<ActiveContact>& touching, std::size_t i,
+                                 std::size_t j) const;
 
   const MovingScene& scene_;
   const TreeModel& model_;
-  std::vector<int> body_of_;  // of the collision world's bodies
+  std::vector<int> body_of_;  // body of the mechanism (collision bodies)
   std::unique_ptr<CollisionWorld> world_;
-  std::vector<Pose<double>> X_WB_, X_before_;
-  std::vector<double> way_;     // of collision bodies [m]
-  std::vector<bool> may_meet_;  // (bodies x bodies)
-  bool may_touch_ = false;      // some of them
+  std::vector<Pose<double>> X_WB_, X_before_;  // poses now and before (collision bodies)
+  std::vector<double> displacements_;          // largest displacement [m] (collision bodies)
+  std::vector<bool> may_meet_;                 // pairs that may touch (collision bodies squared)
+  bool may_touch_ = false;                     // at least one pair may touch
 };
 
 }  // namespace thenar

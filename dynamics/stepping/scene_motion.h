@@ -1,6 +1,6 @@
 #pragma once
 
-/// Links of a scene, placed at a state.
+/// Poses and velocities of a scene's links, cached by state.
 
 #include <Eigen/Core>
 
@@ -9,13 +9,13 @@
 
 namespace thenar {
 
-/// Motion of a scene's links at the state where they were placed last.
+/// Motion of a scene's links; set_state() recomputes it only for another state.
 class SceneMotion {
  public:
   explicit SceneMotion(const TreeModel& model) : links_(model) { links_.clear_loads(); }
 
-  /// Places links at a state; nothing is done where they are there already.
-  void place(const SceneState& state) {
+  /// Computes poses and velocities at a state, unless they are those of the last call.
+  void set_state(const SceneState& state) {
     if (is_placed_ && q_ == state.q && v_ == state.v) return;
     links_.set_position(state.q);
     links_.set_speed(state.v);
@@ -23,27 +23,28 @@ class SceneMotion {
     v_ = state.v;
     is_placed_ = true;
   }
-  /// Moves links to a position, or to other speeds, for once.
-  void move_to(const Eigen::VectorXd& q) {
+  /// Computes poses alone; the next set_state() recomputes everything.
+  void set_position(const Eigen::VectorXd& q) {
     is_placed_ = false;
     links_.set_position(q);
   }
-  void speed_up(const Eigen::VectorXd& v) {
+  /// Computes velocities alone, at the present poses; the next set_state() recomputes everything.
+  void set_speeds(const Eigen::VectorXd& v) {
     is_placed_ = false;
     links_.set_speed(v);
   }
-  /// Forgets where links were placed.
-  void forget() { is_placed_ = false; }
+  /// Invalidates the cache.
+  void invalidate() { is_placed_ = false; }
 
   [[nodiscard]] TreeMotion<double>& links() { return links_; }
   [[nodiscard]] const TreeMotion<double>& links() const { return links_; }
-  /// Speeds of the last place() (v).
-  [[nodiscard]] const Eigen::VectorXd& placed_speeds() const { return v_; }
+  /// Returns the velocities of the last set_state() (v).
+  [[nodiscard]] const Eigen::VectorXd& speeds() const { return v_; }
 
  private:
   TreeMotion<double> links_;
-  Eigen::VectorXd q_, v_;   // of the last place() (q), (v)
-  bool is_placed_ = false;  // and links are still there
+  Eigen::VectorXd q_, v_;   // positions and velocities of the last set_state() (q), (v)
+  bool is_placed_ = false;  // links_ still has that state
 };
 
 }  // namespace thenar

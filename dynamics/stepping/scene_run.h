@@ -1,6 +1,6 @@
 #pragma once
 
-/// Options of a run of a scene, and what it gives: states at instants, cost and accuracy.
+/// Options and results of a scene's simulation: sampled states, cost and accuracy.
 
 #include <array>
 #include <string>
@@ -17,10 +17,10 @@ namespace thenar {
 
 /// Method of time integration.
 enum class SteppingMethod {
-  kEvents,            // extrapolated steps between events, their length by an error estimate
-  kTimeStepping,      // midpoint steps of a fixed length, events within them, no bounces
-  kCompliantSimbody,  // springs for contacts, all by Simbody: see dynamics/compliant/
-  kCompliantSundials  // springs for contacts, by our own machine and CVODE: the same
+  kEvents,            // extrapolated steps between events, step size by an error estimate
+  kTimeStepping,      // midpoint steps of fixed length, events within them, no restitution
+  kCompliantSimbody,  // compliant contacts, all by Simbody: see dynamics/compliant/
+  kCompliantSundials  // compliant contacts, by this project's multibody code and CVODE
 };
 inline constexpr std::array kSteppingMethodNames{
     EnumName{SteppingMethod::kEvents, "events"},
@@ -28,54 +28,56 @@ inline constexpr std::array kSteppingMethodNames{
     EnumName{SteppingMethod::kCompliantSimbody, "compliant-simbody"},
     EnumName{SteppingMethod::kCompliantSundials, "compliant-sundials"}};
 
+/// Options of a simulation. A comment names the methods that use an option; without one, all do.
 struct SceneOptions {
   SteppingMethod method = SteppingMethod::kEvents;
-  double seconds = 1;       // how long [s]
-  double sample = 1e-2;     // between the instants that are kept [s]
-  double step = 1e-3;       // kTimeStepping: of every step [s]
-  double longest = 2e-2;    // all but kTimeStepping: step; by events five times that where nothing
-                            // moves by 0.1 mm [s]
-  double tolerance = 1e-9;  // the same: error of a step, in positions [m], [rad], and in speeds
-                            // over 100 [m/s], [rad/s]
-  double shortest = 1e-9;   // kEvents, kTimeStepping: no step is halved below this [s]
-  double touch = 1e-9;      // kEvents: gaps below this touch [m]
-  double recovery = 0.1;    // speed at which depth at the start is pushed out [m/s]
-  ContactSolverOptions contacts{};  // kPyramid: the complementarity problem of [Miller2005]; the
-                                    // tolerance of fixed steps is what ContactStep allows them
-  int columns = 5;                  // kEvents: most of the extrapolation, 2..8; its highest order
-  bool sleep = true;                // kEvents: what rests stays as it is until something switches
-  ContactCompliance compliance{};   // kCompliantSimbody, kCompliantSundials
+  double seconds = 1;       // simulated time [s]
+  double sample = 1e-2;     // time between samples [s]
+  double step = 1e-3;       // kTimeStepping: step length [s]
+  double longest = 2e-2;    // all but kTimeStepping: longest step; five times that by kEvents
+                            // without elements while nothing moves by 0.1 mm, 0.1 mrad [s]
+  double tolerance = 1e-9;  // all but kTimeStepping: error of a step in positions [m], [rad], and
+                            // in velocities over 100 [m/s], [rad/s]
+  double shortest = 1e-9;   // kEvents, kTimeStepping: shortest step [s]
+  double touch = 1e-9;      // kEvents: largest gap that counts as closed [m]
+  double recovery = 0.1;  // kEvents, kTimeStepping: speed at which penetration is pushed out [m/s]
+  ContactSolverOptions contacts{};  // contact solver; kPyramid: the complementarity problem of
+                                    // [Miller2005]; ContactStep sets the tolerance of fixed steps
+  int columns = 5;                  // kEvents: highest order of extrapolation, 2..8
+  bool sleep = true;  // kEvents: a resting scene is not integrated until something switches
+  ContactCompliance compliance{};  // kCompliantSimbody, kCompliantSundials: laws of contact
 };
 
-/// @throws InputError if an option is impossible.
+/// Checks options. @throws InputError if one is out of range.
 void check_scene_options(const SceneOptions& options);
 
-/// Energies at a state. Springs are those of joints and elements.
+/// Energies at a state.
 struct SceneEnergy {
-  double kinetic = 0, weight = 0, springs = 0;  // [J]
-  double of_elements = 0;  // the part of `springs` in elements that are not passive [J]
-  double of_passive = 0;   // the part of `springs` in passive elements [J]
+  double kinetic = 0, weight = 0;  // kinetic energy; gravitational energy [J]
+  double springs = 0;              // energy of springs of joints, and of all elements [J]
+  double of_elements = 0;          // part of `springs` in elements that are not passive [J]
+  double of_passive = 0;           // part of `springs` in passive elements [J]
   [[nodiscard]] double total() const { return kinetic + weight + springs; }
 };
 
-/// One instant of a run.
+/// Sampled state of a simulation.
 struct SceneSample {
-  double t = 0;                         // [s]
-  Eigen::VectorXd q, v, z;              // as SceneState
-  std::vector<ContactSample> contacts;  // that do not open; forces are means of the last substep,
-                                        // of first order in its length
-  SceneEnergy energy;                   // [J]; springs also hold that of compliant contacts
-  Eigen::VectorXd w;  // EnergyFlows since the start [J] (7); empty: the method has none
+  double t = 0;                         // time [s]
+  Eigen::VectorXd q, v, z;              // positions, velocities, element states: SceneState
+  std::vector<ContactSample> contacts;  // closed contacts; forces are means over the last substep,
+                                        // accurate to first order in its length
+  SceneEnergy energy;                   // energies [J]; `springs` includes compliant contacts
+  Eigen::VectorXd w;  // EnergyFlows since the start [J] (7); empty: not computed by the method
 };
 
-/// Ending of a run.
+/// Status of a simulation.
 enum class SceneStatus {
-  kDone,
-  kStopped,    // the caller asked for it
-  kUnsolved,   // went on, but contact problems missed their tolerance: see `unsolved`
-  kNotFinite,  // positions or speeds became infinite; all before that is kept
-  kFailed,     // the integrator could not go on, see `message`; all before that is kept
-  kUnbalanced  // at the end, but its energy does not balance: FlowBalance::holds()
+  kDone,       // simulated to the end
+  kStopped,    // stopped by the caller
+  kUnsolved,   // simulated to the end, but contact problems missed their tolerance: see `unsolved`
+  kNotFinite,  // positions or velocities became infinite; earlier samples are kept
+  kFailed,     // integrator failed, see `message`; earlier samples are kept
+  kUnbalanced  // simulated to the end, but its energy does not balance: FlowBalance::holds()
 };
 inline constexpr std::array kSceneStatusNames{
     EnumName{SceneStatus::kDone, "done"},
@@ -88,30 +90,31 @@ inline constexpr std::array kSceneStatusNames{
   return name_in(kSceneStatusNames, status);
 }
 
-/// Cost of a run, and its accuracy.
+/// Cost and accuracy of a simulation.
 struct SceneCost {
-  long steps = 0;     // accepted
-  long rejected = 0;  // for their error, or an event within them
-  long substeps = 0;  // contact problems or accelerations
-  long impacts = 0;
-  long passed = 0;            // piles of events that steps of fixed length went through
-  long unsolved = 0;          // contact problems beyond the tolerance
-  long leaps = 0;             // steps of fixed length in parts as short as can be in which surfaces
-                              // moved so far that they may have gone through each other
-  long coarse = 0;            // steps as short as can be whose error is beyond the tolerance
-  double worst_residual = 0;  // ContactResidual::natural over all steps [1]
-  double deepest = 0;         // penetration at the end of any step, after the first [m]
-  Eigen::VectorXd beyond{};   // of joints, the farthest way beyond a limit at the end of any step
-                              // [rad] or [m] (joints); empty: not asked
-  double asleep = 0;          // time that passed at rest [s]
-  double cpu_seconds = 0;     // of this thread
+  long steps = 0;             // accepted steps
+  long rejected = 0;          // trial steps rejected for their error or an event
+  long substeps = 0;          // contact problems solved and accelerations evaluated
+  long impacts = 0;           // instants at which impacts were resolved
+  long passed = 0;            // bursts of fixed steps through chattering contacts
+  long unsolved = 0;          // contact problems that missed the tolerance
+  long leaps = 0;             // fixed steps, divided into the shortest parts, in which surfaces may
+                              // still have passed through each other
+  long coarse = 0;            // shortest steps whose error exceeded the tolerance
+  double worst_residual = 0;  // largest ContactResidual::natural of any step [1]
+  double deepest = 0;         // largest penetration at the end of any step but the first [m]
+  Eigen::VectorXd beyond{};   // largest excess over a limit at the end of any step [rad] or [m]
+                              // (joints); empty: not recorded
+  double asleep = 0;          // simulated time at rest [s]
+  double cpu_seconds = 0;     // processor time of the calling thread [s]
 };
 
+/// Result of a simulation.
 struct [[nodiscard]] SceneRun {
   SceneStatus status = SceneStatus::kDone;
-  std::vector<SceneSample> samples;  // the start first
+  std::vector<SceneSample> samples;  // sampled states, the initial one first
   SceneCost cost;
-  std::string message;  // what went wrong, and when, where the status is kFailed
+  std::string message;  // kFailed: cause and instant of the failure
 };
 
 }  // namespace thenar

@@ -5,9 +5,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kStillSpeed = 1e-11;  // Slower is at rest [m/s], [rad/s]
+constexpr double kStillSpeed = 1e-11;  // largest speed at rest [m/s], [rad/s]
 
-/// Returns whether some drive has a target that moves.
+/// Returns true if an active drive has a moving target.
 bool drives_move(const MovingScene& scene, double t) {
   return std::any_of(scene.drives.begin(), scene.drives.end(), [&](const SceneDrive& drive) {
     return drive.when.holds(t) && drive_target(drive, t, t).speed != 0;
@@ -20,11 +20,12 @@ bool is_still(const SceneState& state) {
   return state.v.size() == 0 || state.v.cwiseAbs().maxCoeff() <= kStillSpeed;
 }
 
-void SceneSleep::observe(ContactStep& step, bool was_still, bool slides, double gap, double touch,
-                         SceneState& state) {
-  // Rest: still before and after, and nothing slides, closes or moves by itself.
+void SceneSleep::observe_step(ContactStep& step, bool was_still, bool slides, double gap,
+                              double touch, SceneState& state) {
+  // Count a step at rest: still before and after, no contact slides or closes, nothing starts
+  // motion.
   if (was_still && is_still(state) && !slides && gap < touch &&
-      !drives_move(step.scene(), state.t) && !step.elements_move(state)) {
+      !drives_move(step.scene(), state.t) && !step.elements_may_start_motion(state)) {
     state.v.setZero();
     ++steps_;
   } else {

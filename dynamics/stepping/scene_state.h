@@ -1,6 +1,6 @@
 #pragma once
 
-/// State of a scene in motion: positions, speeds, states of elements, and what touches.
+/// State of a moving scene: positions, velocities, element states and active contacts.
 
 #include <algorithm>
 #include <cstdint>
@@ -14,58 +14,60 @@
 
 namespace thenar {
 
-/// Gaps up to this are looked at for contacts that close within a step [m].
-inline constexpr double kNearGap = 1e-4;
+/// Largest gap at which a contact is searched for, because it may close within a step [m].
+inline constexpr double kSearchMargin = 1e-4;
 
 /// State of a scene at an instant.
 struct SceneState {
-  double t = 0;         // [s]
+  double t = 0;         // time [s]
   Eigen::VectorXd q;    // positions (q)
-  Eigen::VectorXd v;    // speeds (v)
-  Eigen::VectorXd z{};  // states of elements, see SceneElements; empty: not asked for (z)
-  EnergyFlows w = EnergyFlows::Zero();  // by steps so far; they steer nothing [J]
+  Eigen::VectorXd v;    // generalized velocities (v)
+  Eigen::VectorXd z{};  // states of elements, see SceneElements; empty without elements or
+                        // where they are not needed (z)
+  EnergyFlows w = EnergyFlows::Zero();  // flows since the start, an output only [J]
 };
 
-/// Speeds of a contact at the beginning of a step, by the Jacobian of its middle; NaN: it did not
-/// touch, or did not stick, before that step.
-struct BeforeSpeeds {
+/// Velocities of a contact at the start of a midpoint step, by the Jacobian of its midpoint: the u~
+/// of ContactStep::take_midpoint_step(). NaN: the contact did not touch, or stick, before that
+/// step.
+struct PreviousSpeeds {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  double closing = kNone;                      // 2 gap / h [m/s], [rad/s]
-  Eigen::Vector3d drift{kNone, kNone, kNone};  // along the surface, world [m/s] (3)
-  double spin = kNone;                         // about the normal [rad/s]
+  double closing = kNone;                      // normal velocity, 2 gap / h [m/s], [rad/s]
+  Eigen::Vector3d drift{kNone, kNone, kNone};  // tangential velocity, world [m/s] (3)
+  double spin = kNone;                         // angular velocity about the normal [rad/s]
 };
 
-/// A contact point of two bodies, a joint limit, or the dry friction of a joint.
+/// Active constraint: a contact point of two bodies, a joint limit, or the dry friction of a joint.
 struct ActiveContact {
   enum class Kind { kContact, kLowerLimit, kUpperLimit, kJointFriction };
   Kind kind = Kind::kContact;
-  int a = 0, b = 0;                 // of kContact: bodies, a < b; else a is the joint
-  int id = 0;                       // of kContact: ManifoldPoint::id
-  std::uint64_t feature = 0;        // of kContact: ManifoldPoint::feature
-  Eigen::Vector3d point{0, 0, 0};   // world [m] (3)
-  Eigen::Vector3d normal{0, 0, 1};  // unit, outward of b: a is pushed along it (3)
-  double gap = 0;                   // [m]; of limits [rad] or [m]
-  PairFriction friction{};
-  ContactMode mode = ContactMode::kOpen;
-  Eigen::Vector3d impulse{0, 0, 0};  // on a, world [N s] (3); of joints the first entry
-  double torsion = 0;                // about the normal [N m s]
-  double slip = 0;                   // tangential velocity [m/s]
-  double approach = 0;               // normal velocity, negative: they come closer [m/s]
-  BeforeSpeeds before{};             // of the last time_step()
+  int a = 0, b = 0;                       // kContact: bodies, a < b; otherwise a is the joint
+  int id = 0;                             // kContact: ManifoldPoint::id
+  std::uint64_t feature = 0;              // kContact: ManifoldPoint::feature
+  Eigen::Vector3d point{0, 0, 0};         // point of contact, world [m] (3)
+  Eigen::Vector3d normal{0, 0, 1};        // unit normal out of b, along which a is pushed (3)
+  double gap = 0;                         // gap [m]; of a joint limit [rad] or [m]
+  PairFriction friction{};                // friction and restitution of the bodies
+  ContactMode mode = ContactMode::kOpen;  // mode of the last step
+  Eigen::Vector3d impulse{0, 0, 0};       // impulse on a, world; of joints in x [N s], [N m s] (3)
+  double torsion = 0;                     // impulse about the normal [N m s]
+  double slip = 0;                        // tangential speed [m/s]
+  double approach = 0;        // normal velocity, negative while the gap closes [m/s], [rad/s]
+  PreviousSpeeds previous{};  // velocities of the last take_midpoint_step()
 
-  /// Returns whether both are one contact: the same features touch, though a trial in between lost
-  /// sight of it, or the point went over from one feature to the next.
-  [[nodiscard]] bool same(const ActiveContact& other) const {
+  /// Returns true if both are the same contact: the same features touch, even if a search in
+  /// between did not find them, or the same manifold point has moved to another feature.
+  [[nodiscard]] bool is_same_contact(const ActiveContact& other) const {
     return kind == other.kind && a == other.a && b == other.b &&
            (feature == other.feature || id == other.id);
   }
 };
 
-/// The same contact in a list; its end if there is none.
+/// Returns an iterator to the same contact in a list, or the end of the list.
 template <class List>
-[[nodiscard]] auto find_same(List& list, const ActiveContact& contact) {
+[[nodiscard]] auto find_contact(List& list, const ActiveContact& contact) {
   return std::find_if(list.begin(), list.end(),
-                      [&](const ActiveContact& each) { return each.same(contact); });
+                      [&](const ActiveContact& each) { return each.is_same_contact(contact); });
 }
 
 }  // namespace thenar

@@ -13,12 +13,12 @@
 namespace thenar {
 namespace {
 
-/// The instant of the next sample after t [s].
+/// Returns the instant of the next sample after t [s].
 double sample_after(double t, const SceneOptions& options) {
   return options.sample * static_cast<double>(std::lround(t / options.sample) + 1);
 }
 
-/// Simulates by kEvents up to the end, or to where the state is no number or the caller stops.
+/// Simulates by kEvents to the end, or until the state is not finite or the caller stops.
 void run_events(const MovingScene& scene, const SceneOptions& options, const Progress& progress,
                 SceneRun& run) {
   EventStepper stepper(scene, options, run.cost);
@@ -27,30 +27,30 @@ void run_events(const MovingScene& scene, const SceneOptions& options, const Pro
     run.samples.push_back(stepper.sample());
     next_sample = sample_after(stepper.state().t, options);
   };
-  // The first instant is that before an impact at the start.
+  // Keep the initial state as first sample, as it was before impacts at the start.
   const SceneState start = stepper.state();
-  stepper.begin();
+  stepper.resolve_initial_impacts();
   keep();
   SceneSample& first = run.samples.front();
   first.v = start.v;
   first.energy = stepper.energy_at(start);
   first.w = start.w;
-  // Steps up to the next sample, until the end, a stop or a state that is no number.
+  // Step from sample to sample, until the end, a stop or a state that is not finite.
   while (stepper.state().t < options.seconds && run.status == SceneStatus::kDone) {
     progress(stepper.state().t / options.seconds, "");
     if (progress.stop()) {
       run.status = SceneStatus::kStopped;
       return;
     }
-    const bool goes_on = stepper.go_on(std::min(options.seconds, next_sample));
+    const bool is_possible = stepper.take_step(std::min(options.seconds, next_sample));
     const double t = stepper.state().t;
     const bool finite = is_finite(stepper.state());
     if (finite && (t + 1e-12 >= next_sample || t >= options.seconds)) keep();
-    if (!goes_on || !finite) run.status = SceneStatus::kNotFinite;
+    if (!is_possible || !finite) run.status = SceneStatus::kNotFinite;
   }
 }
 
-/// Steps of fixed length from the start to the end.
+/// Simulates by kTimeStepping to the end, or until the state is not finite or the caller stops.
 void run_fixed(const MovingScene& scene, const SceneOptions& options, const Progress& progress,
                SceneRun& run) {
   SceneStepper stepper(scene, options);
@@ -60,7 +60,7 @@ void run_fixed(const MovingScene& scene, const SceneOptions& options, const Prog
     next_sample = sample_after(stepper.now().state.t, options);
   };
   keep();
-  // Steps of one length; a sample is the step that ends nearest to its time.
+  // Take all steps; a sample is the end of the step nearest to its time.
   const long steps = fixed_steps(options);
   for (long i = 0; i < steps && run.status == SceneStatus::kDone; ++i) {
     if (!stepper.step()) {
@@ -89,8 +89,8 @@ void check_scene_options(const SceneOptions& options) {
   require(options.sample > 0 && options.step > 0 && options.longest > 0 && options.tolerance > 0 &&
               options.shortest > 0 && options.touch > 0 && options.recovery >= 0,
           "wanted steps, samples, tolerances and lengths above 0");
-  require(options.columns >= 2 && options.columns <= Extrapolation::kMostColumns,
-          "wanted 2 to {} columns, got {}", Extrapolation::kMostColumns, options.columns);
+  require(options.columns >= 2 && options.columns <= Extrapolation::kMaxColumns,
+          "wanted 2 to {} columns, got {}", Extrapolation::kMaxColumns, options.columns);
 }
 
 SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options,
@@ -99,7 +99,7 @@ SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options,
   require(
       options.method == SteppingMethod::kEvents || options.method == SteppingMethod::kTimeStepping,
       "wanted events or time-stepping, got {}", name_in(kSteppingMethodNames, options.method));
-  // Run by the method, in which a stop may end a step half way.
+  // Run the method; a stop within a step is thrown.
   const double start = thread_seconds();
   SceneRun run;
   try {
@@ -108,9 +108,9 @@ SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options,
     else
       run_fixed(scene, options, progress, run);
   } catch (const Stopped&) {
-    run.status = SceneStatus::kStopped;  // within a step, which does not count
+    run.status = SceneStatus::kStopped;  // the unfinished step is discarded
   }
-  // Status: problems that were not solved, then energy that does not balance.
+  // Set the status: unsolved contact problems, then an energy error.
   run.cost.cpu_seconds = thread_seconds() - start;
   if (run.status == SceneStatus::kDone && run.cost.unsolved > 0)
     run.status = SceneStatus::kUnsolved;

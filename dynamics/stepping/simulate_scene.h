@@ -1,6 +1,6 @@
 #pragma once
 
-/// Scenes from a start to an end.
+/// Simulation of a scene from its initial state to an end time.
 
 #include "base/progress.h"
 #include "dynamics/stepping/moving_scene.h"
@@ -10,31 +10,32 @@ namespace thenar {
 
 /// Simulates a scene by kEvents or kTimeStepping; dynamics/compliant/ has the other methods.
 ///
-/// kEvents: a step of length H is made of 1, 2, .. n substeps (ContactStep::substep), and
-/// extrapolated to H / n = 0, order by order; a tenth of the tolerance is what the last two orders
-/// may differ by. n and H are those that ask for the least substeps (Extrapolation). That holds
-/// while all contacts keep their modes. Where a mode changes within the step, the finest of four
-/// columns is taken if it differs from the one before by no more than the tolerance, else the step
-/// is cut shortly before the change, or halved if that is less; where a gap closes, it is cut at
-/// that instant, and an impact ends the approach. Where nothing touches, FreeStep goes on. Source:
-/// [Deuflhard1983] for extrapolation of one-step methods.
+/// kEvents: columns of 1, 2, .. n substeps (ContactStep::take_euler_substep()) of a step of length
+/// H are extrapolated to H / n = 0; the two highest orders may differ by a tenth of the tolerance.
+/// n and H minimise the number of substeps per unit of time (Extrapolation). This applies while all
+/// contacts keep their modes. If a mode changes within the step, the finest of four columns is
+/// accepted if it differs from the previous one by at most the tolerance; otherwise the step is
+/// shortened to end just before the change, or halved if the change is in its second half. If a gap
+/// closes, the step ends at that instant, and an impact ends the approach. Without contacts
+/// FreeStep takes the step. Source: [Deuflhard1983] for extrapolation of one-step methods.
 ///
-/// A step in which something is not solved is made again, shorter, up to three times; the steps
-/// that follow one which stayed unsolved are not, until one is solved.
+/// A step with an unsolved contact problem is repeated up to three times with a shorter length. If
+/// it stays unsolved, the following steps are not repeated, until one of them is solved.
 ///
-/// Where 200 steps pass less than 0.1 ms (a rim that rattles on an edge), ten midpoint steps go on
-/// by 1 ms, and SceneCost::passed counts them.
+/// If 200 steps advance the time by less than 0.1 ms (a rim that rattles on an edge), ten midpoint
+/// steps advance it by 1 ms; SceneCost::passed counts these bursts.
 ///
-/// kTimeStepping: ContactStep::time_step(), without bounces; steps end also where something begins
-/// or ends to act. Gaps and depths are those of the middle of a step.
+/// kTimeStepping: ContactStep::take_midpoint_step(), without restitution; steps also end at the
+/// switching times of forces, drives and elements. Gaps and penetrations are those at the midpoint.
 ///
-/// Either way a step is divided where surfaces would move farther than half of the thinner body's
-/// thickness (ContactStep::motion_between). A mesh is as thick as twice its volume over its area;
-/// what is thinner in one place may be passed there.
+/// Both methods divide a step in which surfaces would move by more than half of the thinner body's
+/// thickness (ContactStep::tunnelling_ratio()). The thickness of a mesh is twice its volume over
+/// its area; bodies may pass through places that are thinner than that.
 ///
-/// The same scene and options give the same bits.
-/// @param progress  told the time reached; a step is not interrupted
-/// @throws InputError as ContactStep, or if an option is impossible, or for another method.
+/// Results are bitwise reproducible for the same scene and options.
+/// @param progress  receives the fraction of simulated time before each step, and may request a
+/// stop
+/// @throws InputError as ContactStep; if an option is out of range, or for another method.
 [[nodiscard]] SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options = {},
                                       const Progress& progress = {});
 

@@ -1,48 +1,56 @@
 #pragma once
 
-/// Lengths of steps between events: by errors, by gaps that close, by modes that change.
+/// Step size control between events: by error estimates, closing gaps and changes of contact mode.
 
 #include "dynamics/stepping/trial_step.h"
 
 namespace thenar {
 
-/// Chooses the length of a step, of its trials and of the next one.
+/// Chooses the length of a step, of its repeated trials and of the step after it.
 class StepControl {
  public:
-  explicit StepControl(const SceneOptions& options) : options_(options), reach_(options.longest) {}
+  /// @param options  must outlive the object
+  explicit StepControl(const SceneOptions& options)
+      : options_(options), max_length_(options.longest) {}
 
-  /// The longest step for now [s].
-  [[nodiscard]] double reach() const { return reach_; }
-  /// Sets it: longer where positions hardly move.
-  void set_reach(bool is_quiet);
+  /// Returns the largest step length at present [s].
+  [[nodiscard]] double max_length() const { return max_length_; }
+  /// Sets the largest step length: SceneOptions::longest, or a multiple of it for a quiet scene.
+  /// @param is_quiet  no position changed by kSearchMargin in the last step
+  void set_max_length(bool is_quiet);
 
-  /// Length of the first trial of a step from t that should be `wanted` long [s].
-  [[nodiscard]] double begin(double t, double wanted);
-  /// Length of a trial after one that a gap or its error ended [s].
-  /// @param t  at the beginning of the step [s]
-  [[nodiscard]] double shorten(StepTrials& trials, double t, double length);
-  /// Length of a trial after one whose elements were in doubt by that much [s].
-  [[nodiscard]] double shorten_for(double doubt, double length);
-  /// Notes a trial that was rejected, but cannot be shorter.
-  void note_rejected();
-  /// Length of a trial after one that was too long for how far it moved [s].
-  [[nodiscard]] double shorten_to_longest();
-  /// Length of the step after one that was accepted [s].
-  [[nodiscard]] double after(StepTrials& trials, double length);
+  /// Returns the length of the first trial of a step: `wanted`, or less to end just before an
+  /// expected change of mode [s]. @param t  start of the step [s];  @param wanted  [s]
+  [[nodiscard]] double first_trial_length(double t, double wanted);
+  /// Returns the length of the next trial after one rejected for a closing gap, its error or a
+  /// change of mode [s]. @param t  start of the step [s];  @param length  of the rejected trial [s]
+  [[nodiscard]] double shorten_after_rejection(StepTrials& trials, double t, double length);
+  /// Returns the length of the next trial after one rejected by force elements [s].
+  /// @param step_error  error of the elements over their tolerance, above 1 [1]
+  [[nodiscard]] double shorten_for_elements(double step_error, double length);
+  /// Returns the length of the next trial after one longer than SceneOptions::longest in which
+  /// positions moved too far [s].
+  [[nodiscard]] double cap_at_longest();
+  /// Records a rejected trial that cannot be shortened.
+  void record_rejection();
+  /// Returns the length of the next step after an accepted one [s].
+  [[nodiscard]] double next_step_length(StepTrials& trials, double length);
 
  private:
-  [[nodiscard]] double next_length(StepTrials& trials, double length);
+  [[nodiscard]] double length_by_error(StepTrials& trials, double length);
   [[nodiscard]] double free_growth(const StepTrial& trial);
 
   const SceneOptions& options_;
-  double reach_;              // no step is longer for now [s]
-  double usual_ = 0;          // length of a step that no change of modes bounds [s]
-  double change_ahead_ = -1;  // instant at which a mode may change, seen from before [s]; < 0: none
-  double last_error_ = 1;     // of the last accepted free step over the tolerance [1]
-  bool was_before_ = false;   // the last step was shortened for a change of modes ahead
-  // Of the step that is tried: some trial was rejected; it was shortened for a change of modes
-  // within it, and to end just before that change.
-  bool rejected_ = false, is_before_ = false, is_cut_ = false;
+  double max_length_;            // largest step length at present [s]
+  double usual_length_ = 0;      // length of the last step unaffected by mode changes [s]
+  double expected_change_ = -1;  // instant of the next mode change, from a rejected trial [s]; < 0:
+                                 // none known
+  double last_error_ = 1;        // error of the last accepted free step over the tolerance [1]
+  bool was_shortened_for_change_ = false;  // the previous step ended before a mode change
+  // Flags of the current step.
+  bool rejected_ = false;                 // at least one trial was rejected
+  bool is_shortened_for_change_ = false;  // shortened because a mode changes
+  bool ends_before_change_ = false;       // shortened to end just before that change
 };
 
 }  // namespace thenar

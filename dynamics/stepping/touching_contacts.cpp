@@ -8,34 +8,36 @@
 namespace thenar {
 namespace {
 
-constexpr double kImpactSpeed = 1e-7;  // Slower approaches are no impacts [m/s], [rad/s]
+constexpr double kImpactSpeed = 1e-7;  // smallest approach speed of an impact [m/s], [rad/s]
+constexpr double kCorrectionRatio =
+    0.1;  // gap from which gaps are corrected over the touch gap [1]
 
 }  // namespace
 
-/// Notes what has a force and was not found: it may come back, as manifolds choose among their
-/// points.
-void TouchingContacts::note_lost(const std::vector<ActiveContact>& found) {
+/// Remembers contacts with a force that were not found: they may reappear, because a manifold
+/// selects a few of its points.
+void TouchingContacts::remember_lost(const std::vector<ActiveContact>& found) {
   lost_.clear();
   for (const ActiveContact& old : closed_)
-    if (old.mode != ContactMode::kOpen && find_same(found, old) == found.end())
+    if (old.mode != ContactMode::kOpen && find_contact(found, old) == found.end())
       lost_.push_back(old);
 }
 
-/// Keeps found contacts that are closed, with modes and impulses of those that go on.
-/// @return whether all are known
-bool TouchingContacts::keep_closed(std::vector<ActiveContact>& found) {
-  // Contacts with a force stay closed, though their gap may be a little wide.
+/// Replaces the closed contacts by the found ones that are closed; persisting contacts keep their
+/// modes and impulses. @return true if all were closed before
+bool TouchingContacts::retain_closed(std::vector<ActiveContact>& found) {
+  // Discard open contacts; a contact with a force stays closed at any gap.
   const auto is_open = [&](const ActiveContact& contact) {
     return contact.gap > options_.touch &&
            std::none_of(closed_.begin(), closed_.end(), [&](const ActiveContact& c) {
-             return c.mode != ContactMode::kOpen && c.same(contact);
+             return c.mode != ContactMode::kOpen && c.is_same_contact(contact);
            });
   };
   found.erase(std::remove_if(found.begin(), found.end(), is_open), found.end());
-  // Contacts that go on keep their modes, and their impulses start the next solution.
+  // Copy modes and impulses of persisting contacts, for the warm start of the next solution.
   bool all_known = true;
   for (ActiveContact& contact : found) {
-    const auto old = find_same(closed_, contact);
+    const auto old = find_contact(closed_, contact);
     if (old == closed_.end()) {
       all_known = false;
       continue;
@@ -48,10 +50,10 @@ bool TouchingContacts::keep_closed(std::vector<ActiveContact>& found) {
   return all_known;
 }
 
-void TouchingContacts::touch_and_bounce(SceneState& state, std::vector<ActiveContact>& found) {
-  note_lost(found);
-  const bool all_known = keep_closed(found);
-  // Impacts, where contacts approach.
+void TouchingContacts::update_with_impacts(SceneState& state, std::vector<ActiveContact>& found) {
+  remember_lost(found);
+  const bool all_known = retain_closed(found);
+  // Resolve impacts if a contact approaches.
   const bool approaches =
       std::any_of(closed_.begin(), closed_.end(), [](const ActiveContact& contact) {
         return contact.kind != ActiveContact::Kind::kJointFriction &&
@@ -59,15 +61,15 @@ void TouchingContacts::touch_and_bounce(SceneState& state, std::vector<ActiveCon
       });
   if (approaches) {
     StepOutcome outcome;
-    step_.impact(state, closed_, outcome);
-    counts_.count(outcome);
+    step_.resolve_impact(state, closed_, outcome);
+    counts_.count_problem(outcome);
     counts_.accept();
     ++cost_.impacts;
   }
+  // Determine new modes after an impact, and for new contacts.
   if (approaches || !all_known) settle_modes(state);
-  // Contacts that leave are free, and touch again once their gap closes anew. A gap that still
-  // counts as closed does not leave, or contacts that push each other off by turns would ask for
-  // an impact each time.
+  // Remove contacts that separate. A gap that still counts as closed is kept: contacts that push
+  // each other off in turn would otherwise cause an impact each time.
   closed_.erase(std::remove_if(closed_.begin(), closed_.end(),
                                [&](const ActiveContact& c) {
                                  return c.mode == ContactMode::kOpen && c.approach > kImpactSpeed &&
@@ -77,41 +79,42 @@ void TouchingContacts::touch_and_bounce(SceneState& state, std::vector<ActiveCon
   closed_.insert(closed_.end(), lost_.begin(), lost_.end());
 }
 
-/// Finds what contacts do next, by a step that is as short as can be.
+/// Determines the modes of the next step by a step of the shortest length from the state.
 void TouchingContacts::settle_modes(const SceneState& state) {
-  // Shortest step from the state, with impulses scaled to its length.
+  // Scale impulses to the shortest step.
   SceneState next = state;
-  step_.act_as_at(next.t);
+  step_.select_active_forces(next.t);
   const double factor = impulse_time_ > 0 ? options_.shortest / impulse_time_ : 0;
   scale_impulses(closed_, factor);
   scale_impulses(lost_, factor);
-  // Contacts and modes of that step are where the next one starts.
-  step_.substep(next, options_.shortest, closed_, options_.touch, outcome_);
-  counts_.count(outcome_);
+  // Take the contacts and modes of that step, and discard its state.
+  step_.take_euler_substep(next, options_.shortest, closed_, options_.touch, outcome_);
+  counts_.count_problem(outcome_);
   counts_.accept();
   closed_.swap(outcome_.active);
   impulse_time_ = options_.shortest;
 }
 
-double TouchingContacts::touch_again(double length, SceneState& state,
-                                     std::vector<ActiveContact>& found) {
-  // Largest gap of contacts with a force; close the gaps where it is too large.
+double TouchingContacts::close_gaps_and_update(double length, SceneState& state,
+                                               std::vector<ActiveContact>& found) {
+  // Find the largest gap of contacts with a force.
   const std::vector<ActiveContact> pressed = closed_;
-  double worst = 0;
+  double max_gap = 0;
   for (const ActiveContact& contact : found)
     for (const ActiveContact& old : pressed)
-      if (old.same(contact) && old.mode != ContactMode::kOpen)
-        worst = std::max(worst, std::abs(contact.gap));
-  if (worst > 0.1 * options_.touch) {
+      if (old.is_same_contact(contact) && old.mode != ContactMode::kOpen)
+        max_gap = std::max(max_gap, std::abs(contact.gap));
+  // Close gaps if it is too large; penetration is pushed out no faster than `recovery`.
+  if (max_gap > kCorrectionRatio * options_.touch) {
     step_.close_gaps(state, pressed, std::max(options_.touch, options_.recovery * length));
-    step_.find(state, kNearGap, found);
+    step_.find_contacts(state, kSearchMargin, found);
   }
-  // Impacts, and the deepest contact for the record.
-  touch_and_bounce(state, found);
+  // Update contacts, and record the largest penetration.
+  update_with_impacts(state, found);
   for (const ActiveContact& contact : closed_)
     if (contact.kind == ActiveContact::Kind::kContact)
       cost_.deepest = std::max(cost_.deepest, -contact.gap);
-  return worst;
+  return max_gap;
 }
 
 }  // namespace thenar

@@ -9,16 +9,13 @@
 namespace thenar {
 namespace {
 
-constexpr int kRoughColumns = 4;          // of steps in which a mode changes
-constexpr double kOrderShare = 0.1;       // of the tolerance that two orders may differ by: high
-                                          // orders differ little, and steps add up [1]
-constexpr double kOrderRounding = 1e-12;  // two orders differ by at least that much [m], [rad]
-constexpr double kSpeedErrorTime =
-    0.01;  // over which an error of speeds counts in smooth steps [s]
-
-bool all_numbers(const SceneState& state) {
-  return state.q.allFinite() && state.v.allFinite() && state.z.allFinite();
-}
+constexpr int kModeChangeColumns = 4;       // number of columns if a mode changes within the step
+constexpr double kOrderRatio = 0.1;         // allowed difference of two orders over the tolerance:
+                                            // high orders differ little, and errors add up [1]
+constexpr double kOrderRounding = 1e-12;    // rounding error of the difference of orders [m], [rad]
+constexpr double kSpeedErrorTime = 0.01;    // time that converts velocity errors of smooth steps
+                                            // to position errors [s]
+constexpr double kMinClosingSpeed = 1e-12;  // closing speed below which it counts as this [m/s]
 
 }  // namespace
 
@@ -32,83 +29,85 @@ StepTrials::StepTrials(ContactStep& step, const SceneOptions& options, ProblemCo
   for (StepTrial& column : table_) column.state = like;
 }
 
-void StepTrials::attempt(const Beginning& from, double length) {
-  inspected_ = false;
-  verdict_ = Verdict::kGoOn;
-  counts_.forget();
-  step_.act_as_at(from.state.t);
-  if (from.closed.empty() && !step_.is_stiff(from.state, length)) return free_step(from, length);
-  // Columns of ever more substeps, extrapolated while no mode changes.
+void StepTrials::try_step(const Beginning& from, double length) {
+  checked_end_ = false;
+  verdict_ = Verdict::kContinue;
+  counts_.clear();
+  step_.select_active_forces(from.state.t);
+  if (from.closed.empty() && !step_.is_stiff(from.state, length))
+    return take_free_step(from, length);
+  // Add columns of 1, 2, .. substeps and extrapolate them while no mode changes.
   columns_.restart();
   bool smooth = true;
   for (int n = 1; n <= options_.columns; ++n) {
     StepTrial& column = table_[static_cast<std::size_t>(n - 1)];
     result_ = n - 1;
-    if (!substeps(from, length, n, column)) return;
-    smooth = smooth && column.smooth && same_modes(column.active, table_[0].active);
-    column.smooth = smooth;
-    if (smooth ? extrapolates(column) : n >= kRoughColumns) break;
+    if (!take_substeps(from, length, n, column)) return;
+    smooth = smooth && column.is_smooth && same_modes(column.active, table_[0].active);
+    column.is_smooth = smooth;
+    if (smooth ? extrapolate_column(column) : n >= kModeChangeColumns) break;
   }
   StepTrial& last = result();
   if (!smooth) {
-    // After a change of modes nothing is extrapolated: the finest column counts, and its difference
-    // to the one before is the error.
+    // If a mode changes, take the finest column; its difference from the previous one is the error.
     last.order = 2;
-    last.error = difference(last.state, table_[static_cast<std::size_t>(result_ - 1)].state, 1);
-    // A first substep that friction turns round within is wrong by as much in all columns: the
-    // speed by up to twice what there was to lose.
     last.error =
-        std::max(last.error, 2 * slip_that_turned(from.closed, last.active) / options_.tolerance);
-    verdict_ = Verdict::kGoOn;
+        scaled_difference(last.state, table_[static_cast<std::size_t>(result_ - 1)].state, 1);
+    // If friction reverses within the first substep, all columns have the same error: up to twice
+    // the slip before.
+    last.error =
+        std::max(last.error, 2 * max_reversed_slip(from.closed, last.active) / options_.tolerance);
+    verdict_ = Verdict::kContinue;
   }
-  // Extrapolated positions have gaps of their own: look for contacts there.
-  if (last.error <= 1 || length <= options_.shortest) inspect(from, length, last);
+  // Check the gaps of the extrapolated positions.
+  if (last.error <= 1 || length <= options_.shortest) check_end(from, length, last);
 }
 
-/// Returns whether another column is of no use, since this one is good enough or all will not be.
-/// It then has the extrapolated state.
-bool StepTrials::extrapolates(StepTrial& column) {
-  // Error by the difference of the two highest orders, over the tolerance.
-  columns_.add(column.state);
-  if (columns_.columns() < 2) return false;
-  const double share = std::max(kOrderShare, std::min(1.0, kOrderRounding / options_.tolerance));
-  column.error = difference(columns_.best(), columns_.lower(), kSpeedErrorTime) / share;
+/// Extrapolates with a further column. @return true if the trial ends with it, accepted or
+/// rejected; it then holds the extrapolated state
+bool StepTrials::extrapolate_column(StepTrial& column) {
+  // Estimate the error by the difference of the two highest orders.
+  columns_.add_column(column.state);
+  if (columns_.column_count() < 2) return false;
+  const double ratio = std::max(kOrderRatio, std::min(1.0, kOrderRounding / options_.tolerance));
+  column.error =
+      scaled_difference(columns_.highest_order(), columns_.lower_order(), kSpeedErrorTime) / ratio;
   verdict_ = columns_.judge(column.error);
-  if (verdict_ == Verdict::kGoOn) return false;
-  // Accepted or rejected: the column gets the extrapolated state.
-  column.order = columns_.columns();
-  column.state = columns_.best();
-  step_.normalise(column.state.q);
+  if (verdict_ == Verdict::kContinue) return false;
+  // Store the extrapolated state in the column.
+  column.order = columns_.column_count();
+  column.state = columns_.highest_order();
+  step_.normalise_quaternions(column.state.q);
   return true;
 }
 
-/// Takes one column: n substeps. @return false if a gap closes within it
-bool StepTrials::substeps(const Beginning& from, double length, int n, StepTrial& column) {
-  // State, contacts and impulses at the beginning.
+/// Integrates one column of n substeps. @return false if a gap closes or a number overflows
+bool StepTrials::take_substeps(const Beginning& from, double length, int n, StepTrial& column) {
+  // Start from the state and contacts, with impulses scaled to the substep.
   column.state = from.state;
   column.active = from.closed;
   column.h = length / n;
-  column.smooth = true;
-  column.closes = column.changes = -1;
+  column.is_smooth = true;
+  column.closing_time = column.change_time = -1;
   column.error = 0;
-  earlier_.clear();
+  earlier_contacts_.clear();
   scale_impulses(column.active, from.impulse_time > 0 ? column.h / from.impulse_time : 0);
-  // Substeps, until a gap closes or a number overflows.
+  // Take substeps until a gap closes or a number overflows.
   for (int i = 0; i < n; ++i) {
-    step_.substep(column.state, column.h, column.active, options_.touch, outcome_);
-    counts_.count(outcome_);
-    if (outcome_.deepest_new < -options_.touch) {
-      column.closes = closing_time(column.h, i);
+    step_.take_euler_substep(column.state, column.h, column.active, options_.touch, outcome_);
+    counts_.count_problem(outcome_);
+    if (outcome_.min_new_gap < -options_.touch) {
+      column.closing_time = estimate_closing_time(column.h, i);
       return false;
     }
-    // First change of modes, at the share of the substep that the margins foretell.
-    if (column.smooth && !same_modes(column.active, outcome_.active)) {
-      column.smooth = false;
-      column.changes =
-          column.h * (i + share_before_change(earlier_, column.active, outcome_.active));
+    // Record the first mode change, at the instant that the margins predict.
+    if (column.is_smooth && !same_modes(column.active, outcome_.active)) {
+      column.is_smooth = false;
+      column.change_time = column.h * (i + fraction_before_change(earlier_contacts_, column.active,
+                                                                  outcome_.active));
     }
-    // Contacts of this substep and of the one before.
-    earlier_.swap(column.active);
+    // Keep the contacts of this substep and of the previous one.
+    earlier_contacts_.swap(column.active);
     column.active.swap(outcome_.active);
     if (!column.state.v.allFinite() || !column.state.z.allFinite()) {
       column.error = std::numeric_limits<double>::infinity();
@@ -118,83 +117,90 @@ bool StepTrials::substeps(const Beginning& from, double length, int n, StepTrial
   return true;
 }
 
-/// Instant at which the gap of the last substep closed, if it closed evenly [s].
-double StepTrials::closing_time(double h, int substep) const {
-  const double since = -outcome_.deepest_new / std::max(outcome_.closing_new, 1e-12);
+/// Estimates when the gap of the last substep closed, at constant closing speed; time from the
+/// start of the step [s]. @param h  length of a substep [s];  @param substep  its index
+double StepTrials::estimate_closing_time(double h, int substep) const {
+  const double since =
+      -outcome_.min_new_gap / std::max(outcome_.new_closing_speed, kMinClosingSpeed);
   return h * (substep + 1) - std::min(since, h);
 }
 
-/// Largest difference of two states over the tolerance [1]. @param horizon  of speeds [s]
-double StepTrials::difference(const SceneState& a, const SceneState& b, double horizon) const {
-  double most =
+/// Computes the largest difference of two states over the tolerance [1].
+/// @param horizon  time that converts velocity errors to position errors [s]
+double StepTrials::scaled_difference(const SceneState& a, const SceneState& b,
+                                     double horizon) const {
+  double difference =
       std::max((a.q - b.q).cwiseAbs().maxCoeff(), horizon * (a.v - b.v).cwiseAbs().maxCoeff());
-  // The work of elements, the last state, is told and steers nothing.
+  // The last state, the work of elements, is an output only.
   const Eigen::Index states = a.z.size() - 1;
-  if (states > 0) most = std::max(most, horizon * (a.z - b.z).head(states).cwiseAbs().maxCoeff());
-  return most / options_.tolerance;
+  if (states > 0)
+    difference = std::max(difference, horizon * (a.z - b.z).head(states).cwiseAbs().maxCoeff());
+  return difference / options_.tolerance;
 }
 
-/// Takes one step of order eight, where nothing touches.
-void StepTrials::free_step(const Beginning& from, double length) {
-  // Trial of order eight, so far without contacts and changes of modes.
+/// Takes one step of order eight, without contacts.
+void StepTrials::take_free_step(const Beginning& from, double length) {
+  // Reset the trial.
   StepTrial& trial = table_[0];
   result_ = 0;
   trial.active.clear();
   trial.order = 8;
-  trial.smooth = true;
-  trial.closes = trial.changes = -1;
+  trial.is_smooth = true;
+  trial.closing_time = trial.change_time = -1;
   trial.h = length;
-  // Step of order eight, with its error over the tolerance.
+  // Integrate, with the error over the tolerance.
   trial.state = from.state;
-  const FreeStep::Error error = free_.step(step_, length, trial.state);
+  const FreeStep::Error error = free_.take_step(step_, length, trial.state);
   trial.error =
       std::max(error.q, kSpeedErrorTime * std::max(error.v, error.z)) / options_.tolerance;
-  counts_.count_free(error.acted);
-  if (!all_numbers(trial.state)) {
+  counts_.count_free_step(error.acted);
+  if (!is_finite(trial.state)) {
     trial.error = std::numeric_limits<double>::infinity();
     return;
   }
   counts_.count_stages(static_cast<long>(FreeStep::kStages));
-  // Contacts that close on the way, then contacts at the end.
-  look_between(from, length, trial);
-  if (trial.closes < 0) inspect(from, length, trial);
+  // Check for contacts on the way and at the end.
+  check_middle(from, length, trial);
+  if (trial.closing_time < 0) check_end(from, length, trial);
 }
 
-/// Looks for contacts that close in the middle of a free step, where a cubic is that has its ends
-/// and their speeds: they may have opened again where it ends.
-void StepTrials::look_between(const Beginning& from, double length, StepTrial& trial) {
+/// Checks for contacts in the middle of a free step, which may have opened again at its end. The
+/// positions are those of the cubic through both ends with their velocities.
+void StepTrials::check_middle(const Beginning& from, double length, StepTrial& trial) {
   if (length <= options_.shortest) return;
-  // Middle of the cubic: mean of the ends, and an eighth of the step by the difference of speeds.
+  // Compute the middle of the cubic: mean of the ends plus length / 8 times the velocity
+  // difference.
   middle_.t = from.state.t + 0.5 * length;
   middle_.q = 0.5 * (from.state.q + trial.state.q);
-  step_.normalise(middle_.q);
+  step_.normalise_quaternions(middle_.q);
   middle_.v = from.state.v - trial.state.v;
-  advance(step_.scene().mechanism, step_.model().layout, middle_.v, 0.125 * length, middle_.q);
-  // Look for new contacts in the middle.
+  advance_positions(step_.scene().mechanism, step_.model().layout, middle_.v, 0.125 * length,
+                    middle_.q);
+  // Find new contacts there.
   middle_.v = 0.5 * (from.state.v + trial.state.v);
-  step_.find(middle_, 0, found_);
-  step_.note_new(found_, trial.active, outcome_);
-  if (outcome_.deepest_new < -options_.touch)
-    trial.closes = std::max(closing_time(0.5 * length, 0), 0.125 * length);
+  step_.find_contacts(middle_, 0, found_);
+  step_.find_deepest_new(found_, trial.active, outcome_);
+  if (outcome_.min_new_gap < -options_.touch)
+    trial.closing_time = std::max(estimate_closing_time(0.5 * length, 0), 0.125 * length);
 }
 
-/// Looks for contacts where a trial ends.
-void StepTrials::inspect(const Beginning& from, double length, StepTrial& trial) {
-  // Contacts that are new at the end.
-  inspected_ = true;
-  step_.find(trial.state, kNearGap, found_);
-  step_.note_new(found_, trial.active, outcome_);
-  if (outcome_.deepest_new < -options_.touch) trial.closes = closing_time(length, 0);
-  // Reject a motion so long that bodies may have passed through each other.
-  const double motion = step_.motion_between(from.state, trial.state, trial.active);
-  if (motion > 1 && length > options_.shortest) {
-    trial.error = std::max(trial.error, std::pow(motion, trial.order));
-    trial.closes = -1;
+/// Checks for new contacts at the end of a trial, and for bodies that passed through each other.
+void StepTrials::check_end(const Beginning& from, double length, StepTrial& trial) {
+  // Find new contacts at the end.
+  checked_end_ = true;
+  step_.find_contacts(trial.state, kSearchMargin, found_);
+  step_.find_deepest_new(found_, trial.active, outcome_);
+  if (outcome_.min_new_gap < -options_.touch) trial.closing_time = estimate_closing_time(length, 0);
+  // Reject a motion in which bodies may have passed through each other.
+  const double ratio = step_.tunnelling_ratio(from.state, trial.state, trial.active);
+  if (ratio > 1 && length > options_.shortest) {
+    trial.error = std::max(trial.error, std::pow(ratio, trial.order));
+    trial.closing_time = -1;
   }
 }
 
-void StepTrials::find_end() {
-  if (!inspected_) step_.find(result().state, kNearGap, found_);
+void StepTrials::find_end_contacts() {
+  if (!checked_end_) step_.find_contacts(result().state, kSearchMargin, found_);
 }
 
 }  // namespace thenar

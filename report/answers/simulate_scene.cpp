@@ -246,7 +246,7 @@ Fields outcome_fields(const SceneResult& scene) {
           {"dissipated_by", units::kJoule, losses_json(scene)},
           {"energy_error", units::kJoule, worst ? worst->error : kNaN},
           {"energy_turned_over", units::kJoule, worst ? worst->turned_over : kNaN},
-          {"energy_error_share", worst ? worst->share() : kNaN},
+          {"energy_error_share", worst ? worst->relative_error() : kNaN},
           {"energy_error_at", units::kSecond, worst ? worst->t : kNaN},
           {"limits_passed", limit_fields(limits_passed(scene))},
           {"restitution_ignored", restitution_ignored(scene)},
@@ -382,7 +382,7 @@ Table table_of(const SceneSweepResult& sweep) {
          {name_of(run.status), shown(simulated_seconds(scene)), shown(largest_slip(scene) / kMm),
           shown(run.cost.deepest / kMm), shown(1e3 * run.samples.back().energy.total()),
           shown(1e3 * measures.dissipated),
-          measures.worst ? shown(100 * measures.worst->share()) : "n/a",
+          measures.worst ? shown(100 * measures.worst->relative_error()) : "n/a",
           std::to_string(limits_passed(scene).size()), residual_words(scene),
           shown(1e3 * cpu_per_second(scene))}});
   }

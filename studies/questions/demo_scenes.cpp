@@ -32,7 +32,7 @@ std::vector<WorkPoint> roll_ball(const std::string& data) {
   // The exact end, from where it starts.
   ContactStep step(built.scene);
   std::vector<Pose<double>> X;
-  step.poses(step.start(), X);
+  step.compute_poses(step.initial_state(), X);
   const Eigen::Vector3d p = X[ball].p;
   const double angle = rolled_angle(std::atan2(p.x(), p.z()), built.options.seconds, p.norm());
   const Eigen::Vector3d end = p.norm() * Eigen::Vector3d(std::sin(angle), 0, std::cos(angle));
@@ -41,7 +41,7 @@ std::vector<WorkPoint> roll_ball(const std::string& data) {
   settings.tolerances = {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
   settings.steps = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
   return work_precision(built.scene, built.options, settings, [&](const SceneSample& sample) {
-    step.poses({sample.t, sample.q, sample.v, sample.z}, X);
+    step.compute_poses({sample.t, sample.q, sample.v, sample.z}, X);
     return (X[ball].p - end).norm();
   });
 }

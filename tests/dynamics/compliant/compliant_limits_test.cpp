@@ -37,7 +37,7 @@ class Idle final : public ForceElement {
     return std::make_unique<Idle>();
   }
   [[nodiscard]] std::string name() const override { return "idle"; }
-  bool act(const ElementInput& /*at*/, ElementAction& /*out*/) override { return true; }
+  bool add_action(const ElementInput& /*at*/, ElementAction& /*out*/) override { return true; }
 };
 
 TEST(CompliantLimits, RefuseForceElements) {

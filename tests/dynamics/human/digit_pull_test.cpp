@@ -265,7 +265,7 @@ ElementAction action_at(ForceElement& element, const TreeModel& tree, const Elem
   motion.set_speed(at.v);
   ElementAction out;
   out.clear(at.v.size(), at.z.size());
-  EXPECT_TRUE(element.act({at.t, at.t, at.q, at.v, at.z, motion, 0, need}, out));
+  EXPECT_TRUE(element.add_action({at.t, at.t, at.q, at.v, at.z, motion, 0, need}, out));
   return out;
 }
 
@@ -286,14 +286,14 @@ TEST_P(SlopesOfPulls, AreDifferencesOfTorques) {
   const TreeModel tree = tree_model(digit.scene.mechanism);
   const VectorXd q = (VectorXd(4) << 0.3, 0.1, 0.5, 0.4).finished();
   const VectorXd v = (VectorXd(4) << 0.5, -0.3, 0.8, 0.2).finished();
-  ElementAt at{0, q, VectorXd::Zero(4), pull.start(q)};
+  ElementAt at{0, q, VectorXd::Zero(4), pull.initial_states(q)};
   // Muscles 1 and up contract.
   const std::vector<Musculotendon>& muscles = model.contraction->muscles();
   const auto count = static_cast<Eigen::Index>(muscles.size()) - 1;
   at.z.head(count).setConstant(0.4);
   if (GetParam() == Muscle::kElasticTendon) at.z.segment(count, count).array() += 0.05;
   const TreeMotion<double> motion(tree);
-  pull.accept({0, 0, at.q, at.v, at.z, motion, 0});
+  pull.accept_step({0, 0, at.q, at.v, at.z, motion, 0});
   const ElementAction still = action_at(pull, tree, at);
   ElementAt fast = at;
   fast.v = v;
@@ -341,7 +341,7 @@ TEST_P(NeedsOfPulls, ChangeNoBitOfWhatIsAskedFor) {
   const TreeModel tree = tree_model(digit.scene.mechanism);
   for (int posture = 0; posture < 4; ++posture) {
     const VectorXd q = 0.2 * posture * (VectorXd(4) << 0.9, 0.1, 1.1, 0.7).finished();
-    ElementAt at{0, q, (VectorXd(4) << 0.5, -0.3, 0.8, 0.2).finished(), pull.start(q)};
+    ElementAt at{0, q, (VectorXd(4) << 0.5, -0.3, 0.8, 0.2).finished(), pull.initial_states(q)};
     const auto count = static_cast<Eigen::Index>(model.contraction->muscles().size());
     at.z.head(count).setConstant(0.4);
     // Elastic tendons are drawn out, so that they pull.

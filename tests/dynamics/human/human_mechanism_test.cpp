@@ -149,8 +149,8 @@ TEST(HumanScene, TensionsActByTheirMomentArms) {
   SceneElements elements(scene.scene.elements, scene.scene.v.size());
   const TreeModel model = tree_model(scene.scene.mechanism);
   const TreeMotion<double> motion(model);
-  const Eigen::VectorXd z = elements.start(scene.scene.q);
-  ASSERT_TRUE(elements.act({0, 0, scene.scene.q, scene.scene.v, z, motion, 0}));
+  const Eigen::VectorXd z = elements.initial_states(scene.scene.q);
+  ASSERT_TRUE(elements.compute_action({0, 0, scene.scene.q, scene.scene.v, z, motion, 0}));
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(scene.scene.v.size());
   const HumanMechanism& human = skewed();
   for (const HumanDigit& digit : human.digits) {

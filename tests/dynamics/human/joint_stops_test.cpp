@@ -33,7 +33,7 @@ struct StoppedJoints {
   ElementAction act(const VectorXd& q, ElementNeed need = ElementNeed::kAll) {
     ElementAction out;
     out.clear(4, 0);
-    EXPECT_TRUE(stops.act({0, 0, q, v, z, motion, 0, need}, out));
+    EXPECT_TRUE(stops.add_action({0, 0, q, v, z, motion, 0, need}, out));
     return out;
   }
   double energy(const VectorXd& q) { return stops.energy({0, 0, q, v, z, motion, 0}); }
@@ -86,7 +86,7 @@ TEST(JointStops, AClonePushesAlike) {
   const std::unique_ptr<ForceElement> clone = joints.stops.clone();
   ElementAction out;
   out.clear(4, 0);
-  ASSERT_TRUE(clone->act({0, 0, q, joints.v, joints.z, joints.motion, 0}, out));
+  ASSERT_TRUE(clone->add_action({0, 0, q, joints.v, joints.z, joints.motion, 0}, out));
   EXPECT_EQ(out.tau, joints.act(q).tau);
   EXPECT_EQ(clone->name(), "stops");
 }

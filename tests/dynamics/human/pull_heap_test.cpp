@@ -45,7 +45,7 @@ TEST(PullHeap, IsLeftAloneAtEveryPostureAndNeed) {
   JointStops stops("stops", digit.skeleton, places);
 
   // States of the pull at a posture; the stiffness by posture is known from the first on.
-  VectorXd q = VectorXd::Zero(layout.q), z = pull.start(q);
+  VectorXd q = VectorXd::Zero(layout.q), z = pull.initial_states(q);
   const VectorXd v = VectorXd::Constant(layout.v, 0.3);
   z.head(z.size() / 2).setConstant(0.2);
   ElementAction out;
@@ -54,11 +54,11 @@ TEST(PullHeap, IsLeftAloneAtEveryPostureAndNeed) {
   const auto act = [&](double part, ElementNeed need) {
     q.setConstant(part);
     const ElementInput at{t, t, q, v, z, motion, 0, need};
-    EXPECT_TRUE(pull.act(at, out));
-    EXPECT_TRUE(stops.act(at, out));
+    EXPECT_TRUE(pull.add_action(at, out));
+    EXPECT_TRUE(stops.add_action(at, out));
     t += 1e-3;
   };
-  pull.accept({t, t, q, v, z, motion, 0});
+  pull.accept_step({t, t, q, v, z, motion, 0});
   for (const double part : {0.0, 0.3, 0.6, 0.2}) act(part, ElementNeed::kAll);
   const std::size_t before = allocations;
   for (const double part : {0.1, 0.4, 0.5, 0.25})

@@ -26,7 +26,7 @@ Evaluated evaluate(const MovingScene& scene, const Eigen::VectorXd& q) {
   Evaluated out;
   out.action.clear(model.layout.v, 0);
   const std::unique_ptr<ForceElement> element = scene.elements.front()->clone();
-  EXPECT_TRUE(element->act({0, 0, q, v, z, motion, 0}, out.action));
+  EXPECT_TRUE(element->add_action({0, 0, q, v, z, motion, 0}, out.action));
   out.energy = element->energy({0, 0, q, v, z, motion, 0});
   return out;
 }
@@ -39,8 +39,8 @@ void expect_gradient(const MovingScene& scene, const Eigen::VectorXd& q) {
   for (Eigen::Index k = 0; k < layout.v; ++k) {
     Eigen::VectorXd up = q, down = q;
     const Eigen::VectorXd v = Eigen::VectorXd::Unit(layout.v, k);
-    advance(scene.mechanism, layout, v, d, up);
-    advance(scene.mechanism, layout, v, -d, down);
+    advance_positions(scene.mechanism, layout, v, d, up);
+    advance_positions(scene.mechanism, layout, v, -d, down);
     EXPECT_NEAR(at.action.tau[k],
                 -(evaluate(scene, up).energy - evaluate(scene, down).energy) / (2 * d),
                 1e-6 * (1 + at.action.tau.norm()))
@@ -90,8 +90,8 @@ TEST(BushingElement, HasTheStiffnessOfItsLaw) {
   for (Eigen::Index k = 0; k < layout.v; ++k) {
     Eigen::VectorXd up = q, down = q;
     const Eigen::VectorXd v = Eigen::VectorXd::Unit(layout.v, k);
-    advance(scene.mechanism, layout, v, d, up);
-    advance(scene.mechanism, layout, v, -d, down);
+    advance_positions(scene.mechanism, layout, v, d, up);
+    advance_positions(scene.mechanism, layout, v, -d, down);
     const Eigen::VectorXd slope =
         (evaluate(scene, down).action.tau - evaluate(scene, up).action.tau) / (2 * d);
     EXPECT_LT((slope - at.stiffness.col(k)).norm(), 1e-6 * at.stiffness.norm());

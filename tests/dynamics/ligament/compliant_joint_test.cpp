@@ -84,7 +84,7 @@ TEST(CompliantJoint, HasTheAccelerationsOfSimbody) {
   motion.clear_loads();
   Eigen::VectorXd ours(model.layout.v);
   ArticulatedBody<double>(model).accelerations(motion, Eigen::Vector3d(1, 2, -9.81), tau, ours);
-  simbody.set(q, v);
+  simbody.set_state(q, v);
   const Eigen::VectorXd theirs = simbody.accelerations(tau, {1, 2, -9.81});
   EXPECT_LT((ours - theirs).norm(), 1e-9 * theirs.norm());
 }
@@ -106,8 +106,8 @@ TEST(CompliantJoint, MovesAsABoneOnAFreeJointInABushing) {
     ContactStep step_a(chain), step_b(bushing);
     std::vector<Pose<double>> poses_a, poses_b;
     for (std::size_t i = 0; i < a.samples.size(); ++i) {
-      step_a.poses({0, a.samples[i].q, a.samples[i].v, a.samples[i].z}, poses_a);
-      step_b.poses({0, b.samples[i].q, b.samples[i].v, b.samples[i].z}, poses_b);
+      step_a.compute_poses({0, a.samples[i].q, a.samples[i].v, a.samples[i].z}, poses_a);
+      step_b.compute_poses({0, b.samples[i].q, b.samples[i].v, b.samples[i].z}, poses_b);
       EXPECT_LT((poses_a.back().p - poses_b.back().p).norm(), 1e-8);
       EXPECT_LT((poses_a.back().R - poses_b.back().R).norm(), 1e-7);
       EXPECT_NEAR(a.samples[i].energy.springs, b.samples[i].energy.springs, 1e-8);
@@ -141,7 +141,7 @@ ElementAction action_at(const MovingScene& scene, const Eigen::VectorXd& q,
   ElementAction out;
   out.clear(model.layout.v, 0);
   const Eigen::VectorXd z;
-  (void)scene.elements.front()->clone()->act({0, 0, q, v, z, motion, 0}, out);
+  (void)scene.elements.front()->clone()->add_action({0, 0, q, v, z, motion, 0}, out);
   return out;
 }
 

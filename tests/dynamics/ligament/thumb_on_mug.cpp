@@ -167,7 +167,7 @@ ThumbOnMug thumb_on_mug(const ThumbOnMugOptions& options) {
   out.pad = thumb.pad;
   // Moments of a unit force on each hinge.
   Eigen::VectorXd moment = Eigen::VectorXd::Zero(thumb.model.layout.v);
-  thumb.motion.add_row(
+  thumb.motion.add_jacobian_row(
       thumb.model.bodies[static_cast<std::size_t>(body_named(thumb.mechanism, kDistal))].link,
       mug.touches, Vector3d(-mug.away), Vector3d(0, 0, 0), moment);
 
@@ -214,7 +214,7 @@ std::vector<ThumbOnMugState> states_of(const ThumbOnMug& made, const SceneRun& r
   std::vector<Pose<double>> poses;
   Pose<double> X_start;
   for (const SceneSample& sample : run.samples) {
-    step.poses({sample.t, sample.q, sample.v, sample.z}, poses);
+    step.compute_poses({sample.t, sample.q, sample.v, sample.z}, poses);
     const Pose<double>& X = poses[static_cast<std::size_t>(made.distal)];
     if (out.empty()) X_start = X;
     ThumbOnMugState state{sample.t, 0, std::nan(""), 0, {}};

@@ -15,7 +15,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 double miss(const std::vector<double>& angles) {
   JointTurns<double> turns(angles.size());
   for (std::size_t i = 0; i < angles.size(); ++i) turns.set(i, angles[i]);
-  turns.find();
+  turns.compute();
   double most = 0;
   for (std::size_t i = 0; i < angles.size(); ++i)
     most = std::max({most, std::abs(turns.sine(i) - std::sin(angles[i])),

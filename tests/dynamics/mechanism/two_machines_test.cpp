@@ -33,7 +33,7 @@ void expect_same(const Mechanism& mechanism, sample::MechanismDraw& draw, double
   motion.set_position(q);
   motion.set_speed(v);
   motion.clear_loads();
-  other.set(q, v);
+  other.set_state(q, v);
   // A force and a moment on every body.
   std::vector<BodyLoad> loads;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
@@ -49,7 +49,7 @@ void expect_same(const Mechanism& mechanism, sample::MechanismDraw& draw, double
 
   // Mass matrix, and accelerations by it.
   MassMatrix<double> mass(model);
-  ASSERT_TRUE(mass.set(motion));
+  ASSERT_TRUE(mass.compute(motion));
   const Eigen::MatrixXd M = Eigen::MatrixXd::NullaryExpr(n, n, [&](Eigen::Index i, Eigen::Index j) {
     return mass(static_cast<int>(i), static_cast<int>(j));
   });

@@ -302,7 +302,7 @@ TEST(PadElement, KeepsMomentumAndSpin) {
   const auto momenta = [&](const SceneSample& at) {
     Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
     std::vector<Pose<double>> X;
-    step.poses({at.t, at.q, at.v}, X);
+    step.compute_poses({at.t, at.q, at.v}, X);
     const MechanismLayout layout = layout_of(scene.mechanism);
     for (const int body : {finger, cube}) {
       const auto i = static_cast<std::size_t>(body);
@@ -465,15 +465,15 @@ class Pressed {
     motion_.set_position(q_);
     motion_.set_speed(v_);
   }
-  [[nodiscard]] double doubt() { return element_->doubt(input()); }
-  void accept() { element_->accept(input()); }
-  [[nodiscard]] double foresees() const { return element_->foresees(); }
+  [[nodiscard]] double doubt() { return element_->step_error(input()); }
+  void accept() { element_->accept_step(input()); }
+  [[nodiscard]] double foresees() const { return element_->max_step_length(); }
   [[nodiscard]] double energy() { return element_->energy(input()); }
   /// Its effort on the cube [N].
   [[nodiscard]] double force() {
     ElementAction out;
     out.clear(1, 0);
-    EXPECT_TRUE(element_->act(input(), out));
+    EXPECT_TRUE(element_->add_action(input(), out));
     return out.tau[0];
   }
 

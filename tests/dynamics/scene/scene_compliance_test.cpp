@@ -63,13 +63,13 @@ TEST(SceneCompliance, LetsARodSink) {
   EXPECT_EQ(built.owner[0], "rod");
   ContactStep step(built.scene);
   std::vector<Pose<double>> start, end;
-  step.poses(step.start(), start);
+  step.compute_poses(step.initial_state(), start);
   const auto rod = static_cast<std::size_t>(body_named(mechanism, "rod"));
   EXPECT_LT((start[rod].p - Eigen::Vector3d(0.05, 0, 0)).norm(), 1e-12);
   EXPECT_LT((start[rod].R - Eigen::Matrix3d::Identity()).norm(), 1e-12);
   const SceneRun run = simulate_scene(built.scene, built.options);
   ASSERT_EQ(run.status, SceneStatus::kDone);
-  step.poses({0, run.samples.back().q, run.samples.back().v, run.samples.back().z}, end);
+  step.compute_poses({0, run.samples.back().q, run.samples.back().v, run.samples.back().z}, end);
   const double sunk = 0.2 * 9.81 / 50e3;  // [m]
   EXPECT_NEAR(end[rod].p.z(), -sunk, 0.02 * sunk);
   EXPECT_NEAR(end[rod].p.x(), 0.05, 1e-8);
@@ -140,8 +140,8 @@ TEST(SceneCompliance, GivesToJointsOfHands) {
   // All links stand where they stood.
   ContactStep a(pins.scene), b(built.scene);
   std::vector<Pose<double>> X_a, X_b;
-  a.poses(a.start(), X_a);
-  b.poses(b.start(), X_b);
+  a.compute_poses(a.initial_state(), X_a);
+  b.compute_poses(b.initial_state(), X_b);
   for (std::size_t i = 0; i < X_a.size(); ++i) {
     const int j = body_named(built.scene.mechanism, pins.scene.mechanism.bodies[i].name);
     EXPECT_LT((X_a[i].p - X_b[static_cast<std::size_t>(j)].p).norm(), 1e-12);

@@ -43,7 +43,7 @@ TEST(WorkPrecision, ErrorsFallAsTheMethodsPromise) {
   const auto error = [&](const SceneSample& sample) {
     ContactStep step(built.scene);
     std::vector<Pose<double>> X;
-    step.poses({sample.t, sample.q, sample.v, sample.z}, X);
+    step.compute_poses({sample.t, sample.q, sample.v, sample.z}, X);
     const Eigen::Vector3d p = X[static_cast<std::size_t>(ball)].p;
     return (p - kApart * Eigen::Vector3d(std::sin(exact), 0, std::cos(exact))).norm();
   };

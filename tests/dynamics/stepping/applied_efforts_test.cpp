@@ -37,8 +37,8 @@ struct AtStart {
         model(tree_model(scene.mechanism)),
         motion(model),
         efforts(scene, model) {
-    state = {0, scene.q, scene.v, efforts.elements.start(scene.q)};
-    motion.place(state);
+    state = {0, scene.q, scene.v, efforts.elements.initial_states(scene.q)};
+    motion.set_state(state);
   }
   MovingScene scene;
   TreeModel model;
@@ -49,7 +49,7 @@ struct AtStart {
 
 TEST(AppliedEfforts, AreThoseOfSpringsAndDampers) {
   AtStart at(sprung_ball());
-  EXPECT_TRUE(at.efforts.load(at.motion, at.state));
+  EXPECT_TRUE(at.efforts.compute(at.motion, at.state));
   EXPECT_NEAR(at.efforts.tau[0], -kBallSpring * kStretch - kBallDamper * kSpeed, 1e-15);
   EXPECT_EQ(at.efforts.stiffness[0], kBallSpring);
   EXPECT_EQ(at.efforts.damping[0], kBallDamper);
@@ -67,8 +67,8 @@ TEST(AppliedEfforts, AreThoseOfDrivesWhoseSpanHolds) {
   AtStart at(std::move(scene));
   const double springs = -kBallSpring * kStretch - kBallDamper * kSpeed;
   for (const auto& [t, force] : {std::pair(0.05, 0.0), {0.15, 2.0}, {0.25, 0.0}}) {
-    at.efforts.act_as_at(t);
-    EXPECT_TRUE(at.efforts.load(at.motion, at.state));
+    at.efforts.select_active_forces(t);
+    EXPECT_TRUE(at.efforts.compute(at.motion, at.state));
     EXPECT_NEAR(at.efforts.tau[0], springs + force, 1e-14) << t;
   }
 }
@@ -76,17 +76,17 @@ TEST(AppliedEfforts, AreThoseOfDrivesWhoseSpanHolds) {
 // (m + h c + h^2 k) (v+ - v) = h tau.
 TEST(FreeVelocity, TakesSpringsAtTheEndOfAStepOrInItsMean) {
   AtStart at(sprung_ball());
-  (void)at.efforts.load(at.motion, at.state);
+  (void)at.efforts.compute(at.motion, at.state);
   FreeVelocity free(at.scene, at.model);
   constexpr double kStep = 2e-2;  // [s]
   for (const double d : {1.0, 0.5}) {
-    EXPECT_TRUE(free.set(at.motion, at.efforts, at.state, kStep, d));
+    EXPECT_TRUE(free.compute(at.motion, at.efforts, at.state, kStep, d));
     const double mass = kBallMass + d * kStep * kBallDamper + d * kStep * d * kStep * kBallSpring;
     EXPECT_NEAR(free.v[0], kSpeed + kStep * at.efforts.tau[0] / mass, 1e-13) << d;
   }
-  EXPECT_TRUE(free.set(at.motion, at.efforts, at.state, 0, 0));
+  EXPECT_TRUE(free.compute(at.motion, at.efforts, at.state, 0, 0));
   EXPECT_EQ(free.v[0], kSpeed);
-  free.push(Eigen::VectorXd::Constant(1, 0.01));
+  free.apply_impulses(Eigen::VectorXd::Constant(1, 0.01));
   EXPECT_NEAR(free.v[0], kSpeed + 0.01 / kBallMass, 1e-13);
 }
 

@@ -22,11 +22,11 @@ class RowsOf {
         efforts_(scene_, model_),
         free_(scene_, model_),
         rows(scene_, model_) {
-    const SceneState state{0, scene_.q, scene_.v, efforts_.elements.start(scene_.q)};
-    motion_.place(state);
-    contacts_.find(motion_, state, 1e-6, list);
-    (void)free_.set(motion_, efforts_, state, 0, 0);
-    rows.set(list, 1e-3, motion_.links(), free_.mass);
+    const SceneState state{0, scene_.q, scene_.v, efforts_.elements.initial_states(scene_.q)};
+    motion_.set_state(state);
+    contacts_.find_contacts(motion_, state, 1e-6, list);
+    (void)free_.compute(motion_, efforts_, state, 0, 0);
+    rows.assemble(list, 1e-3, motion_.links(), free_.mass);
     rows.problem.b = rows.J.transpose() * scene_.v;
   }
 
@@ -96,7 +96,7 @@ TEST(ContactRows, StartFromTheImpulsesThatWereRead) {
   answer.u = Eigen::VectorXd::Zero(12);
   answer.u[1] = 0.2;  // the first slides
   answer.u[3] = 0.1;  // the second opens
-  at.rows.read(answer, at.list);
+  at.rows.store_solution(answer, at.list);
   EXPECT_EQ(at.list[0].mode, ContactMode::kSlide);
   EXPECT_NEAR(at.list[0].slip, 0.2, 1e-15);
   EXPECT_EQ(at.list[1].mode, ContactMode::kOpen);
@@ -108,7 +108,7 @@ TEST(ContactRows, BounceWhereTheyClose) {
   RowsOf at(standing_cube());
   at.rows.problem.b.setConstant(-1);
   at.rows.problem.b[3] = 1;
-  at.rows.bounce(at.list);
+  at.rows.apply_restitution(at.list);
   EXPECT_NEAR(at.rows.problem.b[0], -1.3, 1e-15);
   EXPECT_EQ(at.rows.problem.b[1], -1);
   EXPECT_EQ(at.rows.problem.b[3], 1);
@@ -120,12 +120,12 @@ TEST(ContactRows, AskForTheMeanOfBothEnds) {
   at.rows.problem.b.setZero();
   at.list[0].gap = 1e-5;
   at.list[0].mode = ContactMode::kSlide;
-  at.list[0].before.closing = 0.04;
+  at.list[0].previous.closing = 0.04;
   at.list[1].gap = 1e-5;  // open before
   at.list[1].mode = ContactMode::kOpen;
   at.list[2].gap = -1;  // pushed out no faster than asked
   at.list[2].mode = ContactMode::kOpen;
-  at.rows.add_speeds_before(Eigen::VectorXd::Zero(6), 1e-3, 0.1, at.list);
+  at.rows.add_midpoint_terms(Eigen::VectorXd::Zero(6), 1e-3, 0.1, at.list);
   EXPECT_NEAR(at.rows.problem.b[0], 0.75 * 0.02 + 0.25 * 0.04, 1e-15);
   EXPECT_NEAR(at.rows.problem.b[3], 0.01, 1e-15);
   EXPECT_NEAR(at.rows.problem.b[6], -0.1, 1e-15);

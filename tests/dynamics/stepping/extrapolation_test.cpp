@@ -29,11 +29,11 @@ TEST(Extrapolation, RaisesTheOrderByOneAColumn) {
   for (int n = 1; n <= 6; ++n) {
     std::vector<double> errors;
     for (const double length : {0.4, 0.2}) {
-      Extrapolation table(number(1), Extrapolation::kMostColumns);
+      Extrapolation table(number(1), Extrapolation::kMaxColumns);
       table.restart();
-      for (int k = 1; k <= n; ++k) table.add(number(euler(length, k)));
-      EXPECT_EQ(table.columns(), n);
-      errors.push_back(std::abs(table.best().q[0] - std::exp(length)));
+      for (int k = 1; k <= n; ++k) table.add_column(number(euler(length, k)));
+      EXPECT_EQ(table.column_count(), n);
+      errors.push_back(std::abs(table.highest_order().q[0] - std::exp(length)));
     }
     EXPECT_NEAR(std::log2(errors[0] / errors[1]), n + 1, 0.35) << n;
   }
@@ -43,7 +43,7 @@ TEST(Extrapolation, RaisesTheOrderByOneAColumn) {
 TEST(Extrapolation, IsExactWhereTheExpansionEnds) {
   Extrapolation table(number(0), 4);
   table.restart();
-  for (int k = 1; k <= 3; ++k) table.add(number(5 + 2.0 / k - 3.0 / (k * k)));
+  for (int k = 1; k <= 3; ++k) table.add_column(number(5 + 2.0 / k - 3.0 / (k * k)));
   const auto is_five = [](const SceneState& state) {
     EXPECT_NEAR(state.q[0], 5, 1e-14);
     EXPECT_NEAR(state.v[0], -5, 1e-14);
@@ -51,10 +51,10 @@ TEST(Extrapolation, IsExactWhereTheExpansionEnds) {
     EXPECT_NEAR(state.z[0], 10, 2e-14);
     EXPECT_NEAR(state.z[1], 15, 3e-14);
   };
-  is_five(table.best());
-  table.add(number(5 + 2.0 / 4 - 3.0 / 16));
-  is_five(table.lower());
-  is_five(table.best());
+  is_five(table.highest_order());
+  table.add_column(number(5 + 2.0 / 4 - 3.0 / 16));
+  is_five(table.lower_order());
+  is_five(table.highest_order());
 }
 
 /// Substeps that a whole run of  x' = x  from 0 to 10 takes, and its error over the tolerance.
@@ -68,17 +68,18 @@ GrowthRun grow(int most, double tolerance) {
   double t = 0, x = 1, length = 1e-3, scale = 0;
   while (t < 10) {
     table.restart();
-    Verdict verdict = Verdict::kGoOn;
+    Verdict verdict = Verdict::kContinue;
     const double step = std::min(length, 10 - t);
-    for (int n = 1; verdict == Verdict::kGoOn; ++n) {
-      table.add(number(x * euler(step, n)));
+    for (int n = 1; verdict == Verdict::kContinue; ++n) {
+      table.add_column(number(x * euler(step, n)));
       out.substeps += n;
       if (n < 2) continue;
-      verdict = table.judge(std::abs(table.best().q[0] - table.lower().q[0]) / (x * tolerance));
+      verdict = table.judge(std::abs(table.highest_order().q[0] - table.lower_order().q[0]) /
+                            (x * tolerance));
     }
     if (verdict == Verdict::kAccept) {
       t += step;
-      x = table.best().q[0];
+      x = table.highest_order().q[0];
       ++scale;
     } else {
       ++out.rejected;
@@ -107,7 +108,7 @@ TEST(Extrapolation, ChoosesAnOrderThatSavesWork) {
 TEST(Extrapolation, RejectsWhatIsNotANumber) {
   Extrapolation table(number(1), 3);
   table.restart();
-  for (int n = 1; n <= 3; ++n) table.add(number(n));
+  for (int n = 1; n <= 3; ++n) table.add_column(number(n));
   EXPECT_EQ(table.judge(std::nan("")), Verdict::kReject);
   EXPECT_LE(table.next_length(1, 1, Verdict::kReject), 0.9);
   EXPECT_GT(table.next_length(1, 1, Verdict::kReject), 0);

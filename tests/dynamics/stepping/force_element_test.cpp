@@ -26,18 +26,18 @@ class SlowPull final : public ForceElement {
   }
   [[nodiscard]] std::string name() const override { return "pull"; }
   [[nodiscard]] std::vector<std::string> state_names() const override { return {"activation [1]"}; }
-  [[nodiscard]] Eigen::VectorXd start(const Eigen::VectorXd& /*q*/) const override {
+  [[nodiscard]] Eigen::VectorXd initial_states(const Eigen::VectorXd& /*q*/) const override {
     return Eigen::VectorXd::Zero(1);
   }
-  bool act(const ElementInput& at, ElementAction& out) override {
+  bool add_action(const ElementInput& at, ElementAction& out) override {
     const double z = at.z[at.first_z];
     out.tau[0] += kForce * z;
-    if (at.acting >= begin_) out.z_rate[at.first_z] += (1 - z) / kRise;
+    if (at.selection_time >= begin_) out.z_rate[at.first_z] += (1 - z) / kRise;
     out.z_decay[at.first_z] += 1 / kRise;
     return true;
   }
-  [[nodiscard]] std::vector<double> switches() const override { return {begin_}; }
-  [[nodiscard]] bool moves(const ElementInput& at) const override {
+  [[nodiscard]] std::vector<double> switching_times() const override { return {begin_}; }
+  [[nodiscard]] bool may_start_motion(const ElementInput& at) const override {
     return at.t >= begin_ && at.z[at.first_z] < 1 - 1e-12;
   }
 
@@ -53,7 +53,7 @@ class Spring final : public ForceElement {
     return std::make_unique<Spring>(*this);
   }
   [[nodiscard]] std::string name() const override { return "spring"; }
-  bool act(const ElementInput& at, ElementAction& out) override {
+  bool add_action(const ElementInput& at, ElementAction& out) override {
     out.tau[0] -= stiffness_ * at.q[0] + damping_ * at.v[0];
     out.stiffness(0, 0) += stiffness_;
     out.damping(0, 0) += damping_;
@@ -74,7 +74,7 @@ class Broken final : public ForceElement {
     return std::make_unique<Broken>(*this);
   }
   [[nodiscard]] std::string name() const override { return "broken"; }
-  bool act(const ElementInput& /*at*/, ElementAction& /*out*/) override { return false; }
+  bool add_action(const ElementInput& /*at*/, ElementAction& /*out*/) override { return false; }
 };
 
 /// A cube on a slide along x, free of weight.
@@ -180,16 +180,18 @@ TEST(ForceElement, WakesWhatRests) {
     [[nodiscard]] std::vector<std::string> state_names() const override {
       return pull_.state_names();
     }
-    [[nodiscard]] Eigen::VectorXd start(const Eigen::VectorXd& q) const override {
-      return pull_.start(q);
+    [[nodiscard]] Eigen::VectorXd initial_states(const Eigen::VectorXd& q) const override {
+      return pull_.initial_states(q);
     }
-    bool act(const ElementInput& at, ElementAction& out) override {
+    bool add_action(const ElementInput& at, ElementAction& out) override {
       out.tau[3] += kForce * at.z[at.first_z];
-      if (at.acting >= kBegin) out.z_rate[at.first_z] += (1 - at.z[at.first_z]) / kRise;
+      if (at.selection_time >= kBegin) out.z_rate[at.first_z] += (1 - at.z[at.first_z]) / kRise;
       return true;
     }
-    [[nodiscard]] std::vector<double> switches() const override { return {kBegin}; }
-    [[nodiscard]] bool moves(const ElementInput& at) const override { return pull_.moves(at); }
+    [[nodiscard]] std::vector<double> switching_times() const override { return {kBegin}; }
+    [[nodiscard]] bool may_start_motion(const ElementInput& at) const override {
+      return pull_.may_start_motion(at);
+    }
 
    private:
     SlowPull pull_{kBegin};
@@ -249,10 +251,10 @@ class Shortsighted final : public ForceElement {
     return std::make_unique<Shortsighted>(*this);
   }
   [[nodiscard]] std::string name() const override { return "shortsighted"; }
-  bool act(const ElementInput& at, ElementAction& /*out*/) override {
+  bool add_action(const ElementInput& at, ElementAction& /*out*/) override {
     return at.t - accepted_ < 5e-3;
   }
-  void accept(const ElementInput& at) override { accepted_ = at.t; }
+  void accept_step(const ElementInput& at) override { accepted_ = at.t; }
 
  private:
   double accepted_ = 0;  // [s]

@@ -98,12 +98,12 @@ TEST(FreeStep, RowsAddUpToTheirNodes) {
 TEST(FreeStep, MeetsAllConditionsOfItsOrder) {
   const std::array<std::size_t, 9> counts{0, 1, 1, 2, 4, 9, 20, 48, 115};
   Stages five = Method::b;
-  for (std::size_t i = 0; i < five.size(); ++i) five[i] -= Method::less_five[i];
+  for (std::size_t i = 0; i < five.size(); ++i) five[i] -= Method::b_minus_b5[i];
   for (int order = 1; order <= 8; ++order) {
     EXPECT_EQ(trees(order).size(), counts[static_cast<std::size_t>(order)]);
     EXPECT_LT(worst_condition(Method::b, order), 1e-14) << order;
     EXPECT_EQ(worst_condition(five, order) < 1e-14, order <= 5) << order;
-    EXPECT_EQ(worst_condition(Method::three, order) < 1e-14, order <= 3) << order;
+    EXPECT_EQ(worst_condition(Method::b3, order) < 1e-14, order <= 3) << order;
   }
   // And no more.
   EXPECT_GT(worst_condition(Method::b, 9), 1e-6);
@@ -129,10 +129,10 @@ TEST(FreeStep, IsOfOrderEightOnAPendulum) {
   std::vector<double> errors, estimates;
   for (const int count : {8, 16, 32}) {
     const double h = 4 * quarter / count;
-    SceneState state = steps.start(), first = state;
+    SceneState state = steps.initial_state(), first = state;
     FreeStep method(steps);
-    estimates.push_back(method.step(steps, h / 4, first).v);
-    for (int i = 0; i < count; ++i) (void)method.step(steps, h, state);
+    estimates.push_back(method.take_step(steps, h / 4, first).v);
+    for (int i = 0; i < count; ++i) (void)method.take_step(steps, h, state);
     errors.push_back(std::abs(state.v[0]));
   }
   for (const std::size_t i : {0, 1}) {
@@ -148,10 +148,11 @@ TEST(FreeStep, TriesAgainFromTheSamePlace) {
   const MovingScene scene = pendulum(quarter);
   ContactStep steps(scene);
   FreeStep method(steps), fresh(steps);
-  SceneState tried = steps.start(), again = steps.start(), once = steps.start();
-  (void)method.step(steps, quarter, tried);
-  (void)method.step(steps, 0.1 * quarter, again);
-  (void)fresh.step(steps, 0.1 * quarter, once);
+  SceneState tried = steps.initial_state(), again = steps.initial_state(),
+             once = steps.initial_state();
+  (void)method.take_step(steps, quarter, tried);
+  (void)method.take_step(steps, 0.1 * quarter, again);
+  (void)fresh.take_step(steps, 0.1 * quarter, once);
   EXPECT_EQ(again.q, once.q);
   EXPECT_EQ(again.v, once.v);
 }

@@ -27,7 +27,7 @@ TEST(LimitExcess, KeepsTheFarthestOfEachJoint) {
   const MechanismLayout layout = layout_of(mechanism);
   Eigen::VectorXd beyond;
   for (const double way : {0.0, 0.09, -0.02, 0.05})
-    note_limits(mechanism, layout, Eigen::Vector2d(way, 0), beyond);
+    update_limit_excess(mechanism, layout, Eigen::Vector2d(way, 0), beyond);
   ASSERT_EQ(beyond.size(), 2);
   EXPECT_NEAR(beyond[0], 0.04, 1e-15);
   EXPECT_EQ(beyond[1], 0);
@@ -40,11 +40,11 @@ TEST(LimitExcess, KeepsTheFarthestOfEachJoint) {
 
 TEST(LimitExcess, JoinsWhatTwoPartsOfARunKept) {
   Eigen::VectorXd all;
-  keep_larger(Eigen::VectorXd(), all);
+  keep_max_excess(Eigen::VectorXd(), all);
   EXPECT_EQ(all.size(), 0);
-  keep_larger(Eigen::Vector2d(1, 2), all);
-  keep_larger(Eigen::Vector2d(3, 1), all);
-  keep_larger(Eigen::VectorXd(), all);
+  keep_max_excess(Eigen::Vector2d(1, 2), all);
+  keep_max_excess(Eigen::Vector2d(3, 1), all);
+  keep_max_excess(Eigen::VectorXd(), all);
   EXPECT_EQ(all, Eigen::Vector2d(3, 2));
 }
 

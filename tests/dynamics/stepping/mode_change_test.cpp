@@ -42,38 +42,39 @@ TEST(SameModes, TellsWhatSlidesTheOtherWay) {
   EXPECT_TRUE(same_modes({forth}, {forth}));
   EXPECT_FALSE(same_modes({forth}, {back}));
   // From 0.6 to 0.2 m/s in a substep: it stands after half of the next.
-  EXPECT_NEAR(share_before_change({on_floor(1, kSlides, 1, 0.5, 0.6)}, {forth}, {back}), 0.5,
+  EXPECT_NEAR(fraction_before_change({on_floor(1, kSlides, 1, 0.5, 0.6)}, {forth}, {back}), 0.5,
               1e-15);
 }
 
 // From 4 to 1 N s in a substep: 0 after a third of the next.
 TEST(ShareBeforeChange, NormalForceFallsToZero) {
-  EXPECT_NEAR(share_before_change({on_floor(1, kSticks, 4, 0)}, {on_floor(1, kSticks, 1, 0)}, {}),
-              1.0 / 3, 1e-15);
-  EXPECT_NEAR(share_before_change({on_floor(1, kSticks, 4, 0)}, {on_floor(1, kSticks, 1, 0)},
-                                  {on_floor(1, kOpens, 0, 0)}),
+  EXPECT_NEAR(
+      fraction_before_change({on_floor(1, kSticks, 4, 0)}, {on_floor(1, kSticks, 1, 0)}, {}),
+      1.0 / 3, 1e-15);
+  EXPECT_NEAR(fraction_before_change({on_floor(1, kSticks, 4, 0)}, {on_floor(1, kSticks, 1, 0)},
+                                     {on_floor(1, kOpens, 0, 0)}),
               1.0 / 3, 1e-15);
 }
 
 // Of 1 N s that friction bears at most, 0.9 are left, then 0.3: none after half of the next.
 TEST(ShareBeforeChange, FrictionIsUsedUp) {
-  EXPECT_NEAR(share_before_change({on_floor(1, kSticks, 2, 0.1)}, {on_floor(1, kSticks, 2, 0.7)},
-                                  {on_floor(1, kSlides, 2, 1)}),
+  EXPECT_NEAR(fraction_before_change({on_floor(1, kSticks, 2, 0.1)}, {on_floor(1, kSticks, 2, 0.7)},
+                                     {on_floor(1, kSlides, 2, 1)}),
               0.5, 1e-15);
 }
 
 TEST(ShareBeforeChange, SlipEnds) {
   EXPECT_NEAR(
-      share_before_change({on_floor(1, kSlides, 2, 1, 0.5)}, {on_floor(1, kSlides, 2, 1, 0.1)},
-                          {on_floor(1, kSticks, 2, 0.5)}),
+      fraction_before_change({on_floor(1, kSlides, 2, 1, 0.5)}, {on_floor(1, kSlides, 2, 1, 0.1)},
+                             {on_floor(1, kSticks, 2, 0.5)}),
       0.25, 1e-15);
 }
 
 TEST(ShareBeforeChange, FirstOfSeveralCounts) {
   const Contacts earlier{on_floor(1, kSticks, 4, 0), on_floor(2, kSlides, 2, 1, 0.5)};
   const Contacts now{on_floor(1, kSticks, 1, 0), on_floor(2, kSlides, 2, 1, 0.1)};
-  EXPECT_NEAR(share_before_change(earlier, now, {}), 1.0 / 3, 1e-15);
-  EXPECT_NEAR(share_before_change(earlier, now, {on_floor(2, kSticks, 2, 0.5)}), 0.25, 1e-15);
+  EXPECT_NEAR(fraction_before_change(earlier, now, {}), 1.0 / 3, 1e-15);
+  EXPECT_NEAR(fraction_before_change(earlier, now, {on_floor(2, kSticks, 2, 0.5)}), 0.25, 1e-15);
 }
 
 TEST(ShareBeforeChange, OfALimitItsOneForceFalls) {
@@ -82,15 +83,15 @@ TEST(ShareBeforeChange, OfALimitItsOneForceFalls) {
   earlier.mode = now.mode = kSticks;
   earlier.impulse.x() = 3;
   now.impulse.x() = 1;
-  EXPECT_NEAR(share_before_change({earlier}, {now}, {}), 0.5, 1e-15);
+  EXPECT_NEAR(fraction_before_change({earlier}, {now}, {}), 0.5, 1e-15);
 }
 
 TEST(ShareBeforeChange, IsTheWholeWhereNothingFalls) {
   const Contacts falling{on_floor(1, kSticks, 1, 0)}, rising{on_floor(1, kSticks, 4, 0)};
-  EXPECT_EQ(share_before_change(falling, rising, {}), 1);
+  EXPECT_EQ(fraction_before_change(falling, rising, {}), 1);
   // Nor where all stay as they are.
-  EXPECT_EQ(share_before_change(rising, falling, falling), 1);
-  EXPECT_EQ(share_before_change({}, falling, {}), 0.5);
+  EXPECT_EQ(fraction_before_change(rising, falling, falling), 1);
+  EXPECT_EQ(fraction_before_change({}, falling, {}), 0.5);
 }
 
 }  // namespace

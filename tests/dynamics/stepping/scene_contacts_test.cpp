@@ -16,9 +16,9 @@ TEST(SceneContacts, AreTheCornersOfACubeOnAFloor) {
   SceneContacts contacts(at.scene, model);
   SceneState state{0, at.scene.q, at.scene.v};
   state.v.tail<3>() = Eigen::Vector3d(0.3, 0, -0.2);
-  motion.place(state);
+  motion.set_state(state);
   std::vector<ActiveContact> found;
-  contacts.find(motion, state, 1e-6, found);
+  contacts.find_contacts(motion, state, 1e-6, found);
   ASSERT_EQ(found.size(), 4U);
   for (const ActiveContact& contact : found) {
     EXPECT_NEAR(std::abs(contact.point.x()), 0.025, 1e-12);
@@ -50,11 +50,11 @@ TEST(SceneContacts, TellMotionsInWhichBodiesMayHaveMet) {
   SceneState through = from, away = from;
   through.q[4] += 0.2;
   away.q[4] -= 0.04;
-  const double thickness = 2 * 0.2 / contacts.motion_between(motion, from, through, {});
+  const double thickness = 2 * 0.2 / contacts.tunnelling_ratio(motion, from, through, {});
   EXPECT_GT(thickness, 0.01);
   EXPECT_LT(thickness, 0.03);
   // They stay 80 mm apart at least, and moved by 40.
-  EXPECT_EQ(contacts.motion_between(motion, from, away, {}), 0);
+  EXPECT_EQ(contacts.tunnelling_ratio(motion, from, away, {}), 0);
 }
 
 TEST(SceneContacts, KnowTheFastestPointOfABody) {
@@ -62,11 +62,11 @@ TEST(SceneContacts, KnowTheFastestPointOfABody) {
   const TreeModel model = tree_model(scene.mechanism);
   SceneMotion motion(model);
   const SceneContacts contacts(scene, model);
-  motion.place({0, scene.q, scene.v});
+  motion.set_state({0, scene.q, scene.v});
   Eigen::VectorXd v = Eigen::VectorXd::Zero(12);
   v.segment<3>(3) = Eigen::Vector3d(0.5, 0, 0);
   v[2] = 20;  // [rad/s]
-  EXPECT_NEAR(contacts.fastest(motion, v), 2 * (0.5 + 20 * 0.01), 1e-12);
+  EXPECT_NEAR(contacts.max_relative_speed(motion, v), 2 * (0.5 + 20 * 0.01), 1e-12);
 }
 
 }  // namespace

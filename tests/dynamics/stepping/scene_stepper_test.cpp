@@ -134,7 +134,7 @@ TEST(SceneStepper, EffortMovesAMassAsNewtonSays) {
   EXPECT_NEAR(stepper.now().state.q[0], 0.5 * (2 / 0.5) * 0.25, 1e-12);
   EXPECT_EQ(stepper.effort(0, stepper.now()), 2);
   // Its work is the kinetic energy.
-  EXPECT_NEAR(stepper.now().state.w[kApplied], 0.5 * 0.5 * 4, 1e-12);
+  EXPECT_NEAR(stepper.now().state.w[kAppliedWork], 0.5 * 0.5 * 4, 1e-12);
   stepper.release(0);
   stepper.step();
   EXPECT_NEAR(stepper.now().state.v[0], 2, 1e-12);

@@ -29,9 +29,12 @@ MovingScene falling_ball() {
 /// Trials from the start of a scene.
 struct FromStart {
   explicit FromStart(const MovingScene& scene)
-      : step(scene), state(step.start()), counts(cost), trials(step, options, counts, state) {}
+      : step(scene),
+        state(step.initial_state()),
+        counts(cost),
+        trials(step, options, counts, state) {}
   StepTrial& attempt(double length) {
-    trials.attempt({state, closed, 0}, length);
+    trials.try_step({state, closed, 0}, length);
     return trials.result();
   }
   SceneOptions options;
@@ -49,19 +52,19 @@ TEST(StepTrials, OfAFreeFallAreExactUpToTheFloor) {
   const double lands = std::sqrt(2 * kDrop / sample::kG);
   const double before = 0.9 * lands;
   const StepTrial& free = from.attempt(before);
-  EXPECT_TRUE(free.smooth);
-  EXPECT_LT(free.closes, 0);
+  EXPECT_TRUE(free.is_smooth);
+  EXPECT_LT(free.closing_time, 0);
   EXPECT_LE(free.error, 1);
   EXPECT_EQ(free.order, 8);
   EXPECT_NEAR(free.state.v.tail<1>()[0], -sample::kG * before, 1e-12);
   // Beyond it the trial tells about when, by the speed at its end.
   const StepTrial& through = from.attempt(1.05 * lands);
-  EXPECT_NEAR(through.closes, lands, 0.03 * lands);
+  EXPECT_NEAR(through.closing_time, lands, 0.03 * lands);
 }
 
 TEST(StepTrials, CountTheirProblemsForTheRunOnceTheyAreAccepted) {
   FromStart from(falling_ball());
-  from.counts.count_free(false);
+  from.counts.count_free_step(false);
   EXPECT_EQ(from.counts.unsolved(), 1);
   EXPECT_EQ(from.cost.unsolved, 0);
   from.counts.accept();
@@ -75,34 +78,34 @@ TEST(StepControl, EndsAStepWhereAGapCloses) {
   FromStart from(falling_ball());
   StepControl control(from.options);
   const double lands = std::sqrt(2 * kDrop / sample::kG);
-  double length = control.begin(0, 1.05 * lands);
+  double length = control.first_trial_length(0, 1.05 * lands);
   EXPECT_EQ(length, 1.05 * lands);
-  const double closes = from.attempt(length).closes;
-  length = control.shorten(from.trials, 0, length);
+  const double closes = from.attempt(length).closing_time;
+  length = control.shorten_after_rejection(from.trials, 0, length);
   EXPECT_EQ(length, closes);
   // After a rejection the next step is no longer.
   (void)from.attempt(0.5 * length);
-  EXPECT_LE(control.after(from.trials, 0.5 * length), 0.5 * length);
+  EXPECT_LE(control.next_step_length(from.trials, 0.5 * length), 0.5 * length);
 }
 
 TEST(StepControl, LengthensFreeStepsByTheirErrors) {
   FromStart from(falling_ball());
   StepControl control(from.options);
-  double length = control.begin(0, 1e-3);
+  double length = control.first_trial_length(0, 1e-3);
   (void)from.attempt(length);
   // A parabola has no error at all.
-  EXPECT_GT(control.after(from.trials, length), 2 * length);
-  EXPECT_EQ(control.reach(), from.options.longest);
-  control.set_reach(true);
-  EXPECT_EQ(control.reach(), 5 * from.options.longest);
+  EXPECT_GT(control.next_step_length(from.trials, length), 2 * length);
+  EXPECT_EQ(control.max_length(), from.options.longest);
+  control.set_max_length(true);
+  EXPECT_EQ(control.max_length(), 5 * from.options.longest);
 }
 
 TEST(StepControl, ShortensByTheRootOfADoubt) {
   const SceneOptions options;
   StepControl control(options);
-  EXPECT_NEAR(control.shorten_for(4, 1e-3), 0.45e-3, 1e-18);
-  EXPECT_NEAR(control.shorten_for(1e6, 1e-3), 0.2e-3, 1e-18);
-  EXPECT_EQ(control.shorten_for(1e6, options.shortest), options.shortest);
+  EXPECT_NEAR(control.shorten_for_elements(4, 1e-3), 0.45e-3, 1e-18);
+  EXPECT_NEAR(control.shorten_for_elements(1e6, 1e-3), 0.2e-3, 1e-18);
+  EXPECT_EQ(control.shorten_for_elements(1e6, options.shortest), options.shortest);
 }
 
 }  // namespace
