@@ -5,18 +5,18 @@
 namespace thenar {
 
 JointCompliance joint_compliance(const SceneComplianceSpec& spec) {
-  constexpr std::array<BushingWay, 5> kWays{BushingWay::kAcross, BushingWay::kAlong,
-                                            BushingWay::kAxial, BushingWay::kAbduction,
-                                            BushingWay::kTwist};
+  constexpr std::array<BushingCoordinate, 5> kCoordinates{
+      BushingCoordinate::kAcross, BushingCoordinate::kAlong, BushingCoordinate::kAxial,
+      BushingCoordinate::kAbduction, BushingCoordinate::kTwist};
   JointCompliance out;
-  // Stiffness, toe and damping of each way but flexion.
-  for (std::size_t i = 0; i < kWays.size(); ++i) {
+  // Stiffness, toe region and damping of each coordinate but flexion.
+  for (std::size_t i = 0; i < kCoordinates.size(); ++i) {
     const double toe = i == SceneComplianceSpec::kTwist       ? spec.twist_toe
                        : i == SceneComplianceSpec::kAbduction ? spec.rotation_toe
                                                               : spec.translation_toe;
-    out.law.of(kWays[i]) = {spec.stiffness[i], toe, spec.stiffening, spec.damping[i]};
+    out.law.law_for(kCoordinates[i]) = {spec.stiffness[i], toe, spec.stiffening, spec.damping[i]};
   }
-  out.law.follows[static_cast<std::size_t>(BushingWay::kTwist)] = spec.twist_follows;
+  out.law.flexion_ratios[static_cast<std::size_t>(BushingCoordinate::kTwist)] = spec.twist_follows;
   out.bone = spec.bone.value_or(Eigen::Vector3d(0, 0, 0));
   return out;
 }
@@ -30,7 +30,7 @@ std::vector<CompliantJoint> make_part_compliant(const SceneSpec& spec, const std
                                        : compliance.joint.compare(0, prefix.size(), prefix) == 0;
     if (!is_own) continue;
     at_line(spec.path, compliance.line, [&] {
-      const int joint = joint_named(part, compliance.joint.substr(prefix.size()));
+      const int joint = joint_index(part, compliance.joint.substr(prefix.size()));
       made.push_back(make_compliant(part, joint, joint_compliance(compliance)));
     });
   }
@@ -43,10 +43,10 @@ namespace {
 std::shared_ptr<const ForceElement> bushing_element(const SceneBushingSpec& spec,
                                                     const Mechanism& mechanism,
                                                     const std::vector<Pose<double>>& X_WB) {
-  // Set the law of the six ways.
+  // Laws of the six coordinates.
   BushingLaw law;
-  for (std::size_t i = 0; i < law.ways.size(); ++i)
-    law.ways[i] = {spec.stiffness[i], i < 3 ? spec.translation_toe : spec.rotation_toe,
+  for (std::size_t i = 0; i < law.laws.size(); ++i)
+    law.laws[i] = {spec.stiffness[i], i < 3 ? spec.translation_toe : spec.rotation_toe,
                    spec.stiffening, spec.damping[i]};
   // Frame at the point, z along the axis, in both bodies.
   const Tangents sides = tangents(spec.axis);
