@@ -11,7 +11,7 @@
 namespace thenar {
 
 /// Indices of the coordinates of a hand or digit in a scene.
-struct CoordinatePlaces {
+struct CoordinateIndices {
   std::vector<int> q, v;  // entries of positions and of speeds (coordinates)
 };
 
@@ -19,7 +19,7 @@ struct CoordinatePlaces {
 /// moments; both store energy. Springs and dampers of the joints are the mechanism's.
 class JointStops final : public ForceElement {
  public:
-  JointStops(std::string name, Skeleton skeleton, CoordinatePlaces places,
+  JointStops(std::string name, Skeleton skeleton, CoordinateIndices places,
              const JointResistance& resistance = {});
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
@@ -29,12 +29,12 @@ class JointStops final : public ForceElement {
 
   /// Ranges of the coordinates, and where these stand in the scene.
   [[nodiscard]] const std::vector<CoordinateLimits>& ranges() const { return limits_.limits; }
-  [[nodiscard]] const CoordinatePlaces& places() const { return places_; }
+  [[nodiscard]] const CoordinateIndices& places() const { return indices_; }
 
  private:
   std::string name_;
   Skeleton limits_;  // ranges and ends of passive moments alone
-  CoordinatePlaces places_;
+  CoordinateIndices indices_;
   JointResistance resistance_;
 };
 

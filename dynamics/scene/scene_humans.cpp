@@ -62,11 +62,11 @@ std::vector<GivenMuscle> given_by(const SceneMuscleSpec& spec, const SceneSpec& 
 }
 
 /// Finds the indices of a hand's coordinates in the scene.
-CoordinatePlaces places_of(const std::string& hand, const std::vector<std::string>& coordinates,
+CoordinateIndices places_of(const std::string& hand, const std::vector<std::string>& coordinates,
                            const Mechanism& mechanism) {
   // Coordinates are named after the hand.
   const MechanismLayout layout = layout_of(mechanism);
-  CoordinatePlaces places;
+  CoordinateIndices places;
   for (const std::string& name : coordinates)
     for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
       if (mechanism.coordinates[c].name == hand + "/" + name) {
@@ -257,7 +257,7 @@ class HandPuller {
     model.tensions = schedules_of(tensions_, muscles);
     model.excitations = schedules_of(excitations_, muscles);
     if (model.tensions.empty() && model.excitations.empty()) return false;
-    model.places = places_of(human_.name, model.tendons->coordinates(), built_.scene.mechanism);
+    model.indices = places_of(human_.name, model.tendons->coordinates(), built_.scene.mechanism);
     // Excited muscles contract; errors name the first line that excites one of them.
     if (!model.excitations.empty()) {
       const auto excited =
