@@ -27,7 +27,7 @@ std::unique_ptr<ForceElement> JointStops::clone() const {
 bool JointStops::act(const ElementInput& at, ElementAction& out) {
   if (at.need == ElementNeed::kStates) return true;
   for (std::size_t i = 0; i < limits_.limits.size(); ++i) {
-    // Stop and passive moment, and their slopes.
+    // Add stop torque and passive moment, and their stiffness.
     const CoordinateLimits& limits = limits_.limits[i];
     const double angle = at.q[indices_.q[i]];
     const int v = indices_.v[i];
