@@ -81,10 +81,10 @@ class PyramidBuilder {
 
  private:
   struct Limit {
-    Index first, end;  // unknowns of the sum
-    double bound;
-    Index normal;
-    double factor;
+    Index first, end;  // range of the unknowns in the sum
+    double bound;      // constant part of the limit
+    Index normal;      // unknown with a factor; -1: none
+    double factor;     // factor of that unknown
   };
   Index rows_;
   VectorXd origin_;

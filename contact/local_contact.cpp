@@ -15,6 +15,8 @@ using Eigen::Vector4d;
 constexpr double kLocalProximal = 1e-10;
 constexpr double kMinNormalMobility = 1e-14;  // smallest A_nn that is divided by [1]
 constexpr int kMaxSecularSteps = 100;         // Newton steps on the secular equation, at most
+constexpr double kSecularTolerance = 1e-15;   // |excess()| of a root, near rounding [1]
+constexpr double kBracketTolerance = 1e-16;   // relative width of a bracket, below rounding [1]
 
 /// Secular equation of a slipping contact: ft and fn as functions of kappa, in the axes of S.
 struct SlipEquation {
@@ -46,7 +48,7 @@ double solve_secular_equation(const SlipEquation& slip) {
   for (int step = 0; step < kMaxSecularSteps; ++step) {
     const auto [value, slope] = slip.excess(kappa);
     (value < 0 ? low : high) = kappa;
-    if (std::abs(value) < 1e-15 || high - low <= 1e-16 * high) break;
+    if (std::abs(value) < kSecularTolerance || high - low <= kBracketTolerance * high) break;
     const double next = kappa - value / slope;
     kappa = next > low && next < high ? next : (low + high) / 2;
   }

@@ -31,9 +31,10 @@ class LocalContact {
                                       const Eigen::Ref<const Eigen::VectorXd>& previous) const;
 
  private:
-  int tangents_ = 2;
+  int tangents_ = 2;  // number of tangential rows
   double A_nn_ = 1;
-  Eigen::Vector3d A_tn_ = Eigen::Vector3d::Zero();   // in the axes of S, zero beyond `tangents_`
+  Eigen::Vector3d A_tn_ =
+      Eigen::Vector3d::Zero();  // coupling in the axes of S, zero beyond `tangents_`
   Eigen::Vector3d sigma_ = Eigen::Vector3d::Ones();  // eigenvalues of S
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
 };
