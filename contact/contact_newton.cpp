@@ -1,7 +1,5 @@
 #include "contact/contact_newton.h"
 
-#include <cmath>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 

@@ -2,7 +2,6 @@
 
 /// Contact problem of one time step, in impulses and velocities.
 
-#include <limits>
 #include <utility>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "contact/sliding_pivots.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <Eigen/QR>
 

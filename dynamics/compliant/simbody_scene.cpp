@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <set>
 
 #include <Simbody.h>
 #include <fmt/format.h>

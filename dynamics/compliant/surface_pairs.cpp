@@ -1,8 +1,5 @@
 #include "dynamics/compliant/surface_pairs.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/error.h"
 #include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/stepping/meeting_pairs.h"

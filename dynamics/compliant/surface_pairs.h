@@ -3,7 +3,6 @@
 /// Pairs of Simbody surfaces that represent the contacts of a scene.
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>

@@ -1,7 +1,6 @@
 #include "dynamics/human/human_mechanism.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

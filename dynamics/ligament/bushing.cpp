@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
 #include "dynamics/mechanism/tree_motion.h"
 
 namespace thenar {

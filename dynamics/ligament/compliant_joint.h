@@ -3,7 +3,6 @@
 /// Compliant hinges: a capsule law, in place of an ideal axis, holds the distal bone.
 
 #include <array>
-#include <limits>
 #include <string>
 
 #include "dynamics/ligament/bushing_law.h"

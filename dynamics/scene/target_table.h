@@ -3,7 +3,6 @@
 /// Reads target tables of drives over time.
 
 #include <string>
-#include <vector>
 
 #include "data/io/scene/scene.h"
 #include "dynamics/stepping/moving_scene.h"
