@@ -1,7 +1,5 @@
 #include "contact/contact_newton.h"
 
-#include <cmath>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
@@ -14,11 +12,12 @@ using Eigen::Ref;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Least proximal term, over the diagonal of A, which is 1 [1]
-constexpr double kLeastProximal = 1e-10;
-constexpr int kNewtonRefinements = 2;  // Refinements of a Newton step with a small proximal term
+// Proximal terms over the diagonal of A, which is 1 [1]
+constexpr double kMinProximal = 1e-10;        // smallest term, which guards against a singular A
+constexpr double kMaxRefinedProximal = 1e-8;  // largest term whose effect is refined away
+constexpr int kNewtonRefinements = 2;         // refinements of the solution with such a term
 
-/// Unit vectors perpendicular to the unit vector d, two of three dimensions or one of two.
+/// Returns unit vectors perpendicular to the unit vector d: two in three dimensions, one in two.
 Eigen::Matrix<double, 3, 2> perpendicular(const Vector3d& d, int tangents) {
   Eigen::Matrix<double, 3, 2> P = Eigen::Matrix<double, 3, 2>::Zero();
   // Quarter turn in a plane.
@@ -41,24 +40,25 @@ void ContactNewton::assign(const ScaledContacts& contacts) {
   if (n <= rhs_.size()) return;
   R_.resize(n, n);
   factor_.resize(n, n);
-  for (VectorXd* v : {&column_, &rhs_, &y_, &rest_, &f_before_}) v->resize(n);
+  for (VectorXd* v : {&column_, &rhs_, &y_, &remainder_, &f_before_}) v->resize(n);
   unknowns_.reserve(static_cast<std::size_t>(n));
-  slipping_.reserve(contacts.blocks().size());
+  slips_.reserve(contacts.blocks().size());
 }
 
-void ContactNewton::add_row(int row) {
+void ContactNewton::add_zero_velocity_row(int row) {
   Unknown unknown;
   unknown.start = row;
   unknown.impulse(0) = unknown.velocity(0) = 1;
   unknowns_.push_back(unknown);
 }
 
-void ContactNewton::add_slipping(Slipping* contact, double fn, const Ref<const VectorXd>& u) {
+void ContactNewton::add_slip_unknowns(SlippingContact* contact, double fn,
+                                      const Ref<const VectorXd>& u) {
   const int i = contact->start, tangents = contact->rows - 1;
   contact->P = perpendicular(contact->d, tangents);
   contact->first = static_cast<int>(unknowns_.size());
 
-  // First unknown: fn along the cone's generator (1, -mu d); its equation is un = 0.
+  // First unknown: fn along the generator (1, -mu d) of the cone; its equation is un = 0.
   Unknown unknown;
   unknown.start = i;
   unknown.rows = contact->rows;
@@ -66,68 +66,68 @@ void ContactNewton::add_slipping(Slipping* contact, double fn, const Ref<const V
   unknown.impulse.tail<3>() = -contact->mu * contact->d;
   unknowns_.push_back(unknown);
 
-  // Other unknowns: y = -(mu fn + slip) times the turn of d. Friction changes by share y, and the
-  // equation  P' ut = slip times the turn  puts 1 - share on the diagonal.
+  // Other unknowns: y = -(mu fn + slip) times the rotation of d. Friction changes by share y, and
+  // the equation  P' ut = slip times the rotation  adds 1 - share to the diagonal.
   const double slip = std::max(contact->d.head(tangents).dot(u.segment(i + 1, tangents)), 0.0);
   const double friction = contact->mu * fn, sum = friction + slip;
   const double share = sum > 0 ? friction / sum : 1;
-  contact->turn = sum > 0 ? -1 / sum : 0;
+  contact->rotation = sum > 0 ? -1 / sum : 0;
   for (int k = 0; k + 1 < tangents; ++k) {
     Unknown turn;
     turn.start = i;
     turn.rows = contact->rows;
     turn.impulse.tail<3>() = share * contact->P.col(k);
     turn.velocity.tail<3>() = contact->P.col(k);
-    turn.own = 1 - share;
+    turn.diagonal = 1 - share;
     unknowns_.push_back(turn);
   }
 }
 
-void ContactNewton::read_cone(const ScaledBlock& block, Ref<VectorXd> f,
-                              const Ref<const VectorXd>& u) {
+void ContactNewton::classify_cone(const ScaledBlock& block, Ref<VectorXd> f,
+                                  const Ref<const VectorXd>& u) {
   const int i = block.start, tangents = block.rows - 1;
-  // The trial point p = f - u decides. Open: f = 0.
+  // Open, by the trial point p = f - u: f = 0.
   const double p_n = f(i) - u(i);
   if (p_n <= 0) {
     f.segment(i, block.rows).setZero();
     return;
   }
-  // Stick: an unknown for each row, with u = 0.
+  // Stick: an unknown for each row, with the equation u = 0.
   Vector3d p_t = Vector3d::Zero();
   p_t.head(tangents) = f.segment(i + 1, tangents) - u.segment(i + 1, tangents);
   const double norm = p_t.norm();
   if (norm <= block.mu * p_n) {
-    for (int k = 0; k < block.rows; ++k) add_row(i + k);
+    for (int k = 0; k < block.rows; ++k) add_zero_velocity_row(i + k);
     return;
   }
-  // Slip: move f onto the cone, against d, the direction of the slip.
-  Slipping contact;
+  // Slip: project f onto the cone, opposite to d.
+  SlippingContact contact;
   contact.start = i;
   contact.rows = block.rows;
   contact.mu = block.mu;
   contact.d = -p_t / norm;
   f(i) = std::max(f(i), 0.0);
   f.segment(i + 1, tangents) = -block.mu * f(i) * contact.d.head(tangents);
-  slipping_.push_back(contact);
+  slips_.push_back(contact);
 }
 
-void ContactNewton::read_states(const ScaledContacts& contacts, Ref<VectorXd> f,
-                                const Ref<const VectorXd>& u) {
+void ContactNewton::classify_blocks(const ScaledContacts& contacts, Ref<VectorXd> f,
+                                    const Ref<const VectorXd>& u) {
   unknowns_.clear();
-  slipping_.clear();
+  slips_.clear();
   for (const ScaledBlock& block : contacts.blocks()) {
     if (block.is_cone()) {
-      read_cone(block, f, u);
+      classify_cone(block, f, u);
       continue;
     }
-    // Interval: at an end if f - u passes it, otherwise free with u = 0.
+    // Interval: at a bound if f - u exceeds it, otherwise free with u = 0.
     const double p = f(block.start) - u(block.start);
     if (p <= block.lower)
       f(block.start) = block.lower;
     else if (p >= block.upper)
       f(block.start) = block.upper;
     else
-      add_row(block.start);
+      add_zero_velocity_row(block.start);
   }
 }
 
@@ -136,38 +136,39 @@ void ContactNewton::assemble(const ScaledContacts& contacts, const Ref<const Vec
   const auto k = static_cast<Index>(unknowns_.size());
   auto column = column_.head(contacts.rows());
   for (Index j = 0; j < k; ++j) {
-    // Velocities of all rows for a unit of this unknown.
+    // Velocities of all rows by a unit of unknown j.
     const Unknown& unknown = unknowns_[static_cast<std::size_t>(j)];
     column = unknown.impulse(0) * A.col(unknown.start);
     for (int r = 1; r < unknown.rows; ++r)
       if (unknown.impulse(r) != 0) column += unknown.impulse(r) * A.col(unknown.start + r);
 
-    // What they do to every equation.
+    // Column j of the system, by the equations of all unknowns.
     for (Index i = 0; i < k; ++i) {
-      const Unknown& of = unknowns_[static_cast<std::size_t>(i)];
-      R_(i, j) = of.rows == 1 ? column(of.start)
-                              : of.velocity.head(of.rows).dot(column.segment(of.start, of.rows));
+      const Unknown& row = unknowns_[static_cast<std::size_t>(i)];
+      R_(i, j) = row.rows == 1
+                     ? column(row.start)
+                     : row.velocity.head(row.rows).dot(column.segment(row.start, row.rows));
     }
-    R_(j, j) += unknown.own;
+    R_(j, j) += unknown.diagonal;
     rhs_(j) = -unknown.velocity.head(unknown.rows).dot(u.segment(unknown.start, unknown.rows));
   }
 }
 
 bool ContactNewton::solve_linear(double proximal) {
-  // Refine away a proximal term that only guards against singular W; a large one is meant to act.
-  proximal = std::max(proximal, kLeastProximal);
-  const int refinements = proximal > 1e-8 ? 0 : kNewtonRefinements;
+  // Refine away a small proximal term; a large one is meant to damp the step.
+  proximal = std::max(proximal, kMinProximal);
+  const int refinements = proximal > kMaxRefinedProximal ? 0 : kNewtonRefinements;
   const auto k = static_cast<Index>(unknowns_.size());
   auto factor = factor_.topLeftCorner(k, k);
   const auto R = R_.topLeftCorner(k, k);
-  auto y = y_.head(k), rest = rest_.head(k);
+  auto y = y_.head(k), rest = remainder_.head(k);
   factor = R;
   factor.diagonal().array() += proximal;
   y.setZero();
   rest = rhs_.head(k);
 
-  // Cholesky without slip, where R is symmetric positive semidefinite.
-  if (slipping_.empty()) {
+  // Cholesky factorization without slip, as R is then symmetric positive semidefinite.
+  if (slips_.empty()) {
     Eigen::LLT<Ref<MatrixXd>> llt(factor);
     if (llt.info() == Eigen::Success) {
       for (int round = 0; round <= refinements; ++round) {
@@ -180,7 +181,7 @@ bool ContactNewton::solve_linear(double proximal) {
     factor = R;
     factor.diagonal().array() += proximal;
   }
-  // LU with slip, or where Cholesky fails.
+  // LU factorization with slip, or if Cholesky fails.
   if (!lu_.factor(factor)) return false;
   for (int round = 0; round <= refinements; ++round) {
     lu_.solve(factor, rest);
@@ -190,19 +191,19 @@ bool ContactNewton::solve_linear(double proximal) {
   return y.allFinite();
 }
 
-void ContactNewton::apply(Ref<VectorXd> f) const {
-  // Unknowns of one row are impulses.
+void ContactNewton::update_impulses(Ref<VectorXd> f) const {
+  // Unknowns of one row are changes of impulses.
   for (std::size_t j = 0; j < unknowns_.size(); ++j)
     if (unknowns_[j].rows == 1) f(unknowns_[j].start) += y_(static_cast<Index>(j));
 
-  // Slipping contacts move along and around their cones.
-  for (const Slipping& contact : slipping_) {
+  // Slipping contacts change fn and rotate d.
+  for (const SlippingContact& contact : slips_) {
     const int tangents = contact.rows - 1;
     Vector3d d = contact.d;
     for (int k = 0; k + 1 < tangents; ++k)
-      d += contact.turn * y_(contact.first + 1 + k) * contact.P.col(k);
+      d += contact.rotation * y_(contact.first + 1 + k) * contact.P.col(k);
     d.normalize();
-    // A step may make fn negative; friction is then 0 until states are read again.
+    // A step may make fn negative; friction is then 0 until the next classification.
     double& fn = f(contact.start);
     fn += y_(contact.first);
     f.segment(contact.start + 1, tangents) = -contact.mu * std::max(fn, 0.0) * d.head(tangents);
@@ -211,20 +212,20 @@ void ContactNewton::apply(Ref<VectorXd> f) const {
 
 bool ContactNewton::step(const ScaledContacts& contacts, double proximal, Ref<VectorXd> f,
                          Ref<VectorXd> u) {
-  // States at f - u, and u at the impulses that were moved to their bounds and cones.
+  // Classify the blocks, which moves impulses to their bounds and cones, and update u.
   f_before_.head(f.size()) = f;
-  read_states(contacts, f, u);
+  classify_blocks(contacts, f, u);
   u.noalias() = contacts.A() * f;
   u += contacts.b();
-  // Linear system of the unknowns; f is restored where it has no answer.
-  for (Slipping& contact : slipping_) add_slipping(&contact, f(contact.start), u);
+  // Solve the linear system of the unknowns; on failure restore f.
+  for (SlippingContact& contact : slips_) add_slip_unknowns(&contact, f(contact.start), u);
   assemble(contacts, u);
   if (!unknowns_.empty() && !solve_linear(proximal)) {
     f = f_before_.head(f.size());
     return false;
   }
-  // New impulses and their velocities.
-  apply(f);
+  // Compute the new impulses and velocities.
+  update_impulses(f);
   u.noalias() = contacts.A() * f;
   u += contacts.b();
   return true;

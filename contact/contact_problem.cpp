@@ -15,6 +15,8 @@ using Row = Eigen::Ref<const VectorXd>;
 
 // Largest difference of mirrored entries of W, over its largest entry [1]
 constexpr double kSymmetryError = 1e-9;
+// Smallest mean diagonal of a mobile block, over the largest diagonal entry of W [1]
+constexpr double kMinDiagonalRatio = 1e-16;
 
 void check_block(const ContactBlock& block) {
   require(block.law != ConstraintLaw::kBox || block.lower <= block.upper,
@@ -27,7 +29,7 @@ void check_block(const ContactBlock& block) {
           "a torsion radius must be >= 0, got {} m", block.torsion_radius);
 }
 
-/// Adds an interval's row to the residual.
+/// Adds the row of an interval to the residual.
 void add_interval(double lower, double upper, double f, double u, ContactResidual* out) {
   out->outside = std::max({out->outside, lower - f, f - upper});
   if (lower == -kInfinity && upper == kInfinity) {
@@ -35,12 +37,13 @@ void add_interval(double lower, double upper, double f, double u, ContactResidua
     return;
   }
   if (upper == kInfinity) out->approach = std::max(out->approach, -u);
-  // Energy that the impulse would still take out if it moved to the end that u asks for [J].
-  const double to = u > 0 ? lower : upper;
-  if (std::isfinite(to)) out->complementarity = std::max(out->complementarity, u * (f - to));
+  // Bound at which the impulse would be complementary to u.
+  const double bound = u > 0 ? lower : upper;
+  if (std::isfinite(bound)) out->complementarity = std::max(out->complementarity, u * (f - bound));
 }
 
-/// Adds a contact's rows to the residual, torsion in the units of the tangents: torque / e, e spin.
+/// Adds the rows of a contact to the residual; torsion is scaled to the units of the tangents,
+/// torque / e and e spin.
 template <int Rows>
 void add_cone(const Eigen::Matrix<double, Rows, 1>& f, const Eigen::Matrix<double, Rows, 1>& u,
               double mu, ContactResidual* out) {
@@ -51,7 +54,7 @@ void add_cone(const Eigen::Matrix<double, Rows, 1>& f, const Eigen::Matrix<doubl
   out->alignment = std::max(out->alignment, ft.dot(ut) + mu * f(0) * ut.norm());
 }
 
-/// Rows of one block: the largest entry of its natural map, and all else into `out`.
+/// Adds the rows of a contact to `out`, and returns the largest entry of its natural map.
 template <int Rows>
 double add_contact(const ContactBlock& block, const Row& f, const Row& u, double s,
                    ContactResidual* out) {
@@ -73,11 +76,11 @@ double add_contact(const ContactBlock& block, const Row& f, const Row& u, double
   return std::max(natural, unloadable / s);
 }
 
-/// Largest |s b|, |P(0) / s| of a block.
-double scale_of(const ContactBlock& block, const Row& b, double s) {
+/// Returns the largest |s b| and |P(0) / s| of a block [sqrt(J)].
+double residual_scale(const ContactBlock& block, const Row& b, double s) {
   if (b.size() == 1) {
     // Interval: where lower == upper the velocity is free, and only P(0) counts.
-    const auto [lower, upper] = internal::ends_of(block);
+    const auto [lower, upper] = internal::impulse_bounds(block);
     const double nearest = std::clamp(0.0, lower, upper);
     return std::max(lower == upper ? 0 : std::abs(s * b(0)), std::abs(nearest / s));
   }
@@ -92,7 +95,7 @@ double scale_of(const ContactBlock& block, const Row& b, double s) {
 }  // namespace
 
 bool ContactResidual::is_within(double tolerance) const {
-  return natural <= std::max(tolerance, std::min(rounding, internal::kMostRounding));
+  return natural <= std::max(tolerance, std::min(rounding, internal::kMaxRounding));
 }
 
 ContactBlock bilateral_block() { return {ConstraintLaw::kBilateral}; }
@@ -120,7 +123,7 @@ int rows_of(ConstraintLaw law) {
 
 void check_contact_problem(const ContactProblem& problem) {
   Index rows = 0;
-  // Each block must be valid, and their rows must add up to the size of W and b.
+  // Check the blocks, and the sum of their rows against W and b.
   for (const ContactBlock& block : problem.blocks) {
     check_block(block);
     rows += rows_of(block.law);
@@ -129,7 +132,7 @@ void check_contact_problem(const ContactProblem& problem) {
   require(problem.W.rows() == rows && problem.W.cols() == rows,
           "blocks have {} rows, W is {} by {}", rows, problem.W.rows(), problem.W.cols());
 
-  // A sum is finite only if all its entries are. Mirrored entries of W must agree.
+  // Check that all numbers are finite, by their sum, and that W is symmetric.
   double largest = 0, sum = problem.b.sum(), difference = 0;
   for (Index j = 0; j < rows; ++j) {
     const auto column = problem.W.col(j);
@@ -145,19 +148,19 @@ void check_contact_problem(const ContactProblem& problem) {
 
 namespace internal {
 
-std::pair<double, double> ends_of(const ContactBlock& block) {
+std::pair<double, double> impulse_bounds(const ContactBlock& block) {
   if (block.law == ConstraintLaw::kBilateral) return {-kInfinity, kInfinity};
   if (block.law == ConstraintLaw::kUnilateral) return {0, kInfinity};
   return {block.lower, block.upper};
 }
 
-double least_diagonal(const ContactProblem& problem) {
+double min_diagonal(const ContactProblem& problem) {
   const double largest = problem.W.rows() > 0 ? problem.W.diagonal().maxCoeff() : 0;
-  return 1e-16 * std::max(largest, 0.0);
+  return kMinDiagonalRatio * std::max(largest, 0.0);
 }
 
 double block_scale(const ContactProblem& problem, const ContactBlock& block, Index start,
-                   double least) {
+                   double minimum) {
   const int rows = rows_of(block.law);
   // Mean diagonal of W over the rows that count; torsion enters as e^2 W, and not at all for e = 0.
   double sum = 0;
@@ -167,25 +170,25 @@ double block_scale(const ContactProblem& problem, const ContactBlock& block, Ind
     sum += e * e * problem.W(start + k, start + k);
     counted += e > 0 ? 1 : 0;
   }
-  // A block without mobility takes the scale of the largest diagonal, or 1 if W is zero.
+  // An immobile block has the scale of the largest diagonal entry, or 1 if W is zero.
   const double mean = sum / counted;
-  return mean > least ? 1 / std::sqrt(mean) : least > 0 ? 1 / std::sqrt(least * 1e16) : 1;
+  return mean > minimum ? 1 / std::sqrt(mean) : minimum > 0 ? 1 / std::sqrt(minimum * 1e16) : 1;
 }
 
 ContactResidual contact_residual_at(const ContactProblem& problem, const Row& f, const Row& u) {
   ContactResidual out;
   double natural = 0;
   Index start = 0;
-  const double least = least_diagonal(problem);
+  const double minimum = min_diagonal(problem);
   for (const ContactBlock& block : problem.blocks) {
     const int rows = rows_of(block.law);
-    const double s = block_scale(problem, block, start, least);
+    const double s = block_scale(problem, block, start, minimum);
     // Scale of the natural map: the largest |s b| and |P(0) / s|.
-    out.scale = std::max(out.scale, scale_of(block, problem.b.segment(start, rows), s));
+    out.scale = std::max(out.scale, residual_scale(block, problem.b.segment(start, rows), s));
     // Natural map in the block's scale; the other residuals are in the problem's units.
     double entry = 0;
     if (rows == 1) {
-      const auto [lower, upper] = internal::ends_of(block);
+      const auto [lower, upper] = internal::impulse_bounds(block);
       add_interval(lower, upper, f(start), u(start), &out);
       entry = std::abs(interval_natural_map(f(start) / s, u(start) * s, lower / s, upper / s));
     } else if (rows == 3) {
@@ -197,10 +200,10 @@ ContactResidual contact_residual_at(const ContactProblem& problem, const Row& f,
     natural = entry >= natural ? entry : std::isnan(entry) ? kInfinity : natural;
     start += rows;
   }
-  // Relative values; the rounding is that of the sums W f.
+  // Make them relative; the rounding error is that of the sums W f.
   out.natural = natural > 0 ? natural / out.scale : 0;
   if (natural > 0)
-    out.rounding = kRoundings * std::numeric_limits<double>::epsilon() / out.scale *
+    out.rounding = kRoundingUnits * std::numeric_limits<double>::epsilon() / out.scale *
                    f.cwiseAbs().dot(problem.W.diagonal().cwiseMax(0).cwiseSqrt());
   return out;
 }

@@ -1,8 +1,7 @@
 #pragma once
 
-/// The contact problem of one time step, in impulses and velocities.
+/// Contact problem of one time step, in impulses and velocities.
 
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -12,14 +11,14 @@
 
 namespace thenar {
 
-/// Law that the impulse f and the velocity u of a block of rows obey.
+/// Complementarity law of the impulse f and the velocity u of a block of rows.
 enum class ConstraintLaw {
   kBilateral,   // f free, u = 0: loops, couplings, locked joints
   kUnilateral,  // 0 <= f _|_ u >= 0: joint limits, contacts without friction
   kBox,         // lower <= f <= upper; u >= 0 at lower, <= 0 at upper, 0 between: dry friction of
                 // joints, motors with limits
-  kCoulomb,     // point contact with the exact cone: normal, two tangents
-  kSoftFinger   // the same, and torsion about the normal
+  kCoulomb,     // point contact with the exact friction cone: normal, two tangents
+  kSoftFinger   // point contact with torsional friction: normal, two tangents, torsion
 };
 
 /// Rows of one constraint.
@@ -34,74 +33,84 @@ enum class ConstraintLaw {
 struct ContactBlock {
   ConstraintLaw law = ConstraintLaw::kUnilateral;
   double lower = 0;           // kBox: [N s] or [N m s]
-  double upper = 0;           // kBox
+  double upper = 0;           // kBox: [N s] or [N m s]
   double friction = 0;        // kCoulomb, kSoftFinger: mu [1]
   double torsion_radius = 0;  // kSoftFinger: e, largest torque over largest tangential force [m]
 };
 
+/// Returns a block of one bilateral row.
 [[nodiscard]] ContactBlock bilateral_block();
+/// Returns a block of one unilateral row.
 [[nodiscard]] ContactBlock unilateral_block();
-/// @throws InputError unless lower <= upper; both may be infinite.
+/// Returns a block of one row with bounds of its impulse [N s] or [N m s].
+/// @throws InputError unless lower <= upper, and a finite impulse lies between them.
 [[nodiscard]] ContactBlock box_block(double lower, double upper);
+/// Returns a block of a point contact with this coefficient of friction [1].
 /// @throws InputError unless friction is finite and >= 0.
 [[nodiscard]] ContactBlock coulomb_block(double friction);
+/// Returns a block of a soft-finger contact.
+/// @param friction        coefficient of friction mu [1]
 /// @param torsion_radius  e [m]; `torsion` of a SoftPatch over its friction
 /// @throws InputError unless both are finite and >= 0.
 [[nodiscard]] ContactBlock soft_finger_block(double friction, double torsion_radius);
 
-/// 1, 3 (normal, tangents) or 4 (normal, tangents, torsion).
+/// Returns the number of rows of a law: 1, 3 (normal, tangents) or 4 (normal, tangents, torsion).
 [[nodiscard]] int rows_of(ConstraintLaw law);
 
-/// Impulses f and velocities u of all rows:  u = W f + b.
+/// Contact problem for the impulses f and velocities  u = W f + b  of all rows.
 ///
-/// W = J M^-1 J' is symmetric positive semidefinite, singular where contacts are redundant. b is
+/// W = J M^-1 J' is symmetric positive semidefinite, and singular if contacts are redundant. b is
 /// the velocity J v without impulses, to which a time stepper adds restitution and corrections.
 struct ContactProblem {
-  std::vector<ContactBlock> blocks;  // of rows in this order
-  Eigen::MatrixXd W;                 // [1/kg], [1/(kg m)] or [1/(kg m^2)] (n, n)
-  Eigen::VectorXd b;                 // [m/s] or [rad/s] (n)
+  std::vector<ContactBlock> blocks;  // blocks in the order of their rows
+  Eigen::MatrixXd W;                 // Delassus matrix [1/kg], [1/(kg m)] or [1/(kg m^2)] (n, n)
+  Eigen::VectorXd b;                 // velocities at f = 0 [m/s] or [rad/s] (n)
 };
 
-/// @throws InputError unless shapes fit, all is finite and blocks are as their makers ask.
+/// Checks a contact problem.
+/// @throws InputError unless shapes fit, all numbers are finite, W is symmetric, and the blocks
+/// satisfy the conditions of coulomb_block() and the like.
 void check_contact_problem(const ContactProblem& problem);
 
-/// Distance of impulses from an answer, computed from W, b and f alone.
+/// Residuals of impulses, computed from W, b and f alone.
 ///
-/// `natural` does not depend on units. With the scale s of a block's rows, 1 / sqrt(mean of its
-/// diagonal of W) (torsion rows times e first), f' = f / s and u' = s u have the unit sqrt(J), and
+/// `natural` is the norm of the natural map, independent of units. With the scale s of a block's
+/// rows, 1 / sqrt(mean of its diagonal of W) (torsion rows times e first), f' = f / s and u' = s u
+/// have the unit sqrt(J), and
 ///   natural = max |f' - P_K(f' - û')| / scale,   û' = u' + mu |u_t'| n,
-/// scale = max of |s b| and of |P(0) / s|, P(0) the impulse of a box that is nearest to 0. It is 0
-/// at answers only. `rounding` is what of it doubles may hide, 4 eps sum |f_j| sqrt(W_jj) / scale,
-/// large where a heavy body rests on a light one. All others are in the units of the problem, and 0
-/// at an answer.
+/// where scale is the maximum of |s b| and of |P(0) / s|, and P(0) the impulse of a box that is
+/// nearest to 0. It is 0 at solutions only. `rounding` is the part of it that may be due to
+/// rounding, 4 eps sum |f_j| sqrt(W_jj) / scale, which is large where a heavy body rests on a light
+/// one. All other residuals are in the units of the problem, and 0 at a solution.
 struct ContactResidual {
-  double natural = kInfinity;  // [1]
-  double scale = 0;            // of `natural` [sqrt(J)]
-  double rounding = 0;         // of `natural` [1]
-  double outside = 0;          // f outside its cone or box: |ft| - mu fn, -fn, ... [N s]
-  double approach = 0;         // -un of contacts and limits: bodies come closer [m/s]
-  double complementarity = 0;  // |fn un|; of boxes what u takes from an impulse off its bound [J]
-  double alignment = 0;        // ft . ut + mu fn |ut|: dissipation that is missing [J]
+  double natural = kInfinity;  // natural map, relative [1]
+  double scale = 0;            // scale of `natural` [sqrt(J)]
+  double rounding = 0;         // rounding error of `natural` [1]
+  double outside = 0;          // excess of f over its cone or box: |ft| - mu fn, -fn, ... [N s]
+  double approach = 0;         // approach velocity -un of contacts and limits [m/s]
+  double complementarity = 0;  // |fn un|; for boxes u times the distance of f to its bound [J]
+  double alignment = 0;        // missing dissipation ft . ut + mu fn |ut| [J]
   double bilateral = 0;        // |u| of bilateral rows [m/s]
 
-  /// Returns whether `natural` is at most the tolerance, or the rounding where that is larger (up
-  /// to 1e-8).
+  /// Returns true if `natural` is at most the tolerance, or at most `rounding` up to 1e-8.
   [[nodiscard]] bool is_within(double tolerance) const;
 };
 
-/// @param f  impulses (n)
+/// Computes the residuals of impulses.
+/// @param f  impulses [N s] or [N m s] (n)
+/// @throws InputError if f does not have n entries
 [[nodiscard]] ContactResidual contact_residual(const ContactProblem& problem,
                                                const Eigen::Ref<const Eigen::VectorXd>& f);
 
 namespace internal {
 
-// Roundings of a double that ContactResidual::rounding counts [1]
-inline constexpr double kRoundings = 4;
-// Largest rounding with which a residual still counts as an answer [1]
-inline constexpr double kMostRounding = 1e-8;
+// Factor of the machine epsilon in ContactResidual::rounding [1]
+inline constexpr double kRoundingUnits = 4;
+// Largest ContactResidual::rounding that is accepted in place of the tolerance [1]
+inline constexpr double kMaxRounding = 1e-8;
 
-/// Ends of the interval of a law with one row.
-[[nodiscard]] std::pair<double, double> ends_of(const ContactBlock& block);
+/// Returns the lower and upper bound of the impulse of a law with one row.
+[[nodiscard]] std::pair<double, double> impulse_bounds(const ContactBlock& block);
 
 /// Computes contact_residual() for callers that already know the velocities.
 /// @param u  W f + b (n)
@@ -109,13 +118,14 @@ inline constexpr double kMostRounding = 1e-8;
                                                   const Eigen::Ref<const Eigen::VectorXd>& f,
                                                   const Eigen::Ref<const Eigen::VectorXd>& u);
 
-/// Scale s of a block's rows, but for the radius of torsion (ContactResidual).
-/// @param start  its first row;  @param least  smallest mean diagonal that counts
+/// Returns the scale s of a block's rows without the torsion radius, see ContactResidual.
+/// @param start    first row of the block
+/// @param minimum  mean diagonal below which a block counts as immobile, min_diagonal()
 [[nodiscard]] double block_scale(const ContactProblem& problem, const ContactBlock& block,
-                                 Eigen::Index start, double least);
+                                 Eigen::Index start, double minimum);
 
-/// Smallest mean diagonal of a block that counts: 1e-16 of the largest entry of W's diagonal.
-[[nodiscard]] double least_diagonal(const ContactProblem& problem);
+/// Returns the smallest mean diagonal of a mobile block: 1e-16 of the largest diagonal entry of W.
+[[nodiscard]] double min_diagonal(const ContactProblem& problem);
 
 }  // namespace internal
 

@@ -18,51 +18,50 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kToleranceShare = 0.5;  // Share of the tolerance that scaling back may cost [1]
-constexpr double kRoundingFrom = 1e-8;   // Residuals below this may be due to rounding [1]
-constexpr double kRoundingGoal = 1e-14;  // Residuals below this are not worth another step [1]
-constexpr int kPolishSteps = 2;          // Most Newton steps that polish an answer
-// A residual below this share of the best so far counts as progress [1]
-constexpr double kProgressRatio = 0.9;
-constexpr int kStalledSteps = 6;  // Newton steps without progress after which a try ends
-// Sweeps before Newton's second try; each further try has twice as many
-constexpr int kFirstSweeps = 5;
-constexpr int kMostRounds = 2;      // Most rounds of sweeps and Newton, before interior points
-constexpr int kPivotTurns = 20;     // Most Newton steps by pivots
-constexpr int kFrozenTurns = 20;    // Most turns of the fixed point on |ut|
-constexpr int kInteriorTurn = 40;   // Steps of interior points in one turn
-constexpr int kMostRestarts = 20;   // Most restarts from invented impulses
-constexpr int kSweepsPerCheck = 5;  // Sweeps between two checks of the residual
-constexpr std::uint64_t kRestartSeed = 1;
+constexpr double kGoalRatio = 0.5;        // scaled residual goal over the tolerance [1]
+constexpr double kRoundingLevel = 1e-8;   // residual below which rounding is considered [1]
+constexpr double kPolishGoal = 1e-14;     // residual below which polishing stops [1]
+constexpr int kMaxPolishSteps = 2;        // Newton steps that polish a solution, at most
+constexpr double kProgressRatio = 0.9;    // residual over the best so far that is progress [1]
+constexpr int kMaxIdleSteps = 6;          // steps without progress after which Newton ends
+constexpr int kFirstSweeps = 5;           // sweeps of the first round, doubled in each further one
+constexpr int kMaxRounds = 2;             // rounds of sweeps and Newton
+constexpr int kMaxPivotSteps = 20;        // Newton steps by pivoting
+constexpr int kMaxFrozenRuns = 20;        // fixed-point iterations on |ut| of interior points
+constexpr int kStepsPerInteriorRun = 40;  // interior-point steps of one such iteration
+constexpr double kInteriorGoalRatio = 0.1;  // tolerance of interior points over the goal [1]
+constexpr int kMaxRestarts = 20;            // restarts from random impulses
+constexpr int kSweepsPerCheck = 5;          // sweeps between two evaluations of the residual
+constexpr std::uint64_t kRestartSeed = 1;   // seed of the random impulses
 
-/// Damping of Newton's steps: with kYes they become more proximal where they do not lower the
-/// residual.
+/// Damping of Newton steps: with kYes the proximal term grows while the residual does not decrease.
 enum class Damped { kNo, kYes };
-constexpr double kLeastDamping = 0.3, kMostDamping = 10;  // stiffness over the residual [1]
+constexpr double kMinDamping = 0.3, kMaxDamping = 10;  // proximal term over the residual [1]
 
 }  // namespace
 
-/// Everything that a solve needs. The runs below go on from f, and are true at the goal.
+/// Workspace of a solve. The run_*() functions start from f, and return true if they reach the
+/// goal.
 struct ContactSolver::Workspace {
   internal::ScaledContacts contacts;
   internal::ContactNewton newton;
   internal::GaussSeidel sweeper;
   internal::InteriorContact interior;
   bool sweeper_ready = false, is_warm = false;
-  VectorXd f_room, u_room, best_room, turn_room;  // scaled
-  double residual = 0, best = 0, goal = 0;        // of f, of the best, and the goal
+  VectorXd f_storage, u_storage, best_f_storage, interior_f_storage;  // scaled, may be longer (n)
+  double residual = 0, best = 0, goal = 0;  // residual of f, of the best f, and the goal [1]
   ContactSolverOptions options;
   ContactSolution solution;
 
-  auto f() { return f_room.head(contacts.rows()); }
-  auto u() { return u_room.head(contacts.rows()); }
+  auto f() { return f_storage.head(contacts.rows()); }
+  auto u() { return u_storage.head(contacts.rows()); }
 
   void assign(const ContactProblem& problem, const Ref<const VectorXd>& warm_start);
-  bool measure();
-  void go_to(const Ref<const VectorXd>& impulses);
+  bool record_residual();
+  void set_impulses(const Ref<const VectorXd>& impulses);
   bool run_newton(Damped damped);
   bool run_sweeps(int sweeps);
-  bool run_tries();
+  bool run_sweeps_and_newton();
   bool run_pivots();
   bool run_interior();
   bool run_restarts();
@@ -70,90 +69,91 @@ struct ContactSolver::Workspace {
   void run_pyramid(const ContactProblem& problem);
   bool run();
   void polish();
-  [[nodiscard]] bool is_polished() const { return options.method != ContactMethod::kGaussSeidel; }
-  bool is_answer(const ContactProblem& problem, const Ref<const VectorXd>& warm_start);
-  void certify(const ContactProblem& problem);
+  [[nodiscard]] bool polishes() const { return options.method != ContactMethod::kGaussSeidel; }
+  bool accept_warm_start(const ContactProblem& problem, const Ref<const VectorXd>& warm_start);
+  void set_solution(const ContactProblem& problem);
 };
 
 void ContactSolver::Workspace::assign(const ContactProblem& problem,
                                       const Ref<const VectorXd>& warm_start) {
-  // Scaled problem and vectors, whose memory only grows.
+  // Scale the problem, and grow the vectors if needed.
   contacts.assign(problem);
   newton.assign(contacts);
   sweeper_ready = false;
   const Index n = contacts.rows();
-  if (n > f_room.size())
-    for (VectorXd* v : {&f_room, &u_room, &best_room, &turn_room}) v->resize(n);
-  // Counters, and the goal: scaling back to units may cost the rest of the tolerance.
+  if (n > f_storage.size())
+    for (VectorXd* v : {&f_storage, &u_storage, &best_f_storage, &interior_f_storage}) v->resize(n);
+  // Reset counters and goal; the rest of the tolerance is for rounding when scaling back.
   solution.newton_steps = solution.sweeps = solution.interior_steps = solution.pivots = 0;
   solution.pyramid_residual = 0;
   solution.method = options.method;
-  goal = kToleranceShare * options.tolerance;
+  goal = kGoalRatio * options.tolerance;
   best = kInfinity;
-  // Zero b without a prescribed impulse has the answer f = 0 and the scale 0, over which the
-  // rounding of a warm start would be an infinite residual.
+  // Ignore a warm start if the scale is 0: then f = 0 is the solution, and any rounding of a warm
+  // start would have an infinite residual.
   is_warm = warm_start.size() > 0 && contacts.scale() > 0;
   f().setZero();
   if (is_warm) f() = warm_start.cwiseQuotient(contacts.s());
-  go_to(f());
+  set_impulses(f());
 }
 
-/// Measures f and keeps it if it is the best.
-bool ContactSolver::Workspace::measure() {
+/// Computes the residual of f, and stores f if it is the best so far. @return true at the goal
+bool ContactSolver::Workspace::record_residual() {
   residual = contacts.residual(f(), u());
   if (residual < best) {
     best = residual;
-    best_room.head(contacts.rows()) = f();
+    best_f_storage.head(contacts.rows()) = f();
   }
-  // Solved: within the goal, or within what rounding can hide.
+  // Within the goal, or within the rounding error.
   return residual <= goal ||
-         (residual < kRoundingFrom && residual <= kToleranceShare * contacts.rounding(f()));
+         (residual < kRoundingLevel && residual <= kGoalRatio * contacts.rounding(f()));
 }
 
-/// Sets f and u, without measuring.
-void ContactSolver::Workspace::go_to(const Ref<const VectorXd>& impulses) {
+/// Sets f and u.
+void ContactSolver::Workspace::set_impulses(const Ref<const VectorXd>& impulses) {
   f() = impulses;
   u().noalias() = contacts.A() * f();
   u() += contacts.b();
 }
 
-/// Steps of Newton until none counts any more.
+/// Takes Newton steps until they make no progress.
 bool ContactSolver::Workspace::run_newton(Damped damped) {
-  double least = kInfinity, damping = 0;
+  double min_residual = kInfinity, damping = 0;
   residual = contacts.residual(f(), u());
-  for (int idle = 0; idle < kStalledSteps && solution.newton_steps < options.max_newton_steps;) {
+  for (int idle = 0; idle < kMaxIdleSteps && solution.newton_steps < options.max_newton_steps;) {
     ++solution.newton_steps;
     end_if_stopped();
-    // Step with a proximal term that falls with the residual, so that convergence stays quadratic.
+    // The proximal term decreases with the residual, so that convergence stays quadratic.
     const double before = residual;
     if (!newton.step(contacts, damping * std::min(residual, 1.0), f(), u())) return false;
-    if (measure()) {
+    if (record_residual()) {
       solution.method = ContactMethod::kNewton;
       return true;
     }
     // Halve the damping after a step that halves the residual, double it after any other.
     if (damped == Damped::kYes)
-      damping = residual < before / 2 ? damping / 2
-                                      : std::clamp(2 * damping, kLeastDamping, kMostDamping);
-    // Count the steps without progress over the best of this try.
-    idle = residual < kProgressRatio * least ? 0 : idle + 1;
-    least = std::min(least, residual);
+      damping =
+          residual < before / 2 ? damping / 2 : std::clamp(2 * damping, kMinDamping, kMaxDamping);
+    // Count the steps without progress.
+    idle = residual < kProgressRatio * min_residual ? 0 : idle + 1;
+    min_residual = std::min(min_residual, residual);
   }
   return false;
 }
 
+/// Takes Gauss-Seidel sweeps.
 bool ContactSolver::Workspace::run_sweeps(int sweeps) {
-  // Prepare the local problems of the blocks, once a problem.
+  // Prepare the local problems of the blocks, once for each problem.
   if (!sweeper_ready) sweeper.assign(contacts);
   sweeper_ready = true;
-  // Sweep in small groups; u and the residual are computed only after each group.
+  // Compute u and the residual only after each group of sweeps.
   sweeps = std::min(sweeps, options.max_sweeps - solution.sweeps);
   for (int done = 0; done < sweeps; done += kSweepsPerCheck) {
     const int count = std::min(kSweepsPerCheck, sweeps - done);
     sweeper.sweep(contacts, count, f());
     solution.sweeps += count;
-    go_to(f());
-    if (measure()) {
+    set_impulses(f());
+    if (record_residual()) {
       solution.method = ContactMethod::kGaussSeidel;
       return true;
     }
@@ -161,50 +161,49 @@ bool ContactSolver::Workspace::run_sweeps(int sweeps) {
   return false;
 }
 
-/// Tries sweeps from the best point found, and then Newton again.
-bool ContactSolver::Workspace::run_tries() {
-  for (int k = 0; k < kMostRounds; ++k) {
-    // Start from the best point, with twice as many sweeps each round.
-    f() = best_room.head(contacts.rows());
+/// Alternates sweeps from the best f and Newton steps.
+bool ContactSolver::Workspace::run_sweeps_and_newton() {
+  for (int k = 0; k < kMaxRounds; ++k) {
+    f() = best_f_storage.head(contacts.rows());
     if (run_sweeps(kFirstSweeps << k) || run_newton(Damped::kYes)) return true;
   }
   return false;
 }
 
-/// Takes Newton steps with pivots from the best point found, on the contacts that bear.
+/// Takes Newton steps from the best f, whose loaded contacts are chosen by pivoting.
 bool ContactSolver::Workspace::run_pivots() {
-  f() = best_room.head(contacts.rows());
-  go_to(f());
-  for (int k = 0; k < kPivotTurns; ++k) {
-    // Linearise at f and u, and let Lemke's algorithm choose the contacts that bear.
+  f() = best_f_storage.head(contacts.rows());
+  set_impulses(f());
+  for (int k = 0; k < kMaxPivotSteps; ++k) {
     const double before = residual;
-    if (!internal::pivot_sliding(contacts, f(), u(), solution.pivots)) return false;
-    go_to(f());
-    if (measure()) {
+    if (!internal::take_pivoting_step(contacts, f(), u(), solution.pivots)) return false;
+    set_impulses(f());
+    if (record_residual()) {
       solution.method = ContactMethod::kNewton;
       return true;
     }
-    // End where turns no longer lower the residual.
+    // Stop when the residual no longer decreases.
     if (k > 2 && residual > kProgressRatio * before) break;
   }
   return false;
 }
 
-/// Interior points with |ut| as an unknown, then as a fixed point. Each turn ends with Newton: near
-/// an answer from the interior the state of every contact (open, stick, slip) is clear.
+/// Runs interior points with |ut| as an unknown, then as a fixed point. Each run is followed by
+/// Newton steps, as interior points identify the state of every contact (open, stick, slip).
 bool ContactSolver::Workspace::run_interior() {
   using Coupling = internal::InteriorContact::Coupling;
-  auto turn = turn_room.head(contacts.rows());
-  turn.setZero();
-  // The first turn has |ut| as an unknown; the others freeze it at the impulses of the turn before.
-  for (int k = 0; k <= kFrozenTurns; ++k) {
-    const int most = std::min(kInteriorTurn, options.max_interior_steps - solution.interior_steps);
-    if (most <= 0) return false;
-    solution.interior_steps +=
-        interior.run(contacts, k > 0 ? Coupling::kFrozen : Coupling::kFull, most, 0.1 * goal, turn);
-    // Measure, and let Newton find the last digits.
-    go_to(turn);
-    if (measure() || run_newton(Damped::kYes)) {
+  auto interior_f = interior_f_storage.head(contacts.rows());
+  interior_f.setZero();
+  // The first run has |ut| as an unknown; the others freeze it at the impulses of the run before.
+  for (int k = 0; k <= kMaxFrozenRuns; ++k) {
+    const int max_steps =
+        std::min(kStepsPerInteriorRun, options.max_interior_steps - solution.interior_steps);
+    if (max_steps <= 0) return false;
+    solution.interior_steps += interior.run(contacts, k > 0 ? Coupling::kFrozen : Coupling::kFull,
+                                            max_steps, kInteriorGoalRatio * goal, interior_f);
+    // Refine the result by Newton steps.
+    set_impulses(interior_f);
+    if (record_residual() || run_newton(Damped::kYes)) {
       solution.method = ContactMethod::kInteriorPoint;
       return true;
     }
@@ -212,11 +211,11 @@ bool ContactSolver::Workspace::run_interior() {
   return false;
 }
 
-/// Sweeps and Newton from made-up normal impulses: a method may be held by a point that is no
-/// answer, as no function is known that falls towards answers alone.
+/// Restarts sweeps and Newton from random normal impulses: the iterations may converge to a point
+/// that is not a solution, as there is no merit function with minima at solutions alone.
 bool ContactSolver::Workspace::run_restarts() {
-  for (int start = 0; start < kMostRestarts; ++start) {
-    // Random normal impulses up to twice the scale, no friction; the seed is fixed.
+  for (int start = 0; start < kMaxRestarts; ++start) {
+    // Random normal impulses up to twice the scale, without friction.
     RandomStream random(kRestartSeed, 0, static_cast<std::uint32_t>(start));
     for (const internal::ScaledBlock& block : contacts.blocks()) {
       f().segment(block.start, block.rows).setZero();
@@ -224,26 +223,27 @@ bool ContactSolver::Workspace::run_restarts() {
       if (!block.is_cone())
         f()(block.start) = std::clamp(f()(block.start), block.lower, block.upper);
     }
-    // Few sweeps and undamped steps, then more sweeps and damped steps.
+    // Few sweeps and undamped Newton steps, then more sweeps and damped steps.
     if (run_sweeps(kFirstSweeps) || run_newton(Damped::kNo)) return true;
     if (run_sweeps(2 * kFirstSweeps) || run_newton(Damped::kYes)) return true;
   }
   return false;
 }
 
+/// Runs the methods of kAutomatic in order of their cost.
 bool ContactSolver::Workspace::run_automatic() {
-  // Try from the warm start: Newton, then sweeps with Newton, then pivots.
-  if (run_newton(Damped::kYes) || run_tries() || run_pivots()) return true;
-  // Try from zero, because a misleading warm start may be what holds Newton back.
+  // Start from the warm start: Newton, then sweeps with Newton, then pivoting.
+  if (run_newton(Damped::kYes) || run_sweeps_and_newton() || run_pivots()) return true;
+  // Start from zero, in case the warm start was misleading.
   if (is_warm) {
     f().setZero();
-    go_to(f());
-    if (measure() || run_newton(Damped::kYes)) return true;
+    set_impulses(f());
+    if (record_residual() || run_newton(Damped::kYes)) return true;
   }
-  // Methods that need no start, which are slower.
+  // Slower methods that need no warm start.
   if (run_interior() || run_restarts()) return true;
-  // Last resort: sweeps from the best point until max_sweeps.
-  f() = best_room.head(contacts.rows());
+  // Last resort: sweeps from the best f up to max_sweeps.
+  f() = best_f_storage.head(contacts.rows());
   for (int sweeps = 4 * kFirstSweeps; solution.sweeps < options.max_sweeps; sweeps *= 2)
     if (run_sweeps(sweeps)) return true;
   return false;
@@ -262,66 +262,67 @@ bool ContactSolver::Workspace::run() {
   }
 }
 
-/// Improves an answer to rounding by Newton steps that at least halve the residual, because its
-/// errors would add up from step to step.
+/// Improves a solution towards rounding by Newton steps that at least halve the residual, because
+/// its errors would accumulate over time steps.
 void ContactSolver::Workspace::polish() {
-  for (int k = 0; k < kPolishSteps && best > kRoundingGoal; ++k) {
-    // Undamped step from the best f; measure() keeps it only if it is better.
+  for (int k = 0; k < kMaxPolishSteps && best > kPolishGoal; ++k) {
+    // Undamped step from the best f.
     const double before = best;
-    go_to(best_room.head(contacts.rows()));
+    set_impulses(best_f_storage.head(contacts.rows()));
     ++solution.newton_steps;
     if (!newton.step(contacts, 0, f(), u())) return;
-    (void)measure();
+    (void)record_residual();
     if (best > before / 2) return;
   }
 }
 
+/// Solves the problem with friction pyramids, and stores the solution.
 void ContactSolver::Workspace::run_pyramid(const ContactProblem& problem) {
-  // Lemke's algorithm on the complementarity problem of the pyramids.
+  // Solve the complementarity problem of the pyramids by Lemke's algorithm.
   const internal::PyramidProblem pyramids =
       internal::friction_pyramids(contacts, options.pyramid_edges);
   ComplementarityOptions pivoting;
   pivoting.tolerance = options.tolerance;
   const ComplementaritySolution found = solve_complementarity(pyramids.lcp, pivoting);
   solution.pivots = found.pivots;
-  // Impulses from the generators; residuals on the true cones, the status of the pyramids.
-  best_room.head(contacts.rows()) =
+  // Store impulses with residuals on the exact cones, but the status of the pyramids.
+  best_f_storage.head(contacts.rows()) =
       pyramids.origin + pyramids.generators * found.z.head(pyramids.generators.cols());
-  certify(problem);
+  set_solution(problem);
   solution.status = found.status;
   solution.pyramid_residual = found.residual;
 }
 
-/// Returns whether a warm start is an answer. It is then the solution, bit for bit, unless
-/// polishing halves its residual.
-bool ContactSolver::Workspace::is_answer(const ContactProblem& problem,
-                                         const Ref<const VectorXd>& warm_start) {
-  // Residual of the warm start as given, because scaling to and fro would change its bits.
+/// Returns true if the warm start is a solution. It is then returned unchanged, unless polishing
+/// at least halves its residual.
+bool ContactSolver::Workspace::accept_warm_start(const ContactProblem& problem,
+                                                 const Ref<const VectorXd>& warm_start) {
+  // Residual of the unscaled warm start, as scaling there and back would change its bits.
   solution.f = warm_start;
   solution.u = problem.b;
   solution.u.noalias() += problem.W * warm_start;
   solution.residual = internal::contact_residual_at(problem, solution.f, solution.u);
   if (!solution.residual.is_within(options.tolerance)) return false;
   solution.status = Status::kSolved;
-  // Polish its scaled copy, and take the result only if that halves the residual.
+  // Polish the scaled copy, and use it only if its residual is less than half.
   const double before = best;
-  if (is_polished()) polish();
-  if (best < before / 2) certify(problem);
+  if (polishes()) polish();
+  if (best < before / 2) set_solution(problem);
   return true;
 }
 
-/// The best f in the problem's own units, and its residual from W and b.
-void ContactSolver::Workspace::certify(const ContactProblem& problem) {
-  solution.f = best_room.head(contacts.rows()).cwiseProduct(contacts.s());
+/// Stores the best f in the units of the problem, with residuals and status.
+void ContactSolver::Workspace::set_solution(const ContactProblem& problem) {
+  solution.f = best_f_storage.head(contacts.rows()).cwiseProduct(contacts.s());
   solution.u = problem.b;
   solution.u.noalias() += problem.W * solution.f;
   solution.residual = internal::contact_residual_at(problem, solution.f, solution.u);
-  // Status from that residual; a failure is a limit where a count has run out.
-  const bool spent = solution.newton_steps >= options.max_newton_steps ||
-                     solution.sweeps >= options.max_sweeps ||
-                     solution.interior_steps >= options.max_interior_steps;
+  // Status by the residual; a failure is kLimit if a counter has reached its limit.
+  const bool is_at_limit = solution.newton_steps >= options.max_newton_steps ||
+                           solution.sweeps >= options.max_sweeps ||
+                           solution.interior_steps >= options.max_interior_steps;
   solution.status = solution.residual.is_within(options.tolerance) ? Status::kSolved
-                    : spent                                        ? Status::kLimit
+                    : is_at_limit                                  ? Status::kLimit
                                                                    : Status::kStalled;
 }
 
@@ -343,18 +344,18 @@ const ContactSolution& ContactSolver::solve(const ContactProblem& problem,
   Workspace& work = *work_;
   work.options = options;
   work.assign(problem, warm_start);
-  // Pyramids: an approximation with a status and a residual of its own.
+  // Pyramids are an approximation with its own status and residual.
   if (options.method == ContactMethod::kPyramid) {
     work.run_pyramid(problem);
     return work.solution;
   }
 
-  // Return a warm start that is an answer already.
-  const bool solved = work.measure();
-  if (warm_start.size() > 0 && work.is_answer(problem, warm_start)) return work.solution;
-  // Otherwise run the method, polish its answer and certify it on the unscaled problem.
-  if ((solved || work.run()) && work.is_polished()) work.polish();
-  work.certify(problem);
+  // Return a warm start that is already a solution.
+  const bool solved = work.record_residual();
+  if (warm_start.size() > 0 && work.accept_warm_start(problem, warm_start)) return work.solution;
+  // Otherwise run the method, polish its solution, and evaluate it on the unscaled problem.
+  if ((solved || work.run()) && work.polishes()) work.polish();
+  work.set_solution(problem);
   return work.solution;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Impulses that answer a contact problem, by several methods behind one call.
+/// Solver of contact problems, with several methods behind one interface.
 
 #include <array>
 #include <memory>
@@ -14,13 +14,14 @@
 
 namespace thenar {
 
+/// Method of a contact solver.
 enum class ContactMethod {
-  kAutomatic,      // Newton from the warm start; where it does not arrive, sweeps, pivots, interior
-                   // points and other starts, most ended by Newton
+  kAutomatic,      // Newton from the warm start; if it fails, Gauss-Seidel sweeps, pivoting,
+                   // interior points and random starts, mostly followed by Newton
   kNewton,         // semismooth Newton alone, from the warm start
-  kGaussSeidel,    // sweeps with exact answers of each block, from the warm start
-  kInteriorPoint,  // interior points, last digits by Newton; has no use for a warm start
-  kPyramid         // Lemke's algorithm on friction pyramids; has no use for a warm start
+  kGaussSeidel,    // block Gauss-Seidel with exact local solutions, from the warm start
+  kInteriorPoint,  // interior points, polished by Newton; ignores the warm start
+  kPyramid         // Lemke's algorithm on friction pyramids; ignores the warm start
 };
 inline constexpr std::array kContactMethodNames{
     EnumName{ContactMethod::kAutomatic, "automatic"}, EnumName{ContactMethod::kNewton, "Newton"},
@@ -31,35 +32,37 @@ inline constexpr std::array kContactMethodNames{
   return name_in(kContactMethodNames, method);
 }
 
+/// Options of a contact solver.
 struct ContactSolverOptions {
   ContactMethod method = ContactMethod::kAutomatic;
-  double tolerance = 1e-11;  // of ContactResidual::natural [1]
-  int max_newton_steps = 2000;
-  int max_sweeps = 5000;  // of Gauss-Seidel
-  int max_interior_steps = 400;
-  int pyramid_edges = 8;  // of a pyramid, even and at least 4
+  double tolerance = 1e-11;      // largest ContactResidual::natural of a solution [1]
+  int max_newton_steps = 2000;   // largest number of Newton steps
+  int max_sweeps = 5000;         // largest number of Gauss-Seidel sweeps
+  int max_interior_steps = 400;  // largest number of interior-point steps
+  int pyramid_edges = 8;         // number of edges of a friction pyramid, even and at least 4
 };
 
+/// Solution of a contact problem.
 struct [[nodiscard]] ContactSolution {
-  /// kSolved: residual.is_within(tolerance); of pyramids, pyramid_residual is at most that. kLimit:
-  /// a limit of the options was reached. kInfeasible: proven by Lemke's ray, of pyramids alone.
-  /// kStalled: all else. f is then the best found, and residual says how good.
+  /// kSolved: residual.is_within(tolerance); for pyramids, pyramid_residual <= tolerance. kLimit:
+  /// a limit of the options was reached. kInfeasible: proven by a ray of Lemke's algorithm, for
+  /// pyramids alone. kStalled: any other failure. After a failure f is the best iterate found.
   Status status = Status::kStalled;
-  ContactMethod method = ContactMethod::kAutomatic;  // that found f
+  ContactMethod method = ContactMethod::kAutomatic;  // method that found f
   Eigen::VectorXd f;                                 // impulses [N s] or [N m s] (n)
-  Eigen::VectorXd u;                                 // W f + b [m/s] or [rad/s] (n)
-  ContactResidual residual;                          // of f on the true cones, from W and b
+  Eigen::VectorXd u;                                 // velocities W f + b [m/s] or [rad/s] (n)
+  ContactResidual residual;                          // residuals of f on the exact cones
   double pyramid_residual = 0;  // complementarity_residual() of the pyramids [1]
-  int newton_steps = 0;         // one linear system each
-  int sweeps = 0;               // of Gauss-Seidel
-  int interior_steps = 0;       // one linear system each
-  int pivots = 0;               // of Lemke's algorithm
+  int newton_steps = 0;         // Newton steps, one linear system each
+  int sweeps = 0;               // Gauss-Seidel sweeps
+  int interior_steps = 0;       // interior-point steps, one linear system each
+  int pivots = 0;               // pivots of Lemke's algorithm
 };
 
-/// Solves one contact problem after another, and keeps the room that they need: once it has seen a
-/// problem as large, it leaves the heap alone (but for pivots and pyramids, and f and u where their
-/// number of rows changes). The answer depends on the problem, the warm start and the options
-/// alone, bit for bit.
+/// Solver of a sequence of contact problems with a reusable workspace: memory is allocated only for
+/// a problem that is larger than all before (except in pivoting and pyramids, and for f and u when
+/// their size changes). The solution depends on the problem, the warm start and the options alone,
+/// and is deterministic to the bit.
 class ContactSolver {
  public:
   ContactSolver();
@@ -67,14 +70,16 @@ class ContactSolver {
   ContactSolver(ContactSolver&&) noexcept;
   ContactSolver& operator=(ContactSolver&&) noexcept;
 
-  /// A warm start that is an answer is returned as it is, unless a step of Newton halves its
-  /// residual (on the way to rounding, which every answer but that of Gauss-Seidel goes). Where
-  /// answers are not unique (redundant contacts), the one found depends on the warm start; impulses
-  /// that W does not feel stay near it.
-  /// @param warm_start  impulses that may be near (n), or none (0): all zero
-  /// @returns what stays valid until the next call
-  /// @throws InputError as check_contact_problem(), unless warm_start is finite and fits, and
-  ///         unless the tolerance is positive and pyramid_edges as they must be
+  /// Solves a contact problem.
+  ///
+  /// All methods but Gauss-Seidel polish a solution by Newton steps down to rounding. A warm start
+  /// that already is a solution is returned unchanged, unless polishing at least halves its
+  /// residual. If solutions are not unique (redundant contacts), the result depends on the warm
+  /// start, and stays near it in the null space of W.
+  /// @param warm_start  initial impulses (n), or empty (0) for zero
+  /// @returns reference that is valid until the next call
+  /// @throws InputError as check_contact_problem(), or if warm_start is not finite or has the wrong
+  ///         size, the tolerance is not positive, or pyramid_edges is odd or below 4
   const ContactSolution& solve(const ContactProblem& problem,
                                const Eigen::Ref<const Eigen::VectorXd>& warm_start,
                                const ContactSolverOptions& options = {});

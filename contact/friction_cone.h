@@ -1,6 +1,6 @@
 #pragma once
 
-/// The cone of friction |t| <= mu n, and complementarity on it.
+/// Projection onto the friction cone |t| <= mu n, and natural maps of cones and intervals.
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 
 namespace thenar::internal {
 
-/// Nearest point of {|t| <= mu n} to x = (n, t).
+/// Returns the point of the cone {|t| <= mu n} that is nearest to x = (n, t).
 template <int Rows>
 Eigen::Matrix<double, Rows, 1> nearest_in_cone(const Eigen::Matrix<double, Rows, 1>& x, double mu) {
   const double t = x.template tail<Rows - 1>().norm();
@@ -22,7 +22,7 @@ Eigen::Matrix<double, Rows, 1> nearest_in_cone(const Eigen::Matrix<double, Rows,
   return out;
 }
 
-/// f - P_K(f - û)  with De Saxce's  û = u + mu |ut| n.
+/// Returns the natural map  f - P_K(f - û)  with De Saxce's  û = u + mu |ut| n.
 template <int Rows>
 Eigen::Matrix<double, Rows, 1> cone_natural_map(const Eigen::Matrix<double, Rows, 1>& f,
                                                 const Eigen::Matrix<double, Rows, 1>& u,
@@ -32,7 +32,7 @@ Eigen::Matrix<double, Rows, 1> cone_natural_map(const Eigen::Matrix<double, Rows
   return f - nearest_in_cone<Rows>(x, mu);
 }
 
-/// f - P(f - u)  on lower <= f <= upper.
+/// Returns the natural map  f - P(f - u)  of an interval lower <= f <= upper.
 inline double interval_natural_map(double f, double u, double lower, double upper) {
   return f - std::clamp(f - u, lower, upper);
 }

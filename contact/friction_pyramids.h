@@ -1,6 +1,6 @@
 #pragma once
 
-/// The contact problem with friction pyramids, as a linear complementarity problem.
+/// Approximation of a contact problem by friction pyramids, a linear complementarity problem.
 
 #include <Eigen/Core>
 
@@ -9,23 +9,25 @@
 
 namespace thenar::internal {
 
-/// Impulses are  f = origin + generators z_1  of the first unknowns z_1 >= 0.
+/// Contact problem with friction pyramids. Its impulses are  f = origin + generators z_1,  where
+/// z_1 >= 0 are the first unknowns of the complementarity problem.
 struct PyramidProblem {
-  LinearComplementarity lcp;
-  Eigen::MatrixXd generators;  // (rows, unknowns of impulses)
-  Eigen::VectorXd origin;      // (rows)
+  LinearComplementarity lcp;   // complementarity problem of z
+  Eigen::MatrixXd generators;  // impulse of each unknown (rows, unknowns z_1)
+  Eigen::VectorXd origin;      // impulses at z = 0 (rows)
 };
 
-/// Each cone's disc becomes the polygon of m directions d_k, ft = sum beta_k d_k:
+/// Builds the problem with friction pyramids. The disc of each cone is replaced by the polygon of m
+/// directions d_k, ft = sum beta_k d_k:
 ///   0 <= fn     _|_  un >= 0
 ///   0 <= beta_k _|_  d_k . ut + lambda >= 0
 ///   0 <= lambda _|_  mu fn - sum beta_k >= 0
-/// and a soft finger's ball a polyhedron, with m directions on the equator and on each circle of
-/// latitude in steps of 2 pi / m, and both poles if m divides by 4. Bilateral impulses are
-/// differences of two unknowns; boxes have a multiplier for their upper end. The polygon lies
-/// within the disc: it loses up to 1 - cos(pi / m) of friction between its corners, and slip may be
-/// aside from the friction force by pi / m.
-/// @param edges  m, even and at least 4
+/// and the ball of a soft finger by a polyhedron with m directions on the equator and on each
+/// circle of latitude in steps of 2 pi / m, and both poles if m is a multiple of 4. Bilateral
+/// impulses are differences of two unknowns; boxes have a multiplier for their upper bound. The
+/// polygon is inscribed in the disc: the friction is too small by up to 1 - cos(pi / m) between its
+/// corners, and its direction deviates from that of the slip by up to pi / m.
+/// @param edges  number of edges m, even and at least 4
 /// Source: [StewartTrinkle1996], [AnitescuPotra1997].
 [[nodiscard]] PyramidProblem friction_pyramids(const ScaledContacts& contacts, int edges);
 

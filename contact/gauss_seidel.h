@@ -1,6 +1,6 @@
 #pragma once
 
-/// Block Gauss-Seidel sweeps with exact answers of every block.
+/// Block Gauss-Seidel method with exact local solutions.
 
 #include <vector>
 
@@ -11,19 +11,20 @@
 
 namespace thenar::internal {
 
-/// Sweeps over the blocks in their order; each block's impulse becomes its own answer while the
-/// others stand. Where impulses converge they are an answer of the whole problem; there is no
-/// promise that they do. One sweep takes one product with A.
+/// Block Gauss-Seidel method: a sweep visits the blocks in their order, and solves each one exactly
+/// with the other impulses fixed. Impulses that converge are a solution of the whole problem;
+/// convergence is not guaranteed. One sweep costs one product with A.
 /// Source: [JourdanAlartJean1998].
 class GaussSeidel {
  public:
+  /// Prepares the local problems of all cones.
   void assign(const ScaledContacts& contacts);
 
-  /// `sweeps` sweeps on f (rows).
+  /// Makes this number of sweeps on the scaled impulses f (rows).
   void sweep(const ScaledContacts& contacts, int sweeps, Eigen::Ref<Eigen::VectorXd> f) const;
 
  private:
-  std::vector<LocalContact> local_;  // of each cone, in order
+  std::vector<LocalContact> local_;  // local problems (cones)
 };
 
 }  // namespace thenar::internal

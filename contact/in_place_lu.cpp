@@ -10,7 +10,7 @@ using Eigen::Index;
 
 namespace {
 
-// Rows from which a block takes long: microseconds for each column
+// Size above which each column of a block checks for a stop; it then takes microseconds (rows)
 constexpr Index kLargeBlock = 200;
 
 }  // namespace
@@ -38,13 +38,13 @@ bool InPlaceLu::factor(Eigen::Ref<Eigen::MatrixXd> R) {
   for (const auto [begin, end] : blocks_)
     for (Index k = begin; k < end; ++k) {
       if (end - begin > kLargeBlock) end_if_stopped();
-      // Partial pivoting: swap the largest entry left in the column to the diagonal.
-      Index at = 0;
-      const double largest = R.col(k).segment(k, end - k).cwiseAbs().maxCoeff(&at);
+      // Partial pivoting: swap the largest remaining entry of the column to the diagonal.
+      Index offset = 0;
+      const double largest = R.col(k).segment(k, end - k).cwiseAbs().maxCoeff(&offset);
       if (!(largest > 0) || !std::isfinite(largest)) return false;
-      pivots_[static_cast<std::size_t>(k)] = k + at;
-      if (at > 0)
-        R.row(k).segment(begin, end - begin).swap(R.row(k + at).segment(begin, end - begin));
+      pivots_[static_cast<std::size_t>(k)] = k + offset;
+      if (offset > 0)
+        R.row(k).segment(begin, end - begin).swap(R.row(k + offset).segment(begin, end - begin));
 
       // Eliminate the column below the pivot.
       const Index rest = end - k - 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Small linear systems without the heap.
+/// LU factorization of small matrices without memory allocation.
 
 #include <vector>
 
@@ -8,23 +8,25 @@
 
 namespace thenar {
 
-/// The factors  P R = L U  with pivots of the largest size in a column, written over R.
+/// LU factorization  P R = L U  with partial pivoting, in place.
 ///
-/// Eigen's PartialPivLU asks the heap for its permutation on every change of size; this one keeps
-/// it. Blocks along the diagonal with nothing beside them, such as contacts of fingers that share
-/// no joint, are factored one by one. Meant for up to some hundred rows.
+/// Unlike Eigen's PartialPivLU it does not allocate memory on every change of size. Independent
+/// diagonal blocks, such as contacts of fingers that share no joint, are factored separately. It is
+/// meant for up to some hundred rows.
 class InPlaceLu {
  public:
-  /// @param R  (n, n); overwritten, and has to stay as it is while solve() is used
-  /// @returns false where a pivot is zero or not finite
+  /// Factors a matrix.
+  /// @param R  matrix that is overwritten by its factors, needed by solve() (n, n)
+  /// @returns false if a pivot is zero or not finite
   [[nodiscard]] bool factor(Eigen::Ref<Eigen::MatrixXd> R);
 
-  /// y becomes R^-1 y.
-  /// @param factors  what factor() left in R (n, n);  @param y  (n)
+  /// Replaces y by R^-1 y.
+  /// @param factors  result of factor() (n, n)
+  /// @param y        right-hand side, replaced by the solution (n)
   void solve(const Eigen::Ref<const Eigen::MatrixXd>& factors, Eigen::Ref<Eigen::VectorXd> y) const;
 
  private:
-  /// Rows of a block, the end excluded.
+  /// Range of rows of a diagonal block, the end excluded.
   struct Block {
     Eigen::Index begin, end;
   };

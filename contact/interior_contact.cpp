@@ -14,19 +14,18 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
 
-// Share of the way to the boundary of the cones that a step takes [1]
-constexpr double kToBoundary = 0.99;
-// Least and largest share of tau at which a step aims [1]
-constexpr double kLeastCentring = 1e-4, kMostCentring = 0.5;
-// Step of the predictor from which its square is corrected [1]
-constexpr double kCorrectFrom = 0.1;
-// A shorter step is replaced by one away from the walls, aimed at this share of tau [1]
-constexpr double kShortStep = 0.1, kAwayFromWalls = 0.9;
-constexpr double kLeastFall = 1e-3;  // Least relative fall of the merit for a whole step [1]
-constexpr double kMostGrowth = 2;    // Largest growth of tau in a step [1]
-constexpr int kMostHalvings = 12;
+constexpr double kBoundaryRatio = 0.99;  // step length over the distance to the boundary [1]
+constexpr double kMinCentring = 1e-4, kMaxCentring = 0.5;  // range of target tau over tau [1]
+constexpr double kMinCorrectorStep = 0.1;  // predictor step from which it is corrected [1]
+// Length below which a step is replaced by one away from the boundary, with this target over tau
+constexpr double kShortStep = 0.1, kRecentring = 0.9;
+constexpr double kMinDecrease = 1e-3;  // relative decrease of the merit in a full step [1]
+constexpr double kMaxGrowth = 2;       // growth factor of tau in a step [1]
+constexpr int kMaxHalvings = 12;       // halvings of a step in the line search
+constexpr double kFreeProximal =
+    1e-12;  // proximal term of unbounded rows, as A may be singular [1]
 
-/// u0^2 - |u1|^2 without cancellation of large squares.
+/// Returns u0^2 - |u1|^2 without cancellation of large squares, positive.
 double lorentz_square(const Vector4d& u) {
   const double r = u.tail<3>().norm();
   return std::max((u(0) - r) * (u(0) + r), std::numeric_limits<double>::min());
@@ -39,7 +38,7 @@ Vector4d jordan_product(const Vector4d& u, const Vector4d& v) {
   return out;
 }
 
-/// The w with u o w = v.
+/// Returns the w with u o w = v.
 Vector4d jordan_quotient(const Vector4d& u, const Vector4d& v) {
   Vector4d out;
   out(0) = (u(0) * v(0) - u.tail<3>().dot(v.tail<3>())) / lorentz_square(u);
@@ -47,14 +46,14 @@ Vector4d jordan_quotient(const Vector4d& u, const Vector4d& v) {
   return out;
 }
 
-Vector4d mirrored(const Vector4d& u) { return {u(0), -u(1), -u(2), -u(3)}; }
+Vector4d reflected(const Vector4d& u) { return {u(0), -u(1), -u(2), -u(3)}; }
 
-/// Largest a with u + a d in the cone, at most 1 / kToBoundary.
-double step_in_cone(const Vector4d& u, const Vector4d& d) {
-  // First root a > 0 of  |u + a d|^2 = 0  in Lorentz's form, by formulas without cancellation.
+/// Returns the largest a with u + a d in the cone, at most 1 / kBoundaryRatio.
+double max_step_in_cone(const Vector4d& u, const Vector4d& d) {
+  // First root a > 0 of the Lorentz form of u + a d, by formulas without cancellation.
   const double a = d(0) * d(0) - d.tail<3>().squaredNorm(),
                b = u(0) * d(0) - u.tail<3>().dot(d.tail<3>()), c = lorentz_square(u);
-  double out = 1 / kToBoundary;
+  double out = 1 / kBoundaryRatio;
   const double discriminant = b * b - a * c;
   if (discriminant >= 0 && (b < 0 || a < 0)) {
     const double root = std::sqrt(discriminant), to = b < 0 ? c / (root - b) : -(b + root) / a;
@@ -65,37 +64,39 @@ double step_in_cone(const Vector4d& u, const Vector4d& d) {
   return out;
 }
 
-double step_above_zero(double gap, double change) { return change < 0 ? -gap / change : kInfinity; }
+double max_step_above_zero(double gap, double change) {
+  return change < 0 ? -gap / change : kInfinity;
+}
 
 }  // namespace
 
 Vector4d InteriorContact::times_scaling(const Cone& cone, const Vector4d& u) {
-  return cone.beta * (2 * cone.v * cone.v.dot(u) - mirrored(u));
+  return cone.beta * (2 * cone.v * cone.v.dot(u) - reflected(u));
 }
 
 bool InteriorContact::Interval::has_lower() const { return std::isfinite(lower); }
 bool InteriorContact::Interval::has_upper() const { return std::isfinite(upper); }
 
-Vector3d InteriorContact::slope(const Cone& cone) const {
+Vector3d InteriorContact::slip_gradient(const Cone& cone) const {
   if (coupling_ == Coupling::kFrozen) return Vector3d::Zero();
-  return cone.y.tail<3>() / std::hypot(cone.y.tail<3>().norm(), smooth_);
+  return cone.y.tail<3>() / std::hypot(cone.y.tail<3>().norm(), smoothing_);
 }
 
-void InteriorContact::start(const ScaledContacts& contacts, const Ref<const VectorXd>& f) {
+void InteriorContact::initialize(const ScaledContacts& contacts, const Ref<const VectorXd>& f) {
   const Index n = rows_ = contacts.rows();
   if (n > rhs_.size()) {
     R_.resize(n, n);
-    for (VectorXd* v : {&rest_, &rhs_, &f_, &u_}) v->resize(n);
+    for (VectorXd* v : {&residual_, &rhs_, &f_, &u_}) v->resize(n);
   }
   cones_.clear();
   intervals_.clear();
-  // Velocities at f, whose |ut| is kept where the coupling is frozen.
+  // Velocities at f, whose |ut| is used if it is frozen.
   const double size = contacts.scale();
   u_.head(n).noalias() = contacts.A() * f;
   u_.head(n) += contacts.b();
   for (const ScaledBlock& block : contacts.blocks()) {
     if (block.is_cone()) {
-      // Cones start on their axis, at the scale of the problem.
+      // Cones start on their axis at the scale of the problem.
       Cone cone;
       cone.start = block.start;
       cone.rows = block.rows;
@@ -109,20 +110,20 @@ void InteriorContact::start(const ScaledContacts& contacts, const Ref<const Vect
     interval.start = block.start;
     interval.lower = block.lower;
     interval.upper = block.upper;
-    // Impulse in the middle of the interval, but no farther from an end than the scale.
+    // Impulse inside the interval, at most the scale away from its bounds.
     interval.f = std::clamp(0.0, block.lower, block.upper);
     const double half = std::min(size, (block.upper - block.lower) / 2);
     if (interval.has_lower()) interval.f = std::max(interval.f, block.lower + half);
     if (interval.has_upper()) interval.f = std::min(interval.f, block.upper - half);
     if (interval.is_fixed()) interval.f = block.lower;
-    // Multipliers of finite ends start at the scale.
+    // Multipliers of finite bounds start at the scale.
     if (interval.has_lower()) interval.low = size;
     if (interval.has_upper()) interval.high = size;
     intervals_.push_back(interval);
   }
 }
 
-/// tau: the mean of x' y of cones and of multiplier times gap of ends.
+/// Returns tau, the mean of x' y of cones and of multiplier times gap of bounds.
 double InteriorContact::mean_complementarity() const {
   double sum = 0;
   int count = 0;
@@ -139,8 +140,8 @@ double InteriorContact::mean_complementarity() const {
   return count > 0 ? sum / count : 0;
 }
 
-/// Impulses, velocities, what the equations miss, and tau.
-void InteriorContact::measure(const ScaledContacts& contacts) {
+/// Computes impulses, velocities, residuals of the equations, and tau.
+void InteriorContact::update_residuals(const ScaledContacts& contacts) {
   const Index n = contacts.rows();
   // Impulses  fn = x_0 / mu,  ft = x_t,  and their velocities.
   for (const Cone& cone : cones_) {
@@ -151,25 +152,25 @@ void InteriorContact::measure(const ScaledContacts& contacts) {
   u_.head(n).noalias() = contacts.A() * f_.head(n);
   u_.head(n) += contacts.b();
 
-  // First tau, because it smooths |y_t|.
+  // Tau, which also smooths |y_t|.
   tau_ = mean_complementarity();
-  smooth_ = tau_ / contacts.scale();
+  smoothing_ = tau_ / contacts.scale();
 
   // Residuals  y - |y_t| e - D u  of cones, and  low - high - u  of intervals.
-  missing_ = 0;
+  residual_norm_ = 0;
   for (const Cone& cone : cones_) {
     const int i = cone.start;
     const double slip = coupling_ == Coupling::kFull ? cone.y.tail<3>().norm() : cone.slip;
-    rest_(i) = cone.y(0) - slip - u_(i) / cone.mu;
-    for (int k = 1; k < cone.rows; ++k) rest_(i + k) = cone.y(k) - u_(i + k);
+    residual_(i) = cone.y(0) - slip - u_(i) / cone.mu;
+    for (int k = 1; k < cone.rows; ++k) residual_(i + k) = cone.y(k) - u_(i + k);
   }
   for (const Interval& interval : intervals_)
-    rest_(interval.start) =
+    residual_(interval.start) =
         interval.is_fixed() ? 0 : interval.low - interval.high - u_(interval.start);
-  missing_ = rest_.head(n).lpNorm<Eigen::Infinity>();
+  residual_norm_ = residual_.head(n).lpNorm<Eigen::Infinity>();
 }
 
-/// Points of Nesterov and Todd:  W = beta (2 v v' - J),  W x = W^-1 y = lambda.
+/// Computes the Nesterov-Todd scaling:  W = beta (2 v v' - J),  W x = W^-1 y = lambda.
 void InteriorContact::scale_cones() {
   for (Cone& cone : cones_) {
     // Scaling point w of x and y, both divided by their Lorentz length.
@@ -177,7 +178,7 @@ void InteriorContact::scale_cones() {
                  x_size = std::sqrt(lorentz_square(cone.x));
     const Vector4d y = cone.y / y_size, x = cone.x / x_size;
     const double gamma = std::sqrt((1 + x.dot(y)) / 2);
-    cone.w = (y + mirrored(x)) / (2 * gamma);
+    cone.w = (y + reflected(x)) / (2 * gamma);
     // Root of the scaling, v = (w + e) / sqrt(2 (w_0 + 1)), and lambda = W x.
     cone.v = cone.w;
     cone.v(0) += 1;
@@ -187,8 +188,9 @@ void InteriorContact::scale_cones() {
   }
 }
 
+/// Assembles and factors the system matrix.
 bool InteriorContact::factor(const ScaledContacts& contacts) {
-  // System matrix D A D: normal rows and columns are over mu, as the unknowns are dx.
+  // D A D: normal rows and columns are divided by mu, as the unknowns are dx.
   const Index n = contacts.rows();
   auto R = R_.topLeftCorner(n, n);
   R = contacts.A();
@@ -202,10 +204,10 @@ bool InteriorContact::factor(const ScaledContacts& contacts) {
     Eigen::Matrix4d H = 2 * cone.w * cone.w.transpose();
     H.diagonal() -= Vector4d(1, -1, -1, -1);
     H *= cone.beta * cone.beta;
-    H.row(0) -= slope(cone).transpose() * H.bottomRows<3>();
+    H.row(0) -= slip_gradient(cone).transpose() * H.bottomRows<3>();
     R.block(i, i, rows, rows) += H.topLeftCorner(rows, rows);
   }
-  // Ends of intervals add multiplier over gap; a fixed row becomes df = 0.
+  // Bounds of intervals add multiplier over gap; a fixed row becomes df = 0.
   for (const Interval& interval : intervals_) {
     const int i = interval.start;
     if (interval.is_fixed()) {
@@ -215,66 +217,65 @@ bool InteriorContact::factor(const ScaledContacts& contacts) {
     }
     if (interval.has_lower()) R(i, i) += interval.low / (interval.f - interval.lower);
     if (interval.has_upper()) R(i, i) += interval.high / (interval.upper - interval.f);
-    // Free rows get a proximal 1e-12, because A may be singular.
-    if (!interval.has_lower() && !interval.has_upper()) R(i, i) += 1e-12;
+    if (!interval.has_lower() && !interval.has_upper()) R(i, i) += kFreeProximal;
   }
   return lu_.factor(R);
 }
 
-/// Right side of the linear system towards  x o y = target e.
-void InteriorContact::set_right_side(double target, Corrected corrected) {
+/// Sets the right-hand side of the linear system for the target  x o y = target e.
+void InteriorContact::set_right_side(double target, SecondOrder second_order) {
   for (Cone& cone : cones_) {
     // Cones:  lambda o rho = target e - lambda o lambda - second-order term.
     Vector4d want = -jordan_product(cone.lambda, cone.lambda);
-    if (corrected == Corrected::kYes) {
+    if (second_order == SecondOrder::kYes) {
       // W dx and W^-1 dy of the predictor.
-      const Vector4d Jv = mirrored(cone.v);
-      const Vector4d Wdy = (2 * Jv * Jv.dot(cone.dy) - mirrored(cone.dy)) / cone.beta;
+      const Vector4d Jv = reflected(cone.v);
+      const Vector4d Wdy = (2 * Jv * Jv.dot(cone.dy) - reflected(cone.dy)) / cone.beta;
       want -= jordan_product(times_scaling(cone, cone.dx), Wdy);
     }
     want(0) += target;
     cone.rho = jordan_quotient(cone.lambda, want);
     // rhs = G W rho + rest.
     const Vector4d Wrho = times_scaling(cone, cone.rho);
-    rhs_(cone.start) = Wrho(0) - slope(cone).dot(Wrho.tail<3>()) + rest_(cone.start);
-    for (int k = 1; k < cone.rows; ++k) rhs_(cone.start + k) = Wrho(k) + rest_(cone.start + k);
+    rhs_(cone.start) = Wrho(0) - slip_gradient(cone).dot(Wrho.tail<3>()) + residual_(cone.start);
+    for (int k = 1; k < cone.rows; ++k) rhs_(cone.start + k) = Wrho(k) + residual_(cone.start + k);
   }
-  // Intervals: changes of the multipliers at df = 0, which the linear system completes.
+  // Intervals: changes of the multipliers at df = 0.
   for (Interval& interval : intervals_) {
     double& rhs = rhs_(interval.start);
-    rhs = rest_(interval.start);
+    rhs = residual_(interval.start);
     interval.low_term = interval.high_term = 0;
     if (interval.is_fixed()) continue;
     if (interval.has_lower()) {
-      const double second = corrected == Corrected::kYes ? interval.df * interval.dlow : 0;
+      const double second = second_order == SecondOrder::kYes ? interval.df * interval.dlow : 0;
       interval.low_term = (target - second) / (interval.f - interval.lower) - interval.low;
     }
     if (interval.has_upper()) {
-      const double second = corrected == Corrected::kYes ? -interval.df * interval.dhigh : 0;
+      const double second = second_order == SecondOrder::kYes ? -interval.df * interval.dhigh : 0;
       interval.high_term = (target - second) / (interval.upper - interval.f) - interval.high;
     }
     rhs += interval.low_term - interval.high_term;
   }
 }
 
-double InteriorContact::longest_step() const {
-  // Distance to the nearest boundary, over cones, gaps and multipliers.
-  double out = 1 / kToBoundary;
+/// Returns the longest step that stays inside the cones and bounds, at most 1.
+double InteriorContact::max_step_length() const {
+  double out = 1 / kBoundaryRatio;
   for (const Cone& cone : cones_)
-    out = std::min({out, step_in_cone(cone.x, cone.dx), step_in_cone(cone.y, cone.dy)});
+    out = std::min({out, max_step_in_cone(cone.x, cone.dx), max_step_in_cone(cone.y, cone.dy)});
   for (const Interval& interval : intervals_) {
     if (interval.is_fixed()) continue;
     if (interval.has_lower())
-      out = std::min({out, step_above_zero(interval.f - interval.lower, interval.df),
-                      step_above_zero(interval.low, interval.dlow)});
+      out = std::min({out, max_step_above_zero(interval.f - interval.lower, interval.df),
+                      max_step_above_zero(interval.low, interval.dlow)});
     if (interval.has_upper())
-      out = std::min({out, step_above_zero(interval.upper - interval.f, -interval.df),
-                      step_above_zero(interval.high, interval.dhigh)});
+      out = std::min({out, max_step_above_zero(interval.upper - interval.f, -interval.df),
+                      max_step_above_zero(interval.high, interval.dhigh)});
   }
-  return std::min(1.0, kToBoundary * out);
+  return std::min(1.0, kBoundaryRatio * out);
 }
 
-void InteriorContact::move(double step) {
+void InteriorContact::advance(double step) {
   for (Cone& cone : cones_) {
     cone.x += step * cone.dx;
     cone.y += step * cone.dy;
@@ -286,8 +287,8 @@ void InteriorContact::move(double step) {
   }
 }
 
-/// Solves the linear system, and what it leaves to the other variables.
-void InteriorContact::take_direction() {
+/// Solves the linear system, and computes the changes of all variables.
+void InteriorContact::solve_direction() {
   // Changes of the impulses.
   const Index n = rows_;
   lu_.solve(R_.topLeftCorner(n, n), rhs_.head(n));
@@ -309,44 +310,46 @@ void InteriorContact::take_direction() {
   }
 }
 
-/// Predictor, centring by how far it may go, corrector where that is far enough.
-void InteriorContact::find_step() {
-  // Predictor: aim at tau = 0 and see how far the step may go.
-  set_right_side(0, Corrected::kNo);
-  take_direction();
-  const double free = longest_step();
-  // Centring by the cube of what the predictor leaves; a short predictor is not corrected.
-  const double centring = std::clamp(std::pow(1 - free, 3), kLeastCentring, kMostCentring);
-  set_right_side(centring * tau_, free > kCorrectFrom ? Corrected::kYes : Corrected::kNo);
-  take_direction();
-  if (longest_step() > kShortStep) return;
+/// Computes a direction by predictor and corrector.
+void InteriorContact::compute_direction() {
+  // Predictor: target tau = 0.
+  set_right_side(0, SecondOrder::kNo);
+  solve_direction();
+  const double predicted = max_step_length();
+  // Corrector: centring by the remaining part of the predictor step; a short predictor has no
+  // second-order term.
+  const double centring = std::clamp(std::pow(1 - predicted, 3), kMinCentring, kMaxCentring);
+  set_right_side(centring * tau_,
+                 predicted > kMinCorrectorStep ? SecondOrder::kYes : SecondOrder::kNo);
+  solve_direction();
+  if (max_step_length() > kShortStep) return;
 
-  // Blocked by a boundary: aim at almost the present tau, which leads away from it.
-  set_right_side(kAwayFromWalls * tau_, Corrected::kNo);
-  take_direction();
+  // Step blocked by a boundary: a target of almost the present tau leads away from it.
+  set_right_side(kRecentring * tau_, SecondOrder::kNo);
+  solve_direction();
 }
 
-/// Halves the step until the equations and tau have fallen together, or the equations for
-/// themselves about as a linear system's would, while tau has not grown much; false where none
-/// does.
-bool InteriorContact::move_down(const ScaledContacts& contacts) {
-  // Merit: residual of the equations and tau, both relative.
+/// Moves along the direction, with the step halved until the merit decreases, or the residual
+/// decreases almost as that of a linear system and tau does not grow much.
+/// @return false if no step does
+bool InteriorContact::line_search(const ScaledContacts& contacts) {
+  // Merit: residual of the equations plus tau, both relative.
   const double size = contacts.scale();
-  const auto merit = [&] { return missing_ / size + tau_ / (size * size); };
-  const double before = merit(), missing = missing_, tau = tau_;
-  double length = longest_step();
+  const auto merit = [&] { return residual_norm_ / size + tau_ / (size * size); };
+  const double before = merit(), missing = residual_norm_, tau = tau_;
+  double length = max_step_length();
   const auto is_down = [&] {
-    return merit() <= (1 - kLeastFall * length) * before ||
-           (missing_ <= (1 - length / 2) * missing && tau_ <= kMostGrowth * tau);
+    return merit() <= (1 - kMinDecrease * length) * before ||
+           (residual_norm_ <= (1 - length / 2) * missing && tau_ <= kMaxGrowth * tau);
   };
   // Backtracking line search from the longest step.
-  move(length);
-  measure(contacts);
+  advance(length);
+  update_residuals(contacts);
   for (int halvings = 0; !is_down(); ++halvings) {
-    if (halvings == kMostHalvings) return false;
+    if (halvings == kMaxHalvings) return false;
     length /= 2;
-    move(-length);
-    measure(contacts);
+    advance(-length);
+    update_residuals(contacts);
   }
   return true;
 }
@@ -356,23 +359,23 @@ int InteriorContact::run(const ScaledContacts& contacts, Coupling coupling, int 
   const Index n = contacts.rows();
   const double size = contacts.scale();
   coupling_ = coupling;
-  start(contacts, f);
-  measure(contacts);
-  double least = kInfinity;
+  initialize(contacts, f);
+  update_residuals(contacts);
+  double min_residual = kInfinity;
   for (int step = 0; step < max_steps; ++step) {
-    // Converged in equations and complementarity.
-    if (tau_ <= tolerance * size * size && missing_ <= tolerance * size) return step;
+    // Stop when equations and complementarity have converged.
+    if (tau_ <= tolerance * size * size && residual_norm_ <= tolerance * size) return step;
     end_if_stopped();
-    // Newton direction in Nesterov and Todd's scaling, then the line search.
+    // Newton direction with Nesterov-Todd scaling, then the line search.
     scale_cones();
     if (!factor(contacts)) return step;
-    find_step();
-    const bool moved = move_down(contacts);
+    compute_direction();
+    const bool moved = line_search(contacts);
 
-    // Keep the best impulses; a frozen problem keeps the last, because its residual is another.
+    // Keep the best impulses, or with frozen |ut|, a different problem, the last ones.
     const double natural = contacts.residual(f_.head(n), u_.head(n));
-    if (natural < least || coupling == Coupling::kFrozen) {
-      least = natural;
+    if (natural < min_residual || coupling == Coupling::kFrozen) {
+      min_residual = natural;
       f = f_.head(n);
     }
     if (!moved) return step + 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// One block alone: the impulse that answers it while all other impulses stand.
+/// Exact solution of one block of a contact problem with all other impulses fixed.
 
 #include <Eigen/Core>
 
@@ -8,35 +8,39 @@
 
 namespace thenar::internal {
 
-/// A contact's own matrix, prepared for many velocities.
+/// Local problem of one contact, prepared for many right-hand sides.
 ///
-/// With the normal row eliminated, slip at  ut = -kappa ft,  kappa >= 0, leaves
+/// With the normal row eliminated, slip  ut = -kappa ft,  kappa >= 0, satisfies
 ///   (S + kappa I) ft = -c,   S = A_tt - A_tn A_nt / A_nn,   c = q_t - A_tn q_n / A_nn,
-/// and with the eigenvectors of S one equation in kappa:  mu fn(kappa) = |ft(kappa)|. It has a root
-/// wherever the bodies approach and stick does not hold: at kappa = 0 the force is outside the
-/// cone, at kappa = infinity inside. So one block alone always has an answer.
+/// which the eigenvectors of S reduce to one equation for kappa:  mu fn(kappa) = |ft(kappa)|. It
+/// has a root whenever the bodies approach and the contact does not stick: the impulse is outside
+/// the cone at kappa = 0, and inside as kappa tends to infinity. So a local problem always has a
+/// solution.
 class LocalContact {
  public:
-  /// @param A  the block's rows of ScaledContacts (3, 3) or (4, 4)
+  /// Sets the matrix of the block.
+  /// @param A  rows and columns of the block in ScaledContacts::A() (3, 3) or (4, 4)
   void assign(const Eigen::Ref<const Eigen::MatrixXd>& A);
 
-  /// Impulse with  f in K _|_ û,  u = A f + q.  Where S is singular, ft stays near the former.
-  /// @param q       velocity without this impulse (3) or (4)
-  /// @param mu      > 0 [1]
-  /// @param former  impulse before (3) or (4)
+  /// Returns the impulse with  f in K _|_ û,  u = A f + q.  If S is singular, ft stays near the
+  /// previous one.
+  /// @param q         velocity without this impulse (3) or (4)
+  /// @param mu        coefficient of friction, > 0 [1]
+  /// @param previous  previous impulse (3) or (4)
   [[nodiscard]] Eigen::Vector4d solve(const Eigen::Ref<const Eigen::VectorXd>& q, double mu,
-                                      const Eigen::Ref<const Eigen::VectorXd>& former) const;
+                                      const Eigen::Ref<const Eigen::VectorXd>& previous) const;
 
  private:
-  int tangents_ = 2;
+  int tangents_ = 2;  // number of tangential rows
   double A_nn_ = 1;
-  Eigen::Vector3d A_tn_ = Eigen::Vector3d::Zero();   // in the axes of S, zero beyond `tangents_`
+  Eigen::Vector3d A_tn_ =
+      Eigen::Vector3d::Zero();  // coupling in the axes of S, zero beyond `tangents_`
   Eigen::Vector3d sigma_ = Eigen::Vector3d::Ones();  // eigenvalues of S
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
 };
 
-/// Solves a block whose impulse has an interval: returns the f in [lower, upper] nearest to  -q /
-/// A;  where A is 0, the end to which q leads, and `former` if there is none.
-[[nodiscard]] double solve_interval(const ScaledBlock& block, double A, double q, double former);
+/// Solves a block with an interval: returns the f in [lower, upper] that is nearest to  -q / A;  if
+/// A is 0, the bound in the direction of -q, or `previous` if that is infinite.
+[[nodiscard]] double solve_interval(const ScaledBlock& block, double A, double q, double previous);
 
 }  // namespace thenar::internal

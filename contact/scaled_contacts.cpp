@@ -5,15 +5,15 @@
 
 namespace thenar::internal {
 
-void ScaledContacts::add(const ContactBlock& block, int start, double s) {
+void ScaledContacts::add_block(const ContactBlock& block, int start, double s) {
   const int rows = rows_of(block.law);
   s_.segment(start, rows).setConstant(s);
   if (rows == 1) {
-    const auto [lower, upper] = ends_of(block);
+    const auto [lower, upper] = impulse_bounds(block);
     blocks_.push_back({start, 1, -1, lower / s, upper / s});
     return;
   }
-  // One cone of the rows that friction can load; each other row is an interval of its own.
+  // One cone of the rows that friction can load; every other row is an interval.
   const double e = block.torsion_radius;
   int loaded = block.friction > 0 ? 3 : 1;
   if (rows == 4 && block.friction > 0 && e > 0) loaded = 4;
@@ -26,22 +26,22 @@ void ScaledContacts::add(const ContactBlock& block, int start, double s) {
 }
 
 void ScaledContacts::assign(const ContactProblem& problem) {
-  // Memory, which only grows.
+  // Grow the storage if needed.
   rows_ = problem.b.size();
   if (rows_ > b_.size()) {
     A_.resize(rows_, rows_);
     b_.resize(rows_);
     s_.resize(rows_);
   }
-  // Blocks and the scales of rows.
+  // Set the blocks and the scales of their rows.
   blocks_.clear();
   int start = 0;
-  const double least = least_diagonal(problem);
+  const double minimum = min_diagonal(problem);
   for (const ContactBlock& block : problem.blocks) {
-    add(block, start, block_scale(problem, block, start, least));
+    add_block(block, start, block_scale(problem, block, start, minimum));
     start += rows_of(block.law);
   }
-  // Scaled problem: A = s W s and b' = s b.
+  // Scale the problem: A = s W s and b' = s b.
   for (Eigen::Index j = 0; j < rows_; ++j)
     A_.col(j).head(rows_) = s_(j) * problem.W.col(j).cwiseProduct(s());
   b_.head(rows_) = problem.b.cwiseProduct(s());
@@ -79,8 +79,8 @@ double ScaledContacts::residual(const Eigen::Ref<const Eigen::VectorXd>& f,
 
 double ScaledContacts::rounding(const Eigen::Ref<const Eigen::VectorXd>& f) const {
   const double sum = f.cwiseAbs().dot(A().diagonal().cwiseMax(0).cwiseSqrt());
-  return std::min(kRoundings * std::numeric_limits<double>::epsilon() * sum / scale_,
-                  kMostRounding);
+  return std::min(kRoundingUnits * std::numeric_limits<double>::epsilon() * sum / scale_,
+                  kMaxRounding);
 }
 
 }  // namespace thenar::internal

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Contacts that slide, by pivots: which of them bear.
+/// Newton steps with pivoting for sliding contacts.
 
 #include <Eigen/Core>
 
@@ -8,18 +8,18 @@
 
 namespace thenar::internal {
 
-/// A step of Newton that does not choose beforehand which contacts bear a load. Tangents and
-/// bilateral rows are linearised, contacts that slide as  ft = -mu fn ut / |ut|,  and eliminated;
-/// the normal impulses then solve the linear complementarity problem that is left, by Lemke's
-/// algorithm. This is exact to rounding where sets of contacts that could bear differ by 1e-9 of
-/// the velocities (a coin on the edge of its table), where a Newton step that chooses beforehand
-/// goes round in circles. Intervals with two ends stay at an end for the step if they are there.
-/// @param f       impulses near an answer (rows); in the end those after the step
-/// @param u       of f
-/// @param pivots  Lemke's are added to it
-/// @return false: Lemke's algorithm did not solve the step's problem; f is as it was
+/// Takes a Newton step that does not fix beforehand which contacts are loaded. Tangential and
+/// bilateral rows are linearized, sliding contacts as  ft = -mu fn ut / |ut|,  and eliminated; the
+/// normal impulses solve the remaining linear complementarity problem by Lemke's algorithm. The
+/// step is exact to rounding where possible sets of loaded contacts differ by 1e-9 of the
+/// velocities (a coin on the edge of its table) and a semismooth Newton step cycles. Intervals with
+/// two bounds stay at a bound during the step if they are there.
+/// @param f       impulses near a solution, replaced by those after the step (rows)
+/// @param u       velocities at f (rows)
+/// @param pivots  counter, increased by the pivots of Lemke's algorithm
+/// @return false if Lemke's algorithm fails; f is then unchanged
 /// Source: [Josephy1979].
-[[nodiscard]] bool pivot_sliding(const ScaledContacts& contacts, Eigen::Ref<Eigen::VectorXd> f,
-                                 const Eigen::Ref<const Eigen::VectorXd>& u, int& pivots);
+[[nodiscard]] bool take_pivoting_step(const ScaledContacts& contacts, Eigen::Ref<Eigen::VectorXd> f,
+                                      const Eigen::Ref<const Eigen::VectorXd>& u, int& pivots);
 
 }  // namespace thenar::internal

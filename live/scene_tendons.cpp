@@ -52,7 +52,7 @@ void SceneTendons::add(const BuiltScene& built, const DigitPull& pull) {
   // Each digit has its own tendons, whose coordinates are some of the scene's.
   for (const TendonGroup::Digit& digit : model.tendons->digits()) {
     Part part{digit.tendons, 0, {}, {}, strand_paths(digit.tendons->digit())};
-    for (const int c : digit.coordinates) part.q.push_back(model.places.q[c]);
+    for (const int c : digit.coordinates) part.q.push_back(model.indices.q[c]);
     for (const int m : digit.muscles) part.muscle.push_back(first + m);
     if (part.q.empty()) continue;
     part.base = base_of(built, part.q.front());

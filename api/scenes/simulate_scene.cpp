@@ -283,7 +283,7 @@ void gather_runs(const RequestedScene& read, const std::vector<SceneVariation>& 
   collective_call(ranks, [&] {
     parallel_for(runs.size(), [&](std::size_t i) {
       if (!packed[i].empty())
-        runs[i] = simulated(read, numbers_of(vary, i), {}, run_of_bytes(packed[i]));
+        runs[i] = simulated(read, numbers_of(vary, i), {}, run_from_bytes(packed[i]));
     });
   });
 }

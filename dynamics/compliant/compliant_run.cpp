@@ -11,14 +11,15 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kSameInstant = 1e-12;  // nearer instants are one [s]
+constexpr double kSameInstant = 1e-12;  // largest difference of equal instants [s]
+constexpr double kMotionRatio = 0.5;    // surface motion of the next step over its limit [1]
 
-/// Samples and steps of one run.
+/// Time loop of one run, with its samples and costs.
 class CompliantLoop {
  public:
   CompliantLoop(CompliantMotion& motion, const MovingScene& scene, const SceneOptions& options)
       : motion_(motion), energy_(scene), options_(options), stops_(switching_times(scene)) {
-    // Spans end where something begins or ends to act.
+    // A time span ends where a force or drive starts or stops to act.
     stops_.erase(std::remove_if(stops_.begin(), stops_.end(),
                                 [&](double t) { return t <= 0 || t >= options.seconds; }),
                  stops_.end());
@@ -26,17 +27,17 @@ class CompliantLoop {
   }
 
   SceneRun run(const Progress& progress) {
-    // Sample the start, then span after span.
+    // Sample the initial state, then run the time spans.
     const double start = thread_seconds();
-    contacts_ = motion_.contacts(stored_);
-    sample();
+    contacts_ = motion_.contacts(stored_energy_);
+    add_sample();
     double from = 0;
     for (std::size_t i = 0; i < stops_.size() && run_.status == SceneStatus::kDone; ++i) {
       motion_.begin_span(from);
-      span(stops_[i], progress);
+      run_span(stops_[i], progress);
       from = stops_[i];
     }
-    // Take over the counts of the integrator.
+    // Copy the counters of the integrator.
     run_.cost.substeps = motion_.evaluations();
     run_.cost.rejected = motion_.rejected();
     run_.cost.cpu_seconds = thread_seconds() - start;
@@ -44,39 +45,39 @@ class CompliantLoop {
   }
 
  private:
-  /// Goes on to an instant at which something begins or ends to act.
-  void span(double end, const Progress& progress) {
-    // Steps up to the next sample or the end of the span.
+  /// Runs to the end of a time span in which the same forces and drives act [s].
+  void run_span(double end, const Progress& progress) {
     while (end - motion_.state().t > kSameInstant) {
       progress(motion_.state().t / options_.seconds, "");
       if (progress.stop()) {
         run_.status = SceneStatus::kStopped;
         return;
       }
-      const double next = options_.sample * static_cast<double>(samples_);
+      // Step at most to the next sample or to the end of the span.
+      const double next = options_.sample * static_cast<double>(next_sample_);
       CompliantStep step = motion_.step(std::min(end, next));
       if (step.status != SceneStatus::kDone) {
         run_.status = step.status;
         run_.message = std::move(step.message);
         return;
       }
-      // Cost, depths and limits of the step.
+      // Record cost, depths and excess over joint limits.
       ++run_.cost.steps;
-      note_depth();
+      update_depth();
       update_limit_excess(energy_.scene().mechanism, energy_.model().layout, motion_.state().q,
                           run_.cost.beyond);
       const double t = motion_.state().t;
-      if (t >= next - kSameInstant || t >= options_.seconds - kSameInstant) sample();
+      if (t >= next - kSameInstant || t >= options_.seconds - kSameInstant) add_sample();
     }
   }
 
-  void note_depth() {
-    contacts_ = motion_.contacts(stored_);
+  void update_depth() {
+    contacts_ = motion_.contacts(stored_energy_);
     for (const ContactSample& contact : contacts_)
       run_.cost.deepest = std::max(run_.cost.deepest, -contact.gap);
   }
 
-  void sample() {
+  void add_sample() {
     const SceneState& state = motion_.state();
     SceneSample out;
     out.t = state.t;
@@ -84,18 +85,18 @@ class CompliantLoop {
     out.v = state.v;
     out.contacts = contacts_;
     out.energy = energy_.energy(state);
-    out.energy.springs += stored_;
+    out.energy.springs += stored_energy_;
     run_.samples.push_back(std::move(out));
-    samples_ = std::lround(state.t / options_.sample) + 1;
+    next_sample_ = std::lround(state.t / options_.sample) + 1;
   }
 
   CompliantMotion& motion_;
   ContactStep energy_;
   const SceneOptions& options_;
-  std::vector<double> stops_;
-  std::vector<ContactSample> contacts_;  // at the state
-  double stored_ = 0;                    // of their springs [J]
-  long samples_ = 0;                     // the next is at so many lengths of one
+  std::vector<double> stops_;            // ends of the time spans [s]
+  std::vector<ContactSample> contacts_;  // contacts in the present state
+  double stored_energy_ = 0;             // energy of their springs [J]
+  long next_sample_ = 0;                 // index of the next sample
   SceneRun run_;
 };
 
@@ -107,13 +108,13 @@ void refuse_restitution(const PairFriction& pair) {
 
 }  // namespace
 
-double StepReach::follow(ContactStep& step, const SceneState& before, const SceneState& after) {
-  // Contacts that touch stick, so that their pairs are not looked at.
+double StepLimiter::update(ContactStep& step, const SceneState& before, const SceneState& after) {
+  // Mark closed contacts as sticking, so that tunnelling_ratio() leaves out their pairs.
   step.find_contacts(after, 0, touching_);
   for (ActiveContact& contact : touching_) contact.mode = ContactMode::kStick;
   const double motion = step.tunnelling_ratio(before, after, touching_);
-  // Next length, by which surfaces may move half of what is allowed.
-  length_ = motion > 0 ? 0.5 * (after.t - before.t) / motion : longest_;
+  // Length of the next step at the same speed.
+  length_ = motion > 0 ? kMotionRatio * (after.t - before.t) / motion : longest_;
   return motion;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Common parts of all runs with compliant contacts: samples, spans of forces, endings.
+/// Common parts of all simulations with compliant contacts: time loop, samples, step limits.
 
 #include <string>
 #include <vector>
@@ -11,59 +11,62 @@
 
 namespace thenar::internal {
 
-/// Result of a step of an integrator.
+/// Result of one integrator step.
 struct CompliantStep {
-  SceneStatus status = SceneStatus::kDone;  // kDone, kNotFinite, kFailed
-  std::string message;                      // what went wrong, where the status is kFailed
+  SceneStatus status = SceneStatus::kDone;  // kDone, kNotFinite or kFailed
+  std::string message;                      // reason of kFailed
 };
 
-/// A scene on its way by one integrator.
+/// Scene that is advanced by one integrator.
 class CompliantMotion {
  public:
   virtual ~CompliantMotion() = default;
 
-  /// Forces and drives act as at an instant from now on; the integrator starts anew.
-  /// @param instant  present, but for rounding [s]
+  /// Restarts the integrator for a time span in which the forces and drives of its beginning act.
+  /// @param instant  beginning of the span, the present time but for rounding [s]
   virtual void begin_span(double instant) = 0;
-  /// One step of the integrator, not beyond `stop` [s].
+  /// Makes one step of the integrator, not beyond the time `stop` [s].
   [[nodiscard]] virtual CompliantStep step(double stop) = 0;
-  /// Present state.
+  /// Returns the present state.
   [[nodiscard]] virtual const SceneState& state() const = 0;
-  /// Contacts that have a force at present. @param stored  energy of their springs and of stops [J]
+  /// Returns the contacts with a force in the present state.
+  /// @param stored  set to the energy of their springs and of joint limits [J]
   [[nodiscard]] virtual std::vector<ContactSample> contacts(double& stored) = 0;
-  /// Accelerations that were computed.
+  /// Returns the number of evaluations of the accelerations.
   [[nodiscard]] virtual long evaluations() const = 0;
-  /// Steps that were made in vain: their error was too large, Newton's steps did not converge, or
-  /// surfaces moved too far.
+  /// Returns the number of rejected steps: their error was too large, the Newton iteration did not
+  /// converge, or surfaces moved too far.
   [[nodiscard]] virtual long rejected() const = 0;
 };
 
-/// Limits the length of steps so that bodies do not pass through each other.
-class StepReach {
+/// Limit of the step length that keeps bodies from passing through each other.
+class StepLimiter {
  public:
-  /// @param longest  step [s]
-  explicit StepReach(double longest) : longest_(longest), length_(longest) {}
+  /// @param longest  longest step [s]
+  explicit StepLimiter(double longest) : longest_(longest), length_(longest) {}
 
-  void restart(double length) { length_ = length; }
+  /// Sets the length of the next step [s].
+  void set_length(double length) { length_ = length; }
   /// Returns the length of the next step [s].
   [[nodiscard]] double length() const { return length_; }
 
-  /// Computes the motion of surfaces in a step, over half of the thinner body's thickness [1];
-  /// length() is then half of the length that this motion allows.
-  [[nodiscard]] double follow(ContactStep& step, const SceneState& before, const SceneState& after);
+  /// Returns the motion of surfaces in a step, over half of the thinner body's thickness [1], and
+  /// sets length() to half of the length that this motion allows.
+  [[nodiscard]] double update(ContactStep& step, const SceneState& before, const SceneState& after);
 
  private:
-  double longest_, length_;  // [s]
-  std::vector<ActiveContact> touching_;
+  double longest_, length_;              // longest and next step [s]
+  std::vector<ActiveContact> touching_;  // workspace: closed contacts
 };
 
-/// Runs a motion to the end of its options, keeping samples.
+/// Runs a motion for the duration of its options, and records samples.
 [[nodiscard]] SceneRun run_compliant(CompliantMotion& motion, const MovingScene& scene,
                                      const SceneOptions& options, const Progress& progress);
 
-/// Checks what all compliant methods ask of a scene.
+/// Checks that a scene suits compliant methods.
 /// @throws InputError as check_scene(), check_scene_options() and check_compliance(), if a pair has
-/// a restitution (bounces follow from the dissipation), or if the scene has force elements.
+/// a coefficient of restitution (compliant contacts have a dissipation instead), or if the scene
+/// has force elements.
 void check_compliant(const MovingScene& scene, const SceneOptions& options);
 
 }  // namespace thenar::internal

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Forces of one compliant contact: normal, tangential, and how fast it creeps.
+/// Force laws of a compliant contact: normal force, friction and creep.
 
 #include <Eigen/Core>
 
@@ -9,47 +9,55 @@
 
 namespace thenar {
 
-/// A normal force, and what its spring has stored.
+/// Normal force of a contact or joint limit.
 struct NormalLoad {
-  double force = 0;   // >= 0 [N]; of joint limits [N m] or [N]
-  double energy = 0;  // [J]
+  double force = 0;   // normal force >= 0 [N]; effort of a joint limit [N m] or [N]
+  double energy = 0;  // stored elastic energy [J]
 };
 
-/// k d (1 + c d'), never below zero; nothing at d <= 0. Source: [HuntCrossley1975].
+/// Returns the linear normal force  max(0, k d (1 + c d')),  zero for d <= 0.
+/// Source: [HuntCrossley1975].
 /// @param stiffness    k [N/m];  @param dissipation  c [s/m]
 /// @param depth        d [m];    @param rate         d' [m/s]
-[[nodiscard]] NormalLoad linear_load(double stiffness, double dissipation, double depth,
-                                     double rate);
+[[nodiscard]] NormalLoad linear_normal_load(double stiffness, double dissipation, double depth,
+                                            double rate);
 
-/// (4/3) E sqrt(R) d^1.5 (1 + 1.5 c d'), never below zero; nothing at d <= 0.
-/// @param modulus  effective, E [Pa];  @param radius  relative, R [m];  else as linear_load()
-/// Source: [Johnson1985] section 4.2, [HuntCrossley1975].
-[[nodiscard]] NormalLoad hertz_load(double modulus, double radius, double dissipation, double depth,
-                                    double rate);
+/// Returns the Hertzian normal force  max(0, (4/3) E sqrt(R) d^1.5 (1 + 1.5 c d')),  zero for
+/// d <= 0. Source: [Johnson1985] section 4.2, [HuntCrossley1975].
+/// @param modulus      effective modulus E [Pa];  @param radius  relative radius R [m]
+/// @param dissipation  c [s/m];  @param depth  d [m];  @param rate  d' [m/s]
+[[nodiscard]] NormalLoad hertz_normal_load(double modulus, double radius, double dissipation,
+                                           double depth, double rate);
 
-/// Share of the largest friction, 0..1. @param s  slip speed over the transition, >= 0 [1]
-[[nodiscard]] double friction_share(FrictionRamp ramp, double s);
+/// Returns the friction over its largest value, 0..1.
+/// @param s  slip speed over the transition speed, >= 0 [1]
+[[nodiscard]] double friction_ratio(FrictionRamp ramp, double s);
 
-/// The other way round: speed at which a contact creeps that has to carry a share of its largest
-/// friction, over the transition [1]. @param share  0..1
-[[nodiscard]] double creep_speed(FrictionRamp ramp, double share);
+/// Returns the creep speed of a contact under a given friction, over the transition speed [1]: the
+/// inverse of friction_ratio().
+/// @param ratio  friction over its largest value, 0..1
+[[nodiscard]] double creep_speed(FrictionRamp ramp, double ratio);
 
 /// Friction of one contact.
 struct TangentialLoad {
-  Eigen::Vector3d force{0, 0, 0};  // on what slips [N] (3)
-  double torsion = 0;              // about the normal [N m]
+  Eigen::Vector3d force{0, 0, 0};  // force on the slipping body [N] (3)
+  double torsion = 0;              // moment about the normal [N m]
 };
 
-/// Against the slip (u, e w) as a whole, of size  mu f_n share(|(u, e w)| / transition): Coulomb's
-/// law, and the ellipsoid of soft fingers where e > 0 (docs/theory/contact_dynamics.md).
-/// @param normal_force  f_n [N];  @param slip  u, across the normal [m/s] (3)
-/// @param spin          w, about the normal [rad/s]
+/// Returns the regularized friction, opposite to the slip (u, e w) and of magnitude
+///   mu f_n friction_ratio(|(u, e w)| / transition):
+/// Coulomb's law, with the limit ellipsoid of soft fingers for a torsion radius e > 0
+/// (docs/theory/contact_dynamics.md).
+/// @param normal_force  f_n [N]
+/// @param slip          u, tangential relative velocity [m/s] (3)
+/// @param spin          w, relative angular velocity about the normal [rad/s]
 [[nodiscard]] TangentialLoad friction_load(const ContactCompliance& compliance,
                                            const PairFriction& pair, double normal_force,
                                            const Eigen::Vector3d& slip, double spin);
 
-/// @throws InputError if a stiffness or dissipation is negative or not finite, or a length, speed
-/// or stiffness that must be above zero is not.
+/// Checks the constants of compliant contacts.
+/// @throws InputError if modulus or dissipation is negative or not finite, or stiffness, layer,
+/// transition speed or stop stiffness is not positive and finite.
 void check_compliance(const ContactCompliance& compliance);
 
 }  // namespace thenar

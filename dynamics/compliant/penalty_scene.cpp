@@ -16,16 +16,18 @@ namespace {
 
 using internal::CompliantMotion;
 using internal::CompliantStep;
-using internal::StepReach;
+using internal::StepLimiter;
 using Kind = ActiveContact::Kind;
 
-constexpr int kMostOdeSteps = 100'000'000;
-constexpr double kCreepResolved = 1e-2;  // error of speeds over the transition speed, at most [1]
+constexpr int kMaxOdeSteps = 100'000'000;
+constexpr double kCreepErrorRatio = 1e-2;  // largest error of speeds over the transition speed [1]
+// Absolute error of speeds [m/s], [rad/s] over that of positions [m], [rad]
+constexpr double kSpeedErrorRatio = 100;
 
-std::string words_of(OdeStatus status) {
+std::string failure_reason(OdeStatus status) {
   switch (status) {
     case OdeStatus::kLimit:
-      return fmt::format("{} steps were not enough", kMostOdeSteps);
+      return fmt::format("{} steps were not enough", kMaxOdeSteps);
     case OdeStatus::kTooStiff:
       return "no step is short enough: forces jump, or the contacts are too stiff";
     case OdeStatus::kSingular:
@@ -37,9 +39,9 @@ std::string words_of(OdeStatus status) {
   }
 }
 
-/// The part of a solid whose surface is nearest to a point; null: its parts are unknown.
-/// @param p  body's frame [m] (3)
-const SolidPart* part_at(const Solid& solid, const Eigen::Vector3d& p) {
+/// Returns the part of a solid whose surface is nearest to a point; null if its parts are unknown.
+/// @param p  point in the body's frame [m] (3)
+const SolidPart* nearest_part(const Solid& solid, const Eigen::Vector3d& p) {
   const SolidPart* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const SolidPart& part : solid.parts) {
@@ -50,11 +52,12 @@ const SolidPart* part_at(const Solid& solid, const Eigen::Vector3d& p) {
   return nearest;
 }
 
+/// Scene with spring contacts that is advanced by CVODE.
 class PenaltyMotion : public CompliantMotion {
  public:
   PenaltyMotion(const MovingScene& scene, const SceneOptions& options)
       : options_(options),
-        reach_(options.longest),
+        limiter_(options.longest),
         step_(scene),
         motion_(step_.model()),
         mass_(step_.model()),
@@ -69,29 +72,30 @@ class PenaltyMotion : public CompliantMotion {
     step_.select_active_forces(instant);
     state_.t = instant;
     restart();
-    reach_.restart(kFirstReach);
+    limiter_.set_length(kInitialStep);
   }
 
   CompliantStep step(double stop) override {
-    if (state_.v.size() == 0) {  // nothing moves
+    if (state_.v.size() == 0) {  // no degrees of freedom
       state_.t = stop;
       return {};
     }
     const SceneState before = state_;
     // Repeat the step with shorter lengths until surfaces move little enough.
-    double most = std::min({reach_.length(), options_.longest, stop - before.t});
+    double max_length = std::min({limiter_.length(), options_.longest, stop - before.t});
     while (true) {
-      const bool is_to_stop = most >= stop - before.t;
-      const OdeStatus status = ode_->step(is_to_stop ? stop : before.t + most);
+      const bool is_to_stop = max_length >= stop - before.t;
+      const OdeStatus status = ode_->step(is_to_stop ? stop : before.t + max_length);
       if (status == OdeStatus::kNotFinite) return {SceneStatus::kNotFinite, ""};
       if (status != OdeStatus::kStepped)
-        return {SceneStatus::kFailed, fmt::format("at {:.9g} s {}", before.t, words_of(status))};
-      take_state();
-      // Too far to be sure that nothing went through something: again, shorter.
-      const double motion = reach_.follow(step_, before, state_);
+        return {SceneStatus::kFailed,
+                fmt::format("at {:.9g} s {}", before.t, failure_reason(status))};
+      copy_state();
+      // Repeat a step in which bodies may have passed through each other.
+      const double motion = limiter_.update(step_, before, state_);
       const double h = state_.t - before.t;
       if (motion <= 1 || h <= options_.shortest) return {};
-      most = std::max(0.5 * h / motion, options_.shortest);
+      max_length = std::max(0.5 * h / motion, options_.shortest);
       state_ = before;
       ++rejected_;
       restart();
@@ -102,7 +106,7 @@ class PenaltyMotion : public CompliantMotion {
 
   std::vector<ContactSample> contacts(double& stored) override {
     std::vector<ContactSample> out;
-    stored = load(state_, &out);
+    stored = add_loads(state_, &out);
     return out;
   }
 
@@ -110,35 +114,34 @@ class PenaltyMotion : public CompliantMotion {
   long rejected() const override { return rejected_ + (ode_ ? ode_->counts().rejected : 0); }
 
  private:
-  static constexpr double kFirstReach = 1e-4;  // of the first step after a start [s]
+  static constexpr double kInitialStep = 1e-4;  // longest first step of a time span [s]
 
-  /// Starts the integrator at the present state.
+  /// Restarts the integrator at the present state.
   void restart() {
-    // Keep the counts of the integrator that is replaced.
+    // Keep the counters of the old integrator.
     if (ode_) {
       evaluations_ += ode_->counts().slopes;
       rejected_ += ode_->counts().rejected;
     }
     const Eigen::Index nq = state_.q.size(), nv = state_.v.size();
     if (nv == 0) return;
-    // Tolerances of positions and speeds.
+    // Set the tolerances of positions and speeds; those of speeds must resolve creep.
     StiffOdeOptions ode;
     ode.relative = options_.tolerance;
     ode.absolute.resize(nq + nv);
-    // Creep is resolved, whatever the tolerance.
-    const double speeds =
-        std::min(100 * options_.tolerance, kCreepResolved * options_.compliance.transition);
+    const double speed_error = std::min(kSpeedErrorRatio * options_.tolerance,
+                                        kCreepErrorRatio * options_.compliance.transition);
     ode.absolute << Eigen::VectorXd::Constant(nq, options_.tolerance),
-        Eigen::VectorXd::Constant(nv, speeds);
-    ode.max_steps = kMostOdeSteps;
-    // Integrator from here on.
+        Eigen::VectorXd::Constant(nv, speed_error);
+    ode.max_steps = kMaxOdeSteps;
+    // Create the new integrator.
     Eigen::VectorXd y(nq + nv);
     y << state_.q, state_.v;
     ode_.emplace([this](double t, const Eigen::VectorXd& at) { return rates(t, at); }, state_.t, y,
                  ode);
   }
 
-  void take_state() {
+  void copy_state() {
     const Eigen::VectorXd y = ode_->state();
     state_.t = ode_->time();
     state_.q = y.head(state_.q.size());
@@ -146,15 +149,15 @@ class PenaltyMotion : public CompliantMotion {
     step_.normalise_quaternions(state_.q);
   }
 
-  /// Rates of positions and speeds, contacts included.
+  /// Returns the time derivatives of positions and speeds.
   Eigen::VectorXd rates(double t, const Eigen::VectorXd& y) {
     trial_.t = t;
     trial_.q = y.head(state_.q.size());
     trial_.v = y.tail(state_.v.size());
     step_.normalise_quaternions(trial_.q);
-    // Add the accelerations by contacts to those without.
-    (void)step_.compute_free_rates(trial_, q_dot_, v_dot_, z_dot_);  // no elements here
-    load(trial_, nullptr);
+    // Accelerations without contacts, plus those by contact forces.
+    (void)step_.compute_free_rates(trial_, q_dot_, v_dot_, z_dot_);  // the scene has no elements
+    add_loads(trial_, nullptr);
     mass_.compute(motion_);
     mass_.solve(step_.model(), efforts_);
     Eigen::VectorXd out(y.size());
@@ -162,18 +165,19 @@ class PenaltyMotion : public CompliantMotion {
     return out;
   }
 
-  /// Efforts of all contacts, limits and dry frictions at a state, in efforts_.
-  /// @param out  gets the contacts, unless null
+  /// Computes efforts_, the efforts of all contacts, joint limits and dry friction at a state.
+  /// @param out  list to which the contacts are appended, unless null
   /// @return energy of their springs [J]
-  double load(const SceneState& state, std::vector<ContactSample>* out) {
-    // Contacts within reach, and links in motion.
-    step_.find_contacts(state, 0, found_);
+  double add_loads(const SceneState& state, std::vector<ContactSample>* out) {
+    // Find overlapping contacts, and compute the motion of the links.
+    step_.find_contacts(state, 0, contacts_);
     motion_.set_position(state.q);
     motion_.set_speed(state.v);
     efforts_.setZero();
     double stored = 0;
-    for (const ActiveContact& contact : found_)
-      stored += contact.kind == Kind::kContact ? push(contact, out) : hold(contact, state);
+    for (const ActiveContact& contact : contacts_)
+      stored += contact.kind == Kind::kContact ? add_contact_load(contact, out)
+                                               : add_joint_load(contact, state);
     return stored;
   }
 
@@ -181,37 +185,38 @@ class PenaltyMotion : public CompliantMotion {
     return link < 0 ? Eigen::Vector3d(0, 0, 0) : motion_.links()[static_cast<std::size_t>(link)].w;
   }
 
-  /// A limit or the dry friction of a joint. @return energy [J]
-  double hold(const ActiveContact& contact, const SceneState& state) {
+  /// Adds the effort of a joint limit or of dry friction. @return its energy [J]
+  double add_joint_load(const ActiveContact& contact, const SceneState& state) {
     const auto joint = static_cast<std::size_t>(contact.a);
-    const MechanismJoint& of = step_.scene().mechanism.joints[joint];
+    const MechanismJoint& spec = step_.scene().mechanism.joints[joint];
     const ContactCompliance& c = options_.compliance;
     const int row = step_.model().layout.first_v[joint];
-    const double slope = joint_value(of, state.q[step_.model().layout.first_q[joint]]).slope;
-    // Dry friction follows the ramp over the speed; a limit is a spring with damping.
+    const double slope = joint_value(spec, state.q[step_.model().layout.first_q[joint]]).slope;
+    // Regularized dry friction.
     if (contact.kind == Kind::kJointFriction) {
-      const double share = friction_share(c.ramp, std::abs(contact.approach) / c.transition);
-      efforts_[row] -= slope * std::copysign(of.friction * share, contact.approach);
+      const double ratio = friction_ratio(c.ramp, std::abs(contact.approach) / c.transition);
+      efforts_[row] -= slope * std::copysign(spec.friction * ratio, contact.approach);
       return 0;
     }
-    const NormalLoad stop = linear_load(c.stop, c.dissipation, -contact.gap, -contact.approach);
+    // Spring and damping of a limit.
+    const NormalLoad stop =
+        linear_normal_load(c.stop, c.dissipation, -contact.gap, -contact.approach);
     efforts_[row] += slope * (contact.kind == Kind::kUpperLimit ? -stop.force : stop.force);
     return stop.energy;
   }
 
-  /// A point of contact. @return energy [J]
-  double push(const ActiveContact& contact, std::vector<ContactSample>* out) {
-    // Normal force by depth and approach.
+  /// Adds the force of a contact point. @return its energy [J]
+  double add_contact_load(const ActiveContact& contact, std::vector<ContactSample>* out) {
     const int a = motion_.link_of(contact.a), b = motion_.link_of(contact.b);
     const NormalLoad normal = normal_load(contact);
-    // Friction acts against the slip and the spin about the normal.
+    // Friction opposes the slip and the spin about the normal.
     const Eigen::Vector3d u =
         motion_.velocity(a, contact.point) - motion_.velocity(b, contact.point);
     const Eigen::Vector3d slip = u - u.dot(contact.normal) * contact.normal;
     const double spin = contact.normal.dot(spin_of(a) - spin_of(b));
     const TangentialLoad friction =
         friction_load(options_.compliance, contact.friction, normal.force, slip, spin);
-    // Efforts at the joints, and the contact as runs keep it.
+    // Add the generalized force, and a contact sample if it is wanted.
     const Eigen::Vector3d force = normal.force * contact.normal + friction.force;
     const Eigen::Vector3d moment = friction.torsion * contact.normal;
     motion_.add_relative_jacobian_row(a, b, contact.point, force, moment, efforts_);
@@ -229,17 +234,18 @@ class PenaltyMotion : public CompliantMotion {
     const ContactCompliance& c = options_.compliance;
     const double radius = c.modulus > 0 ? hertz_radius(contact) : 0;
     if (radius > 0)
-      return hertz_load(c.modulus, radius, c.dissipation, -contact.gap, -contact.approach);
-    return linear_load(c.stiffness, c.dissipation, -contact.gap, -contact.approach);
+      return hertz_normal_load(c.modulus, radius, c.dissipation, -contact.gap, -contact.approach);
+    return linear_normal_load(c.stiffness, c.dissipation, -contact.gap, -contact.approach);
   }
 
-  /// Relative radius of two balls, or of a ball on a box; 0: other shapes [m]
+  /// Returns the relative radius of two balls or of a ball on a box; 0 for other shapes [m].
   [[nodiscard]] double hertz_radius(const ActiveContact& contact) const {
-    // Sum of the curvatures of both parts.
+    // Sum the curvatures of both parts.
     double curvature = 0;  // [1/m]
     for (const int body : {contact.a, contact.b}) {
-      const MechanismBody& of = step_.scene().mechanism.bodies[static_cast<std::size_t>(body)];
-      const SolidPart* part = part_at(*of.solid, motion_.pose(body).inverse() * contact.point);
+      const MechanismBody& spec = step_.scene().mechanism.bodies[static_cast<std::size_t>(body)];
+      const SolidPart* part =
+          nearest_part(*spec.solid, motion_.pose(body).inverse() * contact.point);
       if (part == nullptr) return 0;
       if (part->spec.kind == ShapeKind::kSphere) {
         curvature += 1 / part->spec.size[0];
@@ -251,16 +257,16 @@ class PenaltyMotion : public CompliantMotion {
   }
 
   SceneOptions options_;
-  StepReach reach_;
+  StepLimiter limiter_;
   ContactStep step_;
   TreeMotion<double> motion_;
   MassMatrix<double> mass_;
-  Eigen::VectorXd efforts_;  // of contacts over the speeds, then what they accelerate (v)
+  Eigen::VectorXd efforts_;  // efforts of contacts, then the accelerations by them (v)
   Eigen::VectorXd q_dot_, v_dot_, z_dot_;
   SceneState state_, trial_;
-  std::vector<ActiveContact> found_;
+  std::vector<ActiveContact> contacts_;
   std::optional<StiffOde> ode_;
-  long evaluations_ = 0, rejected_ = 0;  // before the last start
+  long evaluations_ = 0, rejected_ = 0;  // counters of earlier integrators
 };
 
 }  // namespace

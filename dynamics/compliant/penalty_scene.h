@@ -1,6 +1,6 @@
 #pragma once
 
-/// Scenes whose contacts are springs, integrated by CVODE under error control.
+/// Simulation of scenes with compliant contacts by CVODE.
 
 #include "base/progress.h"
 #include "dynamics/stepping/moving_scene.h"
@@ -8,27 +8,28 @@
 
 namespace thenar {
 
-/// Simulates a scene with the laws of ContactCompliance on our own machine and contacts:
+/// Simulates a scene with the contact laws of ContactCompliance:
 ///   M(q) v' = tau - h(q, v) + J(q)' f(q, v),
-/// by backward differentiation (StiffOde). Every point of CollisionWorld that overlaps is a spring;
-/// it is Hertz's where both parts there are balls, or a ball and a box. Joint limits are springs,
-/// and dry friction of joints has the ramp of contacts.
+/// integrated with backward differentiation formulas under error control (StiffOde). Each
+/// overlapping contact point of CollisionWorld is a spring, a Hertzian one between two balls or a
+/// ball and a box. Joint limits are springs, and dry friction of joints is regularized like that of
+/// contacts.
 ///
-/// Speeds are kept to a hundredth of the transition speed even where the tolerance is larger, as
-/// what creeps would else be noise.
+/// The error of speeds is kept below a hundredth of the transition speed, whatever the tolerance,
+/// so that creep is resolved.
 ///
-/// An accuracy reference for methods whose contacts are rigid: it tends to their answer as
-/// stiffness grows and the transition speed falls, but what sticks there creeps here, at
+/// This is an accuracy reference for methods with rigid contacts: its result converges to theirs as
+/// the stiffness grows and the transition speed decreases, but sticking contacts creep, at
 /// creep_speed().
 ///
-/// Fails: where the points of a contact change while they press (a rolling mesh), forces jump and
-/// steps become short; kFailed says so where CVODE gives up. A step during which surfaces would
-/// move farther than half of the thinner body's thickness is made again, shorter.
+/// Limitation: where the points of a contact change under load (a rolling mesh), forces jump and
+/// steps become short; the status is kFailed if CVODE gives up. A step in which surfaces move
+/// farther than half of the thinner body's thickness is repeated with a shorter length.
 ///
-/// The same scene and options give the same bits.
-/// @param options  `method` is not looked at
-/// @throws InputError as check_scene(), or if an option is impossible, a pair has a restitution, or
-/// the scene has force elements (ligaments, tendons, joints that give).
+/// Results are deterministic to the bit.
+/// @param options  options of the run; `method` is ignored
+/// @throws InputError as check_scene(), or if an option is invalid, a pair has a restitution, or
+/// the scene has force elements (ligaments, tendons, compliant joints).
 [[nodiscard]] SceneRun simulate_penalty_scene(const MovingScene& scene, const SceneOptions& options,
                                               const Progress& progress = {});
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <set>
 
 #include <Simbody.h>
 #include <fmt/format.h>
@@ -21,14 +20,14 @@ namespace {
 using internal::CompliantMotion;
 using internal::CompliantStep;
 using internal::from_simbody;
-using internal::StepReach;
+using internal::StepLimiter;
 using internal::to_simbody;
 
 const SimTK::MobilizedBody& body_of(const SimbodyMechanism& bodies, std::size_t i) {
   return bodies.matter().getMobilizedBody(SimTK::MobilizedBodyIndex(static_cast<int>(i) + 1));
 }
 
-/// Drives, forces for a time, and dry friction of joints: what Simbody has no element for.
+/// Loads for which Simbody has no element: drives, temporary forces, and dry friction of joints.
 class SceneLoads : public SimTK::Force::Custom::Implementation {
  public:
   SceneLoads(const MovingScene& scene, const ContactCompliance& compliance,
@@ -38,7 +37,7 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
   void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& on_bodies,
                  SimTK::Vector_<SimTK::Vec3>& /*particles*/,
                  SimTK::Vector& on_joints) const override {
-    // Forces whose time it is.
+    // Forces that act at this time.
     for (const SceneForce& force : scene_.forces) {
       if (!force.when.holds(acting_)) continue;
       const SimTK::MobilizedBody& body = body_of(bodies_, static_cast<std::size_t>(force.body));
@@ -46,7 +45,7 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
                                  on_bodies);
       body.applyBodyTorque(state, to_simbody(force.moment), on_bodies);
     }
-    // Drives, on the joint that leads the coordinate.
+    // Drives act on the leading joint of their coordinate.
     for (const SceneDrive& drive : scene_.drives) {
       if (!drive.when.holds(acting_)) continue;
       const int lead = bodies_.leader(drive.coordinate);
@@ -57,15 +56,15 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
       const double effort = drive_effort(drive, u, rate, state.getTime(), acting_);
       body.applyOneMobilityForce(state, 0, effort / joint.ratio, on_joints);
     }
-    // Dry friction of joints by its ramp.
+    // Regularized dry friction of joints.
     for (std::size_t i = 0; i < scene_.mechanism.joints.size(); ++i) {
       const MechanismJoint& joint = scene_.mechanism.joints[i];
       if (!is_scalar(joint.kind) || joint.friction == 0) continue;
       const double rate = body_of(bodies_, i).getOneU(state, 0);
-      const double share =
-          friction_share(compliance_.ramp, std::abs(rate) / compliance_.transition);
+      const double ratio =
+          friction_ratio(compliance_.ramp, std::abs(rate) / compliance_.transition);
       body_of(bodies_, i)
-          .applyOneMobilityForce(state, 0, -std::copysign(joint.friction * share, rate), on_joints);
+          .applyOneMobilityForce(state, 0, -std::copysign(joint.friction * ratio, rate), on_joints);
     }
   }
 
@@ -79,7 +78,7 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
   const MovingScene& scene_;
   const ContactCompliance& compliance_;
   const SimbodyMechanism& bodies_;
-  const double& acting_;  // instant whose forces and drives act [s]
+  const double& acting_;  // time at which loads are switched [s]
 };
 
 SimTK::ContactGeometry mesh_geometry(const TriangleMesh& mesh) {
@@ -95,7 +94,7 @@ SimTK::ContactGeometry mesh_geometry(const TriangleMesh& mesh) {
   return SimTK::ContactGeometry::TriangleMesh(polygons);
 }
 
-/// A scene as a Simbody System.
+/// Scene as a Simbody system.
 class SimbodyScene {
  public:
   SimbodyScene(const MovingScene& scene, const ContactCompliance& compliance,
@@ -103,25 +102,25 @@ class SimbodyScene {
       : bodies(scene.mechanism),
         scene_(scene),
         compliance_(compliance),
-        pairs_(simbody_pairs(scene, model)),
+        pairs_(plan_simbody_pairs(scene, model)),
         cliques_(separating_cliques(pairs_.size())),
         forces_(bodies.system()),
         gravity_(forces_, bodies.matter(), to_simbody(scene.gravity)),
         tracker_(bodies.system()),
         contacts_(bodies.system(), tracker_),
         loads_(forces_, new SceneLoads(scene, compliance, bodies, acting)) {  // owned by the system
-    // Surfaces, resistance and topology.
+    // Add surfaces and joint resistance, then let Simbody realize the topology.
     for (std::size_t i = 0; i < scene.mechanism.bodies.size(); ++i)
       add_surfaces(static_cast<int>(i));
     contacts_.setTransitionVelocity(compliance.transition);
     for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) add_resistance(i);
     bodies.system().realizeTopology();
-    // Pair of each surface, once Simbody has numbered them.
+    // Map Simbody's surface indices, which exist from here on, to pairs.
     for (std::size_t k = 0; k < pairs_.size(); ++k)
       for (const std::size_t side : {0, 1}) pair_of_[surface_index(k, side)] = k;
   }
 
-  /// A new state of Simbody's, without memory of contacts.
+  /// Returns a new Simbody state, without any history of contacts.
   [[nodiscard]] SimTK::State state_of(const SceneState& at) const {
     SimTK::State out = bodies.system().getDefaultState();
     bodies.system().realizeModel(out);
@@ -130,13 +129,13 @@ class SimbodyScene {
     return out;
   }
 
-  /// Contacts at a state. @param stored  energy of contacts and stops [J]
+  /// Returns the contacts in a state.
+  /// @param stored  set to the energy of contacts and joint stops [J]
   std::vector<ContactSample> contacts(const SimTK::State& at, double& stored) const {
-    // Points of all contacts.
     bodies.system().realize(at, SimTK::Stage::Dynamics);
     std::vector<ContactSample> out;
     for (int i = 0; i < contacts_.getNumContactForces(at); ++i) add_contact(at, i, out);
-    // Springs of joints are counted with the mechanism.
+    // Energy of contacts and limits: all but gravity and the joint springs.
     stored = bodies.system().calcPotentialEnergy(at) - gravity_.getPotentialEnergy(at);
     for (std::size_t i = 0; i < scene_.mechanism.joints.size(); ++i) {
       const MechanismJoint& joint = scene_.mechanism.joints[i];
@@ -147,10 +146,10 @@ class SimbodyScene {
     return out;
   }
 
-  /// Names the pair of a contact that is beyond the face that its half space stands for; "": none.
-  std::string left_face(const SimTK::State& at) const {
+  /// Returns a message that names the bodies of a contact beyond the box face that its half space
+  /// represents; "" if there is none.
+  std::string departed_face(const SimTK::State& at) const {
     bodies.system().realize(at, SimTK::Stage::Dynamics);
-    // Contacts with a half space, whose points lie beyond its face.
     for (int i = 0; i < contacts_.getNumContactForces(at); ++i) {
       const SimTK::ContactForce& force = contacts_.getContactForce(at, i);
       SimTK::ContactPatch patch;
@@ -168,17 +167,17 @@ class SimbodyScene {
   }
 
   SimbodyMechanism bodies;
-  double acting = 0;  // instant whose forces and drives act [s]
+  double acting = 0;  // time at which loads are switched, the beginning of a time span [s]
 
  private:
   [[nodiscard]] const SimbodySurface& surface(std::size_t pair, std::size_t side) const {
     return side == 0 ? pairs_[pair].a : pairs_[pair].b;
   }
 
-  /// Puts all surfaces of a body on it.
-  /// @throws InputError if Simbody refuses one, as it does meshes that are not closed.
+  /// Adds all contact surfaces of a body.
+  /// @throws InputError if Simbody refuses one, such as an open mesh.
   void add_surfaces(int body) try {
-    // Surface of each pair that the body has a side of, with the cliques that keep it from others.
+    // Cliques exclude contacts with the surfaces of other pairs.
     SimTK::Body& rigid =
         bodies.matter().updMobilizedBody(SimTK::MobilizedBodyIndex(body + 1)).updBody();
     for (std::size_t k = 0; k < pairs_.size(); ++k)
@@ -188,7 +187,7 @@ class SimbodyScene {
         surfaces_on_[body].emplace_back(k, side);
         SimTK::ContactSurface added(geometry(of), material(k), compliance_.layer);
         for (const int clique : cliques_[2 * k + side]) added.joinClique(clique_id(clique));
-        rigid.addContactSurface(placing(of), added);
+        rigid.addContactSurface(surface_pose(of), added);
       }
   } catch (const std::exception& failure) {
     throw InputError(fmt::format("Simbody refuses the surface of '{}': {}",
@@ -202,13 +201,13 @@ class SimbodyScene {
     return clique_ids_[static_cast<std::size_t>(clique)];
   }
 
-  /// Pose of a surface in its body, in Simbody's terms.
-  static SimTK::Transform placing(const SimbodySurface& of) {
-    // Simbody's half space lies at x > 0.
+  /// Returns the pose of a surface in its body by Simbody's conventions.
+  static SimTK::Transform surface_pose(const SimbodySurface& of) {
+    // Simbody's half space is at x > 0.
     if (of.kind == SurfaceKind::kHalfSpace)
       return to_simbody(of.X_BS) *
              SimTK::Transform(SimTK::Rotation(SimTK::Pi / 2, SimTK::YAxis), SimTK::Vec3(0));
-    // Triangles stand in the body's frame.
+    // Vertices of meshes are in the body's frame.
     if (of.kind == SurfaceKind::kMesh) return {};
     return to_simbody(of.X_BS);
   }
@@ -231,11 +230,11 @@ class SimbodyScene {
   }
 
   /// Returns the material of both surfaces of a pair. Simbody combines two equal materials to
-  /// 2^-1.5 of their modulus in Hertz's law, and to a half in the other laws.
+  /// 2^-1.5 of their modulus in the Hertz law, and to one half in the other laws.
   [[nodiscard]] SimTK::ContactMaterial material(std::size_t pair) const {
     const SimbodyPair& of = pairs_[pair];
     const auto has = [&](SurfaceKind kind) { return of.a.kind == kind || of.b.kind == kind; };
-    // Stiffness that two equal materials combine to.
+    // Stiffness of each material that combines to that of ContactCompliance.
     double stiffness = std::pow(2, 1.5) * compliance_.modulus;
     if (has(SurfaceKind::kMesh)) stiffness = 2 * compliance_.modulus;
     if (has(SurfaceKind::kBrick)) stiffness = 2 * compliance_.stiffness;
@@ -243,13 +242,12 @@ class SimbodyScene {
     return {stiffness, compliance_.dissipation, mu, mu};
   }
 
-  /// Spring, damper and stops of a joint.
+  /// Adds spring, damper and stops of a joint.
   void add_resistance(std::size_t i) {
     const MechanismJoint& joint = scene_.mechanism.joints[i];
     if (!is_scalar(joint.kind)) return;
     const SimTK::MobilizedBody& body = body_of(bodies, i);
     const SimTK::MobilizerQIndex q(0);
-    // Springs, dampers and stops of hinges and slides.
     if (joint.stiffness > 0)
       SimTK::Force::MobilityLinearSpring(forces_, body, q, joint.stiffness, joint.rest);
     if (joint.damping > 0)
@@ -279,34 +277,35 @@ class SimbodyScene {
 
   [[nodiscard]] bool is_beyond(const SimTK::State& at, const SimbodySurface& face,
                                const SimTK::ContactPatch& patch) const {
-    // Points in the frame of the face, with slack for their deformation.
+    // Points in the frame of the face; they may exceed it by their deformation.
     const SimTK::Transform X_FG =
         ~(body_of(bodies, static_cast<std::size_t>(face.body)).getBodyTransform(at) *
           to_simbody(face.X_BS));
     for (int d = 0; d < patch.getNumDetails(); ++d) {
       const SimTK::ContactDetail& detail = patch.getContactDetail(d);
       const SimTK::Vec3 p = X_FG * detail.getContactPoint();
-      const double slack = 1e-9 + detail.getDeformation();
+      constexpr double kRounding = 1e-9;  // [m]
+      const double slack = kRounding + detail.getDeformation();
       if (std::abs(p[0]) > face.extent[0] + slack || std::abs(p[1]) > face.extent[1] + slack)
         return true;
     }
     return false;
   }
 
-  /// All points of one contact, as forces on the body with the lower index.
+  /// Appends all points of one contact, with the forces on the body with the lower index.
   void add_contact(const SimTK::State& at, int number, std::vector<ContactSample>& out) const {
     const SimTK::ContactForce& force = contacts_.getContactForce(at, number);
     SimTK::ContactPatch patch;
     if (!contacts_.calcContactPatchDetailsById(at, force.getContactId(), patch)) return;
     const std::size_t k = pair_at(at, force);
-    // Simbody tells of the second surface.
+    // Simbody reports forces on the second surface.
     const double sign = contact_of(at, force).getSurface2() == surface_index(k, 0) ? 1 : -1;
     for (int d = 0; d < patch.getNumDetails(); ++d) {
       const SimTK::ContactDetail& detail = patch.getContactDetail(d);
       ContactSample sample;
       sample.a = pairs_[k].a.body;
       sample.b = pairs_[k].b.body;
-      sample.id = static_cast<int>(k) * kMostDetails + d;
+      sample.id = static_cast<int>(k) * kMaxDetails + d;
       sample.point = from_simbody(detail.getContactPoint());
       sample.normal = sign * from_simbody(SimTK::Vec3(detail.getContactNormal()));
       sample.force = sign * from_simbody(detail.getForceOnSurface2());
@@ -317,15 +316,15 @@ class SimbodyScene {
     }
   }
 
-  static constexpr int kMostDetails = 10000;  // of one contact, for numbers of points
+  static constexpr int kMaxDetails = 10000;  // largest number of points of a contact, for their ids
 
   const MovingScene& scene_;
   const ContactCompliance& compliance_;
   std::vector<SimbodyPair> pairs_;
-  std::vector<std::vector<int>> cliques_;  // of surface 2 k + side of pair k
+  std::vector<std::vector<int>> cliques_;  // cliques of surface 2 k + side of pair k
   std::vector<SimTK::ContactCliqueId> clique_ids_;
   std::map<int, std::vector<std::pair<std::size_t, std::size_t>>>
-      surfaces_on_;  // pair, side by body
+      surfaces_on_;  // (pair, side) of the surfaces of each body
   SimTK::GeneralForceSubsystem forces_;
   SimTK::Force::Gravity gravity_;
   SimTK::ContactTrackerSubsystem tracker_;
@@ -334,59 +333,60 @@ class SimbodyScene {
   std::map<SimTK::ContactSurfaceIndex, std::size_t> pair_of_;
 };
 
+/// Scene that is advanced by Simbody.
 class SimbodyMotion : public CompliantMotion {
  public:
   SimbodyMotion(const MovingScene& scene, const SceneOptions& options)
       : options_(options),
-        reach_(options.longest),
+        limiter_(options.longest),
         step_(scene),
         world_(scene, options_.compliance, step_.model()) {
     state_.q = scene.q;
     state_.v = scene.v;
-    // What Simbody cannot compute at the start, it refuses here.
+    // Evaluate the initial contacts, so that Simbody refuses what it cannot compute.
     double stored = 0;
     (void)world_.contacts(world_.state_of(state_), stored);
   }
 
   void begin_span(double instant) override {
-    // Counts of the integrator that is replaced.
+    // Keep the counters of the old integrator.
     world_.acting = instant;
     evaluations_ = integrator_ ? evaluations() : 0;
     rejected_ = rejected();
     state_.t = instant;
-    // Integrator that returns after every step of its own.
+    // Create an integrator that returns after each internal step.
     integrator_ =
         std::make_unique<SimTK::CPodesIntegrator>(world_.bodies.system(), SimTK::CPodes::BDF);
     integrator_->setAccuracy(options_.tolerance);
     integrator_->setMaximumStepSize(options_.longest);
     integrator_->setReturnEveryInternalStep(true);
     integrator_->setInternalStepLimit(1000);
-    reach_.restart(options_.longest);
+    limiter_.set_length(options_.longest);
     has_begun_ = false;
   }
 
   CompliantStep step(double stop) override {
     const SceneState before = state_;
-    if (state_.v.size() == 0) {  // nothing moves
+    if (state_.v.size() == 0) {  // no degrees of freedom
       state_.t = stop;
       return {};
     }
     try {
-      // Simbody mixes up contacts of a state that was realized before.
+      // Start from a fresh state: Simbody confuses contacts of a state that was realized before.
       if (!has_begun_) integrator_->initialize(world_.state_of(state_));
       has_begun_ = true;
-      const double end = std::min(stop, before.t + reach_.length());
+      const double end = std::min(stop, before.t + limiter_.length());
       integrator_->stepTo(end, end);
-      take_state();
+      copy_state();
       if (!state_.q.allFinite() || !state_.v.allFinite()) return {SceneStatus::kNotFinite, ""};
-      const std::string left = world_.left_face(integrator_->getState());
+      const std::string left = world_.departed_face(integrator_->getState());
       if (!left.empty())
         return {SceneStatus::kFailed, fmt::format("at {:.9g} s {}", state_.t, left)};
     } catch (const std::exception& failure) {
       return {SceneStatus::kFailed,
               fmt::format("at {:.9g} s Simbody gave up: {}", before.t, failure.what())};
     }
-    return passed_through(before);
+    return check_surface_motion(before);
   }
 
   const SceneState& state() const override { return state_; }
@@ -404,15 +404,15 @@ class SimbodyMotion : public CompliantMotion {
   }
 
  private:
-  void take_state() {
+  void copy_state() {
     const SimTK::State& at = integrator_->getState();
     state_.t = at.getTime();
     world_.bodies.read_state(at, state_.q, state_.v);
   }
 
-  /// Fails where surfaces moved too far to be sure that nothing went through something.
-  CompliantStep passed_through(const SceneState& before) {
-    const double motion = reach_.follow(step_, before, state_);
+  /// Returns a failure if surfaces moved so far that bodies may have passed through each other.
+  CompliantStep check_surface_motion(const SceneState& before) {
+    const double motion = limiter_.update(step_, before, state_);
     if (motion <= 1) return {};
     return {SceneStatus::kFailed,
             fmt::format("at {:.9g} s surfaces moved {:.2g} times half of the thinner body's "
@@ -422,16 +422,17 @@ class SimbodyMotion : public CompliantMotion {
   }
 
   SceneOptions options_;
-  StepReach reach_;
+  StepLimiter limiter_;
   ContactStep step_;
   SimbodyScene world_;
   std::unique_ptr<SimTK::CPodesIntegrator> integrator_;
   SceneState state_;
   bool has_begun_ = false;
-  long evaluations_ = 0, rejected_ = 0;  // before the last start
+  long evaluations_ = 0, rejected_ = 0;  // counters of earlier integrators
 };
 
-/// @throws InputError whatever Simbody throws while it is set up.
+/// Builds the motion of a scene.
+/// @throws InputError for any exception of Simbody
 std::unique_ptr<SimbodyMotion> simbody_motion(const MovingScene& scene,
                                               const SceneOptions& options) try {
   return std::make_unique<SimbodyMotion>(scene, options);

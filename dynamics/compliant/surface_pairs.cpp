@@ -1,8 +1,5 @@
 #include "dynamics/compliant/surface_pairs.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/error.h"
 #include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/stepping/meeting_pairs.h"
@@ -10,6 +7,7 @@
 namespace thenar {
 namespace {
 
+/// Planner of the surface pairs of one scene.
 class PairPlanner {
  public:
   PairPlanner(const MovingScene& scene, const TreeModel& model)
@@ -18,7 +16,6 @@ class PairPlanner {
   }
 
   std::vector<SimbodyPair> plan() {
-    // Each part of one body against each of the other.
     std::vector<SimbodyPair> out;
     for (const auto& [a, b] : pairs_that_may_meet(scene_, model_)) {
       check_parts(a);
@@ -38,7 +35,7 @@ class PairPlanner {
   [[nodiscard]] const ShapeSpec& spec(const SimbodySurface& of) const {
     return solid(of.body).parts[of.part].spec;
   }
-  [[nodiscard]] std::string words(const SimbodySurface& of) const {
+  [[nodiscard]] std::string description(const SimbodySurface& of) const {
     return fmt::format("'{}' ({})", body(of.body).name, name_of(spec(of).kind));
   }
 
@@ -47,9 +44,8 @@ class PairPlanner {
             body(i).name);
   }
 
-  /// A part by itself; a box is a brick.
+  /// Returns the surface of a part in Simbody's terms; a box is a brick.
   [[nodiscard]] SimbodySurface surface(int i, std::size_t part) const {
-    // Kind and size as Simbody has them.
     SimbodySurface out;
     out.body = i;
     out.part = part;
@@ -74,48 +70,46 @@ class PairPlanner {
         throw InputError(
             fmt::format("Simbody has no contacts of {}: wanted spheres, ellipsoids, "
                         "boxes or meshes",
-                        words(out)));
+                        description(out)));
     }
     return out;
   }
 
+  /// Returns the pair of two surfaces, with one box of a pair replaced by a half space.
   SimbodyPair pair(SimbodySurface a, SimbodySurface b) const {
-    // A box against another shape becomes a half space; of two boxes, the one that carries does.
     const bool is_brick_a = a.kind == SurfaceKind::kBrick,
                is_brick_b = b.kind == SurfaceKind::kBrick;
-    if (is_brick_a && (!is_brick_b || carries(a, b))) {
-      flatten(a, b);
+    if (is_brick_a && (!is_brick_b || becomes_half_space(a, b))) {
+      replace_by_half_space(a, b);
     } else if (is_brick_b) {
-      flatten(b, a);
+      replace_by_half_space(b, a);
     }
-    // Simbody has no contact of ellipsoids with meshes.
+    // Refuse ellipsoids with meshes.
     const auto are = [&](SurfaceKind one, SurfaceKind other) {
       return (a.kind == one && b.kind == other) || (a.kind == other && b.kind == one);
     };
     require(!are(SurfaceKind::kEllipsoid, SurfaceKind::kMesh),
-            "Simbody has no contact of {} with {}", words(a), words(b));
+            "Simbody has no contact of {} with {}", description(a), description(b));
     return {a, b};
   }
 
   /// Returns true if the first of two boxes becomes the half space: a fixed box, else the box with
-  /// the larger face.
-  [[nodiscard]] bool carries(const SimbodySurface& a, const SimbodySurface& b) const {
-    // A fixed box carries; of two others the one with the larger face.
+  /// the larger facing side.
+  [[nodiscard]] bool becomes_half_space(const SimbodySurface& a, const SimbodySurface& b) const {
     const auto is_fixed = [&](const SimbodySurface& of) {
       return model_.bodies[static_cast<std::size_t>(of.body)].link < 0;
     };
     if (is_fixed(a) != is_fixed(b)) return is_fixed(a);
-    const auto face = [&](const SimbodySurface& of, const SimbodySurface& seen) {
-      const int k = axis_towards(of, seen);
-      return of.size[(k + 1) % 3] * of.size[(k + 2) % 3];
+    const auto face_area = [&](const SimbodySurface& box, const SimbodySurface& other) {
+      const int k = facing_axis(box, other);
+      return box.size[(k + 1) % 3] * box.size[(k + 2) % 3];  // a quarter of it
     };
-    return face(a, b) >= face(b, a);
+    return face_area(a, b) >= face_area(b, a);
   }
 
-  /// Centre of the other part in the frame of a box [m].
-  [[nodiscard]] Eigen::Vector3d seen_from(const SimbodySurface& box,
-                                          const SimbodySurface& other) const {
-    // Middle of the other part, in the frame of the box at the start.
+  /// Returns the centre of the other part in the frame of a box at the start [m].
+  [[nodiscard]] Eigen::Vector3d centre_seen_from(const SimbodySurface& box,
+                                                 const SimbodySurface& other) const {
     Eigen::Vector3d centre = other.X_BS.p;
     if (other.kind == SurfaceKind::kMesh)
       centre = other.X_BS * solid(other.body).parts[other.part].shape->bounds().center();
@@ -123,19 +117,19 @@ class PairPlanner {
     return X_WS.inverse() * (motion_.pose(other.body) * centre);
   }
 
-  /// Axis of a box whose face looks most at the other part.
-  [[nodiscard]] int axis_towards(const SimbodySurface& box, const SimbodySurface& other) const {
-    const Eigen::Vector3d beyond = seen_from(box, other).cwiseAbs() - box.size;
+  /// Returns the axis of a box whose face is turned most towards the other part.
+  [[nodiscard]] int facing_axis(const SimbodySurface& box, const SimbodySurface& other) const {
+    const Eigen::Vector3d beyond = centre_seen_from(box, other).cwiseAbs() - box.size;
     int axis = 0;
     beyond.maxCoeff(&axis);
     return axis;
   }
 
-  /// Makes a box the half space of a face.
-  void flatten(SimbodySurface& box, const SimbodySurface& other) const {
-    // Face that looks at the other part; z of its frame points out of the box.
-    const int k = axis_towards(box, other), x = (k + 1) % 3, y = (k + 2) % 3;
-    const double sign = seen_from(box, other)[k] < 0 ? -1 : 1;
+  /// Replaces a box by the half space of its face towards the other part.
+  void replace_by_half_space(SimbodySurface& box, const SimbodySurface& other) const {
+    // Frame of the face, with z out of the box.
+    const int k = facing_axis(box, other), x = (k + 1) % 3, y = (k + 2) % 3;
+    const double sign = centre_seen_from(box, other)[k] < 0 ? -1 : 1;
     Pose<double> X_SF;
     X_SF.R.setZero();
     X_SF.R(x, 0) = 1;
@@ -154,20 +148,19 @@ class PairPlanner {
 
 }  // namespace
 
-std::vector<SimbodyPair> simbody_pairs(const MovingScene& scene, const TreeModel& model) {
+std::vector<SimbodyPair> plan_simbody_pairs(const MovingScene& scene, const TreeModel& model) {
   return PairPlanner(scene, model).plan();
 }
 
 std::vector<std::vector<int>> separating_cliques(std::size_t pairs) {
   std::vector<std::vector<int>> out(2 * pairs);
   for (std::size_t k = 0; k < pairs; ++k) {
-    // Surfaces with a clique in common never touch: only the two sides of a pair have none.
     for (const std::size_t side : {0, 1}) {
-      std::vector<int>& of = out[2 * k + side];
-      of.push_back(static_cast<int>(side));
+      std::vector<int>& cliques = out[2 * k + side];
+      cliques.push_back(static_cast<int>(side));
       for (std::size_t bit = 0; (std::size_t{1} << bit) < pairs; ++bit) {
-        const std::size_t given = (k >> bit) & 1;  // by this pair to the first clique of the bit
-        of.push_back(static_cast<int>(2 + 2 * bit + (given == side ? 0 : 1)));
+        const std::size_t first_side = (k >> bit) & 1;  // side of the pair in clique 2 + 2 bit
+        cliques.push_back(static_cast<int>(2 + 2 * bit + (first_side == side ? 0 : 1)));
       }
     }
   }

@@ -1,9 +1,8 @@
 #pragma once
 
-/// Pairs of surfaces that meet in a scene in Simbody, and their geometries.
+/// Pairs of Simbody surfaces that represent the contacts of a scene.
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,42 +13,43 @@
 
 namespace thenar {
 
-/// Geometry that Simbody has contacts of.
+/// Contact geometries of Simbody.
 enum class SurfaceKind { kHalfSpace, kBall, kEllipsoid, kBrick, kMesh };
 
-/// One side of a pair.
+/// Surface of one body of a pair.
 struct SimbodySurface {
-  int body = 0;
-  std::size_t part = 0;  // of its solid
-  SurfaceKind kind = SurfaceKind::kBall;
-  Pose<double> X_BS;              // the surface in its body; a half space lies at z < 0 of it
-  Eigen::Vector3d size{0, 0, 0};  // radius, semi-axes, half edges [m] (3)
-  Eigen::Vector2d extent{0, 0};   // of the face that a half space stands for: half edges along x
-                                  // and y, beyond which it does not exist [m] (2)
+  int body = 0;                           // index of the body
+  std::size_t part = 0;                   // index of the part in the body's solid
+  SurfaceKind kind = SurfaceKind::kBall;  // geometry
+  Pose<double> X_BS;                      // pose in the body; a half space is at z < 0 in its frame
+  Eigen::Vector3d size{0, 0, 0};          // radius, semi-axes or half edges [m] (3)
+  Eigen::Vector2d extent{0, 0};  // half edges along x and y of the box face that a half space
+                                 // represents [m] (2)
 };
 
-/// Two surfaces that meet each other and nothing else.
+/// Two surfaces that have contacts with each other and with no other surface.
 struct SimbodyPair {
-  SimbodySurface a, b;  // of bodies a < b
+  SimbodySurface a, b;  // surfaces of bodies a < b
 };
 
-/// All pairs of parts of bodies that may meet.
+/// Returns the surface pairs of all parts of bodies that may meet.
 ///
-/// Simbody knows half spaces against all else, balls, ellipsoids and meshes among each other (but
-/// no ellipsoid against a mesh), and boxes ("bricks") against half spaces alone. So a box is taken
-/// for the half space of one of its faces where it meets anything: the face that looks most at the
-/// other part at the start. Of two boxes it is the one that is fixed, else the one with the larger
-/// face. That holds while contacts stay within the face, which SimbodySurface::extent tells.
-/// @throws InputError naming both bodies if Simbody has no contact of two parts, or a solid does
-/// not say what its parts are.
-[[nodiscard]] std::vector<SimbodyPair> simbody_pairs(const MovingScene& scene,
-                                                     const TreeModel& model);
+/// Simbody has contacts of half spaces with all geometries, of balls, ellipsoids and meshes with
+/// each other (but not of ellipsoids with meshes), and of boxes ("bricks") with half spaces alone.
+/// Therefore a box is replaced by the half space of the face that is turned most towards the other
+/// part at the start. Of two boxes this is the fixed one, else the one with the larger face. This
+/// is valid while contacts stay within the face, see SimbodySurface::extent.
+/// @throws InputError that names the bodies if Simbody has no contact of two parts, or the parts of
+/// a solid are not known.
+[[nodiscard]] std::vector<SimbodyPair> plan_simbody_pairs(const MovingScene& scene,
+                                                          const TreeModel& model);
 
-/// Cliques of surfaces, such that two surfaces share none if and only if they are one pair: surface
-/// 2 k and 2 k + 1 belong to pair k. Surfaces of a clique never meet. With C = 2 + 2 ceil(log2
-/// pairs) cliques each surface is in about half of them: clique 0 and 1 hold all first and all
-/// second surfaces; of clique 2 + 2 i and 3 + 2 i bit i of k tells which of both the pair gives.
-/// @return the cliques of each surface (2 pairs)
+/// Returns contact cliques of the surfaces, such that two surfaces share no clique if and only if
+/// they form a pair; surfaces of one clique have no contacts. Surfaces 2 k and 2 k + 1 form pair k.
+/// There are 2 + 2 ceil(log2 pairs) cliques, and each surface is in about half of them: clique 0
+/// holds all first and clique 1 all second surfaces; bit i of k selects which surface of pair k is
+/// in clique 2 + 2 i, and the other one is in clique 3 + 2 i.
+/// @return cliques of each surface (2 pairs)
 [[nodiscard]] std::vector<std::vector<int>> separating_cliques(std::size_t pairs);
 
 }  // namespace thenar

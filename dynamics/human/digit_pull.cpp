@@ -16,15 +16,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kFarAngle = 0.02;      // at which slopes by posture are found anew [rad]
-constexpr double kFarTension = 0.1;     // likewise, of the tension [1], and
-constexpr double kSomeTension = 0.1;    // of what counts as any [N]
-constexpr double kBaumgarteRate = 1e3;  // at which excursions return to lines of a net [1/s]
-constexpr double kSettledRate = 1e-9;   // of activation [1/s], of a fibre [optimal lengths/s]
+// Changes of posture and tension above which the posture stiffness is updated
+constexpr double kStiffnessUpdateAngle = 0.02;   // change of an angle [rad]
+constexpr double kStiffnessUpdateTension = 0.1;  // relative change of a tension [1],
+constexpr double kTensionFloor = 0.1;            // plus this absolute change [N]
+constexpr double kBaumgarteRate = 1e3;  // decay rate of the error of a net's excursions [1/s]
+constexpr double kRestRate = 1e-9;      // largest rate at rest: activation, fibre lengths [1/s]
 
-VectorXd gathered(const VectorXd& from, const std::vector<int>& places) {
+VectorXd gathered(const VectorXd& from, const std::vector<int>& indices) {
   VectorXd out;
-  gather(from, places, out);
+  gather(from, indices, out);
   return out;
 }
 
@@ -32,56 +33,57 @@ VectorXd gathered(const VectorXd& from, const std::vector<int>& places) {
 
 DigitPull::DigitPull(DigitPullModel model)
     : model_(std::make_shared<const DigitPullModel>(std::move(model))),
-      given_(model_->tendons->muscles().size()),
-      excited_(model_->tendons->muscles().size()) {
-  // Tendons, places and schedules must fit.
+      tension_pieces_(model_->tendons->muscles().size()),
+      excitation_pieces_(model_->tendons->muscles().size()) {
+  // Check indices and schedules against the tendons.
   const TendonGroup& group = *model_->tendons;
   const std::size_t joints = group.coordinates().size();
-  require(model_->places.q.size() == joints && model_->places.v.size() == joints,
-          "'{}' has {} joints, got {} places", model_->name, joints, model_->places.q.size());
-  muscles_.count = static_cast<Index>(group.muscles().size());
+  require(model_->indices.q.size() == joints && model_->indices.v.size() == joints,
+          "'{}' has {} joints, got {} places", model_->name, joints, model_->indices.q.size());
+  muscles_.total = static_cast<Index>(group.muscles().size());
   check_schedules(model_->tensions, group.muscles(), std::numeric_limits<double>::max(),
                   model_->name, "tension");
   check_schedules(model_->excitations, group.muscles(), 1, model_->name, "excitation");
-  // A net in motion has smoothed bands, as in FingerMotion; without a net there are arms alone.
+  // Smooth the bands of a net, as in FingerMotion; tendons without a net have moment arms alone.
   const bool net = group.has_net();
   if (net) blended_ = std::make_shared<const TendonGroup>(group.smoothed(model_->blend));
   if (!net) arms_.emplace(group);
-  // Muscles contract unless their tension is given; only those may be excited.
-  muscles_.contracts.assign(static_cast<std::size_t>(muscles_.count),
+  // Mark the muscles that contract: those without a given tension. Only these may be excited.
+  muscles_.contracts.assign(static_cast<std::size_t>(muscles_.total),
                             model_->contraction != nullptr);
   for (const MuscleSchedule& given : model_->tensions)
     muscles_.contracts[static_cast<std::size_t>(given.muscle)] = false;
   for (const MuscleSchedule& each : model_->excitations)
     require(contracts(each.muscle), "'{}' has a tension or cannot contract, and is excited",
             group.muscles()[static_cast<std::size_t>(each.muscle)]);
-  // Values of all muscles, zero at first.
-  now_.excitation.setZero(muscles_.count);
-  now_.excursion.setZero(muscles_.count);
-  now_.state.clear(muscles_.count);
-  // Contraction of these very muscles; under a net tendons yield.
+  // Initialize the values of all muscles.
+  values_.excitation.setZero(muscles_.total);
+  values_.excursion.setZero(muscles_.total);
+  values_.state.clear(muscles_.total);
+  // Check that the contraction has the same muscles; on a net it gets compliant tendons.
   if (!model_->contraction) return;
-  require(static_cast<Index>(model_->contraction->muscles().size()) == muscles_.count,
+  require(static_cast<Index>(model_->contraction->muscles().size()) == muscles_.total,
           "{} muscles contract, '{}' has {}", model_->contraction->muscles().size(), model_->name,
-          muscles_.count);
+          muscles_.total);
   for (std::size_t m = 0; m < group.muscles().size(); ++m)
     require(model_->contraction->muscles()[m].name == group.muscles()[m],
             "muscle {} contracts as '{}', '{}' calls it '{}'", m,
             model_->contraction->muscles()[m].name, model_->name, group.muscles()[m]);
   if (net) compliant_ = model_->contraction->with_compliant_tendon(kRigidStrain);
-  // States: activation, and excursion and fibre where tension depends on them.
-  for (int m = 0; m < muscles_.count; ++m)
+  // Select the states: activation, and excursion and fibre where tension depends on them.
+  for (int m = 0; m < muscles_.total; ++m)
     if (contracts(m)) muscles_.contracting.push_back(m);
   muscles_.has_fibre = contraction().has_fibre_state();
-  muscles_.feels_speed = !muscles_.contracting.empty() && contraction().depends_on_velocity();
+  muscles_.depends_on_velocity =
+      !muscles_.contracting.empty() && contraction().depends_on_velocity();
   muscles_.has_excursion = muscles_.has_fibre || contraction().depends_on_velocity();
   muscles_.states = static_cast<Index>(muscles_.contracting.size()) *
                     (1 + (muscles_.has_excursion ? 1 : 0) + (muscles_.has_fibre ? 1 : 0));
-  // Lengths by which states are scaled.
-  tensions_.emplace(contraction());
-  muscles_.fibre_length.resize(muscles_.count);
-  muscles_.length_at_optimum.resize(muscles_.count);
-  for (Index m = 0; m < muscles_.count; ++m) {
+  // Store the lengths that scale the states.
+  solver_.emplace(contraction());
+  muscles_.fibre_length.resize(muscles_.total);
+  muscles_.length_at_optimum.resize(muscles_.total);
+  for (Index m = 0; m < muscles_.total; ++m) {
     const Musculotendon& muscle = contraction().muscles()[static_cast<std::size_t>(m)];
     muscles_.fibre_length[m] = muscle.optimal_fibre_length;
     muscles_.length_at_optimum[m] = musculotendon_length_at_optimum(muscle);
@@ -99,7 +101,7 @@ bool DigitPull::contracts(int muscle) const {
 }
 
 std::vector<std::string> DigitPull::state_names() const {
-  // States in three lists: activations, excursions, fibres.
+  // Order of the states: all activations, all excursions, all fibres.
   std::vector<std::string> names;
   for (const int m : muscles_.contracting)
     names.push_back("activation " + muscles()[static_cast<std::size_t>(m)] + " [1]");
@@ -118,8 +120,8 @@ VectorXd DigitPull::initial_states(const VectorXd& q) const {
   const auto count = static_cast<Index>(muscles_.contracting.size());
   VectorXd z = VectorXd::Zero(muscles_.states);
   if (!muscles_.has_excursion) return z;
-  // Excursion from the reference posture, along a walk of the net; then fibres in balance.
-  const VectorXd excursion = tendons().excursion(gathered(q, model_->places.q)).e;
+  // Excursions from the reference posture, then fibre lengths in isometric equilibrium.
+  const VectorXd excursion = tendons().excursion(gathered(q, model_->indices.q)).e;
   for (Index i = 0; i < count; ++i) {
     const int m = muscles_.contracting[static_cast<std::size_t>(i)];
     z[count + i] = excursion[m] / muscles_.fibre_length[m];
@@ -132,200 +134,205 @@ VectorXd DigitPull::initial_states(const VectorXd& q) const {
 }
 
 std::string DigitPull::start_warning(const VectorXd& q) const {
-  return muscles_.has_excursion ? tendons().excursion(gathered(q, model_->places.q)).warning : "";
+  return muscles_.has_excursion ? tendons().excursion(gathered(q, model_->indices.q)).warning : "";
 }
 
-/// Tendons without a net are linear: their arms do for all tensions, and for all calls at a
-/// posture.
+/// Computes the moment arms of tendons without a net, unless they are known at this posture. They
+/// do not depend on tension.
 void DigitPull::set_arms(const VectorXd& q) const {
   if (arms_q_.size() == q.size() && arms_q_ == q) return;
-  arms_q_.setConstant(q.size(), std::numeric_limits<double>::quiet_NaN());  // should it throw
-  arms_->solve(q, now_.pull);
+  arms_q_.setConstant(q.size(), std::numeric_limits<double>::quiet_NaN());  // if solve() throws
+  arms_->solve(q, values_.torque);
   arms_q_ = q;
 }
 
-/// Returns true if the slopes by posture are known at a posture nearby; slopes of arms hold for all
-/// tensions, others for similar tensions only.
-bool DigitPull::knows_stiffness(const VectorXd& q, const VectorXd& t) const {
-  if (last_.stiffness_q.size() == 0) return false;
+/// Returns true if the cached posture stiffness is valid at q and t: slopes of arms at nearby
+/// postures, a stiffness without them at nearby tensions, too.
+bool DigitPull::has_stiffness_near(const VectorXd& q, const VectorXd& t) const {
+  if (cache_.stiffness_q.size() == 0) return false;
   for (Index i = 0; i < q.size(); ++i)
-    if (!(std::abs(q[i] - last_.stiffness_q[i]) < kFarAngle)) return false;
-  return last_.arm_slopes.exist || ((t - last_.stiffness_t).array().abs() <
-                                    kFarTension * last_.stiffness_t.array() + kSomeTension)
-                                       .all();
+    if (!(std::abs(q[i] - cache_.stiffness_q[i]) < kStiffnessUpdateAngle)) return false;
+  return cache_.arm_slopes.exist ||
+         ((t - cache_.stiffness_t).array().abs() <
+          kStiffnessUpdateTension * cache_.stiffness_t.array() + kTensionFloor)
+             .all();
 }
 
-/// Slopes of arms at a posture. @return whether they exist there
+/// Computes the slopes of arms at a posture. @return false if they do not exist there
 bool DigitPull::set_arm_slopes(const VectorXd& q) {
   if (has_net()) return false;
-  arms_->slopes(q, last_.arm_slopes);
-  // Without them nothing is known until the stiffness has been found in another way.
-  last_.stiffness_q = last_.arm_slopes.exist ? q : VectorXd();
-  return last_.arm_slopes.exist;
+  arms_->slopes(q, cache_.arm_slopes);
+  // Without slopes the cache is invalid until set_posture_stiffness().
+  cache_.stiffness_q = cache_.arm_slopes.exist ? q : VectorXd();
+  return cache_.arm_slopes.exist;
 }
 
-void DigitPull::set_posture_stiffness(const Now& now) {
-  if (set_arm_slopes(now.q)) return;
-  // Slope of the torque by posture at constant tension; steps take its symmetric part.
-  const MatrixXd by_posture = tendons().torque_by_posture(now.q, now.tension, now.pull);
-  last_.posture_stiffness = -0.5 * (by_posture + by_posture.transpose());
-  last_.stiffness_q = now.q;
-  last_.stiffness_t = now.tension;
+void DigitPull::set_posture_stiffness(const PullValues& values) {
+  if (set_arm_slopes(values.q)) return;
+  // Derivative of the torque by posture at constant tension, symmetric part.
+  const MatrixXd by_posture = tendons().torque_by_posture(values.q, values.tension, values.torque);
+  cache_.posture_stiffness = -0.5 * (by_posture + by_posture.transpose());
+  cache_.stiffness_q = values.q;
+  cache_.stiffness_t = values.tension;
 }
 
-/// Returns the parts of the action to compute: a net computes all parts at once, and the first call
-/// computes slopes by posture, whatever it needs.
-ElementNeed DigitPull::need_of(const ElementInput& at) const {
-  return has_net() || last_.stiffness_q.size() == 0 ? ElementNeed::kAll : at.need;
+/// Returns the parts of the action to compute: all parts for a net, which computes them together,
+/// and in the first call, which has no cached stiffness.
+ElementNeed DigitPull::effective_need(const ElementInput& at) const {
+  return has_net() || cache_.stiffness_q.size() == 0 ? ElementNeed::kAll : at.need;
 }
 
-/// Returns true if positions, speeds and states of the pull are finite.
-bool DigitPull::is_finite(const ElementInput& at) const {
-  // Zero times what is no number is no number; sums apart, so that they do not wait for each other.
+/// Returns true if positions, speeds and states of the element are finite.
+bool DigitPull::has_finite_inputs(const ElementInput& at) const {
+  // 0 times NaN or infinity is NaN; separate sums run in parallel.
   double of_q = 0, of_v = 0, of_z = 0;
-  for (std::size_t c = 0; c < model_->places.q.size(); ++c) {
-    of_q += 0 * at.q[model_->places.q[c]];
-    of_v += 0 * at.v[model_->places.v[c]];
+  for (std::size_t c = 0; c < model_->indices.q.size(); ++c) {
+    of_q += 0 * at.q[model_->indices.q[c]];
+    of_v += 0 * at.v[model_->indices.v[c]];
   }
   const double* const z = at.z.data() + at.first_z;
   for (Index i = 0; i < muscles_.states; ++i) of_z += 0 * z[i];
   return of_q + of_v + of_z == 0;
 }
 
-/// States of muscles that contract.
-void DigitPull::set_states(const ElementInput& at, Now& now) const {
+/// Reads the states of contracting muscles.
+void DigitPull::set_states(const ElementInput& at, PullValues& values) const {
   const auto count = static_cast<Index>(muscles_.contracting.size());
   const double* z = at.z.data() + at.first_z;
   for (Index i = 0; i < count; ++i) {
     const int m = muscles_.contracting[static_cast<std::size_t>(i)];
-    now.excitation[m] = excited_.of(m).at(at.t);
-    now.state.activation[m] = z[i];
+    values.excitation[m] = excitation_pieces_.piece_of(m).value_at(at.t);
+    values.state.activation[m] = z[i];
     if (!muscles_.has_excursion) continue;
-    now.excursion[m] = z[count + i] * muscles_.fibre_length[m];
-    now.state.length[m] = now.excursion[m] + muscles_.length_at_optimum[m];
+    values.excursion[m] = z[count + i] * muscles_.fibre_length[m];
+    values.state.length[m] = values.excursion[m] + muscles_.length_at_optimum[m];
     if (muscles_.has_fibre)
-      now.state.projected_fibre[m] = z[2 * count + i] * muscles_.fibre_length[m];
+      values.state.projected_fibre[m] = z[2 * count + i] * muscles_.fibre_length[m];
   }
 }
 
-/// Tensions, and for kAll their derivatives.
-void DigitPull::set_tensions(double t, ElementNeed need, Now& now) const {
-  // Tensions by contraction, with derivatives where slopes are asked for.
+/// Computes the tensions, and for kAll their derivatives.
+void DigitPull::set_tensions(double t, ElementNeed need, PullValues& values) const {
+  // Solve the contraction, with derivatives if they are needed.
   if (!muscles_.contracting.empty()) {
     if (need == ElementNeed::kAll)
-      tensions_->solver().derivatives(now.state, now.by);
+      solver_->solver().derivatives(values.state, values.contracted);
     else
-      tensions_->solver().tensions(now.state, now.by);
+      solver_->solver().tensions(values.state, values.contracted);
   }
-  // Derivatives are those of muscles that contract.
-  for (int m = 0; need == ElementNeed::kAll && !muscles_.contracting.empty() && m < muscles_.count;
+  // Clear the derivatives of muscles that do not contract.
+  for (int m = 0; need == ElementNeed::kAll && !muscles_.contracting.empty() && m < muscles_.total;
        ++m)
     if (!contracts(m))
-      now.by.by_activation[m] = now.by.by_length[m] = now.by.by_velocity[m] =
-          now.by.by_projected_fibre[m] = 0;
-  // Given or contracted, above the least tension of a net.
+      values.contracted.by_activation[m] = values.contracted.by_length[m] =
+          values.contracted.by_velocity[m] = values.contracted.by_projected_fibre[m] = 0;
+  // Total tension: contracted or given, plus the base tension of a net.
   const double base = has_net() ? model_->base_tension : 0;
-  now.tension.resize(muscles_.count);
-  for (int m = 0; m < muscles_.count; ++m)
-    now.tension[m] = base + (contracts(m) ? now.by.tension[m] : given_.of(m).at(t));
+  values.tension.resize(muscles_.total);
+  for (int m = 0; m < muscles_.total; ++m)
+    values.tension[m] = base + (contracts(m) ? values.contracted.tension[m]
+                                             : tension_pieces_.piece_of(m).value_at(t));
 }
 
-const DigitPull::Now& DigitPull::now(const ElementInput& at, ElementNeed need) const {
-  // Posture, schedules and states.
-  Now& now = now_;
-  gather(at.q, model_->places.q, now.q);
-  gather(at.v, model_->places.v, now.q_dot);
-  given_.find(model_->tensions, at.selection_time);
-  excited_.find(model_->excitations, at.selection_time);
-  set_states(at, now);
-  // Without a net arms come first: they do not depend on tension, but tensions may on velocity.
+const DigitPull::PullValues& DigitPull::evaluate(const ElementInput& at, ElementNeed need) const {
+  // Read posture, schedules and states.
+  PullValues& values = values_;
+  gather(at.q, model_->indices.q, values.q);
+  gather(at.v, model_->indices.v, values.q_dot);
+  tension_pieces_.select(model_->tensions, at.selection_time);
+  excitation_pieces_.select(model_->excitations, at.selection_time);
+  set_states(at, values);
+  // Without a net, compute the arms first, as tensions may depend on the lengthening rate.
   if (!has_net()) {
-    set_arms(now.q);
-    now.stretch.noalias() = -now.pull.R.lazyProduct(now.q_dot);
+    set_arms(values.q);
+    values.lengthening_rate.noalias() = -values.torque.R.lazyProduct(values.q_dot);
   }
-  if (muscles_.feels_speed)
-    for (const int m : muscles_.contracting) now.state.velocity[m] = now.stretch[m];
-  if (need == ElementNeed::kStates) return now;
-  // Tensions, then torque: a net is solved for it, arms give it.
-  set_tensions(at.t, need, now);
-  if (!now.tension.allFinite()) return now;
+  if (muscles_.depends_on_velocity)
+    for (const int m : muscles_.contracting) values.state.velocity[m] = values.lengthening_rate[m];
+  if (need == ElementNeed::kStates) return values;
+  // Compute tensions, then the torque, by the equilibrium of a net or by the moment arms.
+  set_tensions(at.t, need, values);
+  if (!values.tension.allFinite()) return values;
   if (has_net()) {
-    now.pull = tendons().evaluate(now.q, now.tension, last_.nodes);
-    now.stretch.noalias() = -now.pull.R * now.q_dot;
+    values.torque = tendons().evaluate(values.q, values.tension, cache_.nodes);
+    values.lengthening_rate.noalias() = -values.torque.R * values.q_dot;
   } else {
-    now.pull.tau.noalias() = now.pull.R.transpose().lazyProduct(now.tension);
+    values.torque.tau.noalias() = values.torque.R.transpose().lazyProduct(values.tension);
   }
-  return now;
+  return values;
 }
 
 bool DigitPull::add_action(const ElementInput& at, ElementAction& out) {
-  // A trial far off: efforts that are no number make the step shorter.
-  const std::vector<int>& v = model_->places.v;
+  // NaN efforts make the stepper retry with a shorter step.
+  const std::vector<int>& v = model_->indices.v;
   const auto refuse = [&] {
-    for (const int place : v) out.tau[place] = std::numeric_limits<double>::quiet_NaN();
+    for (const int index : v) out.tau[index] = std::numeric_limits<double>::quiet_NaN();
     return false;
   };
-  if (!is_finite(at)) return refuse();
-  // Quantities at the state, as far as they are needed.
-  const ElementNeed need = need_of(at);
-  const Now& now = this->now(at, need);
+  if (!has_finite_inputs(at)) return refuse();
+  // Evaluate tendons and muscles.
+  const ElementNeed need = effective_need(at);
+  const PullValues& values = evaluate(at, need);
   MatrixXd G, A;
   // Add the torque at the joints.
   if (need != ElementNeed::kStates) {
-    if (!now.tension.allFinite() || !now.pull.tau.allFinite()) return refuse();
-    for (std::size_t c = 0; c < v.size(); ++c) out.tau[v[c]] += now.pull.tau[static_cast<Index>(c)];
-    last_.tension = now.tension;
+    if (!values.tension.allFinite() || !values.torque.tau.allFinite()) return refuse();
+    for (std::size_t c = 0; c < v.size(); ++c)
+      out.tau[v[c]] += values.torque.tau[static_cast<Index>(c)];
+    cache_.tension = values.tension;
   }
-  // Slopes, then rates; excursions need the others.
-  if (need == ElementNeed::kAll) add_slopes(now, G, A, out);
-  set_rates(at, now, out);
+  // Add slopes, then rates; the rates of excursions depend on the others.
+  if (need == ElementNeed::kAll) add_slopes(values, G, A, out);
+  set_rates(at, values, out);
   if (muscles_.has_excursion && !muscles_.contracting.empty())
-    set_excursion_rates(at, now, G, A, out);
-  return trusted(now.pull.status);
+    set_excursion_rates(at, values, G, A, out);
+  return trusted(values.torque.status);
 }
 
-/// Slopes at constant tensions, then those of the tensions.
-void DigitPull::add_slopes(const Now& now, MatrixXd& G, MatrixXd& A, ElementAction& out) {
-  const std::vector<int>& v = model_->places.v;
-  // Slopes at constant tension, from the last accept_step().
-  if (last_.stiffness_q.size() == 0) set_posture_stiffness(now);
-  if (last_.arm_slopes.exist)
-    tendons().add_stiffness(last_.arm_slopes, now.tension, v, scratch_.by_pair, out.stiffness);
+/// Adds the stiffness at constant tension and that of the tensions; of a net it returns G and A.
+void DigitPull::add_slopes(const PullValues& values, MatrixXd& G, MatrixXd& A, ElementAction& out) {
+  const std::vector<int>& v = model_->indices.v;
+  // Stiffness at constant tension, from the cache.
+  if (cache_.stiffness_q.size() == 0) set_posture_stiffness(values);
+  if (cache_.arm_slopes.exist)
+    tendons().add_stiffness(cache_.arm_slopes, values.tension, v, scratch_.pair_sums,
+                            out.stiffness);
   else
-    scatter(last_.posture_stiffness, v, v, out.stiffness);
-  // Slopes of tensions with excursion: directly, or under a net by  A = 1 + G dt/d excursion.
+    scatter(cache_.posture_stiffness, v, v, out.stiffness);
+  // Stiffness by the tensions: without a net directly, with a net by  A = 1 + G dt/d excursion.
   if (muscles_.contracting.empty()) return;
   if (!has_net()) {
-    add_tension_slopes(now, out);
+    add_tension_slopes(values, out);
     return;
   }
-  const MatrixXd& R = now.pull.R;
-  G = tendons().compliance(now.q, now.tension, now.pull);
-  A = G * now.by.by_length.asDiagonal();
+  const MatrixXd& R = values.torque.R;
+  G = tendons().compliance(values.q, values.tension, values.torque);
+  A = G * values.contracted.by_length.asDiagonal();
   A.diagonal().array() += 1;
-  scatter(R.transpose() * (now.by.by_length.asDiagonal() * A.partialPivLu().solve(R)), v, v,
-          out.stiffness);
+  scatter(R.transpose() * (values.contracted.by_length.asDiagonal() * A.partialPivLu().solve(R)), v,
+          v, out.stiffness);
 }
 
-/// R' (dt/d excursion) R and R' (dt/d velocity) R of tendons without a net, both symmetric.
-void DigitPull::add_tension_slopes(const Now& now, ElementAction& out) {
-  const std::vector<int>& v = model_->places.v;
-  const MatrixXd& R = now.pull.R;
-  scratch_.by_arm.resize(2 * muscles_.count);
-  double *const by_angle = scratch_.by_arm.data(), *const by_speed = by_angle + muscles_.count;
+/// Adds R' (dt/d excursion) R and R' (dt/d velocity) R of tendons without a net, both symmetric.
+void DigitPull::add_tension_slopes(const PullValues& values, ElementAction& out) {
+  const std::vector<int>& v = model_->indices.v;
+  const MatrixXd& R = values.torque.R;
+  scratch_.weighted_arms.resize(2 * muscles_.total);
+  double *const by_angle = scratch_.weighted_arms.data(), *const by_speed =
+                                                              by_angle + muscles_.total;
   for (Index j = 0; j < R.cols(); ++j) {
-    // Slopes of tensions by one coordinate.
-    const double* const arm_j = R.data() + j * muscles_.count;
-    for (Index m = 0; m < muscles_.count; ++m) {
-      by_angle[m] = now.by.by_length[m] * arm_j[m];
-      by_speed[m] = now.by.by_velocity[m] * arm_j[m];
+    // Derivatives of the tensions by coordinate j.
+    const double* const arm_j = R.data() + j * muscles_.total;
+    for (Index m = 0; m < muscles_.total; ++m) {
+      by_angle[m] = values.contracted.by_length[m] * arm_j[m];
+      by_speed[m] = values.contracted.by_velocity[m] * arm_j[m];
     }
     const int column = v[static_cast<std::size_t>(j)];
-    // Entry of the pair (i, j), and its mirror image.
+    // Entries (i, j) and (j, i).
     for (Index i = 0; i <= j; ++i) {
-      const double* const arm_i = R.data() + i * muscles_.count;
+      const double* const arm_i = R.data() + i * muscles_.total;
       double stiffness = 0, damping = 0;
-      for (Index m = 0; m < muscles_.count; ++m) {
+      for (Index m = 0; m < muscles_.total; ++m) {
         stiffness += arm_i[m] * by_angle[m];
         damping += arm_i[m] * by_speed[m];
       }
@@ -339,19 +346,20 @@ void DigitPull::add_tension_slopes(const Now& now, ElementAction& out) {
   }
 }
 
-/// Activations and fibres.
-void DigitPull::set_rates(const ElementInput& at, const Now& now, ElementAction& out) const {
+/// Sets the rates of activations and fibres, and their decay rates.
+void DigitPull::set_rates(const ElementInput& at, const PullValues& values,
+                          ElementAction& out) const {
   const auto count = static_cast<Index>(muscles_.contracting.size());
   for (Index i = 0; i < count; ++i) {
     const int m = muscles_.contracting[static_cast<std::size_t>(i)];
-    // Activation follows excitation.
-    const ActivationRate rate =
-        activation_rate_with_slope(now.excitation[m], now.state.activation[m], model_->activation);
+    // Activation dynamics.
+    const ActivationRate rate = activation_rate_with_slope(
+        values.excitation[m], values.state.activation[m], model_->activation);
     out.z_rate[at.first_z + i] = rate.rate;
     out.z_decay[at.first_z + i] = std::max(0.0, -rate.by_activation);
     if (!muscles_.has_fibre) continue;
-    // Fibres by force balance with their tendons.
-    const MuscleState state = now.state.of(m);
+    // Fibre length by force equilibrium with the tendon.
+    const MuscleState state = values.state.of(m);
     out.z_rate[at.first_z + 2 * count + i] =
         contraction().projected_fibre_rate(m, state) / muscles_.fibre_length[m];
     out.z_decay[at.first_z + 2 * count + i] =
@@ -359,34 +367,36 @@ void DigitPull::set_rates(const ElementInput& at, const Now& now, ElementAction&
   }
 }
 
-/// Excursions, after the other states; under a net they return to the lengths of lines
-/// [Baumgarte1972]. @param G, A  of add_slopes(), of a net
-void DigitPull::set_excursion_rates(const ElementInput& at, const Now& now, const MatrixXd& G,
-                                    const MatrixXd& A, ElementAction& out) {
+/// Sets the rates of excursions, after those of the other states; with a net they are stabilized
+/// towards the line lengths [Baumgarte1972].
+/// @param G, A  results of add_slopes(), used with a net only
+void DigitPull::set_excursion_rates(const ElementInput& at, const PullValues& values,
+                                    const MatrixXd& G, const MatrixXd& A, ElementAction& out) {
   const auto count = static_cast<Index>(muscles_.contracting.size());
-  // Muscles lengthen with the joints.
+  // Lengthening by the motion of the joints.
   double decay = 0;
-  scratch_.excursion_rate = now.stretch;
+  scratch_.excursion_rate = values.lengthening_rate;
   if (has_net()) {
-    if (last_.slack_length.size() > 0) {
-      const VectorXd lengths = tendons().lengths(now.q, now.tension, now.pull);
-      scratch_.excursion_rate -= kBaumgarteRate * (now.excursion + last_.slack_length - lengths);
+    if (cache_.slack_length.size() > 0) {
+      const VectorXd lengths = tendons().lengths(values.q, values.tension, values.torque);
+      scratch_.excursion_rate -=
+          kBaumgarteRate * (values.excursion + cache_.slack_length - lengths);
       decay = kBaumgarteRate;
     }
-    // Rates of tensions at constant excursion; then  A excursion' = -R q' - G rest.
-    VectorXd rest = VectorXd::Zero(muscles_.count);
+    // Tension rates at constant excursion; then solve  A excursion' = -R q' - G tension_rate.
+    VectorXd tension_rate = VectorXd::Zero(muscles_.total);
     for (const MuscleSchedule& given : model_->tensions)
-      rest[given.muscle] = given_.of(given.muscle).slope();
+      tension_rate[given.muscle] = tension_pieces_.piece_of(given.muscle).slope();
     for (Index i = 0; i < count; ++i) {
       const int m = muscles_.contracting[static_cast<std::size_t>(i)];
-      rest[m] = now.by.by_activation[m] * out.z_rate[at.first_z + i];
+      tension_rate[m] = values.contracted.by_activation[m] * out.z_rate[at.first_z + i];
       if (muscles_.has_fibre)
-        rest[m] += now.by.by_projected_fibre[m] * out.z_rate[at.first_z + 2 * count + i] *
-                   muscles_.fibre_length[m];
+        tension_rate[m] += values.contracted.by_projected_fibre[m] *
+                           out.z_rate[at.first_z + 2 * count + i] * muscles_.fibre_length[m];
     }
-    scratch_.excursion_rate = A.partialPivLu().solve(scratch_.excursion_rate - G * rest);
+    scratch_.excursion_rate = A.partialPivLu().solve(scratch_.excursion_rate - G * tension_rate);
   }
-  // Rates over the optimal fibre length.
+  // Scale by the optimal fibre length.
   for (Index i = 0; i < count; ++i) {
     const int m = muscles_.contracting[static_cast<std::size_t>(i)];
     out.z_rate[at.first_z + count + i] = scratch_.excursion_rate[m] / muscles_.fibre_length[m];
@@ -395,22 +405,24 @@ void DigitPull::set_excursion_rates(const ElementInput& at, const Now& now, cons
 }
 
 void DigitPull::accept_step(const ElementInput& at) {
-  if (!is_finite(at)) return;
-  // Renew slopes of arms, where there is no net, once the posture has changed much.
-  gather(at.q, model_->places.q, scratch_.accepted_q);
-  if (!has_net() && last_.tension.size() > 0 &&
-      (knows_stiffness(scratch_.accepted_q, last_.tension) || set_arm_slopes(scratch_.accepted_q)))
+  if (!has_finite_inputs(at)) return;
+  // Without a net, update the slopes of arms once the posture has changed much.
+  gather(at.q, model_->indices.q, scratch_.accepted_q);
+  if (!has_net() && cache_.tension.size() > 0 &&
+      (has_stiffness_near(scratch_.accepted_q, cache_.tension) ||
+       set_arm_slopes(scratch_.accepted_q)))
     return;
-  // Otherwise slopes need tensions and the pull.
-  const Now& now = this->now(at, ElementNeed::kRates);
-  if (!now.tension.allFinite() || !now.pull.tau.allFinite()) return;
-  if (!knows_stiffness(now.q, now.tension)) set_posture_stiffness(now);
-  // Net: nodes to start from, and lengths to which excursions return.
+  // Otherwise update the posture stiffness from tensions and torque.
+  const PullValues& values = evaluate(at, ElementNeed::kRates);
+  if (!values.tension.allFinite() || !values.torque.tau.allFinite()) return;
+  if (!has_stiffness_near(values.q, values.tension)) set_posture_stiffness(values);
+  // Net: store the nodes for a warm start, and the lengths towards which excursions are stabilized.
   if (!has_net()) return;
-  last_.nodes.clear();
-  for (const TendonTorque& digit : now.pull.digits) last_.nodes.push_back(digit.nodes);
-  if (muscles_.has_excursion && last_.slack_length.size() == 0 && !tendons().has_friction())
-    last_.slack_length = tendons().lengths(now.q, now.tension, now.pull) - now.excursion;
+  cache_.nodes.clear();
+  for (const TendonTorque& digit : values.torque.digits) cache_.nodes.push_back(digit.nodes);
+  if (muscles_.has_excursion && cache_.slack_length.size() == 0 && !tendons().has_friction())
+    cache_.slack_length =
+        tendons().lengths(values.q, values.tension, values.torque) - values.excursion;
 }
 
 std::vector<double> DigitPull::switching_times() const {
@@ -426,21 +438,21 @@ std::vector<double> DigitPull::switching_times() const {
 }
 
 bool DigitPull::may_start_motion(const ElementInput& at) const {
-  // A tension that changes, or a muscle that is not at rest, moves.
+  // A tension that changes may move the scene, and so may a muscle whose states change.
   for (const MuscleSchedule& given : model_->tensions)
     if (given.when.holds(at.selection_time) && piece_at(given, at.selection_time).slope() != 0)
       return true;
   if (muscles_.contracting.empty()) return false;
-  const Now& now = this->now(at, ElementNeed::kRates);
+  const PullValues& values = evaluate(at, ElementNeed::kRates);
   return std::any_of(muscles_.contracting.begin(), muscles_.contracting.end(), [&](int m) {
     const double rate =
-        activation_rate(now.excitation[m], now.state.activation[m], model_->activation);
+        activation_rate(values.excitation[m], values.state.activation[m], model_->activation);
     const double fibre =
         muscles_.has_fibre
-            ? contraction().projected_fibre_rate(m, now.state.of(m)) / muscles_.fibre_length[m]
+            ? contraction().projected_fibre_rate(m, values.state.of(m)) / muscles_.fibre_length[m]
             : 0;
-    return excited_.of(m).slope() != 0 || std::abs(rate) > kSettledRate ||
-           std::abs(fibre) > kSettledRate;
+    return excitation_pieces_.piece_of(m).slope() != 0 || std::abs(rate) > kRestRate ||
+           std::abs(fibre) > kRestRate;
   });
 }
 
@@ -451,7 +463,7 @@ std::vector<ElementControl> DigitPull::controls() const {
     const bool excited = muscles_.contracts[m];
     out.push_back({name() + "/" + muscles()[m], excited ? "1" : "N", 0,
                    excited ? 1 : std::numeric_limits<double>::infinity(),
-                   (excited ? excited_ : given_).set_value(m)});
+                   (excited ? excitation_pieces_ : tension_pieces_).value_set(m)});
   }
   return out;
 }
@@ -459,34 +471,34 @@ std::vector<ElementControl> DigitPull::controls() const {
 bool DigitPull::set_control(const std::string& name, double value) {
   for (std::size_t m = 0; m < muscles().size(); ++m) {
     if (name != this->name() + "/" + muscles()[m]) continue;
-    // Check the range; the value holds from the next step on, in place of schedules.
+    // Check the range, and override the schedules from the next step on.
     const bool excited = muscles_.contracts[m];
     require(value >= 0 && std::isfinite(value) && (!excited || value <= 1),
             "{} of '{}' must be {}, got {}", excited ? "excitation" : "tension", name,
             excited ? "0 to 1" : "0 N or more", value);
-    (excited ? excited_ : given_).set(m, value);
+    (excited ? excitation_pieces_ : tension_pieces_).set_value(m, value);
     return true;
   }
   return false;
 }
 
 std::vector<ElementValue> DigitPull::readings(const ElementInput& at) {
-  const PullInstant now = this->at(at);
+  const PullState values = state_at(at);
   // Tension of each muscle, and the activation of those that contract.
   std::vector<ElementValue> out;
   for (std::size_t m = 0; m < muscles().size(); ++m) {
     const std::string muscle = name() + "/" + muscles()[m];
-    out.push_back({muscle, "N", now.tension[static_cast<Index>(m)]});
+    out.push_back({muscle, "N", values.tension[static_cast<Index>(m)]});
     if (muscles_.contracts[m])
-      out.push_back({muscle + " activation", "1", now.activation[static_cast<Index>(m)]});
+      out.push_back({muscle + " activation", "1", values.activation[static_cast<Index>(m)]});
   }
   return out;
 }
 
-PullInstant DigitPull::at(const ElementInput& at) const {
-  const Now& now = this->now(at, ElementNeed::kRates);
-  return {now.tension,   now.excitation,  now.state.activation,
-          now.excursion, now.pull.status, now.pull.warning};
+PullState DigitPull::state_at(const ElementInput& at) const {
+  const PullValues& values = evaluate(at, ElementNeed::kRates);
+  return {values.tension,   values.excitation,    values.state.activation,
+          values.excursion, values.torque.status, values.torque.warning};
 }
 
 }  // namespace thenar

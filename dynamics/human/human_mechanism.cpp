@@ -1,7 +1,6 @@
 #include "dynamics/human/human_mechanism.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,10 +14,10 @@
 namespace thenar {
 namespace {
 
-/// The subject with all masses, and with the axes of the version.
-Subject weighed_subject(const HumanModel& model, std::vector<std::string>& warnings) {
+/// Returns the subject with all masses, and with the joint axes of the version.
+Subject subject_with_masses(const HumanModel& model, std::vector<std::string>& warnings) {
   Subject subject = with_skin_masses(with_passive(model.subject, model.options.passive));
-  // Segments whose mass was not stated have that of their skin.
+  // Warn of segments whose mass is that of their skin.
   std::vector<std::string> assumed;
   for (std::size_t i = 0; i < subject.segments.size(); ++i)
     if (subject.segments[i].mass != model.subject.segments[i].mass)
@@ -30,10 +29,9 @@ Subject weighed_subject(const HumanModel& model, std::vector<std::string>& warni
                                                          : subject;
 }
 
-/// Mass of what is welded to the base, without the forearm.
+/// Returns the mass of all segments on the base, without the forearm.
 BodyMass base_mass(const Subject& subject, const Skeleton& skeleton) {
   LinkMass sum;
-  // Segments on the base, without the forearm.
   for (const Segment& segment : subject.segments) {
     const auto link = skeleton.link_of_segment.find(segment.name);
     if (link == skeleton.link_of_segment.end() || link->second >= 0) continue;
@@ -47,10 +45,9 @@ BodyMass base_mass(const Subject& subject, const Skeleton& skeleton) {
   return {sum.mass, sum.com, sum.inertia};
 }
 
-/// The segment of a link: of those on it, without the forearm, the heaviest; the joint's name where
-/// it is between two joints of the same segments.
+/// Returns the name of the heaviest segment on a link, without the forearm; of a link without
+/// segments, between two joints, the name of its joint.
 std::string link_name(const Subject& subject, const Skeleton& skeleton, int link) {
-  // Heaviest segment of the link, the forearm left out.
   const Segment* found = nullptr;
   for (const Segment& segment : subject.segments) {
     const auto at = skeleton.link_of_segment.find(segment.name);
@@ -63,16 +60,17 @@ std::string link_name(const Subject& subject, const Skeleton& skeleton, int link
   return link < 0 ? subject.base : skeleton.hinge_names[static_cast<std::size_t>(link)];
 }
 
-/// Puts the base before all links.
-Mechanism on_base(const Mechanism& links, const BodyMass& mass) {
+/// Returns the mechanism with a base before all links.
+Mechanism prepend_base(const Mechanism& links, const BodyMass& mass) {
   Mechanism out;
-  // The base is welded to the world, and numbers of parents move up by one.
+  // Weld the base to the world.
   out.coordinates = links.coordinates;
   MechanismJoint weld;
   weld.name = "base";
   weld.kind = JointKind::kWeld;
   out.joints.push_back(std::move(weld));
   out.bodies.push_back({"base", mass, {}, {}});
+  // Append the links; the indices of their parents increase by one.
   for (std::size_t i = 0; i < links.bodies.size(); ++i) {
     out.joints.push_back(links.joints[i]);
     ++out.joints.back().parent;
@@ -81,15 +79,15 @@ Mechanism on_base(const Mechanism& links, const BodyMass& mass) {
   return out;
 }
 
-/// Names and skins of all bodies.
-void dress(const Subject& subject, const Skeleton& skeleton,
-           const std::vector<LinkSurface>& surfaces, Mechanism& mechanism) {
+/// Names all bodies and adds their skins.
+void add_skins(const Subject& subject, const Skeleton& skeleton,
+               const std::vector<LinkSurface>& surfaces, Mechanism& mechanism) {
   const int links = static_cast<int>(skeleton.tree.size());
   for (int link = -1; link < links; ++link) {
     const auto body = static_cast<std::size_t>(link + 1);
     mechanism.bodies[body].name = link_name(subject, skeleton, link);
-    // The first surface is the body itself, further ones are welded to it.
-    bool dressed = false;
+    // The first surface belongs to the body itself; further ones are bodies welded to it.
+    bool has_skin = false;
     for (const LinkSurface& surface : surfaces) {
       if (surface.link != link) continue;
       MechanismBody skin{surface.name,
@@ -97,7 +95,7 @@ void dress(const Subject& subject, const Skeleton& skeleton,
                          surface.solid,
                          surface.material,
                          surface.digit};
-      if (!dressed) {
+      if (!has_skin) {
         skin.mass = mechanism.bodies[body].mass;
         mechanism.bodies[body] = std::move(skin);
       } else {
@@ -108,31 +106,31 @@ void dress(const Subject& subject, const Skeleton& skeleton,
         mechanism.joints.push_back(std::move(weld));
         mechanism.bodies.push_back(std::move(skin));
       }
-      dressed = true;
+      has_skin = true;
     }
   }
 }
 
-/// Joints are damped, and stop by JointStops alone.
-void resist(const Skeleton& skeleton, Mechanism& mechanism) {
+/// Sets the damping of the joints and removes their limits, which JointStops replaces.
+void set_resistance(const Skeleton& skeleton, Mechanism& mechanism) {
   const Eigen::VectorXd damping = joint_damping(skeleton, JointResistance());
   for (MechanismJoint& joint : mechanism.joints) {
-    // No limits of their own; damping where the joint is its coordinate.
     joint.lower = -std::numeric_limits<double>::infinity();
     joint.upper = std::numeric_limits<double>::infinity();
+    // Only the joint that its coordinate is named after is damped.
     if (joint.coordinate < 0) continue;
     const auto c = static_cast<std::size_t>(joint.coordinate);
     if (joint.name == skeleton.coordinate_names[c]) joint.damping = damping[joint.coordinate];
   }
 }
 
-/// Digits whose tendons a hand owns, or shares.
-std::vector<HumanDigit> digits_of(const std::vector<std::shared_ptr<const DigitTendons>>& tendons,
-                                  const Subject& subject, const Skeleton& skeleton,
-                                  const std::map<std::string, double>& max_force) {
+/// Assembles the digits of a hand from their tendons.
+std::vector<HumanDigit> assemble_digits(
+    const std::vector<std::shared_ptr<const DigitTendons>>& tendons, const Subject& subject,
+    const Skeleton& skeleton, const std::map<std::string, double>& max_force) {
   std::vector<HumanDigit> digits;
-  // Places of the tendons' coordinates among those of the hand.
   for (std::size_t i = 0; i < tendons.size(); ++i) {
+    // Indices of the tendons' coordinates among those of the hand.
     HumanDigit digit{subject.digits[i].name, tendons[i], {}, {}};
     const TendonNames& names = tendons[i]->digit().names;
     for (const std::string& name : names.coordinates) {
@@ -148,42 +146,44 @@ std::vector<HumanDigit> digits_of(const std::vector<std::shared_ptr<const DigitT
   return digits;
 }
 
-std::vector<HumanDigit> tendons_of(const HumanModel& model, const Subject& subject,
-                                   const Skeleton& skeleton, std::vector<std::string>& warnings) {
+/// Builds the tendons of all digits, and adds their warnings once each.
+std::vector<HumanDigit> build_digits(const HumanModel& model, const Subject& subject,
+                                     const Skeleton& skeleton, std::vector<std::string>& warnings) {
   if (subject.muscles.empty()) return {};
   const Hood extensors =
       model.version == HumanVersion::kTendonNet ? Hood::kFloatingNet : Hood::kFractions;
-  // Tendons of the version, and what is assumed of them.
+  // Build the tendons, and collect new warnings.
   HumanTendons built = human_tendons(subject, extensors, model.options);
   for (const std::string& warning : built.warnings)
     if (std::count(warnings.begin(), warnings.end(), warning) == 0) warnings.push_back(warning);
   std::vector<std::shared_ptr<const DigitTendons>> tendons;
   for (std::unique_ptr<DigitTendons>& digit : built.hand.digits)
     tendons.emplace_back(std::move(digit));
-  return digits_of(tendons, subject, skeleton, built.hand.max_force);
+  return assemble_digits(tendons, subject, skeleton, built.hand.max_force);
 }
 
 }  // namespace
 
 HumanMechanism human_mechanism(const HumanModel& model) {
-  // Hand with its masses and warnings.
+  // Build the hand with all masses.
   HumanMechanism out;
-  out.subject = weighed_subject(model, out.warnings);
+  out.subject = subject_with_masses(model, out.warnings);
   const HumanHand hand = build_human_hand(out.subject, model.version, model.options);
   out.warnings.insert(out.warnings.end(), hand.warnings.begin(), hand.warnings.end());
   out.skeleton = hand.skeleton;
   out.contact = hand.contact;
-  // Mechanism with skin and resistance.
-  out.mechanism = on_base(skeleton_mechanism(hand.skeleton), base_mass(out.subject, hand.skeleton));
+  // Convert it to a mechanism with skin and joint damping.
+  out.mechanism =
+      prepend_base(skeleton_mechanism(hand.skeleton), base_mass(out.subject, hand.skeleton));
   const SkinError error = capsule_error(hand.hand->surfaces());
   if (model.options.skin.capsules && !error.worst.empty())
     out.warnings.push_back(
         fmt::format("skin of digits is tapered capsules: {:.2g} mm from the skin in the mean "
                     "square, {:.2g} mm at most ({})",
                     1e3 * error.rms, 1e3 * error.largest, error.worst));
-  dress(out.subject, hand.skeleton, hand.hand->surfaces(), out.mechanism);
-  resist(hand.skeleton, out.mechanism);
-  // Motors, where the version has them.
+  add_skins(out.subject, hand.skeleton, hand.hand->surfaces(), out.mechanism);
+  set_resistance(hand.skeleton, out.mechanism);
+  // Set the largest efforts of the motors, if the version has motors.
   const HandLayout& layout = hand.hand->layout();
   if (model.version != HumanVersion::kTendonNet) {
     const Actuation motors = hand.hand->actuation(Eigen::VectorXd::Zero(layout.lower.size()));
@@ -192,11 +192,11 @@ HumanMechanism human_mechanism(const HumanModel& model) {
       out.mechanism.coordinates[c].max_effort = std::max(-motors.lower[i], motors.upper[i]);
     }
   }
-  // Posture and tendons.
+  // Set the open posture, by default the one nearest to zero in range, and the tendons.
   out.open = layout.open.size() > 0
                  ? layout.open
                  : Eigen::VectorXd(layout.lower.cwiseMax(0).cwiseMin(layout.upper));
-  out.digits = tendons_of(model, out.subject, hand.skeleton, out.warnings);
+  out.digits = build_digits(model, out.subject, hand.skeleton, out.warnings);
   return out;
 }
 

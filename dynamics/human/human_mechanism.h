@@ -1,6 +1,6 @@
 #pragma once
 
-/// Human hands as mechanisms: bones on hinges, in their skin, with the tendons of every digit.
+/// Mechanisms of human hands: bones on hinges, their skin, and the tendons of every digit.
 
 #include <memory>
 #include <string>
@@ -13,40 +13,41 @@ namespace thenar {
 
 class DigitTendons;
 
-/// Model of a human hand: its subject, version and options.
+/// Description of a human hand to build.
 struct HumanModel {
-  Subject subject;
-  HumanVersion version = HumanVersion::kTendonNet;
-  HumanHandOptions options{};
+  Subject subject;                                  // measured person
+  HumanVersion version = HumanVersion::kTendonNet;  // version of the hand model
+  HumanHandOptions options{};                       // options of build_human_hand()
 };
 
 /// Tendons of one digit of a hand.
 struct HumanDigit {
-  std::string name;
-  std::shared_ptr<const DigitTendons> tendons;
-  std::vector<int> coordinates;   // of the hand, in the digit's order
-  std::vector<double> max_force;  // F0 of its muscles; assumed ones are warned of [N] (muscles)
+  std::string name;                             // name of the digit
+  std::shared_ptr<const DigitTendons> tendons;  // model of its tendons
+  std::vector<int> coordinates;   // indices of its coordinates in the hand, in the digit's order
+  std::vector<double> max_force;  // F0 of its muscles; assumed values cause a warning [N] (muscles)
 };
 
-/// A hand ready for scenes.
+/// Mechanism of a human hand, with what scenes need beyond it.
 struct HumanMechanism {
-  Mechanism mechanism;   // the base first, welded to the world
-  Skeleton skeleton;     // its coordinates are those of the mechanism, in the same order
-  Subject subject;       // with all masses, and the axes of the version
-  Eigen::VectorXd open;  // posture in which closing begins (coordinates) [rad]
-  ContactModel contact = ContactModel::kHardPoint;  // of its pads
-  std::vector<HumanDigit> digits;                   // none: the subject has no muscles
-  std::vector<std::string> warnings;
+  Mechanism mechanism;   // bodies and joints; the base is the first body, welded to the world
+  Skeleton skeleton;     // skeleton with the mechanism's coordinates, in the same order
+  Subject subject;       // subject with all masses, and the axes of the version
+  Eigen::VectorXd open;  // posture in which closing begins [rad] (coordinates)
+  ContactModel contact = ContactModel::kHardPoint;  // contact model of the finger pads
+  std::vector<HumanDigit> digits;                   // empty: the subject has no muscles
+  std::vector<std::string> warnings;                // assumptions that were made
 };
 
-/// Builds a hand as build_human_hand() does: its digits on a welded wrist, the forearm left out.
+/// Builds the mechanism of a hand, see build_human_hand(): the digits on a welded wrist, without
+/// the forearm.
 ///
-/// Frames of all bodies are the hand's at the reference posture. A body is called after its skin
-/// ("DP2"), or after its segment where it has none; a second skin on the same link is welded to it.
-/// Segments without mass weigh their skin. Joints have the subject's springs and dampers, or the
-/// damper of JointResistance; they are not limited here: that is what JointStops does. A drive's
-/// largest effort is that of the version's motors, in the stronger of both senses.
-/// Tendons are floating nets in the fourth version, and linear in the first three.
+/// All body frames coincide with the hand's frame at the reference posture. A body is named after
+/// its skin ("DP2"), or after its segment if it has no skin; a second skin on a link is a body that
+/// is welded to it. Segments without a stated mass get the mass of their skin. Joints have the
+/// subject's springs and dampers, or the damper of JointResistance. They have no limits; add
+/// JointStops to the scene. The largest effort of a coordinate is that of the version's motor in
+/// its stronger direction. Tendons are floating nets in the fourth version, linear in the others.
 /// @throws InputError as build_human_hand(), or if a link has mass but no moments of inertia.
 [[nodiscard]] HumanMechanism human_mechanism(const HumanModel& model);
 

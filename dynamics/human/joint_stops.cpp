@@ -7,16 +7,16 @@
 
 namespace thenar {
 
-JointStops::JointStops(std::string name, Skeleton skeleton, CoordinatePlaces places,
+JointStops::JointStops(std::string name, Skeleton skeleton, CoordinateIndices places,
                        const JointResistance& resistance)
     : name_(std::move(name)),
       limits_(std::move(skeleton)),
-      places_(std::move(places)),
+      indices_(std::move(places)),
       resistance_(resistance) {
   const std::size_t joints = limits_.limits.size();
-  require(places_.q.size() == joints && places_.v.size() == joints,
-          "{} joints stand at {} positions and {} speeds", joints, places_.q.size(),
-          places_.v.size());
+  require(indices_.q.size() == joints && indices_.v.size() == joints,
+          "{} joints stand at {} positions and {} speeds", joints, indices_.q.size(),
+          indices_.v.size());
   for (CoordinateLimits& limits : limits_.limits) limits.stiffness = 0;
 }
 
@@ -27,10 +27,10 @@ std::unique_ptr<ForceElement> JointStops::clone() const {
 bool JointStops::add_action(const ElementInput& at, ElementAction& out) {
   if (at.need == ElementNeed::kStates) return true;
   for (std::size_t i = 0; i < limits_.limits.size(); ++i) {
-    // Stop and passive moment, and their slopes.
+    // Add stop torque and passive moment, and their stiffness.
     const CoordinateLimits& limits = limits_.limits[i];
-    const double angle = at.q[places_.q[i]];
-    const int v = places_.v[i];
+    const double angle = at.q[indices_.q[i]];
+    const int v = indices_.v[i];
     out.tau[v] += stop_torque(resistance_, limits, angle) + passive_moment(limits, angle);
     if (at.need == ElementNeed::kAll)
       out.stiffness(v, v) -=
@@ -40,7 +40,7 @@ bool JointStops::add_action(const ElementInput& at, ElementAction& out) {
 }
 
 double JointStops::energy(const ElementInput& at) {
-  return resistance_energy(limits_, resistance_, at.q(places_.q));
+  return resistance_energy(limits_, resistance_, at.q(indices_.q));
 }
 
 }  // namespace thenar

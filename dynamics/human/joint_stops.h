@@ -1,6 +1,6 @@
 #pragma once
 
-/// Stops of the joints of a human hand in a scene.
+/// Force element of the joint stops of a human hand.
 
 #include <string>
 #include <vector>
@@ -11,15 +11,18 @@
 namespace thenar {
 
 /// Indices of the coordinates of a hand or digit in a scene.
-struct CoordinatePlaces {
-  std::vector<int> q, v;  // entries of positions and of speeds (coordinates)
+struct CoordinateIndices {
+  std::vector<int> q, v;  // indices in the positions and in the speeds (coordinates)
 };
 
-/// Stops at the ends of the joints' ranges, as JointResistance has them, and the ends of passive
-/// moments; both store energy. Springs and dampers of the joints are the mechanism's.
+/// Elastic stops at the ends of the joint ranges, see JointResistance, and passive moments near
+/// these ends. Both store energy. Springs and dampers of the joints belong to the mechanism.
 class JointStops final : public ForceElement {
  public:
-  JointStops(std::string name, Skeleton skeleton, CoordinatePlaces places,
+  /// @param skeleton  skeleton whose joint ranges and passive moments are used
+  /// @param indices   indices of its coordinates in the scene
+  /// @throws InputError if their numbers differ from that of the joints.
+  JointStops(std::string name, Skeleton skeleton, CoordinateIndices places,
              const JointResistance& resistance = {});
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
@@ -27,14 +30,15 @@ class JointStops final : public ForceElement {
   bool add_action(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
 
-  /// Ranges of the coordinates, and where these stand in the scene.
+  /// Returns the ranges of the coordinates [rad].
   [[nodiscard]] const std::vector<CoordinateLimits>& ranges() const { return limits_.limits; }
-  [[nodiscard]] const CoordinatePlaces& places() const { return places_; }
+  /// Returns the indices of the coordinates in the scene.
+  [[nodiscard]] const CoordinateIndices& places() const { return indices_; }
 
  private:
   std::string name_;
-  Skeleton limits_;  // ranges and ends of passive moments alone
-  CoordinatePlaces places_;
+  Skeleton limits_;  // skeleton of which only ranges and passive end moments are used
+  CoordinateIndices indices_;
   JointResistance resistance_;
 };
 

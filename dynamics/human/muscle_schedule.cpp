@@ -12,16 +12,16 @@ using Eigen::Index;
 SchedulePiece constant_piece(double begin, double value) {
   SchedulePiece piece;
   piece.begin = begin;
-  piece.value = piece.last = value;
+  piece.begin_value = piece.end_value = value;
   return piece;
 }
 
 }  // namespace
 
 void check_schedules(const std::vector<MuscleSchedule>& schedules,
-                     const std::vector<std::string>& muscles, double most, const std::string& owner,
-                     const char* what) {
-  // Each schedule is of a muscle of its own, with knots in order and values in range.
+                     const std::vector<std::string>& muscles, double max_value,
+                     const std::string& owner, const char* what) {
+  // Check muscle, times and values of each schedule.
   for (std::size_t i = 0; i < schedules.size(); ++i) {
     const MuscleSchedule& each = schedules[i];
     require(each.muscle >= 0 && each.muscle < static_cast<int>(muscles.size()),
@@ -32,9 +32,9 @@ void check_schedules(const std::vector<MuscleSchedule>& schedules,
             each.value.size());
     for (Index k = 1; k < each.time.size(); ++k)
       require(each.time[k] >= each.time[k - 1], "{} of '{}' goes back in time", what, name);
-    require((each.value.array() >= 0).all() && (each.value.array() <= most).all(),
-            "{} of '{}' must be 0 to {:g}", what, name, most);
-    // Two schedules of a muscle must not act at once.
+    require((each.value.array() >= 0).all() && (each.value.array() <= max_value).all(),
+            "{} of '{}' must be 0 to {:g}", what, name, max_value);
+    // Check that it does not overlap earlier schedules of the muscle.
     for (std::size_t j = 0; j < i; ++j)
       require(schedules[j].muscle != each.muscle || schedules[j].when.from >= each.when.to ||
                   schedules[j].when.to <= each.when.from,
@@ -42,38 +42,38 @@ void check_schedules(const std::vector<MuscleSchedule>& schedules,
   }
 }
 
-double SchedulePiece::at(double t) const {
-  if (value == last) return value;
+double SchedulePiece::value_at(double t) const {
+  if (begin_value == end_value) return begin_value;
   const double part = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
-  return part < 1 ? std::clamp(value + part * (last - value), std::min(value, last),
-                               std::max(value, last))
-                  : last;
+  return part < 1 ? std::clamp(begin_value + part * (end_value - begin_value),
+                               std::min(begin_value, end_value), std::max(begin_value, end_value))
+                  : end_value;
 }
 
-SchedulePiece piece_at(const MuscleSchedule& schedule, double from) {
+SchedulePiece piece_at(const MuscleSchedule& schedule, double instant) {
   const Index last = schedule.time.size() - 1;
-  // Constant before the first knot and behind the last, otherwise the line between two.
-  if (from < schedule.time[0]) return constant_piece(from, schedule.value[0]);
+  // Constant before the first knot and after the last one, otherwise linear between two knots.
+  if (instant < schedule.time[0]) return constant_piece(instant, schedule.value[0]);
   Index k = 0;
-  while (k < last && schedule.time[k + 1] <= from) ++k;
+  while (k < last && schedule.time[k + 1] <= instant) ++k;
   if (k == last) return constant_piece(schedule.time[k], schedule.value[k]);
   return {schedule.time[k], schedule.time[k + 1], schedule.value[k], schedule.value[k + 1]};
 }
 
-void ActingPieces::find(const std::vector<MuscleSchedule>& schedules, double acting) {
+void ActiveSchedulePieces::select(const std::vector<MuscleSchedule>& schedules, double acting) {
   if (acting_ == acting) return;
   for (SchedulePiece& piece : pieces_) piece = {};
   for (const MuscleSchedule& schedule : schedules)
     if (schedule.when.holds(acting))
       pieces_[static_cast<std::size_t>(schedule.muscle)] = piece_at(schedule, acting);
-  // What is set by hand holds in place of schedules.
-  for (std::size_t m = 0; m < set_.size(); ++m)
-    if (set_[m]) pieces_[m] = constant_piece(0, *set_[m]);
+  // Values that are set override the schedules.
+  for (std::size_t m = 0; m < set_values_.size(); ++m)
+    if (set_values_[m]) pieces_[m] = constant_piece(0, *set_values_[m]);
   acting_ = acting;
 }
 
-void ActingPieces::set(std::size_t muscle, double value) {
-  set_[muscle] = value;
+void ActiveSchedulePieces::set_value(std::size_t muscle, double value) {
+  set_values_[muscle] = value;
   acting_ = std::numeric_limits<double>::quiet_NaN();
 }
 

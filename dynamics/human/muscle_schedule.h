@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tensions and excitations that muscles of a scene are given over time.
+/// Prescribed tensions and excitations of muscles over time.
 
 #include <limits>
 #include <optional>
@@ -14,61 +14,64 @@
 namespace thenar {
 
 /// Tension or excitation of one muscle over time: linear between knots, constant before the first
-/// and after the last. Two knots of one time are a jump.
+/// and after the last. Two knots at one time are a jump.
 struct MuscleSchedule {
-  int muscle = 0;  // of the group
-  TimeSpan when{};
-  Eigen::VectorXd time;   // never falling [s] (knots)
+  int muscle = 0;         // index in the group
+  TimeSpan when{};        // time span in which the schedule acts
+  Eigen::VectorXd time;   // times, not decreasing [s] (knots)
   Eigen::VectorXd value;  // tension [N], or excitation 0..1 [1] (knots)
 };
 
-/// Checks schedules of a group's muscles.
-/// @param most   largest value [N] or [1]
-/// @param owner  of the muscles, for messages
-/// @param what   a value is, for messages: "tension"
-/// @throws InputError if there is no such muscle, a schedule is empty or falls in time, a value is
-///         below 0 or too large, or two of one muscle act at once.
+/// Checks the schedules of a group's muscles.
+/// @param max_value  largest value [N] or [1]
+/// @param owner      name of the owner of the muscles, for messages
+/// @param what       name of the quantity, for messages: "tension"
+/// @throws InputError if a muscle does not exist, a schedule is empty, times decrease, a value is
+///         below 0 or above max_value, or two schedules of a muscle overlap.
 void check_schedules(const std::vector<MuscleSchedule>& schedules,
-                     const std::vector<std::string>& muscles, double most, const std::string& owner,
-                     const char* what);
+                     const std::vector<std::string>& muscles, double max_value,
+                     const std::string& owner, const char* what);
 
-/// The straight piece of a schedule that begins at or before an instant. Before its begin and after
-/// its end, where trial steps may look, it is constant.
+/// Linear piece of a schedule. It is constant before its begin and after its end, where trial steps
+/// may evaluate it.
 struct SchedulePiece {
-  double begin = 0, end = std::numeric_limits<double>::infinity();  // [s]
-  double value = 0, last = 0;                                       // at begin and end
+  double begin = 0, end = std::numeric_limits<double>::infinity();  // time span [s]
+  double begin_value = 0, end_value = 0;                            // values there [N] or [1]
 
-  [[nodiscard]] double slope() const { return (last - value) / (end - begin); }  // [1/s]
-  /// Returns the value at t, between those of both ends to the last bit: tensions that end at 0 are
-  /// never below it.
-  [[nodiscard]] double at(double t) const;
+  /// Returns the slope of the piece [N/s] or [1/s].
+  [[nodiscard]] double slope() const { return (end_value - begin_value) / (end - begin); }
+  /// Returns the value at t [N] or [1]. It never leaves the range of the end values, not even by
+  /// rounding, so that tensions stay >= 0.
+  [[nodiscard]] double value_at(double t) const;
 };
 
-/// Finds the piece that begins last at or before an instant [s].
-[[nodiscard]] SchedulePiece piece_at(const MuscleSchedule& schedule, double from);
+/// Returns the last piece of a schedule that begins at or before an instant [s].
+[[nodiscard]] SchedulePiece piece_at(const MuscleSchedule& schedule, double instant);
 
-/// The pieces of all muscles that act in a step; zero where no schedule acts. A value that is set
-/// by hand takes the place of schedules.
-class ActingPieces {
+/// Schedule pieces of all muscles that act in a step; zero for muscles without an active schedule.
+/// A value that is set by a control overrides the schedules.
+class ActiveSchedulePieces {
  public:
-  explicit ActingPieces(std::size_t muscles) : set_(muscles), pieces_(muscles) {}
+  explicit ActiveSchedulePieces(std::size_t muscles) : set_values_(muscles), pieces_(muscles) {}
 
-  /// Finds the pieces that act at an instant, unless they are those of the last call.
-  void find(const std::vector<MuscleSchedule>& schedules, double acting);
-  /// Sets the value of a muscle from the next find() on.
-  void set(std::size_t muscle, double value);
+  /// Selects the pieces that act at an instant, unless it is that of the last call.
+  void select(const std::vector<MuscleSchedule>& schedules, double acting);
+  /// Overrides the schedules of a muscle from the next select() on.
+  void set_value(std::size_t muscle, double value);
 
-  [[nodiscard]] const SchedulePiece& of(int muscle) const {
+  /// Returns the selected piece of a muscle.
+  [[nodiscard]] const SchedulePiece& piece_of(int muscle) const {
     return pieces_[static_cast<std::size_t>(muscle)];
   }
-  [[nodiscard]] const std::optional<double>& set_value(std::size_t muscle) const {
-    return set_[muscle];
+  /// Returns the value that overrides the schedules of a muscle, if any.
+  [[nodiscard]] const std::optional<double>& value_set(std::size_t muscle) const {
+    return set_values_[muscle];
   }
 
  private:
-  std::vector<std::optional<double>> set_;                    // [N] or [1] (muscles)
-  std::vector<SchedulePiece> pieces_;                         // (muscles)
-  double acting_ = std::numeric_limits<double>::quiet_NaN();  // of the pieces [s]
+  std::vector<std::optional<double>> set_values_;             // overrides [N] or [1] (muscles)
+  std::vector<SchedulePiece> pieces_;                         // selected pieces (muscles)
+  double acting_ = std::numeric_limits<double>::quiet_NaN();  // instant of the selection [s]
 };
 
 }  // namespace thenar

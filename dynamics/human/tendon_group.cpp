@@ -11,28 +11,28 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Places of names in a list, to which new ones are added.
-std::vector<int> place_names(const std::vector<std::string>& names, std::vector<std::string>& all) {
-  std::vector<int> places;
+/// Returns the indices of names in a list, to which new names are appended.
+std::vector<int> index_names(const std::vector<std::string>& names, std::vector<std::string>& all) {
+  std::vector<int> indices;
   for (const std::string& name : names) {
     auto at = std::find(all.begin(), all.end(), name);
     if (at == all.end()) at = all.insert(all.end(), name);
-    places.push_back(static_cast<int>(at - all.begin()));
+    indices.push_back(static_cast<int>(at - all.begin()));
   }
-  return places;
+  return indices;
 }
 
-bool have_one_in_common(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+bool share_a_name(const std::vector<std::string>& a, const std::vector<std::string>& b) {
   return std::any_of(a.begin(), a.end(),
                      [&](const std::string& each) { return std::count(b.begin(), b.end(), each); });
 }
 
 }  // namespace
 
-void gather(const VectorXd& from, const std::vector<int>& places, VectorXd& out) {
-  out.resize(static_cast<Eigen::Index>(places.size()));
+void gather(const VectorXd& from, const std::vector<int>& indices, VectorXd& out) {
+  out.resize(static_cast<Eigen::Index>(indices.size()));
   Eigen::Index next = 0;
-  for (const int place : places) out[next++] = from[place];
+  for (const int index : indices) out[next++] = from[index];
 }
 
 void scatter(const MatrixXd& added, const std::vector<int>& rows, const std::vector<int>& columns,
@@ -44,7 +44,7 @@ void scatter(const MatrixXd& added, const std::vector<int>& rows, const std::vec
 
 std::vector<std::vector<int>> contracting_groups(
     const std::vector<std::vector<std::string>>& muscles, const std::vector<bool>& excited) {
-  // Each digit's group is called after its first; digits that join take the lower name.
+  // Label of each digit's group: the index of its first digit. Digits that join take the lower one.
   const std::size_t digits = muscles.size();
   std::vector<std::size_t> group(digits);
   for (std::size_t i = 0; i < digits; ++i) group[i] = i;
@@ -53,13 +53,14 @@ std::vector<std::vector<int>> contracting_groups(
     any = false;
     for (std::size_t i = 0; i < digits; ++i)
       for (std::size_t j = 0; j < digits; ++j) {
-        if (!contracts[i] || group[i] == group[j] || !have_one_in_common(muscles[i], muscles[j]))
+        if (!contracts[i] || group[i] == group[j] || !share_a_name(muscles[i], muscles[j]))
           continue;
         any = contracts[j] = true;
         const std::size_t from = std::max(group[i], group[j]), to = std::min(group[i], group[j]);
         std::replace(group.begin(), group.end(), from, to);
       }
   }
+  // Collect the members of each group.
   std::vector<std::vector<int>> out;
   for (std::size_t first = 0; first < digits; ++first) {
     std::vector<int> members;
@@ -71,13 +72,13 @@ std::vector<std::vector<int>> contracting_groups(
 }
 
 TendonGroup::TendonGroup(std::vector<std::shared_ptr<const DigitTendons>> digits) {
-  // Coordinates and muscles of digits, each once in the group.
+  // List coordinates and muscles of all digits, each once.
   for (std::shared_ptr<const DigitTendons>& tendons : digits) {
     const TendonDigit& digit = tendons->digit();
     has_net_ = has_net_ || digit.fidelity.hood == Hood::kFloatingNet;
     has_friction_ = has_friction_ || !digit.model.friction.isZero(0);
-    Digit part{nullptr, place_names(digit.names.coordinates, coordinates_),
-               place_names(digit.names.muscles, muscles_)};
+    Digit part{nullptr, index_names(digit.names.coordinates, coordinates_),
+               index_names(digit.names.muscles, muscles_)};
     part.tendons = std::move(tendons);
     digits_.push_back(std::move(part));
   }
@@ -97,7 +98,7 @@ GroupTorque TendonGroup::evaluate(const VectorXd& q, const VectorXd& t,
   GroupTorque out;
   out.tau = VectorXd::Zero(q.size());
   out.R = MatrixXd::Zero(t.size(), q.size());
-  // Each digit with its own coordinates and muscles, summed in the group's.
+  // Evaluate each digit, and add its torque and arms to those of the group.
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     const Digit& digit = digits_[i];
     static const Eigen::Matrix3Xd kNone;
@@ -121,7 +122,7 @@ GroupArms::GroupArms(const TendonGroup& group) : group_(&group), q_(group.digits
 void GroupArms::slopes(const VectorXd& q, GroupSlopes& out) {
   out.exist = true;
   out.digits.resize(solvers_.size());
-  // Arms of every digit must have slopes.
+  // The slopes exist only if those of every digit do.
   for (std::size_t i = 0; i < solvers_.size() && out.exist; ++i) {
     out.exist = solvers_[i] != nullptr;
     if (!out.exist) return;
@@ -133,12 +134,12 @@ void GroupArms::slopes(const VectorXd& q, GroupSlopes& out) {
 
 void GroupArms::solve(const VectorXd& q, GroupTorque& out) {
   const TendonGroup& group = *group_;
-  const bool alone = solvers_.size() == 1;  // then its places are those of the group
+  const bool alone = solvers_.size() == 1;  // its indices are then those of the group
   if (!alone) out.R.setZero(static_cast<Eigen::Index>(group.muscles_.size()), q.size());
   out.status = TendonStatus::kValid;
   out.warning.clear();
   out.digits.resize(solvers_.size());
-  // Arms of each digit, by its solver or at zero tension.
+  // Compute the arms of each digit, by its solver or from its torque at zero tension.
   for (std::size_t i = 0; i < solvers_.size(); ++i) {
     const TendonGroup::Digit& digit = group.digits_[i];
     TendonTorque& part = out.digits[i];
@@ -148,7 +149,7 @@ void GroupArms::solve(const VectorXd& q, GroupTorque& out) {
     else
       part = digit.tendons->evaluate(
           q_[i], VectorXd::Zero(static_cast<Eigen::Index>(digit.muscles.size())));
-    // Sum in the group, and the worst status.
+    // Add them to the arms of the group, and keep the worst status.
     if (alone)
       out.R = part.R;
     else
@@ -161,7 +162,6 @@ void GroupArms::solve(const VectorXd& q, GroupTorque& out) {
 MatrixXd TendonGroup::torque_by_posture(const VectorXd& q, const VectorXd& t,
                                         const GroupTorque& at) const {
   MatrixXd out = MatrixXd::Zero(q.size(), q.size());
-  // Torque of each digit by its own posture.
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     const auto& [tendons, coordinates, muscles] = digits_[i];
     out(coordinates, coordinates) +=
@@ -171,26 +171,26 @@ MatrixXd TendonGroup::torque_by_posture(const VectorXd& q, const VectorXd& t,
 }
 
 void TendonGroup::add_stiffness(const GroupSlopes& slopes, const VectorXd& t,
-                                const std::vector<int>& places, VectorXd& room,
+                                const std::vector<int>& indices, VectorXd& workspace,
                                 MatrixXd& out) const {
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     const auto& [tendons, coordinates, muscles] = digits_[i];
-    // Entries of all pairs of coordinates, then their places.
+    // Sum the slopes of all pairs of coordinates over the muscles.
     const MatrixXd& of_pair = slopes.digits[i].of_pair;
     const Eigen::Index pairs = of_pair.rows();
-    room.setZero(pairs);
-    double* const sum = room.data();
+    workspace.setZero(pairs);
+    double* const sum = workspace.data();
     for (std::size_t m = 0; m < muscles.size(); ++m) {
       const double tension = t[muscles[m]];
-      const double* const of = of_pair.data() + static_cast<Eigen::Index>(m) * pairs;
-      for (Eigen::Index pair = 0; pair < pairs; ++pair) sum[pair] += tension * of[pair];
+      const double* const slope = of_pair.data() + static_cast<Eigen::Index>(m) * pairs;
+      for (Eigen::Index pair = 0; pair < pairs; ++pair) sum[pair] += tension * slope[pair];
     }
+    // Add them to both halves of the symmetric matrix.
     const double* next = sum;
-    // Both halves of the symmetric matrix.
     for (std::size_t k = 0; k < coordinates.size(); ++k)
       for (std::size_t j = 0; j <= k; ++j, ++next) {
-        const int row = places[static_cast<std::size_t>(coordinates[j])],
-                  column = places[static_cast<std::size_t>(coordinates[k])];
+        const int row = indices[static_cast<std::size_t>(coordinates[j])],
+                  column = indices[static_cast<std::size_t>(coordinates[k])];
         out(row, column) += *next;
         if (j < k) out(column, row) += *next;
       }
@@ -200,7 +200,6 @@ void TendonGroup::add_stiffness(const GroupSlopes& slopes, const VectorXd& t,
 MatrixXd TendonGroup::compliance(const VectorXd& q, const VectorXd& t,
                                  const GroupTorque& at) const {
   MatrixXd out = MatrixXd::Zero(t.size(), t.size());
-  // Stretch of muscles by tensions, digit by digit.
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     const auto& [tendons, coordinates, muscles] = digits_[i];
     out(muscles, muscles) += tendons->compliance(q(coordinates), t(muscles), at.digits[i]);
@@ -219,13 +218,14 @@ VectorXd TendonGroup::lengths(const VectorXd& q, const VectorXd& t, const GroupT
 
 Excursion TendonGroup::excursion(const VectorXd& q) const {
   Excursion out{VectorXd::Zero(static_cast<Eigen::Index>(muscles_.size())), ""};
-  // Walk from posture zero, with all tendons taut at 1 N.
+  // Follow each digit from posture zero to q, with all tendons taut at 1 N.
   for (const auto& [tendons, coordinates, muscles] : digits_) {
-    const VectorXd here = q(coordinates);
-    const VectorXd one = VectorXd::Ones(static_cast<Eigen::Index>(muscles.size()));  // [N]
-    const Excursion way = thenar::excursion(*tendons, VectorXd::Zero(here.size()), here, one);
-    out.e(muscles) += way.e;
-    if (out.warning.empty()) out.warning = way.warning;
+    const VectorXd posture = q(coordinates);
+    const VectorXd tension = VectorXd::Ones(static_cast<Eigen::Index>(muscles.size()));  // [N]
+    const Excursion part =
+        thenar::excursion(*tendons, VectorXd::Zero(posture.size()), posture, tension);
+    out.e(muscles) += part.e;
+    if (out.warning.empty()) out.warning = part.warning;
   }
   return out;
 }

@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
 #include "dynamics/mechanism/tree_motion.h"
 
 namespace thenar {
 namespace {
 
-/// Pose of a body; the world's is the identity.
+/// Returns the pose of a body in the world; of the world itself, the identity.
 Pose<double> pose_of(const TreeMotion<double>& motion, int body) {
   return body < 0 ? Pose<double>{} : motion.pose(body);
 }
 
-Pose<double> between(const TreeMotion<double>& motion, const BodyFrame& a, const BodyFrame& b) {
+/// Returns the pose X_AB of frame b in frame a.
+Pose<double> relative_pose(const TreeMotion<double>& motion, const BodyFrame& a,
+                           const BodyFrame& b) {
   return (pose_of(motion, a.body) * a.X_BF).inverse() * (pose_of(motion, b.body) * b.X_BF);
 }
 
@@ -31,34 +32,34 @@ std::unique_ptr<ForceElement> BushingElement::clone() const {
 }
 
 bool BushingElement::add_action(const ElementInput& at, ElementAction& out) {
-  // Frames at both bodies, and the coordinates between them.
+  // Bushing coordinates of the two frames.
   const TreeMotion<double>& motion = at.motion;
   const Pose<double> X_WA = pose_of(motion, proximal_.body) * proximal_.X_BF;
   const Pose<double> X_WB = pose_of(motion, distal_.body) * distal_.X_BF;
   const BushingPose pose = bushing_pose(X_WA.inverse() * X_WB);
-  if (!pose.turn.allFinite()) return false;
-  // Rows of the coordinates: B's origin against the point of the proximal body there, axes of A;
-  // angles by the angular velocity of B against A.
+  if (!pose.rate_map.allFinite()) return false;
+  // Jacobian: velocity of B's origin relative to the point of the proximal body there, in axes of
+  // A; rates of the angles by the angular velocity of B relative to A.
   const int a = motion.link_of(proximal_.body), b = motion.link_of(distal_.body);
-  J_.setZero(at.v.size(), kBushingWays);
+  J_.setZero(at.v.size(), kBushingCoordinates);
   const Eigen::Vector3d none(0, 0, 0);
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d along = X_WA.R.col(k);
     motion.add_relative_jacobian_row(b, a, X_WB.p, along, none, J_.col(k));
-    const Eigen::Vector3d about = X_WA.R * pose.turn.row(k).transpose();
+    const Eigen::Vector3d about = X_WA.R * pose.rate_map.row(k).transpose();
     motion.add_relative_jacobian_row(b, a, X_WB.p, none, about, J_.col(3 + k));
   }
-  // Law at the coordinates and their rates.
+  // Map the action on the coordinates to generalized forces.
   const BushingVector rate = J_.transpose() * at.v;
   const BushingAction action = bushing_action(law_, pose.x, rate);
   out.tau.noalias() += J_ * action.effort;
   out.stiffness.noalias() += J_ * action.stiffness * J_.transpose();
   out.damping.noalias() += J_ * action.damping * J_.transpose();
-  return std::abs(pose.x[static_cast<int>(BushingWay::kAbduction)]) < kMostAbduction;
+  return std::abs(pose.x[static_cast<int>(BushingCoordinate::kAbduction)]) < kMaxAbduction;
 }
 
 double BushingElement::energy(const ElementInput& at) {
-  const BushingPose pose = bushing_pose(between(at.motion, proximal_, distal_));
+  const BushingPose pose = bushing_pose(relative_pose(at.motion, proximal_, distal_));
   return bushing_action(law_, pose.x, BushingVector::Zero()).energy;
 }
 
@@ -73,7 +74,7 @@ std::unique_ptr<ForceElement> LigamentElement::clone() const {
 }
 
 bool LigamentElement::add_action(const ElementInput& at, ElementAction& out) {
-  // Line from one point to the other, and its force.
+  // Tension of the ligament along the line between its points.
   const TreeMotion<double>& motion = at.motion;
   const Eigen::Vector3d p = pose_of(motion, from_.body) * from_.p;
   const Eigen::Vector3d way = pose_of(motion, to_.body) * to_.p - p;
@@ -81,7 +82,7 @@ bool LigamentElement::add_action(const ElementInput& at, ElementAction& out) {
   const LigamentForce force = ligament_force(law_, length);
   if (force.force == 0 && force.slope == 0) return true;
   const Eigen::Vector3d line = way / length, none(0, 0, 0);
-  // Velocity of one point against the other.
+  // Jacobian of the velocity of one point relative to the other.
   J_.setZero(at.v.size(), 3);
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
@@ -90,17 +91,17 @@ bool LigamentElement::add_action(const ElementInput& at, ElementAction& out) {
     motion.add_jacobian_row(motion.link_of(from_.body), p, Eigen::Vector3d(-axis), none, J_.col(k));
   }
   const Eigen::VectorXd row = J_ * line;
-  // A damper that only pulls, as far as the ligament is stretched.
+  // Damping scales the tension with the strain rate; the ligament never pushes.
   const double strain_rate = row.dot(at.v) / law_.slack_length;
-  const double grown = std::max(0.0, 1 + law_.damping * strain_rate);
-  const double tension = force.force * grown;
+  const double damping_factor = std::max(0.0, 1 + law_.damping * strain_rate);
+  const double tension = force.force * damping_factor;
   out.tau -= tension * row;
-  if (grown > 0) {
-    out.stiffness.noalias() += (force.slope * grown) * row * row.transpose();
+  if (damping_factor > 0) {
+    out.stiffness.noalias() += (force.slope * damping_factor) * row * row.transpose();
     out.damping.noalias() +=
         (force.force * law_.damping / law_.slack_length) * row * row.transpose();
   }
-  // Tension pulls the line straight.
+  // Geometric stiffness of the tension, across the line.
   const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - line * line.transpose();
   out.stiffness.noalias() += J_ * ((tension / length) * across) * J_.transpose();
   return true;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Bushings and ligaments between any two bodies of a scene.
+/// Force elements between any two bodies of a scene: bushings and ligaments.
 
 #include <memory>
 #include <string>
@@ -10,25 +10,27 @@
 
 namespace thenar {
 
-/// A place in a body, or in the world.
+/// Frame fixed to a body or to the world.
 struct BodyFrame {
-  int body = -1;      // of the mechanism; -1: the world
-  Pose<double> X_BF;  // of the frame in the body's
+  int body = -1;      // index in the mechanism; -1: the world
+  Pose<double> X_BF;  // pose of the frame in the body
 };
 
-/// Six springs between two frames, by the pose of one in the other: BushingLaw on the coordinates
-/// of bushing_pose(). Holds a body on a free joint, whatever its parent, or closes a loop.
+/// Six springs between two frames: a BushingLaw on the coordinates of bushing_pose(). It can hold
+/// a body that has a free joint, or close a loop.
 ///
-/// Efforts are J' force with the exact Jacobian J of the coordinates. Its stiffness J' K J leaves
-/// out what the turn of J adds under load, which costs steps of stiff scenes, not accuracy.
+/// The generalized force is J' force with the exact Jacobian J of the coordinates. The stiffness
+/// J' K J leaves out the geometric stiffness, the derivative of J under load; stiff scenes may
+/// therefore need more steps, but stay as accurate.
 class BushingElement : public ForceElement {
  public:
-  /// @throws InputError as check_law()
+  /// @throws InputError if the law is invalid, see check_law()
   BushingElement(std::string name, BodyFrame proximal, BodyFrame distal, const BushingLaw& law);
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
   [[nodiscard]] std::string name() const override { return name_; }
-  /// @return false beyond kMostAbduction
+  /// Adds the force of the bushing.
+  /// @return false if the abduction exceeds kMaxAbduction
   bool add_action(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
   [[nodiscard]] bool is_passive() const override { return true; }
@@ -37,27 +39,28 @@ class BushingElement : public ForceElement {
   std::string name_;
   BodyFrame proximal_, distal_;
   BushingLaw law_;
-  Eigen::MatrixXd J_;  // rates of the coordinates by the speeds, as columns (v, 6)
+  Eigen::MatrixXd J_;  // Jacobian of the coordinates, transposed (v, 6)
 };
 
-/// A point of a body, or of the world.
+/// Point fixed to a body or to the world.
 struct BodyPoint {
-  int body = -1;               // of the mechanism; -1: the world
-  Eigen::Vector3d p{0, 0, 0};  // body's frame [m] (3)
+  int body = -1;               // index in the mechanism; -1: the world
+  Eigen::Vector3d p{0, 0, 0};  // position in the body's frame [m] (3)
 };
 
-/// A ligament on a straight line between two points; several of them are a capsule. Its stiffness
-/// has that along the line and the tension's across it, but not what the turn of bodies adds.
+/// Ligament along the straight line between two points; several ligaments can form a capsule. The
+/// stiffness has the law's part along the line and the tension's part across it, but leaves out the
+/// effect of the rotation of the bodies.
 class LigamentElement : public ForceElement {
  public:
-  /// @throws InputError as check_law()
+  /// @throws InputError if the law is invalid, see check_law()
   LigamentElement(std::string name, const BodyPoint& from, const BodyPoint& to,
                   const LigamentLaw& law);
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
   [[nodiscard]] std::string name() const override { return name_; }
-  /// Adds the ligament's force; if both points coincide, the ligament is slack and adds nothing.
-  /// @return true: its law holds at every length
+  /// Adds the force of the ligament; a slack ligament adds nothing.
+  /// @return true, as the law is valid at every length
   bool add_action(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
   [[nodiscard]] bool is_passive() const override { return true; }
@@ -66,7 +69,7 @@ class LigamentElement : public ForceElement {
   std::string name_;
   BodyPoint from_, to_;
   LigamentLaw law_;
-  Eigen::MatrixXd J_;  // rows of the three axes of the world between the points (v, 3)
+  Eigen::MatrixXd J_;  // velocity of `to` relative to `from`, world axes, transposed (v, 3)
 };
 
 }  // namespace thenar

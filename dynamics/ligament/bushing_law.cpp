@@ -10,11 +10,11 @@
 namespace thenar {
 namespace {
 
-constexpr auto kFlexed = static_cast<Eigen::Index>(BushingWay::kFlexion);
+constexpr auto kFlexionIndex = static_cast<Eigen::Index>(BushingCoordinate::kFlexion);
 
 }  // namespace
 
-const std::vector<std::string>& bushing_way_names() {
+const std::vector<std::string>& bushing_coordinate_names() {
   static const std::vector<std::string> names{"across",  "along",     "axial",
                                               "flexion", "abduction", "twist"};
   return names;
@@ -23,46 +23,45 @@ const std::vector<std::string>& bushing_way_names() {
 BushingAction bushing_action(const BushingLaw& law, const BushingVector& x,
                              const BushingVector& rate) {
   BushingAction out;
-  for (Eigen::Index i = 0; i < kBushingWays; ++i) {
-    const CapsuleLaw& way = law.ways[static_cast<std::size_t>(i)];
-    if (way.stiffness == 0 && way.damping == 0) continue;
-    // Displacement from where flexion puts the rest; g is its gradient.
-    const double follows = law.follows[static_cast<std::size_t>(i)];
+  for (Eigen::Index i = 0; i < kBushingCoordinates; ++i) {
+    const CapsuleLaw& capsule = law.laws[static_cast<std::size_t>(i)];
+    if (capsule.stiffness == 0 && capsule.damping == 0) continue;
+    // Gradient g of the displacement from rest,  x_i - ratio_i flexion.
     BushingVector g = BushingVector::Zero();
     g[i] = 1;
-    g[kFlexed] -= follows;
-    // Force and slope of the way, spread by its gradient.
-    const LigamentForce at = capsule_force(way, g.dot(x));
-    out.effort -= (at.force + way.damping * g.dot(rate)) * g;
-    out.stiffness += at.slope * g * g.transpose();
-    out.damping += way.damping * g * g.transpose();
-    out.energy += at.energy;
+    g[kFlexionIndex] -= law.flexion_ratios[static_cast<std::size_t>(i)];
+    // Force along g, and its derivatives.
+    const LigamentForce spring = capsule_force(capsule, g.dot(x));
+    out.effort -= (spring.force + capsule.damping * g.dot(rate)) * g;
+    out.stiffness += spring.slope * g * g.transpose();
+    out.damping += capsule.damping * g * g.transpose();
+    out.energy += spring.energy;
   }
   return out;
 }
 
 void check_law(const BushingLaw& law) {
-  for (const CapsuleLaw& way : law.ways) check_law(way);
-  for (const double follows : law.follows)
-    require(std::isfinite(follows), "bushing: wanted finite numbers, got {}", follows);
-  require(law.follows[kFlexed] == 0, "bushing: flexion cannot follow itself");
+  for (const CapsuleLaw& capsule : law.laws) check_law(capsule);
+  for (const double ratio : law.flexion_ratios)
+    require(std::isfinite(ratio), "bushing: wanted finite numbers, got {}", ratio);
+  require(law.flexion_ratios[kFlexionIndex] == 0, "bushing: flexion cannot follow itself");
 }
 
 BushingPose bushing_pose(const Pose<double>& X_AB) {
-  // Rotation as flexion about z, then abduction, then twist.
+  // Angles of  R = Rz(flexion) Rx(abduction) Ry(twist).
   const Eigen::Matrix3d& R = X_AB.R;
   const double flexion = std::atan2(-R(0, 1), R(1, 1));
   const double abduction = std::asin(std::clamp(R(2, 1), -1.0, 1.0));
   const double twist = std::atan2(-R(2, 0), R(2, 2));
   BushingPose out;
   out.x << X_AB.p, flexion, abduction, twist;
-  // Axes of the three turns, in A.
+  // Rotation axes of the three angles in A; the inverse gives the rates.
   const double c = std::cos(flexion), s = std::sin(flexion);
   Eigen::Matrix3d axes;
   axes.col(0) = Eigen::Vector3d::UnitZ();
   axes.col(1) = Eigen::Vector3d(c, s, 0);
   axes.col(2) = R.col(1);
-  out.turn = axes.inverse();
+  out.rate_map = axes.inverse();
   return out;
 }
 

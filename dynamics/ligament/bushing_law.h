@@ -1,6 +1,7 @@
 #pragma once
 
-/// Law of a joint capsule: efforts on the six coordinates of one bone relative to another.
+/// Law of a joint capsule: generalized forces on the six coordinates of one bone relative to
+/// another.
 
 #include <array>
 #include <string>
@@ -13,61 +14,70 @@
 
 namespace thenar {
 
-/// Coordinates of a bushing, in this order. Its frame A stands in the proximal body: z is the axis
-/// of flexion, y the distal bone's direction across it, x perpendicular to both. Of the distal
-/// body's frame B:
+/// Coordinates of a bushing, in this order. Frame A is fixed to the proximal body: z is the flexion
+/// axis, y the direction of the distal bone perpendicular to z, and x completes the frame. The pose
+/// of frame B of the distal body is
 ///   p_AB = (across, along, axial),  R_AB = Rz(flexion) Rx(abduction) Ry(twist).
-/// Flexion is about an axis of the proximal bone, twist about one of the distal bone, and abduction
-/// about the floating axis across both. Source: [GroodSuntay1983].
-enum class BushingWay { kAcross, kAlong, kAxial, kFlexion, kAbduction, kTwist };
-inline constexpr int kBushingWays = 6;
-/// "across", "along", "axial", "flexion", "abduction", "twist".
-[[nodiscard]] const std::vector<std::string>& bushing_way_names();
+/// Flexion is about an axis of the proximal bone, twist about an axis of the distal bone, and
+/// abduction about the floating axis perpendicular to both. Source: [GroodSuntay1983].
+enum class BushingCoordinate { kAcross, kAlong, kAxial, kFlexion, kAbduction, kTwist };
+inline constexpr int kBushingCoordinates = 6;
+/// Returns "across", "along", "axial", "flexion", "abduction", "twist".
+[[nodiscard]] const std::vector<std::string>& bushing_coordinate_names();
 
-using BushingVector = Eigen::Matrix<double, kBushingWays, 1>;
-using BushingMatrix = Eigen::Matrix<double, kBushingWays, kBushingWays>;
+using BushingVector = Eigen::Matrix<double, kBushingCoordinates, 1>;
+using BushingMatrix = Eigen::Matrix<double, kBushingCoordinates, kBushingCoordinates>;
 
-/// A law for each way. The rest of a way may follow flexion:
-///   force_i = law_i(x_i - follows_i flexion),
-/// and flexion feels what that does to it, so that energy
-///   V = sum law_i.energy(x_i - follows_i flexion)
-/// is kept. A metacarpal that turns inwards as it flexes follows flexion with its twist.
+/// Capsule laws of the six coordinates. The rest position of a coordinate may be proportional to
+/// the flexion angle:
+///   force_i = law_i(x_i - ratio_i flexion),
+/// and flexion feels the corresponding reaction, so that the forces derive from the energy
+///   V = sum law_i.energy(x_i - ratio_i flexion).
+/// A metacarpal that twists inwards as it flexes has such a ratio for its twist.
 struct BushingLaw {
-  std::array<CapsuleLaw, kBushingWays> ways;
-  std::array<double, kBushingWays> follows{};  // of flexion itself 0 [m/rad] or [1]
+  std::array<CapsuleLaw, kBushingCoordinates> laws;
+  std::array<double, kBushingCoordinates> flexion_ratios{};  // d rest / d flexion, 0 for flexion
+                                                             // itself [m/rad] or [1]
 
-  CapsuleLaw& of(BushingWay way) { return ways[static_cast<std::size_t>(way)]; }
-  [[nodiscard]] const CapsuleLaw& of(BushingWay way) const {
-    return ways[static_cast<std::size_t>(way)];
+  CapsuleLaw& law_for(BushingCoordinate coordinate) {
+    return laws[static_cast<std::size_t>(coordinate)];
+  }
+  [[nodiscard]] const CapsuleLaw& law_for(BushingCoordinate coordinate) const {
+    return laws[static_cast<std::size_t>(coordinate)];
   }
 };
 
-/// Efforts on the coordinates: minus the gradient of the energy, less damping.
+/// Generalized force on the coordinates, its derivatives and the stored energy.
 struct BushingAction {
-  BushingVector effort = BushingVector::Zero();     // [N], [N m] (6)
+  BushingVector effort = BushingVector::Zero();     // -dV/dx, less damping [N], [N m] (6)
   BushingMatrix stiffness = BushingMatrix::Zero();  // second derivatives of the energy (6, 6)
-  BushingMatrix damping = BushingMatrix::Zero();    // (6, 6)
-  double energy = 0;                                // [J]
+  BushingMatrix damping = BushingMatrix::Zero();    // -d effort / d rate (6, 6)
+  double energy = 0;                                // V [J]
 };
 
-/// @param x  coordinates [m], [rad] (6);  @param rate  of them (6)
+/// Returns the action of a bushing at its coordinates and rates.
+/// @param x     coordinates [m], [rad] (6)
+/// @param rate  their time derivatives [m/s], [rad/s] (6)
 [[nodiscard]] BushingAction bushing_action(const BushingLaw& law, const BushingVector& x,
                                            const BushingVector& rate);
 
-/// @throws InputError as check_law(); if flexion follows itself, or a number is not finite.
+/// Checks the constants of a bushing law.
+/// @throws InputError if a capsule law is invalid, a ratio is not finite, or the ratio of flexion
+/// to itself is not 0.
 void check_law(const BushingLaw& law);
 
-/// Coordinates of a pose, and what turns its angular velocity into rates of the angles.
+/// Bushing coordinates of a pose, and the map from angular velocity to their rates.
 struct BushingPose {
-  BushingVector x;       // [m], [rad] (6)
-  Eigen::Matrix3d turn;  // rates of (flexion, abduction, twist) = turn . angular velocity of B
-                         // against A, axes of A (3, 3)
+  BushingVector x;           // coordinates [m], [rad] (6)
+  Eigen::Matrix3d rate_map;  // (flexion, abduction, twist) rates = rate_map . angular velocity of B
+                             // relative to A, in axes of A (3, 3)
 };
 
-/// Largest abduction to which the coordinates are trusted: at 90 deg they are singular [rad].
-inline constexpr double kMostAbduction = 1.4;
+/// Largest abduction at which the coordinates are valid; they are singular at 90 deg [rad].
+inline constexpr double kMaxAbduction = 1.4;
 
-/// Singular at 90 deg of abduction, far beyond what any joint allows; flexion in (-180, 180] deg.
+/// Returns the bushing coordinates of the pose of B in A, flexion in (-180, 180] deg. They are
+/// singular at 90 deg of abduction, which no joint reaches.
 [[nodiscard]] BushingPose bushing_pose(const Pose<double>& X_AB);
 
 }  // namespace thenar

@@ -9,33 +9,37 @@
 namespace thenar {
 namespace {
 
-/// Ways from the proximal to the distal bone.
-constexpr std::array<BushingWay, kBushingWays> kChain{BushingWay::kAcross,    BushingWay::kAlong,
-                                                      BushingWay::kAxial,     BushingWay::kFlexion,
-                                                      BushingWay::kAbduction, BushingWay::kTwist};
+// Smallest part of a bone's direction across the hinge, over its length [1]
+constexpr double kMinBoneAcross = 0.1;
 
-std::size_t index_of(BushingWay way) { return static_cast<std::size_t>(way); }
+/// Order of the joints from the proximal to the distal bone.
+constexpr std::array<BushingCoordinate, kBushingCoordinates> kChain{
+    BushingCoordinate::kAcross,  BushingCoordinate::kAlong,     BushingCoordinate::kAxial,
+    BushingCoordinate::kFlexion, BushingCoordinate::kAbduction, BushingCoordinate::kTwist};
 
-bool is_rigid(const BushingLaw& law, BushingWay way) {
-  return way != BushingWay::kFlexion && std::isinf(law.of(way).stiffness);
+std::size_t index_of(BushingCoordinate coordinate) { return static_cast<std::size_t>(coordinate); }
+
+bool is_rigid(const BushingLaw& law, BushingCoordinate coordinate) {
+  return coordinate != BushingCoordinate::kFlexion && std::isinf(law.law_for(coordinate).stiffness);
 }
 
-/// Rotations of the bushing's frame in the hinge's: z stays, y is the bone across it.
-Eigen::Matrix3d frame_of_bone(const Mechanism& mechanism, std::size_t body,
-                              const Eigen::Vector3d& bone) {
+/// Returns the rotation of the bushing's frame in the hinge's: z is the hinge's axis, y the
+/// component of the bone across it.
+Eigen::Matrix3d bone_frame(const Mechanism& mechanism, std::size_t body,
+                           const Eigen::Vector3d& bone) {
   const MechanismJoint& joint = mechanism.joints[body];
-  // The bone points to the centre of mass unless the file states where.
+  // Direction of the bone, by default towards the centre of mass.
   require(!bone.isZero(0) || mechanism.bodies[body].mass.mass > 0,
           "joint '{}': '{}' has no mass, so that nothing says where its bone points: state one, "
           "'bone'",
           joint.name, mechanism.bodies[body].name);
-  const Eigen::Vector3d way =
+  const Eigen::Vector3d direction =
       bone.isZero(0) ? mechanism.bodies[body].mass.com - joint.X_BM.p : bone;
-  // Axis y is the bone's part across the hinge.
-  Eigen::Vector3d y = joint.X_BM.R.transpose() * way;
+  // Component of the bone across the hinge.
+  Eigen::Vector3d y = joint.X_BM.R.transpose() * direction;
   const double length = y.norm();
   y.z() = 0;
-  require(way.allFinite() && y.norm() > 0.1 * length,
+  require(direction.allFinite() && y.norm() > kMinBoneAcross * length,
           "joint '{}': its bone has no direction across the hinge: state one", joint.name);
   y.normalize();
   Eigen::Matrix3d R;
@@ -43,11 +47,13 @@ Eigen::Matrix3d frame_of_bone(const Mechanism& mechanism, std::size_t body,
   return R;
 }
 
-/// A frame of the bushing whose z is the axis of a way.
-Eigen::Matrix3d axis_frame(BushingWay way) {
+/// Returns the rotation of a frame in the bushing's frame whose z is the axis of a coordinate.
+Eigen::Matrix3d axis_frame(BushingCoordinate coordinate) {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  const bool along_x = way == BushingWay::kAcross || way == BushingWay::kAbduction;
-  const bool along_y = way == BushingWay::kAlong || way == BushingWay::kTwist;
+  const bool along_x =
+      coordinate == BushingCoordinate::kAcross || coordinate == BushingCoordinate::kAbduction;
+  const bool along_y =
+      coordinate == BushingCoordinate::kAlong || coordinate == BushingCoordinate::kTwist;
   if (along_x) R << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // columns y, z, x
   if (along_y) R << 0, 1, 0, 0, 0, 1, 1, 0, 0;  // columns z, x, y
   return R;
@@ -74,45 +80,46 @@ CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompli
   const MechanismJoint hinge = mechanism.joints.at(body);
   check_hinge(mechanism, hinge);
   CompliantJoint out{hinge.name, compliance.law, {}};
-  // Ways that yield; rigid ones have no law.
-  std::vector<BushingWay> ways;
-  for (const BushingWay way : kChain) {
-    out.coordinate[index_of(way)] = -1;
-    if (is_rigid(compliance.law, way))
-      out.law.of(way) = {};
+  // Select the compliant coordinates; clear the laws of the rigid ones.
+  std::vector<BushingCoordinate> compliant;
+  for (const BushingCoordinate coordinate : kChain) {
+    out.coordinate[index_of(coordinate)] = -1;
+    if (is_rigid(compliance.law, coordinate))
+      out.law.law_for(coordinate) = {};
     else
-      ways.push_back(way);
+      compliant.push_back(coordinate);
   }
   check_law(out.law);
 
-  // All frames stand where the hinge is at value 0, its z first turned to the way's axis.
-  const Pose<double> C{frame_of_bone(mechanism, body, compliance.bone), Eigen::Vector3d::Zero()};
+  // Build the chain; all its frames coincide with the hinge at value 0, but for their z axes.
+  const Eigen::Matrix3d R_bone = bone_frame(mechanism, body, compliance.bone);
   std::vector<MechanismJoint> chain;
-  for (std::size_t k = 0; k < ways.size(); ++k) {
-    const BushingWay way = ways[k];
-    // Link of the chain: the hinge itself, or a slide or hinge with a coordinate of its own.
+  for (std::size_t k = 0; k < compliant.size(); ++k) {
+    const BushingCoordinate coordinate = compliant[k];
+    // Joint of the chain: the hinge itself, or a slide or hinge with a coordinate of its own.
     MechanismJoint link;
-    if (way == BushingWay::kFlexion) {
+    if (coordinate == BushingCoordinate::kFlexion) {
       link = hinge;
-      out.coordinate[index_of(way)] = hinge.coordinate;
+      out.coordinate[index_of(coordinate)] = hinge.coordinate;
     } else {
-      link.name = hinge.name + "/" + bushing_way_names()[index_of(way)];
-      link.kind = way < BushingWay::kFlexion ? JointKind::kSlide : JointKind::kHinge;
-      out.coordinate[index_of(way)] = link.coordinate =
+      link.name = hinge.name + "/" + bushing_coordinate_names()[index_of(coordinate)];
+      link.kind = coordinate < BushingCoordinate::kFlexion ? JointKind::kSlide : JointKind::kHinge;
+      out.coordinate[index_of(coordinate)] = link.coordinate =
           static_cast<int>(mechanism.coordinates.size());
       mechanism.coordinates.push_back({link.name});
     }
-    // Frames of the link; the first hangs on the parent, the last carries the body.
-    const Pose<double> own{way == BushingWay::kFlexion ? Eigen::Matrix3d::Identity()
-                                                       : Eigen::Matrix3d(C.R * axis_frame(way)),
-                           Eigen::Vector3d::Zero()};
+    // Frames of the joint: the first one is attached to the parent, the last one to the body.
+    const Pose<double> X_axis{coordinate == BushingCoordinate::kFlexion
+                                  ? Eigen::Matrix3d::Identity()
+                                  : Eigen::Matrix3d(R_bone * axis_frame(coordinate)),
+                              Eigen::Vector3d::Zero()};
     link.parent = k == 0 ? hinge.parent : joint + static_cast<int>(k) - 1;
-    link.X_PF = k == 0 ? hinge.X_PF * own : own;
-    link.X_BM = k + 1 == ways.size() ? hinge.X_BM * own : own;
+    link.X_PF = k == 0 ? hinge.X_PF * X_axis : X_axis;
+    link.X_BM = k + 1 == compliant.size() ? hinge.X_BM * X_axis : X_axis;
     chain.push_back(std::move(link));
   }
 
-  // Bodies without mass in between, and parents of those behind.
+  // Insert the massless bodies, and shift the parent indices of later bodies.
   const int added = static_cast<int>(chain.size()) - 1;
   for (std::size_t i = body + 1; i < mechanism.joints.size(); ++i)
     if (mechanism.joints[i].parent >= joint) mechanism.joints[i].parent += added;
@@ -124,13 +131,13 @@ CompliantJoint make_compliant(Mechanism& mechanism, int joint, const JointCompli
          {},
          {}});
   mechanism.bodies.insert(mechanism.bodies.begin() + joint, massless.begin(), massless.end());
-  // The chain in place of the hinge.
+  // Replace the hinge by the chain.
   mechanism.joints[body] = chain.front();
   mechanism.joints.insert(mechanism.joints.begin() + joint + 1, chain.begin() + 1, chain.end());
   return out;
 }
 
-int joint_named(const Mechanism& mechanism, const std::string& name) {
+int joint_index(const Mechanism& mechanism, const std::string& name) {
   std::vector<std::string> names;
   for (const MechanismJoint& joint : mechanism.joints) names.push_back(joint.name);
   return static_cast<int>(index_of_name(name, names, "joint"));
@@ -139,7 +146,7 @@ int joint_named(const Mechanism& mechanism, const std::string& name) {
 CapsuleElement::CapsuleElement(const Mechanism& mechanism, CompliantJoint joint)
     : joint_(std::move(joint)) {
   const MechanismLayout layout = layout_of(mechanism);
-  // Places of coordinates in positions and speeds, -1 of rigid ways.
+  // Indices of the coordinates in positions and speeds; -1 for rigid ones.
   for (std::size_t i = 0; i < q_.size(); ++i) {
     const int coordinate = joint_.coordinate[i];
     require(coordinate < static_cast<int>(layout.coordinate_q.size()),
@@ -169,7 +176,7 @@ BushingAction CapsuleElement::action(const ElementInput& at) const {
 
 bool CapsuleElement::add_action(const ElementInput& at, ElementAction& out) {
   const BushingAction action = this->action(at);
-  // Efforts and slopes of the ways that yield.
+  // Add force and slopes of the compliant coordinates.
   for (std::size_t i = 0; i < v_.size(); ++i) {
     if (v_[i] < 0) continue;
     const auto row = static_cast<Eigen::Index>(i);
@@ -180,7 +187,7 @@ bool CapsuleElement::add_action(const ElementInput& at, ElementAction& out) {
       out.damping(v_[i], v_[j]) += action.damping(row, static_cast<Eigen::Index>(j));
     }
   }
-  return std::abs(coordinates(at)[static_cast<int>(BushingWay::kAbduction)]) < kMostAbduction;
+  return std::abs(coordinates(at)[static_cast<int>(BushingCoordinate::kAbduction)]) < kMaxAbduction;
 }
 
 double CapsuleElement::energy(const ElementInput& at) { return action(at).energy; }

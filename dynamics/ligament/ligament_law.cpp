@@ -10,14 +10,14 @@ namespace thenar {
 LigamentForce capsule_force(const CapsuleLaw& law, double x) {
   const double k = law.stiffness, s = law.toe;
   if (!std::isfinite(s) || law.stiffening == 1) return {k * x, k, 0.5 * k * x * x};
-  // Exponential part.
+  // Exponential part, up to the displacement where its stiffness is r k.
   const double end = s * std::acosh(law.stiffening), size = std::abs(x);
   const double inner = std::min(size, end), sinh = std::sinh(0.5 * inner / s);
   LigamentForce out;
   out.force = k * s * std::sinh(inner / s);
   out.slope = k * std::cosh(inner / s);
   out.energy = 2 * k * s * s * sinh * sinh;  // k s^2 (cosh(x / s) - 1), without cancellation
-  // Straight part.
+  // Linear part.
   const double beyond = size - inner;
   out.energy += beyond * (out.force + 0.5 * out.slope * beyond);
   out.force += out.slope * beyond;
@@ -42,7 +42,7 @@ LigamentForce ligament_force(const LigamentLaw& law, double length) {
   if (e <= 2 * toe)
     return {law.stiffness * e * e / (4 * toe), per_strain * e / (2 * toe),
             law.stiffness * law.slack_length * e * e * e / (12 * toe)};
-  // Up to 2 toe the energy is  K L0 toe^2 2/3.
+  // Linear part; at its beginning, e = 2 toe, the energy is  K L0 toe^2 2/3.
   const double straight = e - toe;
   return {law.stiffness * straight, per_strain,
           law.stiffness * law.slack_length *

@@ -13,21 +13,26 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFingertipArm = 5e-3;      // half a fingertip [m]
-constexpr double kStillShare = 0.2;         // of what is allowed, that does not move a pad [1]
-constexpr double kStillWay = 1e-4;          // nor does a way [m]
-constexpr double kStillTurn = 1 * kDegree;  // and a turn below these [rad]
-constexpr double kNoAnswer = 8;             // doubt where a pad has no answer [1]
-constexpr double kStepShrink = 0.3, kStepGrowth = 2;  // change of the length of a step [1]
-constexpr double kNewStiffness = 0.2;     // error of a prediction from which K is asked for [1]
-constexpr double kLeastPadStep = 5e-5;    // steps are not made shorter for a pad [s]
-constexpr int kWayIn = 8;                 // steps of a pad that begins anew
-constexpr double kStartDistance = 4e-3;   // where its object begins, along the push [m]
-constexpr double kRetryTime = 5e-3;       // before it is tried again [s]
-constexpr double kSameInstant = 1e-12;    // nearer instants are one [s]
-constexpr double kNoForceSquare = 1e-24;  // square of a force [N^2]
-constexpr double kFirstDip = 2e-4;        // way into a pad of the step that meets it [m]
-constexpr double kForeseenShare = 0.9;    // of the way that is foreseen, as speeds rise [1]
+constexpr double kMomentArm = 5e-3;  // lever that turns moments into forces, half a fingertip [m]
+// Changes of the push and motions below these do not move the pad
+constexpr double kNegligibleError = 0.2;          // change of the push over its allowed error [1]
+constexpr double kNegligibleDistance = 1e-4;      // translation [m]
+constexpr double kNegligibleAngle = 1 * kDegree;  // rotation [rad]
+constexpr double kUnsolvedDoubt = 8;              // doubt() of a pad without a solution [1]
+// Shortest and longest next step, over the present one, and safety factor of its estimate [1]
+constexpr double kMinStepRatio = 0.3, kMaxStepRatio = 2, kStepSafety = 0.9;
+constexpr double kMinStepError = 1e-6;         // smallest error in that estimate, as it divides [1]
+constexpr double kStiffnessUpdateError = 0.2;  // error above which K is recomputed [1]
+constexpr double kMinPadStep = 5e-5;           // shortest step that a pad asks for [s]
+constexpr int kRestartSteps = 8;               // moves from outside to the present pose
+constexpr double kRestartDistance = 4e-3;      // distance of the first one, along the push [m]
+constexpr double kRetryInterval = 5e-3;        // time between two restarts [s]
+constexpr double kInstantTolerance = 1e-12;    // largest difference of equal instants [s]
+constexpr double kPoseTolerance = 1e-6;        // largest difference of equal poses [m], [rad]
+constexpr double kForceSquareFloor = 1e-24;    // smallest squared force that divides [N^2]
+constexpr double kMaxFirstDepth = 2e-4;        // depth of the step that makes contact [m]
+constexpr double kApproachRatio = 0.9;  // part of the gap in one step, as speeds may rise [1]
+constexpr double kRestChange = 1e-3;    // change by relaxation over the allowed error, at rest [1]
 
 }  // namespace
 
@@ -40,11 +45,11 @@ PadElement::PadElement(std::string name, int body, const Pose<double>& X_BP, int
       origin_(std::move(pad)),
       pad_(origin_->clone()),
       options_(options),
-      foresees_(std::numeric_limits<double>::infinity()) {
-  require(options.force_error > 0 && options.least_force > 0 &&
-              std::isfinite(options.force_error + options.least_force),
+      max_next_step_(std::numeric_limits<double>::infinity()) {
+  require(options.force_error > 0 && options.min_force > 0 &&
+              std::isfinite(options.force_error + options.min_force),
           "a pad wants errors and least forces above 0, got {} and {} N", options.force_error,
-          options.least_force);
+          options.min_force);
 }
 
 std::unique_ptr<ForceElement> PadElement::clone() const {
@@ -55,37 +60,37 @@ Pose<double> PadElement::object_pose(const ElementInput& at) const {
   return (at.motion.pose(body_) * X_BP_).inverse() * at.motion.pose(other_);
 }
 
-double PadElement::size_of(const Vector6& change) const {
+double PadElement::equivalent_force(const Vector6& change) const {
   const Vector3d force = change.tail<3>();
-  const Vector3d moment = change.head<3>() - kept_.touch.centre.cross(force);
-  return std::max(force.norm(), moment.norm() / kFingertipArm);
+  const Vector3d moment = change.head<3>() - kept_.contact.centre.cross(force);
+  return std::max(force.norm(), moment.norm() / kMomentArm);
 }
 
 PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) const {
   Prediction out;
   out.push.setZero();
-  out.allowed =
-      options_.force_error * std::max(kept_.touch.push.force.norm(), options_.least_force);
-  if (kept_.touch.force <= 0) return out;
-  // Elastic push with the stiffness of the last look, relaxed since.
+  out.allowed_error =
+      options_.force_error * std::max(kept_.contact.push.force.norm(), options_.min_force);
+  if (kept_.contact.force <= 0) return out;
+  // Extrapolate the elastic push with K from the last accepted state, and relax it.
   const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - accepted_.t));
   const Vector6 more = stiffness_ * motion_from(accepted_.X_PO, X_PO);
   for (Eigen::Index k = 0; k < 6; ++k) {
     const ExponentialMemory& memory = accepted_.memory[static_cast<std::size_t>(k)];
     out.push[k] = history_of(weights, memory) + weights.now * (memory.x + more[k]);
   }
-  out.share = weights.now;
-  out.change = size_of(out.push - six_of(kept_.touch.push)) / out.allowed;
-  // A pad does not pull.
-  if (out.push.tail<3>().dot(kept_.touch.normal) <= 0) {
+  out.stiffness_ratio = weights.now;
+  out.change = equivalent_force(out.push - six_of(kept_.contact.push)) / out.allowed_error;
+  // A pad cannot pull.
+  if (out.push.tail<3>().dot(kept_.contact.normal) <= 0) {
     out.push.setZero();
-    out.share = 0;
+    out.stiffness_ratio = 0;
   }
   return out;
 }
 
-void PadElement::set_rows(const ElementInput& at) {
-  // Rows of the object's motion against the pad, in the pad's axes at its origin: turns, then ways.
+void PadElement::set_motion_jacobian(const ElementInput& at) {
+  // Angular, then linear velocity along each axis of the pad.
   const Pose<double> X_WP = at.motion.pose(body_) * X_BP_;
   const int pad = at.motion.link_of(body_), object = at.motion.link_of(other_);
   const Vector3d none(0, 0, 0);
@@ -97,173 +102,174 @@ void PadElement::set_rows(const ElementInput& at) {
   }
 }
 
-double PadElement::fastest(const ElementInput& at) const {
+double PadElement::approach_speed_bound(const ElementInput& at) const {
   const Vector6 speed = J_.transpose() * at.v;
   return speed.tail<3>().norm() + speed.head<3>().norm() * pad_->reach();
 }
 
 bool PadElement::add_action(const ElementInput& at, ElementAction& out) {
-  // Without a touch there is no push.
-  if (kept_.touch.force <= 0) return has_answer();
-  const Prediction seen = predict(at.t, object_pose(at));
-  if (seen.share == 0) return has_answer();
-  // Efforts by the push, against the object's motion relative to the pad, and its symmetric slope.
-  set_rows(at);
-  out.tau.noalias() -= J_ * seen.push;
+  if (kept_.contact.force <= 0) return has_valid_push();
+  const Prediction predicted = predict(at.t, object_pose(at));
+  if (predicted.stiffness_ratio == 0) return has_valid_push();
+  // Add the generalized force of the push, and its symmetric stiffness.
+  set_motion_jacobian(at);
+  out.tau.noalias() -= J_ * predicted.push;
   if (at.need == ElementNeed::kAll) {
-    const Matrix6 slope = 0.5 * seen.share * (stiffness_ + stiffness_.transpose());
+    const Matrix6 slope = 0.5 * predicted.stiffness_ratio * (stiffness_ + stiffness_.transpose());
     out.stiffness.noalias() += J_ * slope * J_.transpose();
   }
-  return has_answer();
+  return has_valid_push();
 }
 
-bool PadElement::changed_little(const Prediction& seen, const Pose<double>& X_PO) const {
-  if (kept_.touch.force <= 0) return false;
+bool PadElement::is_negligible(const Prediction& predicted, const Pose<double>& X_PO) const {
+  if (kept_.contact.force <= 0) return false;
   const Vector6 motion = motion_from(kept_.X_PO, X_PO);
-  return seen.change < kStillShare && motion.tail<3>().norm() < kStillWay &&
-         motion.head<3>().norm() < kStillTurn;
+  return predicted.change < kNegligibleError && motion.tail<3>().norm() < kNegligibleDistance &&
+         motion.head<3>().norm() < kNegligibleAngle;
 }
 
-void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& seen) {
-  // Contact at the end of the motion, from what the pad kept.
+void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& predicted) {
+  // Solve the pad at the end of the motion, from its kept state.
   trial_.t = t;
   trial_.X_PO = X_PO;
-  trial_.touch = pad_->move(X_PO, t - kept_.t);
-  if (trial_.touch.status != Status::kSolved) {
-    trial_.error = kNoAnswer;
+  trial_.contact = pad_->move(X_PO, t - kept_.t);
+  if (trial_.contact.status != Status::kSolved) {
+    trial_.error = kUnsolvedDoubt;
     return;
   }
-  // Error of the prediction, over what the push allows.
+  // Compare the predicted push with the solution.
   const double allowed =
-      std::max(seen.allowed, options_.force_error * trial_.touch.push.force.norm());
-  trial_.error = size_of(six_of(trial_.touch.push) - seen.push) / allowed;
+      std::max(predicted.allowed_error, options_.force_error * trial_.contact.push.force.norm());
+  trial_.error = equivalent_force(six_of(trial_.contact.push) - predicted.push) / allowed;
 }
 
-void PadElement::catch_up(double t, const Pose<double>& X_PO, double allowed) {
-  if (accepted_.t <= kept_.t + kSameInstant || kept_.touch.force <= 0) return;
-  // After a rest that the pad has not seen, a motion would count as spread over the rest. Where the
-  // pad would feel that, it is first moved to the end of the rest.
+void PadElement::move_to_accepted(double t, const Pose<double>& X_PO, double allowed_error) {
+  if (accepted_.t <= kept_.t + kInstantTolerance || kept_.contact.force <= 0) return;
+  // A single move would spread the motion over the time since the last kept move, and relax too
+  // much of it. Estimate the error that this makes.
   const std::vector<ExponentialTerm>& terms = pad_->relaxation();
   const double spread = memory_step(terms, std::max(0.0, t - kept_.t)).now,
                late = memory_step(terms, std::max(0.0, t - accepted_.t)).now;
   const Vector6 more = stiffness_ * motion_from(accepted_.X_PO, X_PO);
-  if (size_of((late - spread) * more) < kStillShare * allowed) return;
+  if (equivalent_force((late - spread) * more) < kNegligibleError * allowed_error) return;
+  // Move the pad to the accepted state first.
   try_move(accepted_.t, accepted_.X_PO, predict(accepted_.t, accepted_.X_PO));
-  if (trial_.touch.status == Status::kSolved) keep_move(trial_.error > kNewStiffness);
+  if (trial_.contact.status == Status::kSolved) keep_trial(trial_.error > kStiffnessUpdateError);
 }
 
 double PadElement::step_error(const ElementInput& at) {
-  // A pad without an answer waits, and one that hardly moved has no doubt.
-  if (lost_.stale && at.t < lost_.retry) return 0;
+  // A failed pad waits for its next restart, and a negligible motion makes no error.
+  if (failure_.unsolved && at.t < failure_.retry_time) return 0;
   const Pose<double> X_PO = object_pose(at);
-  const Prediction seen = predict(at.t, X_PO);
-  if (changed_little(seen, X_PO)) return 0;
-  catch_up(at.t, X_PO, seen.allowed);
-  try_move(at.t, X_PO, seen);
-  // Steps are not made shorter than this: what jumps in so short a time jumps.
+  const Prediction predicted = predict(at.t, X_PO);
+  if (is_negligible(predicted, X_PO)) return 0;
+  move_to_accepted(at.t, X_PO, predicted.allowed_error);
+  try_move(at.t, X_PO, predicted);
+  // Accept any error of a step that is too short to be divided.
   const double seconds = at.t - accepted_.t;
-  if (seconds < kLeastPadStep) return 0;
-  if (kept_.touch.force > 0) return trial_.error;
-  // Not touched before: an object that moves farther than the gaps may have gone through.
-  set_rows(at);
-  const double way = seconds * std::max(accepted_.speed, fastest(at)),
-               most = std::max(accepted_.gap, trial_.touch.gap) + kFirstDip;
-  return std::max(trial_.error, way / most);
+  if (seconds < kMinPadStep) return 0;
+  if (kept_.contact.force > 0) return trial_.error;
+  // Before contact, bound the travel by the gap, so that the object cannot pass the pad.
+  set_motion_jacobian(at);
+  const double travel = seconds * std::max(accepted_.speed, approach_speed_bound(at)),
+               max_travel = std::max(accepted_.gap, trial_.contact.gap) + kMaxFirstDepth;
+  return std::max(trial_.error, travel / max_travel);
 }
 
 void PadElement::accept_step(const ElementInput& at) {
-  // Pose at the end of the step, and the push that was predicted for it.
+  // Predict the push at the end of the step.
   const Pose<double> X_PO = object_pose(at);
-  foresees_ = std::numeric_limits<double>::infinity();
-  lost_.anew = false;
+  max_next_step_ = std::numeric_limits<double>::infinity();
+  failure_.restarted = false;
   const double seconds = at.t - accepted_.t;
-  const bool waits = lost_.stale && at.t < lost_.retry;
-  const Prediction seen = predict(at.t, X_PO);
-  if (!waits) lost_.stale = false;
-  // Move the pad, unless the last trial was this very motion.
-  if (!waits && !changed_little(seen, X_PO)) {
-    const bool is_tried =
-        std::abs(trial_.t - at.t) < kSameInstant && motion_from(trial_.X_PO, X_PO).norm() < 1e-6;
+  const bool waits = failure_.unsolved && at.t < failure_.retry_time;
+  const Prediction predicted = predict(at.t, X_PO);
+  if (!waits) failure_.unsolved = false;
+  // Solve the pad, unless the last trial was this motion.
+  if (!waits && !is_negligible(predicted, X_PO)) {
+    const bool is_tried = std::abs(trial_.t - at.t) < kInstantTolerance &&
+                          motion_from(trial_.X_PO, X_PO).norm() < kPoseTolerance;
     if (!is_tried) {
-      catch_up(at.t, X_PO, seen.allowed);
-      try_move(at.t, X_PO, seen);
+      move_to_accepted(at.t, X_PO, predicted.allowed_error);
+      try_move(at.t, X_PO, predicted);
     }
-    // Begin anew without an answer; otherwise keep the move, whose error bounds the next step.
-    lost_.stale = trial_.touch.status != Status::kSolved;
-    if (lost_.stale) {
-      if (at.t >= lost_.retry) begin_anew(at.t, X_PO);
+    // Restart a failed pad; otherwise keep the move, and estimate the next step from its error.
+    failure_.unsolved = trial_.contact.status != Status::kSolved;
+    if (failure_.unsolved) {
+      if (at.t >= failure_.retry_time) restart_pad(at.t, X_PO);
     } else {
       const double error = trial_.error;
-      keep_move(error > kNewStiffness);
-      if (kept_.touch.force > 0 && seconds > 0)
-        foresees_ = std::max(
-            kLeastPadStep,
-            seconds * std::clamp(0.9 / std::sqrt(std::max(error, 1e-6)), kStepShrink, kStepGrowth));
+      keep_trial(error > kStiffnessUpdateError);
+      if (kept_.contact.force > 0 && seconds > 0)
+        max_next_step_ =
+            std::max(kMinPadStep,
+                     seconds * std::clamp(kStepSafety / std::sqrt(std::max(error, kMinStepError)),
+                                          kMinStepRatio, kMaxStepRatio));
     }
   }
-  // Apart: no step may be longer than the way to the pad.
-  go_on(at.t, X_PO);
-  accepted_.gap = kept_.touch.gap;
-  if (kept_.touch.force > 0 || lost_.stale) return;
-  set_rows(at);
-  accepted_.speed = fastest(at);
+  // Before contact, limit the next step by the gap.
+  advance_accepted(at.t, X_PO);
+  accepted_.gap = kept_.contact.gap;
+  if (kept_.contact.force > 0 || failure_.unsolved) return;
+  set_motion_jacobian(at);
+  accepted_.speed = approach_speed_bound(at);
   if (accepted_.speed > 0)
-    foresees_ =
-        std::max(kLeastPadStep, kForeseenShare * (accepted_.gap + kFirstDip) / accepted_.speed);
+    max_next_step_ =
+        std::max(kMinPadStep, kApproachRatio * (accepted_.gap + kMaxFirstDepth) / accepted_.speed);
 }
 
-void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
-  // The object comes from outside, along the last push, at once.
+void PadElement::restart_pad(double t, const Pose<double>& X_PO) {
+  // Press a fresh pad from outside along the last push, instantaneously.
   std::unique_ptr<MovingPad> fresh = origin_->clone();
   PadContact contact;
-  for (int i = 0; i <= kWayIn; ++i) {
+  for (int i = 0; i <= kRestartSteps; ++i) {
     Pose<double> X = X_PO;
-    X.p -= kStartDistance * (1 - static_cast<double>(i) / kWayIn) * kept_.touch.normal;
+    X.p -= kRestartDistance * (1 - static_cast<double>(i) / kRestartSteps) * kept_.contact.normal;
     contact = fresh->move(X, 0);
     if (contact.status != Status::kSolved) {
-      lost_.retry = t + kRetryTime;
+      failure_.retry_time = t + kRetryInterval;
       return;
     }
     fresh->keep();
   }
-  lost_.anew = kept_.touch.force > 0;  // otherwise it has nothing to forget
-  // The fresh pad takes the place of the old one, with nothing remembered.
+  failure_.restarted = kept_.contact.force > 0;  // without contact no history is lost
+  // Replace the old pad, and clear its memory.
   pad_ = std::move(fresh);
   kept_.memory = {};
   trial_.t = -1;
   kept_.t = t;
   kept_.X_PO = X_PO;
-  kept_.touch = contact;
-  lost_.stale = false;
-  remember_push(0);
-  stiffness_ = kept_.touch.force > 0 ? pad_->stiffness(Vector6::Ones()) : Matrix6::Zero();
+  kept_.contact = contact;
+  failure_.unsolved = false;
+  update_memory(0);
+  stiffness_ = kept_.contact.force > 0 ? pad_->stiffness(Vector6::Ones()) : Matrix6::Zero();
 }
 
-void PadElement::keep_move(bool new_stiffness) {
-  // The pad keeps the trial.
+void PadElement::keep_trial(bool new_stiffness) {
+  // Keep the trial as the state of the pad.
   const double seconds = trial_.t - kept_.t;
   const Vector6 motion = motion_from(kept_.X_PO, trial_.X_PO);
   pad_->keep();
   kept_.t = trial_.t;
   kept_.X_PO = trial_.X_PO;
   trial_.t = -1;
-  // Stiffness where the touch begins, or where a prediction was poor.
-  const bool begins = kept_.touch.force <= 0;
-  kept_.touch = trial_.touch;
-  remember_push(seconds);
-  if (kept_.touch.force <= 0) {
+  // Update K where contact begins or the prediction was poor.
+  const bool begins = kept_.contact.force <= 0;
+  kept_.contact = trial_.contact;
+  update_memory(seconds);
+  if (kept_.contact.force <= 0) {
     stiffness_.setZero();
   } else if (begins || new_stiffness) {
     stiffness_ = pad_->stiffness(motion);
   }
 }
 
-void PadElement::remember_push(double seconds) {
-  if (kept_.touch.force <= 0) kept_.memory = {};
-  // The elastic push that the relaxation makes the pad's out of.
+void PadElement::update_memory(double seconds) {
+  if (kept_.contact.force <= 0) kept_.memory = {};
+  // Find the elastic push whose relaxation gives the pad's push.
   const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, seconds));
-  const Vector6 push = six_of(kept_.touch.push);
-  for (Eigen::Index k = 0; k < 6 && kept_.touch.force > 0; ++k) {
+  const Vector6 push = six_of(kept_.contact.push);
+  for (Eigen::Index k = 0; k < 6 && kept_.contact.force > 0; ++k) {
     ExponentialMemory& memory = kept_.memory[static_cast<std::size_t>(k)];
     (void)remember(weights, (push[k] - history_of(weights, memory)) / weights.now, memory);
   }
@@ -281,61 +287,60 @@ PadElement::PushMemory PadElement::memory_at(double t, const Pose<double>& X_PO)
   return out;
 }
 
-void PadElement::go_on(double t, const Pose<double>& X_PO) {
-  if (kept_.touch.force > 0) accepted_.memory = memory_at(t, X_PO);
+void PadElement::advance_accepted(double t, const Pose<double>& X_PO) {
+  if (kept_.contact.force > 0) accepted_.memory = memory_at(t, X_PO);
   accepted_.t = t;
   accepted_.X_PO = X_PO;
 }
 
 double PadElement::energy(const ElementInput& at) {
-  if (kept_.touch.force <= 0) return 0;
-  // The elastic push of now, and what each term has left of it.
+  if (kept_.contact.force <= 0) return 0;
+  // Work of the elastic push since the pad moved.
   const Pose<double> X_PO = object_pose(at);
   const Vector6 motion = motion_from(kept_.X_PO, X_PO);
   const std::vector<ExponentialTerm>& terms = pad_->relaxation();
   const PushMemory memory = memory_at(at.t, X_PO);
   Vector6 push;
   for (std::size_t k = 0; k < 6; ++k) push[static_cast<Eigen::Index>(k)] = memory[k].x;
-  const double work = (push - 0.5 * stiffness_ * motion).dot(motion);  // since the pad moved
-  // Share of the elastic energy that its terms have left:  1 - sum g_i + sum part_i^2 / g_i.
+  const double work = (push - 0.5 * stiffness_ * motion).dot(motion);
+  // Remaining share of the elastic energy:  1 - sum g_i + sum part_i^2 / g_i.
   const Vector3d force = push.tail<3>();
   double share = 1;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    const Vector3d left(memory[3].terms[i], memory[4].terms[i], memory[5].terms[i]);
-    const double part = left.dot(force) / std::max(force.squaredNorm(), kNoForceSquare);
+    const Vector3d term(memory[3].terms[i], memory[4].terms[i], memory[5].terms[i]);
+    const double part = term.dot(force) / std::max(force.squaredNorm(), kForceSquareFloor);
     if (terms[i].share > 0) share += part * part / terms[i].share - terms[i].share;
   }
   return std::max(0.0, pad_->energy() + work) * share;
 }
 
 void PadElement::add_contacts(const ElementInput& at, std::vector<ContactSample>& out) {
-  const Prediction seen = predict(at.t, object_pose(at));
-  if (kept_.touch.force <= 0 || seen.share == 0) return;
-  // Push at the instant, and the pad's frame in the world.
+  const Prediction predicted = predict(at.t, object_pose(at));
+  if (kept_.contact.force <= 0 || predicted.stiffness_ratio == 0) return;
   const Pose<double> X_WP = at.motion.pose(body_) * X_BP_;
-  const Vector3d moment = seen.push.head<3>(), force = seen.push.tail<3>();
-  // On the body with the lower index.
+  const Vector3d moment = predicted.push.head<3>(), force = predicted.push.tail<3>();
+  // Contact samples hold the force on the body with the lower index.
   const double sign = body_ < other_ ? 1 : -1;
   ContactSample contact;
   contact.a = std::min(body_, other_);
   contact.b = std::max(body_, other_);
-  contact.point = X_WP * kept_.touch.centre;
-  contact.normal = sign * (X_WP.R * kept_.touch.normal);
+  contact.point = X_WP * kept_.contact.centre;
+  contact.normal = sign * (X_WP.R * kept_.contact.normal);
   contact.force = sign * (X_WP.R * force);
-  contact.torsion = kept_.touch.normal.dot(moment - kept_.touch.centre.cross(force));
-  contact.mode = kept_.touch.stick > 0.5 ? ContactMode::kStick : ContactMode::kSlide;
-  contact.area = kept_.touch.area;
-  contact.stick = kept_.touch.stick;
+  contact.torsion = kept_.contact.normal.dot(moment - kept_.contact.centre.cross(force));
+  contact.mode = kept_.contact.stick > 0.5 ? ContactMode::kStick : ContactMode::kSlide;
+  contact.area = kept_.contact.area;
+  contact.stick = kept_.contact.stick;
   out.push_back(contact);
 }
 
 bool PadElement::may_start_motion(const ElementInput& at) const {
-  if (!has_answer()) return true;
-  if (kept_.touch.force <= 0) return false;
-  // Whether it still relaxes by more than a thousandth of what is allowed.
+  if (!has_valid_push()) return true;
+  if (kept_.contact.force <= 0) return false;
+  // Compare the push with its fully relaxed value.
   const Prediction now = predict(at.t, accepted_.X_PO),
                    later = predict(std::numeric_limits<double>::infinity(), accepted_.X_PO);
-  return size_of(later.push - now.push) > 1e-3 * now.allowed;
+  return equivalent_force(later.push - now.push) > kRestChange * now.allowed_error;
 }
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Moving scenes from their files.
+/// Builds moving scenes from the specifications of their files.
 
 #include <string>
 #include <variant>
@@ -14,43 +14,46 @@
 
 namespace thenar {
 
-/// A scene ready to be simulated.
+/// Scene that is ready to be simulated.
 struct BuiltScene {
   MovingScene scene;
   SceneOptions options;
-  std::vector<std::string> owner;  // of each body of the mechanism: the body or hand of the file
-  std::vector<std::string> force_names, drive_names;  // as the file has them, in its order
-  std::vector<std::string> warnings;                  // what was assumed
-  int pads = 0;                                       // elements of [[pad]], each for one pair
+  std::vector<std::string> owner;  // body or hand of the file that each body belongs to (bodies)
+  std::vector<std::string> force_names, drive_names;  // names in the order of the file
+  std::vector<std::string> warnings;                  // assumptions that were made
+  int pads = 0;                                       // number of PadElements, one for each pair
 };
 
 /// Model from which a hand of a scene is built.
 using SceneHand = std::variant<RobotSpec, HumanModel>;
 
-/// Builds a scene at its start.
+/// Builds a scene in its initial state.
 ///
-/// Joints carry bodies that stand where the file puts them: with A the frame whose z is the axis
-/// and s the value at the start,  F = A motion(-s),  M = A.  Links of a hand are called HAND/LINK,
-/// its coordinates HAND/MOTOR, or HAND/JOINT where no motor moves the joint; a base that moves has
-/// the coordinate HAND/base. A motor that cannot be driven back and that nothing drives is welded.
-/// Links of one hand that are in each other at the start, or with all coordinates at 0, are never
-/// asked for contacts; nor are those of a human hand that hang on one link, as part_webs() says.
-/// Coordinates of a human hand are called HAND/JOINT; its elements are JointStops, and a DigitPull
-/// for each digit that a [[tendon]] or [[muscle]] pulls. In a digit of which a [[muscle]] excites
-/// one muscle all muscles contract, the others at excitation 0, but for those with a tension; so do
-/// those of digits that share such a muscle with it, which are one DigitPull with it.
-/// Pads are PadElements, as add_pads() says; bodies that meet one are apart, but for it.
-/// The friction of a pair is that of its [[friction]]; else that of the [[friction]] for all; else
-/// the static one of its materials.
-/// @param hands  of the scene, in their order
+/// Joints. Bodies start at the pose that the file states: with the frame A whose z is the joint
+/// axis and the initial value s,  F = A motion(-s),  M = A.  A motor that is not backdrivable and
+/// has no drive is welded.
+///
+/// Names. Links of a hand are named HAND/LINK, its coordinates HAND/MOTOR, or HAND/JOINT for joints
+/// without a motor and for human hands; a moving base has the coordinate HAND/base.
+///
+/// Contacts. Two links of one hand have no contacts if they overlap at the start or with all
+/// coordinates at 0, or as exclude_web_contacts() says. The friction of a pair is that of its own
+/// [[friction]], else that of the [[friction]] for all pairs, else the static one of its materials.
+/// Bodies of a PadElement have no other contacts with each other, see add_pads().
+///
+/// Human hands. Their elements are JointStops, and a DigitPull for each digit that a [[tendon]] or
+/// [[muscle]] pulls. If a [[muscle]] excites one muscle of a digit, all its muscles without a given
+/// tension contract, the others at excitation 0; digits that share such a muscle contract too and
+/// become one DigitPull.
+/// @param hands  models of the scene's hands, in the order of the file
 /// @throws DataError at the line of the file where parts do not fit together.
 [[nodiscard]] BuiltScene build_scene(const SceneSpec& spec, const std::vector<SceneHand>& hands);
 
 /// Changes one number of a scene:
 ///   friction       coefficient of all pairs [1]; refused where pads have their own
-///   mass/BODY      [kg], the inertia with it
-///   force/NAME     length of the force [N], or of the moment where there is no force [N m]
-///   drive/NAME     size of its effort, which keeps its sense [N] or [N m]
+///   mass/BODY      mass [kg]; the inertia is scaled with it
+///   force/NAME     magnitude of the force [N], or of the moment if there is no force [N m]
+///   drive/NAME     magnitude of the effort, which keeps its sign [N] or [N m]
 ///   step, longest  [s];  tolerance  [m] or [rad]
 /// @throws InputError if the scene has no such number, or the value is impossible.
 void set_number(BuiltScene& built, const std::string& name, double value);

@@ -8,27 +8,28 @@
 namespace thenar {
 namespace {
 
-/// Appends the muscles of one digit. @param first_z  where its states begin
+/// Appends the muscles of one digit.
+/// @param first_z  index of the first state of the element
 void add_digit(DigitPull& pull, Eigen::Index first_z, const SceneRun& run,
                const TreeMotion<double>& motion, RunPulls& out) {
-  // Muscles of the digit, with room for all instants.
+  // Append the muscles, with zeros for all instants.
   const std::size_t first = out.muscles.size();
   const auto instants = static_cast<Eigen::Index>(run.samples.size());
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(instants);
+  const Eigen::VectorXd zeros = Eigen::VectorXd::Zero(instants);
   for (std::size_t m = 0; m < pull.muscles().size(); ++m)
     out.muscles.push_back({pull.name() + "/" + pull.muscles()[m],
-                           pull.contracts(static_cast<int>(m)), none, none, none, none});
-  // Warning of the walk to the start.
+                           pull.contracts(static_cast<int>(m)), zeros, zeros, zeros, zeros});
+  // Warn of excursions at the start that are not reliable.
   const std::string at_start = pull.start_warning(run.samples.front().q);
   if (!at_start.empty())
     out.warnings.push_back(fmt::format("{}, on the way to the start: {}", pull.name(), at_start));
   bool warned = false;
-  // Instant by instant, since a net starts from its last nodes.
+  // Evaluate the instants in order, because a net is warm-started from the one before.
   for (Eigen::Index i = 0; i < instants; ++i) {
     const SceneSample& sample = run.samples[static_cast<std::size_t>(i)];
     const ElementInput at{sample.t, sample.t, sample.q, sample.v, sample.z, motion, first_z};
-    pull.accept_step(at);
-    const PullInstant now = pull.at(at);
+    pull.accept(at);
+    const PullState now = pull.state_at(at);
     for (std::size_t m = 0; m < pull.muscles().size(); ++m) {
       const auto k = static_cast<Eigen::Index>(m);
       PullMeasure& muscle = out.muscles[first + m];
@@ -37,7 +38,7 @@ void add_digit(DigitPull& pull, Eigen::Index first_z, const SceneRun& run,
       muscle.activation[i] = now.activation[k];
       muscle.excursion[i] = now.excursion[k];
     }
-    // First warning of the run.
+    // Keep the first warning of the run.
     if (warned || now.warning.empty()) continue;
     warned = true;
     out.warnings.push_back(
@@ -50,9 +51,9 @@ void add_digit(DigitPull& pull, Eigen::Index first_z, const SceneRun& run,
 RunPulls measure_pulls(const MovingScene& scene, const SceneRun& run) {
   RunPulls out;
   const TreeModel model = tree_model(scene.mechanism);
-  const TreeMotion<double> motion(model);  // digits know their coordinates alone
+  const TreeMotion<double> motion(model);  // not used by DigitPull, which reads q and v alone
   Eigen::Index first_z = 0;
-  // Each pull with its own states; elements have them one after the other.
+  // The states of consecutive elements are consecutive.
   for (const std::shared_ptr<const ForceElement>& element : scene.elements) {
     if (const auto* pull = dynamic_cast<const DigitPull*>(element.get())) {
       DigitPull own = *pull;

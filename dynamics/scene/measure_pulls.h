@@ -10,24 +10,24 @@
 
 namespace thenar {
 
-/// One muscle over the instants of a run.
+/// History of one muscle over the instants of a run.
 struct PullMeasure {
-  std::string name;            // "human/index/FDP2"
-  bool contracts = false;      // excited, rather than given a tension
-  Eigen::VectorXd tension;     // [N] (instants)
-  Eigen::VectorXd excitation;  // [1] (instants); 0 of muscles that do not contract, likewise:
-  Eigen::VectorXd activation;  // [1] (instants)
+  std::string name;            // name of the muscle, "human/index/FDP2"
+  bool contracts = false;      // true: the muscle contracts; false: its tension is given
+  Eigen::VectorXd tension;     // tension [N] (instants)
+  Eigen::VectorXd excitation;  // excitation [1] (instants); 0 unless it contracts
+  Eigen::VectorXd activation;  // activation [1] (instants); 0 unless it contracts
   Eigen::VectorXd excursion;   // lengthening since the reference posture [m] (instants); 0 where
                                // tension does not depend on it
 };
 
-/// All muscles of the pulled digits.
+/// Histories of all muscles of the pulled digits.
 struct RunPulls {
   std::vector<PullMeasure> muscles;
-  std::vector<std::string> warnings;  // the first of each digit, with its instant
+  std::vector<std::string> warnings;  // first warning of each digit, with its time
 };
 
-/// Asks the DigitPulls of a scene at every instant of a run.
+/// Evaluates the DigitPulls of a scene at every instant of a run.
 [[nodiscard]] RunPulls measure_pulls(const MovingScene& scene, const SceneRun& run);
 
 }  // namespace thenar

@@ -17,10 +17,11 @@ namespace {
 using Poses = std::vector<Pose<double>>;
 using Pair = std::pair<int, int>;
 
-/// Notes what the pairs do at an instant.
-void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeasure>& pairs) {
+/// Adds the contacts of a sample to the measures of their pairs.
+/// @param last  true for the last sample, whose forces and modes are kept
+void add_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeasure>& pairs) {
   std::map<Pair, double> normal;
-  // First and last touch of each pair, and its normal force.
+  // First and last contact of each pair, and its normal force.
   for (const ContactSample& contact : sample.contacts) {
     const auto [at, is_new] = pairs.try_emplace({contact.a, contact.b});
     PairMeasure& pair = at->second;
@@ -31,7 +32,7 @@ void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeas
     }
     pair.last = sample.t;
     normal[at->first] += contact.force.dot(contact.normal);
-    // Sum forces and patches at the last instant, and note whether any point slides.
+    // Sum forces and patches of the last sample; a pair slides if any point does.
     if (!last) continue;
     pair.force += contact.force;
     pair.area += contact.area;
@@ -43,40 +44,39 @@ void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeas
     if (contact.mode == ContactMode::kSlide || pair.mode == ContactMode::kOpen)
       pair.mode = contact.mode;
   }
-  // Largest normal force over the run.
+  // Update the largest normal force.
   for (const auto& [pair, force] : normal)
     pairs[pair].largest_force = std::max(pairs[pair].largest_force, force);
 }
 
-/// Work of a drive in a part of the time between two instants [J]: its power by Gauss's three
-/// points, where the coordinate goes by the cubic through both ends and rates.
-double work_in_part(const SceneDrive& drive, const MechanismLayout& layout, const SceneSample& from,
-                    const SceneSample& to, double begin, double end) {
-  // Cubic through both ends and their rates.
+/// Returns the work of a drive from `begin` to `end`, within the interval between two samples [J],
+/// by three-point Gauss quadrature on the cubic Hermite interpolation of its coordinate.
+double drive_work_within(const SceneDrive& drive, const MechanismLayout& layout,
+                         const SceneSample& from, const SceneSample& to, double begin, double end) {
+  // Coefficients of the cubic.
   const auto c = static_cast<std::size_t>(drive.coordinate);
   const int q = layout.coordinate_q[c], v = layout.coordinate_v[c];
   const double span = to.t - from.t, mean_rate = (to.q[q] - from.q[q]) / span;
-  const double bend = from.v[v] + to.v[v] - 2 * mean_rate;
-  const double turn = 3 * mean_rate - 2 * from.v[v] - to.v[v];
+  const double cubic = from.v[v] + to.v[v] - 2 * mean_rate;
+  const double quadratic = 3 * mean_rate - 2 * from.v[v] - to.v[v];
   const double nodes[] = {-std::sqrt(0.6), 0, std::sqrt(0.6)}, weights[] = {5.0, 8.0, 5.0};
-  // Integrate the power by Gauss's three points.
+  // Integrate the power.
   double work = 0;
   for (int k = 0; k < 3; ++k) {
     const double t = 0.5 * (begin + end + nodes[k] * (end - begin)), s = (t - from.t) / span;
-    const double u = from.q[q] + span * s * (from.v[v] + s * (turn + s * bend));
-    const double rate = from.v[v] + s * (2 * turn + 3 * s * bend);
+    const double u = from.q[q] + span * s * (from.v[v] + s * (quadratic + s * cubic));
+    const double rate = from.v[v] + s * (2 * quadratic + 3 * s * cubic);
     work += weights[k] / 18 * (end - begin) * rate * drive_effort(drive, u, rate, t, begin);
   }
   return work;
 }
 
-/// Work of a drive between two instants [J]: over the time at which it acts, in parts on which its
-/// target moves evenly.
-double work_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
-                     const SceneSample& from, const SceneSample& to) {
+/// Returns the work of a drive between two samples [J], while it acts.
+double drive_work(const SceneDrive& drive, const MechanismLayout& layout, const SceneSample& from,
+                  const SceneSample& to) {
   double begin = std::max(from.t, drive.when.from), work = 0;
   const double end = std::min(to.t, drive.when.to);
-  // Parts between knots of its table.
+  // Split the interval at the knots of the target table.
   while (begin < end) {
     double part_end = end;
     if (drive.table) {
@@ -85,19 +85,19 @@ double work_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
       const double* const knot = std::upper_bound(first, last, begin);
       if (knot != last) part_end = std::min(end, *knot);
     }
-    work += work_in_part(drive, layout, from, to, begin, part_end);
+    work += drive_work_within(drive, layout, from, to, begin, part_end);
     begin = part_end;
   }
   return work;
 }
 
-/// Work of forces and drives between two instants [J].
+/// Returns the work of forces and drives between two samples [J].
 double work_between(const MovingScene& scene, const MechanismLayout& layout,
                     const SceneSample& from, const SceneSample& to, const Poses& X_from,
                     const Poses& X_to) {
   const double middle = 0.5 * (from.t + to.t);
   double work = 0;
-  // Forces do work by the displacement of their point, moments by the turn.
+  // Work of forces by the displacement of their points, of moments by the rotation.
   for (const SceneForce& force : scene.forces) {
     if (!force.when.holds(middle)) continue;
     const auto i = static_cast<std::size_t>(force.body);
@@ -105,13 +105,13 @@ double work_between(const MovingScene& scene, const MechanismLayout& layout,
     work += force.force.dot(X_to[i] * force.point - X_from[i] * force.point) +
             force.moment.dot(turn.angle() * turn.axis());
   }
-  for (const SceneDrive& drive : scene.drives) work += work_of_drive(drive, layout, from, to);
+  for (const SceneDrive& drive : scene.drives) work += drive_work(drive, layout, from, to);
   return work;
 }
 
-/// The instant with what touches at it: the start comes before any step, and has no forces yet.
-SceneSample with_touching(const SceneSample& sample, ContactStep& step) {
-  // Contacts at the state, without forces.
+/// Returns the sample with its contacts, without forces: the initial sample comes before any step
+/// and has none.
+SceneSample with_contacts(const SceneSample& sample, ContactStep& step) {
   std::vector<ActiveContact> found;
   step.find_contacts({sample.t, sample.q, sample.v, sample.z}, SceneOptions().touch, found);
   SceneSample out = sample;
@@ -136,11 +136,11 @@ SlipInstant slip_instant(const MovingScene& scene, const TreeModel& model, const
   return out;
 }
 
-/// Contacts without friction have no rows along the surface, whose speeds would tell that they
-/// slide. Patches of pads tell themselves.
-void note_sliding(const MovingScene& scene, const SlipInstant& last,
-                  std::map<Pair, PairMeasure>& pairs) {
-  constexpr double kRestSpeed = 1e-9;  // slower is at rest [m/s]
+/// Sets the mode of frictionless pairs that slide at the end: their contacts have no tangential
+/// rows from which the stepper could tell. Pads report their own mode.
+void set_frictionless_modes(const MovingScene& scene, const SlipInstant& last,
+                            std::map<Pair, PairMeasure>& pairs) {
+  constexpr double kRestSpeed = 1e-9;  // largest sliding speed at rest [m/s]
   for (const ContactSample& contact : last.contacts)
     if (contact.mode == ContactMode::kStick && contact.area == 0 &&
         pair_friction(scene, contact.a, contact.b).coefficient == 0 &&
@@ -152,12 +152,12 @@ void note_sliding(const MovingScene& scene, const SlipInstant& last,
 
 std::vector<SceneVelocity> body_velocities(const Mechanism& mechanism, const TreeModel& model,
                                            const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
-  // Motion of the links at the state.
+  // Compute the motion of the links.
   TreeMotion<double> motion(model);
   motion.set_position(q);
   motion.set_speed(v);
   std::vector<SceneVelocity> out(mechanism.bodies.size());
-  // Velocity of each centre of mass.
+  // Take the velocity of each centre of mass.
   for (std::size_t i = 0; i < out.size(); ++i) {
     const int link = model.bodies[i].link;
     if (link < 0) continue;
@@ -179,7 +179,7 @@ std::vector<std::size_t> moving_bodies(const Mechanism& mechanism, const TreeMod
 RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   RunMeasures out;
   if (run.samples.empty()) return out;
-  // Poses at all instants.
+  // Poses of the bodies in all samples.
   ContactStep step(scene);
   out.X_WB.resize(run.samples.size());
   for (std::size_t k = 0; k < run.samples.size(); ++k)
@@ -187,26 +187,25 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   const MechanismLayout& layout = step.model().layout;
   out.moving = moving_bodies(scene.mechanism, step.model());
   const bool has_flows = run.samples.back().w.size() > 0;
-  // Pairs instant by instant: forces, slip, and work where the run kept no flows.
+  // Contacts and slip of the pairs, and work if the run has no energy flows.
   std::map<Pair, PairMeasure> pairs;
   SlipInstant before = slip_instant(scene, step.model(), run.samples.front(), out.X_WB.front());
   for (std::size_t k = 0; k < run.samples.size(); ++k) {
-    note_contacts(run.samples[k], k + 1 == run.samples.size(), pairs);
+    add_contacts(run.samples[k], k + 1 == run.samples.size(), pairs);
     if (k == 0) continue;
     const SceneSample &from = run.samples[k - 1], &to = run.samples[k];
-    const bool bare = k == 1 && from.contacts.empty();
-    if (bare) before.contacts = with_touching(from, step).contacts;
+    if (k == 1 && from.contacts.empty()) before.contacts = with_contacts(from, step).contacts;
     SlipInstant now = slip_instant(scene, step.model(), to, out.X_WB[k]);
-    for (const auto& [pair, way] : slips_between(before, now)) pairs[pair].slip += way;
+    for (const auto& [pair, slip] : slips_between(before, now)) pairs[pair].slip += slip;
     before = std::move(now);
     if (!has_flows) out.work += work_between(scene, layout, from, to, out.X_WB[k - 1], out.X_WB[k]);
   }
-  // Results of pairs, velocities and muscles at the end.
-  note_sliding(scene, before, pairs);
+  // Modes, velocities and muscles.
+  set_frictionless_modes(scene, before, pairs);
   for (const auto& [bodies, pair] : pairs) out.pairs.push_back(pair);
-  out.velocity = std::move(before.velocity);  // the last instant's
+  out.velocity = std::move(before.velocity);  // velocities in the last sample
   out.pulls = measure_pulls(scene, run);
-  // Work and losses by the flows of the steps, or by energies alone.
+  // Work and dissipation from the energy flows, or dissipation from the balance.
   if (has_flows) {
     out.balance = flow_balance(run.samples.front(), run.samples.back());
     out.worst = worst_balance(run.samples);

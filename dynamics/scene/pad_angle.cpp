@@ -8,12 +8,12 @@
 namespace thenar {
 namespace {
 
-/// Sum of the normal forces of one body on another at an instant [N] (3).
+/// Returns the sum of the normal forces of one body on another at an instant [N] (3).
 Eigen::Vector3d pressing_force(const SceneSample& sample, int body, int other) {
   Eigen::Vector3d sum(0, 0, 0);
   for (const ContactSample& contact : sample.contacts) {
     if (contact.a != std::min(body, other) || contact.b != std::max(body, other)) continue;
-    // Forces are on the first body of a contact.
+    // A sample holds the force on body a.
     const Eigen::Vector3d on_a = contact.force.dot(contact.normal) * contact.normal;
     sum += contact.a == other ? on_a : Eigen::Vector3d(-on_a);
   }
@@ -27,7 +27,7 @@ std::vector<PadState> pad_angles(const SceneRun& run, const RunMeasures& measure
   require(run.samples.size() == measures.X_WB.size(), "{} instants have {} measures",
           run.samples.size(), measures.X_WB.size());
   std::vector<PadState> out;
-  // Instants at which they press, with the angle between the pad's normal and the force.
+  // Compare the pad's normal with the force at every instant that has one.
   for (std::size_t i = 0; i < run.samples.size(); ++i) {
     const auto bodies = static_cast<int>(measures.X_WB[i].size());
     require(std::min(body, other) >= 0 && std::max(body, other) < bodies,

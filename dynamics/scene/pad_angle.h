@@ -1,6 +1,6 @@
 #pragma once
 
-/// Direction of a finger pad while it presses on something.
+/// Angle between a finger pad and its contact force.
 
 #include <vector>
 
@@ -9,18 +9,20 @@
 
 namespace thenar {
 
-/// A pad at an instant at which its body touches.
+/// Contact of a pad at one instant.
 struct PadState {
-  double t;      // [s]
-  double force;  // with which both press on each other: length of the sum of normal forces [N]
-  double angle;  // between the pad's normal and that sum, towards the other body [rad]
+  double t;      // time [s]
+  double force;  // magnitude of the sum of the normal forces [N]
+  double angle;  // angle between the pad's normal and that sum, which acts on the other body [rad]
 };
 
-/// The pad of one body against another at all instants at which they press on each other: 0 where
-/// it presses with its middle, 90 deg where with its side.
-/// @param body, other  bodies of the scene
-/// @param outward      normal of the pad, unit, frame of `body` (3)
-/// @throws InputError if run and measures do not belong together, or a body is not there.
+/// Computes the angle of a pad at all instants with a contact force: 0 where the middle of the pad
+/// presses on the other body, 90 deg where its side does.
+/// @param body     index of the body with the pad
+/// @param other    index of the body that it presses on
+/// @param outward  unit normal of the pad, frame of `body` (3)
+/// @throws InputError if run and measures differ in their number of instants, or a body does not
+/// exist.
 [[nodiscard]] std::vector<PadState> pad_angles(const SceneRun& run, const RunMeasures& measures,
                                                int body, int other, const Eigen::Vector3d& outward);
 

@@ -8,12 +8,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSamePoint = 1e-5;     // distance up to which points are one contact [m]
-constexpr double kLargestTurn = 2;      // between two instants, up to which arcs are told [rad]
-constexpr double kStraightTurn = 1e-6;  // of a normal below which chord and arc are one [rad]
+constexpr double kSamePoint = 1e-5;       // largest distance of two points of one contact [m]
+constexpr double kMaxRotation = 2;        // largest rotation for which arcs are used [rad]
+constexpr double kMinArcRotation = 1e-6;  // smallest rotation where arc and chord differ [rad]
 
-Vector3d across(const Vector3d& way, const Vector3d& normal) {
-  return way - way.dot(normal) * normal;
+Vector3d tangential(const Vector3d& v, const Vector3d& normal) {
+  return v - v.dot(normal) * normal;
 }
 
 }  // namespace
@@ -23,75 +23,78 @@ double sliding_speed(const SlipInstant& at, const ContactSample& contact) {
     const auto i = static_cast<std::size_t>(body);
     return at.velocity[i].linear + at.velocity[i].angular.cross(contact.point - at.centre[i]);
   };
-  return across(velocity(contact.a) - velocity(contact.b), contact.normal).norm();
+  return tangential(velocity(contact.a) - velocity(contact.b), contact.normal).norm();
 }
 
 namespace {
 
-/// A contact at two instants, and its ways over both bodies.
-class ContactWay {
+/// Path of one contact over both of its bodies between two instants.
+class ContactPath {
  public:
-  ContactWay(const ContactSample& contact, const SlipInstant& from, const SlipInstant& to)
+  ContactPath(const ContactSample& contact, const SlipInstant& from, const SlipInstant& to)
       : contact_(contact),
         from_(from),
         to_(to),
         moved_a_(moved(contact.a)),
         moved_b_(moved(contact.b)) {
-    // By its identity; where a pair was out of sight for a moment and given another, by its place.
+    // Find the contact at the second instant by its id; otherwise by its point, as a pair that
+    // separated for a moment gets new ids.
     for (const ContactSample& next : to.contacts) {
       if (next.a != contact.a || next.b != contact.b) continue;
-      const auto went_with = [&](const Pose<double>& body) {
+      const auto moved_with = [&](const Pose<double>& body) {
         return (next.point - body * contact.point).norm() < kSamePoint;
       };
       if (next.id == contact.id) {
         next_ = &next;
         break;
       }
-      if (next_ == nullptr && (went_with(moved_a_) || went_with(moved_b_))) next_ = &next;
+      if (next_ == nullptr && (moved_with(moved_a_) || moved_with(moved_b_))) next_ = &next;
     }
   }
 
-  [[nodiscard]] bool goes_on() const { return next_ != nullptr; }
+  /// Returns true if the contact still exists at the second instant.
+  [[nodiscard]] bool persists() const { return next_ != nullptr; }
 
-  /// Sliding way [m].
+  /// Returns the sliding distance [m].
   [[nodiscard]] double slip() const {
-    // Large turns hide the way: the mean of the sliding speeds stands for it.
+    // After a large rotation, use the mean sliding speed.
     const double time = to_.t - from_.t;
-    const double turn = std::max(
-        {time * turning(from_), time * turning(to_), normal_turn(moved_a_), normal_turn(moved_b_)});
-    if (turn > kLargestTurn)
+    const double rotation = std::max({time * relative_spin(from_), time * relative_spin(to_),
+                                      normal_rotation(moved_a_), normal_rotation(moved_b_)});
+    if (rotation > kMaxRotation)
       return time * (sliding_speed(from_, contact_) + sliding_speed(to_, *next_)) / 2;
-    return (way_over(moved_a_) - way_over(moved_b_)).norm();
+    return (path_over(moved_a_) - path_over(moved_b_)).norm();
   }
 
  private:
-  /// Motion of a body between the instants.
+  /// Returns the motion of a body between the instants, in the world.
   [[nodiscard]] Pose<double> moved(int body) const {
     const auto i = static_cast<std::size_t>(body);
     return to_.X_WB[i] * from_.X_WB[i].inverse();
   }
 
-  /// Turn of the normal over a body that moved so [rad].
-  [[nodiscard]] double normal_turn(const Pose<double>& body) const {
+  /// Returns the rotation of the contact normal relative to a body with this motion [rad].
+  [[nodiscard]] double normal_rotation(const Pose<double>& body) const {
     const Vector3d normal = body.R * contact_.normal;
     return std::atan2(normal.cross(next_->normal).norm(), normal.dot(next_->normal));
   }
 
-  /// Way of the contact over a body that moved so, across the normal at its end [m].
-  [[nodiscard]] Vector3d way_over(const Pose<double>& body) const {
+  /// Returns the path of the contact over a body with this motion, tangential to the contact at the
+  /// second instant [m].
+  [[nodiscard]] Vector3d path_over(const Pose<double>& body) const {
     const Vector3d chord = next_->point - body * contact_.point;
     const Vector3d normal = body.R * contact_.normal;
-    const double half = normal_turn(body) / 2;
-    if (2 * half < kStraightTurn) return across(chord, next_->normal);
-    // Straight on along the axis about which the normal turns, by the arc across it.
+    const double half = normal_rotation(body) / 2;
+    if (2 * half < kMinArcRotation) return tangential(chord, next_->normal);
+    // Chord along the rotation axis of the normal, arc tangential it.
     const Vector3d axis = normal.cross(next_->normal).normalized();
     const Vector3d middle = (normal + next_->normal).normalized();
     return chord.dot(axis) * axis +
            chord.dot(axis.cross(middle)) * half / std::sin(half) * axis.cross(next_->normal);
   }
 
-  /// Speed at which the bodies turn against each other [rad/s].
-  [[nodiscard]] double turning(const SlipInstant& at) const {
+  /// Returns the relative angular speed of the bodies [rad/s].
+  [[nodiscard]] double relative_spin(const SlipInstant& at) const {
     return (at.velocity[static_cast<std::size_t>(contact_.a)].angular -
             at.velocity[static_cast<std::size_t>(contact_.b)].angular)
         .norm();
@@ -107,14 +110,14 @@ class ContactWay {
 
 std::map<std::pair<int, int>, double> slips_between(const SlipInstant& from,
                                                     const SlipInstant& to) {
-  std::map<std::pair<int, int>, double> ways;
+  std::map<std::pair<int, int>, double> slips;
   for (const ContactSample& contact : from.contacts) {
-    const ContactWay way(contact, from, to);
-    if (!way.goes_on()) continue;
-    double& longest = ways[{contact.a, contact.b}];
-    longest = std::max(longest, way.slip());
+    const ContactPath path(contact, from, to);
+    if (!path.persists()) continue;
+    double& largest = slips[{contact.a, contact.b}];
+    largest = std::max(largest, path.slip());
   }
-  return ways;
+  return slips;
 }
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Slip of bodies in contact from one instant to the next.
+/// Slip distance of bodies in contact between two instants.
 
 #include <map>
 #include <utility>
@@ -12,28 +12,29 @@
 
 namespace thenar {
 
-/// An instant of a run.
+/// Contacts and motion of all bodies at one instant of a run.
 struct SlipInstant {
-  double t = 0;                         // [s]
-  std::vector<ContactSample> contacts;  // that do not open
-  std::vector<Pose<double>> X_WB;       // (bodies)
-  std::vector<Eigen::Vector3d> centre;  // of mass, world [m] (bodies)
-  std::vector<SceneVelocity> velocity;  // of the centres of mass (bodies)
+  double t = 0;                         // time [s]
+  std::vector<ContactSample> contacts;  // closed contacts
+  std::vector<Pose<double>> X_WB;       // poses (bodies)
+  std::vector<Eigen::Vector3d> centre;  // centres of mass, world [m] (bodies)
+  std::vector<SceneVelocity> velocity;  // velocities of the centres of mass (bodies)
 };
 
-/// Speed at which the bodies of a contact slide on each other at it [m/s].
+/// Returns the speed at which the bodies of a contact slide on each other at its point [m/s].
 [[nodiscard]] double sliding_speed(const SlipInstant& at, const ContactSample& contact);
 
-/// Way that each pair (a, b) slides between two instants [m]; of its contact points the largest.
+/// Returns the distance that each pair (a, b) slides between two instants [m], the largest of its
+/// contact points.
 ///
-/// A contact is followed if both instants have its id, or if it moved with one of the bodies. Its
-/// way over a body is the chord between its two places there; where the body's normal turns by
-/// theta, the part of the chord d across the axis of this turn stands for the arc
-/// d (theta / 2) / sin(theta / 2).  The slip is the difference of the ways over both bodies, across
-/// the normal: exact where a pair rolls and slides straight on over flat or round faces, and off by
-/// the third order of the turn elsewhere. Where a normal, or one body against the other by its
-/// speed at either instant, turns by more than 2 rad, ends do not tell arcs, and the way is the
-/// mean of both sliding speeds times the time between.
+/// A contact is tracked if both instants have its id, or if its point moved with one of the bodies.
+/// Its path over a body is the chord between its two points in that body. Where the normal on the
+/// body rotates by theta, the part d of the chord across the rotation axis is replaced by the arc
+/// d (theta / 2) / sin(theta / 2).  The slip is the difference of the paths over both bodies,
+/// tangential to the contact. It is exact for straight rolling and sliding over flat or round
+/// faces, and has an error of third order in the rotation otherwise. For rotations above 2 rad, of
+/// a normal or of the relative motion of the bodies, it is the mean sliding speed times the
+/// duration.
 [[nodiscard]] std::map<std::pair<int, int>, double> slips_between(const SlipInstant& from,
                                                                   const SlipInstant& to);
 

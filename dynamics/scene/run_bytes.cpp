@@ -8,28 +8,28 @@
 namespace thenar {
 namespace {
 
-/// Writes what it is given.
+/// Stream that appends values to a string of bytes.
 class ByteWriter {
  public:
   template <typename T>
-  void plain(T& value) {
+  void pass_value(T& value) {
     static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
-  void count(std::size_t& value) { plain(value); }
+  void pass_count(std::size_t& value) { pass_value(value); }
   [[nodiscard]] std::string take() { return std::move(bytes_); }
 
  private:
   std::string bytes_;
 };
 
-/// Reads into what it is given.
+/// Stream that reads values from a string of bytes.
 class ByteReader {
  public:
   explicit ByteReader(const std::string& bytes) : bytes_(bytes) {}
 
   template <typename T>
-  void plain(T& value) {
+  void pass_value(T& value) {
     static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
     require(bytes_.size() - at_ >= sizeof value, "a run of a scene is cut short at {} bytes",
             bytes_.size());
@@ -37,8 +37,8 @@ class ByteReader {
     at_ += sizeof value;
   }
   /// Reads a number of entries, each of which has at least one byte.
-  void count(std::size_t& value) {
-    plain(value);
+  void pass_count(std::size_t& value) {
+    pass_value(value);
     require(value <= bytes_.size() - at_, "a run of a scene promises {} entries in {} bytes", value,
             bytes_.size() - at_);
   }
@@ -53,40 +53,40 @@ class ByteReader {
 
 template <typename Stream, typename Vector>
 void pass_vector(Stream& stream, Vector& vector) {
-  // Size first, so that a reader can make room.
+  // Size first, so that a reader can allocate the vector.
   auto size = static_cast<std::size_t>(vector.size());
-  stream.count(size);
+  stream.pass_count(size);
   vector.resize(static_cast<Eigen::Index>(size));
-  for (Eigen::Index i = 0; i < vector.size(); ++i) stream.plain(vector[i]);
+  for (Eigen::Index i = 0; i < vector.size(); ++i) stream.pass_value(vector[i]);
 }
 
-// Structs are taken apart by name, so that a member that is added does not compile until it is
-// passed.
+// Structured bindings make sure that a new member does not compile until it is passed, too.
 
 template <typename Stream>
 void pass_contact(Stream& stream, ContactSample& contact) {
   auto& [a, b, id, point, normal, force, torsion, gap, mode, area, stick] = contact;
-  for (int* each : {&a, &b, &id}) stream.plain(*each);
+  for (int* each : {&a, &b, &id}) stream.pass_value(*each);
   for (Eigen::Vector3d* each : {&point, &normal, &force})
-    for (Eigen::Index k = 0; k < 3; ++k) stream.plain((*each)[k]);
-  for (double* each : {&torsion, &gap, &area, &stick}) stream.plain(*each);
-  stream.plain(mode);
+    for (Eigen::Index k = 0; k < 3; ++k) stream.pass_value((*each)[k]);
+  for (double* each : {&torsion, &gap, &area, &stick}) stream.pass_value(*each);
+  stream.pass_value(mode);
 }
 
 template <typename Stream>
 void pass_sample(Stream& stream, SceneSample& sample) {
   auto& [t, q, v, z, contacts, energy, w] = sample;
-  stream.plain(t);
+  stream.pass_value(t);
   pass_vector(stream, q);
   pass_vector(stream, v);
   pass_vector(stream, z);
   pass_vector(stream, w);
   std::size_t touching = contacts.size();
-  stream.count(touching);
+  stream.pass_count(touching);
   contacts.resize(touching);
   for (ContactSample& contact : contacts) pass_contact(stream, contact);
   auto& [kinetic, weight, springs, of_elements, of_passive] = energy;
-  for (double* each : {&kinetic, &weight, &springs, &of_elements, &of_passive}) stream.plain(*each);
+  for (double* each : {&kinetic, &weight, &springs, &of_elements, &of_passive})
+    stream.pass_value(*each);
 }
 
 template <typename Stream>
@@ -94,26 +94,25 @@ void pass_cost(Stream& stream, SceneCost& cost) {
   auto& [steps, rejected, substeps, impacts, passed, unsolved, leaps, coarse, residual, deepest,
          beyond, asleep, cpu] = cost;
   for (long* each : {&steps, &rejected, &substeps, &impacts, &passed, &unsolved, &leaps, &coarse})
-    stream.plain(*each);
-  for (double* each : {&residual, &deepest, &asleep, &cpu}) stream.plain(*each);
+    stream.pass_value(*each);
+  for (double* each : {&residual, &deepest, &asleep, &cpu}) stream.pass_value(*each);
   pass_vector(stream, beyond);
 }
 
-/// Writes or reads a run, its parts in the same order.
+/// Writes or reads a run; both use the same order of its parts.
 template <typename Stream>
 void pass_run(Stream& stream, SceneRun& run) {
-  // Samples, cost and the message of a failure, each list after its size.
-  auto& [status, samples, cost, message] = run;
-  stream.plain(status);
+  auto& [status, samples, cost, reason] = run;
+  stream.pass_value(status);
   std::size_t instants = samples.size();
-  stream.count(instants);
+  stream.pass_count(instants);
   samples.resize(instants);
   for (SceneSample& sample : samples) pass_sample(stream, sample);
   pass_cost(stream, cost);
-  std::size_t letters = message.size();
-  stream.count(letters);
-  message.resize(letters);
-  for (char& letter : message) stream.plain(letter);
+  std::size_t letters = reason.size();
+  stream.pass_count(letters);
+  reason.resize(letters);
+  for (char& letter : reason) stream.pass_value(letter);
 }
 
 }  // namespace
@@ -125,7 +124,7 @@ std::string bytes_of(const SceneRun& run) {
   return writer.take();
 }
 
-SceneRun run_of_bytes(const std::string& bytes) {
+SceneRun run_from_bytes(const std::string& bytes) {
   SceneRun run;
   ByteReader reader(bytes);
   pass_run(reader, run);

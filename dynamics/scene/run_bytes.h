@@ -1,6 +1,6 @@
 #pragma once
 
-/// Runs of scenes as bytes, for other processes of the same program.
+/// Serialization of scene runs, for other processes of the same program.
 
 #include <string>
 
@@ -8,9 +8,9 @@
 
 namespace thenar {
 
-/// A whole run, every double to the bit.
+/// Serializes a run; every double keeps its bits.
 ///
-/// Numbers stand as they do in memory, one after the other and without gaps; lists begin with their
+/// Numbers are written in their memory representation without padding; lists begin with their
 /// count (8 bytes):
 ///
 ///   status
@@ -19,13 +19,13 @@ namespace thenar {
 ///   cost:      counts, then the largest residual, depth, time at rest, processor time
 ///   message:   letters
 ///
-/// There is no version and no order of bytes: what is written is to be read by the same program on
-/// the same kind of machine, at once: processes of one sweep do so (sweep_scene()). Files of runs
-/// are HDF5 (write_scene_run()).
+/// The format has no version and no fixed byte order: it is meant for processes of one sweep on one
+/// machine (sweep_scene()). Files of runs are HDF5 (write_scene_run()).
 [[nodiscard]] std::string bytes_of(const SceneRun& run);
 
-/// The inverse of bytes_of(). A count that promises more than there are bytes asks for no memory.
-/// @throws InputError if the bytes are cut short, or go on behind the run.
-[[nodiscard]] SceneRun run_of_bytes(const std::string& bytes);
+/// Restores a run from bytes_of(). Counts are checked against the number of bytes before memory is
+/// allocated.
+/// @throws InputError if there are too few or too many bytes.
+[[nodiscard]] SceneRun run_from_bytes(const std::string& bytes);
 
 }  // namespace thenar

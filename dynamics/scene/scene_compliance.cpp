@@ -5,18 +5,18 @@
 namespace thenar {
 
 JointCompliance joint_compliance(const SceneComplianceSpec& spec) {
-  constexpr std::array<BushingWay, 5> kWays{BushingWay::kAcross, BushingWay::kAlong,
-                                            BushingWay::kAxial, BushingWay::kAbduction,
-                                            BushingWay::kTwist};
+  constexpr std::array<BushingCoordinate, 5> kCoordinates{
+      BushingCoordinate::kAcross, BushingCoordinate::kAlong, BushingCoordinate::kAxial,
+      BushingCoordinate::kAbduction, BushingCoordinate::kTwist};
   JointCompliance out;
-  // Stiffness, toe and damping of each way but flexion.
-  for (std::size_t i = 0; i < kWays.size(); ++i) {
+  // Stiffness, toe region and damping of each coordinate but flexion.
+  for (std::size_t i = 0; i < kCoordinates.size(); ++i) {
     const double toe = i == SceneComplianceSpec::kTwist       ? spec.twist_toe
                        : i == SceneComplianceSpec::kAbduction ? spec.rotation_toe
                                                               : spec.translation_toe;
-    out.law.of(kWays[i]) = {spec.stiffness[i], toe, spec.stiffening, spec.damping[i]};
+    out.law.law_for(kCoordinates[i]) = {spec.stiffness[i], toe, spec.stiffening, spec.damping[i]};
   }
-  out.law.follows[static_cast<std::size_t>(BushingWay::kTwist)] = spec.twist_follows;
+  out.law.flexion_ratios[static_cast<std::size_t>(BushingCoordinate::kTwist)] = spec.twist_follows;
   out.bone = spec.bone.value_or(Eigen::Vector3d(0, 0, 0));
   return out;
 }
@@ -24,13 +24,13 @@ JointCompliance joint_compliance(const SceneComplianceSpec& spec) {
 std::vector<CompliantJoint> make_part_compliant(const SceneSpec& spec, const std::string& name,
                                                 const std::string& prefix, Mechanism& part) {
   std::vector<CompliantJoint> made;
-  // Compliances of this part's joints.
+  // Apply the compliances that name a joint of this part.
   for (const SceneComplianceSpec& compliance : spec.compliances) {
     const bool is_own = prefix.empty() ? compliance.joint == name
                                        : compliance.joint.compare(0, prefix.size(), prefix) == 0;
     if (!is_own) continue;
     at_line(spec.path, compliance.line, [&] {
-      const int joint = joint_named(part, compliance.joint.substr(prefix.size()));
+      const int joint = joint_index(part, compliance.joint.substr(prefix.size()));
       made.push_back(make_compliant(part, joint, joint_compliance(compliance)));
     });
   }
@@ -39,16 +39,16 @@ std::vector<CompliantJoint> make_part_compliant(const SceneSpec& spec, const std
 
 namespace {
 
-/// Builds a bushing; both of its frames stand at its point, z along its axis.
+/// Builds a bushing; both of its frames have the bushing's point as origin and its axis as z.
 std::shared_ptr<const ForceElement> bushing_element(const SceneBushingSpec& spec,
                                                     const Mechanism& mechanism,
                                                     const std::vector<Pose<double>>& X_WB) {
-  // Set the law of the six ways.
+  // Laws of the six coordinates.
   BushingLaw law;
-  for (std::size_t i = 0; i < law.ways.size(); ++i)
-    law.ways[i] = {spec.stiffness[i], i < 3 ? spec.translation_toe : spec.rotation_toe,
+  for (std::size_t i = 0; i < law.laws.size(); ++i)
+    law.laws[i] = {spec.stiffness[i], i < 3 ? spec.translation_toe : spec.rotation_toe,
                    spec.stiffening, spec.damping[i]};
-  // Frame at the point, z along the axis, in both bodies.
+  // Express the frame in both bodies.
   const Tangents sides = tangents(spec.axis);
   Pose<double> X_WA;
   X_WA.R << sides.e1, sides.e2, spec.axis;
@@ -63,24 +63,24 @@ std::shared_ptr<const ForceElement> bushing_element(const SceneBushingSpec& spec
 
 }  // namespace
 
-std::vector<std::shared_ptr<const ForceElement>> scene_ligaments(
+std::vector<std::shared_ptr<const ForceElement>> build_scene_ligaments(
     const SceneSpec& spec, const Mechanism& mechanism, const std::vector<Pose<double>>& X_WB) {
   std::vector<std::shared_ptr<const ForceElement>> out;
-  // Bushings, then ligaments.
   for (const SceneBushingSpec& bushing : spec.bushings) {
     at_line(spec.path, bushing.line,
             [&] { out.push_back(bushing_element(bushing, mechanism, X_WB)); });
   }
   for (const SceneLigamentSpec& ligament : spec.ligaments) {
     at_line(spec.path, ligament.line, [&] {
-      // Points of both ends; by default it is just slack at the start.
+      // Points of both ends, and by default the initial distance as slack length.
       BodyPoint from{-1, ligament.from_point}, to{-1, ligament.to_point};
       if (!ligament.from.empty()) from.body = body_named(mechanism, ligament.from);
       to.body = body_named(mechanism, ligament.to);
-      const auto place = [&](const BodyPoint& at) -> Eigen::Vector3d {
-        return at.body < 0 ? at.p : X_WB[static_cast<std::size_t>(at.body)] * at.p;
+      const auto world_point = [&](const BodyPoint& end) -> Eigen::Vector3d {
+        return end.body < 0 ? end.p : X_WB[static_cast<std::size_t>(end.body)] * end.p;
       };
-      const double slack = ligament.slack_length.value_or((place(to) - place(from)).norm());
+      const double slack =
+          ligament.slack_length.value_or((world_point(to) - world_point(from)).norm());
       out.push_back(std::make_shared<LigamentElement>(
           ligament.name, from, to,
           LigamentLaw{slack, ligament.stiffness, ligament.toe_strain, ligament.damping}));

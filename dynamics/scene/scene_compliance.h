@@ -1,6 +1,6 @@
 #pragma once
 
-/// Joints of a scene that give and its ligaments, from its file.
+/// Builds compliant joints, bushings and ligaments from a scene file.
 
 #include <string>
 #include <vector>
@@ -11,22 +11,25 @@
 
 namespace thenar {
 
-/// The law of a [[compliance]].
+/// Returns the joint compliance of a [[compliance]].
 [[nodiscard]] JointCompliance joint_compliance(const SceneComplianceSpec& spec);
 
-/// Makes joints of one body or hand of a scene compliant.
-/// @param name    of the body; @param prefix  "HAND/" of a hand, else empty
-/// @param part    its mechanism, changed: coordinates come at the end, all 0 at the start
-/// @throws DataError at the line of the file, as make_compliant()
+/// Makes joints of one body or hand of a scene compliant, as its file says.
+/// @param name    name of the body or hand
+/// @param prefix  "HAND/" for a hand, empty for a body
+/// @param part    its mechanism, changed: new coordinates are appended and are 0 at the start
+/// @return the compliant joints, with coordinate indices of `part`
+/// @throws DataError at the line of the file for the errors of make_compliant()
 [[nodiscard]] std::vector<CompliantJoint> make_part_compliant(const SceneSpec& spec,
                                                               const std::string& name,
                                                               const std::string& prefix,
                                                               Mechanism& part);
 
-/// Bushings and ligaments of a scene; without a slack length ligaments are just taut at the start.
-/// @param X_WB  bodies at the start (bodies)
-/// @throws DataError at the line of the file, where a body is not there or both ends are one
-[[nodiscard]] std::vector<std::shared_ptr<const ForceElement>> scene_ligaments(
+/// Builds the bushings and ligaments of a scene. A ligament without a stated slack length is just
+/// taut at the start.
+/// @param X_WB  initial poses of the bodies (bodies)
+/// @throws DataError at the line of the file if a body does not exist or an element is invalid
+[[nodiscard]] std::vector<std::shared_ptr<const ForceElement>> build_scene_ligaments(
     const SceneSpec& spec, const Mechanism& mechanism, const std::vector<Pose<double>>& X_WB);
 
 }  // namespace thenar

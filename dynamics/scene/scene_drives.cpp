@@ -15,17 +15,18 @@
 namespace thenar {
 namespace {
 
-/// The targets of a drive over time; null: it has no table.
-std::shared_ptr<const TargetTable> table_of(const SceneSpec& scene, const SceneDriveSpec& spec) {
+/// Reads the target table of a drive; null if it has none.
+std::shared_ptr<const TargetTable> read_target_table(const SceneSpec& scene,
+                                                     const SceneDriveSpec& spec) {
   if (spec.target_file.empty()) return nullptr;
   const std::string path = linked_path(scene.folder, spec.target_file);
   return std::make_shared<TargetTable>(
       without_straight_knots(parse_target_table(read_text_file(path), path, spec)));
 }
 
+/// Sets the contact compliance that the file states.
 void set_compliance(const SceneSpec& spec, ContactCompliance& out) {
   const SteppingSpec& stepping = spec.stepping;
-  // Numbers that the file states, or the defaults.
   out.modulus = stepping.modulus.value_or(out.modulus);
   out.stiffness = stepping.stiffness.value_or(out.stiffness);
   out.dissipation = stepping.dissipation.value_or(out.dissipation);
@@ -41,7 +42,6 @@ void set_compliance(const SceneSpec& spec, ContactCompliance& out) {
 
 void add_forces(const SceneSpec& spec, BuiltScene& built) {
   for (const SceneForceSpec& force : spec.forces) {
-    // Force on a body, by default at its centre of mass.
     SceneForce out;
     out.body = at_line(spec.path, force.line,
                        [&] { return body_named(built.scene.mechanism, force.body); });
@@ -61,12 +61,11 @@ void add_drives(const SceneSpec& spec, BuiltScene& built) {
   for (const MechanismCoordinate& coordinate : mechanism.coordinates)
     names.push_back(coordinate.name);
   for (const SceneDriveSpec& drive : spec.drives) {
-    // Coordinate of each drive.
     SceneDrive out;
     out.coordinate = at_line(spec.path, drive.line, [&] {
       return static_cast<int>(index_of_name(drive.coordinate, names, "coordinate"));
     });
-    // The units of the drive must suit the kind of its joint.
+    // Check that the units of the drive fit the kind of its joint.
     const auto joint = std::find_if(
         mechanism.joints.begin(), mechanism.joints.end(), [&](const MechanismJoint& each) {
           return is_scalar(each.kind) && each.coordinate == out.coordinate;
@@ -76,7 +75,7 @@ void add_drives(const SceneSpec& spec, BuiltScene& built) {
       throw DataError(spec.path, drive.line,
                       fmt::format("'{}' {}, but the drive has units of what {}", drive.coordinate,
                                   turns ? "turns" : "slides", turns ? "slides" : "turns"));
-    // Without a largest effort of its own, the drive has that of the motor.
+    // Copy the drive; its largest effort is by default that of the motor.
     const double known = mechanism.coordinates[static_cast<std::size_t>(out.coordinate)].max_effort;
     out.bias = drive.effort;
     out.stiffness = drive.stiffness;
@@ -86,7 +85,7 @@ void add_drives(const SceneSpec& spec, BuiltScene& built) {
     out.max_effort =
         drive.max_effort.value_or(known > 0 ? known : std::numeric_limits<double>::infinity());
     out.when = {drive.from, drive.to};
-    out.table = table_of(spec, drive);
+    out.table = read_target_table(spec, drive);
     built.scene.drives.push_back(out);
     built.drive_names.push_back(drive.name);
   }
@@ -98,7 +97,7 @@ void set_stepping(const SceneSpec& spec, BuiltScene& built) {
   options.method = at_line(spec.path, stepping.line, [&] {
     return value_in(kSteppingMethodNames, stepping.method, "method");
   });
-  // Lengths of steps and samples, or the defaults.
+  // Step lengths, samples and tolerances.
   options.seconds = stepping.duration;
   options.sample = stepping.sample;
   options.step = stepping.step.value_or(options.step);

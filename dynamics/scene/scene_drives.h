@@ -1,6 +1,6 @@
 #pragma once
 
-/// What acts on a scene from outside, and how it is stepped, as its file says.
+/// Adds forces, drives and stepping options of a scene file to a built scene.
 
 #include "data/io/scene/scene.h"
 #include "dynamics/scene/build_scene.h"
@@ -8,17 +8,18 @@
 namespace thenar {
 
 /// Adds the forces on bodies, by default at their centres of mass.
-/// @param built  its mechanism is complete
-/// @throws DataError at the line of a force whose body is not there.
+/// @param built  scene with a complete mechanism
+/// @throws DataError at the line of a force whose body does not exist.
 void add_forces(const SceneSpec& spec, BuiltScene& built);
 
-/// Adds the drives of coordinates, with their tables of targets.
-/// @param built  its mechanism is complete
-/// @throws DataError at the line of a drive whose coordinate is not there or has another unit.
+/// Adds the drives of coordinates, with their target tables.
+/// @param built  scene with a complete mechanism
+/// @throws DataError at the line of a drive whose coordinate does not exist or has other units.
 void add_drives(const SceneSpec& spec, BuiltScene& built);
 
-/// Sets method, steps and compliance of contacts; the defaults where the file states none.
-/// @throws DataError at the line of the file that names no method or ramp of friction.
+/// Sets stepping method, step lengths and contact compliance; values that the file does not state
+/// keep their defaults.
+/// @throws DataError at the line of an unknown method or friction ramp.
 void set_stepping(const SceneSpec& spec, BuiltScene& built);
 
 }  // namespace thenar

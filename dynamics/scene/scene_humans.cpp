@@ -18,17 +18,17 @@
 namespace thenar {
 namespace {
 
-/// A posture may be beyond a range by so much, from rounding [rad].
-constexpr double kBeyondRange = 1e-9;
+constexpr double kRangeTolerance = 1e-9;  // excess over a joint range by rounding [rad]
+constexpr double kForceTolerance = 1e-9;  // excess over a largest force by rounding [1]
 
-/// Values over time of one muscle of a hand.
-struct GivenMuscle {
+/// Prescribed tension or excitation of one muscle of a hand.
+struct MuscleDrive {
   std::string muscle;
-  MuscleSchedule schedule;  // its number of the muscle is not set yet
-  int line = 1;             // of the file
+  MuscleSchedule schedule;  // schedule whose muscle index is not set yet
+  int line = 1;             // line of the file
 };
 
-/// Names of all muscles of a hand, each once.
+/// Returns the names of all muscles of a hand, each once.
 std::vector<std::string> muscles_of(const HumanMechanism& hand) {
   std::vector<std::string> names;
   for (const HumanDigit& digit : hand.digits)
@@ -37,23 +37,23 @@ std::vector<std::string> muscles_of(const HumanMechanism& hand) {
   return names;
 }
 
-/// Returns the muscles that one [[tendon]] or [[muscle]] drives, with their values.
-std::vector<GivenMuscle> given_by(const SceneMuscleSpec& spec, const SceneSpec& scene,
-                                  const std::vector<std::string>& names) {
+/// Reads the muscle drives of one [[tendon]] or [[muscle]].
+std::vector<MuscleDrive> drives_of(const SceneMuscleSpec& spec, const SceneSpec& scene,
+                                   const std::vector<std::string>& names) {
   const TimeSpan when{spec.from, spec.to};
-  // Constant values of single muscles.
-  std::vector<GivenMuscle> out;
+  // Constant values of named muscles.
+  std::vector<MuscleDrive> out;
   for (const auto& [name, value] : spec.value) {
     const std::string& muscle = names[index_of_name(name, names, "muscle")];
     out.push_back({muscle,
                    {0, when, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, value)},
                    spec.line});
   }
-  // Muscles that are 0 throughout a table are not driven.
+  // Columns of a table; muscles that are 0 throughout are not driven.
   if (spec.file.empty()) return out;
   const std::string path = linked_path(scene.folder, spec.file);
-  const double most = spec.tensions ? std::numeric_limits<double>::infinity() : 1;
-  const Excitation table = parse_excitation(read_text_file(path), path, names, most);
+  const double max_value = spec.tensions ? std::numeric_limits<double>::infinity() : 1;
+  const Excitation table = parse_excitation(read_text_file(path), path, names, max_value);
   for (std::size_t m = 0; m < names.size(); ++m) {
     const Eigen::VectorXd column = table.value.col(static_cast<Eigen::Index>(m));
     if (!column.isZero(0)) out.push_back({names[m], {0, when, table.time, column}, spec.line});
@@ -62,11 +62,10 @@ std::vector<GivenMuscle> given_by(const SceneMuscleSpec& spec, const SceneSpec& 
 }
 
 /// Finds the indices of a hand's coordinates in the scene.
-CoordinatePlaces places_of(const std::string& hand, const std::vector<std::string>& coordinates,
-                           const Mechanism& mechanism) {
-  // Coordinates are named after the hand.
+CoordinateIndices places_of(const std::string& hand, const std::vector<std::string>& coordinates,
+                            const Mechanism& mechanism) {
   const MechanismLayout layout = layout_of(mechanism);
-  CoordinatePlaces places;
+  CoordinateIndices places;
   for (const std::string& name : coordinates)
     for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
       if (mechanism.coordinates[c].name == hand + "/" + name) {
@@ -76,21 +75,22 @@ CoordinatePlaces places_of(const std::string& hand, const std::vector<std::strin
   return places;
 }
 
-/// Constants of the muscles of some digits, with the largest tensions that were assumed.
+/// Builds the contraction model of the muscles of some digits, with assumed largest forces where
+/// the subject states none.
 std::shared_ptr<const Contraction> contraction_of(const HumanMechanism& hand,
                                                   const std::vector<const HumanDigit*>& digits,
                                                   const std::vector<std::string>& names,
                                                   Muscle rung) {
-  // Muscles without a largest force have that of the digit.
   Subject subject = hand.subject;
   std::vector<Musculotendon> muscles;
   for (const HumanDigit* digit : digits) {
     const TendonDigit& tendons = digit->tendons->digit();
+    // Fill in missing largest forces.
     for (MuscleUnit& unit : subject.muscles)
       for (std::size_t m = 0; m < tendons.names.muscles.size(); ++m)
         if (unit.name == tendons.names.muscles[m] && !unit.max_force)
           unit.max_force = digit->max_force[m];
-    // Names are in the order of the digits, each once: what an earlier digit had is passed over.
+    // Append the muscles in the order of the names; those of earlier digits are already there.
     for (Musculotendon& muscle : musculotendons(subject, tendons, rung))
       if (muscles.size() < names.size() && muscle.name == names[muscles.size()])
         muscles.push_back(std::move(muscle));
@@ -98,46 +98,47 @@ std::shared_ptr<const Contraction> contraction_of(const HumanMechanism& hand,
   return build_contraction(std::move(muscles), rung);
 }
 
-/// Pulls the digits of one hand.
-class HandPuller {
+/// Builder of the DigitPulls of one hand.
+class HandPullBuilder {
  public:
-  HandPuller(const SceneSpec& spec, const SceneHuman& human, BuiltScene& built)
+  HandPullBuilder(const SceneSpec& spec, const SceneHuman& human, BuiltScene& built)
       : spec_(spec), human_(human), built_(built), names_(muscles_of(human.hand)) {}
 
-  /// @return whether anything does
-  bool pull() {
-    // Read what the file drives, then pull each group of digits.
+  /// Adds the DigitPulls of the hand to the scene.
+  /// @return true if the file drives any muscle of the hand
+  bool build() {
+    // Read the muscle drives of the file, then add a pull for each group of digits.
     for (const SceneMuscleSpec& each : spec_.muscles)
-      if (each.hand == human_.name) read(each);
+      if (each.hand == human_.name) read_drives(each);
     bool any = false;
-    for (const std::vector<const HumanDigit*>& group : groups()) any = add(group) || any;
+    for (const std::vector<const HumanDigit*>& group : digit_groups()) any = add_pull(group) || any;
     warn_of_tensions();
     return any;
   }
 
  private:
-  void read(const SceneMuscleSpec& each) {
+  void read_drives(const SceneMuscleSpec& each) {
     const auto fail = [&](const std::string& what) {
       throw DataError(spec_.path, each.line, what);
     };
-    // The rung must be one for the hand; errors name the line.
     if (names_.empty()) fail(fmt::format("hand '{}' has no muscles", human_.name));
+    // All drives of a hand must state the same rung; errors name the line.
     try {
       if (!each.rung.empty()) {
         const Muscle rung = muscle_named(each.rung);
         require(!rung_ || rung == *rung_, "all muscles of '{}' pull on one rung", human_.name);
         rung_ = rung;
       }
-      for (GivenMuscle& given : given_by(each, spec_, names_))
+      for (MuscleDrive& given : drives_of(each, spec_, names_))
         (each.tensions ? tensions_ : excitations_).push_back(std::move(given));
     } catch (const InputError& error) {
       fail(error.what());
     }
   }
 
-  /// The rung of digits that contract, where none is stated: rigid tendons, or bounds where the
-  /// subject lacks a fibre length.
-  Muscle rung_of(const std::vector<const HumanDigit*>& group) {
+  /// Returns the contraction model of digits for which the file states none: rigid tendons, or
+  /// bounds alone, with a warning, if the subject lacks a fibre length.
+  Muscle default_rung(const std::vector<const HumanDigit*>& group) {
     const Subject& subject = human_.hand.subject;
     for (const HumanDigit* digit : group) {
       const std::string without = muscle_without_fibre(subject, digit->tendons->digit());
@@ -151,32 +152,32 @@ class HandPuller {
     return Muscle::kRigidTendon;
   }
 
-  /// Tells muscles that are to pull more than they can make.
+  /// Warns of tensions above the largest force of their muscle.
   void warn_of_tensions() {
     for (const std::string& name : names_) {
-      // The largest tension that is given, and the largest force.
-      double most = 0, can = std::numeric_limits<double>::infinity();
-      for (const GivenMuscle& each : tensions_)
-        if (each.muscle == name) most = std::max(most, each.schedule.value.maxCoeff());
+      // Largest prescribed tension, and largest force of the muscle.
+      double max_tension = 0, max_force = std::numeric_limits<double>::infinity();
+      for (const MuscleDrive& each : tensions_)
+        if (each.muscle == name)
+          max_tension = std::max(max_tension, each.schedule.value.maxCoeff());
       for (const HumanDigit& digit : human_.hand.digits) {
         const std::vector<std::string>& muscles = digit.tendons->digit().names.muscles;
         for (std::size_t m = 0; m < muscles.size(); ++m)
-          if (muscles[m] == name) can = digit.max_force[m];
+          if (muscles[m] == name) max_force = digit.max_force[m];
       }
-      if (most > can * (1 + 1e-9))
+      if (max_tension > max_force * (1 + kForceTolerance))
         built_.warnings.push_back(
             fmt::format("hand '{}': {} is pulled with {:.4g} N, but can make {:.4g} N", human_.name,
-                        name, most, can));
+                        name, max_tension, max_force));
     }
   }
 
-  /// Schedules of some muscles, from lines of the file up to `last`.
-  static std::vector<MuscleSchedule> schedules_of(const std::vector<GivenMuscle>& given,
+  /// Returns the schedules of some muscles, from lines of the file up to `last`.
+  static std::vector<MuscleSchedule> schedules_of(const std::vector<MuscleDrive>& given,
                                                   const std::vector<std::string>& muscles,
                                                   int last = std::numeric_limits<int>::max()) {
     std::vector<MuscleSchedule> out;
-    // Entries of these muscles, with their numbers among them.
-    for (const GivenMuscle& each : given) {
+    for (const MuscleDrive& each : given) {
       const auto at = std::find(muscles.begin(), muscles.end(), each.muscle);
       if (at == muscles.end() || each.line > last) continue;
       out.push_back(each.schedule);
@@ -185,23 +186,23 @@ class HandPuller {
     return out;
   }
 
-  /// Lines of the file that give these muscles something, rising.
-  [[nodiscard]] std::set<int> lines_of(const std::vector<std::string>& muscles) const {
+  /// Returns the lines of the file that drive any of these muscles, rising.
+  [[nodiscard]] std::set<int> drive_lines(const std::vector<std::string>& muscles) const {
     std::set<int> lines;
-    for (const std::vector<GivenMuscle>* given : {&excitations_, &tensions_})
-      for (const GivenMuscle& each : *given)
+    for (const std::vector<MuscleDrive>* given : {&excitations_, &tensions_})
+      for (const MuscleDrive& each : *given)
         if (std::count(muscles.begin(), muscles.end(), each.muscle) > 0) lines.insert(each.line);
     return lines;
   }
 
-  /// The pull of a digit. @throws DataError at the first line with which it cannot be built
-  std::shared_ptr<const DigitPull> pull_of(DigitPullModel model) const {
+  /// Builds a pull from its model. @throws DataError at the first line that makes it invalid
+  std::shared_ptr<const DigitPull> build_pull(DigitPullModel model) const {
     try {
       return std::make_shared<const DigitPull>(model);
     } catch (const InputError& error) {
-      // Add the lines one by one, to name the first that cannot be built.
+      // Add the lines one by one to find the first invalid one.
       const std::vector<std::string>& muscles = model.tendons->muscles();
-      const std::set<int> lines = lines_of(muscles);
+      const std::set<int> lines = drive_lines(muscles);
       for (const int line : lines) {
         model.tensions = schedules_of(tensions_, muscles, line);
         model.excitations = schedules_of(excitations_, muscles, line);
@@ -215,37 +216,38 @@ class HandPuller {
     }
   }
 
-  static bool gives(const std::vector<GivenMuscle>& given, const std::string& muscle) {
+  static bool is_driven_by(const std::vector<MuscleDrive>& given, const std::string& muscle) {
     return std::any_of(given.begin(), given.end(),
-                       [&](const GivenMuscle& each) { return each.muscle == muscle; });
+                       [&](const MuscleDrive& each) { return each.muscle == muscle; });
   }
 
-  /// Digits one by one, but those that contract with all that share a muscle with them.
-  [[nodiscard]] std::vector<std::vector<const HumanDigit*>> groups() const {
-    // Muscles that are not given a tension, and whether any is excited.
+  /// Returns the groups of digits that need a common pull, see contracting_groups().
+  [[nodiscard]] std::vector<std::vector<const HumanDigit*>> digit_groups() const {
+    // Muscles without a prescribed tension, and whether any is excited.
     std::vector<std::vector<std::string>> muscles;
     std::vector<bool> excited;
     for (const HumanDigit& digit : human_.hand.digits) {
       const std::vector<std::string>& names = digit.tendons->digit().names.muscles;
       muscles.emplace_back();
       for (const std::string& name : names)
-        if (!gives(tensions_, name)) muscles.back().push_back(name);
+        if (!is_driven_by(tensions_, name)) muscles.back().push_back(name);
       excited.push_back(std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-        return gives(excitations_, name);
+        return is_driven_by(excitations_, name);
       }));
     }
-    // Digits that contract with those that share a muscle.
-    std::vector<std::vector<const HumanDigit*>> groups;
+    // Group the digits that share a contracting muscle.
+    std::vector<std::vector<const HumanDigit*>> digit_groups;
     for (const std::vector<int>& members : contracting_groups(muscles, excited)) {
-      groups.emplace_back();
+      digit_groups.emplace_back();
       for (const int i : members)
-        groups.back().push_back(&human_.hand.digits[static_cast<std::size_t>(i)]);
+        digit_groups.back().push_back(&human_.hand.digits[static_cast<std::size_t>(i)]);
     }
-    return groups;
+    return digit_groups;
   }
 
-  bool add(const std::vector<const HumanDigit*>& group) {
-    // Name, tendons and schedules of the group.
+  /// Adds the pull of a group. @return false if the file drives none of its muscles
+  bool add_pull(const std::vector<const HumanDigit*>& group) {
+    // Collect name, tendons and schedules of the group.
     DigitPullModel model;
     std::vector<std::shared_ptr<const DigitTendons>> tendons;
     for (const HumanDigit* digit : group) {
@@ -257,21 +259,21 @@ class HandPuller {
     model.tensions = schedules_of(tensions_, muscles);
     model.excitations = schedules_of(excitations_, muscles);
     if (model.tensions.empty() && model.excitations.empty()) return false;
-    model.places = places_of(human_.name, model.tendons->coordinates(), built_.scene.mechanism);
-    // Excited muscles contract; errors name the first line that excites one of them.
+    model.indices = places_of(human_.name, model.tendons->coordinates(), built_.scene.mechanism);
+    // Excited muscles need a contraction model; errors name the first line that excites one.
     if (!model.excitations.empty()) {
       const auto excited =
-          std::find_if(excitations_.begin(), excitations_.end(), [&](const GivenMuscle& each) {
+          std::find_if(excitations_.begin(), excitations_.end(), [&](const MuscleDrive& each) {
             return std::count(muscles.begin(), muscles.end(), each.muscle) > 0;
           });
       try {
         model.contraction =
-            contraction_of(human_.hand, group, muscles, rung_ ? *rung_ : rung_of(group));
+            contraction_of(human_.hand, group, muscles, rung_ ? *rung_ : default_rung(group));
       } catch (const InputError& error) {
         throw DataError(spec_.path, excited->line, error.what());
       }
     }
-    built_.scene.elements.push_back(pull_of(std::move(model)));
+    built_.scene.elements.push_back(build_pull(std::move(model)));
     return true;
   }
 
@@ -279,11 +281,11 @@ class HandPuller {
   const SceneHuman& human_;
   BuiltScene& built_;
   std::vector<std::string> names_;
-  std::vector<GivenMuscle> tensions_, excitations_;
-  std::optional<Muscle> rung_;  // that the scene states
+  std::vector<MuscleDrive> tensions_, excitations_;
+  std::optional<Muscle> rung_;  // contraction model that the file states
 };
 
-bool has_torsion(const SceneSpec& spec) {
+bool has_torsion_radius(const SceneSpec& spec) {
   return std::any_of(spec.frictions.begin(), spec.frictions.end(),
                      [](const SceneFrictionSpec& friction) { return friction.torsion_radius; });
 }
@@ -294,12 +296,12 @@ bool has_drive(const SceneSpec& spec, const std::string& hand) {
   });
 }
 
-/// The body with a surface that carries a body by a joint; -1: none.
+/// Returns the body with a surface that carries a body by a joint; -1: none.
 int carrier_of(const Mechanism& mechanism, int body) {
   const auto joint_of = [&](int i) -> const MechanismJoint& {
     return mechanism.joints[static_cast<std::size_t>(i)];
   };
-  // Past what is welded to it, to whatever has a surface on the other side of a joint.
+  // Skip welds up to the joint, then bodies without a surface.
   while (body >= 0 && joint_of(body).kind == JointKind::kWeld) body = joint_of(body).parent;
   int carrier = body >= 0 ? joint_of(body).parent : -1;
   while (carrier >= 0 && !mechanism.bodies[static_cast<std::size_t>(carrier)].solid)
@@ -310,14 +312,14 @@ int carrier_of(const Mechanism& mechanism, int body) {
 }  // namespace
 
 std::vector<double> human_posture(const SceneHandSpec& spec, const HumanMechanism& hand) {
-  // Open hand, with the angles that the file states, within their ranges.
+  // Replace angles of the open hand by those of the file, and check their ranges.
   const std::vector<std::string>& names = hand.skeleton.coordinate_names;
   std::vector<double> u(hand.open.data(), hand.open.data() + hand.open.size());
   for (const auto& [name, value] : spec.placed.posture)
     u[index_of_name(name, names, "joint of hand '" + spec.placed.name + "'")] = value;
   for (std::size_t c = 0; c < names.size(); ++c) {
     const CoordinateLimits& limits = hand.skeleton.limits[c];
-    require(u[c] >= limits.lower - kBeyondRange && u[c] <= limits.upper + kBeyondRange,
+    require(u[c] >= limits.lower - kRangeTolerance && u[c] <= limits.upper + kRangeTolerance,
             "joint '{}' of hand '{}' begins at {:.4g} deg, beyond its range {:.4g} to {:.4g} deg",
             names[c], spec.placed.name, u[c] / kDegree, limits.lower / kDegree,
             limits.upper / kDegree);
@@ -327,38 +329,37 @@ std::vector<double> human_posture(const SceneHandSpec& spec, const HumanMechanis
 
 void add_human_elements(const SceneSpec& spec, const std::vector<SceneHuman>& humans,
                         BuiltScene& built) {
-  // Robots have no muscles.
+  // Refuse muscles of robots.
   for (const SceneMuscleSpec& each : spec.muscles)
     if (std::none_of(humans.begin(), humans.end(),
                      [&](const SceneHuman& human) { return human.name == each.hand; }))
       throw DataError(spec.path, each.line,
                       fmt::format("hand '{}' is a robot: it has no muscles", each.hand));
-  // Stops of the joints, and warnings of what is left free.
+  // Add joint stops and pulls, and warn of motions that nothing resists or drives.
   for (const SceneHuman& human : humans) {
     built.scene.elements.push_back(std::make_shared<const JointStops>(
         human.name + "/stops", human.hand.skeleton,
         places_of(human.name, human.hand.skeleton.coordinate_names, built.scene.mechanism)));
-    if (human.hand.contact == ContactModel::kSoftFinger && !has_torsion(spec))
+    if (human.hand.contact == ContactModel::kSoftFinger && !has_torsion_radius(spec))
       built.warnings.push_back(fmt::format(
           "soft pads of hand '{}' twist freely on what they touch: no [[friction]] has a "
           "'torsion_radius'",
           human.name));
-    // Muscles and drives may both be absent.
-    if (!HandPuller(spec, human, built).pull() && !has_drive(spec, human.name))
+    if (!HandPullBuilder(spec, human, built).build() && !has_drive(spec, human.name))
       built.warnings.push_back(
           fmt::format("nothing drives hand '{}': it moves freely", human.name));
   }
 }
 
-void part_webs(const std::vector<SceneHuman>& humans, BuiltScene& built) {
+void exclude_web_contacts(const std::vector<SceneHuman>& humans, BuiltScene& built) {
   const Mechanism& mechanism = built.scene.mechanism;
   for (const SceneHuman& human : humans) {
-    std::vector<std::pair<int, int>> roots;  // links on each carrier: carrier, link
+    std::vector<std::pair<int, int>> roots;  // (carrier, link) of all links so far
     for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
       if (built.owner[i] != human.name || !mechanism.bodies[i].solid) continue;
       const int carrier = carrier_of(mechanism, static_cast<int>(i));
       if (carrier < 0 || built.owner[static_cast<std::size_t>(carrier)] != human.name) continue;
-      // Links on the same carrier are neighbours, whose webs overlap.
+      // Exclude contacts with all earlier links on the same carrier.
       for (const auto& [other, link] : roots)
         if (other == carrier) built.scene.apart.emplace_back(link, static_cast<int>(i));
       roots.emplace_back(carrier, static_cast<int>(i));

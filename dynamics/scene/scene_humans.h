@@ -1,6 +1,6 @@
 #pragma once
 
-/// Human hands of a scene: their posture at the start, and what pulls them.
+/// Adds human hands to a scene: initial posture, joint stops, tendons and muscles.
 
 #include <string>
 #include <vector>
@@ -10,28 +10,29 @@
 
 namespace thenar {
 
-/// A human hand of a scene.
+/// Human hand of a scene.
 struct SceneHuman {
-  std::string name;  // of the file
-  HumanMechanism hand;
+  std::string name;     // name in the file
+  HumanMechanism hand;  // its mechanism
 };
 
-/// Coordinates of a hand at the start; what the file does not name stands where closing begins.
-/// @throws InputError if it has no such joint, or an angle is beyond the joint's range.
+/// Returns the initial coordinates of a hand [rad]; joints that the file does not name have the
+/// open posture.
+/// @throws InputError if a named joint does not exist, or an angle is beyond the joint's range.
 [[nodiscard]] std::vector<double> human_posture(const SceneHandSpec& spec,
                                                 const HumanMechanism& hand);
 
-/// Adds stops and pulls of all human hands; warns of hands that nothing moves.
-/// @param built  its mechanism is complete
-/// @throws DataError at the line of the file that names what is not there.
+/// Adds the JointStops and DigitPulls of all human hands, and warns of hands without any drive.
+/// @param built  scene with a complete mechanism
+/// @throws DataError at the line of the file with an unknown name or invalid values.
 void add_human_elements(const SceneSpec& spec, const std::vector<SceneHuman>& humans,
                         BuiltScene& built);
 
-/// Keeps links of a human hand apart that joints hang on the same link, the roots of its digits on
-/// the palm: the flesh between them is one web, and gives way. Rigid skin of such a root would be a
-/// wedge between its neighbour and the palm, from which the neighbour's joint lets nothing escape.
-/// Farther links of two digits may touch.
-/// @param built  its mechanism is complete
-void part_webs(const std::vector<SceneHuman>& humans, BuiltScene& built);
+/// Excludes contacts between links of a human hand that are attached to the same link, such as the
+/// proximal links of the digits on the palm. The web of flesh between them is soft; rigid skin
+/// would wedge between the neighbour and the palm. More distal links of two digits keep their
+/// contacts.
+/// @param built  scene with a complete mechanism
+void exclude_web_contacts(const std::vector<SceneHuman>& humans, BuiltScene& built);
 
 }  // namespace thenar

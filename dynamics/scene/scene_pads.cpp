@@ -21,18 +21,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kBedRings = 18;        // of a bed, as laws are fitted with [LawFitOptions]
-constexpr double kOutOfReach = 100;  // where no object touches yet [m]
+constexpr int kBedRings = 18;             // rings of a foundation, as in LawFitOptions
+constexpr double kInitialDistance = 100;  // initial distance of the object, out of contact [m]
 
-/// A pad of a rung under an object.
+/// Builds the moving pad of a rung under an object.
 std::shared_ptr<const MovingPad> moving_pad(const ScenePadSpec& pad, double scale,
                                             const RigidObject& object) {
-  // Elements need the scaled shape alone, reduced laws their constants.
+  // Finite elements need the scaled shape alone.
   PadModel model = build_pad(pad.spec);
   model.shape = scaled_shape(model.shape, scale);
   Pose<double> far;
-  far.p.z() = kOutOfReach;
+  far.p.z() = kInitialDistance;
   if (pad.rung == "elements") return std::make_shared<ElementPad>(model, object, far);
+  // Reduced laws need their calibrated constants.
   require(pad.law.has_value(), "the rung '{}' needs 'laws' of this pad", pad.rung);
   const CalibratedLaws laws = scaled_laws(*pad.law, scale);
   if (pad.rung == "foundation")
@@ -40,7 +41,7 @@ std::shared_ptr<const MovingPad> moving_pad(const ScenePadSpec& pad, double scal
         std::make_shared<FoundationBed>(pad_columns(model.shape, kBedRings), laws.foundation,
                                         laws.relaxation),
         object, far);
-  // Choose the law at a point.
+  // Point laws.
   std::shared_ptr<const ContactLaw> law;
   if (pad.rung == "soft-finger")
     law = std::make_shared<SoftFinger>(laws.soft_finger, laws.relaxation);
@@ -49,13 +50,13 @@ std::shared_ptr<const MovingPad> moving_pad(const ScenePadSpec& pad, double scal
   return std::make_shared<LawPad>(pad.rung, model.shape, law, object, far);
 }
 
-/// The place that the file states, or that of the fingertip of a human hand.
+/// Returns the pose and scale that the file states, or those on the fingertip of a human hand.
 PadPlace place_of(const ScenePadSpec& pad, const std::vector<SceneHuman>& humans) {
   if (pad.X_BP) return {*pad.X_BP, pad.scale.value_or(1)};
   for (const SceneHuman& human : humans)
     if (pad.on.compare(0, human.name.size() + 1, human.name + "/") == 0)
-      return place_on_fingertip(human.hand, pad.on.substr(human.name.size() + 1), pad.spec,
-                                pad.scale);
+      return fingertip_pad_place(human.hand, pad.on.substr(human.name.size() + 1), pad.spec,
+                                 pad.scale);
   throw InputError(fmt::format(
       "a pad needs a 'position': '{}' is no link of a human hand, whose fingertips have "
       "one; give 'position_mm' and 'rotation' of the pad's frame in it: origin in the "
@@ -63,9 +64,8 @@ PadPlace place_of(const ScenePadSpec& pad, const std::vector<SceneHuman>& humans
       pad.on));
 }
 
-/// The body that carries a body by welds alone; -1: the world.
+/// Returns the first body, towards the world, that is not welded to its parent; -1: the world.
 int carrier_by_welds(const Mechanism& mechanism, int body) {
-  // Follow welds to the first joint that moves.
   while (body >= 0) {
     const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(body)];
     if (joint.kind != JointKind::kWeld) return body;
@@ -74,16 +74,16 @@ int carrier_by_welds(const Mechanism& mechanism, int body) {
   return body;
 }
 
-/// One pad against one body. @param b  that body
+/// Adds the element of one pad on body a against body b.
 void add_element(const SceneSpec& spec, const ScenePadSpec& pad, const PadPlace& place, int a,
                  int b, BuiltScene& built) {
   MovingScene& scene = built.scene;
-  // The object with the pair's friction.
+  // Object with the friction of the pair.
   const MechanismBody& other = scene.mechanism.bodies[static_cast<std::size_t>(b)];
   require(other.solid != nullptr, "'{}' has no shape that could press on a pad", other.name);
   const RigidObject object{other.solid->shape,
                            pad.friction ? *pad.friction : friction_between(spec, built, a, b)};
-  // The pad presses in place of contacts between the two.
+  // The element replaces rigid contacts between the two bodies.
   scene.elements.push_back(std::make_shared<PadElement>(
       fmt::format("pad of {} on {}", pad.on, other.name), a, place.X_BP, b,
       moving_pad(pad, place.scale, object), PadElementOptions{pad.force_error}));
@@ -93,7 +93,7 @@ void add_element(const SceneSpec& spec, const ScenePadSpec& pad, const PadPlace&
 
 void add_pad(const SceneSpec& spec, const ScenePadSpec& pad, const std::vector<SceneHuman>& humans,
              BuiltScene& built) {
-  // A pad element against each body, which must move against the other.
+  // Place the pad, and add an element for each body that can move relative to it.
   const int a = body_named(built.scene.mechanism, pad.on);
   const PadPlace place = place_of(pad, humans);
   for (const std::string& name : pad.against) {
@@ -108,8 +108,8 @@ void add_pad(const SceneSpec& spec, const ScenePadSpec& pad, const std::vector<S
 
 }  // namespace
 
-PadPlace place_on_fingertip(const HumanMechanism& hand, const std::string& link, const PadSpec& pad,
-                            std::optional<double> scale) {
+PadPlace fingertip_pad_place(const HumanMechanism& hand, const std::string& link,
+                             const PadSpec& pad, std::optional<double> scale) {
   // Frame of the pad: z outward, x along the finger, origin one height below the skin.
   for (const SkinPatch& patch : skin_patches(find_anatomy(hand.subject), hand.skeleton)) {
     if (patch.kind != PatchKind::kPad || patch.middle.segment != link) continue;
@@ -125,46 +125,46 @@ PadPlace place_on_fingertip(const HumanMechanism& hand, const std::string& link,
 }
 
 void add_pads(const SceneSpec& spec, const std::vector<SceneHuman>& humans, BuiltScene& built) {
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (const ScenePadSpec& pad : spec.pads) {
-    // What nobody measured of a pad that acts is told once.
+    // Warn of assumed numbers, once for each pad.
     const std::vector<std::string> assumed = assumed_words(pad.spec);
-    if (!assumed.empty() && pad.rung != "hard-point" && told.insert(pad.spec.name).second)
+    if (!assumed.empty() && pad.rung != "hard-point" && reported.insert(pad.spec.name).second)
       built.warnings.push_back(fmt::format("pad '{}' is assumed, not measured, in {} numbers: {}",
                                            pad.spec.name, assumed.size(),
                                            fmt::join(assumed, ", ")));
-    // Laws of one pad say nothing of another.
+    // Warn of laws that were calibrated for another pad or another version of it.
     const bool by_law = pad.rung != "elements" && pad.rung != "hard-point";
     if (by_law && pad.law && pad.law->name != pad.spec.name &&
-        told.insert(pad.law->name + " of " + pad.spec.name).second)
+        reported.insert(pad.law->name + " of " + pad.spec.name).second)
       built.warnings.push_back(
           fmt::format("pad '{}' has laws that were calibrated for '{}': its forces are of that pad",
                       pad.spec.name, pad.law->name));
     if (by_law && pad.law && pad.law->name == pad.spec.name)
       if (const std::string doubt = version_doubt(*pad.law, pad.spec);
-          !doubt.empty() && told.insert(doubt).second)
+          !doubt.empty() && reported.insert(doubt).second)
         built.warnings.push_back(doubt);
     at_line(spec.path, pad.line, [&] { add_pad(spec, pad, humans, built); });
   }
 }
 
-void set_hard_points(const SceneSpec& spec, BuiltScene& built) {
+void set_hard_point_friction(const SceneSpec& spec, BuiltScene& built) {
   MovingScene& scene = built.scene;
   for (const ScenePadSpec& pad : spec.pads) {
     if (pad.rung != "hard-point" || !pad.friction) continue;
     const int a = body_named(scene.mechanism, pad.on);
-    // Friction of the pad for each pair, in place of what is stated.
+    // Override the friction of each pair.
     for (const std::string& name : pad.against) {
       const int b = body_named(scene.mechanism, name);
       const std::pair<int, int> bodies = std::minmax(a, b);
-      PairFriction rub = pair_friction(scene, a, b);
-      rub.coefficient = *pad.friction;
+      PairFriction friction = pair_friction(scene, a, b);
+      friction.coefficient = *pad.friction;
       const auto stated = std::find_if(scene.friction_pairs.begin(), scene.friction_pairs.end(),
                                        [&](const auto& pair) { return pair.first == bodies; });
       if (stated != scene.friction_pairs.end())
-        stated->second = rub;
+        stated->second = friction;
       else
-        scene.friction_pairs.emplace_back(bodies, rub);
+        scene.friction_pairs.emplace_back(bodies, friction);
     }
   }
 }

@@ -16,14 +16,13 @@ namespace {
 
 using Pair = std::pair<int, int>;
 
-constexpr double kToldOverlap = 1e-6;  // depth at the start that is told [m]
+constexpr double kReportedOverlap = 1e-6;  // initial depth above which a pair is reported [m]
 
 Pair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Bodies of a name: one body, or all links of a hand.
+/// Returns the bodies of a name: one body, or all links of a hand.
 std::vector<int> bodies_of(const BuiltScene& built, const std::string& name,
                            const std::string& path, int line) {
-  // Body of that name, or all bodies of that hand.
   std::vector<int> found;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < built.owner.size(); ++i) {
@@ -36,7 +35,7 @@ std::vector<int> bodies_of(const BuiltScene& built, const std::string& name,
   return found;
 }
 
-/// All pairs of one body of each of two names.
+/// Returns all pairs of a body of one name and a body of another name.
 std::vector<Pair> pairs_between(const BuiltScene& built, const std::vector<std::string>& between,
                                 const std::string& path, int line) {
   std::vector<Pair> pairs;
@@ -46,8 +45,8 @@ std::vector<Pair> pairs_between(const BuiltScene& built, const std::vector<std::
   return pairs;
 }
 
-/// Replaces the constants of a pair that the scene states.
-PairFriction with_stated(PairFriction pair, const SceneFrictionSpec& stated) {
+/// Returns the friction of a pair, with the constants that a [[friction]] states replaced.
+PairFriction with_overrides(PairFriction pair, const SceneFrictionSpec& stated) {
   pair.coefficient = stated.coefficient.value_or(pair.coefficient);
   pair.torsion_radius = stated.torsion_radius.value_or(pair.torsion_radius);
   pair.restitution = stated.restitution.value_or(pair.restitution);
@@ -58,15 +57,15 @@ std::string material_of(const MechanismBody& body) {
   return body.material.empty() ? kDefaultMaterial : body.material;
 }
 
-/// The named pairs, over what all pairs have.
+/// Returns the friction of all named pairs; constants that a [[friction]] does not state are those
+/// of all pairs.
 std::map<Pair, PairFriction> named_pairs(const SceneSpec& spec, const BuiltScene& built) {
   std::map<Pair, PairFriction> named;
-  // Pairs that a line of the file names, each once.
   for (const SceneFrictionSpec& friction : spec.frictions) {
     if (friction.between.empty()) continue;
     for (const Pair& pair : pairs_between(built, friction.between, spec.path, friction.line)) {
       PairFriction base = built.scene.friction;
-      const bool is_new = named.emplace(pair, with_stated(base, friction)).second;
+      const bool is_new = named.emplace(pair, with_overrides(base, friction)).second;
       if (!is_new)
         throw DataError(spec.path, friction.line,
                         fmt::format("the friction of '{}' and '{}' is given twice",
@@ -76,9 +75,9 @@ std::map<Pair, PairFriction> named_pairs(const SceneSpec& spec, const BuiltScene
   return named;
 }
 
-/// Friction of materials, where neither the pair nor all pairs have a coefficient.
+/// Returns the static friction of the materials of a pair.
+/// @throws DataError that names both bodies if it is not known
 double material_friction(const SceneSpec& spec, const MovingScene& scene, const Pair& pair) {
-  // Materials of both bodies; an unknown pair is an error that names them.
   const MechanismBody& a = scene.mechanism.bodies[static_cast<std::size_t>(pair.first)];
   const MechanismBody& b = scene.mechanism.bodies[static_cast<std::size_t>(pair.second)];
   try {
@@ -90,18 +89,19 @@ double material_friction(const SceneSpec& spec, const MovingScene& scene, const 
   }
 }
 
+/// Sets the friction of all pairs of the scene.
 void set_friction(const SceneSpec& spec, BuiltScene& built) {
   MovingScene& scene = built.scene;
   // Friction of all pairs, if the file states one.
-  bool of_materials = true;
+  bool by_material = true;
   for (const SceneFrictionSpec& friction : spec.frictions) {
     if (!friction.between.empty()) continue;
-    scene.friction = with_stated(scene.friction, friction);
-    of_materials = !friction.coefficient;
+    scene.friction = with_overrides(scene.friction, friction);
+    by_material = !friction.coefficient;
   }
-  // Named pairs; where friction is by materials, all others that may meet.
+  // Named pairs, and if friction depends on materials, all other pairs that may meet.
   std::map<Pair, PairFriction> named = named_pairs(spec, built);
-  if (of_materials) {
+  if (by_material) {
     std::set<Pair> stated;
     for (const SceneFrictionSpec& friction : spec.frictions)
       if (!friction.between.empty() && friction.coefficient)
@@ -116,9 +116,8 @@ void set_friction(const SceneSpec& spec, BuiltScene& built) {
   scene.friction_pairs.assign(named.begin(), named.end());
 }
 
-/// Computes the penetration depths of all pairs that may meet.
-std::map<Pair, double> depths_at(ContactStep& step, const Eigen::VectorXd& q) {
-  // Contacts of negative gap, the deepest of each pair.
+/// Returns the penetration depths of all pairs that overlap at positions q [m].
+std::map<Pair, double> penetration_depths(ContactStep& step, const Eigen::VectorXd& q) {
   std::vector<ActiveContact> found;
   step.find_contacts({0, q, Eigen::VectorXd::Zero(step.model().layout.v)}, 0, found);
   std::map<Pair, double> depths;
@@ -130,11 +129,11 @@ std::map<Pair, double> depths_at(ContactStep& step, const Eigen::VectorXd& q) {
   return depths;
 }
 
-/// Links of one hand that are in each other with all its coordinates at 0, or at the start.
-void part_links(const SceneSpec& spec, BuiltScene& built) {
+/// Excludes contacts of links of one hand that overlap at the start or with all coordinates at 0.
+void exclude_overlapping_links(const SceneSpec& spec, BuiltScene& built) {
   if (spec.hands.empty()) return;
   MovingScene& scene = built.scene;
-  // Posture with all coordinates of hands at 0.
+  // Set all coordinates of hands to 0.
   std::set<std::string> hands;
   for (const SceneHandSpec& hand : spec.hands) hands.insert(hand.placed.name);
   Eigen::VectorXd zero = scene.q;
@@ -142,11 +141,11 @@ void part_links(const SceneSpec& spec, BuiltScene& built) {
   for (std::size_t c = 0; c < layout.coordinate_q.size(); ++c)
     if (scene.mechanism.coordinates[c].name.find('/') != std::string::npos)
       zero[layout.coordinate_q[c]] = 0;
-  // Links of one hand that overlap there or at the start are kept apart.
+  // Exclude pairs of links of one hand that overlap in either posture.
   std::set<Pair> inside;
   ContactStep step(scene);
   for (const Eigen::VectorXd& q : {scene.q, zero})
-    for (const auto& [pair, depth] : depths_at(step, q)) {
+    for (const auto& [pair, depth] : penetration_depths(step, q)) {
       const std::string& owner = built.owner[static_cast<std::size_t>(pair.first)];
       if (owner == built.owner[static_cast<std::size_t>(pair.second)] && hands.count(owner) > 0)
         inside.insert(pair);
@@ -157,32 +156,32 @@ void part_links(const SceneSpec& spec, BuiltScene& built) {
 }  // namespace
 
 double friction_between(const SceneSpec& spec, const BuiltScene& built, int a, int b) {
-  // A stated pair first, then all pairs, then materials.
+  // Look for the pair itself, then for all pairs, then for the materials.
   const Pair pair = ordered(a, b);
-  std::optional<double> of_all;
+  std::optional<double> common;
   for (const SceneFrictionSpec& friction : spec.frictions) {
     if (!friction.coefficient) continue;
     if (friction.between.empty()) {
-      of_all = friction.coefficient;
+      common = friction.coefficient;
       continue;
     }
     for (const Pair& named : pairs_between(built, friction.between, spec.path, friction.line))
       if (named == pair) return *friction.coefficient;
   }
-  return of_all ? *of_all : material_friction(spec, built.scene, pair);
+  return common ? *common : material_friction(spec, built.scene, pair);
 }
 
 void set_pairs(const SceneSpec& spec, BuiltScene& built) {
-  // Pairs that the file keeps apart, and links that overlap by design.
+  // Exclude the pairs of the file, and links that overlap by design.
   for (const SceneApartSpec& apart : spec.apart)
     for (const Pair& pair : pairs_between(built, apart.between, spec.path, apart.line))
       built.scene.apart.push_back(pair);
-  part_links(spec, built);
+  exclude_overlapping_links(spec, built);
   set_friction(spec, built);
-  // Overlaps at the start are told.
+  // Warn of initial overlaps.
   ContactStep step(built.scene);
-  for (const auto& [pair, depth] : depths_at(step, built.scene.q))
-    if (depth > kToldOverlap)
+  for (const auto& [pair, depth] : penetration_depths(step, built.scene.q))
+    if (depth > kReportedOverlap)
       built.warnings.push_back(fmt::format(
           "'{}' and '{}' begin in each other by {:.3g} mm and are pushed apart",
           built.scene.mechanism.bodies[static_cast<std::size_t>(pair.first)].name,

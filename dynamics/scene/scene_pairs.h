@@ -1,19 +1,20 @@
 #pragma once
 
-/// Pairs of bodies of a scene that may touch, and their friction.
+/// Sets the contact pairs of a scene and their friction.
 
 #include "data/io/scene/scene.h"
 #include "dynamics/scene/build_scene.h"
 
 namespace thenar {
 
-/// Sets the pairs that are apart and the friction of all others, as build_scene() says; warns of
-/// bodies that begin in each other.
-/// @throws DataError at the line of the file that names what is not there, or names a pair twice,
-/// or if two materials have no friction.
+/// Sets the pairs without contacts and the friction of all others, see build_scene(). Warns of
+/// bodies that overlap at the start.
+/// @throws DataError at the line of the file with an unknown body or a pair that is named twice, or
+/// if the friction of two materials is not known.
 void set_pairs(const SceneSpec& spec, BuiltScene& built);
 
-/// Coefficient of friction of two bodies, by the same rule, also where they are apart [1].
+/// Returns the coefficient of friction of two bodies by the rules of build_scene(), also for pairs
+/// without contacts [1].
 /// @throws DataError as set_pairs().
 [[nodiscard]] double friction_between(const SceneSpec& spec, const BuiltScene& built, int a, int b);
 

@@ -13,9 +13,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kBeyondLimit = 1e-9;  // posture beyond a joint limit by rounding [rad] or [m]
+constexpr double kLimitTolerance = 1e-9;  // excess over a joint limit by rounding [rad] or [m]
 
-/// Motion of a hinge or slide along z by a value.
+/// Returns the motion of a hinge or slide along z by a value [rad] or [m].
 Pose<double> motion_along_z(JointKind kind, double value) {
   Pose<double> X;
   if (kind == JointKind::kHinge) X.R = rotation_about<double>({0, 0, 1}, value);
@@ -23,19 +23,20 @@ Pose<double> motion_along_z(JointKind kind, double value) {
   return X;
 }
 
-/// Puts the first body of a part, whose parent is the world here, on a joint.
-/// @param X_WB   where it is;  @param name  of a coordinate of its own
+/// Sets the joint of the first body of a part, whose parent is still the world.
+/// @param name  name of the joint's coordinate
+/// @param X_WB  initial pose of the body
 void put_on_joint(const SceneJointSpec& spec, const std::string& name, const Pose<double>& X_WB,
                   Mechanism& part) {
   MechanismJoint& joint = part.joints.front();
   joint.kind = spec.kind;
-  // A free body hangs on its centre of mass.
+  // A free joint is at the centre of mass.
   if (spec.kind == JointKind::kFree) {
     joint.X_PF = {};
     joint.X_BM.p = part.bodies.front().mass.com;
     return;
   }
-  // Frame A of the joint, z along its axis; F is turned back by the start, where the part stands.
+  // Frame A of the joint, z along its axis; F is moved back by the initial value.
   Pose<double> A = X_WB;
   if (spec.kind != JointKind::kWeld) A = {Eigen::Matrix3d::Identity(), spec.point};
   if (is_scalar(joint.kind)) {
@@ -45,7 +46,7 @@ void put_on_joint(const SceneJointSpec& spec, const std::string& name, const Pos
   joint.X_PF = A * motion_along_z(joint.kind, -spec.start);
   joint.X_BM = X_WB.inverse() * A;
   if (!is_scalar(joint.kind)) return;
-  // What belongs to a coordinate.
+  // Coordinate of a hinge or slide, with its limits and resistance.
   joint.coordinate = static_cast<int>(part.coordinates.size());
   part.coordinates.push_back({name});
   joint.lower = spec.lower;
@@ -56,16 +57,15 @@ void put_on_joint(const SceneJointSpec& spec, const std::string& name, const Pos
   joint.friction = spec.friction;
 }
 
-/// Returns the position of a motor for which the file states none: the position where closing
-/// begins.
-double opening_of(const RobotDof& dof) {
+/// Returns the position of a motor where closing begins, the default of the file.
+double open_position(const RobotDof& dof) {
   if (dof.open) return *dof.open;
   if (dof.speed > 0) return dof.lower;
   if (dof.speed < 0) return dof.upper;
   return std::clamp(0.0, dof.lower, dof.upper);
 }
 
-/// Welds the joints of a coordinate where they stand.
+/// Welds the joints of a coordinate at its value u [rad] or [m].
 void weld_coordinate(Mechanism& part, int coordinate, double u) {
   for (MechanismJoint& joint : part.joints) {
     if (!is_scalar(joint.kind)) continue;
@@ -77,47 +77,48 @@ void weld_coordinate(Mechanism& part, int coordinate, double u) {
   }
 }
 
-/// Leaves out coordinates that move nothing any more. @return the old index of each that is left
-std::vector<int> drop_unused(Mechanism& part) {
-  // Coordinates that some joint still has, and their new numbers.
-  std::vector<int> kept, now(part.coordinates.size(), -1);
-  std::vector<MechanismCoordinate> left;
+/// Removes coordinates that no joint uses. @return the old index of each remaining coordinate
+std::vector<int> remove_unused_coordinates(Mechanism& part) {
+  // Find the coordinates in use, and their new indices.
+  std::vector<int> kept, new_index(part.coordinates.size(), -1);
+  std::vector<MechanismCoordinate> remaining;
   for (int c = 0; c < static_cast<int>(part.coordinates.size()); ++c) {
     const bool used =
         std::any_of(part.joints.begin(), part.joints.end(), [&](const MechanismJoint& joint) {
           return is_scalar(joint.kind) && joint.coordinate == c;
         });
     if (!used) continue;
-    now[static_cast<std::size_t>(c)] = static_cast<int>(kept.size());
+    new_index[static_cast<std::size_t>(c)] = static_cast<int>(kept.size());
     kept.push_back(c);
-    left.push_back(part.coordinates[static_cast<std::size_t>(c)]);
+    remaining.push_back(part.coordinates[static_cast<std::size_t>(c)]);
   }
-  part.coordinates = std::move(left);
-  // New numbers in the joints.
+  part.coordinates = std::move(remaining);
+  // Update the joints.
   for (MechanismJoint& joint : part.joints)
-    if (is_scalar(joint.kind)) joint.coordinate = now[static_cast<std::size_t>(joint.coordinate)];
+    if (is_scalar(joint.kind))
+      joint.coordinate = new_index[static_cast<std::size_t>(joint.coordinate)];
   return kept;
 }
 
-/// Coordinates of a hand at the start.
-std::vector<double> posture_of(const SceneHandSpec& hand, const RobotSpec& robot,
-                               const Mechanism& part) {
-  // Openings of the motors, then the posture that the file states.
+/// Returns the initial coordinates of a robot hand [rad] or [m].
+std::vector<double> robot_posture(const SceneHandSpec& hand, const RobotSpec& robot,
+                                  const Mechanism& part) {
+  // Open positions of the motors, replaced by the posture that the file states.
   std::vector<std::string> names;
   std::vector<double> u;
   for (const MechanismCoordinate& coordinate : part.coordinates) {
     names.push_back(coordinate.name);
     u.push_back(0);
     for (const RobotDof& dof : robot.dofs)
-      if (dof.name == coordinate.name) u.back() = opening_of(dof);
+      if (dof.name == coordinate.name) u.back() = open_position(dof);
   }
   for (const auto& [name, value] : hand.placed.posture)
     u[index_of_name(name, names, "coordinate of hand '" + hand.placed.name + "'")] = value;
-  // No joint may begin beyond its limits.
+  // Check the joint limits.
   for (const MechanismJoint& joint : part.joints) {
     if (!is_scalar(joint.kind)) continue;
     const double value = joint_value(joint, u[static_cast<std::size_t>(joint.coordinate)]).value;
-    require(value >= joint.lower - kBeyondLimit && value <= joint.upper + kBeyondLimit,
+    require(value >= joint.lower - kLimitTolerance && value <= joint.upper + kLimitTolerance,
             "joint '{}' of hand '{}' begins at {:.4g}, beyond its limits {:.4g} to {:.4g} [rad], "
             "[m]",
             joint.name, hand.placed.name, value, joint.lower, joint.upper);
@@ -125,8 +126,8 @@ std::vector<double> posture_of(const SceneHandSpec& hand, const RobotSpec& robot
   return u;
 }
 
-/// Poses of the bodies of a part whose world is at X_WH.
-void place_links(const Pose<double>& X_WH, ScenePart& part) {
+/// Computes the initial poses of the bodies of a part whose root frame is at X_WH.
+void set_poses(const Pose<double>& X_WH, ScenePart& part) {
   part.X_WB.clear();
   const TreeModel model = tree_model(part.mechanism);
   TreeMotion<double> motion(model);
@@ -137,7 +138,7 @@ void place_links(const Pose<double>& X_WH, ScenePart& part) {
     part.X_WB.push_back(X_WH * motion.pose(body));
 }
 
-/// Builds the parts of one scene; what they share is what the scene says of them.
+/// Builder of the parts of one scene.
 class PartsBuilder {
  public:
   explicit PartsBuilder(const SceneSpec& spec) : spec_(spec) {}
@@ -157,7 +158,7 @@ class PartsBuilder {
       part.joint = body.joint;
       part.velocity = body.velocity;
       PlacedBody placed = body.placed;
-      // A body that is welded to a parent moves with the parent.
+      // A body that is welded to a parent body moves with it, so it needs a mass.
       placed.dynamic = body.joint.kind != JointKind::kWeld || !body.joint.parent.empty();
       part.mechanism = body_mechanism(placed, spec_.materials);
       put_on_joint(body.joint, part.name, placed.X_WB, part.mechanism);
@@ -166,7 +167,7 @@ class PartsBuilder {
         part.u = {body.joint.start};
         part.u_dot = {body.joint.speed};
       }
-      if (give(part)) place_links({}, part);
+      if (make_joints_compliant(part)) set_poses({}, part);
       return part;
     });
   }
@@ -178,14 +179,14 @@ class PartsBuilder {
       part.prefix = part.name + "/";
       part.joint = hand.joint;
       part.velocity = hand.velocity;
-      // Mechanism and posture of the robot or the human.
+      // Build the mechanism, and set the posture.
       if (const auto* robot = std::get_if<RobotSpec>(&model))
         add_robot(hand, *robot, part);
       else
         add_human(hand, std::get<HumanModel>(model), part);
-      (void)give(part);
-      place_links(hand.placed.X_WH, part);
-      // The base on its joint, whose coordinate comes last.
+      (void)make_joints_compliant(part);
+      set_poses(hand.placed.X_WH, part);
+      // Set the joint of the base, whose coordinate is the last one.
       put_on_joint(hand.joint, "base", hand.placed.X_WH, part.mechanism);
       part.u_dot.assign(part.u.size(), 0);
       if (part.mechanism.coordinates.size() > part.u.size()) {
@@ -205,8 +206,8 @@ class PartsBuilder {
     BuiltMechanism built = robot_mechanism(robot);
     add_warnings(part.name, built.warnings);
     part.mechanism = std::move(built.mechanism);
-    part.u = posture_of(hand, robot, part.mechanism);
-    hold_locked(robot, part);
+    part.u = robot_posture(hand, robot, part.mechanism);
+    weld_locked_motors(robot, part);
   }
 
   void add_human(const SceneHandSpec& hand, const HumanModel& model, ScenePart& part) {
@@ -222,8 +223,8 @@ class PartsBuilder {
                        [&](const SceneDriveSpec& drive) { return drive.coordinate == coordinate; });
   }
 
-  /// Welds motors that hold by themselves and that nothing drives, and says what is left out.
-  void hold_locked(const RobotSpec& robot, ScenePart& part) {
+  /// Welds motors that are not backdrivable and have no drive; warns of features left out.
+  void weld_locked_motors(const RobotSpec& robot, ScenePart& part) {
     for (std::size_t c = 0; c < part.mechanism.coordinates.size(); ++c) {
       const MechanismCoordinate& coordinate = part.mechanism.coordinates[c];
       const std::string name = part.prefix + coordinate.name;
@@ -235,21 +236,21 @@ class PartsBuilder {
         out_.warnings.push_back(fmt::format(
             "motor '{}' is not backdrivable, but in this scene only its drive resists a load",
             name));
-      // Clutches and springs of driven motors are not modelled.
+      // Warn of clutches and springs of driven motors, which are not modelled.
       for (const RobotDof& dof : robot.dofs)
         if (dof.name == coordinate.name && dof.kind != DriveCoupling::kRigid && is_driven(name))
           out_.warnings.push_back(fmt::format(
               "motor '{}' moves its joints rigidly: its clutch or springs are left out", name));
     }
-    // Keep the values of the coordinates that still move something.
+    // Keep the values of the remaining coordinates.
     std::vector<double> u;
-    for (const int c : drop_unused(part.mechanism))
+    for (const int c : remove_unused_coordinates(part.mechanism))
       u.push_back(part.u[static_cast<std::size_t>(c)]);
     part.u = std::move(u);
   }
 
-  /// Makes the part's joints give that the file says do. @return whether there are any
-  bool give(ScenePart& part) const {
+  /// Makes joints of the part compliant as the file says. @return true if there are any
+  bool make_joints_compliant(ScenePart& part) const {
     part.compliant = make_part_compliant(spec_, part.name, part.prefix, part.mechanism);
     part.u.resize(part.mechanism.coordinates.size(), 0);
     if (!part.u_dot.empty()) part.u_dot.resize(part.u.size(), 0);
@@ -262,7 +263,7 @@ class PartsBuilder {
 
 }  // namespace
 
-SceneParts scene_parts(const SceneSpec& spec, const std::vector<SceneHand>& hands) {
+SceneParts build_scene_parts(const SceneSpec& spec, const std::vector<SceneHand>& hands) {
   require(hands.size() == spec.hands.size(), "{} hands have {} models", spec.hands.size(),
           hands.size());
   return PartsBuilder(spec).build(hands);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Bodies and hands of a scene file, each a mechanism by itself.
+/// Builds the bodies and hands of a scene file as separate mechanisms.
 
 #include <string>
 #include <vector>
@@ -13,30 +13,31 @@
 
 namespace thenar {
 
-/// Body or hand of the file as it enters the mechanism of the scene.
+/// Body or hand of the file, before it is added to the mechanism of the scene.
 struct ScenePart {
-  Mechanism mechanism;             // its world is the scene's
-  std::string name, prefix;        // of the file; before names of bodies and coordinates
-  std::vector<Pose<double>> X_WB;  // of its bodies at the start
-  std::vector<double> u, u_dot;    // of its coordinates at the start
-  SceneJointSpec joint;            // of its first body
-  SceneVelocity velocity;
-  std::vector<CompliantJoint> compliant;  // coordinates are the part's
+  Mechanism mechanism;             // its bodies and joints, in the world of the scene
+  std::string name;                // name in the file
+  std::string prefix;              // prefix of names of its bodies and coordinates
+  std::vector<Pose<double>> X_WB;  // initial poses (bodies)
+  std::vector<double> u, u_dot;    // initial coordinates and rates [rad] or [m] (coordinates)
+  SceneJointSpec joint;            // joint of its first body
+  SceneVelocity velocity;          // initial velocity, of a free joint
+  std::vector<CompliantJoint> compliant;  // compliant joints, with coordinate indices of the part
 };
 
-/// All parts of a scene, hands first, each in the order of the file.
+/// Parts of a scene: hands, then bodies, in the order of the file.
 struct SceneParts {
   std::vector<ScenePart> parts;
-  std::vector<SceneHuman> humans;
-  std::vector<std::string> warnings;  // what was assumed, and what is left out
+  std::vector<SceneHuman> humans;     // human hands among the parts
+  std::vector<std::string> warnings;  // assumptions, and features that are left out
 };
 
-/// Builds every body and hand by itself, where it is at the start, on its joint.
-///
-/// A motor that holds by itself and that nothing drives is welded where it stands.
-/// @param hands  models of the hands, in their order
-/// @throws InputError if there are not as many models as hands; DataError at the line of a hand or
+/// Builds every body and hand in its initial state, on its joint. A motor that is not backdrivable
+/// and has no drive is welded at its initial position.
+/// @param hands  models of the hands, in the order of the file
+/// @throws InputError if the numbers of models and hands differ; DataError at the line of a hand or
 /// body that cannot be built.
-[[nodiscard]] SceneParts scene_parts(const SceneSpec& spec, const std::vector<SceneHand>& hands);
+[[nodiscard]] SceneParts build_scene_parts(const SceneSpec& spec,
+                                           const std::vector<SceneHand>& hands);
 
 }  // namespace thenar

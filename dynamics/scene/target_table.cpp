@@ -14,7 +14,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kLastBits = 4 * std::numeric_limits<double>::epsilon();  // of numbers of a table
+// Rounding error of a number of a table, relative [1]
+constexpr double kRelativeRounding = 4 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
@@ -22,7 +23,7 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
                                const SceneDriveSpec& drive) {
   const TimeTable table = parse_time_table(text, path, "target");
   const Dimension dimension = drive.turns ? Dimension::kAngle : Dimension::kLength;
-  // Column of the drive, in one of the units of its kind.
+  // Find the column of the drive, in any unit of its dimension.
   TargetTable out;
   std::vector<std::string> wanted;
   for (const Unit& unit : units_of(dimension)) {
@@ -39,7 +40,7 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
     throw DataError(path, table.header_line,
                     fmt::format("wanted a column {}, got {}", fmt::join(wanted, " or "),
                                 fmt::join(table.columns, ", ")));
-  // What is nearer than steps can be is a jump, and has one time.
+  // Rows must have equal times, which is a jump, or be at least the shortest step apart.
   for (Eigen::Index k = 1; k < out.time.size(); ++k) {
     const double span = out.time[k] - out.time[k - 1];
     if (span > 0 && span < SceneOptions().shortest)
@@ -47,7 +48,7 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
                       fmt::format("wanted rows of one time, or {} s apart, got {:.3g} s",
                                   SceneOptions().shortest, span));
   }
-  // Targets within the largest of their kind.
+  // Check the magnitude of the targets.
   for (Eigen::Index k = 0; k < out.target.size(); ++k)
     if (std::abs(out.target[k]) > largest_of(dimension))
       throw DataError(
@@ -62,32 +63,33 @@ TargetTable without_straight_knots(const TargetTable& table) {
   require(knots > 0 && table.target.size() == knots, "{} times have {} targets", knots,
           table.target.size());
   std::vector<Eigen::Index> kept{0};
-  // Slopes of the lines from the last kept knot that meet all knots since, to rounding.
-  double least = -kInfinity, most = kInfinity;
+  // Range of slopes for which a line from the last kept knot meets all later knots so far.
+  double min_slope = -kInfinity, max_slope = kInfinity;
   const auto keep = [&](Eigen::Index k) {
     const Eigen::Index last = kept.back();
     if (table.time[last] != table.time[k] || table.target[last] != table.target[k])
       kept.push_back(k);
-    least = -kInfinity, most = kInfinity;
+    min_slope = -kInfinity, max_slope = kInfinity;
   };
   for (Eigen::Index k = 1; k < knots; ++k) {
     const double step = table.time[k] - table.time[k - 1];
     const double change = table.target[k] - table.target[k - 1];
+    // Keep both knots of a jump.
     if (step == 0) {
       keep(k - 1);
       keep(k);
       continue;
     }
-    const auto slope_to = [&](double off) {
-      return (table.target[k] + off - table.target[kept.back()]) /
+    const auto slope_to = [&](double offset) {
+      return (table.target[k] + offset - table.target[kept.back()]) /
              (table.time[k] - table.time[kept.back()]);
     };
-    // The line ends before a knot that it would miss.
-    if (!(slope_to(0) >= least && slope_to(0) <= most)) keep(k - 1);
+    // Keep the knot before, if the line would miss this one; then narrow the range.
+    if (!(slope_to(0) >= min_slope && slope_to(0) <= max_slope)) keep(k - 1);
     const double rounding =
-        kLastBits * (std::abs(table.target[k]) + std::abs(change / step * table.time[k]));
-    least = std::max(least, slope_to(-rounding));
-    most = std::min(most, slope_to(rounding));
+        kRelativeRounding * (std::abs(table.target[k]) + std::abs(change / step * table.time[k]));
+    min_slope = std::max(min_slope, slope_to(-rounding));
+    max_slope = std::min(max_slope, slope_to(rounding));
   }
   keep(knots - 1);
   return {table.time(kept), table.target(kept)};

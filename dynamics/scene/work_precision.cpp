@@ -11,13 +11,14 @@
 namespace thenar {
 namespace {
 
-WorkPoint measured_point(const MovingScene& scene, const SceneOptions& options, double setting,
-                         int repeats, const std::function<double(const SceneSample&)>& error) {
+/// Runs a scene several times and keeps the shortest time.
+WorkPoint measure_point(const MovingScene& scene, const SceneOptions& options, double setting,
+                        int repeats, const std::function<double(const SceneSample&)>& error) {
   WorkPoint point;
   point.method = options.method;
   point.setting = setting;
   point.cpu_seconds = std::numeric_limits<double>::infinity();
-  // Shortest time of several runs, which all end alike.
+  // All runs give the same result.
   for (int i = 0; i < repeats; ++i) {
     const SceneRun run = simulate_scene(scene, options);
     point.cpu_seconds = std::min(point.cpu_seconds, run.cost.cpu_seconds);
@@ -36,16 +37,16 @@ std::vector<WorkPoint> work_precision(const MovingScene& scene, SceneOptions opt
   require(settings.repeats >= 1, "wanted at least one run, got {}", settings.repeats);
   options.sample = options.seconds;
   std::vector<WorkPoint> points;
-  // One curve by tolerances, one by steps.
+  // Vary the tolerance of events, then the step length of time stepping.
   options.method = SteppingMethod::kEvents;
   for (const double tolerance : settings.tolerances) {
     options.tolerance = tolerance;
-    points.push_back(measured_point(scene, options, tolerance, settings.repeats, error));
+    points.push_back(measure_point(scene, options, tolerance, settings.repeats, error));
   }
   options.method = SteppingMethod::kTimeStepping;
   for (const double step : settings.steps) {
     options.step = step;
-    points.push_back(measured_point(scene, options, step, settings.repeats, error));
+    points.push_back(measure_point(scene, options, step, settings.repeats, error));
   }
   return points;
 }
@@ -55,16 +56,16 @@ double rolled_angle(double start, double seconds, double distance, double gravit
   require(seconds >= 0 && distance > 0 && gravity > 0,
           "wanted a time from 0 s on, a distance and a gravity above 0, got {} s, {} m, {} m/s^2",
           seconds, distance, gravity);
-  // Elliptic integral that is left: F falls evenly with time.
+  // Elliptic integral F(psi), which decreases linearly in time.
   const double modulus = std::cos(0.5 * start);
-  const double left =
+  const double integral =
       std::comp_ellint_1(modulus) - std::sqrt(5 * gravity / (7 * distance)) * seconds;
-  require(left >= 0, "the ball is at the bottom before {} s", seconds);
-  // F rises with psi: bisection down to neighbouring numbers.
+  require(integral >= 0, "the ball is at the bottom before {} s", seconds);
+  // Invert F, which increases with psi, by bisection to machine precision.
   double low = 0, high = 0.5 * kPi;
   for (double middle = 0.5 * (low + high); middle > low && middle < high;
        middle = 0.5 * (low + high))
-    (std::ellint_1(modulus, middle) < left ? low : high) = middle;
+    (std::ellint_1(modulus, middle) < integral ? low : high) = middle;
   return 2 * std::acos(modulus * std::sin(high));
 }
 

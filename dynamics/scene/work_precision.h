@@ -1,7 +1,7 @@
 #pragma once
 
-/// Accuracy over processor time of the two steppers, on a scene whose answer is known, and such an
-/// answer with a contact that turns: a ball that rolls off another.
+/// Work-precision diagrams of the two steppers on scenes with an exact solution, and the exact
+/// solution of a ball that rolls off another.
 
 #include <functional>
 #include <vector>
@@ -11,39 +11,42 @@
 
 namespace thenar {
 
-/// Error of a run and its cost.
+/// Error and cost of a run.
 struct WorkPoint {
   SteppingMethod method;
-  double setting = 0;      // kEvents: tolerance [m], [rad]; kTimeStepping: length of a step [s]
-  double error = 0;        // as the caller measures it
-  double cpu_seconds = 0;  // the least of all repeats [s]
-  long steps = 0;
-  SceneStatus status = SceneStatus::kDone;  // read it first
+  double setting = 0;      // tolerance of kEvents [m], [rad]; step length of kTimeStepping [s]
+  double error = 0;        // result of the caller's error function
+  double cpu_seconds = 0;  // shortest processor time of all repeats [s]
+  long steps = 0;          // number of steps
+  SceneStatus status = SceneStatus::kDone;  // error and cost are only meaningful for kDone
 };
 
-/// Tolerances and steps to try.
+/// Settings of a work-precision diagram.
 struct WorkSettings {
-  std::vector<double> tolerances;  // of kEvents [m], [rad]
-  std::vector<double> steps;       // of kTimeStepping [s]
-  int repeats = 5;                 // of each run: others on the machine only add time
+  std::vector<double> tolerances;  // tolerances of kEvents [m], [rad]
+  std::vector<double> steps;       // step lengths of kTimeStepping [s]
+  int repeats = 5;  // repeats of each run; the shortest is least disturbed by other processes
 };
 
-/// Runs a scene by `events` at each tolerance, then by `time-stepping` at each step. Only its end
-/// is kept, so that no sample cuts a step.
-/// @param error  of the last instant against the exact answer, in one unit of the caller's
+/// Runs a scene with `events` at each tolerance, then with `time-stepping` at each step length.
+/// Only the final state is sampled, so that no sample shortens a step.
+/// @param error  function that returns the error of the final state, in any unit
+/// @throws InputError if there are no repeats.
 [[nodiscard]] std::vector<WorkPoint> work_precision(
     const MovingScene& scene, SceneOptions options, const WorkSettings& settings,
     const std::function<double(const SceneSample&)>& error);
 
-/// Angle from the top of a full ball that rolls without slip on a fixed one and was at rest at
-/// `start`, in free fall of `gravity` downwards:
+/// Returns the angle from the top of a solid ball that rolls without slip on a fixed ball, after
+/// it was at rest at the angle `start`, exact to rounding [rad]:
 ///   angle'' = k sin(angle),   k = (5 / 7) gravity / distance,
-/// a pendulum upside down. With c = cos(start / 2) and incomplete elliptic integrals F of modulus c
+/// an inverted pendulum. With c = cos(start / 2) and the incomplete elliptic integral F of modulus
+/// c
 ///   cos(angle / 2) = c sin(psi),   F(psi) = F(pi / 2) - sqrt(k) seconds.
-/// @param start     above 0, below pi [rad];  @param seconds  after which, up to pi of angle [s]
-/// @param distance  of the centres [m];  @param gravity  [m/s^2]
-/// @return [rad], to rounding
-/// @throws InputError if a number is out of its range, or the ball would be beyond the bottom.
+/// @param start     initial angle, above 0 and below pi [rad]
+/// @param seconds   elapsed time, while the angle is at most pi [s]
+/// @param distance  distance of the centres [m]
+/// @param gravity   gravitational acceleration [m/s^2]
+/// @throws InputError if an argument is out of its range, or the ball would be past the bottom.
 [[nodiscard]] double rolled_angle(double start, double seconds, double distance,
                                   double gravity = 9.81);
 

@@ -25,7 +25,7 @@ VectorXd pivoted(const ContactProblem& problem, VectorXd f, bool* solved) {
   contacts.assign(problem);
   const VectorXd u = contacts.A() * f + contacts.b();
   int pivots = 0;
-  *solved = pivot_sliding(contacts, f, u, pivots);
+  *solved = take_pivoting_step(contacts, f, u, pivots);
   return f;
 }
 

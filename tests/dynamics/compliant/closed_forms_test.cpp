@@ -88,7 +88,7 @@ TEST_P(CompliantPrograms, CubeSlidesAsItsRampSays) {
   double way = 0, speed = 0;
   const double h = 1e-5;
   const auto slope_at = [&](double v) {
-    const double share = friction_share(FrictionRamp::kQuintic, v / options.compliance.transition);
+    const double share = friction_ratio(FrictionRamp::kQuintic, v / options.compliance.transition);
     return kG * (std::sin(slope) - mu * std::cos(slope) * share);
   };
   for (int i = 0; i < 40000; ++i) {

@@ -12,20 +12,20 @@ namespace thenar {
 namespace {
 
 TEST(PenaltyLaw, LinearSpringIsThatOfAHandCalculation) {
-  const NormalLoad rest = linear_load(1e3, 2, 1e-3, 0);
+  const NormalLoad rest = linear_normal_load(1e3, 2, 1e-3, 0);
   EXPECT_DOUBLE_EQ(rest.force, 1);
   EXPECT_DOUBLE_EQ(rest.energy, 0.5e-3);
-  EXPECT_DOUBLE_EQ(linear_load(1e3, 2, 1e-3, 0.1).force, 1.2);
-  EXPECT_EQ(linear_load(1e3, 2, 1e-3, -1).force, 0);  // what is pulled away does not stick
-  EXPECT_EQ(linear_load(1e3, 2, -1e-3, 1).force, 0);
+  EXPECT_DOUBLE_EQ(linear_normal_load(1e3, 2, 1e-3, 0.1).force, 1.2);
+  EXPECT_EQ(linear_normal_load(1e3, 2, 1e-3, -1).force, 0);  // what is pulled away does not stick
+  EXPECT_EQ(linear_normal_load(1e3, 2, -1e-3, 1).force, 0);
 }
 
 // Two rigid balls of 20 mm that overlap by 0.1 mm: 4/3 * 1e6 * sqrt(0.01) * 1e-6 = 0.1333 N.
 TEST(PenaltyLaw, HertzSpringIsThatOfAHandCalculation) {
-  const NormalLoad rest = hertz_load(1e6, 0.01, 0.2, 1e-4, 0);
+  const NormalLoad rest = hertz_normal_load(1e6, 0.01, 0.2, 1e-4, 0);
   EXPECT_NEAR(rest.force, 0.4 / 3, 1e-15);
-  EXPECT_NEAR(hertz_load(1e6, 0.01, 0.2, 1e-4, 0.1).force, 1.03 * 0.4 / 3, 1e-15);
-  EXPECT_EQ(hertz_load(1e6, 0.01, 0.2, 1e-4, -4).force, 0);
+  EXPECT_NEAR(hertz_normal_load(1e6, 0.01, 0.2, 1e-4, 0.1).force, 1.03 * 0.4 / 3, 1e-15);
+  EXPECT_EQ(hertz_normal_load(1e6, 0.01, 0.2, 1e-4, -4).force, 0);
 }
 
 TEST(PenaltyLaw, ForcesAreTheSlopesOfEnergies) {
@@ -34,8 +34,8 @@ TEST(PenaltyLaw, ForcesAreTheSlopesOfEnergies) {
     const auto slope = [&](const auto& load) {
       return (load(depth + h).energy - load(depth - h).energy) / (2 * h);
     };
-    const auto linear = [](double d) { return linear_load(1e5, 0, d, 0); };
-    const auto hertz = [](double d) { return hertz_load(1e7, 0.02, 0, d, 0); };
+    const auto linear = [](double d) { return linear_normal_load(1e5, 0, d, 0); };
+    const auto hertz = [](double d) { return hertz_normal_load(1e7, 0.02, 0, d, 0); };
     EXPECT_NEAR(slope(linear) / linear(depth).force, 1, 1e-6);
     EXPECT_NEAR(slope(hertz) / hertz(depth).force, 1, 1e-6);
   }
@@ -43,14 +43,14 @@ TEST(PenaltyLaw, ForcesAreTheSlopesOfEnergies) {
 
 // 10 * 0.064 - 15 * 0.0256 + 6 * 0.01024 = 0.31744.
 TEST(PenaltyLaw, RampsRiseFromRestToCoulomb) {
-  EXPECT_NEAR(friction_share(FrictionRamp::kQuintic, 0.4), 0.31744, 1e-15);
-  EXPECT_EQ(friction_share(FrictionRamp::kLinear, 0.4), 0.4);
+  EXPECT_NEAR(friction_ratio(FrictionRamp::kQuintic, 0.4), 0.31744, 1e-15);
+  EXPECT_EQ(friction_ratio(FrictionRamp::kLinear, 0.4), 0.4);
   for (const FrictionRamp ramp : {FrictionRamp::kQuintic, FrictionRamp::kLinear}) {
-    EXPECT_EQ(friction_share(ramp, 0), 0);
-    EXPECT_EQ(friction_share(ramp, 1), 1);
-    EXPECT_EQ(friction_share(ramp, 7), 1);
+    EXPECT_EQ(friction_ratio(ramp, 0), 0);
+    EXPECT_EQ(friction_ratio(ramp, 1), 1);
+    EXPECT_EQ(friction_ratio(ramp, 7), 1);
     for (const double share : {0.0, 0.1, 0.5, 0.99})
-      EXPECT_NEAR(friction_share(ramp, creep_speed(ramp, share)), share, 1e-14);
+      EXPECT_NEAR(friction_ratio(ramp, creep_speed(ramp, share)), share, 1e-14);
   }
 }
 

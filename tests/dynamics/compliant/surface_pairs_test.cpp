@@ -15,7 +15,7 @@ namespace {
 using sample::primitive;
 
 std::vector<SimbodyPair> pairs_of(const MovingScene& scene) {
-  return simbody_pairs(scene, tree_model(scene.mechanism));
+  return plan_simbody_pairs(scene, tree_model(scene.mechanism));
 }
 
 bool share(const std::vector<int>& a, const std::vector<int>& b) {

@@ -52,7 +52,7 @@ struct DigitScene {
     model.name = "digit";
     model.tendons = std::make_shared<const TendonGroup>(
         std::vector<std::shared_ptr<const DigitTendons>>{tendons});
-    model.places = places;
+    model.indices = places;
     return model;
   }
 
@@ -61,7 +61,7 @@ struct DigitScene {
   }
 
   std::shared_ptr<const DigitTendons> tendons;
-  CoordinatePlaces places;
+  CoordinateIndices places;
   MovingScene scene;
 };
 
@@ -170,7 +170,7 @@ TEST(DigitPull, TensionThatRampsDownEndsAtZero) {
   const TreeMotion<double> motion(tree);
   const VectorXd none = VectorXd::Zero(1);
   const auto tension_at = [&](double t) {
-    return pull.at({t, 0.005, none, none, VectorXd(), motion, 0}).tension[0];
+    return pull.state_at({t, 0.005, none, none, VectorXd(), motion, 0}).tension[0];
   };
   EXPECT_DOUBLE_EQ(tension_at(0.005), 0.95);
   EXPECT_EQ(tension_at(0.01), 0);

@@ -21,12 +21,12 @@ MuscleSchedule ramp() {
 TEST(MuscleSchedule, IsALineBetweenKnots) {
   const SchedulePiece piece = piece_at(ramp(), 1.5);
   EXPECT_EQ(piece.slope(), 2);
-  EXPECT_EQ(piece.at(2), 2);
+  EXPECT_EQ(piece.value_at(2), 2);
 }
 
 TEST(MuscleSchedule, IsConstantBeforeItsFirstKnotAndAfterItsLast) {
-  EXPECT_EQ(piece_at(ramp(), 0).at(0.5), 0);
-  EXPECT_EQ(piece_at(ramp(), 3).at(9), 4);
+  EXPECT_EQ(piece_at(ramp(), 0).value_at(0.5), 0);
+  EXPECT_EQ(piece_at(ramp(), 3).value_at(9), 4);
   EXPECT_EQ(piece_at(ramp(), 3).slope(), 0);
 }
 
@@ -37,21 +37,21 @@ TEST(MuscleSchedule, RefusesTwoOfOneMuscleAtOnce) {
             "two drives give 'b' its tension at once");
 }
 
-TEST(ActingPieces, AreZeroWhereNoScheduleActs) {
-  ActingPieces pieces(2);
-  pieces.find({ramp()}, 2);
-  EXPECT_EQ(pieces.of(0).at(2), 0);
-  EXPECT_EQ(pieces.of(1).at(2), 2);
+TEST(ActiveSchedulePieces, AreZeroWhereNoScheduleActs) {
+  ActiveSchedulePieces pieces(2);
+  pieces.select({ramp()}, 2);
+  EXPECT_EQ(pieces.piece_of(0).value_at(2), 0);
+  EXPECT_EQ(pieces.piece_of(1).value_at(2), 2);
 }
 
-TEST(ActingPieces, TakeWhatIsSetInPlaceOfSchedules) {
-  ActingPieces pieces(2);
-  pieces.find({ramp()}, 2);
-  pieces.set(1, 7);
-  pieces.find({ramp()}, 2);
-  EXPECT_EQ(pieces.of(1).at(2), 7);
-  EXPECT_EQ(pieces.set_value(1), 7);
-  EXPECT_FALSE(pieces.set_value(0));
+TEST(ActiveSchedulePieces, TakeWhatIsSetInPlaceOfSchedules) {
+  ActiveSchedulePieces pieces(2);
+  pieces.select({ramp()}, 2);
+  pieces.set_value(1, 7);
+  pieces.select({ramp()}, 2);
+  EXPECT_EQ(pieces.piece_of(1).value_at(2), 7);
+  EXPECT_EQ(pieces.value_set(1), 7);
+  EXPECT_FALSE(pieces.value_set(0));
 }
 
 }  // namespace

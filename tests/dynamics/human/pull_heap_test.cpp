@@ -26,12 +26,12 @@ TEST(PullHeap, IsLeftAloneAtEveryPostureAndNeed) {
   const MechanismLayout layout = layout_of(bones);
   const TreeModel tree = tree_model(bones);
   const TreeMotion<double> motion(tree);
-  const CoordinatePlaces places{layout.coordinate_q, layout.coordinate_v};
+  const CoordinateIndices places{layout.coordinate_q, layout.coordinate_v};
   DigitPullModel model;
   model.name = "digit";
   model.tendons = std::make_shared<const TendonGroup>(
       std::vector<std::shared_ptr<const DigitTendons>>{tendons});
-  model.places = places;
+  model.indices = places;
   for (MuscleUnit& unit : subject.muscles) {
     unit.fibre_length = 0.05;
     if (!unit.max_force) unit.max_force = 50;

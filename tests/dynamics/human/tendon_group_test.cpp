@@ -78,7 +78,7 @@ TEST(TendonGroup, WarnsOfTheWayToTheStart) {
   DigitPullModel model;
   model.name = "digit";
   model.tendons = group;
-  model.places = {layout.coordinate_q, layout.coordinate_v};
+  model.indices = {layout.coordinate_q, layout.coordinate_v};
   model.contraction = std::move(owned.contraction);
   scene.elements.push_back(std::make_shared<const DigitPull>(std::move(model)));
   SceneOptions options;

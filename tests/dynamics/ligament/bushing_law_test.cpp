@@ -21,16 +21,16 @@ using Eigen::Vector3d;
 
 constexpr double kSlopeStep = 1e-6;  // of differences [m], [rad]
 
-/// Laws of all ways, with toes, of which twist and the way along follow flexion.
+/// Laws of all coordinates with toe regions; twist and `along` have a ratio to flexion.
 BushingLaw curved_law() {
   BushingLaw law;
-  for (std::size_t i = 0; i < law.ways.size(); ++i) {
-    law.ways[i].stiffness = 2 + static_cast<double>(i);
-    law.ways[i].toe = 0.3;
-    law.ways[i].damping = 0.1 * static_cast<double>(i);
+  for (std::size_t i = 0; i < law.laws.size(); ++i) {
+    law.laws[i].stiffness = 2 + static_cast<double>(i);
+    law.laws[i].toe = 0.3;
+    law.laws[i].damping = 0.1 * static_cast<double>(i);
   }
-  law.follows[static_cast<std::size_t>(BushingWay::kTwist)] = 0.4;
-  law.follows[static_cast<std::size_t>(BushingWay::kAlong)] = -0.2;
+  law.flexion_ratios[static_cast<std::size_t>(BushingCoordinate::kTwist)] = 0.4;
+  law.flexion_ratios[static_cast<std::size_t>(BushingCoordinate::kAlong)] = -0.2;
   return law;
 }
 
@@ -44,7 +44,7 @@ TEST(BushingLaw, EffortsAreSlopesOfTheEnergy) {
   const BushingLaw law = curved_law();
   const BushingVector x = sample_place(), still = BushingVector::Zero();
   const BushingAction at = bushing_action(law, x, still);
-  for (int i = 0; i < kBushingWays; ++i) {
+  for (int i = 0; i < kBushingCoordinates; ++i) {
     const BushingVector way = kSlopeStep * BushingVector::Unit(i);
     const BushingAction more = bushing_action(law, x + way, still),
                         less = bushing_action(law, x - way, still);
@@ -73,16 +73,16 @@ TEST(BushingLaw, DampingTakesPower) {
 // A twist that goes along with flexion as the law says meets no resistance.
 TEST(BushingLaw, FollowsFlexionFreely) {
   BushingLaw law;
-  law.of(BushingWay::kTwist).stiffness = 5;
-  law.follows[static_cast<std::size_t>(BushingWay::kTwist)] = 0.4;
+  law.law_for(BushingCoordinate::kTwist).stiffness = 5;
+  law.flexion_ratios[static_cast<std::size_t>(BushingCoordinate::kTwist)] = 0.4;
   BushingVector x = BushingVector::Zero();
-  x[static_cast<int>(BushingWay::kFlexion)] = 0.5;
-  x[static_cast<int>(BushingWay::kTwist)] = 0.2;
+  x[static_cast<int>(BushingCoordinate::kFlexion)] = 0.5;
+  x[static_cast<int>(BushingCoordinate::kTwist)] = 0.2;
   EXPECT_LT(bushing_action(law, x, BushingVector::Zero()).effort.norm(), 1e-15);
-  x[static_cast<int>(BushingWay::kTwist)] = 0;  // held back: flexion feels 0.4 of the torque
+  x[static_cast<int>(BushingCoordinate::kTwist)] = 0;  // held back: flexion feels 0.4 of the torque
   const BushingAction held = bushing_action(law, x, BushingVector::Zero());
-  EXPECT_NEAR(held.effort[static_cast<int>(BushingWay::kTwist)], 5 * 0.2, 1e-14);
-  EXPECT_NEAR(held.effort[static_cast<int>(BushingWay::kFlexion)], -0.4 * 5 * 0.2, 1e-14);
+  EXPECT_NEAR(held.effort[static_cast<int>(BushingCoordinate::kTwist)], 5 * 0.2, 1e-14);
+  EXPECT_NEAR(held.effort[static_cast<int>(BushingCoordinate::kFlexion)], -0.4 * 5 * 0.2, 1e-14);
 }
 
 Matrix3d turned(double flexion, double abduction, double twist) {
@@ -96,7 +96,7 @@ TEST(BushingLaw, FindsTheAnglesOfAPose) {
   std::mt19937 rng(2);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int trial = 0; trial < 100; ++trial) {
-    const Vector3d angles(3 * unit(rng), kMostAbduction * unit(rng), 3 * unit(rng));
+    const Vector3d angles(3 * unit(rng), kMaxAbduction * unit(rng), 3 * unit(rng));
     const Pose<double> X{turned(angles[0], angles[1], angles[2]), Vector3d(1, 2, 3)};
     const BushingPose at = bushing_pose(X);
     EXPECT_TRUE(matrix_near(at.x.head<3>(), X.p, 0));
@@ -108,17 +108,17 @@ TEST(BushingLaw, FindsTheAnglesOfAPose) {
     };
     if (std::abs(angles[0]) > 2.9 || std::abs(angles[2]) > 2.9) continue;  // near the jump by 2 pi
     const Vector3d rates = (after(kSlopeStep) - after(-kSlopeStep)) / (2 * kSlopeStep);
-    EXPECT_TRUE(matrix_near(at.turn * omega, rates, 1e-6 * (1 + rates.norm())));
+    EXPECT_TRUE(matrix_near(at.rate_map * omega, rates, 1e-6 * (1 + rates.norm())));
   }
 }
 
 TEST(BushingLaw, RefusesAFlexionThatFollowsItself) {
   BushingLaw law = curved_law();
   EXPECT_NO_THROW(check_law(law));
-  law.follows[static_cast<std::size_t>(BushingWay::kFlexion)] = 0.1;
+  law.flexion_ratios[static_cast<std::size_t>(BushingCoordinate::kFlexion)] = 0.1;
   EXPECT_EQ(message_of([&] { check_law(law); }), "bushing: flexion cannot follow itself");
   law = curved_law();
-  law.follows[0] = std::nan("");
+  law.flexion_ratios[0] = std::nan("");
   EXPECT_EQ(message_of([&] { check_law(law); }), "bushing: wanted finite numbers, got nan");
 }
 

@@ -147,10 +147,10 @@ TEST(LigamentElement, CarriesAWeight) {
 
 TEST(BushingLaw, RefusesWhatIsImpossible) {
   BushingLaw law;
-  law.follows[3] = 0.1;
+  law.flexion_ratios[3] = 0.1;
   EXPECT_THROW(check_law(law), InputError);
-  law.follows = {};
-  law.of(BushingWay::kTwist).stiffness = -1;
+  law.flexion_ratios = {};
+  law.law_for(BushingCoordinate::kTwist).stiffness = -1;
   EXPECT_THROW(BushingElement("x", {}, {}, law), InputError);
 }
 

@@ -38,7 +38,7 @@ TEST(CompliantJoint, LeavesBonesWhereTheyAre) {
   ASSERT_EQ(gives.bodies.size(), 7u);
   EXPECT_EQ(gives.coordinates[0].name, "near");
   EXPECT_EQ(gives.coordinates[6].name, "near/twist");
-  EXPECT_EQ(joint.coordinate[static_cast<std::size_t>(BushingWay::kFlexion)], 0);
+  EXPECT_EQ(joint.coordinate[static_cast<std::size_t>(BushingCoordinate::kFlexion)], 0);
   check_mechanism(gives);
   // At any flexion both bones stand as on pins.
   const TreeModel model = tree_model(pins), other = tree_model(gives);
@@ -168,12 +168,12 @@ TEST(CompliantJoint, HasExactStiffnessAndDamping) {
 // s asinh(load / (k s)) with a toe.
 TEST(CompliantJoint, YieldsAsItsLawSays) {
   for (const double toe : {kInf, 2e-4}) {
-    for (int way = 0; way < kBushingWays; ++way) {
-      if (way == static_cast<int>(BushingWay::kFlexion)) continue;
+    for (int way = 0; way < kBushingCoordinates; ++way) {
+      if (way == static_cast<int>(BushingCoordinate::kFlexion)) continue;
       SCOPED_TRACE(way);
       const bool turns = way > 3;
       BushingLaw law = sample::even_law(2e4, 2, 1);
-      CapsuleLaw& own = law.ways[static_cast<std::size_t>(way)];
+      CapsuleLaw& own = law.laws[static_cast<std::size_t>(way)];
       own.toe = turns ? 200 * toe : toe;
       CompliantJoint joint;
       MovingScene scene = sample::compliant_scene(1, law, &joint);
@@ -322,7 +322,8 @@ TEST(CompliantJoint, TellsWhereItsCoordinatesEnd) {
   SceneOptions options;
   options.seconds = 1e-3;
   EXPECT_EQ(simulate_scene(scene, options).status, SceneStatus::kDone);
-  coordinate(scene, joint.coordinate[static_cast<std::size_t>(BushingWay::kAbduction)]) = 1.5;
+  coordinate(scene, joint.coordinate[static_cast<std::size_t>(BushingCoordinate::kAbduction)]) =
+      1.5;
   EXPECT_EQ(simulate_scene(scene, options).status, SceneStatus::kUnsolved);
 }
 
@@ -332,8 +333,8 @@ TEST(CompliantJoint, RefusesWhatIsNoHinge) {
   EXPECT_EQ(message_of<InputError>([&] { (void)make_compliant(mechanism, 1, {}); }),
             "joint 'far' is a slide: only hinges give");
   EXPECT_THROW((void)make_compliant(mechanism, 0, {{}, {0, 1, 0}}), InputError);
-  EXPECT_EQ(joint_named(mechanism, "far"), 1);
-  EXPECT_THROW((void)joint_named(mechanism, "fra"), InputError);
+  EXPECT_EQ(joint_index(mechanism, "far"), 1);
+  EXPECT_THROW((void)joint_index(mechanism, "fra"), InputError);
 }
 
 // Its centre of mass, the origin of its frame, is no place of the bone.

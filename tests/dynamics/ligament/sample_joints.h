@@ -54,22 +54,23 @@ inline Mechanism bones(int count) {
 inline BushingLaw even_law(double translation, double rotation, double damping_ratio = 0) {
   BushingLaw law;
   // Critical damping of 20 g and of 1e-6 kg m^2 at ratio 1.
-  for (const BushingWay way : {BushingWay::kAcross, BushingWay::kAlong, BushingWay::kAxial})
-    law.of(way) = {translation, std::numeric_limits<double>::infinity(), 20,
-                   damping_ratio * 2 * std::sqrt(translation * 0.02)};
-  for (const BushingWay way : {BushingWay::kAbduction, BushingWay::kTwist})
-    law.of(way) = {rotation, std::numeric_limits<double>::infinity(), 20,
-                   damping_ratio * 2 * std::sqrt(rotation * 1e-6)};
+  for (const BushingCoordinate way :
+       {BushingCoordinate::kAcross, BushingCoordinate::kAlong, BushingCoordinate::kAxial})
+    law.law_for(way) = {translation, std::numeric_limits<double>::infinity(), 20,
+                        damping_ratio * 2 * std::sqrt(translation * 0.02)};
+  for (const BushingCoordinate way : {BushingCoordinate::kAbduction, BushingCoordinate::kTwist})
+    law.law_for(way) = {rotation, std::numeric_limits<double>::infinity(), 20,
+                        damping_ratio * 2 * std::sqrt(rotation * 1e-6)};
   return law;
 }
 
 /// A law without any symmetry: toes, a flexion spring, a twist that follows flexion.
 inline BushingLaw uneven_law(double damping = 0) {
   BushingLaw law;
-  law.ways = {CapsuleLaw{4e4, 3e-4, 10, 5 * damping}, CapsuleLaw{8e4, 2e-4, 5, 8 * damping},
+  law.laws = {CapsuleLaw{4e4, 3e-4, 10, 5 * damping}, CapsuleLaw{8e4, 2e-4, 5, 8 * damping},
               CapsuleLaw{5e4, 4e-4, 8, 6 * damping},  CapsuleLaw{0.05, 0.5, 20, 1e-4 * damping},
               CapsuleLaw{2, 0.1, 15, 2e-3 * damping}, CapsuleLaw{1, 0.2, 12, 1e-3 * damping}};
-  law.follows = {1e-3, -2e-3, 5e-4, 0, 0.1, 0.3};
+  law.flexion_ratios = {1e-3, -2e-3, 5e-4, 0, 0.1, 0.3};
   return law;
 }
 

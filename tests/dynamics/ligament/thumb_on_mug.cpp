@@ -147,11 +147,12 @@ std::map<std::string, BushingLaw> joint_laws(double stiffer) {
   const double rigid = std::numeric_limits<double>::infinity();
   const auto law = [&](const CapsuleLaw& abduction, const CapsuleLaw& twist) {
     BushingLaw out;
-    for (const BushingWay way : {BushingWay::kAcross, BushingWay::kAlong, BushingWay::kAxial})
-      out.of(way) = {1e5, rigid, 20, 100};
-    out.of(BushingWay::kAbduction) = abduction;
-    out.of(BushingWay::kTwist) = twist;
-    for (CapsuleLaw& way : out.ways) way.stiffness *= stiffer;
+    for (const BushingCoordinate way :
+         {BushingCoordinate::kAcross, BushingCoordinate::kAlong, BushingCoordinate::kAxial})
+      out.law_for(way) = {1e5, rigid, 20, 100};
+    out.law_for(BushingCoordinate::kAbduction) = abduction;
+    out.law_for(BushingCoordinate::kTwist) = twist;
+    for (CapsuleLaw& each : out.laws) each.stiffness *= stiffer;
     return out;
   };
   return {{"CMC1_AA", law({rigid}, {0.4, 0.15, 20, kCapsuleDamping})},
@@ -175,7 +176,7 @@ ThumbOnMug thumb_on_mug(const ThumbOnMugOptions& options) {
   std::vector<CompliantJoint> joints;
   if (options.compliant)
     for (const auto& [name, law] : joint_laws(options.stiffer))
-      joints.push_back(make_compliant(thumb.mechanism, joint_named(thumb.mechanism, name),
+      joints.push_back(make_compliant(thumb.mechanism, joint_index(thumb.mechanism, name),
                                       {law, bone_of(thumb.subject, kBoneOf.at(name))}));
   const auto mug_coordinate = static_cast<int>(thumb.mechanism.coordinates.size());
   out.scene.mechanism = std::move(thumb.mechanism);

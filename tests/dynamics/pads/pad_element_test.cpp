@@ -465,9 +465,9 @@ class Pressed {
     motion_.set_position(q_);
     motion_.set_speed(v_);
   }
-  [[nodiscard]] double doubt() { return element_->step_error(input()); }
-  void accept() { element_->accept_step(input()); }
-  [[nodiscard]] double foresees() const { return element_->max_step_length(); }
+  [[nodiscard]] double step_error() { return element_->step_error(input()); }
+  void accept_step() { element_->accept_step(input()); }
+  [[nodiscard]] double max_step_length() const { return element_->max_step_length(); }
   [[nodiscard]] double energy() { return element_->energy(input()); }
   /// Its effort on the cube [N].
   [[nodiscard]] double force() {
@@ -511,7 +511,7 @@ TEST(PadElement, RelaxesFromTheBeginningOfAMotionThatFollowsARest) {
   const auto go = [&](double t) {
     pressed.place(t, depth(t), rate(t));
     (void)pressed.doubt();
-    pressed.accept();
+    pressed.accept_step();
   };
   for (int i = 0; i <= 10; ++i) go(1e-3 * i);
   EXPECT_NEAR(pressed.force(), exact(0.01), 1e-9);
@@ -533,10 +533,10 @@ TEST(PadElement, DoubtsAStepInWhichItsObjectMayHavePassed) {
   Pressed pressed(soft_finger(0));
   const double speed = 5;
   pressed.place(0.01, -0.03, speed);
-  pressed.accept();
+  pressed.accept_step();
   // As far as the cube is away, and a little.
-  EXPECT_LE(pressed.foresees() * speed, 0.03 + 2e-4);
-  EXPECT_GE(pressed.foresees() * speed, 0.5 * 0.03);
+  EXPECT_LE(pressed.max_step_length() * speed, 0.03 + 2e-4);
+  EXPECT_GE(pressed.max_step_length() * speed, 0.5 * 0.03);
   pressed.place(0.01 + 0.1 / speed, 0.07, speed);  // beyond the pad
   EXPECT_GT(pressed.doubt(), 1);
   pressed.place(0.01 + 0.027 / speed, -0.003, speed);
@@ -590,17 +590,17 @@ TEST(PadElement, StoresAtRestWhatSpringsAndDampersDo) {
   const double k = 1000, x = 4e-4;
   Pressed pressed(power_law(1, 1, kTerms));
   pressed.place(1e-9, x, 0);
-  pressed.accept();
+  pressed.accept_step();
   EXPECT_NEAR(pressed.energy(), 0.5 * k * x * x, 1e-6 * k * x * x);
   pressed.place(100, x, 0);
-  pressed.accept();
+  pressed.accept_step();
   EXPECT_NEAR(pressed.energy(), 0.25 * 0.5 * k * x * x, 1e-6 * k * x * x);
   // Between, H_i = g_i k x exp(-t / tau_i) in springs of g_i k.
   Pressed other(power_law(1, 1, kTerms));
   other.place(1e-9, x, 0);
-  other.accept();
+  other.accept_step();
   other.place(0.05, x, 0);
-  other.accept();
+  other.accept_step();
   double share = 0.25;
   for (const ExponentialTerm& term : kTerms) share += term.share * std::exp(-0.1 / term.time);
   EXPECT_NEAR(other.energy(), share * 0.5 * k * x * x, 1e-6 * k * x * x);

@@ -33,7 +33,7 @@ TEST(RunBytes, ComeBackToTheBit) {
   run.samples[1].q[0] = -0.0;
   run.samples[1].v[0] = std::numeric_limits<double>::denorm_min();
   run.samples.back().contacts.back().torsion = 0.1 + 0.2;
-  const SceneRun back = run_of_bytes(bytes_of(run));
+  const SceneRun back = run_from_bytes(bytes_of(run));
   EXPECT_EQ(back.status, run.status);
   EXPECT_EQ(back.cost.unsolved, 7);
   EXPECT_EQ(back.cost.steps, run.cost.steps);
@@ -69,7 +69,7 @@ TEST(RunBytes, OfElementsAndAReasonComeBack) {
     run.samples[k].z = Eigen::Vector2d(0.1 * static_cast<double>(k), -0.0);
     run.samples[k].energy.of_elements = 0.3 * static_cast<double>(k);
   }
-  const SceneRun back = run_of_bytes(bytes_of(run));
+  const SceneRun back = run_from_bytes(bytes_of(run));
   EXPECT_EQ(back.status, SceneStatus::kFailed);
   EXPECT_EQ(back.message, run.message);
   ASSERT_EQ(back.samples.size(), run.samples.size());
@@ -85,11 +85,11 @@ TEST(RunBytes, OfElementsAndAReasonComeBack) {
 
 TEST(RunBytes, OfNoRunAreRefused) {
   const std::string bytes = bytes_of(pinched());
-  EXPECT_THROW((void)run_of_bytes(""), InputError);
-  EXPECT_THROW((void)run_of_bytes(bytes.substr(0, bytes.size() - 1)), InputError);
-  EXPECT_THROW((void)run_of_bytes(bytes + "x"), InputError);
+  EXPECT_THROW((void)run_from_bytes(""), InputError);
+  EXPECT_THROW((void)run_from_bytes(bytes.substr(0, bytes.size() - 1)), InputError);
+  EXPECT_THROW((void)run_from_bytes(bytes + "x"), InputError);
   // A count that promises more than there is asks for no memory.
-  EXPECT_THROW((void)run_of_bytes(bytes.substr(0, sizeof(SceneStatus)) + std::string(8, '\x7f')),
+  EXPECT_THROW((void)run_from_bytes(bytes.substr(0, sizeof(SceneStatus)) + std::string(8, '\x7f')),
                InputError);
 }
 

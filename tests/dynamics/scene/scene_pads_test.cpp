@@ -185,7 +185,7 @@ TEST(ScenePads, LieOnTheirFingertip) {
   PadSpec pad;
   pad.width = 16e-3;
   pad.height = 10e-3;
-  const PadPlace place = place_on_fingertip(hand, "DP2", pad, {});
+  const PadPlace place = fingertip_pad_place(hand, "DP2", pad, {});
   const std::vector<SkinPatch> patches = skin_patches(find_anatomy(hand.subject), hand.skeleton);
   const SkinLandmark& middle = pad_of(patches, "index");
   // The top of the pad is the middle of the patch, and looks outward.
@@ -197,8 +197,8 @@ TEST(ScenePads, LieOnTheirFingertip) {
       EXPECT_GT(place.X_BP.R.col(0).dot(patch.along), 0.9);
       EXPECT_NEAR(place.scale * pad.width, 2 * patch.half_breadth, 1e-12);
     }
-  EXPECT_EQ(place_on_fingertip(hand, "DP2", pad, 0.7).scale, 0.7);
-  EXPECT_EQ(message_of([&] { (void)place_on_fingertip(hand, "PP2", pad, {}); }),
+  EXPECT_EQ(fingertip_pad_place(hand, "DP2", pad, 0.7).scale, 0.7);
+  EXPECT_EQ(message_of([&] { (void)fingertip_pad_place(hand, "PP2", pad, {}); }),
             "a pad needs a 'position': 'PP2' is no fingertip");
 }
 

@@ -24,7 +24,7 @@ SceneParts parts_of(const std::string& text) {
   const SceneSpec spec = parse_scene(head + text + "[stepping]\nduration_s = 1\n", "s.toml");
   std::vector<SceneHand> hands;
   if (!spec.hands.empty()) hands.emplace_back(read_robot(kData + "/robots/barrett.toml"));
-  return scene_parts(spec, hands);
+  return build_scene_parts(spec, hands);
 }
 
 TEST(SceneParts, HaveABodyWhereTheFilePutsIt) {
