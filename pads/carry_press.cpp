@@ -42,7 +42,7 @@ PressCarrier::PressCarrier(const HexMesh& mesh, std::unique_ptr<TissueBody> body
     : body_(std::move(body)),
       surface_(std::move(surface)),
       active_(mesh.active()),
-      places_(places_at_rest(mesh)) {}
+      places_(rest_positions(mesh)) {}
 
 std::vector<PressCarrier::Origin> PressCarrier::origins_in(const HexMesh& mesh) const {
   std::vector<Origin> out;
@@ -79,7 +79,7 @@ std::vector<Matrix3d> PressCarrier::gradients_in(const HexMesh& mesh, const Matr
 }
 
 Matrix3Xd PressCarrier::displacements_in(const HexMesh& mesh, const PressState& old) const {
-  Matrix3Xd u = body_->spread(old.x, {}), from = places_;
+  Matrix3Xd u = body_->node_displacements(old.x, {}), from = places_;
   const std::vector<Matrix3d> gradients = gradients_in(mesh, u);
   // Means over the nodes that new nodes were made from, which are older than they are.
   const Index old_nodes = u.cols();
@@ -108,8 +108,8 @@ PressCarrier::SkinFields PressCarrier::fields_in(const HexMesh& mesh, const Pres
   for (std::size_t k = 0; k < surface_.nodes.size(); ++k) {
     const auto column = static_cast<Index>(k);
     const auto node = static_cast<std::size_t>(mesh_node(*body_, surface_, k));
-    out.pressure[node] = old.normal[column] / surface_.area[column];
-    out.traction[node] = old.shear.col(column) / surface_.area[column];
+    out.pressure[node] = old.normal_force[column] / surface_.area[column];
+    out.traction[node] = old.friction_force.col(column) / surface_.area[column];
     out.anchor[node] = old.anchor.col(column);
   }
   // New nodes have the means of those that they were made from.
@@ -127,7 +127,7 @@ PressState PressCarrier::carry(const PressState& old, const HexMesh& mesh, const
   PressState out;
   out.X_PO = old.X_PO;
   out.push = old.push;
-  out.by_springs = old.by_springs;
+  out.uses_skin_springs = old.uses_skin_springs;
   out.spring_energy = old.spring_energy;
   // Displacements of the new body's free nodes.
   const Matrix3Xd u = displacements_in(mesh, old);
@@ -136,17 +136,17 @@ PressState PressCarrier::carry(const PressState& old, const HexMesh& mesh, const
     out.x.segment<3>(static_cast<Index>(3 * i)) = u.col(body.free_nodes()[i]);
   // Forces on nodes by the carried tractions and the new shares of area.
   const auto count = static_cast<Index>(surface.nodes.size());
-  out.normal.resize(count);
-  out.shear.resize(3, count);
+  out.normal_force.resize(count);
+  out.friction_force.resize(3, count);
   out.anchor.resize(3, count);
   const SkinFields fields = fields_in(mesh, old);
   const Pose<double> X_OP = old.X_PO.inverse();
   for (Index k = 0; k < count; ++k) {
     const auto at = static_cast<std::size_t>(k);
     const auto node = static_cast<std::size_t>(mesh_node(body, surface, at));
-    out.normal[k] = surface.area[k] * fields.pressure[node];
-    out.shear.col(k) = surface.area[k] * fields.traction[node];
-    const Vector3d here = surface.places.col(k) + out.x.segment<3>(3 * surface.nodes[at]);
+    out.normal_force[k] = surface.area[k] * fields.pressure[node];
+    out.friction_force.col(k) = surface.area[k] * fields.traction[node];
+    const Vector3d here = surface.rest_positions.col(k) + out.x.segment<3>(3 * surface.nodes[at]);
     out.anchor.col(k) = fields.anchor[node].value_or(X_OP * here);
   }
   // Pressure and history go with the elements: carried displacements alone keep no volume at new

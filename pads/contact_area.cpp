@@ -26,7 +26,7 @@ VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const Contact
   VectorXd pressure = VectorXd::Zero(mesh.nodes());
   for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    pressure[mesh_node(body, surface, k)] = state.normal[column] / surface.area[column];
+    pressure[mesh_node(body, surface, k)] = state.normal_force[column] / surface.area[column];
   }
   for (int node = 0; node < mesh.nodes(); ++node)
     for (const NodeWeight& each : mesh.masters(node))
@@ -156,9 +156,9 @@ double area_by_points(const HexMesh& mesh, const TissueBody& body,
                       const std::vector<Tissue>& tissues, const ContactSurface& surface,
                       const RigidObject& object, const PressState& state) {
   const Pose<double> X_OP = state.X_PO.inverse();
-  const Matrix3Xd u = body.spread(state.x, {}), at_rest = places_at_rest(mesh);
-  const Matrix3Xd places = places_of(surface, state.x);
-  const VectorXd pressure = state.normal.cwiseQuotient(surface.area);
+  const Matrix3Xd u = body.node_displacements(state.x, {}), at_rest = rest_positions(mesh);
+  const Matrix3Xd places = deformed_positions(surface, state.x);
+  const VectorXd pressure = state.normal_force.cwiseQuotient(surface.area);
   double area = 0;
   for (const SurfaceFace& face : surface.faces) {
     // Faces with pressure at some corner.
@@ -173,7 +173,7 @@ double area_by_points(const HexMesh& mesh, const TissueBody& body,
                          modulus_of(tissues[static_cast<std::size_t>(cell.region)],
                                     mean_deformation(cell, at_rest, u)) /
                          std::sqrt(face.area);
-    const FaceCorners corners = corners_of(face, places);
+    const FaceCorners corners = corner_positions(face, places);
     const Vector3d between =
         Vector3d(corners.col(3) - corners.col(0)).cross(Vector3d(corners.col(2) - corners.col(1)));
     const Vector3d across = between.normalized();
@@ -214,8 +214,8 @@ double positive_share(const std::array<double, 3>& values) {
 double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vector<Tissue>& tissues,
                     const std::vector<bool>& skin, const ContactSurface& surface,
                     const RigidObject& object, const PressState& state) {
-  if (state.by_springs) return area_by_points(mesh, body, tissues, surface, object, state);
-  const Matrix3Xd at_rest = places_at_rest(mesh), u = body.spread(state.x, {});
+  if (state.uses_skin_springs) return area_by_points(mesh, body, tissues, surface, object, state);
+  const Matrix3Xd at_rest = rest_positions(mesh), u = body.node_displacements(state.x, {});
   const VectorXd pressure = pressures_of(mesh, body, surface, state);
   const std::vector<HexFace> faces = marked_faces(mesh, skin);
   const std::vector<double> inside = inside_of(

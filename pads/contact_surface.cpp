@@ -42,7 +42,7 @@ std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& bod
         chart += share * mesh.chart_point(nodes[k]);
         mean += share * at_rest.col(nodes[k]);
         for (const NodeWeight& each : mesh.support(nodes[k]))
-          weights[body.free_place(each.node)] += share * each.weight;
+          weights[body.free_index(each.node)] += share * each.weight;
       }
       // Faces with a fixed node have no points.
       if (weights.count(-1) != 0) return {};
@@ -71,10 +71,10 @@ VectorXd node_areas(const HexMesh& mesh, const std::vector<HexFace>& faces, cons
   return area;
 }
 
-ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
-                               const std::vector<bool>& marked) {
+ContactSurface build_contact_surface(const HexMesh& mesh, const TissueBody& body,
+                                     const std::vector<bool>& marked) {
   ContactSurface surface;
-  const Matrix3Xd at_rest = places_at_rest(mesh);
+  const Matrix3Xd at_rest = rest_positions(mesh);
   const std::vector<HexFace> faces = marked_faces(mesh, marked);
   const VectorXd area = node_areas(mesh, faces, at_rest);
   // Free nodes that have a share.
@@ -85,11 +85,11 @@ ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
     surface.nodes.push_back(static_cast<int>(free));
   }
   const auto count = static_cast<Eigen::Index>(surface.nodes.size());
-  surface.places.resize(3, count);
+  surface.rest_positions.resize(3, count);
   surface.area.resize(count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const int node = mesh_node(body, surface, static_cast<std::size_t>(k));
-    surface.places.col(k) = mesh.place(node);
+    surface.rest_positions.col(k) = mesh.place(node);
     surface.area[k] = area[node];
   }
   if (body.is_quadratic()) return surface;
@@ -106,7 +106,7 @@ ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
     for (std::size_t k = 0; k < 4; ++k)
       for (const NodeWeight& each : mesh.support(face.nodes[k]))
         whole.corners[k].push_back(
-            {index[static_cast<std::size_t>(body.free_place(each.node))], each.weight});
+            {index[static_cast<std::size_t>(body.free_index(each.node))], each.weight});
     surface.faces.push_back(std::move(whole));
   }
   // Corners of faces move out by the mean offset of the true surface around their nodes.
@@ -114,7 +114,7 @@ ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
   for (const SurfacePoint& point : surface.points)
     for (const NodeWeight& each : point.nodes)
       out.col(each.node) += each.weight * point.area / surface.area[each.node] * point.offset;
-  for (SurfaceFace& face : surface.faces) face.offsets = corners_of(face, out);
+  for (SurfaceFace& face : surface.faces) face.offsets = corner_positions(face, out);
   return surface;
 }
 
@@ -122,20 +122,20 @@ int mesh_node(const TissueBody& body, const ContactSurface& surface, std::size_t
   return body.free_nodes()[static_cast<std::size_t>(surface.nodes[k])];
 }
 
-Matrix3Xd places_of(const ContactSurface& surface, const VectorXd& x) {
-  Matrix3Xd places = surface.places;
+Matrix3Xd deformed_positions(const ContactSurface& surface, const VectorXd& x) {
+  Matrix3Xd places = surface.rest_positions;
   for (Eigen::Index k = 0; k < places.cols(); ++k)
     places.col(k) += x.segment<3>(3 * surface.nodes[static_cast<std::size_t>(k)]);
   return places;
 }
 
-Vector3d place_of(const SurfacePoint& point, const Matrix3Xd& places) {
+Vector3d point_position(const SurfacePoint& point, const Matrix3Xd& places) {
   Vector3d p = point.offset;
   for (const NodeWeight& each : point.nodes) p += each.weight * places.col(each.node);
   return p;
 }
 
-FaceCorners corners_of(const SurfaceFace& face, const Matrix3Xd& places) {
+FaceCorners corner_positions(const SurfaceFace& face, const Matrix3Xd& places) {
   FaceCorners out = face.offsets;
   for (Eigen::Index k = 0; k < 4; ++k)
     for (const NodeWeight& each : face.corners[static_cast<std::size_t>(k)])
@@ -143,22 +143,22 @@ FaceCorners corners_of(const SurfaceFace& face, const Matrix3Xd& places) {
   return out;
 }
 
-double smallest_gap(const ContactSurface& surface, const Shape& object, const Pose<double>& X_PO,
-                    const VectorXd& x) {
+double min_gap(const ContactSurface& surface, const Shape& object, const Pose<double>& X_PO,
+               const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
-  const Matrix3Xd places = places_of(surface, x);
+  const Matrix3Xd places = deformed_positions(surface, x);
   double gap = 1e300;
   for (Eigen::Index k = 0; k < places.cols(); ++k)
     gap = std::min(gap, object.distance(X_OP * Vector3d(places.col(k))));
   for (const SurfacePoint& point : surface.points)
-    gap = std::min(gap, object.distance(X_OP * place_of(point, places)));
+    gap = std::min(gap, object.distance(X_OP * point_position(point, places)));
   return gap;
 }
 
-bool meets_edge(const ContactSurface& surface, const Shape& object, const Pose<double>& X_PO,
-                const VectorXd& x) {
+bool has_edge_nearby(const ContactSurface& surface, const Shape& object, const Pose<double>& X_PO,
+                     const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
-  const Matrix3Xd places = places_of(surface, x);
+  const Matrix3Xd places = deformed_positions(surface, x);
   // The nearest place of the object, and its normal there.
   struct Nearest {
     double distance;
@@ -180,7 +180,7 @@ bool meets_edge(const ContactSurface& surface, const Shape& object, const Pose<d
         point.nodes.begin(), point.nodes.end(),
         [&](const NodeWeight& each) { return at(each).distance > kFarGapShare * point.size; });
     if (far) return false;
-    const Nearest here = nearest(place_of(point, places));
+    const Nearest here = nearest(point_position(point, places));
     return std::any_of(point.nodes.begin(), point.nodes.end(), [&](const NodeWeight& each) {
       // Normals that turn much between places close to each other show an edge.
       const Vector3d turn = at(each).normal - here.normal;
@@ -191,26 +191,26 @@ bool meets_edge(const ContactSurface& surface, const Shape& object, const Pose<d
 }
 
 MeanGaps::MeanGaps(const ContactSurface& surface)
-    : surface_(surface), slopes_(surface.nodes.size()) {
+    : surface_(surface), gradients_(surface.nodes.size()) {
   const auto count = static_cast<Eigen::Index>(surface.nodes.size());
-  gap_ = more_ = VectorXd::Zero(count);
+  gap_ = mean_offset_ = VectorXd::Zero(count);
   normal_ = mean_normal_ = Matrix3Xd::Zero(3, count);
 }
 
-void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorXd& x) {
+void MeanGaps::update(const Shape& object, const Pose<double>& X_PO, const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
-  const Matrix3Xd places = places_of(surface_, x);
+  const Matrix3Xd places = deformed_positions(surface_, x);
   // Distances of the nodes, whose slopes are the object's normals.
   for (Eigen::Index k = 0; k < places.cols(); ++k) {
     const NearestSurface at = object.nearest(X_OP * Vector3d(places.col(k)));
     gap_[k] = at.distance;
     normal_.col(k) = X_PO.R * at.normal;
     const int node = static_cast<int>(k);
-    slopes_[static_cast<std::size_t>(k)] = {{node, node, normal_.col(k)}};
+    gradients_[static_cast<std::size_t>(k)] = {{node, node, normal_.col(k)}};
   }
   mean_normal_ = normal_;
-  more_.setZero();
-  neighbours_matter_ = false;
+  mean_offset_.setZero();
+  depends_on_neighbours_ = false;
   for (const SurfacePoint& point : surface_.points) {
     // Distance and normal that the nodes give the point by interpolation.
     Vector3d mean(0, 0, 0);
@@ -221,54 +221,55 @@ void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorX
       nearest = std::min(nearest, gap_[each.node]);
     }
     if (nearest > kFarGapShare * point.size) continue;
-    const NearestSurface at = object.nearest(X_OP * place_of(point, places));
+    const NearestSurface at = object.nearest(X_OP * point_position(point, places));
     const Vector3d normal = X_PO.R * at.normal;
     // Each node takes its share of what the true distance and normal have beyond these.
     for (const NodeWeight& each : point.nodes) {
       const double share = each.weight * point.area / surface_.area[each.node];
-      more_[each.node] += share * (at.distance - distance);
+      mean_offset_[each.node] += share * (at.distance - distance);
       mean_normal_.col(each.node) += share * (normal - mean);
       for (const NodeWeight& other : point.nodes)
-        add_slope(each.node, other.node, share * other.weight * (normal - normal_.col(other.node)));
+        add_gradient(each.node, other.node,
+                     share * other.weight * (normal - normal_.col(other.node)));
     }
   }
-  gap_ += more_;
+  gap_ += mean_offset_;
   for (Eigen::Index k = 0; k < places.cols(); ++k)
     if (mean_normal_.col(k).squaredNorm() > 0) mean_normal_.col(k).normalize();
 }
 
-void MeanGaps::add_slope(int row, int node, const Vector3d& by) {
-  neighbours_matter_ = neighbours_matter_ || by.squaredNorm() > 1e-20;
-  std::vector<Slope>& list = slopes_[static_cast<std::size_t>(row)];
+void MeanGaps::add_gradient(int row, int node, const Vector3d& value) {
+  depends_on_neighbours_ = depends_on_neighbours_ || value.squaredNorm() > 1e-20;
+  std::vector<Gradient>& list = gradients_[static_cast<std::size_t>(row)];
   const auto known = std::find_if(list.begin(), list.end(),
-                                  [&](const Slope& slope) { return slope.node == node; });
+                                  [&](const Gradient& each) { return each.node == node; });
   if (known == list.end())
-    list.push_back({row, node, by});
+    list.push_back({row, node, value});
   else
-    known->by += by;
+    known->value += value;
 }
 
-VectorXd MeanGaps::change(const Matrix3Xd& moved) const {
+VectorXd MeanGaps::gap_changes(const Matrix3Xd& moved) const {
   VectorXd out = VectorXd::Zero(moved.cols());
-  for (const std::vector<Slope>& list : slopes_)
-    for (const Slope& slope : list) out[slope.row] += slope.by.dot(moved.col(slope.node));
+  for (const std::vector<Gradient>& list : gradients_)
+    for (const Gradient& each : list) out[each.row] += each.value.dot(moved.col(each.node));
   return out;
 }
 
-std::vector<MeanGaps::Slope> MeanGaps::slopes(const std::vector<int>& nodes) const {
-  std::vector<Slope> out;
+std::vector<MeanGaps::Gradient> MeanGaps::gap_gradients(const std::vector<int>& nodes) const {
+  std::vector<Gradient> out;
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (const Slope& slope : slopes_[static_cast<std::size_t>(nodes[i])])
-      if (neighbours_matter_ || slope.node == slope.row)
-        out.push_back({static_cast<int>(i), slope.node, slope.by});
+    for (const Gradient& each : gradients_[static_cast<std::size_t>(nodes[i])])
+      if (depends_on_neighbours_ || each.node == each.row)
+        out.push_back({static_cast<int>(i), each.node, each.value});
   return out;
 }
 
-Matrix3Xd MeanGaps::spread(const VectorXd& push) const {
+Matrix3Xd MeanGaps::nodal_forces(const VectorXd& push) const {
   Matrix3Xd out = Matrix3Xd::Zero(3, push.size());
-  for (const std::vector<Slope>& list : slopes_)
-    for (const Slope& slope : list)
-      if (push[slope.row] != 0) out.col(slope.node) += push[slope.row] * slope.by;
+  for (const std::vector<Gradient>& list : gradients_)
+    for (const Gradient& each : list)
+      if (push[each.row] != 0) out.col(each.node) += push[each.row] * each.value;
   return out;
 }
 

@@ -116,7 +116,7 @@ THENAR_INLINE NodeStress node_stress(int points, const double* g, const PointStr
 
 template <int N>
 THENAR_INLINE void stiffness(int points, const double* g, const PointStresses& at, double* K) {
-  NodeStress of[kMostPoints / 4];
+  NodeStress of[kMaxPoints / 4];
   for (int b = 0; b < N; ++b) {
     // Parts of node b, which all blocks of its column share.
     for (int q = 0; q < points; q += 4) of[q / 4] = node_stress(points, g, at, b, q);

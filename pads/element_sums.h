@@ -11,19 +11,19 @@ namespace thenar {
 [[nodiscard]] constexpr int padded_points(int points) { return (points + 3) / 4 * 4; }
 
 /// Padded points and nodes of the largest element, which has 27 of each.
-inline constexpr int kMostPoints = 28, kMostNodes = 27;
+inline constexpr int kMaxPoints = 28, kMaxNodes = 27;
 
 /// F at all points, det F, and spatial gradients F^-T dN/dX.
 struct PointKinematics {
-  double F[9 * kMostPoints];               // columns first (9, points) [1]
-  double J[kMostPoints];                   // (points) [1]
-  double g[3 * kMostNodes * kMostPoints];  // (nodes, 3, points) [1/m]
+  double F[9 * kMaxPoints];              // columns first (9, points) [1]
+  double J[kMaxPoints];                  // (points) [1]
+  double g[3 * kMaxNodes * kMaxPoints];  // (nodes, 3, points) [1/m]
 };
 
 /// Stress and tangent at all points, times their volumes. Symmetric entries once, as Voigt.
 struct PointStresses {
-  double tau[6 * kMostPoints];  // (6, points) [J]
-  double c[21 * kMostPoints];   // rows of the upper triangle (21, points) [J]
+  double tau[6 * kMaxPoints];  // (6, points) [J]
+  double c[21 * kMaxPoints];   // rows of the upper triangle (21, points) [J]
 };
 /// Place of (p, q) of a tangent among the 21, p <= q.
 [[nodiscard]] constexpr int tangent_entry(int p, int q) { return p * 6 - p * (p - 1) / 2 + q - p; }

@@ -133,8 +133,8 @@ class ForceSearch {
     if (from != nullptr) {
       answer.x = from->state.x;
       answer.pressure = from->state.pressure;
-      answer.normal = from->state.normal;
-      answer.shear = from->state.shear;
+      answer.normal_force = from->state.normal_force;
+      answer.friction_force = from->state.friction_force;
       answer.spring_stiffness = from->state.spring_stiffness;
     }
     PressOutcome out = step_(goal, answer);

@@ -44,7 +44,7 @@ const std::array<std::array<int, 4>, 6>& hex_faces() {
   return faces;
 }
 
-Eigen::Matrix3Xd places_at_rest(const HexMesh& mesh) {
+Eigen::Matrix3Xd rest_positions(const HexMesh& mesh) {
   Eigen::Matrix3Xd places(3, mesh.nodes());
   for (int node = 0; node < mesh.nodes(); ++node) places.col(node) = mesh.place(node);
   return places;
@@ -66,7 +66,7 @@ std::vector<HexFace> marked_faces(const HexMesh& mesh, const std::vector<bool>& 
   return out;
 }
 
-std::size_t lattice_place(int a, int b) {
+std::size_t lattice_index(int a, int b) {
   // Bits of both corners add up to 0, 1 or 2 along each axis.
   int place = 0, step = 1;
   for (const int axis : {1, 2, 4}) {
@@ -139,20 +139,20 @@ void HexMesh::split(int index) {
   // The lattice of 27 nodes: corners, middles of edges, faces, and of the cell.
   std::array<int, 27> lattice{};
   const auto node_of = [&](int corner) { return cell.corners[static_cast<std::size_t>(corner)]; };
-  for (int c = 0; c < 8; ++c) lattice[lattice_place(c, c)] = node_of(c);
+  for (int c = 0; c < 8; ++c) lattice[lattice_index(c, c)] = node_of(c);
   for (const auto& [a, b] : hex_edges())
-    lattice[lattice_place(a, b)] = middle_of_edge(node_of(a), node_of(b));
+    lattice[lattice_index(a, b)] = middle_of_edge(node_of(a), node_of(b));
   Vector3d sum(0, 0, 0);
   for (const std::array<int, 4>& face : hex_faces()) {
     const int middle =
         middle_of_face({node_of(face[0]), node_of(face[1]), node_of(face[2]), node_of(face[3])});
-    lattice[lattice_place(face[0], face[3])] = middle;
+    lattice[lattice_index(face[0], face[3])] = middle;
     sum += chart_point(middle);
   }
   // Middle of the cell: mean of the middles of its faces.
   std::vector<NodeWeight> from;
   for (const int corner : cell.corners) from.push_back({corner, 0.125});
-  lattice[lattice_place(0, 7)] = add_node(sum / 6, std::move(from));
+  lattice[lattice_index(0, 7)] = add_node(sum / 6, std::move(from));
   // Eight children.
   cells_[at].first_child = static_cast<int>(cells_.size());
   for (int child = 0; child < 8; ++child) {
@@ -161,7 +161,7 @@ void HexMesh::split(int index) {
     part.level = cell.level + 1;
     part.parent = index;
     for (int c = 0; c < 8; ++c)
-      part.corners[static_cast<std::size_t>(c)] = lattice[lattice_place(child, c)];
+      part.corners[static_cast<std::size_t>(c)] = lattice[lattice_index(child, c)];
     cells_.push_back(part);
   }
 }

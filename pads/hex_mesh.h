@@ -113,7 +113,7 @@ class HexMesh {
 };
 
 /// Reference positions of all nodes, as HexMesh::place() [m] (3, nodes).
-[[nodiscard]] Eigen::Matrix3Xd places_at_rest(const HexMesh& mesh);
+[[nodiscard]] Eigen::Matrix3Xd rest_positions(const HexMesh& mesh);
 
 /// Corners of the 12 edges and 6 faces of a cell; those of a face go round as two rows.
 [[nodiscard]] const std::array<std::array<int, 2>, 12>& hex_edges();
@@ -131,7 +131,7 @@ struct HexFace {
 
 /// Place 0..26 of the middle of two corners among the 27 nodes of a cell, first axis fastest; of a
 /// corner with itself its own place. Also that of corner b of child a.
-[[nodiscard]] std::size_t lattice_place(int a, int b);
+[[nodiscard]] std::size_t lattice_index(int a, int b);
 
 /// A box cut in equal cells. @param size  [m] (3)  @param cells  along each edge (3)
 [[nodiscard]] HexMesh box_mesh(const Eigen::Vector3d& size, const Eigen::Vector3i& cells);

@@ -53,17 +53,17 @@ PadPress::PadPress(const PadModel& model, RigidObject object, const Pose<double>
 void PadPress::build() {
   body_ = std::make_unique<TissueBody>(mesh_, model_.element, model_.tissues, held_by_bone(mesh_));
   factors_ = std::make_unique<PressFactors>(*body_);
-  surface_ = contact_surface(mesh_, *body_, skin_nodes(mesh_));
+  surface_ = build_contact_surface(mesh_, *body_, skin_nodes(mesh_));
 }
 
 double PadPress::touch(const Vector3d& along) {
   require(std::abs(along.norm() - 1) < 1e-9, "the direction of a touch is no unit vector");
-  require(state_.normal.isZero(0), "the object touches already");
+  require(state_.normal_force.isZero(0), "the object touches already");
   double way = 0;
   for (int k = 0;; ++k) {
     require(k < 10000, "the object does not come near the pad");
     // No point is nearer than the smallest gap: so far the object may go.
-    const double gap = smallest_gap(surface_, *object_.shape, state_.X_PO, state_.x);
+    const double gap = min_gap(surface_, *object_.shape, state_.X_PO, state_.x);
     require(k > 0 || gap > -kTouchGap, "the object begins {:g} mm inside the pad", -gap * 1e3);
     require(gap < 1, "the object passes the pad by");
     if (gap <= kTouchGap) break;
@@ -76,7 +76,7 @@ double PadPress::touch(const Vector3d& along) {
 
 void PadPress::begin_at(const Pose<double>& X_PO) {
   state_.X_PO = X_PO;
-  const Matrix3Xd places = places_of(surface_, state_.x);
+  const Matrix3Xd places = deformed_positions(surface_, state_.x);
   for (Eigen::Index i = 0; i < places.cols(); ++i)
     state_.anchor.col(i) = X_PO.inverse() * Vector3d(places.col(i));
   before_ = state_;
@@ -147,10 +147,10 @@ PadPressResult PadPress::step(const PressGoal& goal) {
       break;
     }
     // Error of the force by the energy of the error, which tells when the mesh is good enough.
-    const Matrix3Xd u = body_->spread(state_.x, {});
+    const Matrix3Xd u = body_->node_displacements(state_.x, {});
     const VectorXd errors = body_->error_energies(u);
     TissueResponse now;
-    body_->respond(u, 0, {}, {}, ElementAsk::kEnergy, now);
+    body_->evaluate(u, 0, {}, {}, ElementRequest::kEnergy, now);
     result.force_error = now.energy > 0 ? errors.sum() / now.energy : 0;
     measure(result);
     if ((result.force_error <= options_.force_error &&
@@ -174,7 +174,7 @@ PadPressResult PadPress::step(const PressGoal& goal) {
 }
 
 bool PadPress::patch_is_coarse() const {
-  const Eigen::Index touching = (state_.normal.array() > 0).count();
+  const Eigen::Index touching = (state_.normal_force.array() > 0).count();
   if (touching == 0 || static_cast<double>(touching) * options_.force_error >= kPatchNodes)
     return false;
   const std::vector<int> cells = touching_cells();
@@ -187,7 +187,7 @@ std::vector<int> PadPress::touching_cells() const {
   // Nodes that bear force.
   std::vector<bool> touches(static_cast<std::size_t>(mesh_.nodes()), false);
   for (std::size_t k = 0; k < surface_.nodes.size(); ++k)
-    if (state_.normal[static_cast<Eigen::Index>(k)] > 0)
+    if (state_.normal_force[static_cast<Eigen::Index>(k)] > 0)
       touches[static_cast<std::size_t>(mesh_node(*body_, surface_, k))] = true;
   std::vector<int> out;
   // Cells with such a corner, or with one that hangs on it.
@@ -237,15 +237,15 @@ void PadPress::measure(PadPressResult& result) {
   result.push = result.solved.push;
   // Share of the normal force on nodes that stick.
   double all = 0, stuck = 0;
-  for (Eigen::Index k = 0; k < state_.normal.size(); ++k) {
-    all += state_.normal[k];
-    if (node_sticks(state_, k, object_.friction)) stuck += state_.normal[k];
+  for (Eigen::Index k = 0; k < state_.normal_force.size(); ++k) {
+    all += state_.normal_force[k];
+    if (node_sticks(state_, k, object_.friction)) stuck += state_.normal_force[k];
   }
   result.stick = all > 0 ? stuck / all : 0;
   const std::vector<bool> skin = skin_nodes(mesh_);
   result.area = contact_area(mesh_, *body_, model_.tissues, skin, surface_, object_, state_);
   // Deepest point within each face on a grid, and the cells where it is too deep.
-  const Matrix3Xd u = body_->spread(state_.x, {});
+  const Matrix3Xd u = body_->node_displacements(state_.x, {});
   const Pose<double> X_OP = state_.X_PO.inverse();
   result.penetration = 0;
   deep_cells_.clear();

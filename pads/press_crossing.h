@@ -13,6 +13,6 @@ namespace thenar {
 /// Describes how the object came through skin, or skin through the object, since the step began; ""
 /// if all is well. Hanging nodes of the surface may be inside a little, as all between nodes.
 /// @param u  displacements of all nodes [m] (3, nodes)
-[[nodiscard]] std::string find_crossing(const PressIterate& at, const Eigen::Matrix3Xd& u);
+[[nodiscard]] std::string describe_crossing(const PressIterate& iterate, const Eigen::Matrix3Xd& u);
 
 }  // namespace thenar

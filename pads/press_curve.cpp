@@ -104,7 +104,7 @@ class CurveWalk {
       PressState next = answer;
       next.history = pad.state.history;
       next.anchor = pad.state.anchor;
-      next.shear = pad.state.shear;
+      next.friction_force = pad.state.friction_force;
       const PressOutcome out = solve(pad, load, at, next);
       if (out.status != Status::kSolved) return "a neighbour: " + out.message;
       pad.state = std::move(next);

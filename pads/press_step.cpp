@@ -17,61 +17,66 @@ using Eigen::Matrix3Xd;
 constexpr int kMostConeNodes = 60;
 
 /// Nodes that touch or, if no tissue moves, will be inside the object.
-int nodes_to_touch(PressIterate& at) {
-  at.gaps.find(*at.object.shape, at.now.X_PO, at.now.x);
+int nodes_to_touch(PressIterate& iterate) {
+  iterate.gaps.update(*iterate.object.shape, iterate.state.X_PO, iterate.state.x);
   int count = 0;
-  for (std::size_t k = 0; k < at.contacts.size(); ++k)
-    count += at.now.normal[static_cast<Eigen::Index>(k)] > 0 || at.gaps.gap(k) < 0 ? 1 : 0;
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
+    count += iterate.state.normal_force[static_cast<Eigen::Index>(k)] > 0 || iterate.gaps.gap(k) < 0
+                 ? 1
+                 : 0;
   return count;
 }
 
 /// Solves by springs where there are edges; else by the augmented Lagrangian without friction or
 /// where many nodes touch, or by cones; where one fails, by the other.
-PressOutcome solve(PressIterate& at) {
+PressOutcome solve(PressIterate& iterate) {
   // Edges over the skin: springs.
-  if (meets_edge(at.surface, *at.object.shape, at.start.X_PO, at.start.x) ||
-      meets_edge(at.surface, *at.object.shape, at.goal.X_PO, at.start.x))
-    return press_by_springs(at);
+  if (has_edge_nearby(iterate.surface, *iterate.object.shape, iterate.start.X_PO,
+                      iterate.start.x) ||
+      has_edge_nearby(iterate.surface, *iterate.object.shape, iterate.goal.X_PO, iterate.start.x))
+    return press_by_springs(iterate);
   // Newton's method or cones, and from the start again by the other if that fails.
-  const bool augments = at.object.friction <= 0 || nodes_to_touch(at) > kMostConeNodes;
-  PressOutcome out = augments ? press_by_newton(at) : press_by_cones(at);
+  const bool augments = iterate.object.friction <= 0 || nodes_to_touch(iterate) > kMostConeNodes;
+  PressOutcome out = augments ? press_by_newton(iterate) : press_by_cones(iterate);
   if (out.status == Status::kSolved || out.status == Status::kStopped) return out;
   const int iterations = out.iterations;
-  at.restart();
-  out = augments ? press_by_cones(at) : press_by_newton(at);
+  iterate.reset_to_start();
+  out = augments ? press_by_cones(iterate) : press_by_newton(iterate);
   out.iterations += iterations;
   return out;
 }
 
 /// The new state, once solved.
-PressState finish(PressIterate& at) {
-  PressState& now = at.now;
-  for (std::size_t k = 0; k < at.contacts.size(); ++k) {
+PressState finish(PressIterate& iterate) {
+  PressState& now = iterate.state;
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    const TouchingNode& c = at.contacts[k];
-    now.normal[column] = c.push;
+    const NodeContact& c = iterate.contacts[k];
+    now.normal_force[column] = c.normal_force;
     // Friction is cut to its cone, which it may exceed by the tolerance.
-    const double bound = at.object.friction * c.push, size = c.shear.norm();
-    now.shear.col(column) = (size > bound ? bound / size : 1.0) * c.shear;
-    now.anchor.col(column) = now.X_PO.inverse() * at.place_of(k);
+    const double bound = iterate.object.friction * c.normal_force, size = c.friction_force.norm();
+    now.friction_force.col(column) = (size > bound ? bound / size : 1.0) * c.friction_force;
+    now.anchor.col(column) = now.X_PO.inverse() * iterate.node_position(k);
   }
   // Push and springs, and the relaxation over the step.
-  now.push = at.push;
-  now.by_springs = at.springs.has_value();
-  now.spring_energy = at.springs ? at.springs->energy() : 0;
-  if (at.springs && !at.stiffness.empty()) now.spring_stiffness = at.stiffness;
-  now.history = at.body.advance(at.body.spread(now.x, {}), at.goal.time, at.start.history);
+  now.push = iterate.push;
+  now.uses_skin_springs = iterate.springs.has_value();
+  now.spring_energy = iterate.springs ? iterate.springs->energy() : 0;
+  if (iterate.springs && !iterate.node_stiffness.empty())
+    now.spring_stiffness = iterate.node_stiffness;
+  now.history = iterate.body.advance_history(iterate.body.node_displacements(now.x, {}),
+                                             iterate.goal.time, iterate.start.history);
   return now;
 }
 
 /// Nodes that touch, by how they do.
 TouchingNodes touching_nodes(const PressState& state, double friction) {
   TouchingNodes out;
-  out.along_normal.resize(3, state.normal.size());
-  for (Eigen::Index k = 0; k < state.normal.size(); ++k) {
-    if (state.normal[k] <= 0) continue;
-    out.along_normal.col(static_cast<Eigen::Index>(out.nodes.size())) =
-        state.shear.col(k) / state.normal[k];
+  out.friction_ratio.resize(3, state.normal_force.size());
+  for (Eigen::Index k = 0; k < state.normal_force.size(); ++k) {
+    if (state.normal_force[k] <= 0) continue;
+    out.friction_ratio.col(static_cast<Eigen::Index>(out.nodes.size())) =
+        state.friction_force.col(k) / state.normal_force[k];
     out.nodes.push_back(static_cast<int>(k));
     out.sticks.push_back(node_sticks(state, k, friction));
   }
@@ -100,15 +105,15 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
   require(!goal.force || std::abs(goal.along.norm() - 1) < 1e-9,
           "the direction of a force is no unit vector");
   require(nodes > 0, "a body has no surface that may touch");
-  require(state.x.size() == body.unknowns() && state.normal.size() == nodes &&
-              state.shear.cols() == nodes && state.anchor.cols() == nodes &&
+  require(state.x.size() == body.unknowns() && state.normal_force.size() == nodes &&
+              state.friction_force.cols() == nodes && state.anchor.cols() == nodes &&
               has_springs_of(state, surface),
           "a state of {} unknowns and {} nodes does not fit a body of {} and {}", state.x.size(),
-          state.normal.size(), body.unknowns(), nodes);
+          state.normal_force.size(), body.unknowns(), nodes);
   // The state changes only if the step is solved.
-  PressIterate at({body, surface, object, goal, options, state}, factors);
-  PressOutcome out = solve(at);
-  if (out.status == Status::kSolved) state = finish(at);
+  PressIterate iterate({body, surface, object, goal, options, state}, factors);
+  PressOutcome out = solve(iterate);
+  if (out.status == Status::kSolved) state = finish(iterate);
   return out;
 }
 
@@ -116,24 +121,26 @@ Eigen::Matrix<double, 6, 6> press_stiffness(const TissueBody& body, const Contac
                                             const RigidObject& object, const PressOptions& options,
                                             PressFactors& factors, const PressState& state) {
   require(state.x.size() == body.unknowns() &&
-              state.normal.size() == static_cast<Eigen::Index>(surface.nodes.size()) &&
+              state.normal_force.size() == static_cast<Eigen::Index>(surface.nodes.size()) &&
               has_springs_of(state, surface),
           "a state of {} unknowns does not fit a body of {}", state.x.size(), body.unknowns());
   PressGoal here;
   here.X_PO = state.X_PO;
   // Tissue at the state, with no time to relax.
-  PressIterate at({body, surface, object, here, options, state}, factors);
-  at.body.respond(body.spread(at.now.x, {}), 0, state.history, at.now.pressure,
-                  ElementAsk::kStiffness, at.tissue);
-  if (at.tissue.inverted) return Eigen::Matrix<double, 6, 6>::Zero();
-  if (state.by_springs) return spring_press_stiffness(at);
+  PressIterate iterate({body, surface, object, here, options, state}, factors);
+  iterate.body.evaluate(body.node_displacements(iterate.state.x, {}), 0, state.history,
+                        iterate.state.pressure, ElementRequest::kStiffness, iterate.tissue);
+  if (iterate.tissue.inverted) return Eigen::Matrix<double, 6, 6>::Zero();
+  if (state.uses_skin_springs) return spring_press_stiffness(iterate);
   // Contacts of nodes on the body, whose compliance is found for the nodes that touch.
-  at.gaps.find(*object.shape, at.now.X_PO, at.now.x);
-  const TouchingNodes touching = touching_nodes(at.now, object.friction);
-  if (touching.nodes.empty() || !factors.moment.factor(at.tissue.values))
+  iterate.gaps.update(*object.shape, iterate.state.X_PO, iterate.state.x);
+  const TouchingNodes touching = touching_nodes(iterate.state, object.friction);
+  if (touching.nodes.empty() || !factors.tangent.factor(iterate.tissue.tangent))
     return Eigen::Matrix<double, 6, 6>::Zero();
-  return contact_stiffness(factors.moment, surface, at.gaps, touching, places_of(surface, at.now.x),
-                           at.gaps.spread(at.now.normal) + at.now.shear);
+  return contact_stiffness(
+      factors.tangent, surface, iterate.gaps, touching,
+      deformed_positions(surface, iterate.state.x),
+      iterate.gaps.nodal_forces(iterate.state.normal_force) + iterate.state.friction_force);
 }
 
 }  // namespace thenar

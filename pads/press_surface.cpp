@@ -33,8 +33,8 @@ void add_forces(const PadPress& press, double friction, MeshContact& out) {
   for (std::size_t k = 0; k < press.surface().nodes.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
     const int node = mesh_node(press.body(), press.surface(), k);
-    out.normal[node] = state.normal[column];
-    if (state.normal[column] <= 0) continue;
+    out.normal[node] = state.normal_force[column];
+    if (state.normal_force[column] <= 0) continue;
     out.contact[static_cast<std::size_t>(node)] =
         node_sticks(state, column, friction) ? SkinContact::kSticks : SkinContact::kSlips;
   }
@@ -77,8 +77,8 @@ std::vector<int> renumber(std::vector<std::array<int, 4>>& faces, int nodes) {
 
 PressedSkin pressed_skin(const PadPress& press, double friction) {
   const HexMesh& mesh = press.mesh();
-  const Eigen::Matrix3Xd at_rest = places_at_rest(mesh);
-  const Eigen::Matrix3Xd at = at_rest + press.body().spread(press.state().x, {});
+  const Eigen::Matrix3Xd at_rest = rest_positions(mesh);
+  const Eigen::Matrix3Xd at = at_rest + press.body().node_displacements(press.state().x, {});
   // Faces of the skin, with areas and forces by nodes of the mesh.
   PressedSkin skin;
   const std::vector<HexFace> faces = marked_faces(mesh, skin_nodes(mesh));

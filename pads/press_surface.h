@@ -30,8 +30,9 @@ struct PressedSkin {
 /// @return old numbers of the nodes that faces have
 [[nodiscard]] std::vector<int> renumber(std::vector<std::array<int, 4>>& faces, int nodes);
 
-/// The skin as a press has left it. Shares of area are those of contact_surface(), of deformed
-/// faces: a quarter of each face for each corner, those of hanging nodes handed to their masters.
+/// The skin as a press has left it. Shares of area are those of build_contact_surface(), of
+/// deformed faces: a quarter of each face for each corner, those of hanging nodes handed to their
+/// masters.
 /// @param friction  of the object that presses [1]
 [[nodiscard]] PressedSkin pressed_skin(const PadPress& press, double friction);
 

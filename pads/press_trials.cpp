@@ -24,8 +24,9 @@ MeasuredPress measured(PadPress& press, const PadPressResult& result, const Pres
   out.trial = trial.name;
   out.object = trial.object.shape;
   out.X_PO = press.state().X_PO;
-  const PressureMoments moments = pressure_moments(places_of(press.surface(), press.state().x),
-                                                   press.state().normal, trial.along);
+  const PressureMoments moments =
+      pressure_moments(deformed_positions(press.surface(), press.state().x),
+                       press.state().normal_force, trial.along);
   out.force = trial.along.dot(result.push.force);
   out.area = result.area;
   out.aspect = moments.aspect;
@@ -87,7 +88,7 @@ void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPr
         deepest_skin(PadChart(model.shape), *trial.object.shape, found.X_PO);
     found.depth = deepest.overlap;
     found.gap = skin_gap(*skin, *trial.object.shape, found.X_PO, deepest.place);
-    if (is_patch(found, (press.state().normal.array() > 0).count()))
+    if (is_patch(found, (press.state().normal_force.array() > 0).count()))
       out.presses.push_back(std::move(found));
     else
       out.failures.push_back(fmt::format("{}, {:g} mm: too few nodes touch for it to have a patch",

@@ -199,7 +199,7 @@ class Dilatation {
                                                 const double* du) const {
     Eigen::Vector4d out(0, 0, 0, 0);
     // Divergence of du at the points; dJ = J times the divergence.
-    std::array<double, kMostPoints> divergence{};
+    std::array<double, kMaxPoints> divergence{};
     const bool centre = kind_ == HexElement::kCentroidDilatation;
     const int count = centre ? kCentre : kPoints;
     const double* g = centre ? centre_.g : points.g;
@@ -332,7 +332,7 @@ class Dilatation {
 template <int N>
 void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, const double* u,
              const MemoryStep* step, const ElementHistory* history,
-             const Eigen::Vector4d* tangent_pressure, ElementAsk ask, ElementResponse& out) {
+             const Eigen::Vector4d* tangent_pressure, ElementRequest ask, ElementResponse& out) {
   // Deformation at all points.
   constexpr int kPoints = padded_points(N);
   PointKinematics points;
@@ -346,8 +346,8 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
     return;
   }
   // Results that were asked for.
-  const bool with_force = ask != ElementAsk::kEnergy,
-             with_stiffness = ask == ElementAsk::kStiffness;
+  const bool with_force = ask != ElementRequest::kEnergy,
+             with_stiffness = ask == ElementRequest::kStiffness;
   out.energy = dilatation.energy();
   if (with_force) out.force.setZero(3 * N);
   if (with_stiffness) out.stiffness.setZero(3 * N, 3 * N);
@@ -417,8 +417,8 @@ Eigen::Vector4d linear_pressure_of(HexElement kind, const ElementShape& shape, c
 
 }  // namespace
 
-int nodes_of(HexElement kind) { return kind == HexElement::kQuadratic ? 27 : 8; }
-int points_of(HexElement kind) { return nodes_of(kind); }
+int node_count(HexElement kind) { return kind == HexElement::kQuadratic ? 27 : 8; }
+int gauss_point_count(HexElement kind) { return node_count(kind); }
 
 const ElementTable& element_table(HexElement kind) {
   static const ElementTable linear = build_table(1), quadratic = build_table(2);
@@ -470,8 +470,8 @@ double shape_value(HexElement kind, std::size_t point, std::size_t node) {
 void element_response(HexElement kind, const ElementShape& shape, const Tissue& tissue,
                       const Eigen::Matrix3Xd& u, const MemoryStep* step,
                       const ElementHistory* history, const Eigen::Vector4d* tangent_pressure,
-                      ElementAsk ask, ElementResponse& out) {
-  if (nodes_of(kind) == 27)
+                      ElementRequest ask, ElementResponse& out) {
+  if (node_count(kind) == 27)
     respond<27>(kind, shape, tissue, u.data(), step, history, tangent_pressure, ask, out);
   else
     respond<8>(kind, shape, tissue, u.data(), step, history, tangent_pressure, ask, out);
@@ -479,7 +479,8 @@ void element_response(HexElement kind, const ElementShape& shape, const Tissue& 
 
 Eigen::Vector4d linear_pressure(HexElement kind, const ElementShape& shape, const Tissue& tissue,
                                 const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& du) {
-  if (nodes_of(kind) == 27) return linear_pressure_of<27>(kind, shape, tissue, u.data(), du.data());
+  if (node_count(kind) == 27)
+    return linear_pressure_of<27>(kind, shape, tissue, u.data(), du.data());
   return linear_pressure_of<8>(kind, shape, tissue, u.data(), du.data());
 }
 

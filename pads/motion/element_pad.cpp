@@ -26,7 +26,7 @@ ElementPad::ElementPad(PadModel model, RigidObject object, const Pose<double>& X
           "a pad in motion wants an object with a shape and a friction >= 0");
   // Reach of the skin with a margin, and the time after which nothing is remembered.
   renew(X_PO);
-  const Eigen::Matrix3Xd& places = press_->surface().places;
+  const Eigen::Matrix3Xd& places = press_->surface().rest_positions;
   reach_ = places.colwise().norm().maxCoeff() * 1.05;
   for (const Tissue& tissue : model_.tissues)
     for (const ExponentialTerm& term : tissue.relaxation)
@@ -61,7 +61,7 @@ PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
   if (kept_.rests) {
     out.gap = object_.shape->distance(X_PO.inverse().p) - reach_;
     if (out.gap > 0) return out;
-    out.gap = smallest_gap(press_->surface(), *object_.shape, X_PO, press_->state().x);
+    out.gap = min_gap(press_->surface(), *object_.shape, X_PO, press_->state().x);
     if (out.gap > 0) return out;
     press_->begin_at(pulled_out(X_PO, -out.gap));
     out.gap = 0;
@@ -87,7 +87,7 @@ PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
 Pose<double> ElementPad::pulled_out(const Pose<double>& X_PO, double overlap) const {
   const Pose<double> X_OP = X_PO.inverse();
   // Node that lies deepest in the object.
-  const Eigen::Matrix3Xd places = places_of(press_->surface(), press_->state().x);
+  const Eigen::Matrix3Xd places = deformed_positions(press_->surface(), press_->state().x);
   Eigen::Index deepest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index k = 0; k < places.cols(); ++k) {
@@ -106,12 +106,12 @@ Pose<double> ElementPad::pulled_out(const Pose<double>& X_PO, double overlap) co
 PadContact ElementPad::touch_of(const PadPressResult& result) const {
   PadContact out;
   const PressState& state = press_->state();
-  out.force = state.normal.sum();
+  out.force = state.normal_force.sum();
   out.force_error = result.force_error;
   // Apart: the gap to the deformed skin.
   if (out.force <= 0) {
     out.force = 0;
-    const double gap = smallest_gap(press_->surface(), *object_.shape, state.X_PO, state.x);
+    const double gap = min_gap(press_->surface(), *object_.shape, state.X_PO, state.x);
     out.gap = std::max(0.0, gap);
     return out;
   }
@@ -119,8 +119,8 @@ PadContact ElementPad::touch_of(const PadPressResult& result) const {
   out.push = result.push;
   out.area = result.area;
   out.stick = result.stick;
-  out.centre = places_of(press_->surface(), state.x) * state.normal / out.force;
-  const Eigen::Vector3d rubbed = state.shear.rowwise().sum();
+  out.centre = deformed_positions(press_->surface(), state.x) * state.normal_force / out.force;
+  const Eigen::Vector3d rubbed = state.friction_force.rowwise().sum();
   out.normal = (out.push.force - rubbed).normalized();
   return out;
 }
@@ -138,13 +138,14 @@ double ElementPad::energy() const {
   if (kept_.rests) return 0;
   const TissueBody& body = press_->body();
   TissueResponse now;
-  body.respond(body.spread(press_->state().x, {}), 0, {}, {}, ElementAsk::kEnergy, now);
+  body.evaluate(body.node_displacements(press_->state().x, {}), 0, {}, {}, ElementRequest::kEnergy,
+                now);
   return now.energy + press_->state().spring_energy;
 }
 
 Matrix6 ElementPad::stiffness(const Eigen::Matrix<double, 6, 1>& /*onward*/) {
   undo();
-  if (kept_.rests || press_->state().normal.isZero(0)) return Matrix6::Zero();
+  if (kept_.rests || press_->state().normal_force.isZero(0)) return Matrix6::Zero();
   return press_->stiffness();
 }
 
