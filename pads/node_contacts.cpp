@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/lists.h"
+
 namespace thenar {
 
 using Eigen::Matrix3d;
@@ -14,26 +16,24 @@ void update_contacts(PressIterate& iterate) {
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
     NodeContact& c = iterate.contacts[k];
     const auto column = static_cast<Eigen::Index>(k);
-    // Augmented normal force  (normal - stiffness gap)+.
-    c.normal_force = std::max(
-        0.0, iterate.state.normal_force[column] - iterate.node_stiffness[k] * iterate.gaps.gap(k));
+    const double stiffness = iterate.node_stiffness[k];
+    // Augment the normal force:  max(0, normal force - stiffness gap).
+    c.normal_force =
+        std::max(0.0, iterate.state.normal_force[column] - stiffness * iterate.gaps.gap(k));
     c.friction_force.setZero();
     c.slips = c.normal_force > 0;
     c.friction_scale = 0;
     if (c.normal_force <= 0 || iterate.object.friction <= 0) continue;
-    // Friction: the last force minus a spring times the slip, cut to the cone.
-    const Vector3d trial =
-        iterate.tangential(k, Vector3d(iterate.state.friction_force.col(column))) -
-        iterate.node_stiffness[k] * iterate.node_slip(k);
+    // Augment the friction by a spring times the slip, and scale it back to the cone.
+    const Vector3d last = iterate.tangential(k, iterate.state.friction_force.col(column));
+    const Vector3d trial = last - stiffness * iterate.node_slip(k);
     const double bound = iterate.object.friction * c.normal_force, size = trial.norm();
     c.slips = size > bound;
     c.friction_scale = c.slips ? bound / size : 1;
     c.slip_direction = c.last_friction_ratio = Vector3d(0, 0, 0);
-    // Direction of slip, and the last friction over the bound, for the slope.
+    // Keep the direction of slip and the last friction for the slope.
     if (c.slips) {
       c.slip_direction = trial / size;
-      const Vector3d last =
-          iterate.tangential(k, Vector3d(iterate.state.friction_force.col(column)));
       c.last_friction_ratio = last / std::max(bound, last.norm());
     }
     c.friction_force = c.friction_scale * trial;
@@ -41,10 +41,10 @@ void update_contacts(PressIterate& iterate) {
 }
 
 Matrix3Xd normal_forces(const PressIterate& iterate) {
-  VectorXd push(static_cast<Eigen::Index>(iterate.contacts.size()));
+  VectorXd forces(static_cast<Eigen::Index>(iterate.contacts.size()));
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
-    push[static_cast<Eigen::Index>(k)] = iterate.contacts[k].normal_force;
-  return iterate.gaps.nodal_forces(push);
+    forces[static_cast<Eigen::Index>(k)] = iterate.contacts[k].normal_force;
+  return iterate.gaps.nodal_forces(forces);
 }
 
 IterateAction assess_iterate(PressIterate& iterate, const Matrix3Xd& u, PressOutcome& out) {
@@ -61,7 +61,7 @@ IterateAction assess_iterate(PressIterate& iterate, const Matrix3Xd& u, PressOut
 Matrix3d own_stiffness(const PressIterate& iterate, std::size_t k) {
   const NodeContact& c = iterate.contacts[k];
   if (c.normal_force <= 0) return Matrix3d::Zero();
-  // Normal stiffness, and that of friction in the tangent plane, less along the slip.
+  // Add the stiffness of friction in the tangent plane, reduced along the slip, to the normal one.
   const Vector3d own = iterate.gaps.own_gradient(k), normal = iterate.gaps.normal(k);
   const Matrix3d plane =
       Matrix3d::Identity() - normal * normal.transpose() -
@@ -84,7 +84,7 @@ Vector3d lost_friction(const PressIterate& iterate, std::size_t k, const Vector3
 }
 
 Matrix3Xd contact_force_loss(const PressIterate& iterate, const Matrix3Xd& moved) {
-  // Normal forces lost as gaps open, then friction.
+  // Sum the normal forces lost as gaps open, then friction.
   VectorXd lost = iterate.gaps.gap_changes(moved);
   for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
     lost[static_cast<Eigen::Index>(k)] *=
@@ -109,8 +109,7 @@ std::vector<ContactState> contact_states(const PressIterate& iterate) {
 
 bool has_sliding_nodes(const PressIterate& iterate) {
   return iterate.object.friction > 0 &&
-         std::any_of(iterate.contacts.begin(), iterate.contacts.end(),
-                     [](const NodeContact& c) { return c.slips; });
+         any_of(iterate.contacts, [](const NodeContact& c) { return c.slips; });
 }
 
 }  // namespace thenar
