@@ -5,6 +5,9 @@
 #include <cmath>
 #include <map>
 
+#include "base/lists.h"
+#include "base/numbers.h"
+
 namespace thenar {
 
 using Eigen::Matrix3Xd;
@@ -13,28 +16,30 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kFarGapShare = 3;  // Gaps beyond this cannot close, over the size of a face [1]
+// Squared gradient by a neighbour up to which it does not matter [1]
+constexpr double kNegligibleGradient = 1e-20;
+constexpr double kFarGapRatio = 3;  // gap that does not close, over the size of a face [1]
 
-constexpr double kEdgeTurn = 0.17;    // Normals around an edge differ by at least this [1]
-constexpr double kEdgeRadius = 0.25;  // Largest radius of an edge, over the size of a face [1]
+constexpr double kEdgeTurn = 0.17;         // least difference of unit normals around an edge [1]
+constexpr double kEdgeRadiusRatio = 0.25;  // largest radius of an edge over the size of a face [1]
 
-// Gauss's rule along a side of a face.
-constexpr std::array<double, 3> kGaussPlaces{0.112701665379258311, 0.5, 0.887298334620741689};
-constexpr std::array<double, 3> kGaussShares{5.0 / 18, 4.0 / 9, 5.0 / 18};
+// Gauss rule along a side of a face: positions and weights on [0, 1].
+constexpr std::array<double, 3> kGaussPositions{0.112701665379258311, 0.5, 0.887298334620741689};
+constexpr std::array<double, 3> kGaussWeights{5.0 / 18, 4.0 / 9, 5.0 / 18};
 
-/// Points of a face, by nodes of the mesh; an empty list: some nodes are fixed.
+/// Returns the Gauss points of a face, with free nodes of the body; none if a node is fixed.
 std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& body,
                                       const std::array<int, 4>& nodes, const Matrix3Xd& at_rest) {
-  // Area of the quadrilateral from its diagonals.
-  const Vector3d one = at_rest.col(nodes[3]) - at_rest.col(nodes[0]);
-  const Vector3d other = at_rest.col(nodes[2]) - at_rest.col(nodes[1]);
-  const double area = 0.5 * one.cross(other).norm();
+  // Compute the area of the quadrilateral from its diagonals.
+  const Vector3d diagonal = at_rest.col(nodes[3]) - at_rest.col(nodes[0]);
+  const Vector3d other_diagonal = at_rest.col(nodes[2]) - at_rest.col(nodes[1]);
+  const double area = 0.5 * diagonal.cross(other_diagonal).norm();
   std::vector<SurfacePoint> out;
-  for (std::size_t i = 0; i < kGaussPlaces.size(); ++i)
-    for (std::size_t j = 0; j < kGaussPlaces.size(); ++j) {
-      const double x = kGaussPlaces[i], y = kGaussPlaces[j];
+  for (std::size_t i = 0; i < kGaussPositions.size(); ++i)
+    for (std::size_t j = 0; j < kGaussPositions.size(); ++j) {
+      const double x = kGaussPositions[i], y = kGaussPositions[j];
       const Eigen::Vector4d shape = face_shape(x, y);
-      // Bilinear point, the same point of the chart, and the weights of free nodes in it.
+      // Interpolate the point, its position in the chart, and the weights of free nodes.
       Vector3d chart(0, 0, 0), mean(0, 0, 0);
       std::map<int, double> weights;
       for (std::size_t k = 0; k < 4; ++k) {
@@ -44,11 +49,11 @@ std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& bod
         for (const NodeWeight& each : mesh.support(nodes[k]))
           weights[body.free_index(each.node)] += share * each.weight;
       }
-      // Faces with a fixed node have no points.
-      if (weights.count(-1) != 0) return {};
+      if (weights.count(-1) != 0) return {};  // a node is fixed
+      // The true surface is where the chart maps the point.
       SurfacePoint point{mesh.chart().place(chart) - mean,
                          {},
-                         area * kGaussShares[i] * kGaussShares[j],
+                         area * kGaussWeights[i] * kGaussWeights[j],
                          std::sqrt(area)};
       for (const auto& [node, weight] : weights) point.nodes.push_back({node, weight});
       out.push_back(std::move(point));
@@ -61,10 +66,10 @@ std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& bod
 VectorXd node_areas(const HexMesh& mesh, const std::vector<HexFace>& faces, const Matrix3Xd& at) {
   VectorXd area = VectorXd::Zero(mesh.nodes());
   for (const HexFace& face : faces) {
-    // A quarter of the face's area for each corner.
-    const Vector3d one = at.col(face.nodes[3]) - at.col(face.nodes[0]);
-    const Vector3d other = at.col(face.nodes[2]) - at.col(face.nodes[1]);
-    const double share = 0.125 * one.cross(other).norm();
+    // Assign a quarter of the face's area to each corner.
+    const Vector3d diagonal = at.col(face.nodes[3]) - at.col(face.nodes[0]);
+    const Vector3d other_diagonal = at.col(face.nodes[2]) - at.col(face.nodes[1]);
+    const double share = 0.125 * diagonal.cross(other_diagonal).norm();
     for (const int node : face.nodes)
       for (const NodeWeight& each : mesh.support(node)) area[each.node] += share * each.weight;
   }
@@ -77,7 +82,7 @@ ContactSurface build_contact_surface(const HexMesh& mesh, const TissueBody& body
   const Matrix3Xd at_rest = rest_positions(mesh);
   const std::vector<HexFace> faces = marked_faces(mesh, marked);
   const VectorXd area = node_areas(mesh, faces, at_rest);
-  // Free nodes that have a share.
+  // List the free nodes with a share of the area.
   std::vector<int> index(body.free_nodes().size(), -1);
   for (std::size_t free = 0; free < index.size(); ++free) {
     if (!(area[body.free_nodes()[free]] > 0)) continue;
@@ -93,7 +98,7 @@ ContactSurface build_contact_surface(const HexMesh& mesh, const TissueBody& body
     surface.area[k] = area[node];
   }
   if (body.is_quadratic()) return surface;
-  // Gauss points and faces, by numbers of the surface's nodes.
+  // Add faces and their Gauss points, with indices of surface nodes.
   for (const HexFace& face : faces) {
     std::vector<SurfacePoint> points = face_points(mesh, body, face.nodes, at_rest);
     if (points.empty()) continue;
@@ -109,12 +114,13 @@ ContactSurface build_contact_surface(const HexMesh& mesh, const TissueBody& body
             {index[static_cast<std::size_t>(body.free_index(each.node))], each.weight});
     surface.faces.push_back(std::move(whole));
   }
-  // Corners of faces move out by the mean offset of the true surface around their nodes.
-  Matrix3Xd out = Matrix3Xd::Zero(3, count);
+  // Move the corners of faces by the mean offset of the true surface around their nodes.
+  Matrix3Xd mean_offsets = Matrix3Xd::Zero(3, count);
   for (const SurfacePoint& point : surface.points)
     for (const NodeWeight& each : point.nodes)
-      out.col(each.node) += each.weight * point.area / surface.area[each.node] * point.offset;
-  for (SurfaceFace& face : surface.faces) face.offsets = corner_positions(face, out);
+      mean_offsets.col(each.node) +=
+          each.weight * point.area / surface.area[each.node] * point.offset;
+  for (SurfaceFace& face : surface.faces) face.offsets = corner_positions(face, mean_offsets);
   return surface;
 }
 
@@ -147,7 +153,7 @@ double min_gap(const ContactSurface& surface, const Shape& object, const Pose<do
                const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
   const Matrix3Xd places = deformed_positions(surface, x);
-  double gap = 1e300;
+  double gap = kInfinity;
   for (Eigen::Index k = 0; k < places.cols(); ++k)
     gap = std::min(gap, object.distance(X_OP * Vector3d(places.col(k))));
   for (const SurfacePoint& point : surface.points)
@@ -159,10 +165,10 @@ bool has_edge_nearby(const ContactSurface& surface, const Shape& object, const P
                      const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
   const Matrix3Xd places = deformed_positions(surface, x);
-  // The nearest place of the object, and its normal there.
+  // Nearest point of the object, and its normal there, in the object's frame.
   struct Nearest {
     double distance;
-    Vector3d place, normal;
+    Vector3d position, normal;
   };
   const auto nearest = [&](const Vector3d& p) {
     const NearestSurface at = object.nearest(X_OP * p);
@@ -171,21 +177,21 @@ bool has_edge_nearby(const ContactSurface& surface, const Shape& object, const P
   std::vector<Nearest> at_nodes;
   for (Eigen::Index k = 0; k < places.cols(); ++k)
     at_nodes.push_back(nearest(Vector3d(places.col(k))));
-  return std::any_of(surface.points.begin(), surface.points.end(), [&](const SurfacePoint& point) {
+  return any_of(surface.points, [&](const SurfacePoint& point) {
     const auto at = [&](const NodeWeight& each) -> const Nearest& {
       return at_nodes[static_cast<std::size_t>(each.node)];
     };
-    // A point whose nodes are all far from the object shows no edge.
-    const bool far = std::all_of(
-        point.nodes.begin(), point.nodes.end(),
-        [&](const NodeWeight& each) { return at(each).distance > kFarGapShare * point.size; });
+    // Skip points whose nodes are all far from the object.
+    const bool far = all_of(point.nodes, [&](const NodeWeight& each) {
+      return at(each).distance > kFarGapRatio * point.size;
+    });
     if (far) return false;
+    // Look for normals that turn much between nearby points of the object.
     const Nearest here = nearest(point_position(point, places));
-    return std::any_of(point.nodes.begin(), point.nodes.end(), [&](const NodeWeight& each) {
-      // Normals that turn much between places close to each other show an edge.
+    return any_of(point.nodes, [&](const NodeWeight& each) {
       const Vector3d turn = at(each).normal - here.normal;
-      const double along = std::abs(turn.dot(at(each).place - here.place));
-      return turn.norm() > kEdgeTurn && along < kEdgeRadius * point.size * turn.squaredNorm();
+      const double along = std::abs(turn.dot(at(each).position - here.position));
+      return turn.norm() > kEdgeTurn && along < kEdgeRadiusRatio * point.size * turn.squaredNorm();
     });
   });
 }
@@ -200,7 +206,7 @@ MeanGaps::MeanGaps(const ContactSurface& surface)
 void MeanGaps::update(const Shape& object, const Pose<double>& X_PO, const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
   const Matrix3Xd places = deformed_positions(surface_, x);
-  // Distances of the nodes, whose slopes are the object's normals.
+  // Start from the distances of the nodes, whose gradients are the object's normals.
   for (Eigen::Index k = 0; k < places.cols(); ++k) {
     const NearestSurface at = object.nearest(X_OP * Vector3d(places.col(k)));
     gap_[k] = at.distance;
@@ -212,18 +218,18 @@ void MeanGaps::update(const Shape& object, const Pose<double>& X_PO, const Vecto
   mean_offset_.setZero();
   depends_on_neighbours_ = false;
   for (const SurfacePoint& point : surface_.points) {
-    // Distance and normal that the nodes give the point by interpolation.
+    // Interpolate the distances and normals of the nodes at the point.
     Vector3d mean(0, 0, 0);
-    double nearest = 1e300, distance = 0;
+    double nearest = kInfinity, distance = 0;
     for (const NodeWeight& each : point.nodes) {
       distance += each.weight * gap_[each.node];
       mean += each.weight * normal_.col(each.node);
       nearest = std::min(nearest, gap_[each.node]);
     }
-    if (nearest > kFarGapShare * point.size) continue;
+    if (nearest > kFarGapRatio * point.size) continue;
     const NearestSurface at = object.nearest(X_OP * point_position(point, places));
     const Vector3d normal = X_PO.R * at.normal;
-    // Each node takes its share of what the true distance and normal have beyond these.
+    // Distribute the differences of the true distance and normal to the nodes.
     for (const NodeWeight& each : point.nodes) {
       const double share = each.weight * point.area / surface_.area[each.node];
       mean_offset_[each.node] += share * (at.distance - distance);
@@ -239,7 +245,7 @@ void MeanGaps::update(const Shape& object, const Pose<double>& X_PO, const Vecto
 }
 
 void MeanGaps::add_gradient(int row, int node, const Vector3d& value) {
-  depends_on_neighbours_ = depends_on_neighbours_ || value.squaredNorm() > 1e-20;
+  depends_on_neighbours_ = depends_on_neighbours_ || value.squaredNorm() > kNegligibleGradient;
   std::vector<Gradient>& list = gradients_[static_cast<std::size_t>(row)];
   const auto known = std::find_if(list.begin(), list.end(),
                                   [&](const Gradient& each) { return each.node == node; });

@@ -15,31 +15,29 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Least stiffness of contacts, over that of tissue under a node at rest [1]
+// Least contact stiffness over that of the tissue under a node at rest [1]
 constexpr double kMinStiffnessOverRest = 100;
-// Stiffness of contacts, over that of the deformed body at a node [1]
+// Contact stiffness over that of the deformed body at a node [1]
 constexpr double kStiffnessOverBody = 10;
-// Largest stiffness of contacts, over tissue under a node at rest [1]
+// Largest contact stiffness over that of the tissue under a node at rest [1]
 constexpr double kMaxStiffnessOverRest = 5000;
 
 // Longest motion of the object in an iteration to a force, over the distance of nodes [1]
 constexpr double kMaxMotionRatio = 0.25;
-// Largest gap from which an object is brought to touch, over that motion [1]
+// Largest gap that the object crosses to touch, over that motion [1]
 constexpr double kMaxSearchRatio = 20;
-// Depth at which the object touches again, over that max_motion motion [1]
+// Depth of the object after it has moved to touch, over that motion [1]
 constexpr double kTouchDepthRatio = 0.01;
-constexpr int kMaxMotionHalvings =
-    10;  // Most halvings of a motion that turns an element inside out
-// Weakest springs that hold nodes, over the diagonal of the tangent [1]
+constexpr int kMaxMotionHalvings = 10;  // halvings of a motion that inverts an element
+// Stiffness of the softest stabilizing springs over the diagonal of the tangent [1]
 constexpr double kMinHoldRatio = 1e-6;
-// Strongest springs that hold nodes, over the diagonal of the tangent [1]
+// Stiffness of the stiffest stabilizing springs over the diagonal of the tangent [1]
 constexpr double kMaxHoldRatio = 1;
-// Relative tolerance of a step in the coupling that the factor leaves out [1]
-constexpr double kCouplingTolerance = 1e-6;
-constexpr int kMaxCouplingIterations = 40;  // Most iterations on that coupling
-// Rounding of volume strains in the forces of an element [1]
+constexpr double kCouplingTolerance = 1e-6;  // relative tolerance of solve_iteratively() [1]
+constexpr int kMaxCouplingIterations = 40;   // iterations of solve_iteratively()
+// Rounding error of volumetric strains in the forces of an element [1]
 constexpr double kRoundedStrain = 1e-14;
-// Rounding of coordinates, for objects of up to a metre [m]
+// Rounding error of coordinates, for objects of up to a metre [m]
 constexpr double kRoundedCoordinate = 2e-16;
 
 double mean_diagonal(const TissueBody& body, const std::vector<double>& values) {
@@ -92,7 +90,7 @@ bool PressIterate::evaluate_tissue(ElementRequest request, VectorXd& dx, Matrix3
     u = body.node_displacements(state.x, {});
     body.evaluate(u, goal.time, start.history, state.pressure, request, tissue);
     if (!tissue.inverted) return true;
-    // Inverted: take back half of the last motion.
+    // Take back half of the last motion.
     if (dx.size() == 0) break;
     dx *= 0.5;
     state.x -= dx;
@@ -106,7 +104,7 @@ void PressIterate::measure_residual(const Matrix3Xd& forces, PressOutcome& out) 
   out.gap = max_force_change = force_rounding = 0;
   out.push = {};
   total_force = 0;
-  // Contact forces, subtracted from those of tissue, and their wrench on the body.
+  // Subtract the contact forces from those of the tissue, and sum their wrench on the body.
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const NodeContact& c = contacts[k];
     const auto column = static_cast<Eigen::Index>(k);
@@ -117,7 +115,7 @@ void PressIterate::measure_residual(const Matrix3Xd& forces, PressOutcome& out) 
     total_force += force.norm();
     if (c.normal_force <= 0) continue;
     force_rounding = std::max(force_rounding, node_stiffness[k] * kRoundedCoordinate);
-    // A force that still changes may be that of a node that is to stick, to slip or to open.
+    // Track changes of the forces: a node whose force still changes may yet stick, slip or open.
     max_force_change = std::max(
         max_force_change, (c.friction_force - Vector3d(state.friction_force.col(column))).norm());
     if (springs) continue;  // springs leave no gap to close
@@ -131,12 +129,12 @@ void PressIterate::measure_residual(const Matrix3Xd& forces, PressOutcome& out) 
 }
 
 bool PressIterate::is_converged(const PressOutcome& out) const {
-  // Tolerance, but no less than the rounding of forces within elements, which bulk moduli
-  // magnify, and of contact forces, which their stiffness magnifies.
-  const double rounded = std::max(kRoundedStrain * body.max_pressure_force(), force_rounding);
-  const double small = std::max(options.force_tolerance * total_force, rounded);
-  return out.residual <= small && std::abs(force_deficit) <= std::max(small, 1e-9) &&
-         out.gap <= options.gap_tolerance && max_force_change <= small;
+  // Bound the tolerance from below by the rounding errors of element forces, which bulk moduli
+  // amplify, and of contact forces, which their stiffness amplifies.
+  const double rounding = std::max(kRoundedStrain * body.max_pressure_force(), force_rounding);
+  const double tolerance = std::max(options.force_tolerance * total_force, rounding);
+  return out.residual <= tolerance && std::abs(force_deficit) <= std::max(tolerance, 1e-9) &&
+         out.gap <= options.gap_tolerance && max_force_change <= tolerance;
 }
 
 void PressIterate::accept(const Matrix3Xd& u, PressOutcome& out) const {
@@ -158,13 +156,13 @@ bool PressIterate::move_to_contact(PressOutcome& out) {
 void PressIterate::set_node_stiffness(const std::vector<double>& values) {
   node_stiffness.clear();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    // Stiffness of tissue at rest under the node, and of the body as it is.
+    // Compare the stiffness of the tissue at rest under the node and of the deformed body.
     const double at_rest =
         body.max_shear_modulus() * std::sqrt(surface.area[static_cast<Eigen::Index>(k)]);
     double here = 0;
     for (int c = 0; c < 3; ++c)
       here = std::max(here, values[body.diagonal_entry(surface.nodes[k], c, c)]);
-    // The upper bound keeps the rounding of places out of the forces.
+    // The upper bound limits the rounding error that coordinates cause in the forces.
     node_stiffness.push_back(std::clamp(kStiffnessOverBody * here, kMinStiffnessOverRest * at_rest,
                                         kMaxStiffnessOverRest * at_rest));
   }
@@ -173,7 +171,7 @@ void PressIterate::set_node_stiffness(const std::vector<double>& values) {
 bool PressIterate::factor_stabilized(const std::function<bool()>& factor) {
   if (factor()) return true;
   const double mean = mean_diagonal(body, tissue.tangent);
-  // Springs on the diagonal, ten times stiffer each time.
+  // Add springs to the diagonal, ten times stiffer at each attempt.
   double held = 0;
   for (double share = kMinHoldRatio; share <= kMaxHoldRatio; share *= 10) {
     add_to_diagonal(body, share * mean - held, tissue.tangent);
@@ -192,13 +190,13 @@ void PressIterate::add_node_block(std::size_t k, const Matrix3d& block) {
 bool PressIterate::solve_object_motion(const std::function<Matrix3Xd(const Matrix3Xd&)>& loss,
                                        const std::function<VectorXd(const VectorXd&)>& solve,
                                        VectorXd& dx, double& motion) const {
-  // Forces lost by a unit motion of the object, and the body's answer to them.
+  // Compute the forces lost by a unit motion of the object, and the body's response to them.
   const Matrix3Xd lost = loss(goal.along.replicate(1, static_cast<Eigen::Index>(contacts.size())));
   const VectorXd follows = solve(body_forces(lost));
   const auto lost_along = [&](const Matrix3Xd& forces) {
     return goal.along.dot(forces.rowwise().sum());
   };
-  // Schur complement: stiffness of the object's motion, with the body following.
+  // Eliminate the body: the Schur complement is the stiffness of the object's motion.
   const double schur = lost_along(lost) - lost_along(loss(surface_displacements(follows)));
   if (!(schur > 0)) return false;
   motion = std::clamp((force_deficit + lost_along(loss(surface_displacements(dx)))) / schur,
@@ -209,7 +207,7 @@ bool PressIterate::solve_object_motion(const std::function<Matrix3Xd(const Matri
 
 VectorXd PressIterate::solve_iteratively(
     const VectorXd& b, const std::function<Matrix3Xd(const Matrix3Xd&)>& left_out) const {
-  // GMRES on  (1 + A^-1 B) x = A^-1 b,  where the factor of A leaves out B.
+  // Solve  (1 + A^-1 B) x = A^-1 b  by GMRES, where the factor of A leaves out B.
   return gmres(
       [&](const VectorXd& x) {
         return VectorXd(x + factors.tangent.solve(body_forces(left_out(surface_displacements(x)))));

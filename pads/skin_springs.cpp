@@ -13,19 +13,19 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Stiffness of sticking friction, over that of the normal springs [1]
+// Tangential stiffness of sticking nodes over that of the normal springs [1]
 constexpr double kStickStiffnessRatio = 0.125;
 
-/// Returns the offset at which the object is evaluated [m] (3), so that an edge along nodes lies on
-/// the same side of these nodes for all faces.
+/// Returns a tiny offset of the object [m] (3), with which an edge along a line of nodes lies on
+/// the same side of them for all faces.
 const Vector3d& edge_offset() {
   static const Vector3d kEdgeOffset = 1e-11 * Vector3d(1, 0.618, 0.382);
   return kEdgeOffset;
 }
 
-/// Calls with each node of a face: the corner, the node, and its weight in the corner.
+/// Calls a function for each node of a face with the corner, the node and its weight in the corner.
 template <class Call>
-void for_nodes(const SurfaceFace& face, const Call& call) {
+void for_each_node(const SurfaceFace& face, const Call& call) {
   for (Index corner = 0; corner < 4; ++corner)
     for (const NodeWeight& each : face.corners[static_cast<std::size_t>(corner)])
       call(corner, each.node, each.weight);
@@ -37,7 +37,7 @@ void SkinSprings::update(const Shape& object, const Pose<double>& X_PO, const Ve
                          const std::vector<double>& stiffness, double friction,
                          const FrictionStart& start) {
   const Matrix3Xd places = deformed_positions(surface_, x);
-  // Object moved aside by a hair, so that an edge along nodes lies on one side of them.
+  // Offset the object, and reset the sums.
   Pose<double> X_offset = X_PO;
   X_offset.p += edge_offset();
   friction_ = friction;
@@ -45,23 +45,23 @@ void SkinSprings::update(const Shape& object, const Pose<double>& X_PO, const Ve
   pressed_.clear();
   normal_forces_ = friction_forces_ = Matrix3Xd::Zero(3, places.cols());
   for (const SurfaceFace& face : surface_.faces) {
-    // Stiffness per area at the face's corners.
+    // Interpolate the stiffness per area at the face's corners.
     Eigen::Vector4d per_area = Eigen::Vector4d::Zero();
-    for_nodes(face, [&](Index corner, int node, double weight) {
+    for_each_node(face, [&](Index corner, int node, double weight) {
       per_area[corner] += weight * stiffness[static_cast<std::size_t>(node)] / surface_.area[node];
     });
     PressedFace springs =
         press_face(corner_positions(face, places), per_area, face.area, object, X_offset);
     if (springs.points.empty()) continue;
-    // Sums over faces, and forces on their nodes.
+    // Sum the energy and the forces on nodes.
     energy_ += springs.energy;
     max_depth_ = std::max(max_depth_, springs.deepest);
-    for_nodes(face, [&](Index corner, int node, double weight) {
+    for_each_node(face, [&](Index corner, int node, double weight) {
       normal_forces_.col(node) += weight * springs.push.col(corner);
     });
     pressed_.push_back({&face, std::move(springs)});
   }
-  // Friction, which needs the sum of a node's pushes.
+  // Compute friction, which needs the total normal force of each node.
   node_friction_.assign(surface_.nodes.size(), {});
   if (friction > 0) update_friction(X_PO, places, stiffness, start);
 }
@@ -72,11 +72,11 @@ bool SkinSprings::has_changed_sides(const Shape& object, const Pose<double>& X_P
   const Matrix3Xd places = deformed_positions(surface_, before);
   const Pose<double> X_OP_before = X_PO_before.inverse();
   return std::any_of(pressed_.begin(), pressed_.end(), [&](const PressedPart& each) {
-    // Side of the object that was nearest to each pressed point.
-    const FaceCorners was = corner_positions(*each.face, places);
+    // Compare the object's normal at each pressed point with that at the earlier position.
+    const FaceCorners earlier = corner_positions(*each.face, places);
     const std::vector<PressedFace::Point>& points = each.springs.points;
     return std::any_of(points.begin(), points.end(), [&](const PressedFace::Point& point) {
-      const Vector3d place = X_OP_before * Vector3d(was * point.shape);
+      const Vector3d place = X_OP_before * Vector3d(earlier * point.shape);
       return object.nearest(place).normal.dot(X_PO.R.transpose() * point.normal) < cosine;
     });
   });
@@ -86,28 +86,28 @@ void SkinSprings::update_friction(const Pose<double>& X_PO, const Matrix3Xd& pla
                                   const std::vector<double>& stiffness,
                                   const FrictionStart& start) {
   for (Index k = 0; k < places.cols(); ++k) {
-    const double push = normal_forces_.col(k).norm();
-    if (push <= 0) continue;
+    const double normal_force = normal_forces_.col(k).norm();
+    if (normal_force <= 0) continue;
     NodeFriction& node = node_friction_[static_cast<std::size_t>(k)];
-    node.normal = normal_forces_.col(k) / push;
-    // Friction: the last force minus a spring times the slip, cut to the cone.
-    const auto across = [&](const Vector3d& v) {
+    node.normal = normal_forces_.col(k) / normal_force;
+    // Subtract a spring times the slip from the last friction, and scale it back to the cone.
+    const auto tangential = [&](const Vector3d& v) {
       return Vector3d(v - v.dot(node.normal) * node.normal);
     };
-    const double stick = kStickStiffnessRatio * stiffness[static_cast<std::size_t>(k)],
-                 bound = friction_ * push;
+    const double spring = kStickStiffnessRatio * stiffness[static_cast<std::size_t>(k)],
+                 bound = friction_ * normal_force;
     const Vector3d last = start.friction.col(k);
-    node.normal_force = push;
-    node.trial_force = last - stick * (places.col(k) - X_PO * Vector3d(start.anchor.col(k)));
-    const Vector3d trial = across(node.trial_force);
+    node.normal_force = normal_force;
+    node.trial_force = last - spring * (places.col(k) - X_PO * Vector3d(start.anchor.col(k)));
+    const Vector3d trial = tangential(node.trial_force);
     const double size = trial.norm();
     node.slips = size > bound;
     node.scale = node.slips ? bound / size : 1;
-    node.stiffness = node.scale * stick;
-    // Direction of slip, and the last friction over the bound, for the slope.
+    node.stiffness = node.scale * spring;
+    // Keep the direction of slip and the last friction for the slope.
     if (node.slips) {
       node.slip_direction = trial / size;
-      node.last_ratio = across(last) / std::max(bound, across(last).norm());
+      node.last_ratio = tangential(last) / std::max(bound, tangential(last).norm());
     }
     friction_forces_.col(k) = node.scale * trial;
   }
@@ -121,16 +121,16 @@ Matrix3d SkinSprings::own_stiffness(const NodeFriction& node) {
 
 void SkinSprings::add_stiffness(std::vector<double>& values) const {
   const auto free = [&](int node) { return surface_.nodes[static_cast<std::size_t>(node)]; };
-  // Once for each pair of nodes; each place of a pattern is that of both orders.
+  // Add the block of each pair of nodes once, as the tangent is symmetric.
   for (const PressedPart& each : pressed_)
-    for_nodes(*each.face, [&](Index row, int one, double weight) {
-      for_nodes(*each.face, [&](Index column, int other, double share) {
+    for_each_node(*each.face, [&](Index row, int one, double weight) {
+      for_each_node(*each.face, [&](Index column, int other, double share) {
         if (free(one) >= free(other))
           body_.add_block(values, free(one), free(other),
                           weight * share * each.springs.stiffness.block<3, 3>(3 * row, 3 * column));
       });
     });
-  // Friction of each node by its own motion.
+  // Add the friction of each node by its own motion.
   for (std::size_t k = 0; k < node_friction_.size(); ++k)
     if (node_friction_[k].stiffness > 0)
       body_.add_block(values, surface_.nodes[k], surface_.nodes[k],
@@ -140,13 +140,13 @@ void SkinSprings::add_stiffness(std::vector<double>& values) const {
 Matrix3Xd SkinSprings::normal_force_loss(const Matrix3Xd& moved) const {
   Matrix3Xd out = Matrix3Xd::Zero(3, moved.cols());
   for (const PressedPart& each : pressed_) {
-    // Motion of the corners, forces lost there, and these on the nodes.
+    // Interpolate the motion at the corners, and distribute the forces lost there to the nodes.
     FaceCorners there = FaceCorners::Zero();
-    for_nodes(*each.face, [&](Index corner, int node, double weight) {
+    for_each_node(*each.face, [&](Index corner, int node, double weight) {
       there.col(corner) += weight * moved.col(node);
     });
     const FaceCorners lost = (each.springs.stiffness * there.reshaped()).reshaped(3, 4);
-    for_nodes(*each.face, [&](Index corner, int node, double weight) {
+    for_each_node(*each.face, [&](Index corner, int node, double weight) {
       out.col(node) += weight * lost.col(corner);
     });
   }
@@ -160,7 +160,7 @@ Matrix3Xd SkinSprings::friction_force_loss(const Matrix3Xd& moved) const {
     const auto column = static_cast<Index>(k);
     if (node.normal_force <= 0) continue;
     const Vector3d n = node.normal, lost = out.col(column), move = moved.col(column);
-    // Friction changes by the node's own slip, by the push that it loses, and as the push turns.
+    // Friction changes by the node's slip, the loss of normal force, and the turn of the normal.
     const Vector3d slid = move - n.dot(move) * n,
                    turn = (n.dot(lost) * n - lost) / node.normal_force;
     Vector3d turned = -turn.dot(node.trial_force) * n - n.dot(node.trial_force) * turn;
