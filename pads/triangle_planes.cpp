@@ -8,8 +8,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSamePlane = 1e-7;  // Planes with normals that differ by less are the same [1]
-constexpr double kNoPart = 1e-10;    // Parts below this share of a triangle are left out [1]
+constexpr double kSamePlaneTolerance =
+    1e-7;                                // Planes with normals that differ by less are the same [1]
+constexpr double kMinPartShare = 1e-10;  // Parts below this share of a triangle are left out [1]
 
 }  // namespace
 
@@ -32,28 +33,28 @@ TrianglePart clipped(const TrianglePart& part, const Vector3d& values) {
   return out;
 }
 
-double share_of(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+double area_share(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return std::abs((b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]);
 }
 
-double share_of(const TrianglePart& part) {
+double area_share(const TrianglePart& part) {
   double out = 0;
   for (std::size_t i = 1; i + 1 < part.size; ++i)
-    out += share_of(part.corners[0], part.corners[i], part.corners[i + 1]);
+    out += area_share(part.corners[0], part.corners[i], part.corners[i + 1]);
   return out;
 }
 
-void TrianglePlanes::start(const std::array<TrianglePlane, 3>& of_corners) {
+void TrianglePlanes::reset(const std::array<TrianglePlane, 3>& corner_planes) {
   planes_.clear();
-  for (const TrianglePlane& plane : of_corners) {
+  for (const TrianglePlane& plane : corner_planes) {
     const bool known = std::any_of(planes_.begin(), planes_.end(), [&](const TrianglePlane& other) {
-      return (other.normal - plane.normal).norm() < kSamePlane;
+      return (other.normal - plane.normal).norm() < kSamePlaneTolerance;
     });
     if (!known) planes_.push_back(plane);
   }
 }
 
-void TrianglePlanes::find_parts() {
+void TrianglePlanes::update_parts() {
   parts_.assign(planes_.size(), whole_triangle());
   for (std::size_t p = 0; p < planes_.size(); ++p) {
     // Inside the object, and where no other plane is farther.
@@ -63,10 +64,10 @@ void TrianglePlanes::find_parts() {
   }
 }
 
-void TrianglePlanes::drop_empty() {
+void TrianglePlanes::remove_empty_parts() {
   std::size_t kept = 0;
   for (std::size_t p = 0; p < planes_.size(); ++p) {
-    if (share_of(parts_[p]) < kNoPart) continue;
+    if (area_share(parts_[p]) < kMinPartShare) continue;
     planes_[kept] = planes_[p];
     parts_[kept++] = parts_[p];
   }

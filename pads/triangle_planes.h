@@ -28,17 +28,17 @@ struct TrianglePart {
 [[nodiscard]] TrianglePart clipped(const TrianglePart& part, const Eigen::Vector3d& values);
 
 /// Returns the area of a triangle of barycentric coordinates, over that of the whole [1].
-[[nodiscard]] double share_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                              const Eigen::Vector3d& c);
-[[nodiscard]] double share_of(const TrianglePart& part);
+[[nodiscard]] double area_share(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                const Eigen::Vector3d& c);
+[[nodiscard]] double area_share(const TrianglePart& part);
 
 /// Calls with points of a part and their shares of the triangle, by which products of two linear
 /// functions are summed exactly.
 template <class Call>
-void for_points(const TrianglePart& part, const Call& call) {
+void for_each_gauss_point(const TrianglePart& part, const Call& call) {
   for (std::size_t i = 1; i + 1 < part.size; ++i) {
     const std::array<Eigen::Vector3d, 3> fan{part.corners[0], part.corners[i], part.corners[i + 1]};
-    const double share = share_of(fan[0], fan[1], fan[2]) / 3;
+    const double share = area_share(fan[0], fan[1], fan[2]) / 3;
     for (const Eigen::Vector3d& corner : fan)
       call(Eigen::Vector3d((fan[0] + fan[1] + fan[2]) / 6 + corner / 2), share);
   }
@@ -55,7 +55,7 @@ struct TrianglePlane {
 struct PlaneRidge {
   std::array<Eigen::Vector3d, 2> points;  // Gauss points, exact for products of three functions
   double length;                          // [1]
-  double rate;                            // slope of the planes' difference across it [m]
+  double difference_slope;                // slope of the planes' difference across it [m]
 };
 
 /// Planes of a convex object over a triangle. Where the farthest of them is inside, it is as far as
@@ -63,13 +63,13 @@ struct PlaneRidge {
 class TrianglePlanes {
  public:
   /// Begins with those planes at the corners that differ.
-  void start(const std::array<TrianglePlane, 3>& of_corners);
+  void reset(const std::array<TrianglePlane, 3>& corner_planes);
   void add(const TrianglePlane& plane) { planes_.push_back(plane); }
 
   /// Finds where each plane is the farthest, and the triangle below it.
-  void find_parts();
+  void update_parts();
   /// Leaves out planes without a part, which touch the edge between two others.
-  void drop_empty();
+  void remove_empty_parts();
 
   [[nodiscard]] std::size_t size() const { return planes_.size(); }
   [[nodiscard]] const TrianglePlane& plane(std::size_t p) const { return planes_[p]; }

@@ -42,14 +42,14 @@ void ElementPad::renew(const Pose<double>& X_PO) {
   options.step = options_.step;
   options.force_error = options_.mesh_error;
   options.max_elements = options_.max_elements;
-  options.pieces = kStepPieces;
+  options.max_failed_pieces = kStepPieces;
   options.step.max_iterations = std::min(options.step.max_iterations, kMostIterations);
   options.max_penetration = 1;  // faces are as fine as the error of the force asks
   press_ = std::make_unique<PadPress>(model_, object_, X_PO, options);
 }
 
 void ElementPad::undo() {
-  if (trial_) press_->undo();
+  if (trial_) press_->undo_step();
   trial_ = false;
 }
 
@@ -63,7 +63,7 @@ PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
     if (out.gap > 0) return out;
     out.gap = min_gap(press_->surface(), *object_.shape, X_PO, press_->state().x);
     if (out.gap > 0) return out;
-    press_->begin_at(pulled_out(X_PO, -out.gap));
+    press_->place_object(pulled_out(X_PO, -out.gap));
     out.gap = 0;
   }
   // One step of the elements; if it fails the pad is as it was.

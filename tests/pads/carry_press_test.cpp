@@ -38,11 +38,11 @@ class Squeezed : public testing::Test {
 
   /// Carries the state to the mesh with some cells split.
   PressState carried(const std::vector<int>& split) {
-    const PressCarrier carrier(mesh_, std::move(body_), surface_);
+    const PressTransfer transfer(mesh_, std::move(body_), surface_);
     mesh_.refine(split);
     body_ = body();
     surface_ = build_contact_surface(mesh_, *body_, skin_nodes(mesh_));
-    return carrier.carry(state_, mesh_, *body_, surface_);
+    return transfer.transfer_state(state_, mesh_, *body_, surface_);
   }
 
   HexMesh mesh_;
