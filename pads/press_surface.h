@@ -30,10 +30,9 @@ struct PressedSkin {
 /// @return old numbers of the nodes of the faces
 [[nodiscard]] std::vector<int> renumber(std::vector<std::array<int, 4>>& faces, int nodes);
 
-/// The skin as a press has left it. Shares of area are those of build_contact_surface(), of
-/// deformed faces: a quarter of each face for each corner, those of hanging nodes handed to their
-/// masters.
-/// @param friction  of the object that presses [1]
+/// Returns the skin at the present state of a press. A node's area is a quarter of each of its
+/// deformed faces, as of node_areas(); areas of hanging nodes are assigned to their masters.
+/// @param friction  Coulomb coefficient of the object [1]
 [[nodiscard]] PressedSkin pressed_skin(const PadPress& press, double friction);
 
 }  // namespace thenar

@@ -17,23 +17,23 @@ namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector4d;
-using Row = Eigen::Matrix<double, 12, 1>;    // of all coordinates of a face's corners
-using Shapes = Eigen::Matrix<double, 4, 3>;  // of a triangle's corners, of those of the face
+using Row = Eigen::Matrix<double, 12, 1>;    // one entry for each coordinate of a face's corners
+using Shapes = Eigen::Matrix<double, 4, 3>;  // shape functions of the face at a triangle's corners
 
-constexpr int kSideParts = 4;  // Parts into which a side of a face is divided
-// Planes are found if normals turn by more than this over a triangle [1]
+constexpr int kSideParts = 4;  // parts into which a side of a face is divided
+// Least turn of the normals over a triangle for which planes are used [1]
 constexpr double kPlaneTurn = 3e-3;
-// Largest excess of a plane over the object that rounding explains [m]
+// Largest excess of a plane over a convex object, due to rounding [m]
 constexpr double kConvexRounding = 1e-9;
-// Excess of the object over all known planes that shows a further plane [m]
+// Least excess of the distance over all known planes that shows a further plane [m]
 constexpr double kPlaneExcess = 1e-13;
-constexpr double kSharpTurn = 0.1;  // A larger turn of normals over a triangle shows an edge [1]
-// Largest deviation of the middle normal, over the turn; over an edge it is half [1]
+constexpr double kSharpTurn = 0.1;  // least turn of the normals over a triangle at an edge [1]
+// Largest deviation of the middle normal over the turn; at an edge it is one half [1]
 constexpr double kEvenTurnShare = 0.25;
-// Normals lie in a triangle's plane if the cosine of their angle with its normal is below this [1]
+// Largest cosine of the angle between a triangle's normal and a vector in its plane [1]
 constexpr double kInPlaneCosine = 1e-6;
-constexpr int kMaxSplits = 4;         // Most splits of triangles over curved edges
-constexpr int kMaxPlaneSearches = 4;  // Most searches for further planes of a triangle
+constexpr int kMaxSplits = 4;         // subdivisions of a triangle over curved edges
+constexpr int kMaxPlaneSearches = 4;  // searches for further planes of a triangle
 
 using Plane = internal::TrianglePlane;
 using internal::area_share;
@@ -42,7 +42,7 @@ using internal::for_each_gauss_point;
 using internal::TrianglePart;
 using internal::whole_triangle;
 
-/// A place on a face, and the object's surface near it, body's frame.
+/// Point on a face, and the object's surface near it, in the body's frame.
 struct Sample {
   Vector4d shape;
   Vector3d place, normal;
@@ -50,7 +50,7 @@ struct Sample {
 };
 using Triangle = std::array<Sample, 3>;
 
-/// Cuts a face in triangles, and adds the springs of each.
+/// Sum of the springs over the triangles of a face.
 class FacePress {
  public:
   FacePress(const FaceCorners& corners, const Vector4d& stiffness, double area, const Shape& object,
@@ -62,7 +62,7 @@ class FacePress {
         X_OP_(X_PO.inverse()) {}
 
   PressedFace press() {
-    // A face farther from the object than its corners from its middle is outside.
+    // Skip a face whose middle is farther from the object than from its corners.
     const Sample middle = sample(face_shape(0.5, 0.5));
     if (middle.distance > (corners_.colwise() - middle.place).colwise().norm().maxCoeff())
       return std::move(out_);
@@ -72,7 +72,7 @@ class FacePress {
       for (std::size_t j = 0; j <= kSideParts; ++j)
         at[i][j] = sample(
             face_shape(static_cast<double>(i) / kSideParts, static_cast<double>(j) / kSideParts));
-    // Diagonals alternate, so that a face has no favoured one.
+    // Divide into triangles; diagonals alternate, so that no direction is preferred.
     for (std::size_t i = 0; i < kSideParts; ++i)
       for (std::size_t j = 0; j < kSideParts; ++j) {
         const Sample &a = at[i][j], &b = at[i + 1][j], &c = at[i][j + 1], &d = at[i + 1][j + 1];
@@ -90,17 +90,17 @@ class FacePress {
     return {shape, place, X_PO_.R * near.normal, near.distance};
   }
 
-  /// Adds the springs of a triangle. @param cuts  that made it out of one of the face
+  /// Adds the springs of a triangle. @param cuts  subdivisions that created it
   void add_triangle(const Triangle& at, int cuts = 0) {
-    // A triangle farther from the object than its size is outside.
+    // Skip a triangle that is farther from the object than its size.
     const double reach =
         std::max((at[1].place - at[0].place).norm(), (at[2].place - at[0].place).norm());
     if (at[0].distance > reach) return;
     for (Eigen::Index c = 0; c < 3; ++c)
       corner_shapes_.col(c) = at[static_cast<std::size_t>(c)].shape;
     triangle_stiffness_ = std::pow(0.25, cuts) * stiffness_.dot(corner_shapes_.rowwise().mean());
-    // Planes of the object at the corners: how far normals turn apart, and by how much a plane lies
-    // beyond the object, as only an object that is not convex allows.
+    // Compute the object's planes at the corners, the turn of normals between them, and the excess
+    // of a plane over the object, which only a concave object allows.
     double turn = 0, excess = 0;
     std::array<Plane, 3> planes;
     for (std::size_t p = 0; p < 3; ++p) {
@@ -110,12 +110,12 @@ class FacePress {
         excess = std::max(excess, planes[p].values[static_cast<Eigen::Index>(c)] - at[c].distance);
       }
     }
-    // Outside if all of it is above one plane of a convex object.
+    // Skip a triangle that is wholly outside one plane of a convex object.
     const bool is_convex = excess < kConvexRounding;
     if (is_convex && std::any_of(planes.begin(), planes.end(),
                                  [](const Plane& plane) { return plane.values.minCoeff() >= 0; }))
       return;
-    // Planes where edges are straight, linear depth where the object is smooth, quarters elsewhere.
+    // Use planes at straight edges, a linear depth on smooth objects, a subdivision elsewhere.
     if (turn > kPlaneTurn && is_convex && find_planes(at, planes))
       add_plane_springs();
     else if (turn < kSharpTurn || cuts == kMaxSplits)
@@ -142,8 +142,8 @@ class FacePress {
     return out;
   }
 
-  /// Returns whether normals turn evenly along the side where they turn most, as they do where no
-  /// edge of the object lies over the triangle.
+  /// Returns whether normals turn evenly along the side where they turn most: no edge of the object
+  /// lies over the triangle.
   [[nodiscard]] bool has_smooth_normals(const Triangle& at) const {
     std::size_t most = 0;
     const auto turn = [&](std::size_t side) {
@@ -156,9 +156,9 @@ class FacePress {
     return (middle - (from.normal + to.normal) / 2).norm() < kEvenTurnShare * turn(most);
   }
 
-  /// Returns the inverse of two sides of a triangle and a normal as long as the first; where the
-  /// normal lies in the triangle's plane, as below the wall of a box that stands on flat skin, the
-  /// pseudoinverse.
+  /// Returns the inverse of two sides of a triangle and a normal of the first side's length; or the
+  /// pseudoinverse if the normal lies in the triangle's plane, as below the wall of a box on flat
+  /// skin.
   [[nodiscard]] static Eigen::Matrix3d side_inverse(const Eigen::Matrix3d& sides) {
     const Vector3d area = sides.col(0).cross(Vector3d(sides.col(1)));
     if (std::abs(area.dot(sides.col(2))) > kInPlaneCosine * area.norm() * sides.col(2).norm())
@@ -171,7 +171,7 @@ class FacePress {
   /// Adds springs whose depth is linear over the triangle.
   /// @param smooth  whether normals turn evenly, so that their turn is part of the stiffness
   void add_linear_springs(const Triangle& at, bool smooth) {
-    // Linear depth and mean normal; springs press where the depth is positive.
+    // Clip the triangle to positive depth, and press along the interpolated normals.
     const Vector3d depth(-at[0].distance, -at[1].distance, -at[2].distance);
     const Vector3d normal = (at[0].normal + at[1].normal + at[2].normal).stableNormalized();
     const TrianglePart part = clipped(whole_triangle(), depth);
@@ -182,7 +182,7 @@ class FacePress {
       return slope;
     });
     if (!smooth || part.size < 3) return;
-    // Curvature of the distance: normals turn along the sides, and not along themselves.
+    // Compute the curvature of the distance: normals change along the sides, not along themselves.
     Eigen::Matrix3d sides, turns = Eigen::Matrix3d::Zero();
     for (Eigen::Index k = 0; k < 2; ++k) {
       const Sample& to = at[static_cast<std::size_t>(k) + 1];
@@ -192,7 +192,7 @@ class FacePress {
     sides.col(2) = sides.col(0).norm() * normal;
     const Eigen::Matrix3d slope = turns * side_inverse(sides);
     const Eigen::Matrix3d curvature = (slope + slope.transpose()) / 2;
-    // Forces on the distances of the triangle's corners.
+    // Sum the forces on the distances of the triangle's corners.
     Vector3d forces(0, 0, 0);
     for_each_gauss_point(part, [&](const Vector3d& b, double share) {
       forces += triangle_stiffness_ * share * depth.dot(b) * b;
@@ -204,12 +204,12 @@ class FacePress {
               forces[static_cast<Eigen::Index>(c)] * at[c].shape[i] * at[c].shape[j] * curvature;
   }
 
-  /// Sets planes so that the farthest of them is as far as the object all over the part of the
-  /// triangle that is inside, and their parts. @return false if there are none, as by a curved
+  /// Finds planes whose largest distance equals that of the object all over the part of the
+  /// triangle that is inside, and their parts. @return false if there are none, as for a curved
   /// object
   bool find_planes(const Triangle& at, const std::array<Plane, 3>& corner_planes) {
     planes_.reset(corner_planes);
-    // Add planes that the object has beyond them, until there is none.
+    // Add planes of the object until their distances agree.
     for (int search = 0; search <= kMaxPlaneSearches; ++search) {
       planes_.update_parts();
       if (!add_farthest_plane(at)) return true;
@@ -217,10 +217,10 @@ class FacePress {
     return false;
   }
 
-  /// Adds springs whose depth is that below the farthest of the planes.
+  /// Adds springs with the depth below the plane of the largest distance.
   void add_plane_springs() {
     planes_.remove_empty_parts();
-    // Springs below each plane, then the ridge of each pair.
+    // Add the springs below each plane, then the ridge of each pair.
     for (std::size_t p = 0; p < planes_.size(); ++p) {
       const Plane& plane = planes_.plane(p);
       add_part_springs(planes_.part(p), -plane.values, plane.normal, [&](const Vector3d& b) {
@@ -230,14 +230,14 @@ class FacePress {
     }
   }
 
-  /// Adds the object's plane where it is farthest beyond those that are known. Between corners of
-  /// parts it is not: a convex distance less a linear one. @return whether there is one
+  /// Adds the object's plane where its distance exceeds those of the known planes most: at a corner
+  /// of a part, because the excess is convex. @return whether there is one
   bool add_farthest_plane(const Triangle& at) {
     double most = kPlaneExcess;
     std::optional<Plane> found;
     for (std::size_t p = 0; p < planes_.size(); ++p)
       for (std::size_t i = 0; i < planes_.part(p).size; ++i) {
-        // Excess of the true distance over the plane's at a corner of its part.
+        // Compare the true distance with the plane's at a corner of its part.
         const Vector3d& b = planes_.part(p).corners[i];
         const Vector3d place = b[0] * at[0].place + b[1] * at[1].place + b[2] * at[2].place;
         const NearestSurface near = object_.nearest(X_OP_ * place);
@@ -256,14 +256,14 @@ class FacePress {
   void add_part_springs(const TrianglePart& part, const Vector3d& depth, const Vector3d& normal,
                         const SlopeAt& slope_at) {
     if (area_share(part) <= 0) return;
-    // Deepest point, and the middle of the part.
+    // Update the largest depth, and record the middle of the part.
     Vector3d mean(0, 0, 0);
     for (std::size_t i = 0; i < part.size; ++i) {
       out_.deepest = std::max(out_.deepest, depth.dot(part.corners[i]));
       mean += part.corners[i] / static_cast<double>(part.size);
     }
     out_.points.push_back({corner_shapes_ * mean, normal});
-    // Energy k depth^2 / 2, its slope and its stiffness.
+    // Integrate the energy k depth^2 / 2, its slope and its stiffness.
     for_each_gauss_point(part, [&](const Vector3d& b, double share) {
       const double here = depth.dot(b), k = triangle_stiffness_ * share;
       const FaceCorners slope = slope_at(b);
@@ -274,7 +274,7 @@ class FacePress {
     });
   }
 
-  /// Adds what the stiffness has of the ridge between two planes.
+  /// Adds the stiffness of the ridge between two planes.
   void add_ridge_stiffness(std::size_t p, std::size_t q) {
     const std::optional<internal::PlaneRidge> ridge = planes_.ridge(p, q);
     if (!ridge) return;
@@ -292,7 +292,7 @@ class FacePress {
   const Shape& object_;
   Pose<double> X_PO_, X_OP_;
   PressedFace out_;
-  // Of the triangle at hand.
+  // Data of the present triangle: shape functions at its corners, stiffness of its springs.
   Shapes corner_shapes_;
   double triangle_stiffness_ = 0;  // [N/m]
   internal::TrianglePlanes planes_;

@@ -8,9 +8,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSamePlaneTolerance =
-    1e-7;                                // Planes with normals that differ by less are the same [1]
-constexpr double kMinPartShare = 1e-10;  // Parts below this share of a triangle are left out [1]
+constexpr double kSamePlaneTolerance = 1e-7;  // largest difference of normals of equal planes [1]
+constexpr double kMinPartShare = 1e-10;       // least share of a triangle that is a part [1]
 
 }  // namespace
 
@@ -57,7 +56,7 @@ void TrianglePlanes::reset(const std::array<TrianglePlane, 3>& corner_planes) {
 void TrianglePlanes::update_parts() {
   parts_.assign(planes_.size(), whole_triangle());
   for (std::size_t p = 0; p < planes_.size(); ++p) {
-    // Inside the object, and where no other plane is farther.
+    // Clip to the inside of the object, and to where no other plane has a larger distance.
     parts_[p] = clipped(parts_[p], -planes_[p].values);
     for (std::size_t q = 0; q < planes_.size(); ++q)
       if (q != p) parts_[p] = clipped(parts_[p], planes_[p].values - planes_[q].values);
@@ -76,7 +75,7 @@ void TrianglePlanes::remove_empty_parts() {
 
 std::optional<PlaneRidge> TrianglePlanes::ridge(std::size_t p, std::size_t q) const {
   const Vector3d &one = planes_[p].values, more = one - planes_[q].values;
-  // Ends of the ridge on the triangle's sides.
+  // Find the ends of the ridge on the triangle's sides.
   std::array<Vector3d, 2> ends;
   std::size_t found = 0;
   for (int i = 0; i < 3 && found < 2; ++i) {
@@ -86,7 +85,7 @@ std::optional<PlaneRidge> TrianglePlanes::ridge(std::size_t p, std::size_t q) co
           (more[j] * Vector3d::Unit(i) - more[i] * Vector3d::Unit(j)) / (more[j] - more[i]);
   }
   if (found < 2) return {};
-  // Part of the ridge inside the object where no other plane is farther.
+  // Cut the ridge to the inside of the object, and to where no other plane has a larger distance.
   double from = 0, to = 1;
   const auto cut = [&](const Vector3d& values) {
     const double a = values.dot(ends[0]), b = values.dot(ends[1]);
@@ -98,7 +97,7 @@ std::optional<PlaneRidge> TrianglePlanes::ridge(std::size_t p, std::size_t q) co
   for (std::size_t r = 0; r < planes_.size(); ++r)
     if (r != p && r != q) cut(one - planes_[r].values);
   if (!(to > from)) return {};
-  // Two Gauss points between the ends.
+  // Place two Gauss points between the ends.
   PlaneRidge out{{},
                  (to - from) * (ends[1] - ends[0]).head<2>().norm(),
                  std::hypot(more[0] - more[2], more[1] - more[2])};
