@@ -18,7 +18,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Lattice 0..26 of a parent from its eight children.
+/// Returns the 27 nodes of a parent from its eight children, first axis fastest.
 std::vector<int> lattice_of(const HexMesh& mesh, const HexCell& parent) {
   std::vector<int> nodes(27);
   for (int child = 0; child < 8; ++child)
@@ -36,7 +36,7 @@ TissueBody::TissueBody(const HexMesh& mesh, HexElement kind, std::vector<Tissue>
     : kind_(kind), tissues_(std::move(tissues)) {
   require(fixed.size() == static_cast<std::size_t>(mesh.nodes()),
           "{} nodes, {} marks of fixed ones", mesh.nodes(), fixed.size());
-  // Tissues, each with the history of elements that were never deformed.
+  // Check the tissues, and store the history of undeformed elements of each.
   for (const Tissue& tissue : tissues_) {
     check_tissue(tissue);
     const auto points = static_cast<std::size_t>(gauss_point_count(kind_));
@@ -44,7 +44,7 @@ TissueBody::TissueBody(const HexMesh& mesh, HexElement kind, std::vector<Tissue>
         {std::vector<Voigt>(points, Voigt::Zero()),
          std::vector<Voigt>(points * tissue.relaxation.size(), Voigt::Zero())});
   }
-  // Unknowns: nodes in use that neither hang nor are fixed.
+  // Number the unknowns: nodes in use that neither hang nor are fixed.
   free_index_.assign(fixed.size(), -1);
   node_masters_.resize(fixed.size());
   for (int node = 0; node < mesh.nodes(); ++node) {
@@ -63,7 +63,7 @@ TissueBody::TissueBody(const HexMesh& mesh, HexElement kind, std::vector<Tissue>
 }
 
 void TissueBody::build_elements(const HexMesh& mesh) {
-  // Adds an element with its shape and the free masters of its nodes.
+  // Adds an element with its shape and the free masters of its nodes; fixed masters do not move.
   const auto add = [&](std::vector<int> nodes, int region) {
     require(region >= 0 && region < static_cast<int>(tissues_.size()), "region {} has no tissue",
             region);
@@ -72,7 +72,6 @@ void TissueBody::build_elements(const HexMesh& mesh) {
     Matrix3Xd X(3, static_cast<Eigen::Index>(nodes.size()));
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       X.col(static_cast<Eigen::Index>(a)) = mesh.place(nodes[a]);
-      // Hanging nodes are the mean of their masters; what is fixed of them moves nothing.
       require(kind_ != HexElement::kQuadratic || mesh.masters(nodes[a]).empty(),
               "a node of a quadratic mesh hangs");
       element.masters.emplace_back();
@@ -85,14 +84,14 @@ void TissueBody::build_elements(const HexMesh& mesh) {
     elements_.push_back(std::move(element));
   };
   if (kind_ != HexElement::kQuadratic) {
-    // One element for each active cell.
+    // Add one element for each active cell.
     for (const int index : mesh.active()) {
       const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
       add({cell.corners.begin(), cell.corners.end()}, cell.region);
     }
     return;
   }
-  // Quadratic: one element for each parent of eight active cells.
+  // Add one quadratic element for each parent of eight active cells.
   std::set<int> parents;
   for (const int index : mesh.active())
     parents.insert(mesh.cells()[static_cast<std::size_t>(index)].parent);
@@ -107,7 +106,7 @@ void TissueBody::build_elements(const HexMesh& mesh) {
 }
 
 void TissueBody::build_pattern() {
-  // Free nodes that share an element, in the column of the first of each pair.
+  // Collect pairs of free nodes that share an element, in the column of the first one.
   std::vector<std::set<int>> below(free_nodes_.size());
   for (const Element& element : elements_) {
     std::set<int> all;
@@ -116,7 +115,7 @@ void TissueBody::build_pattern() {
     for (const int j : all)
       below[static_cast<std::size_t>(j)].insert(all.lower_bound(j), all.end());
   }
-  // Rows of the lower triangle, three columns for each node.
+  // List the rows of the lower triangle, three columns for each node.
   pattern_.size = unknowns();
   pattern_.starts = {0};
   for (std::size_t j = 0; j < below.size(); ++j) {
@@ -138,14 +137,14 @@ void TissueBody::list_block_shares(Element& element) const {
     // Blocks are stored with their row at or below their column.
     const int column = std::min(left.node, right.node), row = std::max(left.node, right.node);
     const bool transposed = left.node < right.node;
-    if (a == b && transposed) return;  // its mirror image is the pair the other way round
+    if (a == b && transposed) return;  // the pair in the other order covers it
     const std::vector<int>& list = columns_[static_cast<std::size_t>(column)];
     const auto place =
         static_cast<int>(std::lower_bound(list.begin(), list.end(), row) - list.begin());
     element.shares.push_back({static_cast<int>(a), static_cast<int>(b), column, place,
                               left.weight * right.weight, transposed, place == 0 && a != b});
   };
-  // Pairs of nodes of the element, by pairs of their masters.
+  // Add each pair of nodes of the element by pairs of their masters.
   for (std::size_t b = 0; b < element.masters.size(); ++b)
     for (std::size_t a = 0; a <= b; ++a)
       for (const NodeWeight& right : element.masters[b])
@@ -165,7 +164,7 @@ std::size_t TissueBody::diagonal_entry(int free, int r, int c) const {
 
 void TissueBody::add_block(std::vector<double>& tangent, int row, int column,
                            const Eigen::Matrix3d& block) const {
-  // Only the lower triangle is stored: the block is transposed where its row comes first.
+  // Find the stored block in the lower triangle; its transpose is added if the row comes first.
   const int first = std::min(row, column);
   const std::vector<int>& below = columns_[static_cast<std::size_t>(first)];
   const auto found = std::find(below.begin(), below.end(), std::max(row, column));
@@ -176,10 +175,11 @@ void TissueBody::add_block(std::vector<double>& tangent, int row, int column,
 }
 
 bool TissueBody::contains(const Vector3d& place, const Matrix3Xd& u) const {
-  // Six tetrahedra around the diagonal from corner 0 to 7, one for each side of this hexagon.
+  // Split a cell into six tetrahedra around the diagonal from corner 0 to 7, one for each side of
+  // this hexagon.
   static constexpr std::array<int, 7> kAround{1, 3, 2, 6, 4, 5, 1};
   static constexpr std::array<int, 8> kCornersOf27{0, 2, 6, 8, 18, 20, 24, 26};
-  // A place is inside if it is on the same side of all four faces.
+  // Returns whether the position is on the same side of all four faces.
   const auto in_tetrahedron = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c,
                                   const Vector3d& d) {
     const auto side = [](const Vector3d& x, const Vector3d& y, const Vector3d& z) {
@@ -191,7 +191,7 @@ bool TissueBody::contains(const Vector3d& place, const Matrix3Xd& u) const {
            std::all_of(parts.begin(), parts.end(), [](double part) { return part <= 0; });
   };
   return std::any_of(elements_.begin(), elements_.end(), [&](const Element& element) {
-    // Deformed corners, whose box excludes most elements.
+    // Compute the deformed corners; their box excludes most elements.
     std::array<Vector3d, 8> at;
     Eigen::AlignedBox3d box;
     for (std::size_t k = 0; k < 8; ++k) {
@@ -236,7 +236,7 @@ Matrix3Xd TissueBody::node_displacements(const VectorXd& x, const Matrix3Xd& at_
   Matrix3Xd u = at_fixed.cols() == 0 ? Matrix3Xd(Matrix3Xd::Zero(3, nodes)) : at_fixed;
   for (std::size_t i = 0; i < free_nodes_.size(); ++i)
     u.col(free_nodes_[i]) = x.segment<3>(static_cast<Eigen::Index>(3 * i));
-  // Hanging nodes follow their masters, which do not hang; so any order will do.
+  // Hanging nodes follow their masters, which do not hang, so any order is valid.
   for (Eigen::Index node = 0; node < nodes; ++node) {
     const std::vector<NodeWeight>& masters = node_masters_[static_cast<std::size_t>(node)];
     if (masters.empty()) continue;
@@ -272,7 +272,7 @@ void TissueBody::evaluate(const Matrix3Xd& u, double h, const TissueHistory& his
           history.size(), elements_.size());
   require(tangent_pressure.empty() || tangent_pressure.size() == elements_.size(),
           "{} pressures for {} elements", tangent_pressure.size(), elements_.size());
-  // Weights of the step, and empty sums of what was asked for.
+  // Compute the weights of the step, and reset the requested sums.
   const std::vector<MemoryStep> steps = memory_steps(h);
   out.inverted = false;
   out.energy = 0;
@@ -297,14 +297,14 @@ void TissueBody::add_element(const Element& element, const ElementResponse& resp
                              ElementRequest request, TissueResponse& out) const {
   out.energy += response.energy;
   if (request == ElementRequest::kEnergy) return;
-  // Forces on the nodes go to their masters.
+  // Assign the forces on the nodes to their masters.
   for (std::size_t b = 0; b < element.masters.size(); ++b)
     for (const NodeWeight& each : element.masters[b])
       out.force.segment<3>(3 * each.node) +=
           each.weight * response.force.segment<3>(static_cast<Eigen::Index>(3 * b));
   if (request != ElementRequest::kStiffness) return;
   for (const BlockShare& share : element.shares) {
-    // An element's diagonal block has its upper half alone.
+    // Complete a diagonal block of the element, of which only the upper triangle is computed.
     Eigen::Matrix3d block = response.stiffness.block<3, 3>(3 * share.a, 3 * share.b);
     if (share.a == share.b) block.triangularView<Eigen::StrictlyLower>() = block.transpose();
     if (share.transposed) block.transposeInPlace();
@@ -334,13 +334,13 @@ TissueHistory TissueBody::advance_history(const Matrix3Xd& u, double h,
     const Element& element = elements_[e];
     const auto region = static_cast<std::size_t>(element.region);
     const MemoryStep& step = steps[region];
-    // Elastic stress at the end of the step.
+    // Compute the elastic stress at the end of the step.
     ElementHistory at = element_history(e, history);
     const std::size_t points = at.elastic.size();
     element_response(kind_, element.shape, tissues_[region], element_displacements(element, u),
                      &step, &at, nullptr, ElementRequest::kForce, response);
     require(!response.inverted, "a step cannot end with an element turned inside out");
-    // History terms decay and take up the change of the elastic stress.
+    // Decay the history terms, and add the change of the elastic stress.
     if (!step.decay.empty()) {
       for (std::size_t i = 0; i < step.decay.size(); ++i)
         for (std::size_t q = 0; q < points; ++q) {
@@ -355,7 +355,8 @@ TissueHistory TissueBody::advance_history(const Matrix3Xd& u, double h,
 }
 
 VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
-  // Stress at Gauss points, and its mean over the elements around each node of a region.
+  // Compute the stress at Gauss points, and its mean over the elements around each node of a
+  // region.
   using Key = std::pair<int, int>;
   std::map<Key, std::pair<Voigt, double>> smooth;
   const auto points = static_cast<std::size_t>(gauss_point_count(kind_));
@@ -376,7 +377,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
       mean += element.shape.volume[q] * response.stress;
       volume += element.shape.volume[q];
     }
-    // The element's mean counts at its nodes by its volume.
+    // Add the element's mean at its nodes, weighted by its volume.
     for (const int node : element.nodes) {
       auto& [sum, weight] =
           smooth.try_emplace({node, element.region}, Voigt(Voigt::Zero()), 0.0).first->second;
@@ -384,7 +385,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
       weight += volume;
     }
   }
-  // Energy of the stress at Gauss points minus the smooth stress.
+  // Integrate the energy of the difference between the smooth and the element's stress.
   VectorXd out(static_cast<Eigen::Index>(elements_.size()));
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
@@ -397,7 +398,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
     for (std::size_t q = 0; q < points; ++q) {
       Voigt apart = -stress[e * points + q];
       for (std::size_t a = 0; a < nodal.size(); ++a) apart += shape_value(kind_, q, a) * nodal[a];
-      // Energy density  s : s / (4 mu);  shear components count twice.
+      // Add the energy density  s : s / (4 mu);  shear components count twice.
       energy += element.shape.volume[q] *
                 (apart.head<3>().squaredNorm() + 2 * apart.tail<3>().squaredNorm()) /
                 (4 * modulus[e]);
@@ -418,7 +419,7 @@ Matrix3Xd TissueBody::reactions(const Matrix3Xd& u, double h, const TissueHistor
                      &steps[region], &element_history(e, history), nullptr, ElementRequest::kForce,
                      response);
     require(!response.inverted, "an element is turned inside out: it has no reactions");
-    // Forces on hanging nodes go to their masters.
+    // Assign forces on hanging nodes to their masters.
     for (std::size_t a = 0; a < element.nodes.size(); ++a) {
       const Eigen::Vector3d f = response.force.segment<3>(static_cast<Eigen::Index>(3 * a));
       const std::vector<NodeWeight>& masters =
