@@ -18,7 +18,7 @@ struct PressTrial {
   RigidObject object;
   Pose<double> X_PO;                // pose of the object before it touches
   Eigen::Vector3d along{0, 0, -1};  // direction of motion in the pad's frame, unit (3)
-  std::vector<double> depths;       // depths beyond the first touch of a node, rising [m]
+  std::vector<double> depths;       // depths beyond the first touch, rising [m]
 };
 
 /// One finite-element press, with the quantities that laws predict.
