@@ -103,7 +103,7 @@ void FoundationBed::split(std::vector<Index>& order, Index first, Index end) {
 
 FoundationBed::Touches FoundationBed::touches(const Shape& object, const Pose<double>& X_PO) const {
   Touches found;
-  found.all.reserve(kReservedTouches);
+  found.columns.reserve(kReservedTouches);
   const Pose<double> X_OP = X_PO.inverse();
   const double reach = reach_ + object.accuracy();
   double least = kInfinity;
@@ -120,7 +120,7 @@ FoundationBed::Touches FoundationBed::touches(const Shape& object, const Pose<do
       least = std::min(least, near.distance);
       if (near.distance > reach_) continue;
       found.deepest = std::max(found.deepest, -near.distance);
-      found.all.push_back({i, -near.distance, X_PO.R * near.normal});
+      found.columns.push_back({i, -near.distance, X_PO.R * near.normal});
     }
   }
   found.gap = std::max(0.0, least);
@@ -128,19 +128,19 @@ FoundationBed::Touches FoundationBed::touches(const Shape& object, const Pose<do
   // columns with delta > 0.
   std::size_t kept = 0;
   if (found.deepest > 0)
-    for (Touch& touch : found.all) {
+    for (Touch& touch : found.columns) {
       touch.delta = found.deepest - constants_.spread * (found.deepest - touch.delta);
-      found.area += columns_.area[touch.column] * share_of_area(touch);
-      if (touch.delta > 0) found.all[kept++] = touch;
+      found.area += columns_.area[touch.column] * area_share(touch);
+      if (touch.delta > 0) found.columns[kept++] = touch;
     }
-  found.all.resize(kept);
-  if (found.area > 0) found.stiffer = constants_.surround / std::sqrt(found.area / kPi);
+  found.columns.resize(kept);
+  if (found.area > 0) found.surround_share = constants_.surround / std::sqrt(found.area / kPi);
   return found;
 }
 
 /// Returns the share of a column within the patch, whose rim is where delta is 0. Delta decreases
 /// with the angle between the surfaces.
-double FoundationBed::share_of_area(const Touch& touch) const {
+double FoundationBed::area_share(const Touch& touch) const {
   // Compute the decrease of delta over one column from the angle between the surfaces.
   const double along = touch.normal.dot(columns_.normal.col(touch.column));
   const double slope = std::max(kLevelSlope, std::sqrt(std::max(0.0, 1 - along * along)));
@@ -149,16 +149,16 @@ double FoundationBed::share_of_area(const Touch& touch) const {
 }
 
 /// Computes the sums over columns. @param forces  normal forces [N] (touches)
-void FoundationBed::conclude(const Touches& found, const VectorXd& forces, double friction,
-                             BedContact& contact) const {
+void FoundationBed::sum_contact(const Touches& found, const VectorXd& forces, double friction,
+                                BedContact& contact) const {
   contact.depth = found.deepest;
   contact.gap = found.gap;
   if (found.deepest <= 0) return;
   contact.area = found.area;
   // Sum the wrench of the normal forces; find the largest strain and pressed far sides.
   Matrix3Xd points(3, forces.size());
-  for (std::size_t k = 0; k < found.all.size(); ++k) {
-    const Touch& touch = found.all[k];
+  for (std::size_t k = 0; k < found.columns.size(); ++k) {
+    const Touch& touch = found.columns[k];
     const auto place = static_cast<Index>(k);
     points.col(place) = columns_.skin.col(touch.column);
     if (forces[place] <= 0) continue;
@@ -184,15 +184,16 @@ BedContact FoundationBed::press(const Shape& object, const Pose<double>& X_PO,
   const Touches found = touches(object, X_PO);
   BedContact contact;
   // Compute the instantaneous force of each column, which surrounding tissue raises by c h / r.
-  VectorXd forces(static_cast<Index>(found.all.size()));
-  for (std::size_t k = 0; k < found.all.size(); ++k) {
-    const Index i = found.all[k].column;
+  VectorXd forces(static_cast<Index>(found.columns.size()));
+  for (std::size_t k = 0; k < found.columns.size(); ++k) {
+    const Index i = found.columns[k].column;
     const double h = columns_.thickness[i];
-    const SpringPressure spring = spring_pressure(constants_, found.all[k].delta / h);
-    forces[static_cast<Index>(k)] = columns_.area[i] * spring.pressure * (1 + found.stiffer * h);
+    const SpringPressure spring = spring_pressure(constants_, found.columns[k].delta / h);
+    forces[static_cast<Index>(k)] =
+        columns_.area[i] * spring.pressure * (1 + found.surround_share * h);
     contact.energy += columns_.area[i] * h * spring.energy;
   }
-  conclude(found, forces, friction, contact);
+  sum_contact(found, forces, friction, contact);
   return contact;
 }
 
@@ -222,7 +223,7 @@ Eigen::Matrix<double, 6, 6> FoundationBed::stiffness(const Shape& object, const 
   return K;
 }
 
-void FoundationBed::begin(BedState& state) const {
+void FoundationBed::initialize(BedState& state) const {
   const Index count = columns_.skin.cols(), terms = static_cast<Index>(terms_.size());
   // Initialize an empty state at rest.
   if (state.elastic.size() == 0) {
@@ -241,27 +242,28 @@ void FoundationBed::begin(BedState& state) const {
 BedContact FoundationBed::step(const Shape& object, const Pose<double>& X_PO, double friction,
                                double seconds, BedState& state) const {
   check_pose(X_PO, friction);
-  begin(state);
+  initialize(state);
   const StepInputs inputs{X_PO, X_PO.inverse(), friction, memory_step(terms_, seconds)};
   const Touches found = touches(object, X_PO);
   BedContact contact;
-  VectorXd forces = VectorXd::Zero(static_cast<Index>(found.all.size()));
+  VectorXd forces = VectorXd::Zero(static_cast<Index>(found.columns.size()));
   double stuck = 0;
   Wrench friction_wrench;
   // Step all touched columns, which are in the order of all columns, and those with a history.
   std::size_t next = 0;
   for (Index i = 0; i < columns_.skin.cols(); ++i) {
     const std::size_t k = next;
-    const bool near = k < found.all.size() && found.all[k].column == i;
+    const bool near = k < found.columns.size() && found.columns[k].column == i;
     if (near) ++next;
     if (!near && !state.remembers[static_cast<std::size_t>(i)]) continue;
     // Compute the elastic force of the spring, 0 where nothing touches it.
     const double h = columns_.thickness[i], area = columns_.area[i];
     SpringPressure spring;
-    if (near) spring = spring_pressure(constants_, found.all[k].delta / h);
+    if (near) spring = spring_pressure(constants_, found.columns[k].delta / h);
     contact.energy += area * h * spring.energy;
-    const bool sticks = move_column(i, area * spring.pressure * (1 + found.stiffer * h),
-                                    near ? found.all[k].normal : Vector3d(0, 0, 0), inputs, state);
+    const bool sticks =
+        move_column(i, area * spring.pressure * (1 + found.surround_share * h),
+                    near ? found.columns[k].normal : Vector3d(0, 0, 0), inputs, state);
     // Sum the sticking force and the wrench of friction over columns in contact.
     if (!state.touching[static_cast<std::size_t>(i)]) continue;
     forces[static_cast<Index>(k)] = state.normal_force[i];
@@ -269,7 +271,7 @@ BedContact FoundationBed::step(const Shape& object, const Pose<double>& X_PO, do
     friction_wrench += wrench_of_force(columns_.skin.col(i), state.shear_force.col(i));
   }
   // Compute normal forces and patch, and add friction.
-  conclude(found, forces, friction, contact);
+  sum_contact(found, forces, friction, contact);
   contact.push += friction_wrench;
   contact.stick = contact.force > 0 ? stuck / contact.force : 0;
   return contact;

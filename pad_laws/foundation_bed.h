@@ -102,29 +102,29 @@ class FoundationBed {
     Eigen::Vector3d normal;  // outward normal of the object, direction of its push, unit (3)
   };
   struct Touches {
-    std::vector<Touch> all;
-    double deepest = 0;  // largest overlap [m]
-    double gap = 0;      // BedContact::gap [m]
-    double area = 0;     // area of the patch [m^2]
-    double stiffer = 0;  // c / r of FoundationConstants [1/m]
+    std::vector<Touch> columns;
+    double deepest = 0;         // largest overlap [m]
+    double gap = 0;             // BedContact::gap [m]
+    double area = 0;            // area of the patch [m^2]
+    double surround_share = 0;  // c / r of FoundationConstants [1/m]
   };
   void split(std::vector<Eigen::Index>& order, Eigen::Index first, Eigen::Index end);
   [[nodiscard]] Touches touches(const Shape& object, const Pose<double>& X_PO) const;
-  [[nodiscard]] double share_of_area(const Touch& touch) const;
+  [[nodiscard]] double area_share(const Touch& touch) const;
   struct StepInputs {
     Pose<double> X_PO, X_OP;
     double friction;
     MemoryStep weights;
   };
-  void begin(BedState& state) const;
+  void initialize(BedState& state) const;
   /// Computes one step of a column.
   /// @param elastic  force of its spring as if nothing relaxed [N]
   /// @param n  outward normal of the object, unit (3)
   /// @return whether the column sticks
   bool move_column(Eigen::Index i, double elastic, const Eigen::Vector3d& n,
                    const StepInputs& inputs, BedState& state) const;
-  void conclude(const Touches& found, const Eigen::VectorXd& forces, double friction,
-                BedContact& contact) const;
+  void sum_contact(const Touches& found, const Eigen::VectorXd& forces, double friction,
+                   BedContact& contact) const;
 
   FoundationColumns columns_;
   FoundationConstants constants_;
