@@ -25,7 +25,7 @@ TEST(TrianglePart, BeyondTheMiddlesOfTwoSidesIsAQuarter) {
 TEST(TrianglePart, SumsProductsOfLinearFunctionsExactly) {
   double sum = 0;
   for_each_gauss_point(whole_triangle(),
-             [&](const Vector3d& b, double share) { sum += share * b[0] * b[0]; });
+                       [&](const Vector3d& b, double share) { sum += share * b[0] * b[0]; });
   EXPECT_NEAR(sum, 1.0 / 6, kRounded);
 }
 
