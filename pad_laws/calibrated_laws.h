@@ -1,6 +1,6 @@
 #pragma once
 
-/// Laws of one pad, calibrated, with their errors.
+/// Calibrated laws of one pad with their errors.
 
 #include <cmath>
 #include <memory>
@@ -15,42 +15,44 @@ namespace thenar {
 
 /// Relative errors over presses that had no part in a fit.
 struct RelativeError {
-  double rms = 0;    // [1]
-  double worst = 0;  // largest size [1]
+  double rms = 0;    // root mean square [1]
+  double worst = 0;  // largest magnitude [1]
 };
 
 /// Errors of a law at given depths.
 struct LawError {
-  RelativeError force;    // normal
-  RelativeError area;     // of the patch
-  RelativeError radius;   // its longer semi-axis
-  RelativeError torsion;  // per normal force and friction
-  RelativeError shear;    // stiffness across the press, G area / h, while all sticks
+  RelativeError force;    // normal force
+  RelativeError area;     // area of the patch
+  RelativeError radius;   // longer semi-axis of the patch
+  RelativeError torsion;  // torsion per normal force and friction
+  RelativeError shear;    // tangential stiffness, G area / h, while the whole patch sticks
 };
 
 /// Presses to which laws were fitted and against which they were checked.
 struct LawEvidence {
-  int fitted = 0, checked = 0;  // presses
-  double depth = 0;             // largest of a fitted press [m]
-  double force = 0;             // largest of a fitted press [N]
-  double force_error = 0;       // largest estimate of the elements' own [1]
+  int fitted = 0, checked = 0;  // number of presses
+  double depth = 0;             // largest depth of a fitted press [m]
+  double force = 0;             // largest force of a fitted press [N]
+  double force_error = 0;       // largest error that the finite elements estimate [1]
 };
 
 /// Laws of one pad.
 struct CalibratedLaws {
-  std::string name;        // of the pad
-  std::string pad_digest;  // of its numbers, as pad_digest() has it; empty: not known
+  std::string name;        // name of the pad
+  std::string pad_digest;  // digest of the pad's numbers, pad_digest(); empty: unknown
   PowerLawConstants power;
   SoftFingerConstants soft_finger;
   FoundationConstants foundation;
-  std::vector<ExponentialTerm> relaxation;  // of all of them
+  std::vector<ExponentialTerm> relaxation;  // relaxation of all laws
   LawError power_error, soft_finger_error;
-  LawError foundation_error;  // of ElasticFoundation, from curvatures
-  LawError bed_error;         // of FoundationBed, from the pad's shape
+  LawError foundation_error;  // error of ElasticFoundation, from curvatures
+  LawError bed_error;         // error of FoundationBed, from the pad's shape
   LawEvidence evidence;
 };
 
-/// @throws InputError if constants are not as their laws ask, or errors are negative or not finite.
+/// Checks calibrated laws.
+/// @throws InputError if constants are invalid for their laws, or errors are negative or not
+/// finite.
 inline void check_laws(const CalibratedLaws& laws) {
   // The laws' own constructors check their constants.
   (void)PowerLaw(laws.power, laws.relaxation);

@@ -9,18 +9,18 @@ namespace thenar {
 
 LawContact relaxed_contact(const ContactLaw& law, const RelativeCurvatures& gap, double depth,
                            double friction, const MemoryStep& weights, ExponentialMemory& memory) {
-  // Force at once by the law, plus the history of the steps before.
+  // Add the history of earlier steps to the instantaneous force of the law.
   LawContact contact = law.at_depth(gap, depth, friction);
   const double history = history_of(weights, memory);
   const double force = weights.now * contact.force + history;
   if (force <= 0) {
-    // The pad is free: its elastic force is the one that cancels the history.
+    // Without contact, the elastic force takes the value that cancels the history.
     remember(weights, std::max(0.0, -history / weights.now), memory);
     LawContact apart;
     apart.patch.depth = depth;
     return apart;
   }
-  // In contact: the step's own force and stiffness.
+  // In contact, set the force and stiffness of the step.
   remember(weights, contact.force, memory);
   contact.force = force;
   contact.stiffness *= weights.now;
@@ -32,7 +32,7 @@ namespace internal {
 GapRadius radius_of(const RelativeCurvatures& gap) {
   require(std::isfinite(gap.k1) && gap.k1 >= gap.k2 && std::isfinite(gap.k2),
           "curvatures of a gap must be finite, the larger first, got {} and {} /m", gap.k1, gap.k2);
-  // Flatter gaps count as kFlattestGap, because laws of patches know no flat faces.
+  // Bound the curvatures from below, because the laws do not describe flat faces.
   const double k1 = std::max(kFlattestGap, gap.k1), k2 = std::max(kFlattestGap, gap.k2);
   return {1 / std::sqrt(k1 * k2), k1 / k2};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Interface of all reduced laws of a soft pad at one contact with a rigid object.
+/// Interface of reduced laws of a soft pad at one contact with a rigid object.
 
 #include <vector>
 
@@ -10,33 +10,35 @@
 
 namespace thenar {
 
-/// Least curvature of a gap [1/m]. Flatter gaps count as a ball of 0.1 m, because laws of patches
-/// know no flat faces, whose edges bound the patch.
+/// Least curvature of a gap [1/m]. Flatter gaps count as a ball of 0.1 m radius, because the laws
+/// do not describe flat faces, whose edges bound the patch.
 inline constexpr double kFlattestGap = 10;
 
-/// One contact. All zero, but for `patch.depth`, where nothing touches.
+/// One contact. All members but `patch.depth` are zero where nothing touches.
 struct LawContact {
-  double force = 0;      // normal, >= 0 [N]
+  double force = 0;      // normal force, >= 0 [N]
   double stiffness = 0;  // d force / d depth [N/m]; infinite: rigid
-  double area = 0;       // of the patch [m^2]
+  double area = 0;       // area of the patch [m^2]
   SoftPatch patch;       // semi-axes, approach, largest torque per normal force
-  double shear = 0;      // stiffness across, while all of the patch sticks [N/m]
+  double shear = 0;      // tangential stiffness while the whole patch sticks [N/m]
 };
 
-/// A law of contact between a pad and a rigid object whose surfaces are known where they touch.
+/// Contact law between a pad and a rigid object, given the curvatures of their gap.
 ///
-/// Answers are those of a press that is so short that nothing relaxes; relaxed_contact() goes on in
-/// time. Force rises with depth, and both ways of asking agree.
+/// Contacts are instantaneous: nothing relaxes; relaxed_contact() advances a law in time. Force
+/// increases with depth, and at_depth() and at_force() are inverse to each other.
 class ContactLaw {
  public:
   virtual ~ContactLaw() = default;
-  /// @param gap       of both surfaces before they deform
+  /// Returns the contact at a depth.
+  /// @param gap       curvatures of the gap between the undeformed surfaces
   /// @param depth     approach since they touched; below 0: apart [m]
   /// @param friction  Coulomb's coefficient [1]
   /// @throws InputError unless the gap and the depth are finite, and friction is finite and >= 0.
   [[nodiscard]] virtual LawContact at_depth(const RelativeCurvatures& gap, double depth,
                                             double friction) const = 0;
-  /// @param force  normal [N]
+  /// Returns the contact at a normal force.
+  /// @param force  normal force [N]
   /// @throws InputError unless the gap is finite, and force and friction are finite and >= 0.
   [[nodiscard]] virtual LawContact at_force(const RelativeCurvatures& gap, double force,
                                             double friction) const = 0;
@@ -44,12 +46,14 @@ class ContactLaw {
   [[nodiscard]] virtual const std::vector<ExponentialTerm>& relaxation() const = 0;
 };
 
-/// A contact at the end of a step of time, exact where the elastic force runs straight:
-///   force = integral of g(t - s) d F(depth(s)),  or 0 where the pad comes back more slowly than
-/// the object leaves: then F is what keeps the pad's force at 0, and it may touch again.
-/// The patch is that of the depth; `stiffness` is that of the step.
-/// @param weights  of the step, memory_step(law.relaxation(), h)
-/// @param memory   of the elastic force F [N]; goes on
+/// Computes the contact at the end of a time step, exactly if the elastic force F is linear in
+/// time:
+///   force = integral of g(t - s) d F(depth(s)),
+/// or 0 if the pad recovers more slowly than the object leaves. In that case F is the value that
+/// keeps the force at 0, and the pad may touch again later. The patch is that at the depth;
+/// `stiffness` is that of the step.
+/// @param weights  weights of the step, memory_step(law.relaxation(), h)
+/// @param memory   history of the elastic force F [N], advanced by the step
 [[nodiscard]] LawContact relaxed_contact(const ContactLaw& law, const RelativeCurvatures& gap,
                                          double depth, double friction, const MemoryStep& weights,
                                          ExponentialMemory& memory);
@@ -60,8 +64,9 @@ struct GapRadius {
   double radius;  // [m]
   double ratio;   // [1]
 };
-/// @throws InputError unless k1 >= k2 are finite.
+/// Returns the radius of a gap. @throws InputError unless k1 >= k2 are finite.
 [[nodiscard]] GapRadius radius_of(const RelativeCurvatures& gap);
+/// Checks the load of a contact.
 /// @throws InputError unless all are finite, and force and friction not negative.
 void check_contact_load(double depth, double force, double friction);
 }  // namespace internal

@@ -9,7 +9,7 @@
 namespace thenar {
 namespace {
 
-/// Mean distance over mean radius of an ellipse under a pressure  (1 - s^2)^m:
+/// Returns the mean distance over the mean radius of an ellipse under a pressure  (1 - s^2)^m:
 ///   int p s^2 ds / int p s ds = (m + 1) B(3/2, m + 1).
 double arm_of_power(double m) {
   return (m + 1) * std::exp(std::lgamma(1.5) + std::lgamma(m + 1) - std::lgamma(m + 2.5));
@@ -33,7 +33,7 @@ void check_foundation(const FoundationConstants& c) {
 
 SpringPressure spring_pressure(const FoundationConstants& c, double e) {
   if (e <= 0) return {};
-  // Pressure E e^m (1 + s e^2), its derivative and its integral over e.
+  // Compute the pressure E e^m (1 + s e^2), its derivative and its integral over e.
   const double power = c.modulus * (c.exponent == 1 ? e : std::pow(e, c.exponent));
   const double stiff = c.stiffening * e * e, m = c.exponent;
   return {power * (1 + stiff), power / e * (m + (m + 2) * stiff),
@@ -57,20 +57,20 @@ LawContact ElasticFoundation::at_depth(const RelativeCurvatures& gap, double dep
   LawContact contact;
   contact.patch.depth = depth;
   if (depth <= 0) return contact;
-  // Area of the patch: 2 pi R / spread for each metre of depth.
+  // Compute the area of the patch, which is proportional to depth: 2 pi R / spread times depth.
   const double e = depth / c_.thickness, ring = 2 * kPi * shape.radius / c_.spread;
   const SpringPressure spring = spring_pressure(c_, e);
   contact.area = ring * depth;
   const double mean = std::sqrt(contact.area / kPi), stretch = std::sqrt(std::sqrt(shape.ratio));
-  // Surrounding tissue adds the share c h / r, which falls as the patch grows.
+  // Add the share c h / r of the surrounding tissue, which decreases as the patch grows.
   const double around = c_.surround * c_.thickness / mean;
   const double plain = ring * c_.thickness * spring.energy;
   contact.force = plain * (1 + around);
   contact.stiffness = ring * spring.pressure * (1 + around) - plain * around / (2 * depth);
-  // Ellipse of this area with a / b = sqrt(k1 / k2).
+  // Compute the ellipse of this area with a / b = sqrt(k1 / k2).
   contact.patch.a = mean * stretch;
   contact.patch.b = mean / stretch;
-  // Torsion: the shares of the powers m and m + 2, weighted by their parts of the force.
+  // Average the torsion shares of the powers m and m + 2, weighted by their parts of the force.
   const double m = c_.exponent;
   const double first = 1 / (m + 1), second = c_.stiffening * e * e / (m + 3);
   const double share = (share_ * first + share_stiff_ * second) / (first + second);
@@ -84,14 +84,14 @@ LawContact ElasticFoundation::at_force(const RelativeCurvatures& gap, double for
   const internal::GapRadius shape = internal::radius_of(gap);
   internal::check_contact_load(0, force, friction);
   if (force == 0) return {};
-  // Newton's method on log F as a function of x = log e: this is convex, so a start above the root
-  // descends to it.
+  // Solve log F as a function of x = log e by Newton's method, which decreases monotonically to the
+  // root from a start above, because the function is convex.
   const double m = c_.exponent, ring = 2 * shape.radius * c_.thickness / c_.spread;
   const double unit = kPi * ring * c_.modulus;
   const double around = c_.surround * c_.thickness / std::sqrt(ring);  // at e = 1
   double x = std::log(force * (m + 1) / unit) / (m + 1);
   for (int k = 0; k < 100; ++k) {
-    // Error of log F and its slope at e = exp(x).
+    // Compute the error of log F and its slope at e = exp(x).
     const double root = std::exp(x / 2), part = around / root;
     const double stiff = c_.stiffening * root * root * root * root;
     const double sum = 1 / (m + 1) + stiff / (m + 3);
@@ -100,7 +100,7 @@ LawContact ElasticFoundation::at_force(const RelativeCurvatures& gap, double for
     x -= step;
     if (std::abs(step) < 1e-15 * (1 + std::abs(x))) break;
   }
-  // Contact at that depth, with exactly the force asked for.
+  // Compute the contact at that depth, with exactly the requested force.
   LawContact contact = at_depth(gap, c_.thickness * std::exp(x), friction);
   contact.force = force;
   return contact;

@@ -1,48 +1,51 @@
 #pragma once
 
-/// A bed of springs under a pad's skin: its spring, and the contact of a curved gap in closed form.
+/// Bed of springs under a pad's skin: law of a spring, and contact of a curved gap in closed form.
 
 #include "pad_laws/contact_law.h"
 
 namespace thenar {
 
-/// A spring of the bed, h thick, pressed by delta under a patch of area pi r^2:
+/// Constants of the springs of a bed. A spring of thickness h, compressed by delta under a patch of
+/// area pi r^2, has the pressure
 ///   p = E e^m (1 + s e^2) (1 + c h / r),   e = delta / h.
-/// The last factor is the tissue around the patch, which alone bears it where the pad is thick:
-/// with m = 1 and c h / r large the force goes with R^(1/2) depth^(3/2), as Hertz's does.
+/// The last factor accounts for the tissue around the patch, which dominates where the pad is
+/// thick: with m = 1 and c h / r large, force scales with R^(1/2) depth^(3/2), as in Hertz contact.
 ///
-/// The skin sinks beside the object, too, so that a patch is smaller than where undeformed surfaces
-/// overlap. With the greatest depth d,
+/// The skin also sinks beside the object, so the patch is smaller than the overlap of the
+/// undeformed surfaces. With the largest depth d,
 ///   delta = d - spread (d - overlap),
-/// which is the overlap for spread = 1, a plain bed, and makes a patch as small as Hertz's for 2.
+/// which is the overlap for spread = 1, a plain bed, and gives a patch as small as Hertz's for 2.
 /// Source: [Johnson1985] sec. 4.3 for the plain bed; spread and c are ours.
 struct FoundationConstants {
   double modulus = 0;     // E [Pa]
-  double exponent = 1;    // m, above 0 [1]
-  double stiffening = 0;  // s, 0 and more [1]
-  double surround = 0;    // c, 0 and more [1]
-  double spread = 1;      // 1 and more [1]
+  double exponent = 1;    // m, > 0 [1]
+  double stiffening = 0;  // s, >= 0 [1]
+  double surround = 0;    // c, >= 0 [1]
+  double spread = 1;      // factor of the sinking skin, >= 1 [1]
   double thickness = 0;   // h where the pad touches, for ElasticFoundation [m]
-  double shear = 0;       // G: tangential stress per strain of a spring that sticks [Pa]
+  double shear = 0;       // G, tangential stress per strain of a sticking spring [Pa]
 };
 
+/// Checks the constants of a bed.
 /// @throws InputError unless E > 0, m > 0, s >= 0, c >= 0, spread >= 1, h > 0, G >= 0, all finite.
 void check_foundation(const FoundationConstants& constants);
 
-/// Pressure of a spring alone (c = 0) and its derivative by e. @param e  [1]
+/// Pressure of a spring alone (c = 0), its derivative and its integral by the strain e.
 struct SpringPressure {
   double pressure = 0;   // [Pa]
   double stiffness = 0;  // dp/de [Pa]
   double energy = 0;     // integral of p de [Pa]
 };
+/// Computes the pressure of a spring. @param e  compressive strain [1]
 [[nodiscard]] SpringPressure spring_pressure(const FoundationConstants& constants, double e);
 
-/// A bed of springs, all h thick, below a gap of heights (k1 x^2 + k2 y^2) / 2. With
+/// Bed of springs of equal thickness h below a gap of height (k1 x^2 + k2 y^2) / 2. With
 /// R = 1 / sqrt(k1 k2) and e = depth / h:
 ///   F = 2 pi R h / spread E e^(m+1) (1 / (m+1) + s e^2 / (m+3)) (1 + c h / sqrt(a b)),
 ///   a = sqrt(2 depth / (spread k2)),   b = sqrt(2 depth / (spread k1)).
-/// Torsion is that of the pressure, share mu mean_radius(a, b), with the share
-/// (m+1) B(3/2, m+1) of a power m of the depth. The stiffness across is G area / h.
+/// Torsion follows from the pressure, share mu mean_radius(a, b), with the share
+/// (m+1) B(3/2, m+1) for a power m of the depth. The tangential stiffness is G area / h.
 class ElasticFoundation final : public ContactLaw {
  public:
   /// @throws InputError as check_foundation() and check_exponential_terms().
@@ -56,7 +59,7 @@ class ElasticFoundation final : public ContactLaw {
 
  private:
   FoundationConstants c_;
-  double share_, share_stiff_;  // of torsion, of the powers m and m + 2
+  double share_, share_stiff_;  // shares of torsion for the powers m and m + 2 [1]
   std::vector<ExponentialTerm> terms_;
 };
 

@@ -23,7 +23,7 @@ MemoryStep memory_step(const std::vector<ExponentialTerm>& terms, double h) {
 
 double history_of(const MemoryStep& step, const ExponentialMemory& memory) {
   double sum = 0;
-  // Sum of  h_i = decay_i H_i - change_i x_old,  where an empty memory has H_i = 0.
+  // Sum  h_i = decay_i H_i - change_i x_old,  where an empty memory has H_i = 0.
   for (std::size_t i = 0; i < step.decay.size(); ++i)
     sum += (memory.terms.empty() ? 0 : step.decay[i] * memory.terms[i]) - step.change[i] * memory.x;
   return sum;
@@ -31,7 +31,7 @@ double history_of(const MemoryStep& step, const ExponentialMemory& memory) {
 
 double remember(const MemoryStep& step, double x_new, ExponentialMemory& memory) {
   memory.terms.resize(step.decay.size(), 0);
-  // The answer needs the memory as it was before its terms advance.
+  // Compute y before the terms advance.
   const double y = step.now * x_new + history_of(step, memory);
   for (std::size_t i = 0; i < step.decay.size(); ++i)
     memory.terms[i] = step.decay[i] * memory.terms[i] + step.change[i] * (x_new - memory.x);

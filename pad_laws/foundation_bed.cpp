@@ -18,15 +18,15 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr std::size_t kColumnRoom = 256;   // Memory reserved for columns under an object [columns]
-constexpr double kForgottenForce = 1e-12;  // Forces below this are forgotten [N]
-constexpr Index kLeafColumns = 12;    // Columns of one leaf of the tree, which are tested together
-constexpr double kTurnArm = 10e-3;    // Lever arm that converts turns to displacements [m]
-constexpr double kLevelSlope = 1e-3;  // Surfaces with a smaller slope count as level [1]
-// Object and skin normals with a larger cosine show the object's far side [1]
+constexpr std::size_t kReservedTouches = 256;  // columns for which memory is reserved
+constexpr double kMinHistoryForce = 1e-12;     // force below which history is dropped [N]
+constexpr Index kLeafColumns = 12;             // columns of a leaf of the tree, tested together
+constexpr double kTurnArm = 10e-3;    // lever arm that converts rotations to displacements [m]
+constexpr double kLevelSlope = 1e-3;  // least slope between the surfaces [1]
+// Least cosine of the normals of object and skin on the object's far side [1]
 constexpr double kFarSideCosine = 0.5;
-// A column sticks if this share of the cone's bound is left [1]
-constexpr double kStickShare = 1e-6;
+// Margin below the friction cone within which a column slips, over the cone's bound [1]
+constexpr double kStickMargin = 1e-6;
 
 void check_pose(const Pose<double>& X, double friction) {
   require(X.R.allFinite() && X.p.allFinite(), "the pose of an object on a pad must be finite");
@@ -34,7 +34,7 @@ void check_pose(const Pose<double>& X, double friction) {
           friction);
 }
 
-/// Columns in another order.
+/// Returns the columns of a matrix in another order.
 template <typename Matrix>
 Matrix sorted(const Matrix& columns, const std::vector<Index>& order) {
   Matrix out(columns.rows(), columns.cols());
@@ -63,7 +63,7 @@ FoundationBed::FoundationBed(FoundationColumns columns, const FoundationConstant
             "column {} of a bed needs a finite place, a unit normal, a thickness and an area above "
             "0, got {} m and {} m^2",
             i, columns_.thickness[i], columns_.area[i]);
-  // A column whose middle is up to half its width apart may be partly within the patch.
+  // Set the reach: a column whose middle is up to half its width apart may touch partly.
   reach_ = 0.5 * std::sqrt(columns_.area.maxCoeff());
   // Sort columns by leaves of a tree, so that neighbours lie together in memory.
   std::vector<Index> order(static_cast<std::size_t>(count));
@@ -81,7 +81,7 @@ void FoundationBed::split(std::vector<Index>& order, Index first, Index end) {
   Eigen::AlignedBox3d box;
   for (Index i = first; i < end; ++i)
     box.extend(Vector3d(columns_.skin.col(order[static_cast<std::size_t>(i)])));
-  // Leaf: a ball around its columns.
+  // Store few columns as a leaf with a bounding ball.
   if (end - first <= kLeafColumns) {
     double radius = 0;
     for (Index i = first; i < end; ++i)
@@ -103,62 +103,62 @@ void FoundationBed::split(std::vector<Index>& order, Index first, Index end) {
 
 FoundationBed::Touches FoundationBed::touches(const Shape& object, const Pose<double>& X_PO) const {
   Touches found;
-  found.all.reserve(kColumnRoom);
+  found.columns.reserve(kReservedTouches);
   const Pose<double> X_OP = X_PO.inverse();
   const double reach = reach_ + object.accuracy();
   double least = kInfinity;
   for (const Leaf& leaf : leaves_) {
-    // A leaf out of reach bounds the gap and nothing else.
+    // Use a leaf out of reach only to bound the gap.
     const double apart = object.distance(X_OP * leaf.centre) - leaf.radius;
     if (apart > reach) {
       least = std::min(least, apart - object.accuracy());
       continue;
     }
-    // The overlap of a column is minus the distance of its middle from the object.
+    // Collect columns with their overlap, minus the distance of the middle from the object.
     for (Index i = leaf.first; i < leaf.end; ++i) {
       const NearestSurface near = object.nearest(X_OP * Vector3d(columns_.skin.col(i)));
       least = std::min(least, near.distance);
       if (near.distance > reach_) continue;
       found.deepest = std::max(found.deepest, -near.distance);
-      found.all.push_back({i, -near.distance, X_PO.R * near.normal});
+      found.columns.push_back({i, -near.distance, X_PO.R * near.normal});
     }
   }
   found.gap = std::max(0.0, least);
-  // Skin sinks beside the object: delta = deepest - spread (deepest - overlap). Columns with
-  // delta > 0 stay.
+  // Let the skin sink beside the object,  delta = deepest - spread (deepest - overlap),  and keep
+  // columns with delta > 0.
   std::size_t kept = 0;
   if (found.deepest > 0)
-    for (Touch& touch : found.all) {
+    for (Touch& touch : found.columns) {
       touch.delta = found.deepest - constants_.spread * (found.deepest - touch.delta);
-      found.area += columns_.area[touch.column] * share_of_area(touch);
-      if (touch.delta > 0) found.all[kept++] = touch;
+      found.area += columns_.area[touch.column] * area_share(touch);
+      if (touch.delta > 0) found.columns[kept++] = touch;
     }
-  found.all.resize(kept);
-  if (found.area > 0) found.stiffer = constants_.surround / std::sqrt(found.area / kPi);
+  found.columns.resize(kept);
+  if (found.area > 0) found.surround_share = constants_.surround / std::sqrt(found.area / kPi);
   return found;
 }
 
-/// Part of a column within the patch, whose rim is where delta is 0: delta falls as the surfaces
-/// are inclined to each other.
-double FoundationBed::share_of_area(const Touch& touch) const {
-  // Fall of delta over one column, by the angle between the surfaces.
+/// Returns the share of a column within the patch, whose rim is where delta is 0. Delta decreases
+/// with the angle between the surfaces.
+double FoundationBed::area_share(const Touch& touch) const {
+  // Compute the decrease of delta over one column from the angle between the surfaces.
   const double along = touch.normal.dot(columns_.normal.col(touch.column));
   const double slope = std::max(kLevelSlope, std::sqrt(std::max(0.0, 1 - along * along)));
   const double fall = constants_.spread * slope * width_[touch.column];
   return std::clamp(0.5 + touch.delta / fall, 0.0, 1.0);
 }
 
-/// Sums over columns. @param forces  normal (touches)
-void FoundationBed::conclude(const Touches& found, const VectorXd& forces, double friction,
-                             BedContact& contact) const {
+/// Computes the sums over columns. @param forces  normal forces [N] (touches)
+void FoundationBed::sum_contact(const Touches& found, const VectorXd& forces, double friction,
+                                BedContact& contact) const {
   contact.depth = found.deepest;
   contact.gap = found.gap;
   if (found.deepest <= 0) return;
   contact.area = found.area;
-  // Wrench of the normal forces about the pad's origin, largest strain, pressed far sides.
+  // Sum the wrench of the normal forces; find the largest strain and pressed far sides.
   Matrix3Xd points(3, forces.size());
-  for (std::size_t k = 0; k < found.all.size(); ++k) {
-    const Touch& touch = found.all[k];
+  for (std::size_t k = 0; k < found.columns.size(); ++k) {
+    const Touch& touch = found.columns[k];
     const auto place = static_cast<Index>(k);
     points.col(place) = columns_.skin.col(touch.column);
     if (forces[place] <= 0) continue;
@@ -169,7 +169,7 @@ void FoundationBed::conclude(const Touches& found, const VectorXd& forces, doubl
     contact.normal += push;
     contact.strain = std::max(contact.strain, touch.delta / columns_.thickness[touch.column]);
   }
-  // Force, centre, aspect and mean arm of the pressure across its mean normal.
+  // Compute force, centre, aspect and mean arm of the pressure about its mean normal.
   contact.normal = contact.normal.stableNormalized();
   const PressureMoments moments = pressure_moments(points, forces, contact.normal);
   contact.force = moments.force;
@@ -183,16 +183,17 @@ BedContact FoundationBed::press(const Shape& object, const Pose<double>& X_PO,
   check_pose(X_PO, friction);
   const Touches found = touches(object, X_PO);
   BedContact contact;
-  // Instantaneous force of each column; surrounding tissue makes it stiffer by c h / r.
-  VectorXd forces(static_cast<Index>(found.all.size()));
-  for (std::size_t k = 0; k < found.all.size(); ++k) {
-    const Index i = found.all[k].column;
+  // Compute the instantaneous force of each column, which surrounding tissue raises by c h / r.
+  VectorXd forces(static_cast<Index>(found.columns.size()));
+  for (std::size_t k = 0; k < found.columns.size(); ++k) {
+    const Index i = found.columns[k].column;
     const double h = columns_.thickness[i];
-    const SpringPressure spring = spring_pressure(constants_, found.all[k].delta / h);
-    forces[static_cast<Index>(k)] = columns_.area[i] * spring.pressure * (1 + found.stiffer * h);
+    const SpringPressure spring = spring_pressure(constants_, found.columns[k].delta / h);
+    forces[static_cast<Index>(k)] =
+        columns_.area[i] * spring.pressure * (1 + found.surround_share * h);
     contact.energy += columns_.area[i] * h * spring.energy;
   }
-  conclude(found, forces, friction, contact);
+  sum_contact(found, forces, friction, contact);
   return contact;
 }
 
@@ -202,7 +203,7 @@ Eigen::Matrix<double, 6, 6> FoundationBed::stiffness(const Shape& object, const 
   require(step > 0 && std::isfinite(step), "a step must be positive and finite, got {} m", step);
   Eigen::Matrix<double, 6, 6> K;
   for (int k = 0; k < 6; ++k) {
-    // Turns are as large as `step` at the lever kTurnArm.
+    // Scale rotations so that they cause `step` at the lever kTurnArm.
     const double way = k < 3 ? step / kTurnArm : step;
     const auto push = [&](double by) {
       Pose<double> X = X_PO;
@@ -222,9 +223,9 @@ Eigen::Matrix<double, 6, 6> FoundationBed::stiffness(const Shape& object, const 
   return K;
 }
 
-void FoundationBed::begin(BedState& state) const {
+void FoundationBed::initialize(BedState& state) const {
   const Index count = columns_.skin.cols(), terms = static_cast<Index>(terms_.size());
-  // An empty state starts at rest.
+  // Initialize an empty state at rest.
   if (state.elastic.size() == 0) {
     state.elastic = state.normal_force = VectorXd::Zero(count);
     state.terms = Eigen::MatrixXd::Zero(terms, count);
@@ -241,36 +242,37 @@ void FoundationBed::begin(BedState& state) const {
 BedContact FoundationBed::step(const Shape& object, const Pose<double>& X_PO, double friction,
                                double seconds, BedState& state) const {
   check_pose(X_PO, friction);
-  begin(state);
+  initialize(state);
   const StepInputs inputs{X_PO, X_PO.inverse(), friction, memory_step(terms_, seconds)};
   const Touches found = touches(object, X_PO);
   BedContact contact;
-  VectorXd forces = VectorXd::Zero(static_cast<Index>(found.all.size()));
+  VectorXd forces = VectorXd::Zero(static_cast<Index>(found.columns.size()));
   double stuck = 0;
-  Wrench rubbed;
-  // Touched columns come in the order of all columns; columns that still relax count, too.
+  Wrench friction_wrench;
+  // Step all touched columns, which are in the order of all columns, and those with a history.
   std::size_t next = 0;
   for (Index i = 0; i < columns_.skin.cols(); ++i) {
     const std::size_t k = next;
-    const bool near = k < found.all.size() && found.all[k].column == i;
+    const bool near = k < found.columns.size() && found.columns[k].column == i;
     if (near) ++next;
     if (!near && !state.remembers[static_cast<std::size_t>(i)]) continue;
-    // Force of the spring if nothing relaxed, 0 where nothing touches it.
+    // Compute the elastic force of the spring, 0 where nothing touches it.
     const double h = columns_.thickness[i], area = columns_.area[i];
     SpringPressure spring;
-    if (near) spring = spring_pressure(constants_, found.all[k].delta / h);
+    if (near) spring = spring_pressure(constants_, found.columns[k].delta / h);
     contact.energy += area * h * spring.energy;
-    const bool sticks = move_column(i, area * spring.pressure * (1 + found.stiffer * h),
-                                    near ? found.all[k].normal : Vector3d(0, 0, 0), inputs, state);
-    // Sums over columns in contact: the part that sticks, and the wrench of friction.
+    const bool sticks =
+        move_column(i, area * spring.pressure * (1 + found.surround_share * h),
+                    near ? found.columns[k].normal : Vector3d(0, 0, 0), inputs, state);
+    // Sum the sticking force and the wrench of friction over columns in contact.
     if (!state.touching[static_cast<std::size_t>(i)]) continue;
     forces[static_cast<Index>(k)] = state.normal_force[i];
     if (sticks) stuck += state.normal_force[i];
-    rubbed += wrench_of_force(columns_.skin.col(i), state.shear_force.col(i));
+    friction_wrench += wrench_of_force(columns_.skin.col(i), state.shear_force.col(i));
   }
-  // Normal forces and patch, to which friction is added.
-  conclude(found, forces, friction, contact);
-  contact.push += rubbed;
+  // Compute normal forces and patch, and add friction.
+  sum_contact(found, forces, friction, contact);
+  contact.push += friction_wrench;
   contact.stick = contact.force > 0 ? stuck / contact.force : 0;
   return contact;
 }
@@ -278,7 +280,7 @@ BedContact FoundationBed::step(const Shape& object, const Pose<double>& X_PO, do
 bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
                                 const StepInputs& inputs, BedState& state) const {
   const MemoryStep& weights = inputs.weights;
-  // History of the normal force and of friction.
+  // Sum the history of the normal force and of friction.
   double history = 0;
   Vector3d past = Vector3d::Zero();
   for (std::size_t j = 0; j < terms_.size(); ++j) {
@@ -293,7 +295,7 @@ bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
   const bool touches = elastic > 0 && f > 0, touched = state.touching[static_cast<std::size_t>(i)];
   if (touches) {
     if (!touched) state.anchor.col(i) = inputs.X_OP * Vector3d(columns_.skin.col(i));
-    // Trial: the column sticks at its anchor, the point of the object that it touched first.
+    // Compute the trial force of a column that sticks to its anchor on the object.
     const double spring = constants_.shear * columns_.area[i] / columns_.thickness[i];
     const double limit = inputs.friction * f;
     const Vector3d way =
@@ -301,8 +303,8 @@ bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
     past -= n * n.dot(past);
     shear = spring * (way - n * n.dot(way));
     t = weights.now * shear + past;
-    sticks = t.norm() < (1 - kStickShare) * limit;
-    // Slip: friction comes back to the cone, and the anchor moves to where its spring agrees.
+    sticks = t.norm() < (1 - kStickMargin) * limit;
+    // If it slips, scale friction back to the cone, and move the anchor to where the spring agrees.
     if (t.norm() > limit) {
       t *= limit / t.norm();
       shear = (t - past) / weights.now;
@@ -311,11 +313,11 @@ bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
             inputs.X_OP * Vector3d(Vector3d(columns_.skin.col(i)) + shear / spring);
     }
   } else {
-    // Free: elastic forces cancel the remembered ones.
+    // A free column has the elastic forces that cancel its history.
     elastic = std::max(0.0, -history / weights.now);
     shear = -past / weights.now;
   }
-  // Advance the terms; a column is forgotten once all of them are negligible.
+  // Advance the history terms, and drop the history once all of them are negligible.
   bool remembers = touches;
   for (std::size_t j = 0; j < terms_.size(); ++j) {
     const auto row = static_cast<Index>(j);
@@ -324,8 +326,8 @@ bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
     state.shear_terms.block<3, 1>(3 * row, i) =
         weights.decay[j] * state.shear_terms.block<3, 1>(3 * row, i) +
         weights.change[j] * (shear - state.shear.col(i));
-    remembers = remembers || std::abs(state.terms(row, i)) > kForgottenForce ||
-                state.shear_terms.block<3, 1>(3 * row, i).norm() > kForgottenForce;
+    remembers = remembers || std::abs(state.terms(row, i)) > kMinHistoryForce ||
+                state.shear_terms.block<3, 1>(3 * row, i).norm() > kMinHistoryForce;
   }
   state.remembers[static_cast<std::size_t>(i)] = remembers;
   state.elastic[i] = elastic;

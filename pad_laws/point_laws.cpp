@@ -16,7 +16,7 @@ LawContact no_contact(double depth) {
   return apart;
 }
 
-/// Returns the shear stiffness of a circle that sticks on an incompressible half space, nu = 1/2
+/// Returns the tangential stiffness of a sticking circle on an incompressible half space, nu = 1/2
 /// [N/m].
 double shear_of(double modulus, double radius) { return 16.0 / 3 * modulus * radius; }
 
@@ -38,7 +38,7 @@ void check_powers(double force, double depth_exponent, double patch, double patc
 LawContact HardPoint::at_depth(const RelativeCurvatures& gap, double depth, double friction) const {
   (void)internal::radius_of(gap);
   internal::check_contact_load(depth, 0, friction);
-  // Rigid: no force up to depth 0, where the stiffness is infinite, and an infinite force beyond.
+  // A rigid point has no force up to depth 0, infinite stiffness there, and infinite force beyond.
   LawContact contact = no_contact(depth);
   if (depth >= 0) contact.stiffness = contact.shear = kInfinity;
   if (depth > 0) contact.force = kInfinity;
@@ -66,7 +66,7 @@ LawContact PowerLaw::answer(double depth, double force, double friction) const {
   // Stiffness dF / d depth = n F / depth.
   contact.force = force;
   contact.stiffness = depth > 0 ? c_.depth_exponent * force / depth : 0;
-  // Circular patch a = c F^gamma, whose radius gives torsion and shear.
+  // Compute the circular patch a = c F^gamma, whose radius determines torsion and shear.
   contact.patch.a = contact.patch.b = c_.patch * std::pow(force, c_.patch_exponent);
   contact.patch.depth = depth;
   contact.patch.torsion = c_.torsion * friction * contact.patch.a;
@@ -104,12 +104,12 @@ LawContact SoftFinger::answer(const internal::GapRadius& gap, double depth, doub
   // Stiffness dF / d depth = n F / depth.
   contact.force = force;
   contact.stiffness = depth > 0 ? c_.depth_exponent * force / depth : 0;
-  // Mean radius sqrt(a b) by force and radius of the gap, and a / b = (k1 / k2)^e.
+  // Compute the mean radius sqrt(a b) from force and radius of the gap, and a / b = (k1 / k2)^e.
   const double mean = c_.patch * std::pow(force, c_.patch_exponent) *
                       std::pow(gap.radius / kLawRadius, c_.patch_radius);
   const double stretch = std::pow(gap.ratio, c_.aspect / 2);
   contact.patch = {mean * stretch, mean / stretch, depth, 0};
-  // Torsion and shear of this ellipse.
+  // Compute torsion and shear of this ellipse.
   contact.patch.torsion = c_.torsion * friction * mean_radius(contact.patch.a, contact.patch.b);
   contact.area = kPi * mean * mean;
   contact.shear = shear_of(c_.shear, mean);
@@ -131,7 +131,7 @@ LawContact SoftFinger::at_force(const RelativeCurvatures& gap, double force,
   const internal::GapRadius shape = internal::radius_of(gap);
   internal::check_contact_load(0, force, friction);
   if (force == 0) return {};
-  // Force at 1 mm for this radius, then the depth that the power gives.
+  // Compute the force at 1 mm for this radius, then invert the power of depth.
   const double at_1mm = c_.force * std::pow(shape.radius / kLawRadius, c_.radius_exponent);
   return answer(shape, kLawDepth * std::pow(force / at_1mm, 1 / c_.depth_exponent), force,
                 friction);

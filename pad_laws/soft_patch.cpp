@@ -10,7 +10,7 @@
 namespace thenar {
 namespace {
 
-/// c of patch_torsion():  int p(s) s^2 ds / int p(s) s ds.
+/// Returns the factor c of patch_torsion(),  int p(s) s^2 ds / int p(s) s ds  [1].
 double share_of(PatchPressure pressure) {
   switch (pressure) {
     case PatchPressure::kUniform:
@@ -33,11 +33,11 @@ void require_load(double force, double friction) {
 double mean_radius(double a, double b) {
   require(a >= 0 && b >= 0 && std::isfinite(a + b), "semi-axes must be finite and >= 0, got {}, {}",
           a, b);
-  const double most = std::max(a, b), least = std::min(a, b);
-  if (most == 0) return 0;
-  // Perimeter over 2 pi, where e^2 = 1 - ratio^2 is written without cancellation.
-  const double ratio = least / most;
-  return 2 / kPi * most * std::comp_ellint_2(std::sqrt((1 - ratio) * (1 + ratio)));
+  const double longer = std::max(a, b), shorter = std::min(a, b);
+  if (longer == 0) return 0;
+  // Compute the perimeter over 2 pi, with e^2 = 1 - ratio^2 written without cancellation.
+  const double ratio = shorter / longer;
+  return 2 / kPi * longer * std::comp_ellint_2(std::sqrt((1 - ratio) * (1 + ratio)));
 }
 
 double patch_torsion(double a, double b, PatchPressure pressure, double friction) {
@@ -52,7 +52,7 @@ SoftPatch winkler_patch(double force, double young, double thickness, double R1,
       young > 0 && thickness > 0 && R1 > 0 && R2 > 0 && std::isfinite(young + thickness + R1 + R2),
       "a soft layer must have positive modulus, thickness and radii, got {} Pa, {}, {} and {} m",
       young, thickness, R1, R2);
-  // Depth at which the springs' paraboloid of pressure balances the force.
+  // Compute the depth at which the paraboloid of pressure balances the force.
   SoftPatch patch;
   patch.depth = std::sqrt(force * thickness / (young * kPi * std::sqrt(R1 * R2)));
   patch.a = std::sqrt(2 * patch.depth * R1);
@@ -103,7 +103,7 @@ PressureMoments pressure_moments(const Eigen::Matrix3Xd& points, const Eigen::Ve
   out.force = forces.sum();
   if (!(out.force > 0)) return out;
   out.centre = points * forces / out.force;
-  // Mean arm and second moments of the forces across the direction.
+  // Sum the mean arm and the second moments of the forces perpendicular to the direction.
   const Tangents t = tangents(normal);
   double xx = 0, xy = 0, yy = 0;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
@@ -115,7 +115,7 @@ PressureMoments pressure_moments(const Eigen::Matrix3Xd& points, const Eigen::Ve
     yy += f * y * y;
   }
   out.arm /= out.force;
-  // Principal second moments; the aspect of a line or a point stays 1.
+  // Compute the principal second moments; the aspect of a line or a point stays 1.
   const double mean = (xx + yy) / 2, half = std::hypot((xx - yy) / 2, xy);
   if (mean - half > 1e-12 * mean) out.aspect = std::sqrt((mean + half) / (mean - half));
   return out;

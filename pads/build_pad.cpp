@@ -13,7 +13,7 @@ Tissue build_tissue(const PadTissueSpec& spec, const std::string& name) {
   tissue.shear_modulus = spec.shear_modulus;
   tissue.exponent = spec.exponent;
   tissue.poisson_ratio = spec.poisson_ratio;
-  // Relaxation, a time for each share.
+  // Copy the relaxation, a time for each share.
   require(spec.relaxation_share.size() == spec.relaxation_time.size(),
           "{} has {} shares of relaxation and {} times", name, spec.relaxation_share.size(),
           spec.relaxation_time.size());
@@ -34,7 +34,7 @@ HexElement pad_element_named(const std::string& name) {
 }
 
 PadModel build_pad(const PadSpec& spec) {
-  // Shape, skin and cells.
+  // Copy shape, skin and cells.
   PadModel model;
   model.shape.length = spec.length;
   model.shape.width = spec.width;
@@ -45,12 +45,12 @@ PadModel build_pad(const PadSpec& spec) {
   if (spec.skin) model.shape.skin = build_solid({*spec.skin}).shape;
   model.cells = {spec.across, spec.around, spec.through};
   model.element = pad_element_named(spec.element);
-  // The pulp, then layers from the inside out, which files count from the outside.
+  // Add the pulp, then the layers from the inside out, which files count from the outside.
   model.tissues.push_back(build_tissue(spec.pulp, "pulp"));
   for (std::size_t i = spec.layers.size(); i-- > 0;)
     model.tissues.push_back(build_tissue(spec.layers[i], fmt::format("layer {}", i + 1)));
   for (const PadTissueSpec& layer : spec.layers) model.shape.layers.push_back({layer.thickness});
-  (void)PadChart(model.shape);  // refuses what does not fit
+  (void)PadChart(model.shape);  // checks that the parts fit
   return model;
 }
 

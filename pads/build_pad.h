@@ -1,19 +1,21 @@
 #pragma once
 
-/// Pads from their files.
+/// Pads built from the data of their files.
 
 #include "data/io/pad/pad.h"
 #include "pads/pad_model.h"
 
 namespace thenar {
 
-/// The law called as data files call it: name_of(TissueLaw). @throws InputError with the names
+/// Returns the tissue law of a name in data files, name_of(TissueLaw).
+/// @throws InputError, with the known names, if there is none.
 [[nodiscard]] TissueLaw tissue_law_named(const std::string& name);
-/// The element called as data files call it: name_of(HexElement). @throws InputError with the names
+/// Returns the element of a name in data files, name_of(HexElement).
+/// @throws InputError, with the known names, if there is none.
 [[nodiscard]] HexElement pad_element_named(const std::string& name);
 
-/// A pad ready to be pressed. Layers of PadSpec run from the outside in; tissues of PadModel are
-/// the pulp, then layers from the inside out.
+/// Builds a pad. Layers of PadSpec are ordered from the outside in; tissues of PadModel are the
+/// pulp, then layers from the inside out.
 /// @throws InputError if a tissue, a length or a count makes no sense: PadChart, check_tissue()
 [[nodiscard]] PadModel build_pad(const PadSpec& spec);
 

@@ -20,10 +20,10 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// sd of the logarithms of force, radius and torsion in the fits of powers [1]
+// sd of the logarithms of force, radius and torsion in the fits of power laws [1]
 constexpr double kLogSd = 0.05;
 
-/// Least squares  |(A z - y) / sd|^2  within bounds.
+/// Minimizes  |(A z - y) / sd|^2  within bounds.
 Solution fit_lines(const MatrixXd& A, const VectorXd& y, const VectorXd& lower,
                    const VectorXd& upper) {
   LeastSquares problem;
@@ -38,7 +38,7 @@ Solution fit_lines(const MatrixXd& A, const VectorXd& y, const VectorXd& lower,
   return solve(problem, VectorXd::Zero(A.cols()));
 }
 
-/// Fits of one calibration, and whether all came to a minimum.
+/// Presses of one calibration, and messages of fits that did not converge.
 struct Fits {
   const std::vector<MeasuredPress>& presses;
   std::string stalled;
@@ -47,7 +47,7 @@ struct Fits {
     if (solution.converged()) return;
     stalled += (stalled.empty() ? "" : "; ") + what + ": " + solution.message;
   }
-  /// One value for each press.
+  /// Returns one value for each press.
   [[nodiscard]] VectorXd all(const std::function<double(const MeasuredPress&)>& of) const {
     VectorXd out(static_cast<Index>(presses.size()));
     for (std::size_t i = 0; i < presses.size(); ++i) out[static_cast<Index>(i)] = of(presses[i]);
@@ -57,7 +57,8 @@ struct Fits {
 
 double mean_semi_axis(const MeasuredPress& press) { return std::sqrt(press.area / kPi); }
 
-/// Share of torsion with which radii of the law give the measured arms, in the geometric mean.
+/// Returns the share of torsion with which the law's radii match the measured arms, geometric mean
+/// over the presses [1].
 double torsion_share(const Fits& fits, const ContactLaw& law) {
   const VectorXd logs = fits.all([&](const MeasuredPress& press) {
     const SoftPatch patch = law.at_force(press.gap, press.force, 0).patch;
@@ -66,7 +67,8 @@ double torsion_share(const Fits& fits, const ContactLaw& law) {
   return std::min(1.0, std::exp(logs.mean()));
 }
 
-/// G with which a law whose G is 1 Pa has the measured stiffnesses across, in the geometric mean.
+/// Returns the shear modulus with which a law, given with 1 Pa, matches the measured tangential
+/// stiffness, geometric mean over the presses [Pa].
 double shear_modulus(const Fits& fits, const ContactLaw& law) {
   return std::exp(fits.all([&](const MeasuredPress& press) {
                         return std::log(press.shear /
@@ -78,7 +80,7 @@ double shear_modulus(const Fits& fits, const ContactLaw& law) {
 PowerLawConstants fit_power(Fits& fits) {
   const auto rows = static_cast<Index>(fits.presses.size());
   PowerLawConstants out;
-  // Logarithm of the force as a line in that of the depth.
+  // Fit log force as a linear function of log depth.
   MatrixXd A = MatrixXd::Ones(rows, 2);
   A.col(1) = fits.all([](const MeasuredPress& p) { return std::log(p.depth / kLawDepth); });
   const VectorXd forces = fits.all([](const MeasuredPress& p) { return std::log(p.force); });
@@ -86,7 +88,7 @@ PowerLawConstants fit_power(Fits& fits) {
   fits.note(found, "force of the power law");
   out.force = std::exp(found.z[0]);
   out.depth_exponent = found.z[1];
-  // Logarithm of the radius as a line in that of the force; gamma is bounded as published.
+  // Fit log radius as a linear function of log force; gamma has the published bounds.
   A.col(1) = forces;
   const VectorXd radii =
       fits.all([](const MeasuredPress& p) { return std::log(mean_semi_axis(p) / kLawDepth); });
@@ -94,7 +96,7 @@ PowerLawConstants fit_power(Fits& fits) {
   fits.note(found, "patch of the power law");
   out.patch = kLawDepth * std::exp(found.z[0]);
   out.patch_exponent = found.z[1];
-  // Torsion and shear in the mean over the presses, with the patch that was fitted.
+  // Compute torsion and shear with the fitted patch, as means over the presses.
   out.torsion = torsion_share(fits, PowerLaw(out));
   out.shear = 1;
   out.shear = shear_modulus(fits, PowerLaw(out));
@@ -104,7 +106,7 @@ PowerLawConstants fit_power(Fits& fits) {
 SoftFingerConstants fit_soft_finger(Fits& fits) {
   const auto rows = static_cast<Index>(fits.presses.size());
   SoftFingerConstants out;
-  // Logarithm of the force by those of the depth and of the gap's radius.
+  // Fit log force as a linear function of log depth and log radius of the gap.
   MatrixXd A = MatrixXd::Ones(rows, 3);
   A.col(1) = fits.all([](const MeasuredPress& p) { return std::log(p.depth / kLawDepth); });
   A.col(2) = fits.all([](const MeasuredPress& p) {
@@ -116,7 +118,7 @@ SoftFingerConstants fit_soft_finger(Fits& fits) {
   out.force = std::exp(found.z[0]);
   out.depth_exponent = found.z[1];
   out.radius_exponent = found.z[2];
-  // Logarithm of the mean radius by those of the force and of the gap's radius.
+  // Fit log mean radius as a linear function of log force and log radius of the gap.
   A.col(1) = forces;
   const VectorXd radii =
       fits.all([](const MeasuredPress& p) { return std::log(mean_semi_axis(p) / kLawDepth); });
@@ -125,7 +127,7 @@ SoftFingerConstants fit_soft_finger(Fits& fits) {
   out.patch = kLawDepth * std::exp(found.z[0]);
   out.patch_exponent = found.z[1];
   out.patch_radius = found.z[2];
-  // Logarithm of the ratio of semi-axes by that of the gap's radii.
+  // Fit the log ratio of the semi-axes as proportional to that of the gap's radii.
   const MatrixXd ratios =
       fits.all([](const MeasuredPress& p) { return std::log(internal::radius_of(p.gap).ratio); });
   const VectorXd aspects = fits.all([](const MeasuredPress& p) { return std::log(p.aspect); });
@@ -138,7 +140,8 @@ SoftFingerConstants fit_soft_finger(Fits& fits) {
   return out;
 }
 
-/// Constants of a bed from coordinates: log of the pressure at a strain of 0.2, m, s, spread, c.
+/// Returns the constants of a bed from coordinates: log pressure at a strain of 0.2, m, s, spread,
+/// c.
 FoundationConstants foundation_at(const VectorXd& z, const FoundationConstants& base) {
   FoundationConstants out = base;
   out.exponent = z[1];
@@ -154,7 +157,7 @@ FoundationConstants foundation_at(const VectorXd& z, const FoundationConstants& 
 FoundationConstants fit_foundation(Fits& fits, const FoundationColumns& columns,
                                    const FoundationConstants& base, const LawFitOptions& options) {
   const auto rows = static_cast<Index>(fits.presses.size());
-  // Residuals: logarithms of force and area over those of the elements.
+  // Returns the residuals: log ratios of force and area to those of the elements.
   const auto residuals = [&](const VectorXd& z) {
     const FoundationBed bed(columns, foundation_at(z, base));
     VectorXd r(2 * rows);
@@ -166,7 +169,7 @@ FoundationConstants fit_foundation(Fits& fits, const FoundationColumns& columns,
     }
     return r;
   };
-  // Bounds of log pressure, m, s, spread and c.
+  // Set bounds of log pressure, m, s, spread and c.
   LeastSquares problem;
   problem.lower = VectorXd::Zero(5);
   problem.upper = VectorXd::Constant(5, 100);
@@ -176,7 +179,7 @@ FoundationConstants fit_foundation(Fits& fits, const FoundationColumns& columns,
     Residuals out;
     out.r = residuals(z);
     if (want == WithJacobian::kNo) return out;
-    // Central differences, to one side at a bound.
+    // Differentiate by central differences, one-sided at a bound.
     out.J.resize(out.r.size(), z.size());
     for (Index k = 0; k < z.size(); ++k) {
       VectorXd more = z, less = z;
@@ -195,7 +198,7 @@ FoundationConstants fit_foundation(Fits& fits, const FoundationColumns& columns,
   return foundation_at(found.z, base);
 }
 
-/// Stiffness that sticking adds to a bed of springs across a press, for G = 1 Pa [N/m].
+/// Returns the tangential stiffness that sticking adds to a bed of springs with G = 1 Pa [N/m].
 double shear_per_modulus(const FoundationColumns& columns, FoundationConstants constants,
                          const MeasuredPress& press) {
   constexpr double kDifferenceWay = 1e-6, kHoldingFriction = 10;  // [m]; a friction that holds
@@ -203,7 +206,7 @@ double shear_per_modulus(const FoundationColumns& columns, FoundationConstants c
   const FoundationBed bed(columns, constants);
   const Tangents across = tangents(bed.press(*press.object, press.X_PO).normal);
   double sum = 0;
-  // Both directions across the press: pull with all sticking, less the pull without friction.
+  // Average over two tangential directions: pull with full sticking less pull without friction.
   for (const Vector3d& way : {across.e1, across.e2}) {
     Pose<double> X = press.X_PO;
     X.p += kDifferenceWay * way;
@@ -217,7 +220,7 @@ double shear_per_modulus(const FoundationColumns& columns, FoundationConstants c
   return 0.5 * sum / kDifferenceWay;
 }
 
-/// A law's answer beside the elements'.
+/// Quantities of a press that a law predicts.
 struct LawAnswer {
   double force, area, radius, arm, shear;
 };
@@ -237,7 +240,7 @@ LawError error_of(const std::vector<MeasuredPress>& presses,
     add(out.area, answer.area, press.area);
     add(out.radius, answer.radius, mean_semi_axis(press) * std::sqrt(press.aspect));
     add(out.torsion, answer.arm, press.arm);
-    add(out.shear, answer.shear, press.shear);
+    add(out.shear, answer.friction_force, press.shear);
   }
   for (RelativeError* error : {&out.force, &out.area, &out.radius, &out.torsion, &out.shear})
     error->rms = std::sqrt(error->rms);
@@ -270,20 +273,20 @@ LawCalibration fit_laws(const PadModel& model, const MeasuredPresses& fit,
   require(fit.presses.size() >= 4 && !check.presses.empty(),
           "laws need at least 4 presses to fit and 1 to check, got {} and {}", fit.presses.size(),
           check.presses.size());
-  // Presses must touch, because logarithms are fitted.
+  // Check that presses touch, because logarithms are fitted.
   for (const MeasuredPresses* presses : {&fit, &check})
     for (const MeasuredPress& press : presses->presses)
       require(
           press.force > 0 && press.area > 0 && press.depth > 0 && press.arm > 0 && press.shear > 0,
           "a press by '{}' does not touch the pad", press.trial);
-  // Fit the laws at a point.
+  // Fit the point contact laws.
   LawCalibration out;
   CalibratedLaws& laws = out.laws;
   laws.relaxation = model.tissues.at(0).relaxation;
   Fits fits{fit.presses, ""};
   laws.power = fit_power(fits);
   laws.soft_finger = fit_soft_finger(fits);
-  // Bed of springs over the pad's skin. ElasticFoundation has its mean thickness there.
+  // Fit the bed of springs over the pad's skin; ElasticFoundation uses its mean thickness.
   const FoundationColumns columns = pad_columns(model.shape, options.rings);
   FoundationConstants base;
   const VectorXd thickness = fits.all([&](const MeasuredPress& press) {
@@ -291,18 +294,18 @@ LawCalibration fit_laws(const PadModel& model, const MeasuredPresses& fit,
   });
   base.thickness = thickness.mean();
   laws.foundation = fit_foundation(fits, columns, base, options);
-  // Shear modulus of the springs, in the geometric mean.
+  // Compute the shear modulus of the springs as a geometric mean.
   laws.foundation.shear = std::exp(
       fits.all([&](const MeasuredPress& press) {
             return std::log(press.shear / shear_per_modulus(columns, laws.foundation, press));
           })
           .mean());
-  // Errors on presses that had no part in the fit.
+  // Measure errors on presses that were not fitted.
   laws.power_error = error_of(check.presses, PowerLaw(laws.power));
   laws.soft_finger_error = error_of(check.presses, SoftFinger(laws.soft_finger));
   laws.foundation_error = error_of(check.presses, ElasticFoundation(laws.foundation));
   laws.bed_error = error_of(check.presses, columns, laws.foundation);
-  // Presses that the laws rest on, and failures.
+  // Record the evidence for the laws, and failures.
   laws.evidence.fitted = static_cast<int>(fit.presses.size());
   laws.evidence.checked = static_cast<int>(check.presses.size());
   laws.evidence.depth = fits.all([](const MeasuredPress& p) { return p.depth; }).maxCoeff();

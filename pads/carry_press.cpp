@@ -11,7 +11,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Nodes of a cell and of the children that it was split into.
+/// Returns the nodes of a cell and of its children, each once.
 std::vector<int> nodes_within(const HexMesh& mesh, const HexCell& cell) {
   std::vector<int> out(cell.corners.begin(), cell.corners.end());
   for (int child = 0; cell.first_child >= 0 && child < 8; ++child) {
@@ -23,9 +23,9 @@ std::vector<int> nodes_within(const HexMesh& mesh, const HexCell& cell) {
   return out;
 }
 
-/// History of an element that is an octant of an old one, -1: the old one itself. Gauss points are
-/// ordered as corners: all of a child have that of its parent's octant.
-ElementHistory history_of(const ElementHistory& old, int octant) {
+/// Returns the history of an element that is an octant of an old one (-1: the old one itself).
+/// Gauss points are ordered as corners: those of a child all take the history of its octant.
+ElementHistory child_history(const ElementHistory& old, int octant) {
   ElementHistory history = old;
   if (octant < 0) return history;
   for (std::vector<Voigt>* list : {&history.elastic, &history.terms})
@@ -37,17 +37,17 @@ ElementHistory history_of(const ElementHistory& old, int octant) {
 
 }  // namespace
 
-PressCarrier::PressCarrier(const HexMesh& mesh, std::unique_ptr<TissueBody> body,
-                           ContactSurface surface)
+PressTransfer::PressTransfer(const HexMesh& mesh, std::unique_ptr<TissueBody> body,
+                             ContactSurface surface)
     : body_(std::move(body)),
       surface_(std::move(surface)),
       active_(mesh.active()),
-      places_(places_at_rest(mesh)) {}
+      rest_positions_(rest_positions(mesh)) {}
 
-std::vector<PressCarrier::Origin> PressCarrier::origins_in(const HexMesh& mesh) const {
+std::vector<PressTransfer::Origin> PressTransfer::element_origins(const HexMesh& mesh) const {
   std::vector<Origin> out;
   for (const int index : mesh.active()) {
-    // The element itself, or the one that it was cut from, and its octant in that.
+    // Find the old element that the cell is or was split from, and its octant there.
     int cell = index, octant = -1;
     auto from = std::lower_bound(active_.begin(), active_.end(), cell);
     while (from == active_.end() || *from != cell) {
@@ -61,14 +61,14 @@ std::vector<PressCarrier::Origin> PressCarrier::origins_in(const HexMesh& mesh) 
   return out;
 }
 
-std::vector<Matrix3d> PressCarrier::gradients_in(const HexMesh& mesh, const Matrix3Xd& u) const {
+std::vector<Matrix3d> PressTransfer::node_gradients(const HexMesh& mesh, const Matrix3Xd& u) const {
   const auto nodes = static_cast<std::size_t>(mesh.nodes());
   std::vector<Matrix3d> sum(nodes, Matrix3d::Zero());
   std::vector<int> cells(nodes, 0);
-  // Gradient of each old cell, in the mean over the cells around a node.
+  // Average the gradients of the old cells around each node.
   for (const int index : active_) {
     const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
-    const Matrix3d gradient = mean_deformation(cell, places_, u) - Matrix3d::Identity();
+    const Matrix3d gradient = mean_deformation(cell, rest_positions_, u) - Matrix3d::Identity();
     for (const int node : nodes_within(mesh, cell)) {
       sum[static_cast<std::size_t>(node)] += gradient;
       ++cells[static_cast<std::size_t>(node)];
@@ -78,10 +78,11 @@ std::vector<Matrix3d> PressCarrier::gradients_in(const HexMesh& mesh, const Matr
   return sum;
 }
 
-Matrix3Xd PressCarrier::displacements_in(const HexMesh& mesh, const PressState& old) const {
-  Matrix3Xd u = body_->spread(old.x, {}), from = places_;
-  const std::vector<Matrix3d> gradients = gradients_in(mesh, u);
-  // Means over the nodes that new nodes were made from, which are older than they are.
+Matrix3Xd PressTransfer::transferred_displacements(const HexMesh& mesh,
+                                                   const PressState& old) const {
+  Matrix3Xd u = body_->node_displacements(old.x, {}), from = rest_positions_;
+  const std::vector<Matrix3d> gradients = node_gradients(mesh, u);
+  // Start new nodes at the means of the nodes that they were created from, which precede them.
   const Index old_nodes = u.cols();
   u.conservativeResize(3, mesh.nodes());
   from.conservativeResize(3, mesh.nodes());
@@ -93,27 +94,28 @@ Matrix3Xd PressCarrier::displacements_in(const HexMesh& mesh, const PressState& 
       from.col(node) += each.weight * from.col(each.node);
     }
   }
-  // Offset from that mean, turned and stretched with the tissue.
+  // Add the offsets from these means, mapped by the deformation.
   for (Index node = 0; node < u.cols(); ++node)
     u.col(node) += gradients[static_cast<std::size_t>(node)] *
                    (mesh.place(static_cast<int>(node)) - from.col(node));
   return u;
 }
 
-PressCarrier::SkinFields PressCarrier::fields_in(const HexMesh& mesh, const PressState& old) const {
+PressTransfer::SkinFields PressTransfer::transferred_fields(const HexMesh& mesh,
+                                                            const PressState& old) const {
   const auto nodes = static_cast<std::size_t>(mesh.nodes());
   SkinFields out{std::vector<double>(nodes, 0), std::vector<Vector3d>(nodes, Vector3d::Zero()),
                  std::vector<std::optional<Vector3d>>(nodes)};
-  // Pressure, friction and anchors of the old surface's nodes.
+  // Copy pressure, friction and anchors of the old surface's nodes.
   for (std::size_t k = 0; k < surface_.nodes.size(); ++k) {
     const auto column = static_cast<Index>(k);
     const auto node = static_cast<std::size_t>(mesh_node(*body_, surface_, k));
-    out.pressure[node] = old.normal[column] / surface_.area[column];
-    out.traction[node] = old.shear.col(column) / surface_.area[column];
+    out.pressure[node] = old.normal_force[column] / surface_.area[column];
+    out.traction[node] = old.friction_force.col(column) / surface_.area[column];
     out.anchor[node] = old.anchor.col(column);
   }
-  // New nodes have the means of those that they were made from.
-  for (auto node = static_cast<std::size_t>(places_.cols()); node < nodes; ++node)
+  // Give new nodes the means of the nodes that they were created from.
+  for (auto node = static_cast<std::size_t>(rest_positions_.cols()); node < nodes; ++node)
     for (const NodeWeight& each : mesh.made_from(static_cast<int>(node))) {
       out.pressure[node] += each.weight * out.pressure[static_cast<std::size_t>(each.node)];
       out.traction[node] += each.weight * out.traction[static_cast<std::size_t>(each.node)];
@@ -121,40 +123,41 @@ PressCarrier::SkinFields PressCarrier::fields_in(const HexMesh& mesh, const Pres
   return out;
 }
 
-PressState PressCarrier::carry(const PressState& old, const HexMesh& mesh, const TissueBody& body,
-                               const ContactSurface& surface) const {
-  // Object and springs stay.
+PressState PressTransfer::transfer_state(const PressState& old, const HexMesh& mesh,
+                                         const TissueBody& body,
+                                         const ContactSurface& surface) const {
+  // Keep the object and the springs.
   PressState out;
   out.X_PO = old.X_PO;
   out.push = old.push;
-  out.by_springs = old.by_springs;
+  out.uses_skin_springs = old.uses_skin_springs;
   out.spring_energy = old.spring_energy;
-  // Displacements of the new body's free nodes.
-  const Matrix3Xd u = displacements_in(mesh, old);
+  // Transfer the displacements to the new body's free nodes.
+  const Matrix3Xd u = transferred_displacements(mesh, old);
   out.x.resize(body.unknowns());
   for (std::size_t i = 0; i < body.free_nodes().size(); ++i)
     out.x.segment<3>(static_cast<Index>(3 * i)) = u.col(body.free_nodes()[i]);
-  // Forces on nodes by the carried tractions and the new shares of area.
+  // Compute the forces on nodes from the transferred tractions and the new areas.
   const auto count = static_cast<Index>(surface.nodes.size());
-  out.normal.resize(count);
-  out.shear.resize(3, count);
+  out.normal_force.resize(count);
+  out.friction_force.resize(3, count);
   out.anchor.resize(3, count);
-  const SkinFields fields = fields_in(mesh, old);
+  const SkinFields fields = transferred_fields(mesh, old);
   const Pose<double> X_OP = old.X_PO.inverse();
   for (Index k = 0; k < count; ++k) {
     const auto at = static_cast<std::size_t>(k);
     const auto node = static_cast<std::size_t>(mesh_node(body, surface, at));
-    out.normal[k] = surface.area[k] * fields.pressure[node];
-    out.shear.col(k) = surface.area[k] * fields.traction[node];
-    const Vector3d here = surface.places.col(k) + out.x.segment<3>(3 * surface.nodes[at]);
+    out.normal_force[k] = surface.area[k] * fields.pressure[node];
+    out.friction_force.col(k) = surface.area[k] * fields.traction[node];
+    const Vector3d here = surface.rest_positions.col(k) + out.x.segment<3>(3 * surface.nodes[at]);
     out.anchor.col(k) = fields.anchor[node].value_or(X_OP * here);
   }
-  // Pressure and history go with the elements: carried displacements alone keep no volume at new
-  // nodes of a curved skin.
-  for (const Origin& from : origins_in(mesh)) {
+  // Take pressure and history from the old elements, because the transferred displacements alone do
+  // not preserve volume at new nodes of a curved skin.
+  for (const Origin& from : element_origins(mesh)) {
     if (!old.pressure.empty()) out.pressure.push_back(old.pressure[from.element]);
     if (!old.history.empty())
-      out.history.push_back(history_of(old.history[from.element], from.octant));
+      out.history.push_back(child_history(old.history[from.element], from.octant));
   }
   return out;
 }

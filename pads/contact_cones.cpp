@@ -13,13 +13,13 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// An open node joins the problem if it is deeper inside than this [m]
+// Depth above which an open node touches the problem [m]
 constexpr double kJoinDepth = 1e-11;
-constexpr int kMostTurns = 20;  // Most solutions, each with the nodes that joined after the last
-// Regularises W: this share of its largest entry is added to its diagonal [1]
+constexpr int kMaxRounds = 20;  // solutions, each with the nodes that joined after the last
+// Regularization added to the diagonal of W, over its largest entry [1]
 constexpr double kAddedCompliance = 1e-12;
 
-/// Two tangents of a unit normal (3, 2).
+/// Returns two unit vectors tangential to a unit normal (3, 2).
 Eigen::Matrix<double, 3, 2> tangents_of(const Vector3d& n) {
   Eigen::Matrix<double, 3, 2> out;
   Index least = 0;
@@ -29,59 +29,59 @@ Eigen::Matrix<double, 3, 2> tangents_of(const Vector3d& n) {
   return out;
 }
 
-/// Forces on nodes of the surface as those on free nodes of the body (3 free nodes).
-VectorXd on_body(const ContactSurface& surface, const VectorXd& forces, Index unknowns) {
+/// Converts forces on surface nodes to forces on the body's free nodes [N] (3 free nodes).
+VectorXd body_forces(const ContactSurface& surface, const VectorXd& forces, Index unknowns) {
   VectorXd out = VectorXd::Zero(unknowns);
   for (std::size_t k = 0; k < surface.nodes.size(); ++k)
     out.segment<3>(3 * surface.nodes[k]) = forces.segment<3>(static_cast<Index>(3 * k));
   return out;
 }
 
-/// Motion of the nodes of the surface (3, nodes).
-Matrix3Xd on_surface(const ContactSurface& surface, const VectorXd& x) {
+/// Returns the motion of the surface nodes [m] (3, nodes).
+Matrix3Xd surface_motion(const ContactSurface& surface, const VectorXd& x) {
   Matrix3Xd moved(3, static_cast<Index>(surface.nodes.size()));
   for (Index k = 0; k < moved.cols(); ++k)
     moved.col(k) = x.segment<3>(3 * surface.nodes[static_cast<std::size_t>(k)]);
   return moved;
 }
 
-/// Rows on nodes: what each has of a node (3), one list for all.
-using Rows = std::vector<MeanGaps::Slope>;
+/// Sparse rows of a matrix (rows, 3 nodes), as blocks (1, 3).
+using Rows = std::vector<MeanGaps::Gradient>;
 
-/// W = J A^-1 F' for rows J and forces F on nodes (rows of J, rows of F).
+/// Returns  W = J A^-1 F'  for gradients J and directions F of forces (rows of J, rows of F).
 MatrixXd compliance(CondensedBody& body, const ContactSurface& surface, const Rows& J,
                     const Rows& F, Index rows) {
   const auto nodes = static_cast<Index>(surface.nodes.size());
-  // Nodes on which forces F act, and the body's answers to unit forces there.
-  std::vector<char> acts(surface.nodes.size(), 0);
-  for (const MeanGaps::Slope& each : F) acts[static_cast<std::size_t>(each.node)] = 1;
-  std::vector<int> acted;
+  // Condense the body to the nodes that the forces F load.
+  std::vector<char> is_loaded(surface.nodes.size(), 0);
+  for (const MeanGaps::Gradient& each : F) is_loaded[static_cast<std::size_t>(each.node)] = 1;
+  std::vector<int> loaded;
   for (int k = 0; k < nodes; ++k)
-    if (acts[static_cast<std::size_t>(k)] != 0) acted.push_back(k);
-  body.condense(surface, acted);
-  // Displacements by each row of F, then seen by the rows of J.
-  MatrixXd answer = MatrixXd::Zero(3 * nodes, rows);
-  for (const MeanGaps::Slope& each : F)
-    answer.col(each.row).noalias() += body.answer_to(each.node) * each.by;
+    if (is_loaded[static_cast<std::size_t>(k)] != 0) loaded.push_back(k);
+  body.condense(surface, loaded);
+  // Compute the displacements under each row of F, and project them on the rows of J.
+  MatrixXd response = MatrixXd::Zero(3 * nodes, rows);
+  for (const MeanGaps::Gradient& each : F)
+    response.col(each.row).noalias() += body.unit_response(each.node) * each.value;
   MatrixXd W = MatrixXd::Zero(rows, rows);
-  for (const MeanGaps::Slope& each : J)
-    W.row(each.row).noalias() += each.by.transpose() * answer.middleRows<3>(3 * each.node);
+  for (const MeanGaps::Gradient& each : J)
+    W.row(each.row).noalias() += each.value.transpose() * response.middleRows<3>(3 * each.node);
   return W;
 }
 
-/// Converts the rows to a matrix (rows, 3 nodes).
-MatrixXd dense(const Rows& list, Index rows, Index nodes) {
+/// Converts rows to a dense matrix (rows, 3 nodes).
+MatrixXd to_dense(const Rows& list, Index rows, Index nodes) {
   MatrixXd out = MatrixXd::Zero(rows, 3 * nodes);
-  for (const MeanGaps::Slope& each : list)
-    out.block<1, 3>(each.row, 3 * each.node) += each.by.transpose();
+  for (const MeanGaps::Gradient& each : list)
+    out.block<1, 3>(each.row, 3 * each.node) += each.value.transpose();
   return out;
 }
 
 }  // namespace
 
 bool CondensedBody::factor(const std::vector<double>& values) {
-  values_ = values;
-  place_.clear();
+  tangent_ = values;
+  column_.clear();
   if (!factor_) factor_.emplace(pattern_);
   has_factor_ = factor_->factor(values);
   return has_factor_;
@@ -90,29 +90,30 @@ bool CondensedBody::factor(const std::vector<double>& values) {
 VectorXd CondensedBody::solve(const VectorXd& force) const { return factor_->solve(force); }
 
 void CondensedBody::condense(const ContactSurface& surface, const std::vector<int>& nodes) {
-  if (place_.empty()) {
-    place_.assign(surface.nodes.size(), -1);
-    answers_.resize(3 * static_cast<Index>(surface.nodes.size()), 0);
+  if (column_.empty()) {
+    column_.assign(surface.nodes.size(), -1);
+    unit_responses_.resize(3 * static_cast<Index>(surface.nodes.size()), 0);
   }
+  // List the nodes whose responses are not known.
   std::vector<int> missing;
   for (const int node : nodes)
-    if (place_[static_cast<std::size_t>(node)] < 0) missing.push_back(node);
+    if (column_[static_cast<std::size_t>(node)] < 0) missing.push_back(node);
   if (missing.empty()) return;
-  // Unit forces on all of them at once.
-  const Index before = answers_.cols(), count = 3 * static_cast<Index>(missing.size());
+  // Solve for unit forces on all of them at once.
+  const Index before = unit_responses_.cols(), count = 3 * static_cast<Index>(missing.size());
   MatrixXd unit = MatrixXd::Zero(pattern_.size, count);
   for (std::size_t i = 0; i < missing.size(); ++i) {
     const auto node = static_cast<std::size_t>(missing[i]);
     const auto column = static_cast<Index>(3 * i);
     unit.block<3, 3>(3 * surface.nodes[node], column).setIdentity();
-    place_[node] = static_cast<int>((before + column) / 3);
+    column_[node] = static_cast<int>((before + column) / 3);
   }
-  const MatrixXd answer = factor_->solve(unit);
-  // Append the displacements of the surface's nodes to those that are known.
-  answers_.conservativeResize(Eigen::NoChange, before + count);
+  const MatrixXd response = factor_->solve(unit);
+  // Append the displacements of the surface nodes to the known ones.
+  unit_responses_.conservativeResize(Eigen::NoChange, before + count);
   for (std::size_t k = 0; k < surface.nodes.size(); ++k)
-    answers_.block(static_cast<Index>(3 * k), before, 3, count) =
-        answer.middleRows<3>(3 * surface.nodes[k]);
+    unit_responses_.block(static_cast<Index>(3 * k), before, 3, count) =
+        response.middleRows<3>(3 * surface.nodes[k]);
 }
 
 bool ContactCones::factor(const std::vector<double>& values, const Matrix3Xd& springs) {
@@ -120,78 +121,83 @@ bool ContactCones::factor(const std::vector<double>& values, const Matrix3Xd& sp
   return body_.factor(values);
 }
 
-void ContactCones::set_problem(const ContactSurface& surface, const Iterate& at,
-                               const Matrix3Xd& moved, const VectorXd& gaps,
-                               const std::vector<int>& touching) {
-  // Rows of a node: its gap alone, or gap and two slips with friction.
-  const bool slips = at.friction > 0;
+void ContactCones::build_problem(const ContactSurface& surface, const Iterate& iterate,
+                                 const Matrix3Xd& moved, const VectorXd& gaps,
+                                 const std::vector<int>& touching) {
+  // Size the problem: a node has a row for its gap and, with friction, two for its slip.
+  const bool slips = iterate.friction > 0;
   const Index per_node = slips ? 3 : 1;
   const auto rows = per_node * static_cast<Index>(touching.size());
   problem_.b.resize(rows);
-  start_.resize(rows);
-  problem_.blocks.assign(touching.size(), slips ? coulomb_block(at.friction) : unilateral_block());
-  // Rows of gaps, on which forces of neighbours act, and of slips.
-  Rows list = at.gaps.slopes(touching);
-  for (MeanGaps::Slope& each : list) each.row *= static_cast<int>(per_node);
+  initial_forces_.resize(rows);
+  problem_.blocks.assign(touching.size(),
+                         slips ? coulomb_block(iterate.friction) : unilateral_block());
+  // Fill the rows of gaps, which depend on neighbouring nodes, and of slips.
+  Rows list = iterate.gaps.gap_gradients(touching);
+  for (MeanGaps::Gradient& each : list) each.row *= static_cast<int>(per_node);
   for (std::size_t i = 0; i < touching.size(); ++i) {
     const int k = touching[i];
     const auto row = per_node * static_cast<Index>(i);
     problem_.b[row] = gaps[k];
-    start_[row] = at.normal[k];
+    initial_forces_[row] = iterate.normal_force[k];
     if (!slips) continue;
-    const auto tangents = tangents_of(at.gaps.normal(static_cast<std::size_t>(k)));
+    const auto tangents = tangents_of(iterate.gaps.normal(static_cast<std::size_t>(k)));
     for (int t = 0; t < 2; ++t) list.push_back({static_cast<int>(row) + 1 + t, k, tangents.col(t)});
-    problem_.b.segment<2>(row + 1) = tangents.transpose() * Vector3d(at.slip.col(k) + moved.col(k));
-    start_.segment<2>(row + 1) = tangents.transpose() * Vector3d(at.shear.col(k));
+    problem_.b.segment<2>(row + 1) =
+        tangents.transpose() * Vector3d(iterate.slip.col(k) + moved.col(k));
+    initial_forces_.segment<2>(row + 1) =
+        tangents.transpose() * Vector3d(iterate.friction_force.col(k));
   }
-  // Delassus matrix  W = J A^-1 J',  symmetric but for rounding.
-  J_ = dense(list, rows, moved.cols());
+  // Compute the Delassus matrix  W = J A^-1 J'  and remove the asymmetry of rounding.
+  J_ = to_dense(list, rows, moved.cols());
   const MatrixXd W = compliance(body_, surface, list, list, rows);
   problem_.W = 0.5 * (W + W.transpose());
 }
 
-ContactCones::Rest ContactCones::solve(const ContactSurface& surface, const Iterate& at) {
-  Rest out;
+ContactCones::Equilibrium ContactCones::solve(const ContactSurface& surface,
+                                              const Iterate& iterate) {
+  Equilibrium out;
   const auto nodes = static_cast<Index>(surface.nodes.size());
-  // Gaps after a motion of the nodes, linearised.
+  // Returns the linearized gaps after a motion of the nodes.
   const auto gaps_after = [&](const Matrix3Xd& moved) {
-    VectorXd gaps = at.gaps.change(moved);
-    for (Index k = 0; k < nodes; ++k) gaps[k] += at.gaps.gap(static_cast<std::size_t>(k));
+    VectorXd gaps = iterate.gaps.gap_changes(moved);
+    for (Index k = 0; k < nodes; ++k) gaps[k] += iterate.gaps.gap(static_cast<std::size_t>(k));
     return gaps;
   };
-  // Motion without contact. Nodes that bore a force, or would then be inside, touch.
-  const Matrix3Xd free = on_surface(surface, body_.solve(-at.force));
+  // Move the body without contact. Nodes that had a force, or that penetrate now, touch.
+  const Matrix3Xd free = surface_motion(surface, body_.solve(-iterate.tissue_force));
   const VectorXd free_gaps = gaps_after(free);
-  std::vector<bool> joins(static_cast<std::size_t>(nodes));
+  std::vector<bool> touches(static_cast<std::size_t>(nodes));
   for (Index k = 0; k < nodes; ++k)
-    joins[static_cast<std::size_t>(k)] = at.normal[k] > 0 || free_gaps[k] < 0;
-  for (int turn = 0; turn < kMostTurns; ++turn) {
+    touches[static_cast<std::size_t>(k)] = iterate.normal_force[k] > 0 || free_gaps[k] < 0;
+  for (int round = 0; round < kMaxRounds; ++round) {
     std::vector<int> touching;
     for (int k = 0; k < nodes; ++k)
-      if (joins[static_cast<std::size_t>(k)]) touching.push_back(k);
-    set_problem(surface, at, free, free_gaps, touching);
-    out.status = answer(surface, at, out);
+      if (touches[static_cast<std::size_t>(k)]) touching.push_back(k);
+    build_problem(surface, iterate, free, free_gaps, touching);
+    out.status = solve_problem(surface, iterate, out);
     if (out.status != Status::kSolved) return out;
-    // Nodes that are inside now join.
-    Matrix3Xd moved = on_surface(surface, out.dx);
-    if (at.drive) moved.colwise() -= out.motion * at.drive->along;
+    // Let nodes that penetrate the object join.
+    Matrix3Xd moved = surface_motion(surface, out.dx);
+    if (iterate.drive) moved.colwise() -= out.object_motion * iterate.drive->direction;
     const VectorXd gaps = gaps_after(moved);
-    bool more = false;
+    bool has_joined = false;
     for (Index k = 0; k < nodes; ++k) {
-      if (joins[static_cast<std::size_t>(k)] || gaps[k] >= -kJoinDepth) continue;
-      joins[static_cast<std::size_t>(k)] = more = true;
+      if (touches[static_cast<std::size_t>(k)] || gaps[k] >= -kJoinDepth) continue;
+      touches[static_cast<std::size_t>(k)] = has_joined = true;
     }
-    if (more) continue;
-    // Forces on the nodes, from the rows of the answer.
-    out.normal = VectorXd::Zero(nodes);
-    out.shear = Matrix3Xd::Zero(3, nodes);
-    const Index per_node = at.friction > 0 ? 3 : 1;
+    if (has_joined) continue;
+    // Collect the forces on the nodes from the rows of the solution.
+    out.normal_force = VectorXd::Zero(nodes);
+    out.friction_force = Matrix3Xd::Zero(3, nodes);
+    const Index per_node = iterate.friction > 0 ? 3 : 1;
     for (std::size_t i = 0; i < touching.size(); ++i) {
       const auto row = per_node * static_cast<Index>(i);
       const Index k = touching[i];
-      out.normal[k] = f_[row];
+      out.normal_force[k] = f_[row];
       if (per_node > 1)
-        out.shear.col(k) = J_.block<2, 3>(row + 1, 3 * k).transpose() * f_.segment<2>(row + 1);
+        out.friction_force.col(k) =
+            J_.block<2, 3>(row + 1, 3 * k).transpose() * f_.segment<2>(row + 1);
     }
     return out;
   }
@@ -199,64 +205,68 @@ ContactCones::Rest ContactCones::solve(const ContactSurface& surface, const Iter
   return out;
 }
 
-Status ContactCones::answer(const ContactSurface& surface, const Iterate& at, Rest& rest) {
-  const auto found = [&] {
-    const ContactSolution& solution = solver_.solve(problem_, start_);
+Status ContactCones::solve_problem(const ContactSurface& surface, const Iterate& iterate,
+                                   Equilibrium& equilibrium) {
+  const auto solve_forces = [&] {
+    const ContactSolution& solution = solver_.solve(problem_, initial_forces_);
     f_ = solution.f;
     return solution.status;
   };
-  const Index unknowns = at.force.size();
-  if (!at.drive) {
-    // The object stays: the contact problem as it is.
-    const Status status = found();
-    rest.dx = body_.solve(on_body(surface, J_.transpose() * f_, unknowns) - at.force);
+  const Index unknowns = iterate.tissue_force.size();
+  if (!iterate.drive) {
+    // A fixed object needs the contact problem alone.
+    const Status status = solve_forces();
+    equilibrium.dx =
+        body_.solve(body_forces(surface, J_.transpose() * f_, unknowns) - iterate.tissue_force);
     return status;
   }
-  const Drive& drive = *at.drive;
+  const Drive& drive = *iterate.drive;
   const auto nodes = static_cast<Index>(surface.nodes.size());
-  // Rows by a unit motion of the object, c, which takes the ends of springs along: forces q.
-  VectorXd c = J_ * drive.along.replicate(nodes, 1), q = VectorXd::Zero(3 * nodes);
-  double stiffness = drive.spring;
+  // Compute the change c of the rows by a unit motion of the object, and the forces q of springs,
+  // whose ends move with it.
+  VectorXd c = J_ * drive.direction.replicate(nodes, 1), q = VectorXd::Zero(3 * nodes);
+  double stiffness = drive.spring_stiffness;
   for (Index k = 0; k < springs_.cols(); ++k) {
-    const double share = springs_.col(k).dot(drive.along);
+    const double share = springs_.col(k).dot(drive.direction);
     q.segment<3>(3 * k) = share * springs_.col(k);
     stiffness += share * share;
   }
-  // The body follows the springs: eliminate its displacements.
-  const VectorXd pulled = on_body(surface, q, unknowns), follows = body_.solve(pulled);
-  c -= J_ * on_surface(surface, follows).reshaped();
+  // Eliminate the displacements of the body, which follows the springs.
+  const VectorXd pulled = body_forces(surface, q, unknowns), follows = body_.solve(pulled);
+  c -= J_ * surface_motion(surface, follows).reshaped();
   stiffness -= pulled.dot(follows);
-  const double force = drive.force - follows.dot(at.force);
-  // The object's motion is (force - c . f) / stiffness, a rank-one term of W.
+  const double force = drive.force - follows.dot(iterate.tissue_force);
+  // Eliminate the object's motion, (force - c . f) / stiffness, which adds a rank-one term to W.
   const MatrixXd W = problem_.W;
   const VectorXd b = problem_.b;
   problem_.W += c * c.transpose() / stiffness;
   problem_.b -= force / stiffness * c;
-  Status status = found();
-  rest.motion = (force - c.dot(f_)) / stiffness;
-  if (status != Status::kSolved || !(std::abs(rest.motion) <= drive.longest)) {
-    // Too long: hold the motion at the longest that is allowed.
-    rest.motion = std::copysign(drive.longest, rest.motion);
+  Status status = solve_forces();
+  equilibrium.object_motion = (force - c.dot(f_)) / stiffness;
+  if (status != Status::kSolved || !(std::abs(equilibrium.object_motion) <= drive.max_motion)) {
+    // Fix the motion at its bound if it is too long.
+    equilibrium.object_motion = std::copysign(drive.max_motion, equilibrium.object_motion);
     problem_.W = W;
-    problem_.b = b - rest.motion * c;
-    status = found();
+    problem_.b = b - equilibrium.object_motion * c;
+    status = solve_forces();
   }
-  rest.dx =
-      body_.solve(on_body(surface, J_.transpose() * f_ + rest.motion * q, unknowns) - at.force);
+  equilibrium.dx = body_.solve(
+      body_forces(surface, J_.transpose() * f_ + equilibrium.object_motion * q, unknowns) -
+      iterate.tissue_force);
   return status;
 }
 
 Eigen::Matrix<double, 6, 6> contact_stiffness(CondensedBody& body, const ContactSurface& surface,
                                               const MeanGaps& gaps, const TouchingNodes& touching,
                                               const Matrix3Xd& places, const Matrix3Xd& forces) {
-  // Rows J: gaps, then slips of nodes that stick. Forces F: the same, but a node that slips has
-  // friction in proportion to its normal force.
-  Rows J = gaps.slopes(touching.nodes), F = J;
+  // List the rows J: gaps, then slips of sticking nodes. The forces F have the same directions, but
+  // a slipping node has friction in proportion to its normal force.
+  Rows J = gaps.gap_gradients(touching.nodes), F = J;
   auto rows = static_cast<Index>(touching.nodes.size());
   for (std::size_t i = 0; i < touching.nodes.size(); ++i) {
     const int k = touching.nodes[i];
     if (!touching.sticks[i]) {
-      F.push_back({static_cast<int>(i), k, touching.along_normal.col(static_cast<Index>(i))});
+      F.push_back({static_cast<int>(i), k, touching.friction_ratio.col(static_cast<Index>(i))});
       continue;
     }
     const auto tangents = tangents_of(gaps.normal(static_cast<std::size_t>(k)));
@@ -266,40 +276,43 @@ Eigen::Matrix<double, 6, 6> contact_stiffness(CondensedBody& body, const Contact
     }
   }
   const Index nodes = places.cols(), unknowns = static_cast<Index>(body.size());
-  // Compliance of the rows, regularised where contacts are redundant.
+  // Factor the compliance of the rows, regularized where contacts are redundant.
   MatrixXd W = compliance(body, surface, J, F, rows);
   W.diagonal().array() += kAddedCompliance * W.diagonal().maxCoeff();
   const Eigen::PartialPivLU<MatrixXd> lu(W);
-  const MatrixXd slopes = dense(J, rows, nodes), pushes = dense(F, rows, nodes);
-  return push_slope(places, forces, [&](const Matrix3Xd& rigid, const Matrix3Xd& turned) {
-    // Forces that make the rows follow the object while old forces turn.
+  const MatrixXd slopes = to_dense(J, rows, nodes), pushes = to_dense(F, rows, nodes);
+  return object_stiffness(places, forces, [&](const Matrix3Xd& rigid, const Matrix3Xd& turned) {
+    // Solve for the forces that make the rows follow the object while old forces turn.
     const VectorXd turn = turned.reshaped();
-    const Matrix3Xd by_turn = on_surface(surface, body.solve(on_body(surface, turn, unknowns)));
+    const Matrix3Xd by_turn =
+        surface_motion(surface, body.solve(body_forces(surface, turn, unknowns)));
     const VectorXd f = lu.solve(slopes * (rigid - by_turn).reshaped());
     const VectorXd gained = pushes.transpose() * f + turn;
-    return PushAnswer{gained.reshaped(3, nodes),
-                      on_surface(surface, body.solve(on_body(surface, gained, unknowns)))};
+    return MotionResponse{
+        gained.reshaped(3, nodes),
+        surface_motion(surface, body.solve(body_forces(surface, gained, unknowns)))};
   });
 }
 
-Eigen::Matrix<double, 6, 6> push_slope(
+Eigen::Matrix<double, 6, 6> object_stiffness(
     const Matrix3Xd& places, const Matrix3Xd& forces,
-    const std::function<PushAnswer(const Matrix3Xd&, const Matrix3Xd&)>& answer) {
+    const std::function<MotionResponse(const Matrix3Xd&, const Matrix3Xd&)>& response) {
   Eigen::Matrix<double, 6, 6> out = Eigen::Matrix<double, 6, 6>::Zero();
   for (int column = 0; column < 6; ++column) {
-    // The object moves, and forces turn with it, while tissue resists.
+    // Move the object along one axis or about it, and turn the forces with it.
     const Vector3d axis = Vector3d::Unit(column % 3);
     Matrix3Xd rigid(3, places.cols()), turned = Matrix3Xd::Zero(3, places.cols());
     for (Index k = 0; k < places.cols(); ++k) {
       rigid.col(k) = column >= 3 ? axis : axis.cross(Vector3d(places.col(k)));
       if (column < 3) turned.col(k) = axis.cross(Vector3d(forces.col(k)));
     }
-    const PushAnswer found = answer(rigid, turned);
-    // Force and moment gained, and the moment of the old forces on nodes that moved.
+    const MotionResponse found = response(rigid, turned);
+    // Sum the changes of force and moment, and the moment of the old forces on displaced nodes.
     for (Index k = 0; k < places.cols(); ++k) {
-      const Vector3d gained = found.gained.col(k);
-      out.block<3, 1>(0, column) += Vector3d(places.col(k)).cross(gained) +
-                                    Vector3d(found.moved.col(k)).cross(Vector3d(forces.col(k)));
+      const Vector3d gained = found.force_change.col(k);
+      out.block<3, 1>(0, column) +=
+          Vector3d(places.col(k)).cross(gained) +
+          Vector3d(found.displacement.col(k)).cross(Vector3d(forces.col(k)));
       out.block<3, 1>(3, column) += gained;
     }
   }

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <map>
 
+#include "base/lists.h"
+#include "base/numbers.h"
+
 namespace thenar {
 
 using Eigen::Matrix3Xd;
@@ -13,28 +16,30 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kFarGapShare = 3;  // Gaps beyond this cannot close, over the size of a face [1]
+// Squared gradient by a neighbour up to which it does not matter [1]
+constexpr double kNegligibleGradient = 1e-20;
+constexpr double kFarGapRatio = 3;  // gap that does not close, over the size of a face [1]
 
-constexpr double kEdgeTurn = 0.17;    // Normals around an edge differ by at least this [1]
-constexpr double kEdgeRadius = 0.25;  // Largest radius of an edge, over the size of a face [1]
+constexpr double kEdgeTurn = 0.17;         // least difference of unit normals around an edge [1]
+constexpr double kEdgeRadiusRatio = 0.25;  // largest radius of an edge over the size of a face [1]
 
-// Gauss's rule along a side of a face.
-constexpr std::array<double, 3> kGaussPlaces{0.112701665379258311, 0.5, 0.887298334620741689};
-constexpr std::array<double, 3> kGaussShares{5.0 / 18, 4.0 / 9, 5.0 / 18};
+// Gauss rule along a side of a face: positions and weights on [0, 1].
+constexpr std::array<double, 3> kGaussPositions{0.112701665379258311, 0.5, 0.887298334620741689};
+constexpr std::array<double, 3> kGaussWeights{5.0 / 18, 4.0 / 9, 5.0 / 18};
 
-/// Points of a face, by nodes of the mesh; an empty list: some nodes are fixed.
+/// Returns the Gauss points of a face, with free nodes of the body; none if a node is fixed.
 std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& body,
                                       const std::array<int, 4>& nodes, const Matrix3Xd& at_rest) {
-  // Area of the quadrilateral from its diagonals.
-  const Vector3d one = at_rest.col(nodes[3]) - at_rest.col(nodes[0]);
-  const Vector3d other = at_rest.col(nodes[2]) - at_rest.col(nodes[1]);
-  const double area = 0.5 * one.cross(other).norm();
+  // Compute the area of the quadrilateral from its diagonals.
+  const Vector3d diagonal = at_rest.col(nodes[3]) - at_rest.col(nodes[0]);
+  const Vector3d other_diagonal = at_rest.col(nodes[2]) - at_rest.col(nodes[1]);
+  const double area = 0.5 * diagonal.cross(other_diagonal).norm();
   std::vector<SurfacePoint> out;
-  for (std::size_t i = 0; i < kGaussPlaces.size(); ++i)
-    for (std::size_t j = 0; j < kGaussPlaces.size(); ++j) {
-      const double x = kGaussPlaces[i], y = kGaussPlaces[j];
+  for (std::size_t i = 0; i < kGaussPositions.size(); ++i)
+    for (std::size_t j = 0; j < kGaussPositions.size(); ++j) {
+      const double x = kGaussPositions[i], y = kGaussPositions[j];
       const Eigen::Vector4d shape = face_shape(x, y);
-      // Bilinear point, the same point of the chart, and the weights of free nodes in it.
+      // Interpolate the point, its position in the chart, and the weights of free nodes.
       Vector3d chart(0, 0, 0), mean(0, 0, 0);
       std::map<int, double> weights;
       for (std::size_t k = 0; k < 4; ++k) {
@@ -42,13 +47,13 @@ std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& bod
         chart += share * mesh.chart_point(nodes[k]);
         mean += share * at_rest.col(nodes[k]);
         for (const NodeWeight& each : mesh.support(nodes[k]))
-          weights[body.free_place(each.node)] += share * each.weight;
+          weights[body.free_index(each.node)] += share * each.weight;
       }
-      // Faces with a fixed node have no points.
-      if (weights.count(-1) != 0) return {};
+      if (weights.count(-1) != 0) return {};  // a node is fixed
+      // The true surface is where the chart maps the point.
       SurfacePoint point{mesh.chart().place(chart) - mean,
                          {},
-                         area * kGaussShares[i] * kGaussShares[j],
+                         area * kGaussWeights[i] * kGaussWeights[j],
                          std::sqrt(area)};
       for (const auto& [node, weight] : weights) point.nodes.push_back({node, weight});
       out.push_back(std::move(point));
@@ -61,23 +66,23 @@ std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& bod
 VectorXd node_areas(const HexMesh& mesh, const std::vector<HexFace>& faces, const Matrix3Xd& at) {
   VectorXd area = VectorXd::Zero(mesh.nodes());
   for (const HexFace& face : faces) {
-    // A quarter of the face's area for each corner.
-    const Vector3d one = at.col(face.nodes[3]) - at.col(face.nodes[0]);
-    const Vector3d other = at.col(face.nodes[2]) - at.col(face.nodes[1]);
-    const double share = 0.125 * one.cross(other).norm();
+    // Assign a quarter of the face's area to each corner.
+    const Vector3d diagonal = at.col(face.nodes[3]) - at.col(face.nodes[0]);
+    const Vector3d other_diagonal = at.col(face.nodes[2]) - at.col(face.nodes[1]);
+    const double share = 0.125 * diagonal.cross(other_diagonal).norm();
     for (const int node : face.nodes)
       for (const NodeWeight& each : mesh.support(node)) area[each.node] += share * each.weight;
   }
   return area;
 }
 
-ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
-                               const std::vector<bool>& marked) {
+ContactSurface build_contact_surface(const HexMesh& mesh, const TissueBody& body,
+                                     const std::vector<bool>& marked) {
   ContactSurface surface;
-  const Matrix3Xd at_rest = places_at_rest(mesh);
+  const Matrix3Xd at_rest = rest_positions(mesh);
   const std::vector<HexFace> faces = marked_faces(mesh, marked);
   const VectorXd area = node_areas(mesh, faces, at_rest);
-  // Free nodes that have a share.
+  // List the free nodes with a share of the area.
   std::vector<int> index(body.free_nodes().size(), -1);
   for (std::size_t free = 0; free < index.size(); ++free) {
     if (!(area[body.free_nodes()[free]] > 0)) continue;
@@ -85,15 +90,15 @@ ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
     surface.nodes.push_back(static_cast<int>(free));
   }
   const auto count = static_cast<Eigen::Index>(surface.nodes.size());
-  surface.places.resize(3, count);
+  surface.rest_positions.resize(3, count);
   surface.area.resize(count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const int node = mesh_node(body, surface, static_cast<std::size_t>(k));
-    surface.places.col(k) = mesh.place(node);
+    surface.rest_positions.col(k) = mesh.place(node);
     surface.area[k] = area[node];
   }
   if (body.is_quadratic()) return surface;
-  // Gauss points and faces, by numbers of the surface's nodes.
+  // Add faces and their Gauss points, with indices of surface nodes.
   for (const HexFace& face : faces) {
     std::vector<SurfacePoint> points = face_points(mesh, body, face.nodes, at_rest);
     if (points.empty()) continue;
@@ -106,15 +111,16 @@ ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
     for (std::size_t k = 0; k < 4; ++k)
       for (const NodeWeight& each : mesh.support(face.nodes[k]))
         whole.corners[k].push_back(
-            {index[static_cast<std::size_t>(body.free_place(each.node))], each.weight});
+            {index[static_cast<std::size_t>(body.free_index(each.node))], each.weight});
     surface.faces.push_back(std::move(whole));
   }
-  // Corners of faces move out by the mean offset of the true surface around their nodes.
-  Matrix3Xd out = Matrix3Xd::Zero(3, count);
+  // Move the corners of faces by the mean offset of the true surface around their nodes.
+  Matrix3Xd mean_offsets = Matrix3Xd::Zero(3, count);
   for (const SurfacePoint& point : surface.points)
     for (const NodeWeight& each : point.nodes)
-      out.col(each.node) += each.weight * point.area / surface.area[each.node] * point.offset;
-  for (SurfaceFace& face : surface.faces) face.offsets = corners_of(face, out);
+      mean_offsets.col(each.node) +=
+          each.weight * point.area / surface.area[each.node] * point.offset;
+  for (SurfaceFace& face : surface.faces) face.offsets = corner_positions(face, mean_offsets);
   return surface;
 }
 
@@ -122,20 +128,20 @@ int mesh_node(const TissueBody& body, const ContactSurface& surface, std::size_t
   return body.free_nodes()[static_cast<std::size_t>(surface.nodes[k])];
 }
 
-Matrix3Xd places_of(const ContactSurface& surface, const VectorXd& x) {
-  Matrix3Xd places = surface.places;
+Matrix3Xd deformed_positions(const ContactSurface& surface, const VectorXd& x) {
+  Matrix3Xd places = surface.rest_positions;
   for (Eigen::Index k = 0; k < places.cols(); ++k)
     places.col(k) += x.segment<3>(3 * surface.nodes[static_cast<std::size_t>(k)]);
   return places;
 }
 
-Vector3d place_of(const SurfacePoint& point, const Matrix3Xd& places) {
+Vector3d point_position(const SurfacePoint& point, const Matrix3Xd& places) {
   Vector3d p = point.offset;
   for (const NodeWeight& each : point.nodes) p += each.weight * places.col(each.node);
   return p;
 }
 
-FaceCorners corners_of(const SurfaceFace& face, const Matrix3Xd& places) {
+FaceCorners corner_positions(const SurfaceFace& face, const Matrix3Xd& places) {
   FaceCorners out = face.offsets;
   for (Eigen::Index k = 0; k < 4; ++k)
     for (const NodeWeight& each : face.corners[static_cast<std::size_t>(k)])
@@ -143,26 +149,26 @@ FaceCorners corners_of(const SurfaceFace& face, const Matrix3Xd& places) {
   return out;
 }
 
-double smallest_gap(const ContactSurface& surface, const Shape& object, const Pose<double>& X_PO,
-                    const VectorXd& x) {
+double min_gap(const ContactSurface& surface, const Shape& object, const Pose<double>& X_PO,
+               const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
-  const Matrix3Xd places = places_of(surface, x);
-  double gap = 1e300;
+  const Matrix3Xd places = deformed_positions(surface, x);
+  double gap = kInfinity;
   for (Eigen::Index k = 0; k < places.cols(); ++k)
     gap = std::min(gap, object.distance(X_OP * Vector3d(places.col(k))));
   for (const SurfacePoint& point : surface.points)
-    gap = std::min(gap, object.distance(X_OP * place_of(point, places)));
+    gap = std::min(gap, object.distance(X_OP * point_position(point, places)));
   return gap;
 }
 
-bool meets_edge(const ContactSurface& surface, const Shape& object, const Pose<double>& X_PO,
-                const VectorXd& x) {
+bool has_edge_nearby(const ContactSurface& surface, const Shape& object, const Pose<double>& X_PO,
+                     const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
-  const Matrix3Xd places = places_of(surface, x);
-  // The nearest place of the object, and its normal there.
+  const Matrix3Xd places = deformed_positions(surface, x);
+  // Nearest point of the object, and its normal there, in the object's frame.
   struct Nearest {
     double distance;
-    Vector3d place, normal;
+    Vector3d position, normal;
   };
   const auto nearest = [&](const Vector3d& p) {
     const NearestSurface at = object.nearest(X_OP * p);
@@ -171,104 +177,105 @@ bool meets_edge(const ContactSurface& surface, const Shape& object, const Pose<d
   std::vector<Nearest> at_nodes;
   for (Eigen::Index k = 0; k < places.cols(); ++k)
     at_nodes.push_back(nearest(Vector3d(places.col(k))));
-  return std::any_of(surface.points.begin(), surface.points.end(), [&](const SurfacePoint& point) {
+  return any_of(surface.points, [&](const SurfacePoint& point) {
     const auto at = [&](const NodeWeight& each) -> const Nearest& {
       return at_nodes[static_cast<std::size_t>(each.node)];
     };
-    // A point whose nodes are all far from the object shows no edge.
-    const bool far = std::all_of(
-        point.nodes.begin(), point.nodes.end(),
-        [&](const NodeWeight& each) { return at(each).distance > kFarGapShare * point.size; });
+    // Skip points whose nodes are all far from the object.
+    const bool far = all_of(point.nodes, [&](const NodeWeight& each) {
+      return at(each).distance > kFarGapRatio * point.size;
+    });
     if (far) return false;
-    const Nearest here = nearest(place_of(point, places));
-    return std::any_of(point.nodes.begin(), point.nodes.end(), [&](const NodeWeight& each) {
-      // Normals that turn much between places close to each other show an edge.
+    // Look for normals that turn much between nearby points of the object.
+    const Nearest here = nearest(point_position(point, places));
+    return any_of(point.nodes, [&](const NodeWeight& each) {
       const Vector3d turn = at(each).normal - here.normal;
-      const double along = std::abs(turn.dot(at(each).place - here.place));
-      return turn.norm() > kEdgeTurn && along < kEdgeRadius * point.size * turn.squaredNorm();
+      const double along = std::abs(turn.dot(at(each).position - here.position));
+      return turn.norm() > kEdgeTurn && along < kEdgeRadiusRatio * point.size * turn.squaredNorm();
     });
   });
 }
 
 MeanGaps::MeanGaps(const ContactSurface& surface)
-    : surface_(surface), slopes_(surface.nodes.size()) {
+    : surface_(surface), gradients_(surface.nodes.size()) {
   const auto count = static_cast<Eigen::Index>(surface.nodes.size());
-  gap_ = more_ = VectorXd::Zero(count);
+  gap_ = mean_offset_ = VectorXd::Zero(count);
   normal_ = mean_normal_ = Matrix3Xd::Zero(3, count);
 }
 
-void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorXd& x) {
+void MeanGaps::update(const Shape& object, const Pose<double>& X_PO, const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
-  const Matrix3Xd places = places_of(surface_, x);
-  // Distances of the nodes, whose slopes are the object's normals.
+  const Matrix3Xd places = deformed_positions(surface_, x);
+  // Start from the distances of the nodes, whose gradients are the object's normals.
   for (Eigen::Index k = 0; k < places.cols(); ++k) {
     const NearestSurface at = object.nearest(X_OP * Vector3d(places.col(k)));
     gap_[k] = at.distance;
     normal_.col(k) = X_PO.R * at.normal;
     const int node = static_cast<int>(k);
-    slopes_[static_cast<std::size_t>(k)] = {{node, node, normal_.col(k)}};
+    gradients_[static_cast<std::size_t>(k)] = {{node, node, normal_.col(k)}};
   }
   mean_normal_ = normal_;
-  more_.setZero();
-  neighbours_matter_ = false;
+  mean_offset_.setZero();
+  depends_on_neighbours_ = false;
   for (const SurfacePoint& point : surface_.points) {
-    // Distance and normal that the nodes give the point by interpolation.
+    // Interpolate the distances and normals of the nodes at the point.
     Vector3d mean(0, 0, 0);
-    double nearest = 1e300, distance = 0;
+    double nearest = kInfinity, distance = 0;
     for (const NodeWeight& each : point.nodes) {
       distance += each.weight * gap_[each.node];
       mean += each.weight * normal_.col(each.node);
       nearest = std::min(nearest, gap_[each.node]);
     }
-    if (nearest > kFarGapShare * point.size) continue;
-    const NearestSurface at = object.nearest(X_OP * place_of(point, places));
+    if (nearest > kFarGapRatio * point.size) continue;
+    const NearestSurface at = object.nearest(X_OP * point_position(point, places));
     const Vector3d normal = X_PO.R * at.normal;
-    // Each node takes its share of what the true distance and normal have beyond these.
+    // Distribute the differences of the true distance and normal to the nodes.
     for (const NodeWeight& each : point.nodes) {
       const double share = each.weight * point.area / surface_.area[each.node];
-      more_[each.node] += share * (at.distance - distance);
+      mean_offset_[each.node] += share * (at.distance - distance);
       mean_normal_.col(each.node) += share * (normal - mean);
       for (const NodeWeight& other : point.nodes)
-        add_slope(each.node, other.node, share * other.weight * (normal - normal_.col(other.node)));
+        add_gradient(each.node, other.node,
+                     share * other.weight * (normal - normal_.col(other.node)));
     }
   }
-  gap_ += more_;
+  gap_ += mean_offset_;
   for (Eigen::Index k = 0; k < places.cols(); ++k)
     if (mean_normal_.col(k).squaredNorm() > 0) mean_normal_.col(k).normalize();
 }
 
-void MeanGaps::add_slope(int row, int node, const Vector3d& by) {
-  neighbours_matter_ = neighbours_matter_ || by.squaredNorm() > 1e-20;
-  std::vector<Slope>& list = slopes_[static_cast<std::size_t>(row)];
+void MeanGaps::add_gradient(int row, int node, const Vector3d& value) {
+  depends_on_neighbours_ = depends_on_neighbours_ || value.squaredNorm() > kNegligibleGradient;
+  std::vector<Gradient>& list = gradients_[static_cast<std::size_t>(row)];
   const auto known = std::find_if(list.begin(), list.end(),
-                                  [&](const Slope& slope) { return slope.node == node; });
+                                  [&](const Gradient& each) { return each.node == node; });
   if (known == list.end())
-    list.push_back({row, node, by});
+    list.push_back({row, node, value});
   else
-    known->by += by;
+    known->value += value;
 }
 
-VectorXd MeanGaps::change(const Matrix3Xd& moved) const {
+VectorXd MeanGaps::gap_changes(const Matrix3Xd& moved) const {
   VectorXd out = VectorXd::Zero(moved.cols());
-  for (const std::vector<Slope>& list : slopes_)
-    for (const Slope& slope : list) out[slope.row] += slope.by.dot(moved.col(slope.node));
+  for (const std::vector<Gradient>& list : gradients_)
+    for (const Gradient& each : list) out[each.row] += each.value.dot(moved.col(each.node));
   return out;
 }
 
-std::vector<MeanGaps::Slope> MeanGaps::slopes(const std::vector<int>& nodes) const {
-  std::vector<Slope> out;
+std::vector<MeanGaps::Gradient> MeanGaps::gap_gradients(const std::vector<int>& nodes) const {
+  std::vector<Gradient> out;
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (const Slope& slope : slopes_[static_cast<std::size_t>(nodes[i])])
-      if (neighbours_matter_ || slope.node == slope.row)
-        out.push_back({static_cast<int>(i), slope.node, slope.by});
+    for (const Gradient& each : gradients_[static_cast<std::size_t>(nodes[i])])
+      if (depends_on_neighbours_ || each.node == each.row)
+        out.push_back({static_cast<int>(i), each.node, each.value});
   return out;
 }
 
-Matrix3Xd MeanGaps::spread(const VectorXd& push) const {
+Matrix3Xd MeanGaps::nodal_forces(const VectorXd& push) const {
   Matrix3Xd out = Matrix3Xd::Zero(3, push.size());
-  for (const std::vector<Slope>& list : slopes_)
-    for (const Slope& slope : list)
-      if (push[slope.row] != 0) out.col(slope.node) += push[slope.row] * slope.by;
+  for (const std::vector<Gradient>& list : gradients_)
+    for (const Gradient& each : list)
+      if (push[each.row] != 0) out.col(each.node) += push[each.row] * each.value;
   return out;
 }
 

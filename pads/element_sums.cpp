@@ -19,7 +19,7 @@ THENAR_INLINE void put(double* x, const Lanes& v) { std::memcpy(x, &v, sizeof v)
 
 THENAR_INLINE double sum_of(const Lanes& v) { return (v[0] + v[2]) + (v[1] + v[3]); }
 
-/// Sums of four vectors.
+/// Returns the sums of the entries of four vectors.
 THENAR_INLINE Lanes sums_of(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
   const Lanes ab =
       __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
@@ -28,11 +28,11 @@ THENAR_INLINE Lanes sums_of(const Lanes& a, const Lanes& b, const Lanes& c, cons
   return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
-/// F = 1 + sum u_a dN_a/dX of four points, its determinant and the spatial gradients.
+/// Computes F = 1 + sum u_a dN_a/dX of four points, its determinant and the spatial gradients.
 template <int N>
 THENAR_INLINE void kinematics(int points, const double* gradient, const double* u,
                               PointKinematics& out, int q) {
-  // Deformation gradient, column by column.
+  // Sum the deformation gradient, column by column.
   Lanes F[9]{};
   for (int a = 0; a < N; ++a)
     for (int j = 0; j < 3; ++j) {
@@ -41,19 +41,19 @@ THENAR_INLINE void kinematics(int points, const double* gradient, const double* 
     }
   for (int i = 0; i < 3; ++i) F[4 * i] += Lanes{} + 1;
   for (int k = 0; k < 9; ++k) put(out.F + k * points + q, F[k]);
-  // Cofactors: columns of F^-T times J.
+  // Compute the cofactors, columns of F^-T times J.
   Lanes C[9];
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i) {
       const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
       C[3 * j + i] = F[3 * j1 + i1] * F[3 * j2 + i2] - F[3 * j1 + i2] * F[3 * j2 + i1];
     }
-  // Determinant, and F^-T from the cofactors.
+  // Compute the determinant, and F^-T from the cofactors.
   const Lanes J = F[0] * C[0] + F[1] * C[1] + F[2] * C[2];
   put(out.J + q, J);
   const Lanes over = 1.0 / J;
   for (Lanes& each : C) each *= over;
-  // Spatial gradients  g_a = F^-T dN_a/dX.
+  // Compute the spatial gradients  g_a = F^-T dN_a/dX.
   for (int a = 0; a < N; ++a) {
     const Lanes x = lanes_at(gradient + (3 * a) * points + q),
                 y = lanes_at(gradient + (3 * a + 1) * points + q),
@@ -66,7 +66,7 @@ THENAR_INLINE void kinematics(int points, const double* gradient, const double* 
 template <int N>
 THENAR_INLINE void forces(int points, const double* g, const PointStresses& at, double* force) {
   for (int a = 0; a < N; ++a) {
-    // Force on a node: the sum of tau g_a over the points.
+    // Sum tau g_a over the points.
     Lanes x{}, y{}, z{};
     for (int q = 0; q < points; q += 4) {
       const auto tau = [&](int p) __attribute__((always_inline)) {
@@ -98,13 +98,13 @@ THENAR_INLINE NodeStress node_stress(int points, const double* g, const PointStr
   const auto c = [&](int p, int r) __attribute__((always_inline)) {
     return lanes_at(at.c + (p < r ? tangent_entry(p, r) : tangent_entry(r, p)) * points + q);
   };
-  // Columns of c B_b.
+  // Compute the columns of c B_b.
   for (int p = 0; p < 6; ++p) {
     out.t[0][p] = c(p, 0) * x + c(p, 3) * y + c(p, 5) * z;
     out.t[1][p] = c(p, 1) * y + c(p, 3) * x + c(p, 4) * z;
     out.t[2][p] = c(p, 2) * z + c(p, 4) * y + c(p, 5) * x;
   }
-  // Stress along the gradient, tau g_b.
+  // Compute the stress along the gradient, tau g_b.
   const auto tau = [&](int p) __attribute__((always_inline)) {
     return lanes_at(at.tau + p * points + q);
   };
@@ -116,12 +116,13 @@ THENAR_INLINE NodeStress node_stress(int points, const double* g, const PointStr
 
 template <int N>
 THENAR_INLINE void stiffness(int points, const double* g, const PointStresses& at, double* K) {
-  NodeStress of[kMostPoints / 4];
+  NodeStress of[kMaxPoints / 4];
   for (int b = 0; b < N; ++b) {
-    // Parts of node b, which all blocks of its column share.
+    // Compute the factors of node b, which all blocks of its column share.
     for (int q = 0; q < points; q += 4) of[q / 4] = node_stress(points, g, at, b, q);
     for (int a = 0; a <= b; ++a) {
-      // Block of nodes a <= b, by columns:  B_a' c B_b  and, on its diagonal, g_a . tau g_b.
+      // Sum the block of nodes a <= b, by columns:  B_a' c B_b  and, on its diagonal, g_a . tau
+      // g_b.
       Lanes sum[9]{};
       for (int q = 0; q < points; q += 4) {
         const NodeStress& right = of[q / 4];
@@ -137,7 +138,7 @@ THENAR_INLINE void stiffness(int points, const double* g, const PointStresses& a
           sum[4 * j] += geometric;
         }
       }
-      // Sums over the four lanes, into K.
+      // Add the sums over the four lanes to K.
       const Lanes first = sums_of(sum[0], sum[1], sum[2], sum[3]),
                   second = sums_of(sum[4], sum[5], sum[6], sum[7]);
       double* column = K + 3 * b * 3 * N + 3 * a;

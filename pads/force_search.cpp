@@ -11,90 +11,88 @@
 namespace thenar {
 namespace {
 
-constexpr int kMostTrials = 60;  // Most depths that a search tries
-// The next step in depth grows by this factor after a depth is solved [1]
-constexpr double kWayGrowth = 1.5;
-constexpr double kLongestWay = 4;  // Longest step in depth, over the first [1]
-// Shortest step in depth, over the first; the search ends below it [1]
-constexpr double kLeastWayShare = 1e-3;
-// A new depth keeps this share of a bracket away from both of its ends [1]
-constexpr double kEndShare = 0.05;
+constexpr int kMaxTrials = 60;       // solved and failed steps of a search
+constexpr double kStepGrowth = 1.5;  // growth of the step in depth after a solved depth [1]
+constexpr double kMaxStepRatio = 4;  // longest step in depth over the first [1]
+// Shortest step in depth over the first; the search fails below it [1]
+constexpr double kMinStepRatio = 1e-3;
+// Least distance of a new depth from the ends of a bracket, over its length [1]
+constexpr double kBracketMargin = 0.05;
 
-/// A depth that was solved.
+/// Solution at a depth.
 struct SolvedDepth {
-  double depth = 0;  // from the goal's pose [m]
+  double depth = 0;  // distance from the goal's pose along its direction [m]
   double force = 0;  // [N]
   PressState state;
 };
 
 class ForceSearch {
  public:
-  ForceSearch(const PressStepper& step, const PressGoal& goal, double first,
+  ForceSearch(const PressStepper& step, const PressGoal& goal, double first_step,
               const PressState& start)
       : step_(step),
         goal_(goal),
         start_(start),
-        shortest_(kLeastWayShare * first),
-        longest_(kLongestWay * first),
-        way_(first) {}
+        min_step_(kMinStepRatio * first_step),
+        max_step_(kMaxStepRatio * first_step),
+        depth_step_(first_step) {}
 
   PressOutcome run(PressState& state) {
     PressOutcome out;
     bool ended = false;
-    // Depths until two enclose the force, then each time Newton's method to the force itself.
-    while (!ended && trials_ < kMostTrials && way_ > shortest_) {
+    // Try depths; once two of them bracket the force, also try Newton's method to the force itself.
+    while (!ended && trials_ < kMaxTrials && depth_step_ > min_step_) {
       out = try_depth(next_depth());
       ended = out.status == Status::kStopped;
-      if (out.status == Status::kSolved && below_ && above_) ended = ends(state, out);
+      if (out.status == Status::kSolved && below_ && above_) ended = solve_to_force(state, out);
     }
-    if (!ended) out = without_answer(out);
+    if (!ended) out = failed_outcome(out);
     out.iterations = iterations_;
     return out;
   }
 
  private:
-  /// Returns the next depth to try [m]: by linear interpolation between two depths that enclose the
+  /// Returns the next depth to try [m]: by linear interpolation between two depths that bracket the
   /// force, otherwise one step beyond the last.
   [[nodiscard]] double next_depth() const {
-    const SolvedDepth* near = nearest();
-    if (near == nullptr) return first_depth_;
-    if (!above_) return below_->depth + way_;
-    if (!below_) return above_->depth - way_;
-    // Interpolate within the bracket, off its ends, no farther than way_ from the nearer one.
+    const SolvedDepth* nearer = nearer_end();
+    if (nearer == nullptr) return first_depth_;
+    if (!above_) return below_->depth + depth_step_;
+    if (!below_) return above_->depth - depth_step_;
+    // Interpolate within the bracket, away from its ends, at most depth_step_ from the nearer one.
     const double part = (*goal_.force - below_->force) / (above_->force - below_->force);
-    const double line = below_->depth + std::clamp(part, kEndShare, 1 - kEndShare) *
+    const double line = below_->depth + std::clamp(part, kBracketMargin, 1 - kBracketMargin) *
                                             (above_->depth - below_->depth);
-    return near->depth + std::clamp(line - near->depth, -way_, way_);
+    return nearer->depth + std::clamp(line - nearer->depth, -depth_step_, depth_step_);
   }
 
   PressOutcome try_depth(double depth) {
-    // Press to the depth, whatever the force.
+    // Press to the depth without a goal for the force.
     PressGoal goal = goal_;
     goal.force.reset();
     goal.X_PO.p += depth * goal_.along;
-    const SolvedDepth* near = nearest();
+    const SolvedDepth* nearer = nearer_end();
     PressState answer;
-    PressOutcome out = step_from(near, goal, answer);
+    PressOutcome out = solve_from(nearer, goal, answer);
     if (out.status == Status::kSolved) {
-      // Solved: one end of the bracket moves, and the next way may be longer.
+      // Solved: move one end of the bracket, and lengthen the next step.
       const double force = goal_.along.dot(out.push.force);
-      was_below_ = force < *goal_.force;
-      (was_below_ ? below_ : above_) = SolvedDepth{depth, force, std::move(answer)};
-      way_ = std::min(kWayGrowth * way_, longest_);
-    } else if (near != nullptr) {
-      // Not solved: half the way from the nearer end.
-      way_ = std::abs(depth - near->depth) / 2;
+      last_is_below_ = force < *goal_.force;
+      (last_is_below_ ? below_ : above_) = SolvedDepth{depth, force, std::move(answer)};
+      depth_step_ = std::min(kStepGrowth * depth_step_, max_step_);
+    } else if (nearer != nullptr) {
+      // Failed: try half the distance from the nearer end.
+      depth_step_ = std::abs(depth - nearer->depth) / 2;
     } else {
-      // Nothing is solved yet: begin farther off, where the object presses less.
-      first_depth_ -= way_;
-      way_ = std::min(kWayGrowth * way_, longest_);
+      // Nothing is solved yet: start farther out, where the object presses less.
+      first_depth_ -= depth_step_;
+      depth_step_ = std::min(kStepGrowth * depth_step_, max_step_);
     }
     return out;
   }
 
-  /// Returns the outcome of a search without an answer, with the forces between or beyond which it
-  /// failed.
-  [[nodiscard]] PressOutcome without_answer(PressOutcome out) const {
+  /// Returns the outcome of a failed search, with the forces between or beyond which it failed.
+  [[nodiscard]] PressOutcome failed_outcome(PressOutcome out) const {
     if (out.status == Status::kSolved) out.status = Status::kStalled;
     const std::string why = out.message.empty() ? "too many trials" : out.message;
     if (below_ && above_)
@@ -107,34 +105,34 @@ class ForceSearch {
     return out;
   }
 
-  /// Newton's method from the depth that was solved last. @return whether it ended the search
-  bool ends(PressState& state, PressOutcome& out) {
+  /// Tries Newton's method to the force from the depth solved last. @return whether the search ends
+  bool solve_to_force(PressState& state, PressOutcome& out) {
     PressGoal goal = goal_;
-    const SolvedDepth& from = was_below_ ? *below_ : *above_;
+    const SolvedDepth& from = last_is_below_ ? *below_ : *above_;
     goal.X_PO.p += from.depth * goal_.along;
     PressState answer;
-    const PressOutcome found = step_from(&from, goal, answer);
+    const PressOutcome found = solve_from(&from, goal, answer);
     if (found.status == Status::kSolved) state = std::move(answer);
     out = found;
     return found.status == Status::kSolved || found.status == Status::kStopped;
   }
 
-  /// The end whose force is nearer; null: nothing was solved.
-  [[nodiscard]] const SolvedDepth* nearest() const {
+  /// Returns the end of the bracket whose force is nearer; null: nothing is solved yet.
+  [[nodiscard]] const SolvedDepth* nearer_end() const {
     if (!below_ || !above_) return below_ ? &*below_ : above_ ? &*above_ : nullptr;
     return above_->force - *goal_.force < *goal_.force - below_->force ? &*above_ : &*below_;
   }
 
-  /// Solves a step from an answer, with the history of the beginning.
-  PressOutcome step_from(const SolvedDepth* from, const PressGoal& goal, PressState& answer) {
+  /// Solves a step from the solution at a depth, with the history of the start.
+  PressOutcome solve_from(const SolvedDepth* from, const PressGoal& goal, PressState& answer) {
     ++trials_;
-    // Displacements and forces of the answer, history of the beginning.
+    // Take displacements and forces from that solution, and the history from the start.
     answer = start_;
     if (from != nullptr) {
       answer.x = from->state.x;
       answer.pressure = from->state.pressure;
-      answer.normal = from->state.normal;
-      answer.shear = from->state.shear;
+      answer.normal_force = from->state.normal_force;
+      answer.friction_force = from->state.friction_force;
       answer.spring_stiffness = from->state.spring_stiffness;
     }
     PressOutcome out = step_(goal, answer);
@@ -145,19 +143,19 @@ class ForceSearch {
   const PressStepper& step_;
   const PressGoal& goal_;
   const PressState start_;
-  double shortest_, longest_;  // of ways [m]
-  double way_;                 // to the next depth [m]
-  double first_depth_ = 0;     // where the first is sought [m]
+  double min_step_, max_step_;  // bounds of steps in depth [m]
+  double depth_step_;           // step to the next depth [m]
+  double first_depth_ = 0;      // first depth to try [m]
   std::optional<SolvedDepth> below_, above_;
-  bool was_below_ = false;  // the last depth that was solved
+  bool last_is_below_ = false;  // the depth solved last is below_
   int trials_ = 0, iterations_ = 0;
 };
 
 }  // namespace
 
-PressOutcome seek_force(const PressStepper& step, const PressGoal& goal, double first,
+PressOutcome seek_force(const PressStepper& step, const PressGoal& goal, double first_step,
                         PressState& state) {
-  return ForceSearch(step, goal, first, state).run(state);
+  return ForceSearch(step, goal, first_step, state).run(state);
 }
 
 }  // namespace thenar

@@ -21,7 +21,7 @@ std::array<int, 4> sorted(std::array<int, 4> a) {
 const std::array<std::array<int, 2>, 12>& hex_edges() {
   static const std::array<std::array<int, 2>, 12> edges = [] {
     std::array<std::array<int, 2>, 12> out{};
-    // Edges join corners whose numbers differ in one bit.
+    // Join corners whose numbers differ in one bit.
     std::size_t k = 0;
     for (const int axis : {1, 2, 4})
       for (int corner = 0; corner < 8; ++corner)
@@ -34,7 +34,7 @@ const std::array<std::array<int, 2>, 12>& hex_edges() {
 const std::array<std::array<int, 4>, 6>& hex_faces() {
   static const std::array<std::array<int, 4>, 6> faces = [] {
     std::array<std::array<int, 4>, 6> out{};
-    // Faces have corners with the same bit of `normal`, in the order 0, u, v, u + v.
+    // Collect corners with the same bit of `normal`, in the order 0, u, v, u + v.
     const std::array<std::array<int, 3>, 3> axes{{{1, 2, 4}, {2, 4, 1}, {4, 1, 2}}};
     std::size_t k = 0;
     for (const auto& [normal, u, v] : axes)
@@ -44,7 +44,7 @@ const std::array<std::array<int, 4>, 6>& hex_faces() {
   return faces;
 }
 
-Eigen::Matrix3Xd places_at_rest(const HexMesh& mesh) {
+Eigen::Matrix3Xd rest_positions(const HexMesh& mesh) {
   Eigen::Matrix3Xd places(3, mesh.nodes());
   for (int node = 0; node < mesh.nodes(); ++node) places.col(node) = mesh.place(node);
   return places;
@@ -66,8 +66,8 @@ std::vector<HexFace> marked_faces(const HexMesh& mesh, const std::vector<bool>& 
   return out;
 }
 
-std::size_t lattice_place(int a, int b) {
-  // Bits of both corners add up to 0, 1 or 2 along each axis.
+std::size_t lattice_index(int a, int b) {
+  // Add the bits of both corners to 0, 1 or 2 along each axis.
   int place = 0, step = 1;
   for (const int axis : {1, 2, 4}) {
     place += step * (((a & axis) != 0 ? 1 : 0) + ((b & axis) != 0 ? 1 : 0));
@@ -84,7 +84,7 @@ HexMesh::HexMesh(std::shared_ptr<const HexChart> chart, const Eigen::Matrix3Xd& 
     const HexCell& cell = cells_[c];
     for (const int node : cell.corners)
       require(node >= 0 && node < nodes(), "cell {} has no node {}", c, node);
-    // The three edges at each corner must be right-handed.
+    // Check that the three edges at each corner are right-handed.
     for (int corner = 0; corner < 8; ++corner) {
       const auto along = [&](int axis) -> Vector3d {
         const auto there = static_cast<std::size_t>(corner ^ axis);
@@ -116,7 +116,7 @@ int HexMesh::middle_of_edge(int a, int b) {
 int HexMesh::middle_of_face(const std::array<int, 4>& corners) {
   const auto at = faces_.find(sorted(corners));
   if (at != faces_.end()) return at->second;
-  // The mean of the middles of its four edges.
+  // Average the middles of its four edges.
   Vector3d sum(0, 0, 0);
   for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 3), std::pair(2, 3)})
     sum += chart_point(
@@ -136,24 +136,24 @@ void HexMesh::split(int index) {
   const auto at = static_cast<std::size_t>(index);
   if (cells_[at].first_child >= 0) return;
   const HexCell cell = cells_[at];
-  // The lattice of 27 nodes: corners, middles of edges, faces, and of the cell.
+  // Collect the 27 nodes: corners, middles of edges and faces.
   std::array<int, 27> lattice{};
   const auto node_of = [&](int corner) { return cell.corners[static_cast<std::size_t>(corner)]; };
-  for (int c = 0; c < 8; ++c) lattice[lattice_place(c, c)] = node_of(c);
+  for (int c = 0; c < 8; ++c) lattice[lattice_index(c, c)] = node_of(c);
   for (const auto& [a, b] : hex_edges())
-    lattice[lattice_place(a, b)] = middle_of_edge(node_of(a), node_of(b));
+    lattice[lattice_index(a, b)] = middle_of_edge(node_of(a), node_of(b));
   Vector3d sum(0, 0, 0);
   for (const std::array<int, 4>& face : hex_faces()) {
     const int middle =
         middle_of_face({node_of(face[0]), node_of(face[1]), node_of(face[2]), node_of(face[3])});
-    lattice[lattice_place(face[0], face[3])] = middle;
+    lattice[lattice_index(face[0], face[3])] = middle;
     sum += chart_point(middle);
   }
-  // Middle of the cell: mean of the middles of its faces.
+  // Add the middle of the cell, the mean of the middles of its faces.
   std::vector<NodeWeight> from;
   for (const int corner : cell.corners) from.push_back({corner, 0.125});
-  lattice[lattice_place(0, 7)] = add_node(sum / 6, std::move(from));
-  // Eight children.
+  lattice[lattice_index(0, 7)] = add_node(sum / 6, std::move(from));
+  // Add eight children.
   cells_[at].first_child = static_cast<int>(cells_.size());
   for (int child = 0; child < 8; ++child) {
     HexCell part;
@@ -161,7 +161,7 @@ void HexMesh::split(int index) {
     part.level = cell.level + 1;
     part.parent = index;
     for (int c = 0; c < 8; ++c)
-      part.corners[static_cast<std::size_t>(c)] = lattice[lattice_place(child, c)];
+      part.corners[static_cast<std::size_t>(c)] = lattice[lattice_index(child, c)];
     cells_.push_back(part);
   }
 }
@@ -173,14 +173,14 @@ int HexMesh::edge_node_in_use(int a, int b) const {
 
 bool HexMesh::must_split(const HexCell& cell) const {
   const auto node_of = [&](int corner) { return cell.corners[static_cast<std::size_t>(corner)]; };
-  // A half of an edge is cut again: the neighbour is two levels finer.
+  // Look for a half of an edge that is split again: the neighbour is two levels finer.
   for (const auto& [a, b] : hex_edges()) {
     const int middle = edge_node_in_use(node_of(a), node_of(b));
     if (middle < 0) continue;
     if (edge_node_in_use(node_of(a), middle) >= 0 || edge_node_in_use(middle, node_of(b)) >= 0)
       return true;
   }
-  // The line from the middle of an edge to that of a face is cut again.
+  // Look for a split line between the middles of an edge and of a face.
   for (const std::array<int, 4>& face : hex_faces()) {
     const std::array<int, 4> corners{node_of(face[0]), node_of(face[1]), node_of(face[2]),
                                      node_of(face[3])};
@@ -220,11 +220,11 @@ void HexMesh::coarsen(const std::vector<int>& cells) {
     HexCell& cell = cells_[static_cast<std::size_t>(index)];
     const int first = cell.first_child;
     if (first < 0) continue;
-    // Only cells whose children are active can be coarsened.
+    // Skip cells with a child that has children.
     const bool bare = std::all_of(cells_.begin() + first, cells_.begin() + first + 8,
                                   [](const HexCell& child) { return child.first_child < 0; });
     if (!bare) continue;
-    // Try it, and undo it where the balance is lost.
+    // Remove the children, and restore them if the balance is lost.
     cell.first_child = -1;
     list_active();
     if (must_split(cell)) {
@@ -235,7 +235,7 @@ void HexMesh::coarsen(const std::vector<int>& cells) {
 }
 
 void HexMesh::list_active() {
-  // From the coarsest cells down, so that children that were taken back are not met.
+  // Descend from the coarsest cells, so that removed children are skipped.
   active_.clear();
   std::vector<int> open;
   for (std::size_t c = 0; c < cells_.size(); ++c)
@@ -250,7 +250,7 @@ void HexMesh::list_active() {
       for (int k = 0; k < 8; ++k) open.push_back(child + k);
   }
   std::sort(active_.begin(), active_.end());
-  // Nodes of active cells are in use.
+  // Mark the nodes of active cells as used.
   in_use_.assign(chart_points_.size(), false);
   for (const int cell : active_)
     for (const int node : cells_[static_cast<std::size_t>(cell)].corners)
@@ -260,7 +260,7 @@ void HexMesh::list_active() {
 
 void HexMesh::find_hanging() {
   masters_.assign(chart_points_.size(), {});
-  // Middles in use of the edges and faces of active cells hang.
+  // Find used middles of the edges and faces of active cells, which hang.
   for (const int index : active_) {
     const HexCell& cell = cells_[static_cast<std::size_t>(index)];
     const auto node_of = [&](int corner) { return cell.corners[static_cast<std::size_t>(corner)]; };
@@ -279,7 +279,7 @@ void HexMesh::find_hanging() {
       for (const int corner : corners) from.push_back({corner, 0.25});
     }
   }
-  // Masters that hang themselves are replaced by theirs, which are coarser.
+  // Replace masters that hang themselves by their own masters, which are coarser.
   for (std::vector<NodeWeight>& from : masters_)
     for (std::size_t k = 0; k < from.size();) {
       const NodeWeight at = from[k];
@@ -300,7 +300,8 @@ void HexMesh::find_hanging() {
       }
       k = 0;
     }
-  // A hanging node is placed at the mean of its masters, or a rigid rotation would strain its cell.
+  // Place hanging nodes at the mean of their masters; otherwise a rigid rotation would cause
+  // strain.
   places_ = on_chart_;
   for (std::size_t node = 0; node < places_.size(); ++node) {
     if (masters_[node].empty()) continue;
@@ -315,7 +316,7 @@ HexMesh box_mesh(const Vector3d& size, const Eigen::Vector3i& cells) {
    public:
     [[nodiscard]] Vector3d place(const Vector3d& c) const override { return c; }
   };
-  // Lattice of points, first axis fastest.
+  // Create the lattice of points, first axis fastest.
   const Eigen::Vector3i points = cells.array() + 1;
   Eigen::Matrix3Xd at(3, points.prod());
   const auto node = [&](int i, int j, int k) { return (k * points[1] + j) * points[0] + i; };
@@ -324,7 +325,7 @@ HexMesh box_mesh(const Vector3d& size, const Eigen::Vector3i& cells) {
       for (int i = 0; i < points[0]; ++i)
         at.col(node(i, j, k)) =
             Vector3d(i, j, k).cwiseQuotient(cells.cast<double>()).cwiseProduct(size);
-  // Cells between the points; the bits of a corner are its steps along the axes.
+  // Create the cells; the bits of a corner are its steps along the axes.
   std::vector<HexCell> list;
   for (int k = 0; k < cells[2]; ++k)
     for (int j = 0; j < cells[1]; ++j)

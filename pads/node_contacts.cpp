@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/lists.h"
+
 namespace thenar {
 
 using Eigen::Matrix3d;
@@ -9,96 +11,105 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-void find_contacts(PressIterate& at) {
-  at.gaps.find(*at.object.shape, at.now.X_PO, at.now.x);
-  for (std::size_t k = 0; k < at.contacts.size(); ++k) {
-    TouchingNode& c = at.contacts[k];
+void update_contacts(PressIterate& iterate) {
+  iterate.gaps.update(*iterate.object.shape, iterate.state.X_PO, iterate.state.x);
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
+    NodeContact& c = iterate.contacts[k];
     const auto column = static_cast<Eigen::Index>(k);
-    // Augmented normal force  (normal - stiffness gap)+.
-    c.push = std::max(0.0, at.now.normal[column] - at.stiffness[k] * at.gaps.gap(k));
-    c.shear.setZero();
-    c.slips = c.push > 0;
-    c.cut = 0;
-    if (c.push <= 0 || at.object.friction <= 0) continue;
-    // Friction: the last force minus a spring times the slip, cut to the cone.
-    const Vector3d trial =
-        at.across(k, Vector3d(at.now.shear.col(column))) - at.stiffness[k] * at.slip_of(k);
-    const double bound = at.object.friction * c.push, size = trial.norm();
+    const double stiffness = iterate.node_stiffness[k];
+    // Augment the normal force:  max(0, normal force - stiffness gap).
+    c.normal_force =
+        std::max(0.0, iterate.state.normal_force[column] - stiffness * iterate.gaps.gap(k));
+    c.friction_force.setZero();
+    c.slips = c.normal_force > 0;
+    c.friction_scale = 0;
+    if (c.normal_force <= 0 || iterate.object.friction <= 0) continue;
+    // Augment the friction by a spring times the slip, and scale it back to the cone.
+    const Vector3d last = iterate.tangential(k, iterate.state.friction_force.col(column));
+    const Vector3d trial = last - stiffness * iterate.node_slip(k);
+    const double bound = iterate.object.friction * c.normal_force, size = trial.norm();
     c.slips = size > bound;
-    c.cut = c.slips ? bound / size : 1;
-    c.way = c.last = Vector3d(0, 0, 0);
-    // Direction of slip, and the last friction over the bound, for the slope.
+    c.friction_scale = c.slips ? bound / size : 1;
+    c.slip_direction = c.last_friction_ratio = Vector3d(0, 0, 0);
+    // Keep the direction of slip and the last friction for the slope.
     if (c.slips) {
-      c.way = trial / size;
-      const Vector3d last = at.across(k, Vector3d(at.now.shear.col(column)));
-      c.last = last / std::max(bound, last.norm());
+      c.slip_direction = trial / size;
+      c.last_friction_ratio = last / std::max(bound, last.norm());
     }
-    c.shear = c.cut * trial;
+    c.friction_force = c.friction_scale * trial;
   }
 }
 
-Matrix3Xd normal_forces(const PressIterate& at) {
-  VectorXd push(static_cast<Eigen::Index>(at.contacts.size()));
-  for (std::size_t k = 0; k < at.contacts.size(); ++k)
-    push[static_cast<Eigen::Index>(k)] = at.contacts[k].push;
-  return at.gaps.spread(push);
+Matrix3Xd normal_forces(const PressIterate& iterate) {
+  VectorXd forces(static_cast<Eigen::Index>(iterate.contacts.size()));
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
+    forces[static_cast<Eigen::Index>(k)] = iterate.contacts[k].normal_force;
+  return iterate.gaps.nodal_forces(forces);
 }
 
-IterateTurn judge_iterate(PressIterate& at, const Matrix3Xd& u, PressOutcome& out) {
-  find_contacts(at);
-  at.measure(normal_forces(at), out);
-  if (at.is_solved(out)) {
-    at.end(u, out);
-    return IterateTurn::kEnded;
+IterateAction assess_iterate(PressIterate& iterate, const Matrix3Xd& u, PressOutcome& out) {
+  update_contacts(iterate);
+  iterate.measure_residual(normal_forces(iterate), out);
+  if (iterate.is_converged(out)) {
+    iterate.accept(u, out);
+    return IterateAction::kEnded;
   }
-  if (!at.goal.force || at.scale != 0) return IterateTurn::kStep;
-  return at.go_to_touch(out) ? IterateTurn::kMoved : IterateTurn::kEnded;
+  if (!iterate.goal.force || iterate.total_force != 0) return IterateAction::kStep;
+  return iterate.move_to_contact(out) ? IterateAction::kMoved : IterateAction::kEnded;
 }
 
-Matrix3d own_slope(const PressIterate& at, std::size_t k) {
-  const TouchingNode& c = at.contacts[k];
-  if (c.push <= 0) return Matrix3d::Zero();
-  // Normal stiffness, and that of friction in the tangent plane, less along the slip.
-  const Vector3d own = at.gaps.own_slope(k), normal = at.gaps.normal(k);
-  const Matrix3d plane = Matrix3d::Identity() - normal * normal.transpose() -
-                         c.last.dot(c.way) * c.way * c.way.transpose();
-  return at.stiffness[k] * (own * own.transpose() + c.cut * plane);
+Matrix3d own_stiffness(const PressIterate& iterate, std::size_t k) {
+  const NodeContact& c = iterate.contacts[k];
+  if (c.normal_force <= 0) return Matrix3d::Zero();
+  // Add the stiffness of friction in the tangent plane, reduced along the slip, to the normal one.
+  const Vector3d own = iterate.gaps.own_gradient(k), normal = iterate.gaps.normal(k);
+  const Matrix3d plane =
+      Matrix3d::Identity() - normal * normal.transpose() -
+      c.last_friction_ratio.dot(c.slip_direction) * c.slip_direction * c.slip_direction.transpose();
+  return iterate.node_stiffness[k] * (own * own.transpose() + c.friction_scale * plane);
 }
 
-void add_own_slopes(PressIterate& at) {
-  for (std::size_t k = 0; k < at.contacts.size(); ++k) at.add_block(k, own_slope(at, k));
+void add_own_stiffness(PressIterate& iterate) {
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
+    iterate.add_node_block(k, own_stiffness(iterate, k));
 }
 
-Vector3d lost_shear(const PressIterate& at, std::size_t k, const Vector3d& moved, double lost) {
-  const TouchingNode& c = at.contacts[k];
-  const Vector3d slid = at.across(k, moved);
-  return at.stiffness[k] * c.cut * (slid - c.way.dot(slid) * c.last) +
-         at.object.friction * lost * c.way;
+Vector3d lost_friction(const PressIterate& iterate, std::size_t k, const Vector3d& moved,
+                       double lost) {
+  const NodeContact& c = iterate.contacts[k];
+  const Vector3d slid = iterate.tangential(k, moved);
+  return iterate.node_stiffness[k] * c.friction_scale *
+             (slid - c.slip_direction.dot(slid) * c.last_friction_ratio) +
+         iterate.object.friction * lost * c.slip_direction;
 }
 
-Matrix3Xd contact_loss(const PressIterate& at, const Matrix3Xd& moved) {
-  // Normal forces lost as gaps open, then friction.
-  VectorXd lost = at.gaps.change(moved);
-  for (std::size_t k = 0; k < at.contacts.size(); ++k)
-    lost[static_cast<Eigen::Index>(k)] *= at.contacts[k].push > 0 ? at.stiffness[k] : 0;
-  Matrix3Xd out = at.gaps.spread(lost);
-  for (std::size_t k = 0; at.object.friction > 0 && k < at.contacts.size(); ++k) {
+Matrix3Xd contact_force_loss(const PressIterate& iterate, const Matrix3Xd& moved) {
+  // Sum the normal forces lost as gaps open, then friction.
+  VectorXd lost = iterate.gaps.gap_changes(moved);
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
+    lost[static_cast<Eigen::Index>(k)] *=
+        iterate.contacts[k].normal_force > 0 ? iterate.node_stiffness[k] : 0;
+  Matrix3Xd out = iterate.gaps.nodal_forces(lost);
+  for (std::size_t k = 0; iterate.object.friction > 0 && k < iterate.contacts.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    if (at.contacts[k].push > 0)
-      out.col(column) += lost_shear(at, k, Vector3d(moved.col(column)), lost[column]);
+    if (iterate.contacts[k].normal_force > 0)
+      out.col(column) += lost_friction(iterate, k, Vector3d(moved.col(column)), lost[column]);
   }
   return out;
 }
 
-std::vector<int> contact_states(const PressIterate& at) {
-  std::vector<int> out;
-  for (const TouchingNode& c : at.contacts) out.push_back(c.push <= 0 ? 0 : c.slips ? 2 : 1);
+std::vector<ContactState> contact_states(const PressIterate& iterate) {
+  std::vector<ContactState> out;
+  for (const NodeContact& c : iterate.contacts)
+    out.push_back(c.normal_force <= 0 ? ContactState::kOpen
+                  : c.slips           ? ContactState::kSlips
+                                      : ContactState::kSticks);
   return out;
 }
 
-bool some_slip(const PressIterate& at) {
-  return at.object.friction > 0 && std::any_of(at.contacts.begin(), at.contacts.end(),
-                                               [](const TouchingNode& c) { return c.slips; });
+bool has_sliding_nodes(const PressIterate& iterate) {
+  return iterate.object.friction > 0 &&
+         any_of(iterate.contacts, [](const NodeContact& c) { return c.slips; });
 }
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Augmented contact laws of nodes, and their slopes.
+/// Augmented contact laws of surface nodes, and their stiffness.
 
 #include <vector>
 
@@ -10,40 +10,49 @@
 
 namespace thenar {
 
-/// Sets the forces that the laws of contact make of the last ones, of gaps and of slips: at an
-/// answer they are the last ones. Sources: [AlartCurnier1991], [SimoLaursen1992].
-void find_contacts(PressIterate& at);
+/// Updates the contact forces by the augmented Lagrangian: from the forces of the last iterate, the
+/// gaps and the slips. At a solution they equal those of the last iterate.
+/// Sources: [AlartCurnier1991], [SimoLaursen1992].
+void update_contacts(PressIterate& iterate);
 
-/// Forces along normals on nodes of the surface [N] (3, nodes).
-[[nodiscard]] Eigen::Matrix3Xd normal_forces(const PressIterate& at);
+/// Returns the normal forces on the surface nodes [N] (3, nodes).
+[[nodiscard]] Eigen::Matrix3Xd normal_forces(const PressIterate& iterate);
 
-/// Way on from an iterate: by a step, from where the object was moved to, or nowhere.
-enum class IterateTurn { kStep, kMoved, kEnded };
+/// Action that follows the assessment of an iterate: take a step, evaluate again because the object
+/// was moved, or end.
+enum class IterateAction { kStep, kMoved, kEnded };
 
-/// Finds contacts and measures what is out of balance: ends what is solved, and moves an object
+/// Updates the contacts and measures the residual. Accepts a converged iterate, and moves an object
 /// that seeks a force to where it touches.
 /// @param u  displacements of all nodes [m] (3, nodes)
-[[nodiscard]] IterateTurn judge_iterate(PressIterate& at, const Eigen::Matrix3Xd& u,
-                                        PressOutcome& out);
+[[nodiscard]] IterateAction assess_iterate(PressIterate& iterate, const Eigen::Matrix3Xd& u,
+                                           PressOutcome& out);
 
-/// Part of the slope of contact forces that a factor takes: a node's own, less the friction that a
-/// normal force brings, which is not symmetric [N/m] (3, 3).
-[[nodiscard]] Eigen::Matrix3d own_slope(const PressIterate& at, std::size_t k);
-/// Adds it of all nodes to the tangent.
-void add_own_slopes(PressIterate& at);
+/// Returns the symmetric stiffness of a node's contact by its own motion, which is added to the
+/// tangent [N/m] (3, 3). The dependence of friction on the normal force, which is not symmetric, is
+/// left out.
+[[nodiscard]] Eigen::Matrix3d own_stiffness(const PressIterate& iterate, std::size_t k);
+/// Adds own_stiffness() of all nodes to the tangent.
+void add_own_stiffness(PressIterate& iterate);
 
-/// Loss of friction on a node that touches, as it moves and loses normal force [N] (3). Its slope
-/// of sliding friction is that of [HueeberStadlerWohlmuth2008], without which nodes turn from stick
-/// to slip and back for ever.
-[[nodiscard]] Eigen::Vector3d lost_shear(const PressIterate& at, std::size_t k,
-                                         const Eigen::Vector3d& moved, double lost);
+/// Returns the loss of friction on a touching node as it moves and loses normal force [N] (3). The
+/// slope of sliding friction is that of [HueeberStadlerWohlmuth2008], without which nodes alternate
+/// between stick and slip.
+/// @param moved  motion of the node [m] (3)
+/// @param lost   normal force lost [N]
+[[nodiscard]] Eigen::Vector3d lost_friction(const PressIterate& iterate, std::size_t k,
+                                            const Eigen::Vector3d& moved, double lost);
 
-/// Loss of contact forces as nodes move [N] (3, nodes); symmetric without slip.
-[[nodiscard]] Eigen::Matrix3Xd contact_loss(const PressIterate& at, const Eigen::Matrix3Xd& moved);
+/// Returns the loss of contact forces as nodes move [N] (3, nodes); symmetric without slip.
+/// @param moved  motion of the nodes [m] (3, nodes)
+[[nodiscard]] Eigen::Matrix3Xd contact_force_loss(const PressIterate& iterate,
+                                                  const Eigen::Matrix3Xd& moved);
 
-/// State of each node: open (0), sticks (1) or slips (2).
-[[nodiscard]] std::vector<int> contact_states(const PressIterate& at);
-/// Returns whether friction follows normal forces somewhere.
-[[nodiscard]] bool some_slip(const PressIterate& at);
+enum class ContactState { kOpen, kSticks, kSlips };
+
+/// Returns the contact state of each surface node.
+[[nodiscard]] std::vector<ContactState> contact_states(const PressIterate& iterate);
+/// Returns whether a node slides under friction.
+[[nodiscard]] bool has_sliding_nodes(const PressIterate& iterate);
 
 }  // namespace thenar

@@ -7,10 +7,10 @@
 namespace thenar {
 namespace {
 
-/// The number that a constant is.
-double& entry(PadModel& pad, const PadConstant& constant) {
+/// Returns a reference to the value of a constant.
+double& constant_entry(PadModel& pad, const PadConstant& constant) {
   if (constant.kind == PadConstantKind::kBoneHeight) return pad.shape.bone_height;
-  // The tissue must exist.
+  // Check that the tissue exists.
   const auto count = static_cast<int>(pad.tissues.size());
   require(constant.tissue >= 0 && constant.tissue < count, "a pad of {} tissues has no tissue {}",
           count, constant.tissue);
@@ -30,7 +30,7 @@ double& entry(PadModel& pad, const PadConstant& constant) {
       return tissue.relaxation[static_cast<std::size_t>(constant.term)].share;
     }
     default: {
-      // Tissues go from the inside out, layers from the outside in.
+      // Tissues are ordered from the inside out, layers from the outside in.
       const auto layers = static_cast<int>(pad.shape.layers.size());
       require(constant.tissue > 0 && constant.tissue <= layers,
               "'{}' is no layer of skin, and has no thickness", tissue.name);
@@ -72,13 +72,12 @@ DisplayUnit display_unit(PadConstantKind kind) {
 }
 
 double value_of(const PadModel& pad, const PadConstant& constant) {
-  // A copy, because entry() gives access for writing.
-  PadModel copy = pad;
-  return entry(copy, constant);
+  PadModel copy = pad;  // constant_entry() needs write access
+  return constant_entry(copy, constant);
 }
 
 void set_value(PadModel& pad, const PadConstant& constant, double value) {
-  entry(pad, constant) = value;
+  constant_entry(pad, constant) = value;
 }
 
 double coordinate_of(const PadConstant& constant, double value) {

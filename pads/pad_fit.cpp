@@ -17,22 +17,22 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Step of the differences for slopes, in coordinates [1]
+// Step of the differences for derivatives, in coordinates [1]
 constexpr double kNeighbourDistance = 1e-4;
-// Eigenvalues of the information below this share of the largest count as 0 [1]
+// Largest eigenvalue of the information that counts as 0, over the largest of all [1]
 constexpr double kSingularShare = 1e-10;
-// A larger sd of a coordinate counts as infinite: slopes tell nothing so far off [1]
-constexpr double kNoTrace = 10;
-// sd of a weak prior about the start, for constants that nothing else decides [1]
+// Largest sd of a coordinate that counts as finite: derivatives do not extrapolate farther [1]
+constexpr double kMaxSd = 10;
+// sd of a weak prior about the start, for constants that nothing else determines [1]
 constexpr double kAnchorSd = 1e3;
-// Warn of two constants whose estimates are correlated more than this [1]
+// Least correlation of two estimates that causes a warning [1]
 constexpr double kJointCorrelation = 0.98;
-// Warn of a misfit above this multiple of the degrees of freedom [1]
+// Largest misfit over the degrees of freedom without a warning [1]
 constexpr double kBeyondChance = 4;
-// Warn if finer cells would shift an estimate by more sds than this [1]
+// Largest shift of an estimate on finer cells over its sd without a warning [1]
 constexpr double kMeshMatters = 0.5;
-constexpr double kUsualPads = 10;  // Presses of pads that a search usually takes, for its progress
-// Share of the time that the press on finer cells takes, for progress [1]
+constexpr double kUsualPads = 10;  // typical number of pads that a search presses, for progress
+// Share of the total time of the press on finer cells, for progress [1]
 constexpr double kFinerCells = 0.5;
 
 double quantity_of(PressQuantity quantity, const PressPoint& point) {
@@ -52,19 +52,19 @@ void check_datum(const PressRecord& record, const PressDatum& datum) {
           record.name, datum.value);
   require(datum.sd > 0 && std::isfinite(datum.sd),
           "'{}': the sd of a datum must be above 0, got {}", record.name, datum.sd);
-  // What is imposed cannot be measured.
+  // An imposed quantity cannot be measured.
   const bool by_force = record.course.loads[static_cast<std::size_t>(datum.load)].force.has_value();
   require(datum.quantity != (by_force ? PressQuantity::kForce : PressQuantity::kIndentation),
           "'{}': the {} of load {} is imposed, not measured", record.name, name_of(datum.quantity),
           datum.load);
 }
 
-/// The problem as least squares.
+/// Residuals of a fit problem and their derivatives.
 class PadResiduals {
  public:
   explicit PadResiduals(const PadFitProblem& problem, const Progress& progress)
       : problem_(problem), progress_(progress) {
-    // Coordinates of the pad's own values, about which priors are.
+    // Compute the coordinates of the pad's own values, the means of the priors.
     for (const FreeConstant& each : problem.constants) {
       own_.push_back(value_of(problem.pad, each.constant));
       start_.push_back(coordinate_of(each.constant, own_.back()));
@@ -79,7 +79,7 @@ class PadResiduals {
   [[nodiscard]] Eigen::Index data() const { return static_cast<Eigen::Index>(data_); }
   [[nodiscard]] int priors() const { return priors_; }
 
-  /// The pad at coordinates.
+  /// Returns the pad at given coordinates.
   [[nodiscard]] PadModel pad_at(const VectorXd& z) const {
     PadModel pad = problem_.pad;
     for (std::size_t i = 0; i < own_.size(); ++i) {
@@ -93,21 +93,21 @@ class PadResiduals {
     VectorXd z, r;
     MatrixXd J;
     std::vector<std::vector<double>> predictions;  // (records, data)
-    std::string failed;                            // why there are none
+    std::string failed;                            // reason why there are none
   };
 
-  /// Residuals and slopes, remembered: solvers ask again where they were.
+  /// Returns residuals and derivatives. A cache serves solvers that evaluate a point twice.
   const Answer& at(const VectorXd& z) {
     for (const Answer& each : known_)
       if (each.z == z) return each;
-    // The number of presses is not known, so progress approaches 1 without an end.
+    // Report progress that approaches 1, because the number of presses is unknown.
     progress_(presses_ / (presses_ + kUsualPads),
               presses_ == 0 ? "pressing the first pad"
                             : fmt::format("searching, {} pads pressed", presses_));
     Answer answer = evaluate(z);
     ++presses_;
     if (known_.size() >= 4) {
-      // Forget the answer with the largest residual, so that four are kept.
+      // Drop the entry with the largest residual, so that the cache holds four.
       auto worst = known_.begin();
       for (auto each = known_.begin(); each != known_.end(); ++each)
         if (!(each->r.squaredNorm() <= worst->r.squaredNorm())) worst = each;
@@ -124,21 +124,21 @@ class PadResiduals {
     out.z = z;
     out.r = VectorXd::Constant(data() + priors_, std::numeric_limits<double>::quiet_NaN());
     out.J = MatrixXd::Zero(data() + priors_, n);
-    // The pad at z, and a neighbour for each slope.
+    // Build the pad at z, and a neighbour for each derivative.
     std::vector<PadModel> pads{pad_at(z)};
     for (Eigen::Index i = 0; i < n; ++i) {
       VectorXd beside = z;
       beside[i] += kNeighbourDistance;
       pads.push_back(pad_at(beside));
     }
-    // A pad that cannot be leaves residuals that are not numbers.
+    // Leave the residuals NaN if a pad is invalid.
     for (const PadModel& pad : pads) {
       out.failed = why_impossible(pad);
       if (!out.failed.empty()) return out;
     }
     VectorXd r(out.r.size());
     Eigen::Index row = 0;
-    // Data: residuals (prediction - value) / sd, and their differences to the neighbours.
+    // Add the residuals of the data, (prediction - value) / sd, and their differences.
     for (const PressRecord& record : problem_.records) {
       const PressCurves curves = press_curves(pads, record.course, {{}, progress_.stop_requested});
       if (curves.status != Status::kSolved) {
@@ -157,7 +157,7 @@ class PadResiduals {
         ++row;
       }
     }
-    // Priors: residuals (z - z_0) / sd.
+    // Add the residuals of the priors, (z - z_0) / sd.
     for (Eigen::Index i = 0; i < n; ++i) {
       const std::optional<double>& factor =
           problem_.constants[static_cast<std::size_t>(i)].prior_factor;
@@ -180,8 +180,8 @@ class PadResiduals {
   std::vector<Answer> known_;
 };
 
-/// Residuals of the search: with rows that hold at the start, weakly, what neither data nor priors
-/// decide, so that there is always a minimum.
+/// Returns the residuals of the search, with a weak prior about the start for all coordinates, so
+/// that there is always a minimum.
 Residuals anchored(const PadResiduals::Answer& at, const VectorXd& start) {
   const Eigen::Index rows = at.r.size(), n = start.size();
   Residuals out{VectorXd(rows + n), MatrixXd(rows + n, n)};
@@ -190,14 +190,14 @@ Residuals anchored(const PadResiduals::Answer& at, const VectorXd& start) {
   return out;
 }
 
-/// Diagonal of the inverse of J'J; infinite for coordinates with a part where it is singular.
+/// Returns the diagonal of the inverse of J'J; infinite for coordinates along singular directions.
 VectorXd variances(const MatrixXd& J) {
-  // Spectrum of the information J'J.
+  // Decompose the information J'J.
   const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(J.transpose() * J);
   const VectorXd& lambda = spectrum.eigenvalues();
   const MatrixXd& v = spectrum.eigenvectors();
   const double small = kSingularShare * std::max(lambda.tail<1>()[0], 1e-300);
-  // Variance of each coordinate by its parts along eigenvectors; infinite along singular ones.
+  // Sum the variance of each coordinate along eigenvectors; infinite along singular ones.
   VectorXd out = VectorXd::Zero(J.cols());
   for (Eigen::Index k = 0; k < lambda.size(); ++k)
     for (Eigen::Index i = 0; i < out.size(); ++i) {
@@ -207,16 +207,17 @@ VectorXd variances(const MatrixXd& J) {
       else if (part > kSingularShare)
         out[i] = kInfinity;
     }
-  // An sd far beyond the reach of the slopes is as good as infinite.
+  // Treat an sd far beyond the validity of the derivatives as infinite.
   for (double& variance : out)
-    if (variance > kNoTrace * kNoTrace) variance = kInfinity;
+    if (variance > kMaxSd * kMaxSd) variance = kInfinity;
   return out;
 }
 
+/// Sets the estimates, their correlations and the misfit.
 void estimate(const PadFitProblem& problem, const PadResiduals::Answer& at, const Eigen::Index data,
               PadFitResult& result) {
   const auto n = static_cast<Eigen::Index>(problem.constants.size());
-  // Variances with and without priors, and correlations with them.
+  // Compute variances with and without priors, and correlations with priors.
   const VectorXd all = variances(at.J), alone = variances(at.J.topRows(data));
   result.correlations = MatrixXd::Identity(n, n);
   if (all.allFinite()) {
@@ -225,7 +226,7 @@ void estimate(const PadFitProblem& problem, const PadResiduals::Answer& at, cons
       for (Eigen::Index j = 0; j < n; ++j)
         if (i != j) result.correlations(i, j) = covariance(i, j) / std::sqrt(all[i] * all[j]);
   }
-  // Estimates: value, sd, whether the data alone determine it, and whether it is at a bound.
+  // Set each estimate: value, sd, whether the data determine it, and whether it is at a bound.
   for (Eigen::Index i = 0; i < n; ++i) {
     const FreeConstant& free = problem.constants[static_cast<std::size_t>(i)];
     ConstantEstimate each;
@@ -239,7 +240,7 @@ void estimate(const PadFitProblem& problem, const PadResiduals::Answer& at, cons
                     std::abs(moved - std::log(free.upper_factor)) < 1e-6;
     result.estimates.push_back(each);
   }
-  // The misfit of the data alone.
+  // Compute the misfit of the data alone.
   result.misfit = at.r.head(data).squaredNorm();
   result.degrees_of_freedom = static_cast<int>(data);
   for (const FreeConstant& each : problem.constants)
@@ -254,11 +255,11 @@ void check_mesh(const PadFitProblem& problem, const PadResiduals::Answer& at,
     result.warnings.emplace_back("the mesh is not checked: it was stopped before");
   };
   if (progress.stop()) return stopped();
-  // Presses on cells of half the size.
+  // Press the pad with cells of half the size.
   PadModel finer = result.pad;
   finer.cells = {2 * finer.cells.across, 2 * finer.cells.around, 2 * finer.cells.through};
   const std::vector<PressCurves> curves = press_records(finer, problem.records, progress);
-  // Change of the residuals.
+  // Compute the change of the residuals.
   VectorXd change = VectorXd::Zero(at.r.size());
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -275,7 +276,7 @@ void check_mesh(const PadFitProblem& problem, const PadResiduals::Answer& at,
       change[row++] = (*here.finer - here.value) / datum.sd;
     }
   }
-  // Shift by the normal equations, -(J'J)^-1 J' change.
+  // Solve the normal equations for the shift,  -(J'J)^-1 J' change.
   if (!variances(at.J).allFinite()) return;
   const VectorXd shift = -(at.J.transpose() * at.J).ldlt().solve(at.J.transpose() * change);
   for (Eigen::Index i = 0; i < shift.size(); ++i)
@@ -286,7 +287,7 @@ void warn(const PadFitProblem& problem, PadFitResult& result) {
   const auto name = [&](std::size_t i) {
     return name_of(problem.pad, problem.constants[i].constant);
   };
-  // Constants: not determined, at a bound, dependent on the mesh, or known only with another.
+  // Warn of constants that are undetermined, at a bound, mesh-dependent, or strongly correlated.
   for (std::size_t i = 0; i < result.estimates.size(); ++i) {
     const ConstantEstimate& each = result.estimates[i];
     const bool prior = problem.constants[i].prior_factor.has_value();
@@ -311,7 +312,7 @@ void warn(const PadFitProblem& problem, PadFitResult& result) {
             "{} and {} are known only together: correlation {:.3f}", name(j), name(i), together));
     }
   }
-  // A misfit beyond what chance explains.
+  // Warn of a misfit beyond chance.
   if (result.degrees_of_freedom > 0 && result.misfit > kBeyondChance * result.degrees_of_freedom)
     result.warnings.push_back(
         fmt::format("the pad misses the data: {:.3g} times what their sds allow",
@@ -320,14 +321,14 @@ void warn(const PadFitProblem& problem, PadFitResult& result) {
 
 void check_problem(const PadFitProblem& problem) {
   require(!problem.constants.empty(), "no constant of the pad is free");
-  // There must be data, each of which makes sense.
+  // Check the data.
   std::size_t data = 0;
   for (const PressRecord& record : problem.records) {
     for (const PressDatum& datum : record.data) check_datum(record, datum);
     data += record.data.size();
   }
   require(data > 0, "there are no data to fit a pad to");
-  // Constants must exist, with bounds and priors about their own values.
+  // Check that the constants exist, and their bounds and priors.
   for (const FreeConstant& each : problem.constants) {
     (void)value_of(problem.pad, each.constant);  // there is one
     const std::string name = name_of(problem.pad, each.constant);
@@ -338,7 +339,7 @@ void check_problem(const PadFitProblem& problem) {
     require(!each.prior_factor || (*each.prior_factor > 1 && std::isfinite(*each.prior_factor)),
             "the prior of {} needs a factor above 1, got {}", name, each.prior_factor.value_or(0));
   }
-  // The search begins at a pad that can be.
+  // Check the pad at which the search begins.
   const std::string impossible = why_impossible(problem.pad);
   require(impossible.empty(), "{}", impossible);
 }
@@ -361,7 +362,7 @@ std::vector<PressCurves> press_records(const PadModel& pad, const std::vector<Pr
 
 PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options) {
   check_problem(problem);
-  // Least squares in coordinates, between bounds about the pad's own values.
+  // Set up least squares in coordinates, with bounds about the pad's own values.
   ProgressParts parts(options.progress, 1);
   const Progress of_search = parts.next(options.check_mesh ? 1 - kFinerCells : 1);
   PadResiduals residuals(problem, of_search);
@@ -375,7 +376,7 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
   squares.residuals = [&](const VectorXd& z, WithJacobian) {
     return anchored(residuals.at(z), start);
   };
-  // The pad must be pressed where the search begins.
+  // Press the pad at which the search begins.
   PadFitResult result;
   result.pad = problem.pad;
   const std::string failed = residuals.at(start).failed;
@@ -385,7 +386,7 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
     return result;
   }
   require(failed.empty(), "the search cannot begin: {}", failed);
-  // Search, and the pad at its end.
+  // Search, and build the pad at the solution.
   SolveOptions search;
   search.tolerance = options.tolerance;
   search.progress.stop_requested = options.progress.stop_requested;
@@ -393,13 +394,13 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
   const PadResiduals::Answer best = residuals.at(result.solution.z);
   result.pad = residuals.pad_at(best.z);
   if (!best.failed.empty()) return result;  // stopped while it was pressed
-  // Predictions, estimates and their errors.
+  // Collect predictions, estimates and their errors.
   for (const std::vector<double>& record : best.predictions) {
     result.predictions.emplace_back();
     for (const double value : record) result.predictions.back().push_back({value, {}});
   }
   estimate(problem, best, residuals.data(), result);
-  // Presses on finer cells, for the shift by the mesh.
+  // Press on finer cells for the shift by the mesh.
   if (options.check_mesh) {
     const Progress of_mesh = parts.next(kFinerCells);
     of_mesh(0, "pressing the estimate on finer cells");

@@ -25,23 +25,24 @@ PadConstantKind kind_of(const std::string& constant) {
   return PadConstantKind::kBoneHeight;
 }
 
-/// Files count layers from the outside, tissues from the pulp outwards.
+/// Returns the constant that a data file names. Files count layers from the outside, tissues from
+/// the pulp outwards.
 PadConstant constant_of(const PadData& data, const PadDataConstant& named, const PadSpec& pad) {
   const auto layers = static_cast<int>(pad.layers.size());
   const auto fail = [&](const std::string& what) { throw DataError(data.path, named.line, what); };
-  // The layer must exist.
+  // Check that the layer exists.
   if (named.layer > layers)
     fail(fmt::format("pad '{}' has {} layers of skin, wanted layer {}", pad.name, layers,
                      named.layer));
   PadConstant out;
   out.kind = kind_of(named.constant);
   out.tissue = named.layer == 0 ? 0 : layers - named.layer + 1;
-  // The tissue must have such a constant.
+  // Check that the tissue has such a constant.
   const PadTissueSpec& tissue =
       named.layer == 0 ? pad.pulp : pad.layers[static_cast<std::size_t>(named.layer) - 1];
   if (out.kind == PadConstantKind::kExponent && !has_exponent(tissue.law))
     fail(fmt::format("the law '{}' has no exponent", tissue.law));
-  // A share needs its term, above 0, and a press that takes time.
+  // Check that a share has its term, starts above 0, and that a press takes time.
   if (out.kind == PadConstantKind::kShare) {
     out.term = named.term - 1;
     const std::size_t terms = tissue.relaxation_share.size();
@@ -57,7 +58,10 @@ PadConstant constant_of(const PadData& data, const PadDataConstant& named, const
   return out;
 }
 
-/// An object in its own frame, its top in the origin, z towards the pad; and how large it is.
+/// Builds the object of a press.
+/// @param size  largest length of the pad [m]
+/// @param top   output: distance of the object's surface from its origin towards the pad [m]
+/// @param turn  output: rotation of the object's frame before the press's angle (3, 3)
 std::shared_ptr<const Shape> object_of(const PadDataPress& press, double size, double& top,
                                        Eigen::Matrix3d& turn) {
   turn.setIdentity();
@@ -75,9 +79,10 @@ std::shared_ptr<const Shape> object_of(const PadDataPress& press, double size, d
   return build_box(Vector3d::Constant(4 * size));
 }
 
+/// Returns the course of a press.
 PressCourse course_of(const PadDataPress& press, const PadSpec& pad) {
   PressCourse out;
-  // The object far enough off, turned by its angle, with its top towards the pad.
+  // Place the object far enough away, turned by its angle, with its top towards the pad.
   const double size = std::max({pad.length, pad.width, pad.height});
   double top = 0;
   Eigen::Matrix3d turn;
@@ -85,13 +90,13 @@ PressCourse course_of(const PadDataPress& press, const PadSpec& pad) {
   out.along = -Vector3d(std::sin(press.angle), 0, std::cos(press.angle));
   out.X_PO.R = rotation_about<double>(Vector3d(0, 1, 0), press.angle) * turn;
   out.X_PO.p = -(top + 2 * size) * out.along;
-  // Loads in rising order; loads of which data are parts are among them.
+  // Collect the loads in rising order, with those that ratios refer to.
   std::set<double> loads;
   for (const PadDataRows& rows : press.rows) {
     loads.insert(rows.loads.begin(), rows.loads.end());
     if (rows.part_at) loads.insert(*rows.part_at);
   }
-  // Steps between loads, each with its share of the ramp's time.
+  // Add each load with its share of the ramp's time.
   double before = 0;
   for (const double load : loads) {
     PressLoad next;
@@ -107,11 +112,12 @@ PressCourse course_of(const PadDataPress& press, const PadSpec& pad) {
   return out;
 }
 
+/// Returns the record of a press with its data.
 PressRecord record_of(const PadDataPress& press, const PadSpec& pad) {
   PressRecord out;
   out.name = press.name;
   out.course = course_of(press, pad);
-  // Number of a load by its value.
+  // Returns the index of a load by its value.
   const auto load_of = [&](double value) {
     const auto found =
         std::find_if(out.course.loads.begin(), out.course.loads.end(), [&](const PressLoad& load) {
@@ -119,7 +125,7 @@ PressRecord record_of(const PadDataPress& press, const PadSpec& pad) {
         });
     return static_cast<int>(found - out.course.loads.begin());
   };
-  // Each value of a row is a datum, absolute or over that at another load.
+  // Add each value of a row as a datum, absolute or over that at another load.
   for (const PadDataRows& rows : press.rows)
     for (std::size_t i = 0; i < rows.loads.size(); ++i) {
       PressDatum datum;
@@ -136,7 +142,7 @@ PressRecord record_of(const PadDataPress& press, const PadSpec& pad) {
   return out;
 }
 
-/// The key of a pad's file, without its unit.
+/// Returns the key of a constant in a pad's file, without its unit.
 std::string key_of(PadConstantKind kind) {
   switch (kind) {
     case PadConstantKind::kShearModulus:
@@ -154,9 +160,9 @@ std::string key_of(PadConstantKind kind) {
   }
 }
 
-/// Takes a key, with whatever unit, from those that are assumed, or adds it in that of pad_toml().
-/// A list of shares stays assumed.
-void mark(std::vector<std::string>& assumed, PadConstantKind kind, bool determined) {
+/// Marks a constant as assumed or not: removes its key, with any unit, from the assumed keys, and
+/// adds it with the unit of pad_toml() if it is not determined. A list of shares stays assumed.
+void mark_assumed(std::vector<std::string>& assumed, PadConstantKind kind, bool determined) {
   const std::string key = key_of(kind);
   if (kind == PadConstantKind::kShare && determined) return;
   assumed.erase(std::remove_if(assumed.begin(), assumed.end(),
@@ -185,7 +191,7 @@ void set_tissue(PadTissueSpec& spec, const PadConstant& constant, double value) 
   }
 }
 
-/// Citation keys of both, each once.
+/// Returns the citation keys of both lists, each once.
 std::string joined(const std::string& a, const std::string& b) {
   std::vector<std::string> out;
   for (const std::string& list : {a, b}) {
@@ -200,7 +206,7 @@ std::string joined(const std::string& a, const std::string& b) {
   return fmt::format("{}", fmt::join(out, ", "));
 }
 
-/// Adds what keys mean; a key that means something else already gets both.
+/// Adds definitions of citation keys; a key with another definition gets both.
 void add_sources(const std::map<std::string, std::string>& more,
                  std::map<std::string, std::string>& sources) {
   for (const auto& [key, text] : more) {
@@ -215,12 +221,12 @@ PadFitProblem pad_fit_problem(const PadData& data, const PadSpec& pad) {
   PadFitProblem out;
   out.pad = build_pad(pad);
   out.pad.cells = {data.cells.across, data.cells.around, data.cells.through};
-  // Where nothing takes time nothing relaxes, and history costs.
+  // Drop relaxation, which costs time, if no press takes time.
   const bool timed = std::any_of(data.presses.begin(), data.presses.end(),
                                  [](const PadDataPress& press) { return press.ramp > 0; });
   if (!timed)
     for (Tissue& tissue : out.pad.tissues) tissue.relaxation.clear();
-  // Constants that move, each once, from their start in the file.
+  // Add the free constants, each once, with their starts.
   for (const PadDataConstant& named : data.constants) {
     FreeConstant free{constant_of(data, named, pad), named.lower_factor, named.upper_factor,
                       named.prior_factor};
@@ -233,7 +239,7 @@ PadFitProblem pad_fit_problem(const PadData& data, const PadSpec& pad) {
     if (named.start) set_value(out.pad, free.constant, *named.start);
     out.constants.push_back(free);
   }
-  // The search must begin at a pad that can be.
+  // Check the pad at which the search begins.
   const std::string impossible = why_impossible(out.pad);
   if (!impossible.empty()) throw DataError(data.path, data.constants[0].line, impossible);
   for (const PadDataPress& press : data.presses) out.records.push_back(record_of(press, pad));
@@ -251,7 +257,7 @@ PadSpec fitted_pad(const PadSpec& pad, const PadData& data, const PadFitProblem&
   for (const PadDataPress& press : data.presses)
     for (const PadDataRows& rows : press.rows) cited = joined(cited, rows.source);
   add_sources(data.own_sources, out.own_sources);
-  // Each estimate goes to the shape or to its tissue; files count layers from the outside.
+  // Set each estimate in the shape or in its tissue; files count layers from the outside.
   for (std::size_t i = 0; i < result.estimates.size(); ++i) {
     const PadConstant& constant = problem.constants[i].constant;
     const ConstantEstimate& estimate = result.estimates[i];
@@ -264,8 +270,8 @@ PadSpec fitted_pad(const PadSpec& pad, const PadData& data, const PadFitProblem&
       out.bone_height = estimate.value;
     else
       set_tissue(tissue, constant, estimate.value);
-    // What the data determine is assumed no longer and cites them.
-    mark(of_shape ? out.shape_assumed : tissue.assumed, constant.kind, estimate.determined);
+    // Mark determined constants as no longer assumed, and cite the data.
+    mark_assumed(of_shape ? out.shape_assumed : tissue.assumed, constant.kind, estimate.determined);
     if (!estimate.determined) continue;
     std::string& source = of_shape ? out.shape_source : tissue.source;
     source = joined(source, cited);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Fits of pads from files, and pads with what a fit found.
+/// Fit problems of pads from data files, and pads with the estimates of a fit.
 
 #include "data/io/pad/pad.h"
 #include "data/io/pad/pad_data.h"
@@ -8,21 +8,21 @@
 
 namespace thenar {
 
-/// The problem that a data file states of a pad.
+/// Builds the fit problem of a data file.
 ///
-/// A plane is a block that reaches beyond the pad, a cylinder lies across the finger; objects come
-/// along -(sin(angle), 0, cos(angle)), as in touch_pad(). The loads of a press are all that its
-/// data name, in rising order. Where no press takes time, tissues do not relax.
+/// A plane is a block that reaches beyond the pad; a cylinder lies across the finger. Objects move
+/// along -(sin(angle), 0, cos(angle)), as in touch_pad(). The loads of a press are all loads of its
+/// data, in rising order. If no press takes time, tissues do not relax.
 /// @throws DataError at the file's line if the pad lacks a layer, an exponent or a term that the
 /// file names, if one constant is named twice or starts where no pad can be, or a share is to be
 /// fitted and no press takes time; InputError of build_pad().
 [[nodiscard]] PadFitProblem pad_fit_problem(const PadData& data, const PadSpec& pad);
 
-/// The pad with the estimates of a fit, and with its cells.
+/// Returns the pad with the estimates and the cells of a fit.
 ///
-/// A constant that the data determine is assumed no longer, and its tissue cites the sources of the
-/// data beside its own; one that they leave open is assumed from now on. What keys mean that are
-/// the files' own is taken from both.
+/// A constant that the data determine is no longer marked as assumed, and its tissue also cites the
+/// sources of the data; an undetermined constant is marked as assumed. Definitions of the files'
+/// own citation keys are merged.
 [[nodiscard]] PadSpec fitted_pad(const PadSpec& pad, const PadData& data,
                                  const PadFitProblem& problem, const PadFitResult& result);
 

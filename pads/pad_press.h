@@ -1,6 +1,6 @@
 #pragma once
 
-/// A finger pad pressed by a rigid object, on a mesh that refines itself.
+/// A finger pad pressed by a rigid object, on an adaptive mesh.
 
 #include <memory>
 #include <vector>
@@ -10,32 +10,35 @@
 
 namespace thenar {
 
-/// A pad and an object, step after step. The pad's frame is that of PadShape.
+/// Press of an object on a pad, step by step. The pad's frame is that of PadShape.
 class PadPress {
  public:
   PadPress(const PadModel& model, RigidObject object, const Pose<double>& X_PO,
            PadPressOptions options);
 
-  /// Moves the object along a unit direction until it just touches a node. @return how far [m]
+  /// Moves the object along a unit direction until it just touches the skin.
+  /// @return distance moved [m]
   /// @throws InputError if it touches already, begins inside the pad or passes it by.
   double touch(const Eigen::Vector3d& along);
 
-  /// One step, cut in halves where it fails (a bounded number of them), or a force sought by depths
-  /// (seek_force(); it may lie before the touch on a coarse mesh), the mesh refined until
-  /// force and penetration are as good as asked or `max_elements` are passed: `force_error` says
-  /// how good it became, and `penetration`, for whose sake no mesh is taken that has no answer. A
-  /// step that fails leaves the state at its beginning.
+  /// Solves one step. A step to a pose that fails is halved, a bounded number of times; a step to a
+  /// force that fails becomes a search by depths (seek_force(); on a coarse mesh the depth may lie
+  /// before the touch). The mesh is refined until force error and penetration meet their bounds or
+  /// the mesh has `max_elements`; a mesh refined for penetration alone is dropped if the step has
+  /// no solution on it. A step that fails leaves the state unchanged.
+  /// @return result with the `force_error` and `penetration` reached
   PadPressResult step(const PressGoal& goal);
 
-  /// Back to the beginning of the last step, on the mesh as it is now.
-  void undo() { state_ = before_; }
-  /// Puts the object somewhere else, where it does not touch; the pad stays as it is.
-  void begin_at(const Pose<double>& X_PO);
-  /// d push / d motion of the object, at once: press_stiffness().
-  /// @param friction  instead of the object's: 1 for a press without friction, whose nodes stick
+  /// Restores the state at the start of the last step, on the present mesh.
+  void undo_step() { state_ = start_; }
+  /// Places the object at a pose where it does not touch; the pad stays deformed.
+  void place_object(const Pose<double>& X_PO);
+  /// Returns the slope of the object's wrench by its motion, without relaxation: press_stiffness().
+  /// @param friction  coefficient instead of the object's: 1 makes nodes of a frictionless press
+  /// stick [1]
   [[nodiscard]] Eigen::Matrix<double, 6, 6> stiffness(std::optional<double> friction = {});
 
-  /// Sets the force error that is asked from the next step on.
+  /// Sets the bound of the force error from the next step on [1].
   void set_force_error(double error) { options_.force_error = error; }
 
   [[nodiscard]] const PressState& state() const { return state_; }
@@ -44,28 +47,28 @@ class PadPress {
   [[nodiscard]] const TissueBody& body() const { return *body_; }
 
  private:
-  /// An answer whose object is too deep in some faces, and the mesh that it is on.
-  struct Kept {
+  /// Solution that is good enough but for the penetration of some faces, with its mesh.
+  struct Accepted {
     HexMesh mesh;
     PressState state, start;
     PadPressResult result;
   };
-  void build();
+  void build_body();
   PressOutcome solve_once(const PressGoal& goal, PressState& state);
-  /// Solves a step, in pieces where necessary; finds a force by a search.
+  /// Solves a step, halved where it fails; searches for a force by depths.
   PressOutcome solve(const PressGoal& goal, int cuts);
-  /// Returns whether too few nodes touch for the error that is asked: the edge of a patch lies on
-  /// nodes, which is an error of up to 1 / nodes that no estimate sees.
-  [[nodiscard]] bool patch_is_coarse() const;
+  /// Returns whether too few nodes touch for the requested error: the edge of a patch lies on
+  /// nodes, which causes an error of up to 1 / nodes that the error estimate misses.
+  [[nodiscard]] bool has_coarse_patch() const;
   [[nodiscard]] std::vector<int> touching_cells() const;
-  /// The elements with the largest errors, which hold a share of the whole.
-  [[nodiscard]] std::vector<int> cells_of_errors(const Eigen::VectorXd& errors) const;
-  /// Refines cells; carries `start` and the present state over.
+  /// Returns the cells with the largest errors that together hold a given share of the total.
+  [[nodiscard]] std::vector<int> cells_with_large_errors(const Eigen::VectorXd& errors) const;
+  /// Refines cells and transfers `start` and the present state to the new mesh.
   void refine(const std::vector<int>& marked, PressState& start);
-  /// A goal of a force begins where the object is along its direction.
-  [[nodiscard]] PressGoal from_here(const PressGoal& goal) const;
-  /// Area, stick and depths in faces of the present state.
-  void measure(PadPressResult& result);
+  /// Returns the goal with its pose moved along the direction of the force to the present depth.
+  [[nodiscard]] PressGoal goal_from_current_pose(const PressGoal& goal) const;
+  /// Measures wrench, area, sticking share and penetration at the present state.
+  void measure_result(PadPressResult& result);
 
   PadModel model_;
   RigidObject object_;
@@ -74,10 +77,10 @@ class PadPress {
   std::unique_ptr<TissueBody> body_;
   std::unique_ptr<PressFactors> factors_;
   ContactSurface surface_;
-  PressState state_, before_;    // of now; at the beginning of the last step
-  std::vector<int> deep_cells_;  // whose faces the object is too deep in
+  PressState state_, start_;     // present state; state at the start of the last step
+  std::vector<int> deep_cells_;  // cells whose faces the object penetrates too deeply
   int iterations_ = 0;
-  int pieces_ = 0;  // of the present step that failed
+  int failed_pieces_ = 0;  // failed pieces of the present step
 };
 
 }  // namespace thenar

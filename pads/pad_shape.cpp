@@ -13,9 +13,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kQuarterTurn = 1.5707963267948966;  // pi / 2
-constexpr double kInnerHalfSide = 0.5;  // Half side of the square in the middle of the disc [1]
+constexpr double kInnerHalfSide = 0.5;  // half side of the square in the middle of the disc [1]
 
-/// A point of a half ellipsoid: the polar angle grows straight with the radius of the disc.
+/// Returns a point of a half ellipsoid whose polar angle is proportional to the radius on the disc.
 Vector3d dome(double a, double b, const Vector3d& half_axes) {
   const double r = std::hypot(a, b), polar = kQuarterTurn * r;
   const double side = r > 1e-12 ? std::sin(polar) / r : kQuarterTurn;
@@ -37,7 +37,7 @@ PadChart::PadChart(PadShape shape) : shape_(std::move(shape)) {
             layer.thickness);
     layers += layer.thickness;
   }
-  // Every layer must fit everywhere.
+  // Check on a grid that the layers fit everywhere.
   for (int i = -8; i <= 8; ++i)
     for (int j = -8; j <= 8; ++j) {
       const double a = i / 8.0, b = j / 8.0;
@@ -55,7 +55,7 @@ Vector3d PadChart::bone_point(double a, double b) const {
 Vector3d PadChart::skin_point(double a, double b) const {
   Vector3d outer = dome(a, b, {shape_.length / 2, shape_.width / 2, shape_.height});
   if (!shape_.skin) return outer;
-  // Sphere tracing from the bone along the ray: steps as long as the distance pass no surface.
+  // Trace the ray from the bone in steps as long as the distance, which cross no surface.
   const Vector3d from = bone_point(a, b), along = (outer - from).normalized();
   double t = 0, depth = -shape_.skin->distance(from);
   require(depth > 0, "the bone of a pad leaves its skin at ({:g}, {:g}, {:g}) mm", from[0] * 1e3,
@@ -72,16 +72,16 @@ double PadChart::thickness(double a, double b) const {
   return (skin_point(a, b) - bone_point(a, b)).norm();
 }
 
-/// Distance from the bone at a level, where all is so thick [m].
+/// Returns the distance of a level from the bone where the soft tissue has a given thickness [m].
 double PadChart::level_depth(double w, double thickness) const {
-  // Levels are laid by pad_mesh(): layers first, from the skin.
+  // Sum the layers of skin.
   double skin = 0;
   for (const SkinLayer& layer : shape_.layers) skin += layer.thickness;
   const auto count = static_cast<double>(shape_.layers.size());
   if (count == 0) return w * thickness;
-  // The outer half of the levels are layers, the inner half the pulp.
+  // The inner half of the levels is the pulp, the outer half the layers, as in pad_mesh().
   if (w <= 0.5) return 2 * w * (thickness - skin);
-  double depth = thickness, at = (1 - w) * 2 * count;  // in layers from the outside
+  double depth = thickness, at = (1 - w) * 2 * count;  // number of layers from the outside
   for (const SkinLayer& layer : shape_.layers) {
     const double part = std::min(1.0, at);
     depth -= part * layer.thickness;
@@ -91,7 +91,7 @@ double PadChart::level_depth(double w, double thickness) const {
 }
 
 Vector3d PadChart::place(const Vector3d& c) const {
-  // Point on the segment from bone to skin, at the depth of the level.
+  // Place the point on the segment from bone to skin, at the depth of the level.
   const Vector3d bone = bone_point(c[0], c[1]), skin = skin_point(c[0], c[1]);
   const double all = (skin - bone).norm();
   return bone + level_depth(c[2], all) / all * (skin - bone);
@@ -113,7 +113,7 @@ Vector3d PadChart::middle_of_face(const std::array<Vector3d, 4>& corners,
 HexMesh pad_mesh(const PadShape& shape, const PadCells& cells) {
   require(cells.across > 0 && cells.around > 0 && cells.through > 0,
           "a pad's mesh needs at least one cell each way");
-  // Nodes of the disc: the square, then rings around it.
+  // Create the nodes and quadrilaterals of the square in the middle of the disc.
   std::vector<Eigen::Vector2d> disc;
   std::vector<std::array<int, 4>> quads;  // bits 1, 2: along the axes
   const int n = cells.across;
@@ -124,20 +124,20 @@ HexMesh pad_mesh(const PadShape& shape, const PadCells& cells) {
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
       quads.push_back({inner(i, j), inner(i + 1, j), inner(i, j + 1), inner(i + 1, j + 1)});
-  // Border of the square, counterclockwise.
+  // List the border of the square, counterclockwise.
   std::vector<int> ring;
   for (int i = 0; i < n; ++i) ring.push_back(inner(i, 0));
   for (int j = 0; j < n; ++j) ring.push_back(inner(n, j));
   for (int i = n; i > 0; --i) ring.push_back(inner(i, n));
   for (int j = n; j > 0; --j) ring.push_back(inner(0, j));
   const std::vector<int> square = ring;
-  // Rings from the square's border to the rim of the disc.
+  // Add rings from the square's border to the rim of the disc.
   for (int layer = 1; layer <= cells.around; ++layer) {
     std::vector<int> next;
     const double part = static_cast<double>(layer) / cells.around;
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Eigen::Vector2d from = disc[static_cast<std::size_t>(square[k])];
-      // Equal angles on the rim.
+      // Interpolate to equal angles on the rim.
       const double angle = (static_cast<double>(k) / n - 1.5) * kQuarterTurn;
       next.push_back(static_cast<int>(disc.size()));
       disc.emplace_back((1 - part) * from +
@@ -149,7 +149,7 @@ HexMesh pad_mesh(const PadShape& shape, const PadCells& cells) {
     }
     ring = next;
   }
-  // Levels: the pulp, then layers of skin.
+  // Set the levels of the pulp, then of the layers of skin, and copy the disc to each level.
   const auto layers = static_cast<int>(shape.layers.size());
   std::vector<double> levels;
   for (int k = 0; k <= cells.through; ++k)
@@ -161,7 +161,7 @@ HexMesh pad_mesh(const PadShape& shape, const PadCells& cells) {
     for (int i = 0; i < per_level; ++i)
       points.col(static_cast<Eigen::Index>(k) * per_level + i) << disc[static_cast<std::size_t>(i)],
           levels[k];
-  // Cells between two levels; the pulp is region 0, layers follow from the inside out.
+  // Create the cells between two levels; the pulp is region 0, layers follow from the inside out.
   std::vector<HexCell> list;
   for (int k = 0; k + 1 < static_cast<int>(levels.size()); ++k)
     for (const std::array<int, 4>& quad : quads) {
@@ -201,20 +201,20 @@ FoundationColumns pad_columns(const PadShape& shape, int rings) {
   std::vector<double> thickness, area;
   const double width = 1.0 / rings;
   for (int ring = 0; ring < rings; ++ring) {
-    // Cells of a ring are about as long as wide.
+    // Divide the ring into cells that are about as long as wide.
     const double r = (ring + 0.5) * width;
     const int count = static_cast<int>(std::lround(2 * kPi * (ring + 0.5)));
     const double turn = 2 * kPi / count;
     for (int k = 0; k < count; ++k) {
       const double angle = (k + 0.5) * turn;
       const Eigen::Vector3d middle = at(r, angle, 1);
-      // Area by the two middle lines of the cell, chords of arcs.
+      // Compute the area from the two middle lines of the cell, chords of arcs.
       const Eigen::Vector3d side =
           (at(r + width / 2, angle, 1) - at(r - width / 2, angle, 1))
               .cross(at(r, angle + turn / 2, 1) - at(r, angle - turn / 2, 1));
       skin.push_back(middle);
       area.push_back(side.norm() * turn / 2 / std::sin(turn / 2));
-      // Thickness down to the bone, and the normal away from it.
+      // Compute the thickness down to the bone, and the normal away from it.
       const Eigen::Vector3d up = middle - at(r, angle, 0);
       thickness.push_back(up.norm());
       normal.push_back(side.normalized());

@@ -17,127 +17,135 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Keep the tangent while an iteration leaves less than this share of the residual [1]
+// Largest residual over that of the last iteration for which the tangent is reused [1]
 constexpr double kTangentFallRatio = 0.3;
-// Spring of a drive, over the stiffness of tissue under a node [1]
+// Stiffness of a drive's spring over that of the tissue under a node [1]
 constexpr double kDriveSpringRatio = 1e-2;
-// A motion longer than this share of the motion before it creeps [1]
+// Length of a motion over that of the last one above which motions creep [1]
 constexpr double kCreepRatio = 0.4;
-// Creeping motions are mixed once the residual is below this share of the forces [1]
+// Largest residual over the contact forces for which creeping motions are mixed [1]
 constexpr double kMixingShare = 0.02;
-constexpr std::size_t kMixedMotions = 3;  // Number of motions that Anderson mixing combines
-// Distance over which a normal's turn is measured, over the distance of nodes [1]
-constexpr double kTurningDistance = 0.1;
+constexpr std::size_t kMixedMotions = 3;  // number of motions that Anderson mixing combines
+// Step of the differences of normals, over the distance of nodes [1]
+constexpr double kNormalStepRatio = 0.1;
 
-/// Adds to the tangent that a node which slides over a curved object has its normal force turn:
-/// - normal d2 distance / dx2, by differences over a part of the way between nodes, as if all force
-/// were the node's own.
-void add_turning_slopes(PressIterate& at) {
-  const double step = kTurningDistance * std::sqrt(at.surface.area.mean());
-  const Pose<double> X_OP = at.now.X_PO.inverse();
-  for (std::size_t k = 0; k < at.contacts.size(); ++k) {
-    const double normal = at.now.normal[static_cast<Eigen::Index>(k)];
-    if (normal <= 0) continue;
+/// Adds to the tangent the effect of normal forces that turn as nodes slide over a curved object,
+/// - (normal force) d2 distance / dx2,  by differences over a part of the distance between nodes,
+/// as if each gap depended on its own node alone.
+void add_curvature_stiffness(PressIterate& iterate) {
+  const double step = kNormalStepRatio * std::sqrt(iterate.surface.area.mean());
+  const Pose<double> X_OP = iterate.state.X_PO.inverse();
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
+    const double normal_force = iterate.state.normal_force[static_cast<Eigen::Index>(k)];
+    if (normal_force <= 0) continue;
     const auto normal_at = [&](const Vector3d& p) {
-      return Vector3d(at.now.X_PO.R * at.object.shape->nearest(X_OP * p).normal);
+      return Vector3d(iterate.state.X_PO.R * iterate.object.shape->nearest(X_OP * p).normal);
     };
-    // Slope of the normal by central differences.
+    // Differentiate the normal by central differences.
+    const Vector3d p = iterate.node_position(k);
     Matrix3d slope;
     for (int c = 0; c < 3; ++c) {
-      const Vector3d way = step * Vector3d::Unit(c);
-      slope.col(c) =
-          (normal_at(at.place_of(k) + way) - normal_at(at.place_of(k) - way)) / (2 * step);
+      const Vector3d shift = step * Vector3d::Unit(c);
+      slope.col(c) = (normal_at(p + shift) - normal_at(p - shift)) / (2 * step);
     }
-    at.add_block(k, -0.5 * normal * (slope + slope.transpose()));
+    iterate.add_node_block(k, -0.5 * normal_force * (slope + slope.transpose()));
   }
 }
 
-/// Factors the tangent at this state, with the effect of forces whose normals turn. If the body is
-/// stable only by its contacts, the contacts get springs.
-bool renew_tangent(PressIterate& at, const Matrix3Xd& u) {
-  at.body.respond(u, at.goal.time, at.start.history, at.now.pressure, ElementAsk::kStiffness,
-                  at.tissue);
-  // Tangent with turning forces, or without where that is not positive definite.
-  const Matrix3Xd none(3, 0);
-  const std::vector<double> tissue = at.tissue.values;
-  add_turning_slopes(at);
-  if (at.factors.cones.factor(at.tissue.values, none)) return true;
-  at.tissue.values = tissue;
-  if (at.factors.cones.factor(at.tissue.values, none)) return true;
-  // Springs between contacts and object, where the contacts alone hold the body.
-  Matrix3Xd springs = Matrix3Xd::Zero(3, static_cast<Eigen::Index>(at.contacts.size()));
-  for (std::size_t k = 0; k < at.contacts.size(); ++k)
-    if (at.contacts[k].push > 0)
-      springs.col(static_cast<Eigen::Index>(k)) = std::sqrt(at.stiffness[k]) * at.gaps.own_slope(k);
-  add_own_slopes(at);
-  return at.factored([&] { return at.factors.cones.factor(at.tissue.values, springs); });
+/// Computes and factors the tangent at this state, with the effect of turning normal forces. If the
+/// body is stable only by its contacts, springs at the contacts are added.
+bool renew_tangent(PressIterate& iterate, const Matrix3Xd& u) {
+  iterate.body.evaluate(u, iterate.goal.time, iterate.start.history, iterate.state.pressure,
+                        ElementRequest::kStiffness, iterate.tissue);
+  // Try the tangent with turning forces, then without.
+  const Matrix3Xd no_springs(3, 0);
+  const std::vector<double> tissue_tangent = iterate.tissue.tangent;
+  add_curvature_stiffness(iterate);
+  if (iterate.factors.cones.factor(iterate.tissue.tangent, no_springs)) return true;
+  iterate.tissue.tangent = tissue_tangent;
+  if (iterate.factors.cones.factor(iterate.tissue.tangent, no_springs)) return true;
+  // Add springs between touching nodes and the object.
+  Matrix3Xd springs = Matrix3Xd::Zero(3, static_cast<Eigen::Index>(iterate.contacts.size()));
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
+    if (iterate.contacts[k].normal_force > 0)
+      springs.col(static_cast<Eigen::Index>(k)) =
+          std::sqrt(iterate.node_stiffness[k]) * iterate.gaps.own_gradient(k);
+  add_own_stiffness(iterate);
+  return iterate.factor_stabilized(
+      [&] { return iterate.factors.cones.factor(iterate.tissue.tangent, springs); });
 }
 
-/// Slip of every node since the last step, tangential [m] (3, nodes).
-Matrix3Xd slips_of(const PressIterate& at) {
-  Matrix3Xd out(3, static_cast<Eigen::Index>(at.contacts.size()));
-  for (std::size_t k = 0; k < at.contacts.size(); ++k)
-    out.col(static_cast<Eigen::Index>(k)) = at.slip_of(k);
+/// Returns the tangential slips of all nodes since the last step [m] (3, nodes).
+Matrix3Xd node_slips(const PressIterate& iterate) {
+  Matrix3Xd out(3, static_cast<Eigen::Index>(iterate.contacts.size()));
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
+    out.col(static_cast<Eigen::Index>(k)) = iterate.node_slip(k);
   return out;
 }
 
-/// The linear body at rest under its contacts.
-ContactCones::Rest rest_under_cones(PressIterate& at) {
-  const Matrix3Xd slip = slips_of(at);
-  // A force to reach drives the object, held by a soft spring.
+/// Solves for the equilibrium of the linearized body under its contacts.
+ContactCones::Equilibrium solve_under_cones(PressIterate& iterate) {
+  const Matrix3Xd slip = node_slips(iterate);
+  // A force to reach drives the object against a soft spring.
   std::optional<ContactCones::Drive> drive;
-  if (at.goal.force)
-    drive = {at.goal.along, *at.goal.force,
-             kDriveSpringRatio * at.body.largest_modulus() * std::sqrt(at.surface.area.mean()),
-             at.longest};
-  return at.factors.cones.solve(at.surface, {at.tissue.force, at.gaps, slip, at.now.normal,
-                                             at.now.shear, at.object.friction, drive});
+  if (iterate.goal.force)
+    drive = {iterate.goal.along, *iterate.goal.force,
+             kDriveSpringRatio * iterate.body.max_shear_modulus() *
+                 std::sqrt(iterate.surface.area.mean()),
+             iterate.max_motion};
+  return iterate.factors.cones.solve(
+      iterate.surface, {iterate.tissue.force, iterate.gaps, slip, iterate.state.normal_force,
+                        iterate.state.friction_force, iterate.object.friction, drive});
 }
 
 }  // namespace
 
-PressOutcome press_by_cones(PressIterate& at) {
+PressOutcome press_by_cones(PressIterate& iterate) {
   PressOutcome out;
-  const CondensedBody& tangent = at.factors.cones.body();
-  double before = kInfinity;
-  VectorXd dx, last;
+  const CondensedBody& tangent = iterate.factors.cones.body();
+  double residual_before = kInfinity;
+  VectorXd dx, last_dx;
   AndersonMixing mixing(kMixedMotions);
-  for (; at.goes_on(out); ++out.iterations) {
-    // Tissue and contacts at the iterate; stiffness only if there is no tangent yet.
+  for (; iterate.may_continue(out); ++out.iterations) {
+    // Evaluate tissue and contacts, with the stiffness if there is no tangent yet.
     Matrix3Xd u;
     const bool has_factor = tangent.has_factor();
-    if (!at.respond(has_factor ? ElementAsk::kForce : ElementAsk::kStiffness, dx, u, out))
-      return out;
-    if (at.stiffness.empty()) at.find_stiffness(has_factor ? tangent.values() : at.tissue.values);
-    const IterateTurn turn = judge_iterate(at, u, out);
-    if (turn == IterateTurn::kEnded) return out;
-    if (turn == IterateTurn::kMoved) continue;
-    // An older tangent serves while the residual falls well.
-    const double left = std::max(out.residual, at.change);
-    const bool well = out.iterations == 0 || left < kTangentFallRatio * std::min(before, at.scale);
-    if (!(has_factor && well) && !renew_tangent(at, u)) {
+    const auto request = has_factor ? ElementRequest::kForce : ElementRequest::kStiffness;
+    if (!iterate.evaluate_tissue(request, dx, u, out)) return out;
+    if (iterate.node_stiffness.empty())
+      iterate.set_node_stiffness(has_factor ? tangent.tangent() : iterate.tissue.tangent);
+    const IterateAction action = assess_iterate(iterate, u, out);
+    if (action == IterateAction::kEnded) return out;
+    if (action == IterateAction::kMoved) continue;
+    // Renew the tangent unless the residual decreases fast enough with the old one.
+    const double residual = std::max(out.residual, iterate.max_force_change);
+    const bool converges =
+        out.iterations == 0 ||
+        residual < kTangentFallRatio * std::min(residual_before, iterate.total_force);
+    if (!(has_factor && converges) && !renew_tangent(iterate, u)) {
       out.message = "the stiffness is not positive definite";
       return out;
     }
-    before = left;
-    // Linear body at rest under exact cones.
-    const ContactCones::Rest rest = rest_under_cones(at);
-    if (rest.status != Status::kSolved) {
+    residual_before = residual;
+    // Solve for the equilibrium of the linearized body under exact cones.
+    const ContactCones::Equilibrium solution = solve_under_cones(iterate);
+    if (solution.status != Status::kSolved) {
       out.message = "no forces of contact were found";
       return out;
     }
-    // Anderson mixing where motions shrink slowly, as where friction turns with normals.
-    dx = rest.dx;
-    const bool creeps = last.size() > 0 && rest.dx.norm() > kCreepRatio * last.norm();
-    last = rest.dx;
-    if (at.goal.force || !creeps || left > kMixingShare * at.scale) mixing.clear();
-    dx = mixing.next(rest.dx);
-    // Pressure and contact forces that the motion predicts.
-    at.now.pressure = at.body.pressure_after(u, at.body.spread(dx, {}));
-    at.now.x += dx;
-    at.now.X_PO.p += rest.motion * at.goal.along;
-    at.now.normal = rest.normal;
-    at.now.shear = rest.shear;
+    // Mix motions (Anderson) where they shrink slowly, as if friction turns with the normals.
+    const bool creeps = last_dx.size() > 0 && solution.dx.norm() > kCreepRatio * last_dx.norm();
+    last_dx = solution.dx;
+    if (iterate.goal.force || !creeps || residual > kMixingShare * iterate.total_force)
+      mixing.clear();
+    dx = mixing.next(solution.dx);
+    // Predict the pressure and the contact forces after the motion.
+    iterate.state.pressure =
+        iterate.body.predict_pressure(u, iterate.body.node_displacements(dx, {}));
+    iterate.state.x += dx;
+    iterate.state.X_PO.p += solution.object_motion * iterate.goal.along;
+    iterate.state.normal_force = solution.normal_force;
+    iterate.state.friction_force = solution.friction_force;
   }
   return out;
 }

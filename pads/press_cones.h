@@ -6,8 +6,8 @@
 
 namespace thenar {
 
-/// Solves a step in iterations that each bring the body, linear at where it is, to rest under exact
-/// cones (ContactCones). Its tangent is kept while iterations go on well.
-[[nodiscard]] PressOutcome press_by_cones(PressIterate& at);
+/// Solves a step by linearizing the body at each iteration and solving for its equilibrium under
+/// exact friction cones (ContactCones). The tangent is reused while iterations converge well.
+[[nodiscard]] PressOutcome press_by_cones(PressIterate& iterate);
 
 }  // namespace thenar

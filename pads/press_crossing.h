@@ -1,6 +1,6 @@
 #pragma once
 
-/// Finds answers of a press in which object and tissue have gone through each other.
+/// Detection of solutions in which object and tissue have passed through each other.
 
 #include <string>
 
@@ -10,9 +10,10 @@
 
 namespace thenar {
 
-/// Describes how the object came through skin, or skin through the object, since the step began; ""
-/// if all is well. Hanging nodes of the surface may be inside a little, as all between nodes.
+/// Returns a description of where object and tissue have passed through each other in this step; ""
+/// if nowhere. Hanging nodes of the surface may penetrate the object slightly, like points between
+/// nodes.
 /// @param u  displacements of all nodes [m] (3, nodes)
-[[nodiscard]] std::string find_crossing(const PressIterate& at, const Eigen::Matrix3Xd& u);
+[[nodiscard]] std::string describe_crossing(const PressIterate& iterate, const Eigen::Matrix3Xd& u);
 
 }  // namespace thenar

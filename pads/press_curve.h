@@ -1,6 +1,6 @@
 #pragma once
 
-/// A pad pressed load after load on one mesh, together with neighbours that differ a little.
+/// Press of a pad to several loads on one mesh, with pads of slightly different constants.
 
 #include <optional>
 #include <string>
@@ -13,40 +13,40 @@ namespace thenar {
 
 /// One load of a press.
 struct PressLoad {
-  std::optional<double> force;  // of the object along its direction [N]; or else
-  double indentation = 0;       // from the first touch [m]
-  double time = 0;              // since the load before [s]; 0: at once, infinity: relaxed
+  std::optional<double> force;  // force of the object along its direction [N]; none: indentation
+  double indentation = 0;       // depth from the first touch [m]
+  double time = 0;              // time since the last load [s]; 0: instant, infinity: relaxed
 };
 
-/// An object that presses on a pad along one direction.
+/// Course of an object that presses on a pad along one direction.
 struct PressCourse {
   RigidObject object;
-  Pose<double> X_PO;                // anywhere outside, on its way
-  Eigen::Vector3d along{0, 0, -1};  // its direction, unit, in the pad's frame (3)
-  std::vector<PressLoad> loads;     // in their order in time
+  Pose<double> X_PO;                // initial pose, outside the pad, from which it meets the pad
+  Eigen::Vector3d along{0, 0, -1};  // direction of motion in the pad's frame, unit (3)
+  std::vector<PressLoad> loads;     // loads in the order of time
 };
 
 /// A pad under one load.
 struct PressPoint {
   double indentation = 0;  // [m]
   double force = 0;        // [N]
-  double area = 0;         // contact_area() [m^2]
+  double area = 0;         // area of the patch, contact_area() [m^2]
 };
 
 /// Result of press_curves().
 struct [[nodiscard]] PressCurves {
-  Status status = Status::kSolved;              // kStopped: asked to; otherwise how a step failed
+  Status status = Status::kSolved;              // kStopped by the caller; kStalled: a step failed
   std::string message;                          // "at 3 N: too many iterations"
   std::vector<std::vector<PressPoint>> points;  // (pads, loads)
-  int iterations = 0;                           // of all pads
+  int iterations = 0;                           // iterations of all pads
 };
 
-/// Presses the first pad load by load, steps cut in halves where they fail, and after each step the
-/// others from its answer: pads whose constants or lengths differ by little need an iteration or
-/// two. Meshes are those of `cells`, without refinement, so that answers are smooth in the pads'
-/// constants. A pad that holds a history (relaxation, friction) keeps its own.
-/// @param pads  with the same cells, layers, element and number of tissues; at least one
-/// @throws InputError if they have not, or loads or the course make no sense.
+/// Presses the first pad load by load, halving steps that fail. After each step the other pads
+/// start from its solution: pads with slightly different constants or lengths need one or two
+/// iterations. The meshes have `cells` cells and are not refined, so that results are smooth
+/// functions of the pads' constants. Each pad keeps its own history of relaxation and friction.
+/// @param pads  pads with the same cells, layers, element and number of tissues; at least one
+/// @throws InputError if they differ in these, or loads or the course make no sense.
 PressCurves press_curves(const std::vector<PadModel>& pads, const PressCourse& course,
                          const Progress& progress = {});
 

@@ -17,33 +17,34 @@ namespace thenar {
 
 /// A rigid object that presses on a body.
 struct RigidObject {
-  std::shared_ptr<const Shape> shape;  // in its own frame
-  double friction = 0;                 // Coulomb, of the exact cone [1]
+  std::shared_ptr<const Shape> shape;  // surface in the object's own frame
+  double friction = 0;                 // Coulomb coefficient of the exact cone [1]
 };
 
-/// Goal of a step: how far the object goes.
+/// Goal of a step: a pose of the object, or a force that it reaches from that pose.
 struct PressGoal {
-  Pose<double> X_PO;                // of the object at the end
-  std::optional<double> force;      // instead: moved from there along `along` until the
-  Eigen::Vector3d along{0, 0, -1};  // object's push along it is so large [N]; unit (3)
-  double time = 0;                  // of the step, for relaxation [s]
+  Pose<double> X_PO;                // pose of the object at the end, in the body's frame
+  std::optional<double> force;      // force of the object along `along` [N]: the object moves from
+                                    // X_PO along that direction until it presses as hard
+  Eigen::Vector3d along{0, 0, -1};  // direction of `force`, unit (3)
+  double time = 0;                  // duration of the step, for relaxation [s]
 };
 
 struct PressOptions {
-  double force_tolerance = 1e-9;  // of residuals, over the sum of contact forces [1]
-  double gap_tolerance = 1e-9;    // of touching nodes [m]
+  double force_tolerance = 1e-9;  // residual forces over the sum of contact forces [1]
+  double gap_tolerance = 1e-9;    // gaps of touching nodes [m]
   int max_iterations = 60;
-  std::function<bool()> stop;  // asked before each iteration: true ends the step; empty: never
+  std::function<bool()> stop;  // called before each iteration: true ends the step; empty: never
 };
 
 /// Outcome of a step.
 struct [[nodiscard]] PressOutcome {
   Status status = Status::kStalled;
-  std::string message;
+  std::string message;  // reason for a failure
   int iterations = 0;
-  double residual = 0;  // largest entry of forces out of balance [N]
+  double residual = 0;  // largest component of the unbalanced forces [N]
   double gap = 0;       // largest |gap| of a touching node [m]
-  Wrench push;          // of the object on the body, about the body's origin
+  Wrench push;          // wrench of the object on the body, about the body's origin
 };
 
 }  // namespace thenar

@@ -1,8 +1,7 @@
 #pragma once
 
-/// Iterate of a step of a press: where body and object are, what tissue answers, what is out of
-/// balance. The methods that solve a step (press_newton.h, press_cones.h, press_springs.h) go from
-/// one to the next.
+/// Iterate of one step of a press: poses, tissue response and residual, shared by the methods that
+/// solve a step (press_newton.h, press_cones.h, press_springs.h).
 
 #include <functional>
 #include <optional>
@@ -16,96 +15,104 @@
 
 namespace thenar {
 
-/// Contact of one node at an iterate.
-struct TouchingNode {
-  double push = 0;                 // normal force [N]
-  Eigen::Vector3d shear{0, 0, 0};  // [N]
-  bool slips = false;              //
-  Eigen::Vector3d way{0, 0, 0};    // of friction on a node that slips, unit
-  Eigen::Vector3d last{0, 0, 0};   // the same of the last iterate, over the bound: at most as long
-  double cut = 1;  // share that its cone leaves of the force of a node that sticks [1]
+/// Contact of one surface node at an iterate.
+struct NodeContact {
+  double normal_force = 0;                       // [N]
+  Eigen::Vector3d friction_force{0, 0, 0};       // [N] (3)
+  bool slips = false;                            // friction lies on its cone
+  Eigen::Vector3d slip_direction{0, 0, 0};       // direction of sliding friction, unit (3)
+  Eigen::Vector3d last_friction_ratio{0, 0, 0};  // friction of the last iterate over the bound of
+                                                 // the cone, at most unit length [1] (3)
+  double friction_scale = 1;  // friction force over the trial force of a sticking node [1]
 };
 
 struct PressIterate : PressProblem {
   PressIterate(const PressProblem& problem, PressFactors& factors);
 
   /// Resets the state to the start of the step, with the object at its goal.
-  void restart();
+  void reset_to_start();
 
-  /// Returns whether there is another iteration; if not, `out` says why.
-  [[nodiscard]] bool goes_on(PressOutcome& out) const;
+  /// Returns whether another iteration may begin. If not, sets the status and message of `out`.
+  [[nodiscard]] bool may_continue(PressOutcome& out) const;
 
-  /// Sets what tissue answers where it is, or, where an element would turn inside out, less far on.
-  /// @param dx  the last motion, may be empty: becomes what is left of it
-  /// @param u   displacements of all nodes [m] (3, nodes)
-  bool respond(ElementAsk ask, Eigen::VectorXd& dx, Eigen::Matrix3Xd& u, PressOutcome& out);
+  /// Evaluates the tissue at the state. While an element is inverted, takes back half of the last
+  /// motion.
+  /// @param dx  last motion [m] (3 free nodes), or empty; on return the part that remains
+  /// @param u   displacements of all nodes, output [m] (3, nodes)
+  /// @return false, with a message in `out`, if an element stays inverted
+  bool evaluate_tissue(ElementRequest request, Eigen::VectorXd& dx, Eigen::Matrix3Xd& u,
+                       PressOutcome& out);
 
-  /// Measures forces on free nodes that are out of balance, and the push along the goal's
+  /// Measures the residual forces on free nodes and the force of the object along the goal's
   /// direction.
-  /// @param forces  along normals, on nodes of the surface [N] (3, nodes)
-  void measure(const Eigen::Matrix3Xd& forces, PressOutcome& out);
-  [[nodiscard]] bool is_solved(const PressOutcome& out) const;
+  /// @param forces  normal contact forces on the surface nodes [N] (3, nodes)
+  void measure_residual(const Eigen::Matrix3Xd& forces, PressOutcome& out);
+  [[nodiscard]] bool is_converged(const PressOutcome& out) const;
 
-  /// Ends a step that is solved, unless the object came through the surface.
-  void end(const Eigen::Matrix3Xd& u, PressOutcome& out) const;
+  /// Marks the step as solved, unless object and tissue have passed through each other.
+  void accept(const Eigen::Matrix3Xd& u, PressOutcome& out) const;
 
-  /// Moves the object, not far off or off what it touched, to where it touches.
-  /// @return false if it is farther off
-  bool go_to_touch(PressOutcome& out);
+  /// Moves the object along the goal's direction until it touches the surface.
+  /// @return false, with a message in `out`, if the object is too far away
+  bool move_to_contact(PressOutcome& out);
 
-  /// Sets the stiffness of contacts above that of tissue at rest, and above that of the body as it
-  /// is: a squeezed body is stiffer by its law and by its bulk modulus, and may be stable by the
-  /// contact alone.
-  /// @param values  of a tangent
-  void find_stiffness(const std::vector<double>& values);
+  /// Sets the stiffness of each contact well above that of the tissue at rest and above that of
+  /// the deformed body, which strain-stiffening and the bulk modulus raise.
+  /// @param values  entries of the body's tangent [N/m]
+  void set_node_stiffness(const std::vector<double>& values);
 
-  /// Factors the tangent, or, where it is not positive definite, the tangent with the least springs
-  /// of some powers of ten that hold all nodes where they are: steps become shorter.
-  bool factored(const std::function<bool()>& factor);
-  /// Adds a symmetric block of a node of the surface to the tangent.
-  void add_block(std::size_t k, const Eigen::Matrix3d& block);
+  /// Factors the tangent. If it is not positive definite, adds springs to its diagonal, ten times
+  /// stiffer at each attempt; they shorten the step.
+  /// @return whether a factor was found
+  bool factor_stabilized(const std::function<bool()>& factor);
+  /// Adds a symmetric block of surface node k to the tangent.
+  void add_node_block(std::size_t k, const Eigen::Matrix3d& block);
 
-  /// Solves for the object's motion along the goal's direction, one more unknown of a step that is
-  /// to reach a force.
-  /// @param dx      in: with the object at rest
-  /// @param loss    of contact forces as nodes move against the object [N] (3, nodes)
-  /// @param solve   with the matrix of this iteration
-  /// @param motion  of the object [m]
-  bool reach_force(const std::function<Eigen::Matrix3Xd(const Eigen::Matrix3Xd&)>& loss,
-                   const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve,
-                   Eigen::VectorXd& dx, double& motion) const;
+  /// Solves for the motion of the object along the goal's direction, which is one more unknown of
+  /// a step to a given force.
+  /// @param force_loss  loss of contact forces as nodes move against the object [N] (3, nodes)
+  /// @param solve       solution with the matrix of this iteration
+  /// @param dx          in: Newton step with the object at rest; out: with the object moving [m]
+  /// @param motion      motion of the object, output [m]
+  /// @return false if the object has no positive stiffness
+  bool solve_object_motion(
+      const std::function<Eigen::Matrix3Xd(const Eigen::Matrix3Xd&)>& force_loss,
+      const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve, Eigen::VectorXd& dx,
+      double& motion) const;
 
-  /// Solves with the factor and with what it leaves out of contacts, by iterations.
-  /// @param left_out  of the loss of forces as nodes move [N] (3, nodes)
-  [[nodiscard]] Eigen::VectorXd solve_with(
+  /// Solves a linear system by GMRES, preconditioned by the factored tangent.
+  /// @param left_out  loss of contact forces that the factor leaves out [N] (3, nodes)
+  [[nodiscard]] Eigen::VectorXd solve_iteratively(
       const Eigen::VectorXd& b,
       const std::function<Eigen::Matrix3Xd(const Eigen::Matrix3Xd&)>& left_out) const;
 
-  /// Place of a node of the surface [m] (3).
-  [[nodiscard]] Eigen::Vector3d place_of(std::size_t k) const;
-  /// Part of a vector across the object's normal at a node.
-  [[nodiscard]] Eigen::Vector3d across(std::size_t k, const Eigen::Vector3d& v) const;
-  /// Slip of a node since the last step, tangential [m] (3).
-  [[nodiscard]] Eigen::Vector3d slip_of(std::size_t k) const;
-  /// Displacements of the nodes of the surface by those of the body [m] (3, nodes).
-  [[nodiscard]] Eigen::Matrix3Xd on_surface(const Eigen::VectorXd& x) const;
-  /// Forces on the body by those on nodes of its surface [N] (3 free nodes).
-  [[nodiscard]] Eigen::VectorXd on_body(const Eigen::Matrix3Xd& forces) const;
+  /// Returns the deformed position of surface node k [m] (3).
+  [[nodiscard]] Eigen::Vector3d node_position(std::size_t k) const;
+  /// Returns the part of a vector tangential to the object at node k (3).
+  [[nodiscard]] Eigen::Vector3d tangential(std::size_t k, const Eigen::Vector3d& v) const;
+  /// Returns the tangential slip of node k since the last step [m] (3).
+  [[nodiscard]] Eigen::Vector3d node_slip(std::size_t k) const;
+  /// Returns the displacements of the surface nodes [m] (3, nodes).
+  /// @param x  displacements of the free nodes [m] (3 free nodes)
+  [[nodiscard]] Eigen::Matrix3Xd surface_displacements(const Eigen::VectorXd& x) const;
+  /// Returns the forces on free nodes of the body [N] (3 free nodes).
+  /// @param forces  forces on the surface nodes [N] (3, nodes)
+  [[nodiscard]] Eigen::VectorXd body_forces(const Eigen::Matrix3Xd& forces) const;
 
   PressFactors& factors;
-  PressState now;
+  PressState state;
   MeanGaps gaps;
-  std::optional<SkinSprings> springs;  // where there are edges
-  std::vector<TouchingNode> contacts;  // (surface nodes)
-  std::vector<double> stiffness;       // of contacts [N/m] (surface nodes)
+  std::optional<SkinSprings> springs;  // set where an edge of the object lies over the skin
+  std::vector<NodeContact> contacts;   // (surface nodes)
+  std::vector<double> node_stiffness;  // stiffness of the contacts [N/m] (surface nodes)
   TissueResponse tissue;
-  Eigen::VectorXd residual;  // forces out of balance [N] (3 free nodes)
-  Wrench push;               // of the object on the body
-  double scale = 0;          // sum of contact forces [N]
-  double missing = 0;        // of the force that is wanted [N]
-  double change = 0;         // largest of a contact force since the last iterate [N]
-  double rounding = 0;       // of contact forces [N]
-  double longest = 0;        // motion of the object in an iteration [m]
+  Eigen::VectorXd residual;     // unbalanced forces [N] (3 free nodes)
+  Wrench push;                  // wrench of the object on the body, about the body's origin
+  double total_force = 0;       // sum of the magnitudes of contact forces [N]
+  double force_deficit = 0;     // goal's force less the present force along its direction [N]
+  double max_force_change = 0;  // largest change of a contact force since the last iterate [N]
+  double force_rounding = 0;    // rounding error of a contact force [N]
+  double max_motion = 0;        // longest motion of the object in one iteration [m]
 };
 
 }  // namespace thenar

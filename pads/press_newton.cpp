@@ -13,92 +13,100 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Keep the tangent while an iteration leaves less than this share of the residual [1]
+// Largest residual over that of the last iteration for which the tangent is reused [1]
 constexpr double kTangentReuseRatio = 0.3;
-// Keep it only while the residual is below this share of the contact forces [1]
+// Largest residual over the contact forces for which the tangent is reused [1]
 constexpr double kTangentReuseShare = 0.2;
 
-/// Solves with the matrix of this iteration: most of it has a factor, and what contacts add between
-/// nodes comes by iterations.
-VectorXd solve_coupled(const PressIterate& at, const VectorXd& b) {
-  if (!at.gaps.neighbours_matter() && !some_slip(at)) return at.factors.moment.solve(b);
-  return at.solve_with(b, [&](const Matrix3Xd& moved) {
-    // Loss of contact forces, less the part that the factor has.
-    Matrix3Xd more = contact_loss(at, moved);
-    for (std::size_t k = 0; k < at.contacts.size(); ++k) {
+/// Solves with the matrix of this iteration: directly by the factor, or by GMRES where contacts
+/// couple nodes in ways that the factor leaves out.
+VectorXd solve_coupled(const PressIterate& iterate, const VectorXd& b) {
+  if (!iterate.gaps.depends_on_neighbours() && !has_sliding_nodes(iterate))
+    return iterate.factors.tangent.solve(b);
+  return iterate.solve_iteratively(b, [&](const Matrix3Xd& moved) {
+    // Subtract the part of the loss that the factor contains.
+    Matrix3Xd left_out = contact_force_loss(iterate, moved);
+    for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
       const auto column = static_cast<Eigen::Index>(k);
-      more.col(column) -= own_slope(at, k) * moved.col(column);
+      left_out.col(column) -= own_stiffness(iterate, k) * moved.col(column);
     }
-    return more;
+    return left_out;
   });
 }
 
+/// Takes a Newton step.
 /// @param u  displacements of all nodes [m] (3, nodes)
-/// @return false if the object finds no way to its force
-bool take_step(PressIterate& at, const Matrix3Xd& u) {
-  // Newton step; to reach a force the object's motion is one more unknown.
-  VectorXd dx = solve_coupled(at, -at.residual);
+/// @return false if the motion of the object to its force cannot be computed
+bool take_step(PressIterate& iterate, const Matrix3Xd& u) {
+  // Solve for the step; to reach a force the object's motion is one more unknown.
+  VectorXd dx = solve_coupled(iterate, -iterate.residual);
   double motion = 0;
-  if (at.goal.force &&
-      !at.reach_force([&](const Matrix3Xd& moved) { return contact_loss(at, moved); },
-                      [&](const VectorXd& b) { return solve_coupled(at, b); }, dx, motion))
+  if (iterate.goal.force &&
+      !iterate.solve_object_motion(
+          [&](const Matrix3Xd& moved) { return contact_force_loss(iterate, moved); },
+          [&](const VectorXd& b) { return solve_coupled(iterate, b); }, dx, motion))
     return false;
-  // What the step predicts becomes the new pressure and the new contact forces.
-  at.now.pressure = at.body.pressure_after(u, at.body.spread(dx, {}));
-  Matrix3Xd moved = at.on_surface(dx);
-  moved.colwise() -= motion * at.goal.along;
-  const VectorXd closed = at.gaps.change(moved);
-  for (std::size_t k = 0; k < at.contacts.size(); ++k) {
+  // Predict the pressure and the contact forces after the step.
+  iterate.state.pressure =
+      iterate.body.predict_pressure(u, iterate.body.node_displacements(dx, {}));
+  Matrix3Xd moved = iterate.surface_displacements(dx);
+  moved.colwise() -= motion * iterate.goal.along;
+  const VectorXd gap_changes = iterate.gaps.gap_changes(moved);
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    const TouchingNode& c = at.contacts[k];
-    const double before = c.push - at.stiffness[k] * closed[column];
-    at.now.normal[column] = c.push > 0 ? std::max(0.0, before) : 0;
-    at.now.shear.col(column) =
-        at.now.normal[column] > 0 ? Vector3d(c.shear - lost_shear(at, k, moved.col(column),
-                                                                  at.stiffness[k] * closed[column]))
-                                  : Vector3d(0, 0, 0);
+    const NodeContact& c = iterate.contacts[k];
+    const double lost = iterate.node_stiffness[k] * gap_changes[column];
+    double& normal_force = iterate.state.normal_force[column];
+    normal_force = c.normal_force > 0 ? std::max(0.0, c.normal_force - lost) : 0;
+    iterate.state.friction_force.col(column).setZero();
+    if (normal_force > 0)
+      iterate.state.friction_force.col(column) =
+          c.friction_force - lost_friction(iterate, k, moved.col(column), lost);
   }
-  at.now.x += dx;
-  at.now.X_PO.p += motion * at.goal.along;
+  iterate.state.x += dx;
+  iterate.state.X_PO.p += motion * iterate.goal.along;
   return true;
 }
 
-bool factor_here(PressIterate& at) {
-  add_own_slopes(at);
-  return at.factored([&] { return at.factors.moment.factor(at.tissue.values); });
+bool factor_with_contacts(PressIterate& iterate) {
+  add_own_stiffness(iterate);
+  return iterate.factor_stabilized(
+      [&] { return iterate.factors.tangent.factor(iterate.tissue.tangent); });
 }
 
 }  // namespace
 
-PressOutcome press_by_newton(PressIterate& at) {
+PressOutcome press_by_newton(PressIterate& iterate) {
   PressOutcome out;
   VectorXd dx;
-  bool keeps = false;
-  double before = kInfinity;
-  for (; at.goes_on(out); ++out.iterations) {
-    // Tissue and contacts at the iterate; stiffness only if no tangent is kept.
+  bool reuses_tangent = false;
+  double residual_before = kInfinity;
+  for (; iterate.may_continue(out); ++out.iterations) {
+    // Evaluate tissue and contacts, with the stiffness unless the tangent is reused.
     Matrix3Xd u;
-    if (!at.respond(keeps ? ElementAsk::kForce : ElementAsk::kStiffness, dx, u, out)) return out;
-    if (out.iterations == 0) at.find_stiffness(at.tissue.values);
-    const std::vector<int> touched = contact_states(at);
-    const IterateTurn turn = judge_iterate(at, u, out);
-    if (turn == IterateTurn::kEnded) return out;
-    if (turn == IterateTurn::kMoved) continue;
-    // Renew a kept tangent where contacts have changed or the residual falls too slowly.
-    const double left = std::max({out.residual, at.change, std::abs(at.missing)});
-    const bool same = contact_states(at) == touched;
-    if (keeps && !(same && left < kTangentReuseRatio * before)) {
-      keeps = false;
-      at.body.respond(u, at.goal.time, at.start.history, at.now.pressure, ElementAsk::kStiffness,
-                      at.tissue);
+    const auto request = reuses_tangent ? ElementRequest::kForce : ElementRequest::kStiffness;
+    if (!iterate.evaluate_tissue(request, dx, u, out)) return out;
+    if (out.iterations == 0) iterate.set_node_stiffness(iterate.tissue.tangent);
+    const std::vector<ContactState> states_before = contact_states(iterate);
+    const IterateAction action = assess_iterate(iterate, u, out);
+    if (action == IterateAction::kEnded) return out;
+    if (action == IterateAction::kMoved) continue;
+    // Renew a reused tangent if contacts have changed or the residual decreases too slowly.
+    const double residual =
+        std::max({out.residual, iterate.max_force_change, std::abs(iterate.force_deficit)});
+    const bool same_contacts = contact_states(iterate) == states_before;
+    if (reuses_tangent && !(same_contacts && residual < kTangentReuseRatio * residual_before)) {
+      reuses_tangent = false;
+      iterate.body.evaluate(u, iterate.goal.time, iterate.start.history, iterate.state.pressure,
+                            ElementRequest::kStiffness, iterate.tissue);
     }
-    if ((!keeps && !factor_here(at)) || !take_step(at, u)) {
+    if ((!reuses_tangent && !factor_with_contacts(iterate)) || !take_step(iterate, u)) {
       out.message = "the stiffness is not positive definite";
       return out;
     }
-    // Keep the tangent close to the answer, while contacts stay.
-    before = left;
-    keeps = same && left < kTangentReuseShare * at.scale;
+    // Reuse the tangent close to the solution, while contacts keep their states.
+    residual_before = residual;
+    reuses_tangent = same_contacts && residual < kTangentReuseShare * iterate.total_force;
   }
   return out;
 }

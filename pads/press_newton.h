@@ -6,9 +6,9 @@
 
 namespace thenar {
 
-/// Solves a step whose contacts are as stiff as their augmentation; forces become what each
-/// iteration predicts. An iteration leaves a share of what was left, so a tangent that does as well
-/// is kept.
-[[nodiscard]] PressOutcome press_by_newton(PressIterate& at);
+/// Solves a step with penalty stiffness at the contacts; each iteration predicts the contact forces
+/// of the next. An augmentation leaves a share of the residual anyway, so a tangent that converges
+/// as fast is reused.
+[[nodiscard]] PressOutcome press_by_newton(PressIterate& iterate);
 
 }  // namespace thenar

@@ -10,14 +10,14 @@
 
 namespace thenar {
 
-/// Tangents of a body that its steps factor.
+/// Factored tangents of a body, kept as workspace from step to step.
 struct PressFactors {
-  explicit PressFactors(const TissueBody& body) : moment(body), cones(body) {}
-  CondensedBody moment;  // of the moment, with contacts or without
-  ContactCones cones;    // kept from step to step
+  explicit PressFactors(const TissueBody& body) : tangent(body), cones(body) {}
+  CondensedBody tangent;  // tangent of the current iteration, with or without contacts
+  ContactCones cones;     // tangent that press_by_cones() reuses over several steps
 };
 
-/// Body, object and goal of a step.
+/// Data of one step: body, object, goal, options and start.
 struct PressProblem {
   const TissueBody& body;
   const ContactSurface& surface;

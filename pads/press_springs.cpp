@@ -12,237 +12,253 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-// Stiffness of the skin's springs, over that of other contacts [1]
+// Stiffness of the skin's springs over that of node contacts [1]
 constexpr double kSpringStiffnessRatio = 2;
-// Springs change once the body's stiffness has changed by this factor [1]
-constexpr double kStiffnessChange = 8;
+// Smallest factor of a change of the body's stiffness that changes the springs [1]
+constexpr double kMinStiffnessChange = 8;
 
-constexpr int kFreeIterations = 2;  // Iterations before steps are shortened or lengthened
-constexpr int kStepHalvings = 10;   // Most halvings in a line search
-// Least fall of the potential, over the fall that its slope predicts [1]
+constexpr int kFullStepIterations = 2;  // iterations before steps are shortened or lengthened
+constexpr int kMaxStepHalvings = 10;    // halvings in a line search
+// Least decrease of the potential over the decrease that its slope predicts [1]
 constexpr double kArmijoParameter = 1e-4;
-constexpr double kRoundedPotential = 1e-11;  // Relative rounding of a potential [1]
-// Rounding of the sum of squared stretches less 3, in an energy [1]
+constexpr double kRoundedPotential = 1e-11;  // relative rounding error of a potential [1]
+// Rounding error of the sum of squared stretches less 3, in an energy [1]
 constexpr double kRoundedStretch = 1e-15;
 
-constexpr double kSameWayCosine = 0.95;  // Steps go the same way if their cosine exceeds this [1]
-// Largest factor by which a step that runs off is lengthened [1]
-constexpr double kMostGrowth = 16;
+constexpr double kSameDirectionCosine = 0.95;  // least cosine of steps in the same direction [1]
+constexpr double kMaxLengthening = 16;         // largest factor that lengthens a step [1]
 
-constexpr int kRoundIterations = 8;  // Iterations within which a residual must fall
-constexpr double kRoundFall = 0.5;   // A fall of the residual to less than this share counts [1]
+constexpr int kCycleIterations = 8;    // iterations within which the residual must decrease
+constexpr double kResidualFall = 0.5;  // least decrease of the residual that counts, a factor [1]
 
+/// Solver for one step with springs on the skin.
 class SpringPress {
  public:
-  explicit SpringPress(PressIterate& at) : at_(at) {}
+  explicit SpringPress(PressIterate& iterate) : iterate_(iterate) {}
 
   PressOutcome solve() {
     PressOutcome out;
-    at_.springs.emplace(at_.body, at_.surface);
-    if (is_off_at_rest()) {
-      // Skin that hangs on an edge would be another answer.
-      at_.now.x.setZero();
-      at_.now.pressure.clear();
-      at_.end(at_.body.spread(at_.now.x, {}), out);
+    iterate_.springs.emplace(iterate_.body, iterate_.surface);
+    if (misses_skin_at_rest()) {
+      // Return the skin to rest: it could otherwise stay caught on an edge.
+      iterate_.state.x.setZero();
+      iterate_.state.pressure.clear();
+      iterate_.accept(iterate_.body.node_displacements(iterate_.state.x, {}), out);
       return out;
     }
-    for (; at_.goes_on(out); ++out.iterations) {
-      // Tissue and springs at the iterate; a step that did not lower the potential is cut.
+    for (; iterate_.may_continue(out); ++out.iterations) {
+      // Evaluate tissue and springs; shorten a step that did not decrease the potential.
       Matrix3Xd u;
-      if (!at_.respond(ElementAsk::kStiffness, dx_, u, out)) return out;
-      if (out.iterations == 0) find_spring_stiffness();
-      find_springs(at_.object.friction);
-      if (out.iterations > kFreeIterations && !search_line(u, out)) return out;
-      // Balanced, or going round without progress.
-      at_.measure(at_.springs->push(), out);
-      if (at_.is_solved(out)) {
-        at_.end(u, out);
+      if (!iterate_.evaluate_tissue(ElementRequest::kStiffness, dx_, u, out)) return out;
+      if (out.iterations == 0) set_spring_stiffness();
+      update_springs(iterate_.object.friction);
+      if (out.iterations > kFullStepIterations && !search_line(u, out)) return out;
+      // End if the forces balance, or if iterations cycle.
+      iterate_.measure_residual(iterate_.springs->normal_forces(), out);
+      if (iterate_.is_converged(out)) {
+        iterate_.accept(u, out);
         return out;
       }
-      if (goes_round(out)) {
+      if (is_cycling(out)) {
         out.message = "steps go round";
         return out;
       }
-      if (at_.goal.force && at_.scale == 0) {
-        // A force is sought and nothing touches: move the object on.
-        at_.gaps.find(*at_.object.shape, at_.now.X_PO, at_.now.x);
-        if (!at_.go_to_touch(out)) return out;
-        line_.before = kInfinity;
+      if (iterate_.goal.force && iterate_.total_force == 0) {
+        // Move an object that seeks a force to where it touches.
+        iterate_.gaps.update(*iterate_.object.shape, iterate_.state.X_PO, iterate_.state.x);
+        if (!iterate_.move_to_contact(out)) return out;
+        line_.start_potential = kInfinity;
         continue;
       }
-      if (!find_step()) {
+      if (!compute_step()) {
         out.message = "the stiffness is not positive definite";
         return out;
       }
-      take_step(u, out.iterations > kFreeIterations);
+      take_step(u, out.iterations > kFullStepIterations);
     }
     return out;
   }
 
   Eigen::Matrix<double, 6, 6> stiffness() {
-    // Springs at the state. Friction is bounded a little lower, so that nodes on their cones slip.
-    at_.residual = VectorXd::Zero(at_.body.unknowns());
-    find_spring_stiffness();
-    at_.springs.emplace(at_.body, at_.surface);
-    find_springs(at_.object.friction * (1 - kSlipMargin));
-    at_.springs->add_slopes(at_.tissue.values);
-    if (!factored()) return Eigen::Matrix<double, 6, 6>::Zero();
-    // Forces by a motion of the object, less those that the body's motion gives back.
-    const SkinSprings& springs = *at_.springs;
-    return push_slope(places_of(at_.surface, at_.now.x), springs.push() + springs.shear(),
-                      [&](const Matrix3Xd& rigid, const Matrix3Xd& turned) {
-                        const Matrix3Xd pushed = springs.loss(rigid) + turned;
-                        const Matrix3Xd moved = at_.on_surface(solve(at_.on_body(pushed)));
-                        return PushAnswer{pushed - springs.loss(moved), moved};
-                      });
+    // Update the springs; a slightly smaller friction makes nodes on their cones slip.
+    iterate_.residual = VectorXd::Zero(iterate_.body.unknowns());
+    set_spring_stiffness();
+    iterate_.springs.emplace(iterate_.body, iterate_.surface);
+    update_springs(iterate_.object.friction * (1 - kSlipMargin));
+    iterate_.springs->add_stiffness(iterate_.tissue.tangent);
+    if (!factor()) return Eigen::Matrix<double, 6, 6>::Zero();
+    // Move the object; subtract the forces that the motion of the body relieves.
+    const SkinSprings& springs = *iterate_.springs;
+    return object_stiffness(deformed_positions(iterate_.surface, iterate_.state.x),
+                            springs.normal_forces() + springs.friction_forces(),
+                            [&](const Matrix3Xd& rigid, const Matrix3Xd& turned) {
+                              const Matrix3Xd pushed = springs.force_loss(rigid) + turned;
+                              const Matrix3Xd moved = iterate_.surface_displacements(
+                                  solve(iterate_.body_forces(pushed)));
+                              return MotionResponse{pushed - springs.force_loss(moved), moved};
+                            });
   }
 
  private:
-  /// Sets springs that stay as they were unless tissue has become much stiffer or softer, as a
-  /// change makes energy from nothing.
-  void find_spring_stiffness() {
-    at_.find_stiffness(at_.tissue.values);
-    for (double& each : at_.stiffness) each *= kSpringStiffnessRatio;
-    for (std::size_t k = 0; k < at_.start.spring_stiffness.size(); ++k) {
-      const double was = at_.start.spring_stiffness[k], is = at_.stiffness[k];
-      if (std::max(was / is, is / was) < kStiffnessChange) at_.stiffness[k] = was;
+  /// Sets the stiffness of the springs. It changes only when the tissue has become much stiffer or
+  /// softer, because a change creates or destroys energy.
+  void set_spring_stiffness() {
+    iterate_.set_node_stiffness(iterate_.tissue.tangent);
+    for (double& each : iterate_.node_stiffness) each *= kSpringStiffnessRatio;
+    for (std::size_t k = 0; k < iterate_.start.spring_stiffness.size(); ++k) {
+      const double before = iterate_.start.spring_stiffness[k], after = iterate_.node_stiffness[k];
+      if (std::max(before / after, after / before) < kMinStiffnessChange)
+        iterate_.node_stiffness[k] = before;
     }
   }
 
-  /// Sets springs, and contact forces by them.
-  void find_springs(double friction) {
-    at_.springs->find(*at_.object.shape, at_.now.X_PO, at_.now.x, at_.stiffness, friction,
-                      {at_.start.anchor, at_.now.shear});
-    for (std::size_t k = 0; k < at_.contacts.size(); ++k) {
+  /// Updates the springs and the contact forces.
+  void update_springs(double friction) {
+    iterate_.springs->update(*iterate_.object.shape, iterate_.state.X_PO, iterate_.state.x,
+                             iterate_.node_stiffness, friction,
+                             {iterate_.start.anchor, iterate_.state.friction_force});
+    for (std::size_t k = 0; k < iterate_.contacts.size(); ++k) {
       const auto column = static_cast<Eigen::Index>(k);
-      at_.contacts[k].push = at_.springs->push().col(column).norm();
-      at_.contacts[k].shear = at_.springs->shear().col(column);
+      iterate_.contacts[k].normal_force = iterate_.springs->normal_forces().col(column).norm();
+      iterate_.contacts[k].friction_force = iterate_.springs->friction_forces().col(column);
     }
   }
 
-  /// Halves the last step until the potential falls as slopes promise (Armijo's rule); with
-  /// friction there is none.
-  /// @return false if tissue gives no answer
+  /// Halves the last step until the potential decreases enough (Armijo's rule). With friction there
+  /// is no potential, and the step stays.
+  /// @return false if the tissue cannot be evaluated
   bool search_line(Matrix3Xd& u, PressOutcome& out) {
-    if (at_.object.friction > 0) return true;
-    for (int cut = 0; cut < kStepHalvings; ++cut) {
-      if (potential() <= line_.before + kArmijoParameter * line_.promise + rounded_potential())
+    if (iterate_.object.friction > 0) return true;
+    for (int cut = 0; cut < kMaxStepHalvings; ++cut) {
+      if (potential() <=
+          line_.start_potential + kArmijoParameter * line_.predicted_change + potential_rounding())
         break;
-      // Take back half of the last step, of body and object.
-      line_.promise /= 2;
-      line_.motion /= 2;
+      // Take back half of the last step of body and object.
+      line_.predicted_change /= 2;
+      line_.object_motion /= 2;
       dx_ /= 2;
-      at_.now.x -= dx_;
-      at_.now.X_PO.p -= line_.motion * at_.goal.along;
-      if (!at_.respond(ElementAsk::kStiffness, dx_, u, out)) return false;
-      find_springs(0);
+      iterate_.state.x -= dx_;
+      iterate_.state.X_PO.p -= line_.object_motion * iterate_.goal.along;
+      if (!iterate_.evaluate_tissue(ElementRequest::kStiffness, dx_, u, out)) return false;
+      update_springs(0);
     }
     return true;
   }
 
-  /// Returns whether steps with friction go round for ever.
-  bool goes_round(const PressOutcome& out) {
-    // Iteration in which the residual last fell by half.
-    if (out.residual < kRoundFall * least_) {
-      least_ = out.residual;
-      fell_ = out.iterations;
+  /// Returns whether iterations with friction cycle without progress.
+  bool is_cycling(const PressOutcome& out) {
+    // Record the iteration in which the residual last halved.
+    if (out.residual < kResidualFall * reference_residual_) {
+      reference_residual_ = out.residual;
+      progress_iteration_ = out.iterations;
     }
-    return at_.object.friction > 0 && out.iterations > fell_ + kRoundIterations;
+    return iterate_.object.friction > 0 && out.iterations > progress_iteration_ + kCycleIterations;
   }
 
-  /// Finds the next step. @return false if there is none
-  bool find_step() {
-    at_.springs->add_slopes(at_.tissue.values);
+  /// Computes the next step. @return false if the tangent is not positive definite
+  bool compute_step() {
+    iterate_.springs->add_stiffness(iterate_.tissue.tangent);
     dx_.resize(0);
     line_ = {potential(), 0, 0};
-    if (!factored()) return false;
-    // Newton step; to reach a force the object's motion is one more unknown.
-    dx_ = solve(-at_.residual);
-    if (at_.goal.force &&
-        !at_.reach_force([&](const Matrix3Xd& moved) { return at_.springs->loss(moved); },
-                         [&](const VectorXd& b) { return solve(b); }, dx_, line_.motion))
+    if (!factor()) return false;
+    // Solve for the step; to reach a force the object's motion is one more unknown.
+    dx_ = solve(-iterate_.residual);
+    if (iterate_.goal.force &&
+        !iterate_.solve_object_motion(
+            [&](const Matrix3Xd& moved) { return iterate_.springs->force_loss(moved); },
+            [&](const VectorXd& b) { return solve(b); }, dx_, line_.object_motion))
       return false;
-    // Change of the potential by its slope.
-    line_.promise = at_.residual.dot(dx_) - at_.missing * line_.motion;
+    // Predict the change of the potential by its slope.
+    line_.predicted_change =
+        iterate_.residual.dot(dx_) - iterate_.force_deficit * line_.object_motion;
     return true;
   }
 
-  /// Applies the step. @param may_grow  if it runs off an equilibrium that is not stable
-  void take_step(const Matrix3Xd& u, bool may_grow) {
-    // Lengthen a step that runs off, up to the longest motion.
-    const bool runs = may_grow && runs_off();
-    last_ = dx_;
-    if (runs) dx_ *= std::clamp(at_.longest / dx_.lpNorm<Eigen::Infinity>(), 1.0, kMostGrowth);
-    // Pressure and friction that the step predicts.
-    at_.now.pressure = at_.body.pressure_after(u, at_.body.spread(dx_, {}));
-    if (at_.object.friction > 0) {
-      Matrix3Xd moved = at_.on_surface(dx_);
-      moved.colwise() -= line_.motion * at_.goal.along;
-      at_.now.shear = at_.springs->shear() - at_.springs->friction_loss(moved);
+  /// Applies the step.
+  /// @param may_lengthen  whether a step away from an unstable equilibrium is lengthened
+  void take_step(const Matrix3Xd& u, bool may_lengthen) {
+    // Lengthen a step away from an unstable equilibrium, up to the longest motion.
+    const bool lengthens = may_lengthen && diverges();
+    last_dx_ = dx_;
+    if (lengthens)
+      dx_ *= std::clamp(iterate_.max_motion / dx_.lpNorm<Eigen::Infinity>(), 1.0, kMaxLengthening);
+    // Predict the pressure and the friction after the step.
+    iterate_.state.pressure =
+        iterate_.body.predict_pressure(u, iterate_.body.node_displacements(dx_, {}));
+    if (iterate_.object.friction > 0) {
+      Matrix3Xd moved = iterate_.surface_displacements(dx_);
+      moved.colwise() -= line_.object_motion * iterate_.goal.along;
+      iterate_.state.friction_force =
+          iterate_.springs->friction_forces() - iterate_.springs->friction_force_loss(moved);
     }
-    at_.now.x += dx_;
-    at_.now.X_PO.p += line_.motion * at_.goal.along;
+    iterate_.state.x += dx_;
+    iterate_.state.X_PO.p += line_.object_motion * iterate_.goal.along;
   }
 
-  /// Returns whether steps go on in one direction and grow, as off an equilibrium that is not
-  /// stable.
-  [[nodiscard]] bool runs_off() const {
-    return at_.object.friction <= 0 && !at_.goal.force && last_.size() > 0 &&
-           dx_.norm() > last_.norm() && dx_.dot(last_) > kSameWayCosine * dx_.norm() * last_.norm();
+  /// Returns whether frictionless steps grow in one direction, as away from an unstable
+  /// equilibrium.
+  [[nodiscard]] bool diverges() const {
+    return iterate_.object.friction <= 0 && !iterate_.goal.force && last_dx_.size() > 0 &&
+           dx_.norm() > last_dx_.norm() &&
+           dx_.dot(last_dx_) > kSameDirectionCosine * dx_.norm() * last_dx_.norm();
   }
 
-  /// Returns whether the object, which does not wait for a force, is off the skin at rest.
-  bool is_off_at_rest() {
-    if (at_.goal.force || at_.body.relaxes()) return false;
-    // Depth of the skin at rest, for which any stiffness will do.
-    const std::vector<double> any(at_.surface.nodes.size(), 1);
-    at_.springs->find(*at_.object.shape, at_.now.X_PO, VectorXd::Zero(at_.now.x.size()), any, 0,
-                      {at_.start.anchor, at_.now.shear});
-    return at_.springs->deepest() <= 0;
+  /// Returns whether an object at a given pose does not touch the elastic skin at rest.
+  bool misses_skin_at_rest() {
+    if (iterate_.goal.force || iterate_.body.relaxes()) return false;
+    // Measure the depth of the skin at rest, which does not depend on the stiffness.
+    const std::vector<double> unit_stiffness(iterate_.surface.nodes.size(), 1);
+    iterate_.springs->update(*iterate_.object.shape, iterate_.state.X_PO,
+                             VectorXd::Zero(iterate_.state.x.size()), unit_stiffness, 0,
+                             {iterate_.start.anchor, iterate_.state.friction_force});
+    return iterate_.springs->max_depth() <= 0;
   }
 
-  /// Energy of tissue and springs, less the work of the force on the object [J].
+  /// Returns the energy of tissue and springs, less the work of the force on the object [J].
   [[nodiscard]] double potential() const {
-    return at_.tissue.energy + at_.springs->energy() -
-           at_.goal.force.value_or(0) * at_.goal.along.dot(at_.now.X_PO.p - at_.start.X_PO.p);
+    return iterate_.tissue.energy + iterate_.springs->energy() -
+           iterate_.goal.force.value_or(0) *
+               iterate_.goal.along.dot(iterate_.state.X_PO.p - iterate_.start.X_PO.p);
   }
-  [[nodiscard]] double rounded_potential() const {
+  [[nodiscard]] double potential_rounding() const {
     return kRoundedPotential * std::abs(potential()) +
-           kRoundedStretch * at_.body.largest_modulus() * std::pow(at_.surface.area.sum(), 1.5);
+           kRoundedStretch * iterate_.body.max_shear_modulus() *
+               std::pow(iterate_.surface.area.sum(), 1.5);
   }
 
-  bool factored() {
-    return at_.factored([&] { return at_.factors.moment.factor(at_.tissue.values); });
+  bool factor() {
+    return iterate_.factor_stabilized(
+        [&] { return iterate_.factors.tangent.factor(iterate_.tissue.tangent); });
   }
 
-  /// Solves with the matrix of this iteration, of which friction is not symmetric and comes by
-  /// iterations.
+  /// Solves with the matrix of this iteration: directly by the factor, or with friction, whose part
+  /// is not symmetric, by GMRES.
   [[nodiscard]] VectorXd solve(const VectorXd& b) const {
-    if (at_.object.friction <= 0) return at_.factors.moment.solve(b);
-    return at_.solve_with(
-        b, [&](const Matrix3Xd& moved) { return at_.springs->loss_left_out(moved); });
+    if (iterate_.object.friction <= 0) return iterate_.factors.tangent.solve(b);
+    return iterate_.solve_iteratively(
+        b, [&](const Matrix3Xd& moved) { return iterate_.springs->unfactored_loss(moved); });
   }
 
   /// Line search along the last step.
   struct LineSearch {
-    double before = kInfinity;  // potential before it [J]
-    double promise = 0;         // its change by slopes [J]
-    double motion = 0;          // of the object [m]
+    double start_potential = kInfinity;  // potential before the step [J]
+    double predicted_change = 0;         // change that slopes predict [J]
+    double object_motion = 0;            // motion of the object [m]
   };
 
-  PressIterate& at_;
-  VectorXd dx_, last_;  // steps [m] (3 free nodes)
+  PressIterate& iterate_;
+  VectorXd dx_, last_dx_;  // this step and the last one [m] (3 free nodes)
   LineSearch line_;
-  double least_ = kInfinity;  // residual [N]
-  int fell_ = 0;              // the iteration in which it became that
+  double reference_residual_ = kInfinity;  // residual when it last halved [N]
+  int progress_iteration_ = 0;             // iteration in which it last halved
 };
 
 }  // namespace
 
-PressOutcome press_by_springs(PressIterate& at) { return SpringPress(at).solve(); }
+PressOutcome press_by_springs(PressIterate& iterate) { return SpringPress(iterate).solve(); }
 
-Eigen::Matrix<double, 6, 6> spring_press_stiffness(PressIterate& at) {
-  return SpringPress(at).stiffness();
+Eigen::Matrix<double, 6, 6> spring_press_stiffness(PressIterate& iterate) {
+  return SpringPress(iterate).stiffness();
 }
 
 }  // namespace thenar

@@ -13,73 +13,79 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-// Most touching nodes for which cones cost less than Newton's method
-constexpr int kMostConeNodes = 60;
+// Largest number of touching nodes for which exact cones cost less than Newton's method
+constexpr int kMaxConeNodes = 60;
 
-/// Nodes that touch or, if no tissue moves, will be inside the object.
-int nodes_to_touch(PressIterate& at) {
-  at.gaps.find(*at.object.shape, at.now.X_PO, at.now.x);
+/// Counts nodes that touch, or that the object at its goal overlaps.
+int count_touching_nodes(PressIterate& iterate) {
+  iterate.gaps.update(*iterate.object.shape, iterate.state.X_PO, iterate.state.x);
   int count = 0;
-  for (std::size_t k = 0; k < at.contacts.size(); ++k)
-    count += at.now.normal[static_cast<Eigen::Index>(k)] > 0 || at.gaps.gap(k) < 0 ? 1 : 0;
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k)
+    if (iterate.state.normal_force[static_cast<Eigen::Index>(k)] > 0 || iterate.gaps.gap(k) < 0)
+      ++count;
   return count;
 }
 
-/// Solves by springs where there are edges; else by the augmented Lagrangian without friction or
-/// where many nodes touch, or by cones; where one fails, by the other.
-PressOutcome solve(PressIterate& at) {
-  // Edges over the skin: springs.
-  if (meets_edge(at.surface, *at.object.shape, at.start.X_PO, at.start.x) ||
-      meets_edge(at.surface, *at.object.shape, at.goal.X_PO, at.start.x))
-    return press_by_springs(at);
-  // Newton's method or cones, and from the start again by the other if that fails.
-  const bool augments = at.object.friction <= 0 || nodes_to_touch(at) > kMostConeNodes;
-  PressOutcome out = augments ? press_by_newton(at) : press_by_cones(at);
+/// Solves a step by the method that suits its contact.
+PressOutcome solve(PressIterate& iterate) {
+  // Use springs where an edge lies over the skin.
+  if (has_edge_nearby(iterate.surface, *iterate.object.shape, iterate.start.X_PO,
+                      iterate.start.x) ||
+      has_edge_nearby(iterate.surface, *iterate.object.shape, iterate.goal.X_PO, iterate.start.x))
+    return press_by_springs(iterate);
+  // Use Newton's method without friction or with many contacts, otherwise exact cones.
+  const bool augments =
+      iterate.object.friction <= 0 || count_touching_nodes(iterate) > kMaxConeNodes;
+  PressOutcome out = augments ? press_by_newton(iterate) : press_by_cones(iterate);
   if (out.status == Status::kSolved || out.status == Status::kStopped) return out;
+  // If that fails, start again with the other method.
   const int iterations = out.iterations;
-  at.restart();
-  out = augments ? press_by_cones(at) : press_by_newton(at);
+  iterate.reset_to_start();
+  out = augments ? press_by_cones(iterate) : press_by_newton(iterate);
   out.iterations += iterations;
   return out;
 }
 
-/// The new state, once solved.
-PressState finish(PressIterate& at) {
-  PressState& now = at.now;
-  for (std::size_t k = 0; k < at.contacts.size(); ++k) {
+/// Returns the state at the end of a solved step.
+PressState final_state(PressIterate& iterate) {
+  PressState& state = iterate.state;
+  // Copy the forces of the nodes, and anchor them to the object.
+  for (std::size_t k = 0; k < iterate.contacts.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    const TouchingNode& c = at.contacts[k];
-    now.normal[column] = c.push;
-    // Friction is cut to its cone, which it may exceed by the tolerance.
-    const double bound = at.object.friction * c.push, size = c.shear.norm();
-    now.shear.col(column) = (size > bound ? bound / size : 1.0) * c.shear;
-    now.anchor.col(column) = now.X_PO.inverse() * at.place_of(k);
+    const NodeContact& c = iterate.contacts[k];
+    state.normal_force[column] = c.normal_force;
+    // Friction may exceed its cone by the tolerance.
+    const double bound = iterate.object.friction * c.normal_force, size = c.friction_force.norm();
+    state.friction_force.col(column) = (size > bound ? bound / size : 1.0) * c.friction_force;
+    state.anchor.col(column) = state.X_PO.inverse() * iterate.node_position(k);
   }
-  // Push and springs, and the relaxation over the step.
-  now.push = at.push;
-  now.by_springs = at.springs.has_value();
-  now.spring_energy = at.springs ? at.springs->energy() : 0;
-  if (at.springs && !at.stiffness.empty()) now.spring_stiffness = at.stiffness;
-  now.history = at.body.advance(at.body.spread(now.x, {}), at.goal.time, at.start.history);
-  return now;
+  // Copy the wrench and the springs, and advance the relaxation over the step.
+  state.push = iterate.push;
+  state.uses_skin_springs = iterate.springs.has_value();
+  state.spring_energy = iterate.springs ? iterate.springs->energy() : 0;
+  if (iterate.springs && !iterate.node_stiffness.empty())
+    state.spring_stiffness = iterate.node_stiffness;
+  state.history = iterate.body.advance_history(iterate.body.node_displacements(state.x, {}),
+                                               iterate.goal.time, iterate.start.history);
+  return state;
 }
 
-/// Nodes that touch, by how they do.
+/// Lists the touching nodes of a state with their friction.
 TouchingNodes touching_nodes(const PressState& state, double friction) {
   TouchingNodes out;
-  out.along_normal.resize(3, state.normal.size());
-  for (Eigen::Index k = 0; k < state.normal.size(); ++k) {
-    if (state.normal[k] <= 0) continue;
-    out.along_normal.col(static_cast<Eigen::Index>(out.nodes.size())) =
-        state.shear.col(k) / state.normal[k];
+  out.friction_ratio.resize(3, state.normal_force.size());
+  for (Eigen::Index k = 0; k < state.normal_force.size(); ++k) {
+    if (state.normal_force[k] <= 0) continue;
+    out.friction_ratio.col(static_cast<Eigen::Index>(out.nodes.size())) =
+        state.friction_force.col(k) / state.normal_force[k];
     out.nodes.push_back(static_cast<int>(k));
     out.sticks.push_back(node_sticks(state, k, friction));
   }
   return out;
 }
 
-/// Returns whether springs of a state, where there are some, are those of the surface's nodes.
-bool has_springs_of(const PressState& state, const ContactSurface& surface) {
+/// Returns whether a state has no springs, or one for each surface node.
+bool springs_match(const PressState& state, const ContactSurface& surface) {
   return state.spring_stiffness.empty() || state.spring_stiffness.size() == surface.nodes.size();
 }
 
@@ -89,7 +95,7 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
                         const RigidObject& object, const PressGoal& goal,
                         const PressOptions& options, PressFactors& factors, PressState& state) {
   const auto nodes = static_cast<Eigen::Index>(surface.nodes.size());
-  // Object and goal must make sense, and the state must fit the body.
+  // Check the object and the goal, and that the state fits the body.
   require(object.shape != nullptr, "an object without a shape presses on nothing");
   require(object.friction >= 0 && std::isfinite(object.friction),
           "friction must be finite and >= 0, got {}", object.friction);
@@ -100,15 +106,15 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
   require(!goal.force || std::abs(goal.along.norm() - 1) < 1e-9,
           "the direction of a force is no unit vector");
   require(nodes > 0, "a body has no surface that may touch");
-  require(state.x.size() == body.unknowns() && state.normal.size() == nodes &&
-              state.shear.cols() == nodes && state.anchor.cols() == nodes &&
-              has_springs_of(state, surface),
+  require(state.x.size() == body.unknowns() && state.normal_force.size() == nodes &&
+              state.friction_force.cols() == nodes && state.anchor.cols() == nodes &&
+              springs_match(state, surface),
           "a state of {} unknowns and {} nodes does not fit a body of {} and {}", state.x.size(),
-          state.normal.size(), body.unknowns(), nodes);
-  // The state changes only if the step is solved.
-  PressIterate at({body, surface, object, goal, options, state}, factors);
-  PressOutcome out = solve(at);
-  if (out.status == Status::kSolved) state = finish(at);
+          state.normal_force.size(), body.unknowns(), nodes);
+  // Solve the step; the state changes only on success.
+  PressIterate iterate({body, surface, object, goal, options, state}, factors);
+  PressOutcome out = solve(iterate);
+  if (out.status == Status::kSolved) state = final_state(iterate);
   return out;
 }
 
@@ -116,24 +122,26 @@ Eigen::Matrix<double, 6, 6> press_stiffness(const TissueBody& body, const Contac
                                             const RigidObject& object, const PressOptions& options,
                                             PressFactors& factors, const PressState& state) {
   require(state.x.size() == body.unknowns() &&
-              state.normal.size() == static_cast<Eigen::Index>(surface.nodes.size()) &&
-              has_springs_of(state, surface),
+              state.normal_force.size() == static_cast<Eigen::Index>(surface.nodes.size()) &&
+              springs_match(state, surface),
           "a state of {} unknowns does not fit a body of {}", state.x.size(), body.unknowns());
   PressGoal here;
   here.X_PO = state.X_PO;
-  // Tissue at the state, with no time to relax.
-  PressIterate at({body, surface, object, here, options, state}, factors);
-  at.body.respond(body.spread(at.now.x, {}), 0, state.history, at.now.pressure,
-                  ElementAsk::kStiffness, at.tissue);
-  if (at.tissue.inverted) return Eigen::Matrix<double, 6, 6>::Zero();
-  if (state.by_springs) return spring_press_stiffness(at);
-  // Contacts of nodes on the body, whose compliance is found for the nodes that touch.
-  at.gaps.find(*object.shape, at.now.X_PO, at.now.x);
-  const TouchingNodes touching = touching_nodes(at.now, object.friction);
-  if (touching.nodes.empty() || !factors.moment.factor(at.tissue.values))
+  // Compute the tangent of the tissue at the state, without relaxation.
+  PressIterate iterate({body, surface, object, here, options, state}, factors);
+  iterate.body.evaluate(body.node_displacements(iterate.state.x, {}), 0, state.history,
+                        iterate.state.pressure, ElementRequest::kStiffness, iterate.tissue);
+  if (iterate.tissue.inverted) return Eigen::Matrix<double, 6, 6>::Zero();
+  if (state.uses_skin_springs) return spring_press_stiffness(iterate);
+  // Condense the body to the touching nodes, and move the object against them.
+  iterate.gaps.update(*object.shape, iterate.state.X_PO, iterate.state.x);
+  const TouchingNodes touching = touching_nodes(iterate.state, object.friction);
+  if (touching.nodes.empty() || !factors.tangent.factor(iterate.tissue.tangent))
     return Eigen::Matrix<double, 6, 6>::Zero();
-  return contact_stiffness(factors.moment, surface, at.gaps, touching, places_of(surface, at.now.x),
-                           at.gaps.spread(at.now.normal) + at.now.shear);
+  return contact_stiffness(
+      factors.tangent, surface, iterate.gaps, touching,
+      deformed_positions(surface, iterate.state.x),
+      iterate.gaps.nodal_forces(iterate.state.normal_force) + iterate.state.friction_force);
 }
 
 }  // namespace thenar

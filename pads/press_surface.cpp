@@ -8,9 +8,8 @@
 namespace thenar {
 namespace {
 
-/// Turns faces whose corners do not go counterclockwise seen from outside, which is away from the
-/// pad's origin.
-void turn_outward(const Eigen::Matrix3Xd& places, std::vector<std::array<int, 4>>& faces) {
+/// Orders the corners of faces counterclockwise as seen from outside, away from the pad's origin.
+void orient_outward(const Eigen::Matrix3Xd& places, std::vector<std::array<int, 4>>& faces) {
   for (std::array<int, 4>& face : faces) {
     const Eigen::Vector3d a = places.col(face[0]), b = places.col(face[1]), c = places.col(face[2]),
                           d = places.col(face[3]);
@@ -20,37 +19,39 @@ void turn_outward(const Eigen::Matrix3Xd& places, std::vector<std::array<int, 4>
 
 /// Contact quantities of the mesh's nodes, each (nodes of the mesh).
 struct MeshContact {
-  Eigen::VectorXd area;              // share of the deformed skin [m^2]
-  Eigen::VectorXd normal;            // force [N]
-  std::vector<SkinContact> contact;  // of nodes that do not hang
+  Eigen::VectorXd area;              // area of the deformed skin assigned to the node [m^2]
+  Eigen::VectorXd normal;            // normal force [N]
+  std::vector<SkinContact> contact;  // contact states of nodes that do not hang
 };
 
-/// Forces of the nodes that may touch.
-void add_forces(const PadPress& press, double friction, MeshContact& out) {
+/// Sets the normal forces and contact states of the nodes that may touch.
+void set_contact(const PadPress& press, double friction, MeshContact& out) {
   const PressState& state = press.state();
   out.normal = Eigen::VectorXd::Zero(press.mesh().nodes());
   out.contact.assign(static_cast<std::size_t>(press.mesh().nodes()), SkinContact::kFree);
   for (std::size_t k = 0; k < press.surface().nodes.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
     const int node = mesh_node(press.body(), press.surface(), k);
-    out.normal[node] = state.normal[column];
-    if (state.normal[column] <= 0) continue;
+    out.normal[node] = state.normal_force[column];
+    if (state.normal_force[column] <= 0) continue;
     out.contact[static_cast<std::size_t>(node)] =
         node_sticks(state, column, friction) ? SkinContact::kSticks : SkinContact::kSlips;
   }
 }
 
-/// Appends a node: a hanging one has the mean pressure of its masters, and touches where most do.
-void add_node(const HexMesh& mesh, const MeshContact& found, int node, Eigen::Index k,
-              PressedSkin& skin) {
-  skin.normal[k] = found.normal[node];
+/// Sets the pressure and contact state of a skin node. A hanging node has the mean pressure of its
+/// masters, and touches if most of them do.
+void set_skin_node(const HexMesh& mesh, const MeshContact& mesh_contact, int node, Eigen::Index k,
+                   PressedSkin& skin) {
+  skin.normal[k] = mesh_contact.normal[node];
   skin.pressure[k] = 0;
   double touching = 0, sticking = 0;
-  // Pressure of each master by its own area, and how much of the node's weight touches.
+  // Average the pressures of the masters, and sum the weights of those that touch.
   for (const NodeWeight& each : mesh.support(node)) {
-    if (found.area[each.node] > 0)
-      skin.pressure[k] += each.weight * (found.normal[each.node] / found.area[each.node]);
-    const SkinContact contact = found.contact[static_cast<std::size_t>(each.node)];
+    if (mesh_contact.area[each.node] > 0)
+      skin.pressure[k] +=
+          each.weight * (mesh_contact.normal[each.node] / mesh_contact.area[each.node]);
+    const SkinContact contact = mesh_contact.contact[static_cast<std::size_t>(each.node)];
     touching += contact != SkinContact::kFree ? each.weight : 0;
     sticking += contact == SkinContact::kSticks ? each.weight : 0;
   }
@@ -77,18 +78,18 @@ std::vector<int> renumber(std::vector<std::array<int, 4>>& faces, int nodes) {
 
 PressedSkin pressed_skin(const PadPress& press, double friction) {
   const HexMesh& mesh = press.mesh();
-  const Eigen::Matrix3Xd at_rest = places_at_rest(mesh);
-  const Eigen::Matrix3Xd at = at_rest + press.body().spread(press.state().x, {});
-  // Faces of the skin, with areas and forces by nodes of the mesh.
+  const Eigen::Matrix3Xd at_rest = rest_positions(mesh);
+  const Eigen::Matrix3Xd at = at_rest + press.body().node_displacements(press.state().x, {});
+  // Collect the faces of the skin, with areas and forces of the mesh's nodes.
   PressedSkin skin;
   const std::vector<HexFace> faces = marked_faces(mesh, skin_nodes(mesh));
-  for (const HexFace& face : faces)  // two rows become a round
+  for (const HexFace& face : faces)  // from two rows to an order around the face
     skin.faces.push_back({face.nodes[0], face.nodes[1], face.nodes[3], face.nodes[2]});
-  turn_outward(at_rest, skin.faces);
-  MeshContact found;
-  found.area = node_areas(mesh, faces, at);
-  add_forces(press, friction, found);
-  // Nodes of the skin alone, in the order in which faces name them.
+  orient_outward(at_rest, skin.faces);
+  MeshContact mesh_contact;
+  mesh_contact.area = node_areas(mesh, faces, at);
+  set_contact(press, friction, mesh_contact);
+  // Keep the nodes of the skin, in the order in which the faces list them.
   const std::vector<int> nodes = renumber(skin.faces, mesh.nodes());
   const auto count = static_cast<Eigen::Index>(nodes.size());
   skin.places.resize(3, count);
@@ -99,7 +100,7 @@ PressedSkin pressed_skin(const PadPress& press, double friction) {
     const int node = nodes[static_cast<std::size_t>(k)];
     skin.places.col(k) = at.col(node);
     skin.at_rest.col(k) = at_rest.col(node);
-    add_node(mesh, found, node, k, skin);
+    set_skin_node(mesh, mesh_contact, node, k, skin);
   }
   return skin;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The skin of a pressed pad: where it is, its pressure, where it sticks.
+/// Skin of a pressed pad: deformed positions, pressure and contact states.
 
 #include <array>
 #include <vector>
@@ -14,25 +14,25 @@ class PadPress;
 /// Contact state of a node of the skin: open, sticking or slipping.
 enum class SkinContact : unsigned char { kFree, kSticks, kSlips };
 
-/// The skin at one instant, in the pad's frame.
+/// Skin at one instant, in the pad's frame.
 struct PressedSkin {
-  Eigen::Matrix3Xd places;                // of nodes, deformed [m] (3, nodes)
-  Eigen::Matrix3Xd at_rest;               // of the same nodes [m] (3, nodes)
+  Eigen::Matrix3Xd places;                // deformed positions of nodes [m] (3, nodes)
+  Eigen::Matrix3Xd at_rest;               // rest positions of the same nodes [m] (3, nodes)
   std::vector<std::array<int, 4>> faces;  // quadrilaterals, corners in order around them
-  Eigen::VectorXd pressure;               // normal force over the node's share of deformed faces;
-                                          // of hanging nodes the mean of their masters [Pa] (nodes)
+  Eigen::VectorXd pressure;               // normal force over the node's area of deformed faces;
+                                          // hanging nodes: mean of their masters [Pa] (nodes)
   Eigen::VectorXd normal;                 // normal force, 0 on hanging nodes [N] (nodes)
   std::vector<SkinContact> contact;       // (nodes)
 };
 
-/// Numbers the nodes of faces anew, in the order in which faces name them.
-/// @param nodes  count of nodes before
-/// @return old numbers of the nodes that faces have
+/// Renumbers the nodes of faces in the order in which the faces list them.
+/// @param nodes  number of nodes before
+/// @return old numbers of the nodes of the faces
 [[nodiscard]] std::vector<int> renumber(std::vector<std::array<int, 4>>& faces, int nodes);
 
-/// The skin as a press has left it. Shares of area are those of contact_surface(), of deformed
-/// faces: a quarter of each face for each corner, those of hanging nodes handed to their masters.
-/// @param friction  of the object that presses [1]
+/// Returns the skin at the present state of a press. A node's area is a quarter of each of its
+/// deformed faces, as of node_areas(); areas of hanging nodes are assigned to their masters.
+/// @param friction  Coulomb coefficient of the object [1]
 [[nodiscard]] PressedSkin pressed_skin(const PadPress& press, double friction);
 
 }  // namespace thenar

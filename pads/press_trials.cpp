@@ -24,30 +24,31 @@ MeasuredPress measured(PadPress& press, const PadPressResult& result, const Pres
   out.trial = trial.name;
   out.object = trial.object.shape;
   out.X_PO = press.state().X_PO;
-  const PressureMoments moments = pressure_moments(places_of(press.surface(), press.state().x),
-                                                   press.state().normal, trial.along);
+  const PressureMoments moments =
+      pressure_moments(deformed_positions(press.surface(), press.state().x),
+                       press.state().normal_force, trial.along);
   out.force = trial.along.dot(result.push.force);
   out.area = result.area;
   out.aspect = moments.aspect;
   out.arm = moments.arm;
   out.force_error = result.force_error;
   out.penetration = result.penetration;
-  // Stiffness across the press that sticking adds, in the mean over two directions.
+  // Compute the tangential stiffness that sticking adds, the mean over two directions.
   const Eigen::Matrix3d K = (press.stiffness(1) - press.stiffness(0)).bottomRightCorner<3, 3>();
   out.shear = 0.5 * (K.trace() - trial.along.dot(K * trial.along));
   return out;
 }
 
-/// Returns whether a patch has more than some nodes. For a disc under even pressure the arm is 0.38
-/// times the root of its area; for a single node it is only rounding.
+/// Returns whether enough nodes touch to form a patch. For a disc under uniform pressure the arm is
+/// 0.38 times the root of its area; for a single node it is a rounding error.
 bool is_patch(const MeasuredPress& press, Eigen::Index nodes) {
-  constexpr Eigen::Index kLeastNodes = 4;
-  constexpr double kTurnArm = 0.1;  // Least arm of the pressure, over the root of the area [1]
+  constexpr Eigen::Index kMinNodes = 4;
+  constexpr double kMinArmRatio = 0.1;  // least arm of the pressure over the root of the area [1]
   return press.force > 0 && press.area > 0 && press.depth > 0 && press.shear > 0 &&
-         nodes >= kLeastNodes && press.arm > kTurnArm * std::sqrt(press.area);
+         nodes >= kMinNodes && press.arm > kMinArmRatio * std::sqrt(press.area);
 }
 
-/// A pose whose z axis is `z`, at a distance from the origin against `along`.
+/// Returns a pose whose z axis is `z`, at a distance from the origin opposite to `along`.
 Pose<double> posed(const Vector3d& z, const Vector3d& along, double distance) {
   Pose<double> X;
   const Tangents t = tangents(z);
@@ -56,13 +57,13 @@ Pose<double> posed(const Vector3d& z, const Vector3d& along, double distance) {
   return X;
 }
 
-/// The presses of one trial, one after the other.
-/// @param report  hears of the share that is done
+/// Presses the pad in one trial, depth by depth.
+/// @param report  called with the share that is done [1]
 void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPressOptions& options,
                      const std::function<void(double)>& report, MeasuredPresses& out) {
   const std::shared_ptr<const Shape> skin = skin_solid(model.shape);
   PadPress press(model, trial.object, trial.X_PO, options);
-  // Depths count from the first touch.
+  // Move to the first touch, from which depths count.
   (void)press.touch(trial.along);
   PressGoal goal;
   const Vector3d touch = press.state().X_PO.p;
@@ -71,7 +72,7 @@ void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPr
     const double depth = trial.depths[i];
     goal.X_PO = press.state().X_PO;
     goal.X_PO.p = touch + depth * trial.along;
-    // Press to the depth; a press that is not solved ends the trial.
+    // Press to the depth; a press that fails ends the trial.
     const PadPressResult result = press.step(goal);
     if (result.solved.status == Status::kStopped) out.status = Status::kStopped;
     if (out.status == Status::kStopped) return;
@@ -81,13 +82,13 @@ void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPr
                       i + 1 < trial.depths.size() ? "; no deeper one was tried" : ""));
       return;
     }
-    // Depth and gap of the undeformed surfaces, by which laws go.
+    // Measure depth and gap of the undeformed surfaces, the arguments of laws.
     MeasuredPress found = measured(press, result, trial);
     const DeepestSkin deepest =
         deepest_skin(PadChart(model.shape), *trial.object.shape, found.X_PO);
     found.depth = deepest.overlap;
     found.gap = skin_gap(*skin, *trial.object.shape, found.X_PO, deepest.place);
-    if (is_patch(found, (press.state().normal.array() > 0).count()))
+    if (is_patch(found, (press.state().normal_force.array() > 0).count()))
       out.presses.push_back(std::move(found));
     else
       out.failures.push_back(fmt::format("{}, {:g} mm: too few nodes touch for it to have a patch",
@@ -110,11 +111,11 @@ LawTrials standard_trials(const PadShape& shape, const std::vector<double>& dept
   require(!depths.empty() && depths.front() > 0 && std::isfinite(depths.back()) &&
               std::is_sorted(depths.begin(), depths.end()),
           "presses need depths above 0 that rise");
-  // Depths between those of the fit.
+  // Set the depths of the check between those of the fit.
   std::vector<double> between;
   for (std::size_t i = 0; i < depths.size(); ++i)
     between.push_back(0.5 * (depths[i] + (i > 0 ? depths[i - 1] : 0)));
-  // Objects begin farther off than any skin.
+  // Start objects outside the reach of the skin.
   const double far = 1e-3 + reach_of(shape);
   const auto plane = [&](double angle, const std::vector<double>& to) {
     const Vector3d along(-std::sin(angle), 0, -std::cos(angle));
@@ -133,7 +134,7 @@ LawTrials standard_trials(const PadShape& shape, const std::vector<double>& dept
   };
   const auto cylinder = [&](const Vector3d& axis, const std::string& way,
                             const std::vector<double>& to) {
-    constexpr double kRodRadius = 8e-3;  // Radius of the cylinder [m]
+    constexpr double kRodRadius = 8e-3;  // radius of the cylinder [m]
     return PressTrial{"cylinder of 8 mm " + way,
                       {build_cylinder(kRodRadius, 0.2), 0},
                       posed(axis, {0, 0, -1}, far + kRodRadius),

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Springs spread over a face that lies inside a rigid object in part.
+/// Springs spread over a face that lies partly inside a rigid object.
 
 #include <vector>
 
@@ -11,10 +11,10 @@
 
 namespace thenar {
 
-/// Places or forces of a face's corners, at (0, 0), (1, 0), (0, 1), (1, 1) (3, 4).
+/// Positions or forces of a face's corners, at (0, 0), (1, 0), (0, 1), (1, 1) (3, 4).
 using FaceCorners = Eigen::Matrix<double, 3, 4>;
 
-/// Shape functions of a face's corners [1] (4). @param x, y  from 0 to 1
+/// Returns the bilinear shape functions of a face's corners [1] (4). @param x, y  from 0 to 1 [1]
 [[nodiscard]] Eigen::Vector4d face_shape(double x, double y);
 
 /// Energy, forces and stiffness of springs over a face. Each spring presses along the object's
@@ -22,30 +22,33 @@ using FaceCorners = Eigen::Matrix<double, 3, 4>;
 struct PressedFace {
   /// A point inside the object.
   struct Point {
-    Eigen::Vector4d shape;   // functions of the corners there [1]
-    Eigen::Vector3d normal;  // of the object, unit, body's frame
+    Eigen::Vector4d shape;   // shape functions of the corners there [1] (4)
+    Eigen::Vector3d normal;  // normal of the object in the body's frame, unit (3)
   };
   double energy = 0;                       // integral of 1/2 k depth^2 [J]
-  double deepest = 0;                      // [m]
-  FaceCorners push = FaceCorners::Zero();  // on the corners, less the energy's slope [N]
-  Eigen::Matrix<double, 12, 12> stiffness = Eigen::Matrix<double, 12, 12>::Zero();  // by corners
+  double deepest = 0;                      // largest depth [m]
+  FaceCorners push = FaceCorners::Zero();  // forces on the corners, -d energy / d position [N]
+  // Derivative of -push by the positions of the corners [N/m] (12, 12)
+  Eigen::Matrix<double, 12, 12> stiffness = Eigen::Matrix<double, 12, 12>::Zero();
   std::vector<Point> points;  // one in each part of the face that is inside
 };
 
-/// Springs over a bilinear face, cut in 2 x 4 x 4 triangles.
+/// Computes the springs over a bilinear face, divided into 2 x 4 x 4 triangles.
 ///
-/// Over a triangle the depth in a convex object with edges is the least of those below the planes
-/// of its sides, and the integral is taken exactly, part by part, by clipping polygons. So the
-/// energy has a continuous slope as edges move over the skin, and nothing catches: with forces at
-/// fixed points, each is a notch. Planes are those at the corners, and at corners of parts where
-/// the object proves to be farther than all of them. As an edge moves, skin turns from one side to
-/// the other: the stiffness has, along a ridge between planes p and q,
+/// Convex object with straight edges: the depth over a triangle is the least of the depths below
+/// the planes of the object's sides. The integral is exact: polygons clip the triangle into parts,
+/// one for each plane. The energy then has a continuous slope as edges move over the skin, whereas
+/// forces at fixed points would make the skin catch at each point. The planes are those at the
+/// corners of the triangle, and further ones where the distance exceeds all known planes. The
+/// motion of an edge changes the plane of the skin below, which adds to the stiffness, along a
+/// ridge between planes p and q,
 ///   - integral of k depth (n_p - n_q)(n_p - n_q)' / |grad (d_p - d_q)|.
-/// Where normals hardly turn the depth is linear between corners, and as they turn evenly, over a
-/// curved object, so do the forces: the stiffness has the curvature of the distance. Along edges
-/// that are curved or not convex the depth is linear over triangles that were cut in four up to
-/// four times; there the stiffness has neither.
-/// @param stiffness  at the corners [N/m^3] (4);  @param area  [m^2]
+/// Smooth object: the depth is linear between the corners. Where the normals turn evenly, the
+/// stiffness includes the curvature of the distance.
+/// Curved or concave edges: the depth is linear over triangles subdivided up to four times; the
+/// stiffness includes neither term.
+/// @param stiffness  stiffness per area at the corners [N/m^3] (4)
+/// @param area  area of the face [m^2]
 [[nodiscard]] PressedFace press_face(const FaceCorners& corners, const Eigen::Vector4d& stiffness,
                                      double area, const Shape& object, const Pose<double>& X_PO);
 

@@ -19,31 +19,33 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kGridPlaces = 12;       // Places along a radius of the disc in the first search
-constexpr double kFinestStep = 1e-7;  // Shortest step of a search on the disc [1]
-// Places within this distance on the disc belong to the deepest [1]
-constexpr double kBesideShare = 0.25;
-constexpr double kNearStart = 0.02;  // First ring of a search that begins at a place nearby [1]
-constexpr int kSlopePlaces = 8;      // Places around a point at which slopes are taken
-// Step of the slopes' differences, over the radius of their ring [1]
-constexpr double kSlopeStep = 0.01;
-// Least rise of the overlap, over the rise that slopes predict [1]
-constexpr double kRiseShare = 0.01;
-constexpr double kLevelMixture = 1e-4;    // Shorter mixtures of slopes, over a slope, are level [1]
-constexpr double kTinySquare = 1e-300;    // Squares below this count as 0
-constexpr double kDifferenceStep = 1e-3;  // step of differences on the disc [1]
-constexpr double kMostNewtonStep = 0.1;   // Longest step for which a parabola is trusted [1]
-constexpr double kCurvatureStep = 1e-3;   // step of second differences [m]
+constexpr int kGridPoints = 12;    // grid points along a radius of the disc in the first search
+constexpr double kMinRing = 1e-7;  // radius of the last ring of a search on the disc [1]
+// Distance on the disc within which points belong to the deepest one [1]
+constexpr double kPeakRadius = 0.25;
+constexpr double kNearRing = 0.02;      // first ring of a search from a nearby point [1]
+constexpr int kGradientPoints = 8;      // points on a ring at which gradients are taken
+constexpr double kGradientStep = 0.01;  // step of gradient differences over the ring's radius [1]
+// Least increase of the overlap over the increase that gradients predict [1]
+constexpr double kMinIncreaseRatio = 0.01;
+// Length of the shortest mean gradient over a gradient below which the overlap is level [1]
+constexpr double kLevelRatio = 1e-4;
+constexpr double kTinySquare = 1e-300;     // lower bound of a squared length, against division by 0
+constexpr double kDifferenceStep = 1e-3;   // step of differences on the disc [1]
+constexpr double kMaxNewtonStep = 0.1;     // longest reliable Newton step on the disc [1]
+constexpr int kMaxNewtonSteps = 5;         // Newton steps from a nearby point
+constexpr double kNewtonTolerance = 1e-6;  // length of a Newton step at convergence [1]
+constexpr double kCurvatureStep = 1e-3;    // step of second differences [m]
 
 PrincipalCurvatures curvatures_near(const Shape& shape, const Vector3d& p) {
   const NearestSurface near = shape.nearest(p);
   return curvatures(shape, p - near.distance * near.normal, kCurvatureStep);
 }
 
-/// The point of the convex hull of some points that is nearest to 0.
+/// Returns the point of the convex hull of some points that is nearest to 0.
 template <std::size_t n>
-Vector2d shortest_mixture(const std::array<Vector2d, n>& points) {
-  // Nearest point to 0 of all segments between two of them.
+Vector2d shortest_in_hull(const std::array<Vector2d, n>& points) {
+  // Find the nearest point to 0 of all segments between two of them.
   Vector2d out = points.front();
   for (const Vector2d& a : points)
     for (const Vector2d& b : points) {
@@ -51,30 +53,30 @@ Vector2d shortest_mixture(const std::array<Vector2d, n>& points) {
       const Vector2d x = a + std::clamp(share, 0.0, 1.0) * (b - a);
       if (x.squaredNorm() < out.squaredNorm()) out = x;
     }
-  // The hull holds 0 unless all points lie beyond that point.
+  // The hull contains 0 unless all points lie beyond that point.
   const bool is_beyond = std::all_of(points.begin(), points.end(), [&](const Vector2d& p) {
     return out.dot(p) > (1 - 1e-9) * out.squaredNorm();
   });
   return is_beyond ? out : Vector2d(0, 0);
 }
 
-/// Overlap of an object over the disc.
+/// Search for the largest overlap of an object over the disc.
 class OverlapSearch {
  public:
   OverlapSearch(const PadChart& chart, const Shape& object, const Pose<double>& X_PO)
       : chart_(chart), object_(object), X_OP_(X_PO.inverse()) {}
 
-  /// Places off the disc count as the nearest on its rim.
+  /// Returns the overlap at a point [m]; points off the disc are projected on its rim.
   [[nodiscard]] double overlap(Vector2d c) const {
     if (c.norm() > 1) c.normalize();
     return -object_.distance(X_OP_ * chart_.place({c[0], c[1], 1}));
   }
 
-  /// Follows parabolas from a place nearby. @return false if they lead nowhere
-  bool follow(Vector2d c) {
-    for (int i = 0; i < 5; ++i) {
+  /// Finds the maximum by Newton's method from a nearby point. @return false if it fails
+  bool find_by_newton(Vector2d c) {
+    for (int i = 0; i < kMaxNewtonSteps; ++i) {
       if (c.norm() > 1 - 2 * kDifferenceStep) return false;
-      // Slope and curvature by central differences.
+      // Compute gradient and curvature by central differences.
       const Vector2d x(kDifferenceStep, 0), y(0, kDifferenceStep);
       const double here = overlap(c), left = overlap(c - x), right = overlap(c + x),
                    below = overlap(c - y), above = overlap(c + y);
@@ -84,79 +86,82 @@ class OverlapSearch {
       curve(1, 1) = 4 * (above - 2 * here + below);
       curve(0, 1) = curve(1, 0) =
           overlap(c + x + y) - overlap(c + x - y) - overlap(c - x + y) + overlap(c - x - y);
-      // Newton step, only near a maximum and if it is short.
+      // Take a Newton step if it is short and the point is near a maximum.
       if (!(curve.trace() < 0 && curve.determinant() > 0)) return false;
       const Vector2d step = -2 * kDifferenceStep * curve.inverse() * slope;
-      if (!(step.norm() < kMostNewtonStep)) return false;
+      if (!(step.norm() < kMaxNewtonStep)) return false;
       c += step;
-      if (step.norm() < 1e-6) {
+      if (step.norm() < kNewtonTolerance) {
         best = c;
-        most = overlap(c);
+        max_overlap = overlap(c);
         return c.norm() <= 1;
       }
     }
     return false;
   }
 
-  /// The best of a grid. @return by how much it is deeper than all that is farther than
-  /// kBesideShare
-  double look_over() {
-    constexpr int kGridSide = 2 * kGridPlaces + 1;
+  /// Finds the deepest point of a grid.
+  /// @return its overlap less the largest one farther away than kPeakRadius [m]
+  double search_grid() {
+    constexpr int kGridSide = 2 * kGridPoints + 1;
     std::vector<double> found(std::size_t{kGridSide} * kGridSide, -kInfinity);
     const auto place = [](std::size_t k) -> Vector2d {
-      return Vector2d(static_cast<int>(k) / kGridSide - kGridPlaces,
-                      static_cast<int>(k) % kGridSide - kGridPlaces) /
-             kGridPlaces;
+      return Vector2d(static_cast<int>(k) / kGridSide - kGridPoints,
+                      static_cast<int>(k) % kGridSide - kGridPoints) /
+             kGridPoints;
     };
-    // Deepest place of the grid.
-    most = -kInfinity;
+    // Find the deepest point of the grid.
+    max_overlap = -kInfinity;
     for (std::size_t k = 0; k < found.size(); ++k) {
       if (place(k).norm() > 1) continue;
       found[k] = overlap(place(k));
-      if (found[k] <= most) continue;
-      most = found[k];
+      if (found[k] <= max_overlap) continue;
+      max_overlap = found[k];
       best = place(k);
     }
-    // Lead over all places that are not beside it.
+    // Compute its lead over all points that are not near it.
     double other = -kInfinity;
     for (std::size_t k = 0; k < found.size(); ++k)
-      if ((place(k) - best).norm() > kBesideShare) other = std::max(other, found[k]);
-    return most - other;
+      if ((place(k) - best).norm() > kPeakRadius) other = std::max(other, found[k]);
+    return max_overlap - other;
   }
 
-  /// Climbs from `best` to a maximum, which may lie on a ridge, as edges of boxes make them: along
-  /// the shortest of all mixtures of slopes around, which rises on both sides of it. Slopes are
-  /// taken on a ring, evenly instead of by chance. Source: [Burke2005].
+  /// Climbs from `best` to a maximum, which may lie on a ridge, as under the edge of a box. The
+  /// direction is the shortest convex combination of the gradients around, which ascends on both
+  /// sides of a ridge. Gradients are sampled evenly on a ring instead of at random.
+  /// Source: [Burke2005] for gradient sampling.
   void climb(double ring) {
-    most = overlap(best);
-    while (ring > kFinestStep) {
-      // Slopes on a ring around the best place.
-      std::array<Vector2d, kSlopePlaces> slopes;
-      for (int k = 0; k < kSlopePlaces; ++k) {
-        const double turn = 2 * kPi * k / kSlopePlaces;
+    max_overlap = overlap(best);
+    while (ring > kMinRing) {
+      // Sample gradients on a ring around the best point.
+      std::array<Vector2d, kGradientPoints> gradients;
+      for (int k = 0; k < kGradientPoints; ++k) {
+        const double turn = 2 * kPi * k / kGradientPoints;
         const Vector2d at = best + ring * Vector2d(std::cos(turn), std::sin(turn));
-        const double here = overlap(at), d = kSlopeStep * ring;
-        slopes[static_cast<std::size_t>(k)] =
+        const double here = overlap(at), d = kGradientStep * ring;
+        gradients[static_cast<std::size_t>(k)] =
             Vector2d(overlap(at + Vector2d(d, 0)) - here, overlap(at + Vector2d(0, d)) - here) / d;
       }
-      // Go on while the overlap rises by a part of what slopes promise; otherwise shrink the ring.
-      const Vector2d mixed = shortest_mixture(slopes), way = mixed.stableNormalized(), from = best;
+      // Step on while the overlap increases as the gradients predict; otherwise shrink the ring.
+      const Vector2d ascent = shortest_in_hull(gradients), way = ascent.stableNormalized(),
+                     from = best;
       double t = ring;
-      if (mixed.norm() > kLevelMixture * slopes[0].norm())
-        while (look_at(from + t * way, kRiseShare * t * mixed.norm())) t *= 2;
+      if (ascent.norm() > kLevelRatio * gradients[0].norm())
+        while (accept_if_deeper(from + t * way, kMinIncreaseRatio * t * ascent.norm())) t *= 2;
       if (t == ring) ring /= 2;
     }
   }
 
   Vector2d best{0, 0};
-  double most = 0;  // overlap there [m]
+  double max_overlap = 0;  // overlap there [m]
 
  private:
-  /// @param more  than it has it must rise, to be the best [m]
-  bool look_at(const Vector2d& c, double more) {
+  /// Accepts a point as the best one if its overlap is large enough. @return whether it is
+  /// @param more  least increase of the overlap [m]
+  bool accept_if_deeper(const Vector2d& c, double more) {
     const double found = overlap(c);
-    if (!(found > most + more)) return false;
-    most = found;
+    if (!(found > max_overlap + more)) return false;
+    max_overlap = found;
     best = c / std::max(1.0, c.norm());
     return true;
   }
@@ -183,16 +188,16 @@ DeepestSkin deepest_skin(const PadChart& chart, const Shape& object, const Pose<
                          const std::optional<Vector2d>& near) {
   OverlapSearch search(chart, object, X_PO);
   DeepestSkin out;
-  // Search all of the disc, or follow the maximum from a place nearby.
+  // Search the whole disc, or follow the maximum from a nearby point.
   if (!near) {
-    out.lead = search.look_over();
-    search.climb(1.0 / kGridPlaces);
-  } else if (!search.follow(*near)) {
+    out.lead = search.search_grid();
+    search.climb(1.0 / kGridPoints);
+  } else if (!search.find_by_newton(*near)) {
     search.best = *near;
-    search.climb(kNearStart);
+    search.climb(kNearRing);
   }
   out.disc = search.best;
-  out.overlap = search.most;
+  out.overlap = search.max_overlap;
   out.thickness = chart.thickness(out.disc[0], out.disc[1]);
   out.place = chart.place({out.disc[0], out.disc[1], 1});
   return out;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Deepest point and gap between an undeformed pad and an object, for laws at a point.
+/// Deepest point and gap between an undeformed pad and an object, for point contact laws.
 
 #include <memory>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// The skin as a solid, in the pad's frame.
+/// Returns the skin as a solid in the pad's frame.
 [[nodiscard]] std::shared_ptr<const Shape> skin_solid(const PadShape& shape);
 
 /// Returns a distance from the pad's origin that no point of its skin exceeds [m].
@@ -18,24 +18,24 @@ namespace thenar {
 
 /// Point where a pad's undeformed skin lies deepest in an object.
 struct DeepestSkin {
-  double overlap = 0;              // below 0: apart [m]
-  double thickness = 0;            // of the soft tissue there [m]
-  Eigen::Vector3d place{0, 0, 0};  // [m] (3)
-  Eigen::Vector2d disc{0, 0};      // the same on the disc of PadChart [1] (2)
-  double lead = 0;  // by how much it is deeper than all skin beyond a quarter of the disc's radius;
-                    // 0: from a place nearby [m]
+  double overlap = 0;              // depth in the object; below 0: apart [m]
+  double thickness = 0;            // thickness of the soft tissue there [m]
+  Eigen::Vector3d place{0, 0, 0};  // position in the pad's frame [m] (3)
+  Eigen::Vector2d disc{0, 0};      // position on the disc of PadChart [1] (2)
+  double lead = 0;  // overlap less the largest one beyond a quarter of the disc's radius; 0 if the
+                    // search began at a nearby point [m]
 };
 
-/// Finds the deepest point by a search over all of the skin to 1e-7 of the pad's size, on a grid
-/// first. With `near` it finds the maximum that belongs to this place, which is the deepest of all
-/// as long as the object has moved by less than half of its lead.
-/// @param near  on the disc [1] (2)
+/// Finds the deepest point by a search over the whole skin, on a grid first, to 1e-7 of the pad's
+/// size. With `near` it finds the local maximum around that point, which is the deepest of all as
+/// long as the object has moved by less than half of the lead.
+/// @param near  point on the disc [1] (2)
 [[nodiscard]] DeepestSkin deepest_skin(const PadChart& chart, const Shape& object,
                                        const Pose<double>& X_PO,
                                        const std::optional<Eigen::Vector2d>& near = {});
 
-/// Curvatures of the gap between skin and object near a point of the pad's frame.
-/// @param p  [m] (3)
+/// Returns the curvatures of the gap between skin and object near a point.
+/// @param p  point in the pad's frame [m] (3)
 [[nodiscard]] RelativeCurvatures skin_gap(const Shape& skin, const Shape& object,
                                           const Pose<double>& X_PO, const Eigen::Vector3d& p);
 

@@ -13,81 +13,87 @@
 
 namespace thenar {
 
-/// Forces of stiff springs, spread evenly over the skin, that push it out of an object, each along
-/// the object's normal where it is (press_face()). Where an edge lies between nodes, no gap of a
-/// node tells how deep it is, and the one normal of a node that rests on it cannot bear forces from
-/// both sides; what lies on both sides of it can. Nodes are pressed by their shares, and rub by
-/// Coulomb's law with a spring that holds what sticks.
+/// Stiff springs, spread evenly over the skin, that push it out of an object, each along the
+/// object's normal at its point (press_face()). They replace node contacts where an edge of the
+/// object lies between nodes: gaps of nodes do not measure the depth of such an edge, and a node on
+/// the edge has only one normal although forces act from both sides. The springs of a face load its
+/// nodes by their shape functions. Friction acts at the nodes by Coulomb's law, with a spring that
+/// holds sticking nodes.
 class SkinSprings {
  public:
   SkinSprings(const TissueBody& body, const ContactSurface& surface)
       : body_(body), surface_(surface) {}
 
-  /// Friction of nodes before.
-  struct Before {
-    const Eigen::Matrix3Xd& anchor;  // where they were as the step began, object's frame [m]
-    const Eigen::Matrix3Xd& shear;   // as the last iteration foretold it [N] (3, nodes)
+  /// Anchors and friction forces from which the friction of nodes is computed.
+  struct FrictionStart {
+    const Eigen::Matrix3Xd& anchor;    // position at the start of the step, object's frame [m]
+    const Eigen::Matrix3Xd& friction;  // force predicted by the last iteration [N] (3, nodes)
   };
-  /// Sets all that follows. @param x  displacements of the body's free nodes [m] (3 free nodes)
-  /// @param stiffness  under nodes [N/m] (nodes)
-  void find(const Shape& object, const Pose<double>& X_PO, const Eigen::VectorXd& x,
-            const std::vector<double>& stiffness, double friction, const Before& before);
+  /// Computes forces, energy and stiffness at a state of the body.
+  /// @param x  displacements of the free nodes [m] (3 free nodes)
+  /// @param stiffness  normal stiffness of the springs at each node [N/m] (nodes)
+  void update(const Shape& object, const Pose<double>& X_PO, const Eigen::VectorXd& x,
+              const std::vector<double>& stiffness, double friction, const FrictionStart& start);
 
-  /// Forces along normals, and friction, on nodes [N] (3, nodes).
-  [[nodiscard]] const Eigen::Matrix3Xd& push() const { return push_; }
-  [[nodiscard]] const Eigen::Matrix3Xd& shear() const { return shear_; }
-  /// Returns the energy of the springs along normals [J].
+  /// Returns the normal forces on nodes [N] (3, nodes).
+  [[nodiscard]] const Eigen::Matrix3Xd& normal_forces() const { return normal_forces_; }
+  /// Returns the friction forces on nodes [N] (3, nodes).
+  [[nodiscard]] const Eigen::Matrix3Xd& friction_forces() const { return friction_forces_; }
+  /// Returns the energy of the normal springs [J].
   [[nodiscard]] double energy() const { return energy_; }
-  /// Deepest point [m].
-  [[nodiscard]] double deepest() const { return deepest_; }
+  /// Returns the largest depth of the skin in the object [m].
+  [[nodiscard]] double max_depth() const { return max_depth_; }
 
-  /// Returns whether a point inside was last on a side of the object that faces away from where it
-  /// is now.
-  /// @param before  displacements of the body's free nodes then [m] (3 free nodes)
-  /// @param cosine  of the normals, below which sides face away [1]
-  [[nodiscard]] bool changed_sides(const Shape& object, const Pose<double>& X_PO_before,
-                                   const Pose<double>& X_PO, const Eigen::VectorXd& before,
-                                   double cosine) const;
+  /// Returns whether a pressed point of the skin was on the opposite side of the object before.
+  /// @param before  earlier displacements of the free nodes [m] (3 free nodes)
+  /// @param cosine  cosine of two normals below which they belong to opposite sides [1]
+  [[nodiscard]] bool has_changed_sides(const Shape& object, const Pose<double>& X_PO_before,
+                                       const Pose<double>& X_PO, const Eigen::VectorXd& before,
+                                       double cosine) const;
 
-  /// Adds the symmetric part of loss() to a tangent of the body.
-  void add_slopes(std::vector<double>& values) const;
-  /// Loss of forces as nodes move against the object [N] (3, nodes). @param moved  [m] (3, nodes)
-  [[nodiscard]] Eigen::Matrix3Xd loss(const Eigen::Matrix3Xd& moved) const;
-  /// Returns the part of loss() that add_slopes() leaves out [N] (3, nodes).
-  [[nodiscard]] Eigen::Matrix3Xd loss_left_out(const Eigen::Matrix3Xd& moved) const;
-  /// Returns the part of loss() due to friction [N] (3, nodes).
-  [[nodiscard]] Eigen::Matrix3Xd friction_loss(const Eigen::Matrix3Xd& moved) const;
+  /// Adds the stiffness of normal springs and the symmetric part of each node's friction stiffness
+  /// to a tangent of the body.
+  void add_stiffness(std::vector<double>& values) const;
+  /// Returns the loss of contact forces as nodes move against the object [N] (3, nodes).
+  /// @param moved  motion of the nodes [m] (3, nodes)
+  [[nodiscard]] Eigen::Matrix3Xd force_loss(const Eigen::Matrix3Xd& moved) const;
+  /// Returns the part of force_loss() that add_stiffness() leaves out [N] (3, nodes).
+  [[nodiscard]] Eigen::Matrix3Xd unfactored_loss(const Eigen::Matrix3Xd& moved) const;
+  /// Returns the part of force_loss() due to friction [N] (3, nodes).
+  [[nodiscard]] Eigen::Matrix3Xd friction_force_loss(const Eigen::Matrix3Xd& moved) const;
 
  private:
-  /// A face that is inside the object in part.
-  struct Pressed {
+  /// A face that lies at least partly inside the object.
+  struct PressedPart {
     const SurfaceFace* face;
     PressedFace springs;
   };
   /// Friction of a node.
-  struct Rubbing {
-    Eigen::Vector3d normal{0, 0, 0};  // unit
-    Eigen::Vector3d way{0, 0, 0};     // of friction on a node that slips, unit
-    Eigen::Vector3d last{0, 0, 0};    // the same before, over the bound: at most as long
-    Eigen::Vector3d trial{0, 0, 0};   // what would hold it, with a part along the normal [N]
-    double push = 0;                  // along the normal [N]
-    double cut = 1;                   // what the cone leaves of the trial [1]
-    double stick = 0;                 // stiffness across the normal, cut [N/m]
+  struct NodeFriction {
+    Eigen::Vector3d normal{0, 0, 0};          // direction of the normal force, unit (3)
+    Eigen::Vector3d slip_direction{0, 0, 0};  // direction of sliding friction, unit; 0: sticks (3)
+    Eigen::Vector3d last_ratio{0, 0, 0};      // friction of the last iterate over the bound of the
+                                              // cone, at most unit length [1] (3)
+    Eigen::Vector3d trial_force{0, 0, 0};  // force that would hold the node, not yet projected on
+                                           // the tangent plane [N] (3)
+    double normal_force = 0;               // [N]
+    double scale = 1;                      // friction force over the tangential trial force [1]
+    double stiffness = 0;                  // tangential stiffness, scaled by `scale` [N/m]
     bool slips = false;
   };
-  void rub(const Pose<double>& X_PO, const Eigen::Matrix3Xd& places,
-           const std::vector<double>& stiffness, const Before& before);
-  /// Loss of forces along normals (3, nodes).
-  [[nodiscard]] Eigen::Matrix3Xd push_loss(const Eigen::Matrix3Xd& moved) const;
-  /// Returns the symmetric part of the slope of a node's friction by its own place (3, 3).
-  [[nodiscard]] static Eigen::Matrix3d own_slope(const Rubbing& node);
+  void update_friction(const Pose<double>& X_PO, const Eigen::Matrix3Xd& places,
+                       const std::vector<double>& stiffness, const FrictionStart& start);
+  /// Returns the loss of normal forces as nodes move [N] (3, nodes).
+  [[nodiscard]] Eigen::Matrix3Xd normal_force_loss(const Eigen::Matrix3Xd& moved) const;
+  /// Returns the symmetric part of a node's friction stiffness by its own motion [N/m] (3, 3).
+  [[nodiscard]] static Eigen::Matrix3d own_stiffness(const NodeFriction& node);
 
   const TissueBody& body_;
   const ContactSurface& surface_;
-  std::vector<Pressed> pressed_;
-  std::vector<Rubbing> rubbing_;  // (nodes)
-  Eigen::Matrix3Xd push_, shear_;
-  double friction_ = 0, energy_ = 0, deepest_ = 0;
+  std::vector<PressedPart> pressed_;
+  std::vector<NodeFriction> node_friction_;  // (nodes)
+  Eigen::Matrix3Xd normal_forces_, friction_forces_;
+  double friction_ = 0, energy_ = 0, max_depth_ = 0;
 };
 
 }  // namespace thenar

@@ -15,17 +15,17 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr std::array<int, 6> kRow{0, 1, 2, 0, 1, 2}, kColumn{0, 1, 2, 1, 2, 0};
-// Relative difference up to which stretches count as equal [1]
+// Relative difference of squared stretches up to which they count as equal [1]
 constexpr double kEqualStretches = 1e-6;
 
-/// Symmetric identity and deviatoric projection applied to tensors in components.
+/// Returns the deviator of a symmetric tensor.
 Voigt deviator(const Voigt& a) {
   Voigt out = a;
   out.head<3>().array() -= (a[0] + a[1] + a[2]) / 3;
   return out;
 }
 
-/// c = P : a : P  for a tangent a, P the deviatoric projection.
+/// Replaces a tangent by  P : a : P,  P the deviatoric projection.
 void project(VoigtTangent& a) {
   for (int j = 0; j < 6; ++j) a.col(j).head<3>().array() -= a.col(j).head<3>().mean();
   for (int i = 0; i < 6; ++i) a.row(i).head<3>().array() -= a.row(i).head<3>().mean();
@@ -45,17 +45,17 @@ void add_isochoric_parts(double s, const Voigt& t, VoigtTangent& c) {
     }
 }
 
-/// Laws in the invariants of bbar.
+/// Computes the response of laws in the invariants of bbar.
 void invariant_response(const Tissue& tissue, const Matrix3d& F, bool with_tangent,
                         IsochoricResponse& out) {
   const double mu = tissue.shear_modulus;
-  // Isochoric left Cauchy-Green tensor  b = J^(-2/3) F F'.
+  // Compute the isochoric left Cauchy-Green tensor  b = J^(-2/3) F F'.
   const double J = F.determinant();
   const double scale = 1 / std::cbrt(J * J);
   const Matrix3d b = scale * (F * F.transpose());
   const double I1 = b.trace();
   const Voigt bv = voigt_of(b);
-  // First derivatives, and the second by I1.
+  // Compute the first derivatives by I1 and I2, and the second one by I1.
   double W1 = mu / 2, W2 = 0, W11 = 0;
   out.energy = mu / 2 * (I1 - 3);
   const bool exponential = tissue.law == TissueLaw::kVerondaWestmann;
@@ -71,12 +71,12 @@ void invariant_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
     W2 = -mu / 2;
     out.energy = mu / k * std::expm1(k * (I1 - 3)) - mu / 2 * (I2 - 3);
   }
-  // Kirchhoff stress: the deviator of 2 (W1 + I1 W2) b - 2 W2 b^2.
+  // Compute the Kirchhoff stress, the deviator of 2 (W1 + I1 W2) b - 2 W2 b^2.
   const Voigt bar = 2 * (W1 + I1 * W2) * bv - 2 * W2 * b2v;
   out.stress = deviator(bar);
   if (!with_tangent) return;
   if (exponential) {
-    // 4 (W11 + W2) b x b - 4 W2 b [] b,  (b [] b)_ijkl = (b_ik b_jl + b_il b_jk) / 2.
+    // Add  4 (W11 + W2) b x b - 4 W2 b [] b,  (b [] b)_ijkl = (b_ik b_jl + b_il b_jk) / 2.
     out.tangent.noalias() = 4 * (W11 + W2) * bv * bv.transpose();
     for (int p = 0; p < 6; ++p)
       for (int q = p; q < 6; ++q) {
@@ -92,22 +92,22 @@ void invariant_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
   add_isochoric_parts(2.0 / 3 * (bar[0] + bar[1] + bar[2]), out.stress, out.tangent);
 }
 
-/// Ogden's law, in principal stretches.
+/// Computes the response of Ogden's law, in principal stretches.
 void principal_response(const Tissue& tissue, const Matrix3d& F, bool with_tangent,
                         IsochoricResponse& out) {
   const double mu = tissue.shear_modulus, k = tissue.exponent;
-  // Squares of the isochoric stretches l_a, and their directions.
+  // Compute the squares of the isochoric stretches l_a, and their directions.
   const double J = F.determinant();
   const Eigen::SelfAdjointEigenSolver<Matrix3d> spectrum(F * F.transpose() / std::cbrt(J * J));
-  const Vector3d& square = spectrum.eigenvalues();  // of isochoric stretches
+  const Vector3d& square = spectrum.eigenvalues();  // squared isochoric stretches [1]
   const Matrix3d& n = spectrum.eigenvectors();
   const Vector3d power = square.array().pow(k / 2);
   out.energy = 2 * mu / (k * k) * (power.sum() - 3);
-  // Principal stresses: 2 mu / k (l_a^k - mean).
+  // Compute the principal stresses,  2 mu / k (l_a^k - mean).
   const Vector3d beta = (2 * mu / k) * (power.array() - power.mean());
   out.stress = voigt_of(n * beta.asDiagonal() * n.transpose());
   if (!with_tangent) return;
-  // Derivatives  d beta_a / d ln l_b = 2 mu (delta_ab l_a^k - (l_a^k + l_b^k)/3 + mean/3).
+  // Add  d beta_a / d ln l_b = 2 mu (delta_ab l_a^k - (l_a^k + l_b^k)/3 + mean/3).
   out.tangent.setZero();
   std::array<Voigt, 3> m;
   for (int a = 0; a < 3; ++a) m[a] = voigt_of(n.col(a) * n.col(a).transpose());
@@ -119,7 +119,7 @@ void principal_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
     }
   for (int a = 0; a < 3; ++a)
     for (int b = a + 1; b < 3; ++b) {
-      // Shear factor  (beta_a l_b^2 - beta_b l_a^2) / (l_a^2 - l_b^2),  or its limit.
+      // Add the shear factor  (beta_a l_b^2 - beta_b l_a^2) / (l_a^2 - l_b^2),  or its limit.
       const double apart = square[a] - square[b];
       const double factor = std::abs(apart) > kEqualStretches * square[a]
                                 ? (beta[a] * square[b] - beta[b] * square[a]) / apart
@@ -161,11 +161,11 @@ void isochoric_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
 }
 
 double tangent_shear_modulus(const Tissue& tissue, const IsochoricResponse& at) {
-  constexpr double kLeastModulusRatio = 0.1;  // Least tangent shear modulus, over that at rest [1]
+  constexpr double kMinModulusRatio = 0.1;  // least tangent shear modulus over that at rest [1]
   // The isotropic tangent is 2 mu times the deviatoric projection, whose trace is 5.
   const auto& diagonal = at.tangent.diagonal();
   const double trace = diagonal.head<3>().sum() + 2 * diagonal.tail<3>().sum();
-  return std::max(trace / 10, kLeastModulusRatio * tissue.shear_modulus);
+  return std::max(trace / 10, kMinModulusRatio * tissue.shear_modulus);
 }
 
 VolumetricResponse volumetric_response(double bulk_modulus, double J) {

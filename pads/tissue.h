@@ -1,6 +1,7 @@
 #pragma once
 
-/// Laws of soft tissue at finite strain: nearly incompressible, hyperelastic, relaxing.
+/// Constitutive laws of soft tissue at finite strain: nearly incompressible, quasi-linear
+/// viscoelastic.
 
 #include <array>
 #include <string>
@@ -24,8 +25,8 @@ inline constexpr std::array kTissueLawNames{
     EnumName{TissueLaw::kVerondaWestmann, "veronda-westmann"}};
 [[nodiscard]] inline std::string name_of(TissueLaw law) { return name_in(kTissueLawNames, law); }
 
-/// A tissue. Its volumetric energy is  U(J) = K/4 (J^2 - 1 - 2 ln J),  with bulk modulus
-/// K = 2 mu (1 + nu) / (3 (1 - 2 nu)); it does not relax.
+/// Material of a tissue. Its volumetric energy is  U(J) = K/4 (J^2 - 1 - 2 ln J),  with bulk
+/// modulus K = 2 mu (1 + nu) / (3 (1 - 2 nu)); the pressure does not relax.
 ///
 /// Stress relaxes quasi-linearly: the isochoric second Piola-Kirchhoff stress is
 ///   S(t) = integral of g(t - s) dSe(s),  g(t) = g_inf + sum g_i exp(-t / tau_i),
@@ -36,14 +37,15 @@ struct Tissue {
   std::string name = "tissue";
   TissueLaw law = TissueLaw::kNeoHookean;
   double shear_modulus = 0;                 // mu, instantaneous, at rest [Pa]
-  double exponent = 0;                      // k, of Ogden and of Veronda-Westmann [1]
+  double exponent = 0;                      // k, for Ogden and Veronda-Westmann [1]
   double poisson_ratio = 0.49;              // nu, at rest [1]
-  std::vector<ExponentialTerm> relaxation;  // empty: elastic
+  std::vector<ExponentialTerm> relaxation;  // terms of g(t); empty: elastic
 };
 
-/// K [Pa].
+/// Returns the bulk modulus K [Pa].
 [[nodiscard]] double bulk_modulus(const Tissue& tissue);
 
+/// Checks the constants of a tissue.
 /// @throws InputError unless mu > 0, -1 < nu < 1/2, k is not 0 (Ogden) or above 0
 /// (Veronda-Westmann), shares are not negative and sum to less than 1, times are positive.
 void check_tissue(const Tissue& tissue);
@@ -60,31 +62,33 @@ using Voigt = Eigen::Matrix<double, 6, 1>;
   out << a[0], a[3], a[5], a[3], a[1], a[4], a[5], a[4], a[2];
   return out;
 }
-/// Components c_ijkl of a tangent with minor and major symmetries, rows and columns as Voigt.
+/// Components c_ijkl of a tangent with minor and major symmetries, rows and columns ordered as in
+/// Voigt.
 using VoigtTangent = Eigen::Matrix<double, 6, 6>;
 
 /// Isochoric response at a deformation.
 struct IsochoricResponse {
   double energy = 0;     // W [J/m^3]
   Voigt stress;          // Kirchhoff stress, deviatoric [Pa] (6)
-  VoigtTangent tangent;  // of the Kirchhoff stress by Lie derivative: F F F F : 4 d^2W/dC^2 [Pa]
+  VoigtTangent tangent;  // Lie derivative of the Kirchhoff stress, F F F F : 4 d^2W/dC^2 [Pa]
 };
 
-/// Energy, stress and tangent of the isochoric law. @param F  det F > 0 (3, 3)
-/// @param with_tangent  otherwise `tangent` is not written
+/// Computes energy, stress and tangent of the isochoric law.
+/// @param F  deformation gradient, det F > 0 [1] (3, 3)
+/// @param with_tangent  whether to compute `tangent`
 /// Source: [Holzapfel2000] eqs 6.91, 6.103, 6.168; spectral form of Ogden's [Simo1998] sec. 2.4.
 void isochoric_response(const Tissue& tissue, const Eigen::Matrix3d& F, bool with_tangent,
                         IsochoricResponse& out);
 
-/// Shear modulus of the isotropic tangent that has the same trace as a response's [Pa], at least a
-/// tenth of that at rest, so that errors and pressures may be divided by it.
+/// Returns the shear modulus of the isotropic tangent with the same trace as a response's tangent,
+/// at least a tenth of that at rest, so that it can be a divisor [Pa].
 [[nodiscard]] double tangent_shear_modulus(const Tissue& tissue, const IsochoricResponse& at);
 
 /// Volumetric energy and its derivatives by J.
 struct VolumetricResponse {
   double energy = 0, pressure = 0, stiffness = 0;  // U [J/m^3], U', U'' [Pa]
 };
-/// @param J  > 0 [1]
+/// Computes the volumetric response. @param J  dilatation, > 0 [1]
 [[nodiscard]] VolumetricResponse volumetric_response(double bulk_modulus, double J);
 
 }  // namespace thenar

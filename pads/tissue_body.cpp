@@ -18,12 +18,12 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Lattice 0..26 of a parent from its eight children.
+/// Returns the 27 nodes of a parent from its eight children, first axis fastest.
 std::vector<int> lattice_of(const HexMesh& mesh, const HexCell& parent) {
   std::vector<int> nodes(27);
   for (int child = 0; child < 8; ++child)
     for (int corner = 0; corner < 8; ++corner)
-      nodes[lattice_place(child, corner)] =
+      nodes[lattice_index(child, corner)] =
           mesh.cells()[static_cast<std::size_t>(parent.first_child + child)]
               .corners[static_cast<std::size_t>(corner)];
   return nodes;
@@ -36,33 +36,34 @@ TissueBody::TissueBody(const HexMesh& mesh, HexElement kind, std::vector<Tissue>
     : kind_(kind), tissues_(std::move(tissues)) {
   require(fixed.size() == static_cast<std::size_t>(mesh.nodes()),
           "{} nodes, {} marks of fixed ones", mesh.nodes(), fixed.size());
-  // Tissues, each with the history of elements that were never deformed.
+  // Check the tissues, and store the history of undeformed elements of each.
   for (const Tissue& tissue : tissues_) {
     check_tissue(tissue);
-    const auto points = static_cast<std::size_t>(points_of(kind_));
-    fresh_.push_back({std::vector<Voigt>(points, Voigt::Zero()),
-                      std::vector<Voigt>(points * tissue.relaxation.size(), Voigt::Zero())});
+    const auto points = static_cast<std::size_t>(gauss_point_count(kind_));
+    undeformed_history_.push_back(
+        {std::vector<Voigt>(points, Voigt::Zero()),
+         std::vector<Voigt>(points * tissue.relaxation.size(), Voigt::Zero())});
   }
-  // Unknowns: nodes in use that neither hang nor are fixed.
-  free_place_.assign(fixed.size(), -1);
+  // Number the unknowns: nodes in use that neither hang nor are fixed.
+  free_index_.assign(fixed.size(), -1);
   node_masters_.resize(fixed.size());
   for (int node = 0; node < mesh.nodes(); ++node) {
     const auto at = static_cast<std::size_t>(node);
-    places_.push_back(mesh.place(node));
+    rest_positions_.push_back(mesh.place(node));
     if (!mesh.in_use(node)) continue;
     nodes_.push_back(node);
     node_masters_[at] = mesh.masters(node);
     if (!node_masters_[at].empty() || fixed[at]) continue;
-    free_place_[at] = static_cast<int>(free_nodes_.size());
+    free_index_[at] = static_cast<int>(free_nodes_.size());
     free_nodes_.push_back(node);
   }
   require(!free_nodes_.empty(), "no node of the tissue is free");
-  list_elements(mesh);
+  build_elements(mesh);
   build_pattern();
 }
 
-void TissueBody::list_elements(const HexMesh& mesh) {
-  // Adds an element with its shape and the free masters of its nodes.
+void TissueBody::build_elements(const HexMesh& mesh) {
+  // Adds an element with its shape and the free masters of its nodes; fixed masters do not move.
   const auto add = [&](std::vector<int> nodes, int region) {
     require(region >= 0 && region < static_cast<int>(tissues_.size()), "region {} has no tissue",
             region);
@@ -71,27 +72,26 @@ void TissueBody::list_elements(const HexMesh& mesh) {
     Matrix3Xd X(3, static_cast<Eigen::Index>(nodes.size()));
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       X.col(static_cast<Eigen::Index>(a)) = mesh.place(nodes[a]);
-      // Hanging nodes are the mean of their masters; what is fixed of them moves nothing.
       require(kind_ != HexElement::kQuadratic || mesh.masters(nodes[a]).empty(),
               "a node of a quadratic mesh hangs");
       element.masters.emplace_back();
       for (const NodeWeight& each : mesh.support(nodes[a]))
-        if (free_place(each.node) >= 0)
-          element.masters.back().push_back({free_place(each.node), each.weight});
+        if (free_index(each.node) >= 0)
+          element.masters.back().push_back({free_index(each.node), each.weight});
     }
     element.nodes = std::move(nodes);
     element.shape = element_shape(kind_, X);
     elements_.push_back(std::move(element));
   };
   if (kind_ != HexElement::kQuadratic) {
-    // One element for each active cell.
+    // Add one element for each active cell.
     for (const int index : mesh.active()) {
       const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
       add({cell.corners.begin(), cell.corners.end()}, cell.region);
     }
     return;
   }
-  // Quadratic: one element for each parent of eight active cells.
+  // Add one quadratic element for each parent of eight active cells.
   std::set<int> parents;
   for (const int index : mesh.active())
     parents.insert(mesh.cells()[static_cast<std::size_t>(index)].parent);
@@ -106,7 +106,7 @@ void TissueBody::list_elements(const HexMesh& mesh) {
 }
 
 void TissueBody::build_pattern() {
-  // Free nodes that share an element, in the column of the first of each pair.
+  // Collect pairs of free nodes that share an element, in the column of the first one.
   std::vector<std::set<int>> below(free_nodes_.size());
   for (const Element& element : elements_) {
     std::set<int> all;
@@ -115,7 +115,7 @@ void TissueBody::build_pattern() {
     for (const int j : all)
       below[static_cast<std::size_t>(j)].insert(all.lower_bound(j), all.end());
   }
-  // Rows of the lower triangle, three columns for each node.
+  // List the rows of the lower triangle, three columns for each node.
   pattern_.size = unknowns();
   pattern_.starts = {0};
   for (std::size_t j = 0; j < below.size(); ++j) {
@@ -128,23 +128,23 @@ void TissueBody::build_pattern() {
       pattern_.starts.push_back(static_cast<int>(pattern_.rows.size()));
     }
   }
-  for (Element& element : elements_) list_shares(element);
+  for (Element& element : elements_) list_block_shares(element);
 }
 
-void TissueBody::list_shares(Element& element) const {
+void TissueBody::list_block_shares(Element& element) const {
   const auto add = [&](std::size_t a, std::size_t b, const NodeWeight& left,
                        const NodeWeight& right) {
     // Blocks are stored with their row at or below their column.
     const int column = std::min(left.node, right.node), row = std::max(left.node, right.node);
-    const bool turned = left.node < right.node;
-    if (a == b && turned) return;  // its mirror image is the pair the other way round
+    const bool transposed = left.node < right.node;
+    if (a == b && transposed) return;  // the pair in the other order covers it
     const std::vector<int>& list = columns_[static_cast<std::size_t>(column)];
     const auto place =
         static_cast<int>(std::lower_bound(list.begin(), list.end(), row) - list.begin());
     element.shares.push_back({static_cast<int>(a), static_cast<int>(b), column, place,
-                              left.weight * right.weight, turned, place == 0 && a != b});
+                              left.weight * right.weight, transposed, place == 0 && a != b});
   };
-  // Pairs of nodes of the element, by pairs of their masters.
+  // Add each pair of nodes of the element by pairs of their masters.
   for (std::size_t b = 0; b < element.masters.size(); ++b)
     for (std::size_t a = 0; a <= b; ++a)
       for (const NodeWeight& right : element.masters[b])
@@ -162,23 +162,24 @@ std::size_t TissueBody::diagonal_entry(int free, int r, int c) const {
   return block_entry(free, 0, r, c);
 }
 
-void TissueBody::add_block(std::vector<double>& values, int row, int column,
+void TissueBody::add_block(std::vector<double>& tangent, int row, int column,
                            const Eigen::Matrix3d& block) const {
-  // Only the lower triangle is stored: the block is transposed where its row comes first.
+  // Find the stored block in the lower triangle; its transpose is added if the row comes first.
   const int first = std::min(row, column);
   const std::vector<int>& below = columns_[static_cast<std::size_t>(first)];
   const auto found = std::find(below.begin(), below.end(), std::max(row, column));
   const auto place = static_cast<int>(found - below.begin());
   for (int c = 0; c < 3; ++c)
     for (int r = place == 0 ? c : 0; r < 3; ++r)
-      values[block_entry(first, place, r, c)] += row >= column ? block(r, c) : block(c, r);
+      tangent[block_entry(first, place, r, c)] += row >= column ? block(r, c) : block(c, r);
 }
 
 bool TissueBody::contains(const Vector3d& place, const Matrix3Xd& u) const {
-  // Six tetrahedra around the diagonal from corner 0 to 7, one for each side of this hexagon.
+  // Split a cell into six tetrahedra around the diagonal from corner 0 to 7, one for each side of
+  // this hexagon.
   static constexpr std::array<int, 7> kAround{1, 3, 2, 6, 4, 5, 1};
   static constexpr std::array<int, 8> kCornersOf27{0, 2, 6, 8, 18, 20, 24, 26};
-  // A place is inside if it is on the same side of all four faces.
+  // Returns whether the position is on the same side of all four faces.
   const auto in_tetrahedron = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c,
                                   const Vector3d& d) {
     const auto side = [](const Vector3d& x, const Vector3d& y, const Vector3d& z) {
@@ -190,13 +191,13 @@ bool TissueBody::contains(const Vector3d& place, const Matrix3Xd& u) const {
            std::all_of(parts.begin(), parts.end(), [](double part) { return part <= 0; });
   };
   return std::any_of(elements_.begin(), elements_.end(), [&](const Element& element) {
-    // Deformed corners, whose box excludes most elements.
+    // Compute the deformed corners; their box excludes most elements.
     std::array<Vector3d, 8> at;
     Eigen::AlignedBox3d box;
     for (std::size_t k = 0; k < 8; ++k) {
       const auto entry = is_quadratic() ? static_cast<std::size_t>(kCornersOf27[k]) : k;
       const int node = element.nodes[entry];
-      at[k] = this->place(node) + u.col(node);
+      at[k] = this->rest_position(node) + u.col(node);
       box.extend(at[k]);
     }
     if (!box.contains(place)) return false;
@@ -213,29 +214,29 @@ bool TissueBody::relaxes() const {
                      [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
 }
 
-double TissueBody::largest_modulus() const {
-  double most = 0;
-  for (const Tissue& tissue : tissues_) most = std::max(most, tissue.shear_modulus);
-  return most;
+double TissueBody::max_shear_modulus() const {
+  double largest = 0;
+  for (const Tissue& tissue : tissues_) largest = std::max(largest, tissue.shear_modulus);
+  return largest;
 }
 
-double TissueBody::largest_pressure_force() const {
-  double most = 0;
+double TissueBody::max_pressure_force() const {
+  double largest = 0;
   for (const Element& element : elements_) {
     const double volume =
         std::accumulate(element.shape.volume.begin(), element.shape.volume.end(), 0.0);
-    most = std::max(most, bulk_modulus(tissues_[static_cast<std::size_t>(element.region)]) *
-                              std::pow(volume, 2.0 / 3));
+    largest = std::max(largest, bulk_modulus(tissues_[static_cast<std::size_t>(element.region)]) *
+                                    std::pow(volume, 2.0 / 3));
   }
-  return most;
+  return largest;
 }
 
-Matrix3Xd TissueBody::spread(const VectorXd& x, const Matrix3Xd& at_fixed) const {
-  const auto nodes = static_cast<Eigen::Index>(free_place_.size());
+Matrix3Xd TissueBody::node_displacements(const VectorXd& x, const Matrix3Xd& at_fixed) const {
+  const auto nodes = static_cast<Eigen::Index>(free_index_.size());
   Matrix3Xd u = at_fixed.cols() == 0 ? Matrix3Xd(Matrix3Xd::Zero(3, nodes)) : at_fixed;
   for (std::size_t i = 0; i < free_nodes_.size(); ++i)
     u.col(free_nodes_[i]) = x.segment<3>(static_cast<Eigen::Index>(3 * i));
-  // Hanging nodes follow their masters, which do not hang; so any order will do.
+  // Hanging nodes follow their masters, which do not hang, so any order is valid.
   for (Eigen::Index node = 0; node < nodes; ++node) {
     const std::vector<NodeWeight>& masters = node_masters_[static_cast<std::size_t>(node)];
     if (masters.empty()) continue;
@@ -245,101 +246,101 @@ Matrix3Xd TissueBody::spread(const VectorXd& x, const Matrix3Xd& at_fixed) const
   return u;
 }
 
-std::vector<MemoryStep> TissueBody::steps_of(double h) const {
+std::vector<MemoryStep> TissueBody::memory_steps(double h) const {
   std::vector<MemoryStep> steps;
   for (const Tissue& tissue : tissues_) steps.push_back(memory_step(tissue.relaxation, h));
   return steps;
 }
 
-Matrix3Xd TissueBody::displacements_of(const Element& element, const Matrix3Xd& u) const {
+Matrix3Xd TissueBody::element_displacements(const Element& element, const Matrix3Xd& u) const {
   Matrix3Xd own(3, static_cast<Eigen::Index>(element.nodes.size()));
   for (std::size_t a = 0; a < element.nodes.size(); ++a)
     own.col(static_cast<Eigen::Index>(a)) = u.col(element.nodes[a]);
   return own;
 }
 
-const ElementHistory& TissueBody::history_of(std::size_t element,
-                                             const TissueHistory& history) const {
+const ElementHistory& TissueBody::element_history(std::size_t element,
+                                                  const TissueHistory& history) const {
   if (!history.empty()) return history[element];
-  return fresh_[static_cast<std::size_t>(elements_[element].region)];
+  return undeformed_history_[static_cast<std::size_t>(elements_[element].region)];
 }
 
-void TissueBody::respond(const Matrix3Xd& u, double h, const TissueHistory& history,
-                         const TissuePressure& tangent_pressure, ElementAsk ask,
-                         TissueResponse& out) const {
+void TissueBody::evaluate(const Matrix3Xd& u, double h, const TissueHistory& history,
+                          const TissuePressure& tangent_pressure, ElementRequest request,
+                          TissueResponse& out) const {
   require(history.empty() || history.size() == elements_.size(), "{} histories for {} elements",
           history.size(), elements_.size());
   require(tangent_pressure.empty() || tangent_pressure.size() == elements_.size(),
           "{} pressures for {} elements", tangent_pressure.size(), elements_.size());
-  // Weights of the step, and empty sums of what was asked for.
-  const std::vector<MemoryStep> steps = steps_of(h);
+  // Compute the weights of the step, and reset the requested sums.
+  const std::vector<MemoryStep> steps = memory_steps(h);
   out.inverted = false;
   out.energy = 0;
-  if (ask != ElementAsk::kEnergy) out.force.setZero(unknowns());
-  if (ask == ElementAsk::kStiffness) out.values.assign(pattern_.rows.size(), 0);
+  if (request != ElementRequest::kEnergy) out.force.setZero(unknowns());
+  if (request == ElementRequest::kStiffness) out.tangent.assign(pattern_.rows.size(), 0);
   ElementResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
     const auto region = static_cast<std::size_t>(element.region);
-    element_response(kind_, element.shape, tissues_[region], displacements_of(element, u),
-                     &steps[region], &history_of(e, history),
-                     tangent_pressure.empty() ? nullptr : &tangent_pressure[e], ask, response);
+    element_response(kind_, element.shape, tissues_[region], element_displacements(element, u),
+                     &steps[region], &element_history(e, history),
+                     tangent_pressure.empty() ? nullptr : &tangent_pressure[e], request, response);
     if (response.inverted) {
       out.inverted = true;
       return;
     }
-    add_element(element, response, ask, out);
+    add_element(element, response, request, out);
   }
 }
 
 void TissueBody::add_element(const Element& element, const ElementResponse& response,
-                             ElementAsk ask, TissueResponse& out) const {
+                             ElementRequest request, TissueResponse& out) const {
   out.energy += response.energy;
-  if (ask == ElementAsk::kEnergy) return;
-  // Forces on the nodes go to their masters.
+  if (request == ElementRequest::kEnergy) return;
+  // Assign the forces on the nodes to their masters.
   for (std::size_t b = 0; b < element.masters.size(); ++b)
     for (const NodeWeight& each : element.masters[b])
       out.force.segment<3>(3 * each.node) +=
           each.weight * response.force.segment<3>(static_cast<Eigen::Index>(3 * b));
-  if (ask != ElementAsk::kStiffness) return;
+  if (request != ElementRequest::kStiffness) return;
   for (const BlockShare& share : element.shares) {
-    // An element's diagonal block has its upper half alone.
+    // Complete a diagonal block of the element, of which only the upper triangle is computed.
     Eigen::Matrix3d block = response.stiffness.block<3, 3>(3 * share.a, 3 * share.b);
     if (share.a == share.b) block.triangularView<Eigen::StrictlyLower>() = block.transpose();
-    if (share.turned) block.transposeInPlace();
-    if (share.mirrored) block += block.transpose().eval();
+    if (share.transposed) block.transposeInPlace();
+    if (share.symmetric) block += block.transpose().eval();
     for (int c = 0; c < 3; ++c)
-      for (int r = share.place == 0 ? c : 0; r < 3; ++r)
-        out.values[block_entry(share.node, share.place, r, c)] += share.weight * block(r, c);
+      for (int r = share.row_index == 0 ? c : 0; r < 3; ++r)
+        out.tangent[block_entry(share.column, share.row_index, r, c)] += share.weight * block(r, c);
   }
 }
 
-TissuePressure TissueBody::pressure_after(const Matrix3Xd& u, const Matrix3Xd& du) const {
+TissuePressure TissueBody::predict_pressure(const Matrix3Xd& u, const Matrix3Xd& du) const {
   TissuePressure out;
   for (const Element& element : elements_)
-    out.push_back(linear_pressure(kind_, element.shape,
-                                  tissues_[static_cast<std::size_t>(element.region)],
-                                  displacements_of(element, u), displacements_of(element, du)));
+    out.push_back(
+        linear_pressure(kind_, element.shape, tissues_[static_cast<std::size_t>(element.region)],
+                        element_displacements(element, u), element_displacements(element, du)));
   return out;
 }
 
-TissueHistory TissueBody::advance(const Matrix3Xd& u, double h,
-                                  const TissueHistory& history) const {
+TissueHistory TissueBody::advance_history(const Matrix3Xd& u, double h,
+                                          const TissueHistory& history) const {
   if (!relaxes()) return {};
-  const std::vector<MemoryStep> steps = steps_of(h);
+  const std::vector<MemoryStep> steps = memory_steps(h);
   TissueHistory next;
   ElementResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
     const auto region = static_cast<std::size_t>(element.region);
     const MemoryStep& step = steps[region];
-    // Elastic stress at the end of the step.
-    ElementHistory at = history_of(e, history);
+    // Compute the elastic stress at the end of the step.
+    ElementHistory at = element_history(e, history);
     const std::size_t points = at.elastic.size();
-    element_response(kind_, element.shape, tissues_[region], displacements_of(element, u), &step,
-                     &at, nullptr, ElementAsk::kForce, response);
+    element_response(kind_, element.shape, tissues_[region], element_displacements(element, u),
+                     &step, &at, nullptr, ElementRequest::kForce, response);
     require(!response.inverted, "a step cannot end with an element turned inside out");
-    // History terms decay and take up the change of the elastic stress.
+    // Decay the history terms, and add the change of the elastic stress.
     if (!step.decay.empty()) {
       for (std::size_t i = 0; i < step.decay.size(); ++i)
         for (std::size_t q = 0; q < points; ++q) {
@@ -354,16 +355,17 @@ TissueHistory TissueBody::advance(const Matrix3Xd& u, double h,
 }
 
 VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
-  // Stress at Gauss points, and its mean over the elements around each node of a region.
+  // Compute the stress at Gauss points, and its mean over the elements around each node of a
+  // region.
   using Key = std::pair<int, int>;
   std::map<Key, std::pair<Voigt, double>> smooth;
-  const auto points = static_cast<std::size_t>(points_of(kind_));
+  const auto points = static_cast<std::size_t>(gauss_point_count(kind_));
   std::vector<Voigt> stress(elements_.size() * points);
   std::vector<double> modulus;  // of the tangent, mean of an element [Pa]
   IsochoricResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
-    const Matrix3Xd own = displacements_of(element, u);
+    const Matrix3Xd own = element_displacements(element, u);
     Voigt mean = Voigt::Zero();
     double volume = 0;
     const Tissue& tissue = tissues_[static_cast<std::size_t>(element.region)];
@@ -375,7 +377,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
       mean += element.shape.volume[q] * response.stress;
       volume += element.shape.volume[q];
     }
-    // The element's mean counts at its nodes by its volume.
+    // Add the element's mean at its nodes, weighted by its volume.
     for (const int node : element.nodes) {
       auto& [sum, weight] =
           smooth.try_emplace({node, element.region}, Voigt(Voigt::Zero()), 0.0).first->second;
@@ -383,7 +385,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
       weight += volume;
     }
   }
-  // Energy of the stress at Gauss points minus the smooth stress.
+  // Integrate the energy of the difference between the smooth and the element's stress.
   VectorXd out(static_cast<Eigen::Index>(elements_.size()));
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
@@ -396,7 +398,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
     for (std::size_t q = 0; q < points; ++q) {
       Voigt apart = -stress[e * points + q];
       for (std::size_t a = 0; a < nodal.size(); ++a) apart += shape_value(kind_, q, a) * nodal[a];
-      // Energy density  s : s / (4 mu);  shear components count twice.
+      // Add the energy density  s : s / (4 mu);  shear components count twice.
       energy += element.shape.volume[q] *
                 (apart.head<3>().squaredNorm() + 2 * apart.tail<3>().squaredNorm()) /
                 (4 * modulus[e]);
@@ -407,17 +409,17 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
 }
 
 Matrix3Xd TissueBody::reactions(const Matrix3Xd& u, double h, const TissueHistory& history) const {
-  const std::vector<MemoryStep> steps = steps_of(h);
+  const std::vector<MemoryStep> steps = memory_steps(h);
   Matrix3Xd out = Matrix3Xd::Zero(3, u.cols());
   ElementResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
     const auto region = static_cast<std::size_t>(element.region);
-    element_response(kind_, element.shape, tissues_[region], displacements_of(element, u),
-                     &steps[region], &history_of(e, history), nullptr, ElementAsk::kForce,
+    element_response(kind_, element.shape, tissues_[region], element_displacements(element, u),
+                     &steps[region], &element_history(e, history), nullptr, ElementRequest::kForce,
                      response);
     require(!response.inverted, "an element is turned inside out: it has no reactions");
-    // Forces on hanging nodes go to their masters.
+    // Assign forces on hanging nodes to their masters.
     for (std::size_t a = 0; a < element.nodes.size(); ++a) {
       const Eigen::Vector3d f = response.force.segment<3>(static_cast<Eigen::Index>(3 * a));
       const std::vector<NodeWeight>& masters =

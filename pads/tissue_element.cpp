@@ -13,7 +13,7 @@ namespace thenar {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Shape functions at Gauss points.
+/// Shape functions, weights and coordinates at Gauss points.
 struct ElementTable {
   int nodes = 8, points = 8;
   std::vector<double> slope;   // dN/dxi (points, nodes, 3)
@@ -24,7 +24,7 @@ struct ElementTable {
 
 namespace {
 
-/// Lagrange functions of one axis, of degree 1 or 2, and their slopes at x in -1..1.
+/// Lagrange functions of one axis, of degree 1 or 2, and their derivatives at x in -1..1.
 struct Axis {
   std::array<double, 3> value{}, slope{};
 };
@@ -33,10 +33,10 @@ Axis axis_at(int degree, double x) {
   return {{x * (x - 1) / 2, 1 - x * x, x * (x + 1) / 2}, {x - 0.5, -2 * x, x + 0.5}};
 }
 
-/// Values and slopes of all nodes at a point, added to the lists.
+/// Appends the values and derivatives of all nodes' shape functions at a point.
 void add_shapes(int degree, const Vector3d& xi, std::vector<double>& value,
                 std::vector<double>& slope) {
-  // Tensor products of the functions of the axes, first axis fastest.
+  // Form tensor products of the functions of the axes, first axis fastest.
   const std::array<Axis, 3> axes{axis_at(degree, xi[0]), axis_at(degree, xi[1]),
                                  axis_at(degree, xi[2])};
   const auto n = static_cast<std::size_t>(degree + 1);
@@ -54,12 +54,12 @@ ElementTable build_table(int degree) {
   ElementTable table;
   const int n = degree + 1;
   table.nodes = table.points = n * n * n;
-  // Gauss points and weights of one axis, two or three.
+  // Set the two or three Gauss points and weights of one axis.
   const double at = degree == 1 ? 1 / std::sqrt(3.0) : std::sqrt(0.6);
   const std::array<double, 3> x = degree == 1 ? std::array{-at, at, 0.0} : std::array{-at, 0.0, at};
   const std::array<double, 3> w =
       degree == 1 ? std::array{1.0, 1.0, 0.0} : std::array{5.0 / 9, 8.0 / 9, 5.0 / 9};
-  // Tensor products, first axis fastest.
+  // Form tensor products, first axis fastest.
   for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
     for (std::size_t j = 0; j < static_cast<std::size_t>(n); ++j)
       for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
@@ -70,7 +70,7 @@ ElementTable build_table(int degree) {
   return table;
 }
 
-/// Nodes as columns at the slopes of one point: dX/dxi.
+/// Returns dX/dxi at a point from the derivatives of the shape functions there.
 Matrix3d jacobian_of(const double* slope, const Eigen::Matrix3Xd& X) {
   Matrix3d out = Matrix3d::Zero();
   for (Eigen::Index a = 0; a < X.cols(); ++a)
@@ -79,7 +79,7 @@ Matrix3d jacobian_of(const double* slope, const Eigen::Matrix3Xd& X) {
   return out;
 }
 
-/// dN/dX = (dX/dxi)^-T dN/dxi of all nodes. @return det dX/dxi
+/// Appends dN/dX = (dX/dxi)^-T dN/dxi of all nodes. @return det dX/dxi
 double map_slopes(const double* slope, const Eigen::Matrix3Xd& X, std::vector<double>& out) {
   const Matrix3d inverse = jacobian_of(slope, X).inverse();
   for (Eigen::Index a = 0; a < X.cols(); ++a)
@@ -91,7 +91,8 @@ double map_slopes(const double* slope, const Eigen::Matrix3Xd& X, std::vector<do
   return jacobian_of(slope, X).determinant();
 }
 
-/// Gradients of all points side by side, as PointKinematics. @param list  (points, nodes, 3)
+/// Returns gradients in the layout of PointKinematics, with padding points.
+/// @param list  (points, nodes, 3)
 std::vector<double> side_by_side(const std::vector<double>& list, int points, int nodes) {
   const int padded = padded_points(points);
   std::vector<double> out;
@@ -101,7 +102,7 @@ std::vector<double> side_by_side(const std::vector<double>& list, int points, in
   return out;
 }
 
-/// Gradients in the mean over an element's volume (nodes, 3).
+/// Returns the volume mean of the gradients over an element (nodes, 3).
 std::vector<double> mean_gradient(const ElementShape& shape, int padded) {
   double volume = 0;
   for (const double w : shape.volume) volume += w;
@@ -112,14 +113,14 @@ std::vector<double> mean_gradient(const ElementShape& shape, int padded) {
   return out;
 }
 
-/// F of a point.
+/// Returns F at a point.
 Matrix3d deformation_at(const PointKinematics& at, int points, int q) {
   Matrix3d F;
   for (int k = 0; k < 9; ++k) F.data()[k] = at.F[k * points + q];
   return F;
 }
 
-/// Writes the weighted stress and tangent of a point to the sums.
+/// Stores the weighted stress and tangent of a point.
 void set_point(int points, int q, double w, const Voigt& tau, const VoigtTangent* c,
                PointStresses& out) {
   for (int p = 0; p < 6; ++p) {
@@ -129,7 +130,7 @@ void set_point(int points, int q, double w, const Voigt& tau, const VoigtTangent
   }
 }
 
-/// c += s 1 x 1 - r 2 I.
+/// Adds a pressure to a tangent:  c += s 1 x 1 - r 2 I.
 void add_pressure_tangent(double s, double r, VoigtTangent& c) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) c(i, j) += s;
@@ -148,10 +149,10 @@ class Dilatation {
       : kind_(kind), shape_(shape), tangent_(tangent_pressure) {
     const double K = bulk_modulus(tissue);
     if (kind == HexElement::kDisplacement) {
-      // Q1: J of each point.
+      // Q1: take J of each point.
       for (std::size_t q = 0; q < N; ++q) at_[q] = volumetric_response(K, points.J[q]);
     } else if (kind == HexElement::kMeanDilatation) {
-      // Q1P0: mean of J over the element's volume.
+      // Q1P0: average J over the element's volume.
       volume_ = 0;
       double sum = 0;
       for (std::size_t q = 0; q < N; ++q) {
@@ -160,7 +161,7 @@ class Dilatation {
       }
       at_.fill(volumetric_response(K, sum / volume_));
     } else if (kind == HexElement::kCentroidDilatation) {
-      // F-bar: J of the mean of F, which must be positive, too.
+      // F-bar: take J of the mean of F, which must be positive, too.
       point_kinematics(N, kCentre, shape.mean_gradient.data(), u, centre_);
       volume_ = 0;
       for (const double w : shape.volume) volume_ += w;
@@ -178,14 +179,14 @@ class Dilatation {
     for (std::size_t q = 0; q < N; ++q) sum += shape_.volume[q] * at_[q].energy;
     return sum;
   }
-  /// Pressure that acts with J at a point.
+  /// Returns the pressure that acts with J at a Gauss point [Pa].
   [[nodiscard]] double pressure(std::size_t q) const {
     if (kind_ == HexElement::kCentroidDilatation) return 0;
     return kind_ == HexElement::kQuadratic
                ? shape_.modes.row(static_cast<Eigen::Index>(q)).dot(pressure_)
                : at_[q].pressure;
   }
-  /// Returns the pressure at a point for the stiffness.
+  /// Returns the pressure in the stiffness at a Gauss point [Pa].
   [[nodiscard]] double tangent_pressure(std::size_t q) const {
     if (tangent_ == nullptr || kind_ == HexElement::kDisplacement ||
         kind_ == HexElement::kCentroidDilatation)
@@ -194,12 +195,12 @@ class Dilatation {
                ? shape_.modes.row(static_cast<Eigen::Index>(q)).dot(*tangent_)
                : (*tangent_)[0];
   }
-  /// p + dp of a change whose spatial gradient has the trace `divergence` (points), linearised.
+  /// Returns the pressure after a displacement increment du, linearized [Pa] (4).
   [[nodiscard]] Eigen::Vector4d linear_pressure(const PointKinematics& points,
                                                 const double* du) const {
     Eigen::Vector4d out(0, 0, 0, 0);
-    // Divergence of du at the points; dJ = J times the divergence.
-    std::array<double, kMostPoints> divergence{};
+    // Compute the divergence of du at the points; dJ = J times the divergence.
+    std::array<double, kMaxPoints> divergence{};
     const bool centre = kind_ == HexElement::kCentroidDilatation;
     const int count = centre ? kCentre : kPoints;
     const double* g = centre ? centre_.g : points.g;
@@ -207,15 +208,15 @@ class Dilatation {
       for (int q = 0; q < count; ++q)
         divergence[static_cast<std::size_t>(q)] += g[i * count + q] * du[i];
     if (kind_ == HexElement::kCentroidDilatation) {
-      // F-bar: pressure at the centre.
+      // F-bar: linearize the pressure at the centre.
       out[0] = at_[0].pressure + at_[0].stiffness * centre_.J[0] * divergence[0];
     } else if (kind_ == HexElement::kMeanDilatation) {
-      // Q1P0: pressure by the mean of dJ over the volume.
+      // Q1P0: linearize the pressure with the volume mean of dJ.
       double sum = 0;
       for (std::size_t q = 0; q < N; ++q) sum += shape_.volume[q] * points.J[q] * divergence[q];
       out[0] = at_[0].pressure + at_[0].stiffness * sum / volume_;
     } else if (kind_ == HexElement::kQuadratic) {
-      // Q2P1: projections of dJ on the modes, and then of the pressure.
+      // Q2P1: project dJ on the modes, then the pressure.
       Eigen::Vector4d mean(0, 0, 0, 0), p(0, 0, 0, 0);
       for (std::size_t q = 0; q < N; ++q)
         mean += shape_.volume[q] * points.J[q] * divergence[q] *
@@ -229,17 +230,17 @@ class Dilatation {
     }
     return out;
   }
-  /// U'' J^2 at a point, where J is its own.
+  /// Returns U'' J^2 at a point if the element uses the point's own J, otherwise 0.
   [[nodiscard]] double own_stiffness(std::size_t q, double J) const {
     return kind_ == HexElement::kDisplacement ? at_[q].stiffness * J * J : 0;
   }
 
-  /// Forces and stiffness that are no stress at a Gauss point.
+  /// Adds the forces and stiffness that do not derive from a stress at a Gauss point.
   void add(const PointKinematics& points, bool with_stiffness, double* force, double* K) const {
     if (kind_ == HexElement::kCentroidDilatation) {
       add_centre(with_stiffness, force, K);
     } else if (kind_ == HexElement::kMeanDilatation && with_stiffness) {
-      // Stiffness of V U(mean J) that couples points:  U'' / V b b',  b = d(V mean J) / du.
+      // Add the stiffness of V U(mean J) that couples points:  U'' / V b b',  b = d(V mean J) / du.
       std::array<double, 3 * N> b{};
       for (std::size_t q = 0; q < N; ++q) {
         const double w = shape_.volume[q] * points.J[q];
@@ -254,9 +255,9 @@ class Dilatation {
  private:
   static constexpr int kPoints = padded_points(N), kCentre = padded_points(1);
 
-  /// The pressure of the centre acts there with the whole volume.
+  /// Adds the pressure of the centre, which acts there with the whole volume.
   void add_centre(bool with_stiffness, double* force, double* K) const {
-    // Force of the pressure, as of a stress at the centre.
+    // Add the force of the pressure as a stress at the centre.
     PointStresses at{};
     const double J = centre_.J[0], own = at_[0].pressure * J;
     Voigt tau = Voigt::Zero();
@@ -264,7 +265,7 @@ class Dilatation {
     set_point(kCentre, 0, volume_, tau, nullptr, at);
     add_forces(N, kCentre, centre_.g, at, force);
     if (!with_stiffness) return;
-    // Stiffness there, with the pressure that the tangent takes.
+    // Add the stiffness there, with the pressure of the tangent.
     VoigtTangent c = VoigtTangent::Zero();
     const double pJ = tangent_ != nullptr ? (*tangent_)[0] * J : own;
     tau.head<3>().setConstant(pJ);
@@ -273,21 +274,21 @@ class Dilatation {
     add_stiffness(N, kCentre, centre_.g, at, K);
   }
 
-  /// K += s b c', upper triangle.
+  /// Adds to the upper triangle of the stiffness:  K += s b c'.
   static void add_square(double s, const double* b, const double* c, double* K) {
     for (int j = 0; j < 3 * N; ++j)
       for (int i = 0; i <= j; ++i) K[j * 3 * N + i] += s * b[i] * c[j];
   }
 
-  /// theta = projection of J on the modes; p = projection of U'(theta).
+  /// Computes theta, the projection of J on the modes, and p, the projection of U'(theta).
   void project(double bulk, const PointKinematics& points) {
-    // Modes of the dilatation; J must be positive at all points.
+    // Project the dilatation.
     Eigen::Vector4d mean(0, 0, 0, 0);
     for (std::size_t q = 0; q < N; ++q)
       mean += shape_.volume[q] * points.J[q] *
               shape_.modes.row(static_cast<Eigen::Index>(q)).transpose();
     const Eigen::Vector4d theta = shape_.modes_inverse * mean;
-    // Modes of the pressure U'(J).
+    // Project the pressure U'(J); J must be positive at all points.
     Eigen::Vector4d p(0, 0, 0, 0);
     for (std::size_t q = 0; q < N; ++q) {
       const double J = shape_.modes.row(static_cast<Eigen::Index>(q)).dot(theta);
@@ -302,8 +303,9 @@ class Dilatation {
     pressure_ = shape_.modes_inverse * p;
   }
 
+  /// Adds the stiffness of the dilatation modes.
   void add_modes(const PointKinematics& points, double* K) const {
-    // Matrices  H = sum of U'' times modes,  B = d (M theta) / d u.
+    // Sum the matrices  H = sum of w U'' mode mode',  B = d (M theta) / d u.
     Eigen::Matrix4d H = Eigen::Matrix4d::Zero();
     Eigen::Matrix<double, 3 * N, 4> B = Eigen::Matrix<double, 3 * N, 4>::Zero();
     for (std::size_t q = 0; q < N; ++q) {
@@ -313,7 +315,7 @@ class Dilatation {
       for (int i = 0; i < 3 * N; ++i)
         B.row(i) += points.g[static_cast<std::size_t>(i * kPoints) + q] * weighted.transpose();
     }
-    // Stiffness  B M^-1 H M^-1 B',  of rank four.
+    // Add the stiffness  B M^-1 H M^-1 B',  of rank four.
     const Eigen::Matrix4d middle = shape_.modes_inverse * H * shape_.modes_inverse;
     const Eigen::Matrix<double, 3 * N, 4> left = B * middle;
     for (int m = 0; m < 4; ++m) add_square(1, left.col(m).data(), B.col(m).data(), K);
@@ -332,22 +334,22 @@ class Dilatation {
 template <int N>
 void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, const double* u,
              const MemoryStep* step, const ElementHistory* history,
-             const Eigen::Vector4d* tangent_pressure, ElementAsk ask, ElementResponse& out) {
-  // Deformation at all points.
+             const Eigen::Vector4d* tangent_pressure, ElementRequest ask, ElementResponse& out) {
+  // Compute the deformation at all points.
   constexpr int kPoints = padded_points(N);
   PointKinematics points;
   point_kinematics(N, kPoints, shape.gradient.data(), u, points);
   out.inverted = !std::all_of(points.J, points.J + N, [](double J) { return J > 0; });
   if (out.inverted) return;
-  // Dilatation of this kind of element; where it is not positive the element counts as inverted.
+  // Compute the dilatation of this kind of element; it counts as inverted unless it is positive.
   const Dilatation<N> dilatation(kind, shape, tissue, points, u, tangent_pressure);
   if (!dilatation.fits()) {
     out.inverted = true;
     return;
   }
-  // Results that were asked for.
-  const bool with_force = ask != ElementAsk::kEnergy,
-             with_stiffness = ask == ElementAsk::kStiffness;
+  // Reset the requested results.
+  const bool with_force = ask != ElementRequest::kEnergy,
+             with_stiffness = ask == ElementRequest::kStiffness;
   out.energy = dilatation.energy();
   if (with_force) out.force.setZero(3 * N);
   if (with_stiffness) out.stiffness.setZero(3 * N, 3 * N);
@@ -358,15 +360,15 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
   iso.tangent.setZero();
   PointStresses stresses;
   std::array<double, N> more{};  // pressure of the stiffness over that of forces
-  // Points that fill up a group of four have no weight.
+  // Give the padding points zero weight.
   for (int q = N; q < kPoints; ++q) set_point(kPoints, q, 0, Voigt::Zero(), &iso.tangent, stresses);
   for (std::size_t q = 0; q < N; ++q) {
-    // Isochoric response of the point, as if nothing relaxed.
+    // Compute the isochoric response of the point, as if nothing relaxed.
     const Matrix3d F = deformation_at(points, kPoints, static_cast<int>(q));
     const double w = shape.volume[q], J = points.J[q];
     isochoric_response(tissue, F, with_stiffness, iso);
     out.energy += w * now * iso.energy;
-    // Stress left of the past, second Piola-Kirchhoff; its energy is linear in C.
+    // Sum the second Piola-Kirchhoff stress of the history; its energy is linear in C.
     Voigt past = Voigt::Zero();
     if (relaxes) {
       for (std::size_t i = 0; i < step->decay.size(); ++i)
@@ -375,16 +377,16 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
       out.energy += 0.5 * w * tensor_of(past).cwiseProduct(C - Matrix3d::Identity()).sum();
     }
     if (!with_force) continue;
-    // Elastic stress for the history, pulled back to the reference.
+    // Pull the elastic stress back to the reference for the history.
     if (relaxes) {
       const Matrix3d inverse = F.inverse();
       out.elastic[q] = voigt_of(inverse * tensor_of(iso.stress) * inverse.transpose());
     }
-    // Kirchhoff stress: isochoric now, what is left of the past pushed forward, and pressure.
+    // Sum the Kirchhoff stress: isochoric part, history pushed forward, and pressure.
     Voigt tau = now * iso.stress;
     if (relaxes) tau += voigt_of(F * tensor_of(past) * F.transpose());
     tau.head<3>().array() += dilatation.pressure(q) * J;
-    // Forces take the pressure itself; the stiffness may take another.
+    // Use the tangent's pressure in the stiffness, which may differ from that in the forces.
     if (with_stiffness) {
       iso.tangent *= now;
       const double tangent_pJ = dilatation.tangent_pressure(q) * J;
@@ -395,7 +397,7 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
               stresses);
   }
   if (!with_force) return;
-  // Sums over points; the geometric stiffness takes the pressure of the tangent.
+  // Integrate over the points; the geometric stiffness uses the pressure of the tangent.
   add_forces(N, kPoints, points.g, stresses, out.force.data());
   if (with_stiffness) {
     for (int p = 0; p < 3; ++p)
@@ -403,7 +405,7 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
         stresses.tau[static_cast<std::size_t>(p * kPoints) + q] += more[q];
     add_stiffness(N, kPoints, points.g, stresses, out.stiffness.data());
   }
-  // Contributions of the dilatation that couple points.
+  // Add the contributions of the dilatation that couple points.
   dilatation.add(points, with_stiffness, out.force.data(), out.stiffness.data());
 }
 
@@ -417,8 +419,8 @@ Eigen::Vector4d linear_pressure_of(HexElement kind, const ElementShape& shape, c
 
 }  // namespace
 
-int nodes_of(HexElement kind) { return kind == HexElement::kQuadratic ? 27 : 8; }
-int points_of(HexElement kind) { return nodes_of(kind); }
+int node_count(HexElement kind) { return kind == HexElement::kQuadratic ? 27 : 8; }
+int gauss_point_count(HexElement kind) { return node_count(kind); }
 
 const ElementTable& element_table(HexElement kind) {
   static const ElementTable linear = build_table(1), quadratic = build_table(2);
@@ -428,21 +430,21 @@ const ElementTable& element_table(HexElement kind) {
 ElementShape element_shape(HexElement kind, const Eigen::Matrix3Xd& X) {
   const ElementTable& table = element_table(kind);
   ElementShape shape;
-  // Gradients and volumes of the Gauss points.
+  // Compute gradients and volumes of the Gauss points.
   for (int q = 0; q < table.points; ++q) {
     const double det = map_slopes(table.slope.data() + q * 3 * table.nodes, X, shape.gradient);
     require(det > 0, "an element folds onto itself at Gauss point {}: {:g} m^3", q, det);
     shape.volume.push_back(table.weight[static_cast<std::size_t>(q)] * det);
   }
-  // Layout for sums over four points at a time.
+  // Convert to the layout for sums over four points at a time.
   shape.gradient = side_by_side(shape.gradient, table.points, table.nodes);
   if (kind == HexElement::kCentroidDilatation) {
-    // F-bar: gradients of the mean of F.
+    // F-bar: compute the gradients of the mean of F.
     const std::vector<double> mean = mean_gradient(shape, padded_points(table.points));
     shape.mean_gradient = side_by_side(mean, 1, table.nodes);
   }
   if (kind == HexElement::kQuadratic) {
-    // Q2P1: dilatation by 1, xi, eta, zeta, and the inverse of their Gram matrix.
+    // Q2P1: compute the modes 1, xi, eta, zeta, and the inverse of their Gram matrix.
     shape.modes.resize(table.points, 4);
     for (int q = 0; q < table.points; ++q)
       shape.modes.row(q) << 1, table.xi[static_cast<std::size_t>(q)].transpose();
@@ -470,8 +472,8 @@ double shape_value(HexElement kind, std::size_t point, std::size_t node) {
 void element_response(HexElement kind, const ElementShape& shape, const Tissue& tissue,
                       const Eigen::Matrix3Xd& u, const MemoryStep* step,
                       const ElementHistory* history, const Eigen::Vector4d* tangent_pressure,
-                      ElementAsk ask, ElementResponse& out) {
-  if (nodes_of(kind) == 27)
+                      ElementRequest ask, ElementResponse& out) {
+  if (node_count(kind) == 27)
     respond<27>(kind, shape, tissue, u.data(), step, history, tangent_pressure, ask, out);
   else
     respond<8>(kind, shape, tissue, u.data(), step, history, tangent_pressure, ask, out);
@@ -479,7 +481,8 @@ void element_response(HexElement kind, const ElementShape& shape, const Tissue& 
 
 Eigen::Vector4d linear_pressure(HexElement kind, const ElementShape& shape, const Tissue& tissue,
                                 const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& du) {
-  if (nodes_of(kind) == 27) return linear_pressure_of<27>(kind, shape, tissue, u.data(), du.data());
+  if (node_count(kind) == 27)
+    return linear_pressure_of<27>(kind, shape, tissue, u.data(), du.data());
   return linear_pressure_of<8>(kind, shape, tissue, u.data(), du.data());
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Hexahedra of soft tissue at finite strain, four ways to keep them from locking or not.
+/// Hexahedral elements of soft tissue at finite strain, one that locks and three that do not.
 
 #include <array>
 #include <string>
@@ -13,7 +13,8 @@
 
 namespace thenar {
 
-/// Elements. All but the first weaken incompressibility, so that nu near 1/2 does not lock them.
+/// Kinds of elements. All but the first relax the incompressibility constraint, so that they do not
+/// lock for nu near 1/2.
 enum class HexElement {
   kDisplacement,        // Q1: 8 nodes, 8 Gauss points; locks
   kMeanDilatation,      // Q1P0: J is its mean over the element [SimoTaylorPister1985]
@@ -27,68 +28,73 @@ inline constexpr std::array kHexElementNames{
 [[nodiscard]] inline std::string name_of(HexElement kind) {
   return name_in(kHexElementNames, kind);
 }
-/// 8 or 27.
-[[nodiscard]] int nodes_of(HexElement kind);
-/// Gauss points of the isochoric part, 8 or 27.
-[[nodiscard]] int points_of(HexElement kind);
+/// Returns the number of nodes, 8 or 27.
+[[nodiscard]] int node_count(HexElement kind);
+/// Returns the number of Gauss points of the isochoric part, 8 or 27.
+[[nodiscard]] int gauss_point_count(HexElement kind);
 
-/// Shape functions in the reference element, found once.
+/// Shape functions in the reference element, computed once.
 struct ElementTable;
-/// The table of a kind; lives as long as the program.
+/// Returns the table of a kind; it lives as long as the program.
 [[nodiscard]] const ElementTable& element_table(HexElement kind);
 
 /// Quantities of an element that follow from its reference shape. Nodes of Q1 are ordered as
 /// HexCell::corners, those of Q2 as the lattice 0..26, first axis fastest.
 struct ElementShape {
   std::vector<double> gradient;       // dN/dX [1/m] (nodes, 3, padded points), see element_sums.h
-  std::vector<double> volume;         // weights [m^3] (points)
-  std::vector<double> mean_gradient;  // F-bar: in the mean, so that a patch passes the test
-  Eigen::MatrixXd modes;              // Q2P1: functions of dilatation (points, 4)
+  std::vector<double> volume;         // integration weights [m^3] (points)
+  std::vector<double> mean_gradient;  // F-bar: volume mean of dN/dX, which passes the patch test
+                                      // [1/m] (nodes, 3, padded points)
+  Eigen::MatrixXd modes;              // Q2P1: dilatation modes at the Gauss points [1] (points, 4)
   Eigen::MatrixXd modes_inverse;      // inverse of their Gram matrix [1/m^3] (4, 4)
 };
-/// @param X  reference nodes [m] (3, nodes of the kind)
+/// Computes the shape of an element.
+/// @param X  reference positions of the nodes [m] (3, nodes of the kind)
 /// @throws InputError if the map to it folds at a Gauss point.
 [[nodiscard]] ElementShape element_shape(HexElement kind, const Eigen::Matrix3Xd& X);
 
-/// F at a Gauss point. @param u  displacements [m] (3, nodes)
+/// Returns the deformation gradient F at a Gauss point (3, 3).
+/// @param u  displacements [m] (3, nodes)
 [[nodiscard]] Eigen::Matrix3d element_deformation(const ElementShape& shape,
                                                   const Eigen::Matrix3Xd& u, std::size_t point);
-/// Value of a node's shape function at a Gauss point [1].
+/// Returns the value of a node's shape function at a Gauss point [1].
 [[nodiscard]] double shape_value(HexElement kind, std::size_t point, std::size_t node);
 
-/// An element's state of relaxation at its Gauss points, second Piola-Kirchhoff stresses [Pa].
+/// Relaxation state of an element at its Gauss points, second Piola-Kirchhoff stresses [Pa].
 struct ElementHistory {
   std::vector<Voigt> elastic;  // Se at the last accepted step (points)
   std::vector<Voigt> terms;    // H_i (terms, points)
 };
 
-/// Energy, forces and stiffness of an element; room of one thread, used again.
+/// Energy, forces and stiffness of an element. Reuse one object per thread to avoid allocations.
 struct ElementResponse {
-  bool inverted = false;       // det F <= 0 at a Gauss point: nothing else is written
+  bool inverted = false;       // det F <= 0 at a Gauss point: the other members are invalid
   double energy = 0;           // incremental potential [J]
-  Eigen::VectorXd force;       // its derivative by displacements [N] (3 nodes)
-  Eigen::MatrixXd stiffness;   // its second derivative, upper triangle [N/m] (3 nodes, 3 nodes)
-  std::vector<Voigt> elastic;  // Se [Pa] (points), if asked
+  Eigen::VectorXd force;       // derivative by displacements [N] (3 nodes)
+  Eigen::MatrixXd stiffness;   // second derivative, upper triangle [N/m] (3 nodes, 3 nodes)
+  std::vector<Voigt> elastic;  // Se, with forces [Pa] (points)
 };
 
-enum class ElementAsk { kEnergy, kForce, kStiffness };
+/// Highest derivative of the energy that is computed.
+enum class ElementRequest { kEnergy, kForce, kStiffness };
 
-/// One element.
+/// Computes the response of one element.
 /// @param u        displacements [m] (3, nodes)
-/// @param step     weights of relaxation for this step, and `history` of the step before; null:
-///                 elastic
-/// @param tangent_pressure  what the stiffness takes for the pressure, coefficients of its modes
-///                 [Pa]; null: the pressure at u. With that of linear_pressure() Newton's method is
-///                 that of the mixed problem, in which pressure is an unknown: a step far from
-///                 balance makes no pressures of bulk modulus times its second order
+/// @param step     weights of relaxation for this step; null: elastic
+/// @param history  relaxation state at the end of the last step; unused if `step` is null
+/// @param tangent_pressure  pressure in the stiffness, coefficients of its modes [Pa]; null: the
+///                 pressure at u. With the pressure of linear_pressure(), Newton's method is that
+///                 of the mixed problem, in which pressure is an unknown: a step far from
+///                 equilibrium then avoids pressures of bulk modulus times its second-order volume
+///                 change
 /// Source: [Simo1998] sec. 9.4 and 10.3; spatial forms of [Bonet2008] ch. 9.
 void element_response(HexElement kind, const ElementShape& shape, const Tissue& tissue,
                       const Eigen::Matrix3Xd& u, const MemoryStep* step,
                       const ElementHistory* history, const Eigen::Vector4d* tangent_pressure,
-                      ElementAsk ask, ElementResponse& out);
+                      ElementRequest request, ElementResponse& out);
 
-/// Pressure after a change du, linearised at u, coefficients of its modes [Pa] (4); those that the
-/// kind has not are 0.
+/// Returns the pressure after a displacement increment du, linearized at u: coefficients of its
+/// modes, 0 for those that the kind lacks [Pa] (4).
 [[nodiscard]] Eigen::Vector4d linear_pressure(HexElement kind, const ElementShape& shape,
                                               const Tissue& tissue, const Eigen::Matrix3Xd& u,
                                               const Eigen::Matrix3Xd& du);

@@ -8,8 +8,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSamePlane = 1e-7;  // Planes with normals that differ by less are the same [1]
-constexpr double kNoPart = 1e-10;    // Parts below this share of a triangle are left out [1]
+constexpr double kSamePlaneTolerance = 1e-7;  // largest difference of normals of equal planes [1]
+constexpr double kMinPartShare = 1e-10;       // least share of a triangle that is a part [1]
 
 }  // namespace
 
@@ -32,41 +32,41 @@ TrianglePart clipped(const TrianglePart& part, const Vector3d& values) {
   return out;
 }
 
-double share_of(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+double area_share(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return std::abs((b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]);
 }
 
-double share_of(const TrianglePart& part) {
+double area_share(const TrianglePart& part) {
   double out = 0;
   for (std::size_t i = 1; i + 1 < part.size; ++i)
-    out += share_of(part.corners[0], part.corners[i], part.corners[i + 1]);
+    out += area_share(part.corners[0], part.corners[i], part.corners[i + 1]);
   return out;
 }
 
-void TrianglePlanes::start(const std::array<TrianglePlane, 3>& of_corners) {
+void TrianglePlanes::reset(const std::array<TrianglePlane, 3>& corner_planes) {
   planes_.clear();
-  for (const TrianglePlane& plane : of_corners) {
+  for (const TrianglePlane& plane : corner_planes) {
     const bool known = std::any_of(planes_.begin(), planes_.end(), [&](const TrianglePlane& other) {
-      return (other.normal - plane.normal).norm() < kSamePlane;
+      return (other.normal - plane.normal).norm() < kSamePlaneTolerance;
     });
     if (!known) planes_.push_back(plane);
   }
 }
 
-void TrianglePlanes::find_parts() {
+void TrianglePlanes::update_parts() {
   parts_.assign(planes_.size(), whole_triangle());
   for (std::size_t p = 0; p < planes_.size(); ++p) {
-    // Inside the object, and where no other plane is farther.
+    // Clip to the inside of the object, and to where no other plane has a larger distance.
     parts_[p] = clipped(parts_[p], -planes_[p].values);
     for (std::size_t q = 0; q < planes_.size(); ++q)
       if (q != p) parts_[p] = clipped(parts_[p], planes_[p].values - planes_[q].values);
   }
 }
 
-void TrianglePlanes::drop_empty() {
+void TrianglePlanes::remove_empty_parts() {
   std::size_t kept = 0;
   for (std::size_t p = 0; p < planes_.size(); ++p) {
-    if (share_of(parts_[p]) < kNoPart) continue;
+    if (area_share(parts_[p]) < kMinPartShare) continue;
     planes_[kept] = planes_[p];
     parts_[kept++] = parts_[p];
   }
@@ -75,7 +75,7 @@ void TrianglePlanes::drop_empty() {
 
 std::optional<PlaneRidge> TrianglePlanes::ridge(std::size_t p, std::size_t q) const {
   const Vector3d &one = planes_[p].values, more = one - planes_[q].values;
-  // Ends of the ridge on the triangle's sides.
+  // Find the ends of the ridge on the triangle's sides.
   std::array<Vector3d, 2> ends;
   std::size_t found = 0;
   for (int i = 0; i < 3 && found < 2; ++i) {
@@ -85,7 +85,7 @@ std::optional<PlaneRidge> TrianglePlanes::ridge(std::size_t p, std::size_t q) co
           (more[j] * Vector3d::Unit(i) - more[i] * Vector3d::Unit(j)) / (more[j] - more[i]);
   }
   if (found < 2) return {};
-  // Part of the ridge inside the object where no other plane is farther.
+  // Cut the ridge to the inside of the object, and to where no other plane has a larger distance.
   double from = 0, to = 1;
   const auto cut = [&](const Vector3d& values) {
     const double a = values.dot(ends[0]), b = values.dot(ends[1]);
@@ -97,7 +97,7 @@ std::optional<PlaneRidge> TrianglePlanes::ridge(std::size_t p, std::size_t q) co
   for (std::size_t r = 0; r < planes_.size(); ++r)
     if (r != p && r != q) cut(one - planes_[r].values);
   if (!(to > from)) return {};
-  // Two Gauss points between the ends.
+  // Place two Gauss points between the ends.
   PlaneRidge out{{},
                  (to - from) * (ends[1] - ends[0]).head<2>().norm(),
                  std::hypot(more[0] - more[2], more[1] - more[2])};

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Parts of a triangle below the planes of a convex object with edges, and the ridges between them.
+/// Parts of a triangle below the planes of a convex object, and the ridges between them.
 
 #include <array>
 #include <cstddef>
@@ -11,10 +11,9 @@
 
 namespace thenar::internal {
 
-/// A convex part of a triangle, by barycentric coordinates of its corners.
+/// Convex part of a triangle, with the barycentric coordinates of its corners.
 struct TrianglePart {
-  // Most corners: 3, and one for each of 8 planes.
-  std::array<Eigen::Vector3d, 16> corners;
+  std::array<Eigen::Vector3d, 16> corners;  // 3, and at most one for each of 8 planes [1]
   std::size_t size = 0;
   void add(const Eigen::Vector3d& p) {
     if (size < corners.size()) corners[size++] = p;
@@ -23,22 +22,22 @@ struct TrianglePart {
 
 [[nodiscard]] TrianglePart whole_triangle();
 
-/// Returns the part where a linear function is 0 or more. @param values  at the triangle's corners
-/// (3)
+/// Returns the part where a linear function is 0 or more.
+/// @param values  function at the triangle's corners (3)
 [[nodiscard]] TrianglePart clipped(const TrianglePart& part, const Eigen::Vector3d& values);
 
 /// Returns the area of a triangle of barycentric coordinates, over that of the whole [1].
-[[nodiscard]] double share_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                              const Eigen::Vector3d& c);
-[[nodiscard]] double share_of(const TrianglePart& part);
+[[nodiscard]] double area_share(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                const Eigen::Vector3d& c);
+[[nodiscard]] double area_share(const TrianglePart& part);
 
-/// Calls with points of a part and their shares of the triangle, by which products of two linear
-/// functions are summed exactly.
+/// Calls a function with the Gauss points of a part and their weights, shares of the triangle [1].
+/// The rule is exact for products of two linear functions.
 template <class Call>
-void for_points(const TrianglePart& part, const Call& call) {
+void for_each_gauss_point(const TrianglePart& part, const Call& call) {
   for (std::size_t i = 1; i + 1 < part.size; ++i) {
     const std::array<Eigen::Vector3d, 3> fan{part.corners[0], part.corners[i], part.corners[i + 1]};
-    const double share = share_of(fan[0], fan[1], fan[2]) / 3;
+    const double share = area_share(fan[0], fan[1], fan[2]) / 3;
     for (const Eigen::Vector3d& corner : fan)
       call(Eigen::Vector3d((fan[0] + fan[1] + fan[2]) / 6 + corner / 2), share);
   }
@@ -50,33 +49,33 @@ struct TrianglePlane {
   Eigen::Vector3d normal;
 };
 
-/// The part of a ridge between two planes that lies over the triangle, inside the object. Lengths
-/// are in barycentric coordinates, in which the triangle has the area 1/2.
+/// Part of a ridge between two planes that lies over the triangle, inside the object. Lengths are
+/// in barycentric coordinates, in which the triangle has the area 1/2.
 struct PlaneRidge {
   std::array<Eigen::Vector3d, 2> points;  // Gauss points, exact for products of three functions
   double length;                          // [1]
-  double rate;                            // slope of the planes' difference across it [m]
+  double difference_slope;                // slope of the planes' difference across the ridge [m]
 };
 
-/// Planes of a convex object over a triangle. Where the farthest of them is inside, it is as far as
-/// the object.
+/// Planes of a convex object over a triangle. Inside the object, the distance to the object is the
+/// largest signed distance to its planes.
 class TrianglePlanes {
  public:
-  /// Begins with those planes at the corners that differ.
-  void start(const std::array<TrianglePlane, 3>& of_corners);
+  /// Starts with the distinct planes at the corners.
+  void reset(const std::array<TrianglePlane, 3>& corner_planes);
   void add(const TrianglePlane& plane) { planes_.push_back(plane); }
 
-  /// Finds where each plane is the farthest, and the triangle below it.
-  void find_parts();
-  /// Leaves out planes without a part, which touch the edge between two others.
-  void drop_empty();
+  /// Computes the part of the triangle where each plane is inside and has the largest distance.
+  void update_parts();
+  /// Removes planes without a part, which touch the edge between two others.
+  void remove_empty_parts();
 
   [[nodiscard]] std::size_t size() const { return planes_.size(); }
   [[nodiscard]] const TrianglePlane& plane(std::size_t p) const { return planes_[p]; }
   [[nodiscard]] const TrianglePart& part(std::size_t p) const { return parts_[p]; }
 
-  /// Returns the ridge between two planes; none where no part of it is inside the object or another
-  /// plane is farther.
+  /// Returns the ridge between two planes; none if no part of it is inside the object, or another
+  /// plane has a larger distance.
   [[nodiscard]] std::optional<PlaneRidge> ridge(std::size_t p, std::size_t q) const;
 
  private:

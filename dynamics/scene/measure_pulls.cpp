@@ -28,7 +28,7 @@ void add_digit(DigitPull& pull, Eigen::Index first_z, const SceneRun& run,
   for (Eigen::Index i = 0; i < instants; ++i) {
     const SceneSample& sample = run.samples[static_cast<std::size_t>(i)];
     const ElementInput at{sample.t, sample.t, sample.q, sample.v, sample.z, motion, first_z};
-    pull.accept(at);
+    pull.accept_step(at);
     const PullState now = pull.state_at(at);
     for (std::size_t m = 0; m < pull.muscles().size(); ++m) {
       const auto k = static_cast<Eigen::Index>(m);

@@ -21,7 +21,7 @@ std::unique_ptr<MovingPad> BedPad::clone() const {
 }
 
 PadContact BedPad::move(const Pose<double>& X_PO, double seconds) {
-  // Step of the bed from what was kept.
+  // Step the bed from the kept state.
   moved_ = kept_;
   moved_.X_PO = X_PO;
   const BedContact contact =
@@ -47,7 +47,7 @@ void BedPad::keep() { kept_ = moved_; }
 double BedPad::energy() const {
   if (kept_.bed.elastic.size() == 0) return 0;
   double out = 0;
-  // Work of the way out, by Gauss's five points.
+  // Integrate the work of withdrawing the object, by the five-point Gauss rule.
   const BedContact at = bed_->press(*object_.shape, kept_.X_PO);
   const double nodes[] = {0.046910077, 0.230765345, 0.5, 0.769234655, 0.953089923};
   const double weights[] = {0.118463443, 0.239314335, 0.284444444, 0.239314335, 0.118463443};
@@ -56,7 +56,7 @@ double BedPad::energy() const {
     X.p -= nodes[i] * at.depth * at.normal;
     out += weights[i] * at.depth * bed_->press(*object_.shape, X).push.force.dot(at.normal);
   }
-  // Energy of the springs across, f^2 / (2 G A / h) each.
+  // Add the energy of the tangential springs, f^2 / (2 G A / h) each.
   const FoundationColumns& columns = bed_->columns();
   for (Eigen::Index i = 0; i < columns.area.size() && bed_->constants().shear > 0; ++i)
     if (kept_.bed.touching[static_cast<std::size_t>(i)])

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A bed of springs in motion.
+/// Bed of springs under a moving object.
 
 #include "pad_laws/foundation_bed.h"
 #include "pads/motion/moving_pad.h"
@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// FoundationBed::step() under an object that moves.
+/// Pad whose contact is FoundationBed::step().
 class BedPad final : public MovingPad {
  public:
   /// @throws InputError if the object has no shape or no friction >= 0, or the bed no shear to hold

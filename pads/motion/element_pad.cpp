@@ -9,12 +9,12 @@
 namespace thenar {
 namespace {
 
-// A free pad is as new after this many of its longest relaxation times [1]
-constexpr double kForgettingTimes = 10;
-constexpr double kClearGap = 1e-6;   // Gap from which the object starts towards a pad at rest [m]
-constexpr int kMostIterations = 25;  // Most iterations of a step; most steps take fewer than 12
+// Time after which a free pad is reset to rest, over its longest relaxation time [1]
+constexpr double kMemoryTimes = 10;
+constexpr double kClearGap = 1e-6;      // gap from which an object approaches a pad at rest [m]
+constexpr int kMaxStepIterations = 25;  // Most iterations of a step; most steps take fewer than 12
 // Most pieces of a step; a caller may ask for a shorter step instead
-constexpr int kStepPieces = 4;
+constexpr int kMaxFailedPieces = 4;
 
 }  // namespace
 
@@ -24,70 +24,70 @@ ElementPad::ElementPad(PadModel model, RigidObject object, const Pose<double>& X
   kept_.X_PO = moved_.X_PO = X_PO;
   require(object_.shape && object_.friction >= 0,
           "a pad in motion wants an object with a shape and a friction >= 0");
-  // Reach of the skin with a margin, and the time after which nothing is remembered.
-  renew(X_PO);
-  const Eigen::Matrix3Xd& places = press_->surface().places;
+  // Compute the reach of the skin with a margin, and the time after which the history is dropped.
+  reset_elements(X_PO);
+  const Eigen::Matrix3Xd& places = press_->surface().rest_positions;
   reach_ = places.colwise().norm().maxCoeff() * 1.05;
   for (const Tissue& tissue : model_.tissues)
     for (const ExponentialTerm& term : tissue.relaxation)
-      forgets_ = std::max(forgets_, kForgettingTimes * term.time);
+      memory_time_ = std::max(memory_time_, kMemoryTimes * term.time);
 }
 
 std::unique_ptr<MovingPad> ElementPad::clone() const {
   return std::make_unique<ElementPad>(model_, object_, kept_.X_PO, options_);
 }
 
-void ElementPad::renew(const Pose<double>& X_PO) {
+void ElementPad::reset_elements(const Pose<double>& X_PO) {
   PadPressOptions options;
   options.step = options_.step;
   options.force_error = options_.mesh_error;
   options.max_elements = options_.max_elements;
-  options.pieces = kStepPieces;
-  options.step.max_iterations = std::min(options.step.max_iterations, kMostIterations);
+  options.max_failed_pieces = kMaxFailedPieces;
+  options.step.max_iterations = std::min(options.step.max_iterations, kMaxStepIterations);
   options.max_penetration = 1;  // faces are as fine as the error of the force asks
   press_ = std::make_unique<PadPress>(model_, object_, X_PO, options);
 }
 
-void ElementPad::undo() {
-  if (trial_) press_->undo();
-  trial_ = false;
+void ElementPad::undo_trial() {
+  if (has_trial_) press_->undo_step();
+  has_trial_ = false;
 }
 
 PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
-  undo();
-  moved_ = {X_PO, kept_.rests, kept_.free + seconds};
+  undo_trial();
+  moved_ = {X_PO, kept_.at_rest, kept_.free_time + seconds};
   PadContact out;
-  // A pad at rest that is out of reach stays so.
-  if (kept_.rests) {
+  // A pad at rest stays at rest while the object does not reach it.
+  if (kept_.at_rest) {
     out.gap = object_.shape->distance(X_PO.inverse().p) - reach_;
     if (out.gap > 0) return out;
-    out.gap = smallest_gap(press_->surface(), *object_.shape, X_PO, press_->state().x);
+    out.gap = min_gap(press_->surface(), *object_.shape, X_PO, press_->state().x);
     if (out.gap > 0) return out;
-    press_->begin_at(pulled_out(X_PO, -out.gap));
+    press_->place_object(withdrawn_pose(X_PO, -out.gap));
     out.gap = 0;
   }
-  // One step of the elements; if it fails the pad is as it was.
+  // Take one step of the elements; if it fails the pad keeps its state.
   PressGoal goal;
   goal.X_PO = X_PO;
   goal.time = seconds;
   const PadPressResult result = press_->step(goal);
-  trial_ = result.solved.status == Status::kSolved;
-  if (!trial_) {
+  has_trial_ = result.solved.status == Status::kSolved;
+  if (!has_trial_) {
     out.status = result.solved.status;
     out.message = result.solved.message;
     moved_ = kept_;
     return out;
   }
-  moved_.rests = false;
-  out = touch_of(result);
-  if (out.force > 0) moved_.free = 0;
+  moved_.at_rest = false;
+  out = contact_of(result);
+  if (out.force > 0) moved_.free_time = 0;
   return out;
 }
 
-Pose<double> ElementPad::pulled_out(const Pose<double>& X_PO, double overlap) const {
+Pose<double> ElementPad::withdrawn_pose(const Pose<double>& X_PO, double overlap) const {
   const Pose<double> X_OP = X_PO.inverse();
-  // Node that lies deepest in the object.
-  const Eigen::Matrix3Xd places = places_of(press_->surface(), press_->state().x);
+  // Find the node that lies deepest in the object.
+  const Eigen::Matrix3Xd places = deformed_positions(press_->surface(), press_->state().x);
   Eigen::Index deepest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index k = 0; k < places.cols(); ++k) {
@@ -96,55 +96,56 @@ Pose<double> ElementPad::pulled_out(const Pose<double>& X_PO, double overlap) co
     least = gap;
     deepest = k;
   }
-  // Object moved out along its normal there, to a small gap.
+  // Move the object out along its normal there, to a small gap.
   Pose<double> out = X_PO;
   out.p -= (overlap + kClearGap) *
            (X_PO.R * object_.shape->nearest(X_OP * Eigen::Vector3d(places.col(deepest))).normal);
   return out;
 }
 
-PadContact ElementPad::touch_of(const PadPressResult& result) const {
+PadContact ElementPad::contact_of(const PadPressResult& result) const {
   PadContact out;
   const PressState& state = press_->state();
-  out.force = state.normal.sum();
+  out.force = state.normal_force.sum();
   out.force_error = result.force_error;
-  // Apart: the gap to the deformed skin.
+  // Without force, measure the gap to the deformed skin.
   if (out.force <= 0) {
     out.force = 0;
-    const double gap = smallest_gap(press_->surface(), *object_.shape, state.X_PO, state.x);
+    const double gap = min_gap(press_->surface(), *object_.shape, state.X_PO, state.x);
     out.gap = std::max(0.0, gap);
     return out;
   }
-  // Push, patch and centre of pressure; the normal is the push without friction.
+  // Copy wrench and patch, and compute the centre of pressure and the direction without friction.
   out.push = result.push;
   out.area = result.area;
   out.stick = result.stick;
-  out.centre = places_of(press_->surface(), state.x) * state.normal / out.force;
-  const Eigen::Vector3d rubbed = state.shear.rowwise().sum();
-  out.normal = (out.push.force - rubbed).normalized();
+  out.centre = deformed_positions(press_->surface(), state.x) * state.normal_force / out.force;
+  const Eigen::Vector3d friction = state.friction_force.rowwise().sum();
+  out.normal = (out.push.force - friction).normalized();
   return out;
 }
 
 void ElementPad::keep() {
   kept_ = moved_;
-  trial_ = false;
-  if (!kept_.rests && kept_.free > forgets_) {
-    kept_.rests = true;
-    renew(kept_.X_PO);
+  has_trial_ = false;
+  if (!kept_.at_rest && kept_.free_time > memory_time_) {
+    kept_.at_rest = true;
+    reset_elements(kept_.X_PO);
   }
 }
 
 double ElementPad::energy() const {
-  if (kept_.rests) return 0;
+  if (kept_.at_rest) return 0;
   const TissueBody& body = press_->body();
   TissueResponse now;
-  body.respond(body.spread(press_->state().x, {}), 0, {}, {}, ElementAsk::kEnergy, now);
+  body.evaluate(body.node_displacements(press_->state().x, {}), 0, {}, {}, ElementRequest::kEnergy,
+                now);
   return now.energy + press_->state().spring_energy;
 }
 
 Matrix6 ElementPad::stiffness(const Eigen::Matrix<double, 6, 1>& /*onward*/) {
-  undo();
-  if (kept_.rests || press_->state().normal.isZero(0)) return Matrix6::Zero();
+  undo_trial();
+  if (kept_.at_rest || press_->state().normal_force.isZero(0)) return Matrix6::Zero();
   return press_->stiffness();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Finite elements of a pad in motion.
+/// Finite elements of a pad under a moving object.
 
 #include "pads/motion/moving_pad.h"
 #include "pads/pad_press.h"
@@ -9,13 +9,13 @@ namespace thenar {
 
 struct ElementPadOptions {
   PressOptions step;
-  double mesh_error = 0.5;  // estimate of the force's error above which cells are cut [1]
-  int max_elements = 2000;  // the mesh is not refined beyond
+  double mesh_error = 0.5;  // estimated force error above which the mesh is refined [1]
+  int max_elements = 2000;  // elements of a mesh up to which it is refined
 };
 
-/// PadPress under an object that moves. An object that is farther off than nodes can be, over a pad
-/// at rest, costs one look at its distance; a pad that nothing has touched for ten times its
-/// longest relaxation is as new, on its coarsest mesh.
+/// Pad whose contact is PadPress. Over a pad at rest, a distant object costs one distance query. A
+/// pad that nothing has touched for ten times its longest relaxation time is reset to rest, on its
+/// coarsest mesh.
 class ElementPad final : public MovingPad {
  public:
   /// @throws InputError as PadPress, or if the object has no shape.
@@ -26,8 +26,8 @@ class ElementPad final : public MovingPad {
   [[nodiscard]] std::string rung() const override { return "elements"; }
   [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
   void keep() override;
-  /// Computes the stiffness from the tangent of the elements, with nodes that stick and slip as
-  /// they do.
+  /// Computes the stiffness from the tangent of the elements, with the present sticking and
+  /// slipping nodes.
   [[nodiscard]] Matrix6 stiffness(const Eigen::Matrix<double, 6, 1>& onward) override;
   [[nodiscard]] double energy() const override;
   [[nodiscard]] double reach() const override { return reach_; }
@@ -37,27 +37,29 @@ class ElementPad final : public MovingPad {
   [[nodiscard]] const Pose<double>& object_pose() const override { return kept_.X_PO; }
 
  private:
-  /// State of the pad without that of its elements.
+  /// State of the pad except that of its elements.
   struct State {
     Pose<double> X_PO;
-    bool rests = true;  // it is as new
-    double free = 0;    // time since anything touched [s]
+    bool at_rest = true;   // the pad is undeformed and has no history
+    double free_time = 0;  // time since the last contact [s]
   };
-  void renew(const Pose<double>& X_PO);
+  /// Resets the elements to rest on the coarsest mesh.
+  void reset_elements(const Pose<double>& X_PO);
   /// Undoes the changes of the elements by the last move.
-  void undo();
-  /// The object, moved out of a pad at rest along its normal, so that it came in straight.
-  [[nodiscard]] Pose<double> pulled_out(const Pose<double>& X_PO, double overlap) const;
-  [[nodiscard]] PadContact touch_of(const PadPressResult& result) const;
+  void undo_trial();
+  /// Returns the object's pose, moved out of a pad at rest along its normal, so that it enters
+  /// straight.
+  [[nodiscard]] Pose<double> withdrawn_pose(const Pose<double>& X_PO, double overlap) const;
+  [[nodiscard]] PadContact contact_of(const PadPressResult& result) const;
 
   PadModel model_;
   RigidObject object_;
   ElementPadOptions options_;
-  double reach_ = 0;    // no point of the pad is farther from its origin [m]
-  double forgets_ = 0;  // after this time nothing is remembered [s]
+  double reach_ = 0;        // bound of the distance of the pad's points from its origin [m]
+  double memory_time_ = 0;  // time after which the history is negligible [s]
   std::unique_ptr<PadPress> press_;
   State kept_, moved_;
-  bool trial_ = false;  // the press is at the last move, which is not kept
+  bool has_trial_ = false;  // the elements are at the last move, which is not kept yet
 };
 
 }  // namespace thenar

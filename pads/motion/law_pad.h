@@ -1,6 +1,6 @@
 #pragma once
 
-/// A law at a point in motion: soft finger, power law.
+/// Point contact law under a moving object: soft finger, power law.
 
 #include <array>
 #include <optional>
@@ -12,18 +12,20 @@
 
 namespace thenar {
 
-/// A law where the undeformed skin lies deepest in the object; the patch sticks, slips and twists
-/// as a whole. Its friction and torsion are those of springs, k = LawContact::shear and k a b,
-/// which on an incompressible half space holds for circles, which the object's motion at the patch
-/// stretches step by step, so that rolling is no slip; they relax as the force does, and stay
-/// within the ellipsoid  |f_t|^2 + (torque / e)^2 <= (mu f_n)^2 with the e mu of the law, by the
-/// way straight back to it. A patch that shrinks loses what it cannot carry, so that friction gives
-/// back no more than it took. Sources: [Howe1996] for the ellipsoid, [Elata1996].
+/// Pad whose contact is a law at the point where the undeformed skin lies deepest in the object.
+/// The patch sticks, slips and twists as a whole. Friction and torsion are those of springs, with
+/// stiffness k = LawContact::shear and k a b (which holds for circles on an incompressible half
+/// space). The object's motion at the patch stretches the springs step by step, so that rolling is
+/// not slip. They relax like the normal force, and are scaled back to the ellipsoid
+///   |f_t|^2 + (torque / e)^2 <= (mu f_n)^2
+/// with e mu the torsion of the law. A shrinking patch loses the friction that it cannot hold, so
+/// that friction returns no more energy than it stored.
+/// Sources: [Howe1996] for the ellipsoid, [Elata1996].
 class LawPad final : public MovingPad {
  public:
-  /// @param name  of the rung
-  /// @throws InputError as PadChart, or if law or object are missing, or the law has no stiffness
-  /// across.
+  /// @param name  name of the level of detail
+  /// @throws InputError as PadChart, or if law or object are missing, or the law has no tangential
+  /// stiffness.
   LawPad(std::string name, const PadShape& shape, std::shared_ptr<const ContactLaw> law,
          RigidObject object, const Pose<double>& X_PO);
 
@@ -42,19 +44,22 @@ class LawPad final : public MovingPad {
  private:
   struct State {
     Pose<double> X_PO;
-    Eigen::Vector2d disc{0, 0};  // where it touched, or was nearest
-    Pose<double> X_look;         // of the object when all of the skin was looked at
-    double lead = 0;             // as DeepestSkin then [m]
+    Eigen::Vector2d disc{0, 0};  // deepest or nearest point of the skin on the disc [1] (2)
+    Pose<double> X_searched;     // pose of the object at the last search of the whole skin
+    double lead = 0;             // DeepestSkin::lead of that search [m]
     bool touched = false;
-    ExponentialMemory normal;               // [N]
-    std::array<ExponentialMemory, 4> drag;  // friction along x, y, z [N]; torque [N m]
-    std::array<double, 2> spring{0, 0};     // that carries friction [N/m], torque [N m/rad]
-    double energy = 0;                      // as LawPad::energy() [J]
+    ExponentialMemory normal;                   // history of the normal force [N]
+    std::array<ExponentialMemory, 4> friction;  // friction along x, y, z [N]; torque [N m]
+    std::array<double, 2> spring{0, 0};  // stiffness that stores friction [N/m], torque [N m/rad]
+    double energy = 0;                   // LawPad::energy() [J]
   };
-  /// Friction and torsion of a step. @return friction [N] (3), torque about the normal [N m]
-  [[nodiscard]] Eigen::Vector4d rub(const LawContact& contact, const Eigen::Vector3d& at,
-                                    const Eigen::Vector3d& normal, const MemoryStep& weights,
-                                    bool& sticks);
+  /// Computes friction and torsion of a step and advances their history.
+  /// @param sticks  output: whether the patch sticks
+  /// @return friction [N] (3), torque about the normal [N m]
+  [[nodiscard]] Eigen::Vector4d update_friction(const LawContact& contact,
+                                                const Eigen::Vector3d& at,
+                                                const Eigen::Vector3d& normal,
+                                                const MemoryStep& weights, bool& sticks);
 
   std::string name_;
   PadShape shape_;
@@ -62,7 +67,7 @@ class LawPad final : public MovingPad {
   std::shared_ptr<const Shape> skin_;
   std::shared_ptr<const ContactLaw> law_;
   RigidObject object_;
-  double reach_ = 0;  // no skin is farther from the pad's origin [m]
+  double reach_ = 0;  // bound of the distance of the skin from the pad's origin [m]
   State kept_, moved_;
 };
 

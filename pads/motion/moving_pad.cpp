@@ -7,20 +7,20 @@
 namespace thenar {
 namespace {
 
-constexpr double kDifferenceWay = 1e-6;  // Displacement for the differences of the stiffness [m]
-// Lever arm at which a rotation moves as far as that displacement [m]
+constexpr double kDifferenceWay = 1e-6;  // displacement of the stiffness differences [m]
+// Lever arm at which the rotation of a difference causes that displacement [m]
 constexpr double kTurnArm = 10e-3;
 
 }  // namespace
 
 Matrix6 MovingPad::stiffness(const Eigen::Matrix<double, 6, 1>& onward) {
-  // Push at the pose that was kept.
+  // Compute the wrench at the kept pose.
   const Pose<double> from = object_pose();
   const PadContact at = move(from, 0);
   const Eigen::Matrix<double, 6, 1> before = six_of(at.push);
   Matrix6 out = Matrix6::Zero();
   if (at.status != Status::kSolved) return out;
-  // Difference onward in each direction, or backward where the pad finds no answer.
+  // Take a difference onward in each direction, or backward where the step fails.
   for (int k = 0; k < 6; ++k) {
     Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
     motion[k] = std::copysign(k < 3 ? kDifferenceWay / kTurnArm : kDifferenceWay, onward[k]);

@@ -26,8 +26,8 @@ inline int bring_to_rest(const TissueBody& body, const HeldComponents& held,
   TissueResponse at;
   TissuePressure pressure;
   for (int k = 0; k < 25; ++k) {
-    const Eigen::Matrix3Xd u = body.spread(x, {});
-    body.respond(u, 0, {}, pressure, ElementAsk::kStiffness, at);
+    const Eigen::Matrix3Xd u = body.node_displacements(x, {});
+    body.evaluate(u, 0, {}, pressure, ElementRequest::kStiffness, at);
     if (at.inverted) return -1;
     // Rows and columns that may move.
     std::vector<Eigen::Triplet<double>> entries;
@@ -35,7 +35,7 @@ inline int bring_to_rest(const TissueBody& body, const HeldComponents& held,
     for (int j = 0; j < pattern.size; ++j)
       for (int e = pattern.starts[static_cast<std::size_t>(j)];
            e < pattern.starts[static_cast<std::size_t>(j) + 1]; ++e) {
-        const double value = at.values[static_cast<std::size_t>(e)];
+        const double value = at.tangent[static_cast<std::size_t>(e)];
         const int row = place[static_cast<std::size_t>(pattern.rows[static_cast<std::size_t>(e)])],
                   column = place[static_cast<std::size_t>(j)];
         stiffest = std::max(stiffest, value);
@@ -57,7 +57,7 @@ inline int bring_to_rest(const TissueBody& body, const HeldComponents& held,
     Eigen::VectorXd dx = Eigen::VectorXd::Zero(x.size());
     for (std::size_t i = 0; i < held.size(); ++i)
       if (place[i] >= 0) dx[static_cast<Eigen::Index>(i)] = step[place[i]];
-    pressure = body.pressure_after(u, body.spread(dx, {}));
+    pressure = body.predict_pressure(u, body.node_displacements(dx, {}));
     x += dx;
   }
   return -1;

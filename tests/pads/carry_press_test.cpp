@@ -22,12 +22,12 @@ class Squeezed : public testing::Test {
   Squeezed() : mesh_(pad_mesh(PadShape{}, PadCells{})) {
     G_ = Vector3d(1.2, 0.9, -0.8).asDiagonal();
     body_ = body();
-    surface_ = contact_surface(mesh_, *body_, skin_nodes(mesh_));
+    surface_ = build_contact_surface(mesh_, *body_, skin_nodes(mesh_));
     state_ = rest_state(*body_, surface_, Pose<double>{});
     for (std::size_t i = 0; i < body_->free_nodes().size(); ++i)
       state_.x.segment<3>(static_cast<Eigen::Index>(3 * i)) =
           G_ * mesh_.place(body_->free_nodes()[i]);
-    state_.normal = 300 * surface_.area;  // an even pressure [Pa]
+    state_.normal_force = 300 * surface_.area;  // an even pressure [Pa]
   }
 
   [[nodiscard]] std::unique_ptr<TissueBody> body() const {
@@ -38,11 +38,11 @@ class Squeezed : public testing::Test {
 
   /// Carries the state to the mesh with some cells split.
   PressState carried(const std::vector<int>& split) {
-    const PressCarrier carrier(mesh_, std::move(body_), surface_);
+    const PressTransfer transfer(mesh_, std::move(body_), surface_);
     mesh_.refine(split);
     body_ = body();
-    surface_ = contact_surface(mesh_, *body_, skin_nodes(mesh_));
-    return carrier.carry(state_, mesh_, *body_, surface_);
+    surface_ = build_contact_surface(mesh_, *body_, skin_nodes(mesh_));
+    return transfer.transfer_state(state_, mesh_, *body_, surface_);
   }
 
   HexMesh mesh_;
@@ -65,9 +65,9 @@ TEST_F(Squeezed, NewNodesOfACurvedSkinGoWithTheTissue) {
 
 TEST_F(Squeezed, AnEvenPressureStaysEven) {
   const PressState state = carried(mesh_.active());
-  ASSERT_EQ(state.normal.size(), surface_.area.size());
-  for (Eigen::Index k = 0; k < state.normal.size(); ++k)
-    EXPECT_NEAR(state.normal[k] / surface_.area[k], 300, 1e-9);
+  ASSERT_EQ(state.normal_force.size(), surface_.area.size());
+  for (Eigen::Index k = 0; k < state.normal_force.size(); ++k)
+    EXPECT_NEAR(state.normal_force[k] / surface_.area[k], 300, 1e-9);
 }
 
 }  // namespace

@@ -65,9 +65,9 @@ struct SlabOnBlock {
 // faces by their diagonals.
 TEST(ContactArea, IsTheWholeTopUnderAWideSlab) {
   const SlabOnBlock pressed(0.4e-3);
-  for (Eigen::Index k = 0; k < pressed.state.normal.size(); ++k)
-    ASSERT_GT(pressed.state.normal[k], 0);
-  const Eigen::Matrix3Xd u = pressed.block.body->spread(pressed.state.x, {});
+  for (Eigen::Index k = 0; k < pressed.state.normal_force.size(); ++k)
+    ASSERT_GT(pressed.state.normal_force[k], 0);
+  const Eigen::Matrix3Xd u = pressed.block.body->node_displacements(pressed.state.x, {});
   double top = 0;
   for (const HexCell& cell : pressed.block.mesh.cells()) {
     if (pressed.block.mesh.place(cell.corners[4])[2] < -1e-9) continue;

@@ -43,7 +43,7 @@ TEST(ContactSurface, NodesShareTheAreaOfTheirFaces) {
   ASSERT_EQ(surface.faces.size(), 12U);
   for (Eigen::Index k = 0; k < surface.area.size(); ++k) {
     // Faces of 2 x 2 mm: four around an inner node, two at an edge, one at a corner.
-    const Vector3d p = surface.places.col(k);
+    const Vector3d p = surface.rest_positions.col(k);
     const double faces = (std::abs(p[0]) > 3.9e-3 ? 1 : 2) * (std::abs(p[1]) > 2.9e-3 ? 1 : 2);
     EXPECT_NEAR(surface.area[k], faces * 1e-6, 1e-18);
   }
@@ -73,10 +73,10 @@ TEST(ContactSurface, KeepsTheAreaWhereNodesHang) {
 TEST(ContactSurface, GapsBelowAPlaneAreHeights) {
   const TissueBlock block = plain_block();
   const VectorXd x = random_motion(block, 1e-4, 1);
-  const Matrix3Xd places = places_of(block.surface, x);
+  const Matrix3Xd places = deformed_positions(block.surface, x);
   MeanGaps gaps(block.surface);
-  gaps.find(*build_box({0.1, 0.1, 0.02}), above(0.012), x);
-  EXPECT_FALSE(gaps.neighbours_matter());
+  gaps.update(*build_box({0.1, 0.1, 0.02}), above(0.012), x);
+  EXPECT_FALSE(gaps.depends_on_neighbours());
   for (std::size_t k = 0; k < block.surface.nodes.size(); ++k) {
     EXPECT_NEAR(gaps.gap(k), 2e-3 - places(2, static_cast<Eigen::Index>(k)), 1e-16);
     EXPECT_TRUE(matrix_near(gaps.normal(k), -Vector3d::UnitZ(), 1e-12));
@@ -90,12 +90,13 @@ TEST(ContactSurface, SlopesOfGapsAreTheirDerivatives) {
   const auto ball = build_sphere(6e-3);
   const Pose<double> X = above(6.5e-3);
   MeanGaps gaps(block.surface), before(block.surface), after(block.surface);
-  gaps.find(*ball, X, x);
-  EXPECT_TRUE(gaps.neighbours_matter());
+  gaps.update(*ball, X, x);
+  EXPECT_TRUE(gaps.depends_on_neighbours());
   const double step = 1e-8;
-  before.find(*ball, X, x - step * way);
-  after.find(*ball, X, x + step * way);
-  const VectorXd change = gaps.change(places_of(block.surface, way) - block.surface.places);
+  before.update(*ball, X, x - step * way);
+  after.update(*ball, X, x + step * way);
+  const VectorXd change =
+      gaps.gap_changes(deformed_positions(block.surface, way) - block.surface.rest_positions);
   for (std::size_t k = 0; k < block.surface.nodes.size(); ++k)
     EXPECT_NEAR(change[static_cast<Eigen::Index>(k)], (after.gap(k) - before.gap(k)) / (2 * step),
                 1e-6);
@@ -105,21 +106,23 @@ TEST(ContactSurface, SlopesOfGapsAreTheirDerivatives) {
 TEST(ContactSurface, SpreadIsTheTransposeOfChange) {
   const TissueBlock block = plain_block();
   MeanGaps gaps(block.surface);
-  gaps.find(*build_sphere(6e-3), above(6.5e-3), random_motion(block, 1e-4, 4));
+  gaps.update(*build_sphere(6e-3), above(6.5e-3), random_motion(block, 1e-4, 4));
   std::mt19937 rng(5);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto nodes = static_cast<Eigen::Index>(block.surface.nodes.size());
   const VectorXd push = VectorXd::NullaryExpr(nodes, [&] { return unit(rng); });
   const Matrix3Xd moved = Matrix3Xd::NullaryExpr(3, nodes, [&] { return unit(rng); });
-  EXPECT_NEAR(push.dot(gaps.change(moved)), gaps.spread(push).cwiseProduct(moved).sum(), 1e-12);
+  EXPECT_NEAR(push.dot(gaps.gap_changes(moved)), gaps.nodal_forces(push).cwiseProduct(moved).sum(),
+              1e-12);
 }
 
 // Corners and points of a plane face lie on it: the middle is the mean of the corners.
 TEST(ContactSurface, PointsOfAFlatFaceLieOnIt) {
   const TissueBlock block = plain_block();
   for (const SurfacePoint& point : block.surface.points)
-    EXPECT_NEAR(place_of(point, block.surface.places)[2], 0, 1e-18);
-  const FaceCorners corners = corners_of(block.surface.faces.front(), block.surface.places);
+    EXPECT_NEAR(point_position(point, block.surface.rest_positions)[2], 0, 1e-18);
+  const FaceCorners corners =
+      corner_positions(block.surface.faces.front(), block.surface.rest_positions);
   EXPECT_NEAR((corners.col(3) - corners.col(0)).cross(corners.col(2) - corners.col(1)).norm() / 2,
               4e-6, 1e-18);
 }
@@ -131,9 +134,9 @@ TEST(ContactSurface, SmallestGapSeesNodesAndPointsBetween) {
   const auto ball = build_sphere(1e-3);
   Pose<double> X = above(3e-3);
   X.p.head<2>() << 2e-3, 1e-3;  // a node
-  EXPECT_NEAR(smallest_gap(block.surface, *ball, X, rest), 2e-3, 1e-15);
+  EXPECT_NEAR(min_gap(block.surface, *ball, X, rest), 2e-3, 1e-15);
   X.p.head<2>() << 1e-3, 0;  // the middle of a face
-  EXPECT_NEAR(smallest_gap(block.surface, *ball, X, rest), 2e-3, 1e-15);
+  EXPECT_NEAR(min_gap(block.surface, *ball, X, rest), 2e-3, 1e-15);
 }
 
 // The edge of a box over the skin is one; a plane, and a ball that is larger than a face, have
@@ -142,10 +145,10 @@ TEST(ContactSurface, TellsEdgesFromRoundObjects) {
   const TissueBlock block = plain_block();
   const VectorXd rest = VectorXd::Zero(block.body->unknowns());
   Pose<double> X = above(0.01 + 1e-5);
-  EXPECT_FALSE(meets_edge(block.surface, *build_box({0.1, 0.1, 0.02}), X, rest));
+  EXPECT_FALSE(has_edge_nearby(block.surface, *build_box({0.1, 0.1, 0.02}), X, rest));
   X.p[0] = 0.05 + 1e-3;  // the box begins at x = 1 mm
-  EXPECT_TRUE(meets_edge(block.surface, *build_box({0.1, 0.1, 0.02}), X, rest));
-  EXPECT_FALSE(meets_edge(block.surface, *build_sphere(20e-3), above(0.02 + 1e-5), rest));
+  EXPECT_TRUE(has_edge_nearby(block.surface, *build_box({0.1, 0.1, 0.02}), X, rest));
+  EXPECT_FALSE(has_edge_nearby(block.surface, *build_sphere(20e-3), above(0.02 + 1e-5), rest));
 }
 
 }  // namespace

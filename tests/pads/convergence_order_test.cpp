@@ -74,7 +74,7 @@ std::vector<std::vector<int>> element_nodes(const HexMesh& mesh, HexElement kind
     std::vector<int> nodes(27);
     for (int child = 0; child < 8; ++child)
       for (int corner = 0; corner < 8; ++corner)
-        nodes[lattice_place(child, corner)] =
+        nodes[lattice_index(child, corner)] =
             mesh.cells()[static_cast<std::size_t>(
                              mesh.cells()[static_cast<std::size_t>(index)].first_child + child)]
                 .corners[static_cast<std::size_t>(corner)];
@@ -115,7 +115,7 @@ Errors errors_of(HexElement kind, int cells, double poisson_ratio) {
     for (const int node : face)
       if (times == 1)
         for (std::size_t c = 0; c < 3; ++c)
-          held[3 * static_cast<std::size_t>(body.free_place(node)) + c] = true;
+          held[3 * static_cast<std::size_t>(body.free_index(node)) + c] = true;
   // All begins near the answer; how Newton's method gets there is another test's.
   for (std::size_t i = 0; i < body.free_nodes().size(); ++i)
     x.segment<3>(static_cast<Eigen::Index>(3 * i)) =
@@ -136,13 +136,13 @@ Errors errors_of(HexElement kind, int cells, double poisson_ratio) {
       places.push_back(at);
       const Vector3d force = shapes.back().volume[q] * known.body_force(at);
       for (std::size_t a = 0; a < nodes.size(); ++a)
-        load.segment<3>(3 * body.free_place(nodes[a])) += shape_value(kind, q, a) * force;
+        load.segment<3>(3 * body.free_index(nodes[a])) += shape_value(kind, q, a) * force;
     }
   }
   EXPECT_GE(bring_to_rest(body, held, load, x), 0) << name_of(kind) << cells;
   // Against the known solution at Gauss points.
   Errors out;
-  const Matrix3Xd u = body.spread(x, {});
+  const Matrix3Xd u = body.node_displacements(x, {});
   std::size_t point = 0;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     Matrix3Xd own(3, static_cast<Eigen::Index>(elements[e].size()));

@@ -192,12 +192,12 @@ TEST(SharpEdge, IsFoundWhereThereIsOne) {
   EdgePress press(cube(), Matrix3d::Identity(), 0, 100, 1);
   const ContactSurface& surface = press.press().surface();
   const PressState& state = press.press().state();
-  EXPECT_TRUE(meets_edge(surface, *cube(), state.X_PO, state.x));
+  EXPECT_TRUE(has_edge_nearby(surface, *cube(), state.X_PO, state.x));
   Pose<double> X;
   X.p = {0, 0, state.X_PO.p[2] - 3e-3 + 0.1};
-  EXPECT_FALSE(meets_edge(surface, *build_box({0.2, 0.2, 0.2}), X, state.x));
+  EXPECT_FALSE(has_edge_nearby(surface, *build_box({0.2, 0.2, 0.2}), X, state.x));
   X.p[2] = state.X_PO.p[2] - 3e-3 + 8e-3;
-  EXPECT_FALSE(meets_edge(surface, *build_sphere(8e-3), X, state.x));
+  EXPECT_FALSE(has_edge_nearby(surface, *build_sphere(8e-3), X, state.x));
 }
 
 // Against differences of forces, without friction and where it holds all nodes.
@@ -217,15 +217,15 @@ TEST(SkinSprings, HaveTheSlopesOfTheirForces) {
   }
   for (const double friction : {0.0, 10.0}) {
     const auto force = [&](double step, SkinSprings& springs) {
-      springs.find(*block(), state.X_PO, state.x + step * way, stiffness, friction,
-                   {state.anchor, state.shear});
-      return Matrix3Xd(springs.push() + springs.shear());
+      springs.update(*block(), state.X_PO, state.x + step * way, stiffness, friction,
+                     {state.anchor, state.friction_force});
+      return Matrix3Xd(springs.normal_forces() + springs.friction_forces());
     };
     SkinSprings springs(at.body(), at.surface()), beside(at.body(), at.surface());
     constexpr double kStep = 1e-10;
     const Matrix3Xd change = (force(kStep, beside) - force(-kStep, beside)) / (2 * kStep);
     ASSERT_GT(force(0, springs).norm(), 0);
-    EXPECT_LT((change + springs.loss(moved)).norm(), 1e-4 * change.norm()) << friction;
+    EXPECT_LT((change + springs.force_loss(moved)).norm(), 1e-4 * change.norm()) << friction;
   }
 }
 

@@ -66,7 +66,7 @@ struct LongSlab : TissueBlock {
     for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
       const double y = std::abs(mesh.place(node_of(k))[1]);
       const double share = y < 1e-9 ? 1 : y < kRow + 1e-9 ? 0.5 : 0;
-      sum += share * state.normal[static_cast<Eigen::Index>(k)];
+      sum += share * state.normal_force[static_cast<Eigen::Index>(k)];
     }
     return sum / (2 * kRow);
   }

@@ -31,7 +31,7 @@ class PlateOnBlock {
     factors_.emplace(*block_.body);
     at_.emplace(PressProblem{*block_.body, block_.surface, object_, goal_, options_, state_},
                 *factors_);
-    at_->stiffness.assign(at_->contacts.size(), kNodeStiffness);
+    at_->node_stiffness.assign(at_->contacts.size(), kNodeStiffness);
   }
   PressIterate& at() { return *at_; }
 
@@ -47,10 +47,10 @@ class PlateOnBlock {
 
 /// Forces on all nodes.
 Matrix3Xd forces_of(PressIterate& at) {
-  find_contacts(at);
+  update_contacts(at);
   Matrix3Xd out = normal_forces(at);
   for (std::size_t k = 0; k < at.contacts.size(); ++k)
-    out.col(static_cast<Eigen::Index>(k)) += at.contacts[k].shear;
+    out.col(static_cast<Eigen::Index>(k)) += at.contacts[k].friction_force;
   return out;
 }
 
@@ -58,33 +58,35 @@ TEST(NodeContacts, AreOpenOrStickOrSlip) {
   PlateOnBlock sample;
   PressIterate& at = sample.at();
   const auto move = [&](std::size_t k, const Vector3d& by) {
-    at.now.x.segment<3>(3 * at.surface.nodes[k]) = by;
+    at.state.x.segment<3>(3 * at.surface.nodes[k]) = by;
   };
   move(0, {0, 0, -0.1});    // away from the plate
   move(1, {0, 0.02, 0.1});  // in by 0.1, aside by less than friction bears
   move(2, {0.05, 0, 0.1});  // and by more
-  find_contacts(at);
-  const std::vector<int> states = contact_states(at);
-  EXPECT_EQ(states[0], 0);
-  EXPECT_EQ(states[1], 1);
-  EXPECT_EQ(states[2], 2);
-  EXPECT_TRUE(some_slip(at));
-  EXPECT_NEAR(at.contacts[1].push, 0.1 * kNodeStiffness, 1e-12);
-  EXPECT_NEAR((at.contacts[1].shear - Vector3d(0, -0.02 * kNodeStiffness, 0)).norm(), 0, 1e-12);
-  EXPECT_NEAR((at.contacts[2].shear - Vector3d(-0.1 * kNodeStiffness * kFriction, 0, 0)).norm(), 0,
+  update_contacts(at);
+  const std::vector<ContactState> states = contact_states(at);
+  EXPECT_EQ(states[0], ContactState::kOpen);
+  EXPECT_EQ(states[1], ContactState::kSticks);
+  EXPECT_EQ(states[2], ContactState::kSlips);
+  EXPECT_TRUE(has_sliding_nodes(at));
+  EXPECT_NEAR(at.contacts[1].normal_force, 0.1 * kNodeStiffness, 1e-12);
+  EXPECT_NEAR((at.contacts[1].friction_force - Vector3d(0, -0.02 * kNodeStiffness, 0)).norm(), 0,
               1e-12);
+  EXPECT_NEAR(
+      (at.contacts[2].friction_force - Vector3d(-0.1 * kNodeStiffness * kFriction, 0, 0)).norm(), 0,
+      1e-12);
 }
 
 // The last forces and no gap or slip: an answer.
 TEST(NodeContacts, KeepTheForcesOfAnAnswer) {
   PlateOnBlock sample;
   PressIterate& at = sample.at();
-  at.now.normal.setConstant(0.3);
-  at.now.shear.row(0).setConstant(0.1);
-  find_contacts(at);
-  for (const TouchingNode& c : at.contacts) {
-    EXPECT_NEAR(c.push, 0.3, 1e-14);
-    EXPECT_NEAR((c.shear - Vector3d(0.1, 0, 0)).norm(), 0, 1e-14);
+  at.state.normal_force.setConstant(0.3);
+  at.state.friction_force.row(0).setConstant(0.1);
+  update_contacts(at);
+  for (const NodeContact& c : at.contacts) {
+    EXPECT_NEAR(c.normal_force, 0.3, 1e-14);
+    EXPECT_NEAR((c.friction_force - Vector3d(0.1, 0, 0)).norm(), 0, 1e-14);
     EXPECT_FALSE(c.slips);
   }
 }
@@ -96,20 +98,21 @@ TEST(NodeContacts, LoseForcesByTheirSlope) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (std::size_t k = 0; k < at.contacts.size(); ++k)
-    at.now.x.segment<3>(3 * at.surface.nodes[k]) =
+    at.state.x.segment<3>(3 * at.surface.nodes[k]) =
         Vector3d(0.1 * unit(random), 0.1 * unit(random), 0.1 * (1.5 + unit(random)));
-  find_contacts(at);
+  update_contacts(at);
   // Last friction along this one's way, as large as its bound.
-  for (std::size_t k = 0; k < at.contacts.size(); ++k) at.contacts[k].last = at.contacts[k].way;
+  for (std::size_t k = 0; k < at.contacts.size(); ++k)
+    at.contacts[k].last_friction_ratio = at.contacts[k].slip_direction;
   Matrix3Xd moved(3, static_cast<Eigen::Index>(at.contacts.size()));
   for (Eigen::Index k = 0; k < moved.cols(); ++k)
     moved.col(k) = Vector3d(unit(random), unit(random), unit(random));
-  const Matrix3Xd loss = contact_loss(at, moved);
+  const Matrix3Xd loss = contact_force_loss(at, moved);
   constexpr double kDifference = 1e-6;
-  const VectorXd x = at.now.x, dx = kDifference * at.on_body(moved);
-  at.now.x = x + dx;
+  const VectorXd x = at.state.x, dx = kDifference * at.body_forces(moved);
+  at.state.x = x + dx;
   const Matrix3Xd more = forces_of(at);
-  at.now.x = x - dx;
+  at.state.x = x - dx;
   const Matrix3Xd less = forces_of(at);
   EXPECT_LT((loss + (more - less) / (2 * kDifference)).norm(), 1e-8 * loss.norm());
 }
@@ -117,10 +120,10 @@ TEST(NodeContacts, LoseForcesByTheirSlope) {
 TEST(NodeContacts, HaveAnOwnSlopeThatIsSymmetricAndPositive) {
   PlateOnBlock sample;
   PressIterate& at = sample.at();
-  at.now.x.setConstant(0.05);
-  find_contacts(at);
+  at.state.x.setConstant(0.05);
+  update_contacts(at);
   for (std::size_t k = 0; k < at.contacts.size(); ++k) {
-    const Eigen::Matrix3d slope = own_slope(at, k);
+    const Eigen::Matrix3d slope = own_stiffness(at, k);
     EXPECT_EQ((slope - slope.transpose()).norm(), 0);
     EXPECT_NEAR(slope(2, 2), kNodeStiffness, 1e-12);
     EXPECT_GE(slope.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), -1e-12);

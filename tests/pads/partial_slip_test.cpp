@@ -62,9 +62,9 @@ TEST(PartialSlip, IsThatOfCattaneoAndMindlin) {
   double friction = 0, most = 0;
   for (std::size_t k = 0; k < block.surface.nodes.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    if (block.surface.places.col(column).head<2>().norm() > kMiddle * P::kRadius) continue;
-    friction += state.shear(0, column);
-    most += P::kFriction * state.normal[column];
+    if (block.surface.rest_positions.col(column).head<2>().norm() > kMiddle * P::kRadius) continue;
+    friction += state.friction_force(0, column);
+    most += P::kFriction * state.normal_force[column];
   }
   const double in_stick = c * c * c * P::within(kMiddle / c) / P::within(kMiddle);
   EXPECT_NEAR(friction / most, 1 - in_stick, 0.01);

@@ -23,7 +23,7 @@ std::string crossing_of(const std::shared_ptr<const Shape>& shape, const Eigen::
   const PressOptions options;
   PressFactors factors(*block.body);
   const PressIterate at({*block.body, block.surface, object, goal, options, state}, factors);
-  return find_crossing(at, block.body->spread(state.x, {}));
+  return describe_crossing(at, block.body->node_displacements(state.x, {}));
 }
 
 TEST(PressCrossing, IsNoneOfWhatIsOutside) {

@@ -133,7 +133,7 @@ TEST(ContactArea, OfABallIsThatOfHertz) {
   Tissue tissue;
   tissue.shear_modulus = 1e4;
   const TissueBody body(mesh, HexElement::kMeanDilatation, {tissue}, floor);
-  const ContactSurface surface = contact_surface(mesh, body, on_top);
+  const ContactSurface surface = build_contact_surface(mesh, body, on_top);
   PressFactors factors(body);
   const RigidObject ball{build_sphere(kRadius), 0};
   Pose<double> X;

@@ -100,8 +100,8 @@ TEST(PressStability, ThePushIsTheSlopeOfTheEnergy) {
     goal.X_PO.p[2] = touch - depth;
     EXPECT_EQ(press.step(goal).solved.status, Status::kSolved);
     TissueResponse at;
-    press.body().respond(press.body().spread(press.state().x, {}), 0, {}, {}, ElementAsk::kEnergy,
-                         at);
+    press.body().evaluate(press.body().node_displacements(press.state().x, {}), 0, {}, {},
+                          ElementRequest::kEnergy, at);
     return at.energy;
   };
   constexpr double kDepth = 1e-3, kStep = 1e-6;

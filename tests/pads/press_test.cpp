@@ -41,7 +41,7 @@ struct Slab {
     }
     body = std::make_unique<TissueBody>(mesh, HexElement::kMeanDilatation,
                                         std::vector{soft_tissue(poisson_ratio)}, floor);
-    surface = contact_surface(mesh, *body, on_top);
+    surface = build_contact_surface(mesh, *body, on_top);
     factors = std::make_unique<PressFactors>(*body);
   }
   HexMesh mesh;
@@ -138,15 +138,16 @@ TEST(PressStep, FrictionStaysInItsConeAndAgainstTheSlip) {
     const PressOutcome out =
         press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factors, state);
     ASSERT_EQ(out.status, Status::kSolved) << k << out.message;
-    for (Eigen::Index i = 0; i < state.normal.size(); ++i)
-      EXPECT_LE(state.shear.col(i).norm(), kFriction * state.normal[i] * (1 + 1e-12));
+    for (Eigen::Index i = 0; i < state.normal_force.size(); ++i)
+      EXPECT_LE(state.friction_force.col(i).norm(),
+                kFriction * state.normal_force[i] * (1 + 1e-12));
     before = out.push.force[0];
   }
   // All slides: the shear on each node is at its bound and along the motion.
   double bound = 0, shear = 0;
-  for (Eigen::Index i = 0; i < state.normal.size(); ++i) {
-    bound += kFriction * state.normal[i];
-    shear += state.shear.col(i).norm();
+  for (Eigen::Index i = 0; i < state.normal_force.size(); ++i) {
+    bound += kFriction * state.normal_force[i];
+    shear += state.friction_force.col(i).norm();
   }
   EXPECT_NEAR(shear / bound, 1, 1e-6);
   EXPECT_GT(before, 0);
@@ -323,8 +324,8 @@ TEST(PadPress, ABallPressesWithTheSlopeOfTheEnergy) {
     (void)press.touch({0, 0, -1});
     const auto energy = [&] {
       TissueResponse now;
-      const Eigen::Matrix3Xd u = press.body().spread(press.state().x, {});
-      press.body().respond(u, 0, {}, {}, ElementAsk::kEnergy, now);
+      const Eigen::Matrix3Xd u = press.body().node_displacements(press.state().x, {});
+      press.body().evaluate(u, 0, {}, {}, ElementRequest::kEnergy, now);
       return now.energy;
     };
     PressGoal goal;
@@ -538,7 +539,7 @@ TEST(PadPress, ATurnStrainsNoRefinedPad) {
   for (int node = 0; node < mesh.nodes(); ++node)
     u.col(node) = R * mesh.place(node) - mesh.place(node);
   TissueResponse at;
-  body.respond(u, 0, {}, {}, ElementAsk::kForce, at);
+  body.evaluate(u, 0, {}, {}, ElementRequest::kForce, at);
   EXPECT_LT(at.energy, 1e-15);
   EXPECT_LT(at.force.norm(), 1e-12);
   // All that lies on the rim is held, on curved edges and faces, too.

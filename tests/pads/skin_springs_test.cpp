@@ -34,13 +34,13 @@ struct SprungBlock {
     for (Eigen::Index k = 0; k < block.surface.area.size(); ++k)
       stiffness.push_back(kPerArea * block.surface.area[k]);
     shear = Matrix3Xd::Zero(3, block.surface.area.size());
-    anchor = block.surface.places;
+    anchor = block.surface.rest_positions;
   }
   /// @param slipped  of the nodes since the step began [m] (3)
   void find(const Shape& object, const Pose<double>& X, double friction, const Vector3d& slipped) {
     for (Eigen::Index k = 0; k < anchor.cols(); ++k)
-      anchor.col(k) = X.inverse() * Vector3d(block.surface.places.col(k) - slipped);
-    springs.find(object, X, x, stiffness, friction, {anchor, shear});
+      anchor.col(k) = X.inverse() * Vector3d(block.surface.rest_positions.col(k) - slipped);
+    springs.update(object, X, x, stiffness, friction, {anchor, shear});
   }
 };
 
@@ -55,11 +55,11 @@ TEST(SkinSprings, PressAnEvenDepthByArea) {
   SprungBlock sample;
   const double depth = 0.3e-3;
   sample.find(*build_box({0.1, 0.1, 0.02}), lifted(0.01 - depth), 0, Vector3d::Zero());
-  EXPECT_NEAR(sample.springs.deepest(), depth, kAsideShift);
+  EXPECT_NEAR(sample.springs.max_depth(), depth, kAsideShift);
   EXPECT_NEAR(sample.springs.energy(), kPerArea * depth * depth / 2 * 24e-6,
               1e-6 * kPerArea * 1e-12);
   for (Eigen::Index k = 0; k < sample.shear.cols(); ++k)
-    EXPECT_TRUE(matrix_near(sample.springs.push().col(k),
+    EXPECT_TRUE(matrix_near(sample.springs.normal_forces().col(k),
                             Vector3d(0, 0, -kPerArea * depth * sample.block.surface.area[k]),
                             1e-9));
 }
@@ -68,8 +68,8 @@ TEST(SkinSprings, DoNothingToSkinOutside) {
   SprungBlock sample;
   sample.find(*build_box({0.1, 0.1, 0.02}), lifted(0.01 + 1e-4), 0.5, Vector3d(1e-3, 0, 0));
   EXPECT_EQ(sample.springs.energy(), 0);
-  EXPECT_EQ(sample.springs.push().norm(), 0);
-  EXPECT_EQ(sample.springs.shear().norm(), 0);
+  EXPECT_EQ(sample.springs.normal_forces().norm(), 0);
+  EXPECT_EQ(sample.springs.friction_forces().norm(), 0);
 }
 
 // Friction is against the slip, in proportion to it while it sticks, and mu times the push after.
@@ -79,7 +79,7 @@ TEST(SkinSprings, FrictionGrowsWithSlipUpToItsCone) {
   const double depth = 0.3e-3, mu = 0.4;
   const auto friction_at = [&](double slip) {
     sample.find(*slab, lifted(0.01 - depth), mu, slip * Vector3d(0.6, -0.8, 0));
-    return Vector3d(sample.springs.shear().rowwise().sum());
+    return Vector3d(sample.springs.friction_forces().rowwise().sum());
   };
   const Vector3d little = friction_at(1e-6), twice = friction_at(2e-6), much = friction_at(1e-2);
   EXPECT_TRUE(matrix_near(twice, 2 * little, 1e-9 * little.norm()));
@@ -102,13 +102,14 @@ TEST(SkinSprings, LossIsTheSlopeOfTheForces) {
     const auto forces_at = [&](double step) {
       sample.x = rest + step * way;
       sample.find(*object, X, friction, Vector3d(1e-7, 0, 0));
-      return Matrix3Xd(sample.springs.push() + sample.springs.shear());
+      return Matrix3Xd(sample.springs.normal_forces() + sample.springs.friction_forces());
     };
     const double step = 1e-9;
     const Matrix3Xd slope = (forces_at(step) - forces_at(-step)) / (2 * step);
     (void)forces_at(0);
-    const Matrix3Xd moved = places_of(sample.block.surface, way) - sample.block.surface.places;
-    const Matrix3Xd loss = sample.springs.loss(moved);
+    const Matrix3Xd moved =
+        deformed_positions(sample.block.surface, way) - sample.block.surface.rest_positions;
+    const Matrix3Xd loss = sample.springs.force_loss(moved);
     EXPECT_TRUE(matrix_near(loss, -slope, 1e-5 * slope.cwiseAbs().maxCoeff())) << friction;
   }
 }
@@ -119,9 +120,9 @@ TEST(SkinSprings, NoticeSkinThatChangedSides) {
   const auto plate = build_box({0.1, 0.1, 1e-3});
   const VectorXd rest = sample.x;
   sample.find(*plate, lifted(0.4e-3), 0, Vector3d::Zero());  // its lower side is nearest
-  EXPECT_FALSE(sample.springs.changed_sides(*plate, lifted(0.6e-3), lifted(0.4e-3), rest, 0));
+  EXPECT_FALSE(sample.springs.has_changed_sides(*plate, lifted(0.6e-3), lifted(0.4e-3), rest, 0));
   sample.find(*plate, lifted(-0.4e-3), 0, Vector3d::Zero());  // its upper side is nearest
-  EXPECT_TRUE(sample.springs.changed_sides(*plate, lifted(0.6e-3), lifted(-0.4e-3), rest, 0));
+  EXPECT_TRUE(sample.springs.has_changed_sides(*plate, lifted(0.6e-3), lifted(-0.4e-3), rest, 0));
 }
 
 }  // namespace

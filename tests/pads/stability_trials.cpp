@@ -21,21 +21,21 @@ constexpr double kThickness = 5.5e-3;  // of the default pad in its middle [m]
 
 bool all_finite(const PressState& state) {
   return state.x.allFinite() && state.X_PO.p.allFinite() && state.X_PO.R.allFinite() &&
-         state.normal.allFinite() && state.shear.allFinite() && state.anchor.allFinite() &&
-         state.push.force.allFinite() && state.push.moment.allFinite();
+         state.normal_force.allFinite() && state.friction_force.allFinite() &&
+         state.anchor.allFinite() && state.push.force.allFinite() && state.push.moment.allFinite();
 }
 
 /// Push of the object against what the bone holds, over the sum of all contact forces.
 double unbalanced(const PadPress& press) {
   const PressState& state = press.state();
   const TissueBody& body = press.body();
-  const Matrix3Xd u = body.spread(state.x, {}), f = body.reactions(u, 0, {});
+  const Matrix3Xd u = body.node_displacements(state.x, {}), f = body.reactions(u, 0, {});
   Wrench sum = state.push;
   for (const int node : body.nodes())
-    if (!body.hangs(node) && body.free_place(node) < 0)
-      sum += wrench_of_force(body.place(node) + u.col(node), f.col(node));
+    if (!body.is_hanging(node) && body.free_index(node) < 0)
+      sum += wrench_of_force(body.rest_position(node) + u.col(node), f.col(node));
   // Arms of moments are some 10 mm long.
-  const double scale = state.normal.sum() + state.shear.colwise().norm().sum();
+  const double scale = state.normal_force.sum() + state.friction_force.colwise().norm().sum();
   return (sum.force.norm() + sum.moment.norm() / 0.01) / std::max(scale, 1e-3);
 }
 
@@ -82,10 +82,10 @@ class TrialRun {
     // What must hold at a solution.
     if (trial_.model.tissues[0].relaxation.empty())
       report_.unbalanced = std::max(report_.unbalanced, unbalanced(press_));
-    for (Eigen::Index k = 0; k < state.normal.size(); ++k) {
-      const double bound = trial_.object.friction * state.normal[k];
-      const double shear = state.shear.col(k).norm();
-      report_.pulls = std::min(report_.pulls, state.normal[k]);
+    for (Eigen::Index k = 0; k < state.normal_force.size(); ++k) {
+      const double bound = trial_.object.friction * state.normal_force[k];
+      const double shear = state.friction_force.col(k).norm();
+      report_.pulls = std::min(report_.pulls, state.normal_force[k]);
       if (shear > 0)
         report_.beyond_cone = std::max(report_.beyond_cone, bound > 0 ? shear / bound - 1 : 1e300);
     }
@@ -105,12 +105,12 @@ class TrialRun {
   /// @param way     of the object since then [m]
   void see_friction(const Matrix3Xd& anchor, double way) {
     const PressState& state = press_.state();
-    const Matrix3Xd places = places_of(press_.surface(), state.x);
+    const Matrix3Xd places = deformed_positions(press_.surface(), state.x);
     double done = 0, size = 0;
     for (Eigen::Index k = 0; k < anchor.cols(); ++k) {
       const Vector3d slip = places.col(k) - state.X_PO * Vector3d(anchor.col(k));
-      done += state.shear.col(k).dot(slip);
-      size += state.shear.col(k).norm() * way;
+      done += state.friction_force.col(k).dot(slip);
+      size += state.friction_force.col(k).norm() * way;
     }
     if (size > 0) report_.drives = std::max(report_.drives, done / size);
   }

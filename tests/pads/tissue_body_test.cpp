@@ -29,21 +29,23 @@ int solve(const TissueBody& body, const Matrix3Xd& at_fixed, VectorXd& x) {
   TissueResponse at;
   // The tangent at rest predicts how the inside follows its boundary.
   const VectorXd rest = VectorXd::Zero(body.unknowns());
-  body.respond(body.spread(rest, {}), 0, {}, {}, ElementAsk::kStiffness, at);
-  if (!factor.factor(at.values)) return -1;
+  body.evaluate(body.node_displacements(rest, {}), 0, {}, {}, ElementRequest::kStiffness, at);
+  if (!factor.factor(at.tangent)) return -1;
   constexpr double kSmall = 1e-5;
-  body.respond(body.spread(rest, kSmall * at_fixed), 0, {}, {}, ElementAsk::kForce, at);
+  body.evaluate(body.node_displacements(rest, kSmall * at_fixed), 0, {}, {}, ElementRequest::kForce,
+                at);
   x = -factor.solve(at.force) / kSmall;
-  TissuePressure pressure = body.pressure_after(body.spread(rest, {}), body.spread(x, at_fixed));
+  TissuePressure pressure = body.predict_pressure(body.node_displacements(rest, {}),
+                                                  body.node_displacements(x, at_fixed));
   for (int k = 0; k < 20; ++k) {
-    const Matrix3Xd u = body.spread(x, at_fixed);
-    body.respond(u, 0, {}, pressure, ElementAsk::kStiffness, at);
-    if (at.inverted || !factor.factor(at.values)) return -1;
+    const Matrix3Xd u = body.node_displacements(x, at_fixed);
+    body.evaluate(u, 0, {}, pressure, ElementRequest::kStiffness, at);
+    if (at.inverted || !factor.factor(at.tangent)) return -1;
     // Rounding of forces grows with the stiffness, which bulk moduli make large.
-    const double stiffest = *std::max_element(at.values.begin(), at.values.end());
+    const double stiffest = *std::max_element(at.tangent.begin(), at.tangent.end());
     if (at.force.lpNorm<Eigen::Infinity>() < 1e-12 * stiffest) return k;
     const VectorXd dx = -factor.solve(at.force);
-    pressure = body.pressure_after(u, body.spread(dx, {}));
+    pressure = body.predict_pressure(u, body.node_displacements(dx, {}));
     x += dx;
   }
   return -1;
@@ -101,7 +103,7 @@ void expect_even_strain(const HexMesh& mesh, HexElement kind) {
   const TissueBody body(mesh, kind, {tissue_of(0.49)}, fixed);
   VectorXd x;
   ASSERT_GE(solve(body, at_fixed, x), 0);
-  const Matrix3Xd u = body.spread(x, at_fixed);
+  const Matrix3Xd u = body.node_displacements(x, at_fixed);
   for (int node = 0; node < mesh.nodes(); ++node)
     if (mesh.in_use(node)) {
       EXPECT_LT((u.col(node) - G * mesh.place(node)).norm(), 1e-9);
@@ -136,16 +138,18 @@ TEST_P(TissueBodies, StiffnessIsTheDerivativeOfForce) {
   }
   TissueResponse at, plus, minus;
   constexpr double kStep = 1e-6;
-  body.respond(body.spread(x, {}), 0, {}, {}, ElementAsk::kStiffness, at);
-  body.respond(body.spread(x + kStep * d, {}), 0, {}, {}, ElementAsk::kForce, plus);
-  body.respond(body.spread(x - kStep * d, {}), 0, {}, {}, ElementAsk::kForce, minus);
+  body.evaluate(body.node_displacements(x, {}), 0, {}, {}, ElementRequest::kStiffness, at);
+  body.evaluate(body.node_displacements(x + kStep * d, {}), 0, {}, {}, ElementRequest::kForce,
+                plus);
+  body.evaluate(body.node_displacements(x - kStep * d, {}), 0, {}, {}, ElementRequest::kForce,
+                minus);
   VectorXd product = VectorXd::Zero(x.size());
   const SymmetricPattern& pattern = body.pattern();
   for (int j = 0; j < pattern.size; ++j)
     for (int k = pattern.starts[static_cast<std::size_t>(j)];
          k < pattern.starts[static_cast<std::size_t>(j) + 1]; ++k) {
       const int i = pattern.rows[static_cast<std::size_t>(k)];
-      const double value = at.values[static_cast<std::size_t>(k)];
+      const double value = at.tangent[static_cast<std::size_t>(k)];
       product[i] += value * d[j];
       if (i != j) product[j] += value * d[i];
     }
@@ -174,7 +178,7 @@ struct Block {
   [[nodiscard]] double force(int& iterations) const {
     VectorXd x;
     iterations = solve(*body, at_fixed, x);
-    const Matrix3Xd reactions = body->reactions(body->spread(x, at_fixed), 0, {});
+    const Matrix3Xd reactions = body->reactions(body->node_displacements(x, at_fixed), 0, {});
     double sum = 0;
     for (int node = 0; node < mesh.nodes(); ++node)
       if (at_fixed(2, node) < 0) sum -= reactions(2, node);
@@ -245,7 +249,7 @@ TEST(TissueBody, AHeldStretchRelaxesAsItsExponentials) {
   VectorXd x(body.unknowns());
   for (std::size_t i = 0; i < body.free_nodes().size(); ++i)
     x.segment<3>(static_cast<Eigen::Index>(3 * i)) = at_fixed.col(body.free_nodes()[i]);
-  const Matrix3Xd u = body.spread(x, at_fixed);
+  const Matrix3Xd u = body.node_displacements(x, at_fixed);
   const auto shear = [&](double h, const TissueHistory& history) {
     const Matrix3Xd f = body.reactions(u, h, history);
     double sum = 0;
@@ -255,7 +259,7 @@ TEST(TissueBody, AHeldStretchRelaxesAsItsExponentials) {
   };
   // Stretched at once, then held, in steps of any size.
   const double first = shear(0, {});
-  TissueHistory history = body.advance(u, 0, {});
+  TissueHistory history = body.advance_history(u, 0, {});
   double t = 0;
   for (const double h : {0.001, 0.002, 0.05, 0.2, 1.0, 30.0}) {
     t += h;
@@ -263,7 +267,7 @@ TEST(TissueBody, AHeldStretchRelaxesAsItsExponentials) {
     for (const ExponentialTerm& term : tissue.relaxation)
       expected += term.share * std::exp(-t / term.time);
     EXPECT_NEAR(shear(h, history) / first, expected, 1e-12) << t;
-    history = body.advance(u, h, history);
+    history = body.advance_history(u, h, history);
   }
 }
 

@@ -15,8 +15,8 @@ using Eigen::Vector3d;
 
 /// A unit cube's nodes, of any kind.
 Matrix3Xd cube(HexElement kind) {
-  const int n = nodes_of(kind) == 8 ? 2 : 3;
-  Matrix3Xd X(3, nodes_of(kind));
+  const int n = node_count(kind) == 8 ? 2 : 3;
+  Matrix3Xd X(3, node_count(kind));
   for (int a = 0; a < X.cols(); ++a) X.col(a) = Vector3d(a % n, a / n % n, a / (n * n)) / (n - 1.0);
   return X;
 }
@@ -38,14 +38,14 @@ struct Case {
     tissue.relaxation = {{0.3, 0.1}, {0.2, 1}};
     shape = element_shape(kind, X);
     step = memory_step(tissue.relaxation, 0.05);
-    const auto points = static_cast<std::size_t>(points_of(kind));
+    const auto points = static_cast<std::size_t>(gauss_point_count(kind));
     history.elastic.resize(points);
     history.terms.resize(2 * points);
     for (auto* list : {&history.elastic, &history.terms})
       for (Voigt& each : *list)
         for (int i = 0; i < 6; ++i) each[i] = 0.3 * normal(random);
   }
-  ElementResponse at(const Matrix3Xd& where, ElementAsk ask) const {
+  ElementResponse at(const Matrix3Xd& where, ElementRequest ask) const {
     ElementResponse out;
     element_response(kind, shape, tissue, where, &step, &history, nullptr, ask, out);
     return out;
@@ -63,15 +63,15 @@ class TissueElements : public testing::TestWithParam<HexElement> {};
 
 TEST_P(TissueElements, ForceAndStiffnessAreDerivativesOfTheEnergy) {
   const Case c(GetParam());
-  const ElementResponse at = c.at(c.u, ElementAsk::kStiffness);
+  const ElementResponse at = c.at(c.u, ElementRequest::kStiffness);
   ASSERT_FALSE(at.inverted);
   constexpr double kStep = 1e-6;
   for (Eigen::Index i = 0; i < c.u.size(); ++i) {
     Matrix3Xd moved = c.u;
     moved.data()[i] += kStep;
-    const ElementResponse plus = c.at(moved, ElementAsk::kForce);
+    const ElementResponse plus = c.at(moved, ElementRequest::kForce);
     moved.data()[i] -= 2 * kStep;
-    const ElementResponse minus = c.at(moved, ElementAsk::kForce);
+    const ElementResponse minus = c.at(moved, ElementRequest::kForce);
     EXPECT_NEAR(at.force[i], (plus.energy - minus.energy) / (2 * kStep), 1e-8);
     const Eigen::VectorXd column = (plus.force - minus.force) / (2 * kStep);
     for (Eigen::Index j = 0; j <= i; ++j) EXPECT_NEAR(at.stiffness(j, i), column[j], 1e-7);
@@ -85,14 +85,14 @@ TEST_P(TissueElements, NoForceOfRigidMotions) {
   const Eigen::Matrix3d R =
       Eigen::AngleAxisd(1.1, Vector3d(1, -1, 2).normalized()).toRotationMatrix();
   const Matrix3Xd moved = ((R * c.X).colwise() + Vector3d(0.2, 0.1, -0.4)) - c.X;
-  const ElementResponse at = c.at(moved, ElementAsk::kForce);
+  const ElementResponse at = c.at(moved, ElementRequest::kForce);
   EXPECT_LT(at.force.norm(), 1e-12);
   EXPECT_NEAR(at.energy, 0, 1e-13);
 }
 
 TEST_P(TissueElements, ForcesAreInBalance) {
   const Case c(GetParam());
-  const ElementResponse at = c.at(c.u, ElementAsk::kForce);
+  const ElementResponse at = c.at(c.u, ElementRequest::kForce);
   Vector3d force(0, 0, 0), moment(0, 0, 0);
   for (Eigen::Index a = 0; a < c.X.cols(); ++a) {
     const Vector3d f = at.force.segment<3>(3 * a);
@@ -123,7 +123,7 @@ TEST_P(TissueElements, PressureAfterAChangeIsLinearised) {
 TEST_P(TissueElements, TurnedInsideOutIsTold) {
   const Case c(GetParam());
   const Matrix3Xd u = -2 * c.X;
-  EXPECT_TRUE(c.at(u, ElementAsk::kForce).inverted);
+  EXPECT_TRUE(c.at(u, ElementRequest::kForce).inverted);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, TissueElements,

@@ -113,7 +113,7 @@ struct TissueBlock {
       top.push_back(mesh.place(node)[2] > 1e-9 * floor);
     }
     body = std::make_unique<TissueBody>(mesh, kind, tissues, held);
-    surface = contact_surface(mesh, *body, top);
+    surface = build_contact_surface(mesh, *body, top);
     factors = std::make_unique<PressFactors>(*body);
   }
   /// A state in which the object stands at X and touches nothing.
