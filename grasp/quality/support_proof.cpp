@@ -57,7 +57,8 @@ std::vector<SupportFunction::Cap> distinct_caps(const SupportFunction& support) 
         std::find_if(first.begin(), first.end(), [&](const SupportFunction::Cap& other) {
           const bool joined = !linf || other.contact == cap.contact || (alone(other) && alone(cap));
           return joined && other.axes == cap.axes &&
-                 (other.c - cap.c).norm() + (other.A - cap.A).norm() <= kSameCap * support.size();
+                 (other.c - cap.c).norm() + (other.A - cap.A).norm() <=
+                     kSameCap * support.max_norm();
         });
     if (same == first.end()) {
       kept.push_back(cap);
@@ -90,14 +91,14 @@ std::vector<Cone> cones_of(const std::vector<SupportFunction::Cap>& caps,
   // Caps that distinct_caps() merged may reach less by its rounding.
   const double margin = kSameCap * static_cast<double>(support.caps().size());
   const std::vector<VectorXd> levels =
-      levels_of(caps, r / support.size() + margin, support.limit());
+      levels_of(caps, r / support.max_norm() + margin, support.limit());
   const Index d = levels[0].size();
   std::vector<Cone> cones;
   // |A'u| < level - c'u for each cap.
   for (std::size_t i = 0; i < caps.size(); ++i) {
     Cone cone{levels[i], MatrixXd::Zero(caps[i].axes, d)};
-    cone.l.head<6>() -= caps[i].c / support.size();
-    cone.Z.leftCols<6>() = caps[i].A.leftCols(caps[i].axes).transpose() / support.size();
+    cone.l.head<6>() -= caps[i].c / support.max_norm();
+    cone.Z.leftCols<6>() = caps[i].A.leftCols(caps[i].axes).transpose() / support.max_norm();
     cones.push_back(std::move(cone));
   }
   // Levels of Linf are not negative.

@@ -89,7 +89,7 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
   const ForceNorm limit = options.limit;
   const Rounded round = rounded(set, limit);
   const internal::SupportFunction support(round.set, limit);
-  const auto simplex = internal::first_simplex(support, internal::kFlat);
+  const auto simplex = internal::first_simplex(support, internal::kRankTolerance);
   if (!simplex.found) return {0, true, 0};
   internal::Hull hull(simplex.points);
   double off = 0;
@@ -136,9 +136,9 @@ Volume enclosed_volume(const WrenchSet& set, const VolumeOptions& options) {
     return sum ? *sum : hull_volume(polytopes, options, options.max_facets);
   };
   // Inner and outer polytopes, each widened by its error.
-  PolytopeVolume in = find(polytopes_in(set, options.edges));
-  PolytopeVolume about =
-      in.complete ? find(polytopes_about(set, options.edges)) : PolytopeVolume{0, false, in.facets};
+  PolytopeVolume in = find(inscribed_polytopes(set, options.edges));
+  PolytopeVolume about = in.complete ? find(circumscribed_polytopes(set, options.edges))
+                                     : PolytopeVolume{0, false, in.facets};
   in.volume *= 1 - in.error;
   about.volume *= 1 + about.error;
   if (!about.complete) return {in.volume, kInfinity, kNaN, false, about.facets, options.edges};
@@ -158,7 +158,7 @@ Volume tighter(const Volume& fine, Volume coarse) {
 /// Volume of polytopes: by the hull if it is small and sharp, otherwise by the sum without hull if
 /// possible, otherwise by a larger hull.
 Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
-  const WrenchSet points = pyramids(set, options.edges);
+  const WrenchSet points = friction_pyramids(set, options.edges);
   PolytopeVolume v = hull_volume(points, options, std::min(options.max_facets, kFacetsBeforeSum));
   if (!v.complete || v.error > kSharpVolume) {
     if (const std::optional<PolytopeVolume> sum = volume_of_sum(points, options))
