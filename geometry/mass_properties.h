@@ -12,8 +12,8 @@ namespace thenar {
 struct MassProperties {
   double mass = 0;                  // [kg]
   Eigen::Vector3d centre{0, 0, 0};  // [m] (3)
-  Eigen::Matrix3d inertia =
-      Eigen::Matrix3d::Zero();  // about the centre, along the mesh axes [kg m^2] (3, 3)
+  /// About the centre, along the mesh axes [kg m^2] (3, 3).
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 };
 
 /// Computes the mass properties at density 1 kg/m^3, exact for the polyhedron: sums over the
@@ -28,8 +28,7 @@ struct MassProperties {
 /// @param mesh     watertight, outward
 /// @param density  [kg/m^3]
 /// @throws InputError if the mesh is not closed (the message names its holes), encloses no volume,
-/// or the
-/// density is not positive and finite.
+/// or the density is not positive and finite.
 [[nodiscard]] MassProperties mass_properties(const TriangleMesh& mesh, double density);
 
 }  // namespace thenar

@@ -12,8 +12,8 @@ namespace thenar {
 /// A mesh that build_solid() accepts, with a list of its repairs.
 struct RepairedSolid {
   TriangleMesh mesh;
-  std::string
-      done;  // repairs, like "2 holes closed, the longest 31.4 mm around"; empty if there were none
+  /// Repairs, like "2 holes closed, the longest 31.4 mm around"; empty if there were none.
+  std::string done;
 };
 
 /// Repairs a surface from files of robots and visual models, by the following steps until

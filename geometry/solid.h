@@ -25,8 +25,8 @@ struct SolidPart {
 
 /// A body, constant after construction, with all members in one frame.
 struct Solid {
-  std::shared_ptr<const Shape>
-      shape;  // signed distance; shared, as hands are copied and grids are large
+  /// Signed distance; shared, as hands are copied and grids are large.
+  std::shared_ptr<const Shape> shape;
   std::vector<RoundedMesh>
       collision;        // surfaces whose distance from another shape is searched for contacts
   TriangleMesh visual;  // surface for drawing and inertia; rounded shapes are tessellated

@@ -32,8 +32,8 @@ struct FootPoint {
 struct TriangleForm {
   std::array<Eigen::Vector3d, 3> corner;  // [m]
   Eigen::Vector3d normal;                 // (3)
-  std::array<Eigen::Vector3d, 3>
-      across;  // outward unit normal of edge k in the plane, from corner k to the next (3)
+  /// Outward unit normal of edge k in the plane, from corner k to the next (3).
+  std::array<Eigen::Vector3d, 3> across;
   std::array<double, 3> inverse;  // 1 / squared length of edge k [1/m^2]
 
   /// Prepares a triangle. @param a, b, c  corners, not collinear [m]

@@ -7,8 +7,7 @@ namespace thenar {
 /// Empty balls about two points of a line, which hold no part of a solid.
 ///
 /// Outside a solid d(x)^2 - |x|^2 is the minimum of linear functions,  |s|^2 - 2 x.s  over its
-/// points
-/// s, hence concave. Between two points of a line therefore
+/// points s, hence concave. Between two points of a line therefore
 ///   d(t)^2 >= d_from^2 + s ((d_to^2 - d_from^2) / way + s - way),  s = t - from,  way = to - from.
 /// For equal balls this is  d^2 - way^2 / 4  in the middle: a loss of only about  way^2 / 8 d.
 struct BallPair {

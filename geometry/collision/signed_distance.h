@@ -22,8 +22,8 @@ struct SignedDistance {
   Eigen::Vector3d on_a;    // point of A [m] (3)
   Eigen::Vector3d on_b;    // point of B [m] (3)
   Eigen::Vector3d normal;  // unit, outward of B at on_b (3)
-  int triangle =
-      -1;  // entry of CollisionTree::triangles of A with on_a: a good `start` of the next search
+  /// Entry of CollisionTree::triangles of A with on_a: a good `start` of the next search.
+  int triangle = -1;
   int evaluations = 0;  // number of distance evaluations of B
 };
 

@@ -39,8 +39,8 @@ struct CollisionPart {
   bool is_ellipsoid = false;  // kSmooth: an ellipsoid; false: a superellipsoid
 
   std::shared_ptr<const Shape> shape;  // distance, in the frame of the part
-  std::shared_ptr<const Polyhedron>
-      polyhedron;  // surface of all forms but kRound, tessellated if curved
+  /// Surface of all forms but kRound, tessellated if curved.
+  std::shared_ptr<const Polyhedron> polyhedron;
 };
 
 /// Collision geometry of a body, in the frame of its solid; constant after construction.

@@ -26,8 +26,8 @@ struct FirstContactOptions {
 /// First contact of two bodies, if any.
 struct [[nodiscard]] FirstContact {
   bool found = false;  // whether the gap is at most `gap` at `time`
-  double time =
-      0;  // time of the contact; without one, time until which the bodies are certainly apart [s]
+  /// Time of the contact; without one, time until which the bodies are certainly apart [s]
+  double time = 0;
   bool complete = false;  // false: `max_steps` reached; what happens after `time` is unknown
   int steps = 0;          // number of steps
 };

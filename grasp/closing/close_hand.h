@@ -21,16 +21,16 @@ struct CloseOptions {
   int max_steps = 20000;   // maximum number of steps
   ClosingRates
       rates;  // rates that replace drive speeds, such as tendon_closing_rates(); empty: none
-  double refresh =
-      0.05;  // motion of a coordinate after which `rates` are evaluated again [rad] or [m]
+  /// Motion of a coordinate after which `rates` are evaluated again [rad] or [m]
+  double refresh = 0.05;
 };
 
 /// Result of close_hand().
 struct [[nodiscard]] ClosedHand {
   Eigen::VectorXd q;               // final posture (coordinates) [rad] or [m]
   std::vector<StoppedBy> stopped;  // reason of each coordinate (coordinates)
-  std::vector<Overlap>
-      overlaps;  // overlaps with the setup at the start; if there are any, nothing moves
+  /// Overlaps with the setup at the start; if there are any, nothing moves.
+  std::vector<Overlap> overlaps;
   std::vector<Overlap> self_overlaps;  // links that overlap at the start beyond their soft layers;
                                        // contact between them is ignored
   bool finished = false;  // true: nothing can move any more; false: overlaps, or `max_steps`

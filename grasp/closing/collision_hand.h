@@ -19,8 +19,8 @@ using MovedBy = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 struct SurfacePair {
   int a, b;                // entries of Hand::surfaces()
   double yield_depth = 0;  // overlap at which they stop each other [m]
-  double sticking_cosine =
-      0;  // minimum share of the speed into the other surface at which they stick [1]
+  /// Minimum share of the speed into the other surface at which they stick [1]
+  double sticking_cosine = 0;
 };
 
 /// Surfaces of a hand as collision trees; constant after construction. The hand must outlive it.

@@ -12,8 +12,8 @@ namespace thenar {
 /// Tensions of tendons that close a hand, and the stiffness of its joints.
 struct ClosingTensions {
   Eigen::VectorXd u;  // tension of each actuator, >= 0 [N] (actuators)
-  Eigen::VectorXd
-      stiffness;  // stiffness of each joint, > 0; only ratios matter [N m/rad] (coordinates)
+  /// Stiffness of each joint, > 0; only ratios matter [N m/rad] (coordinates).
+  Eigen::VectorXd stiffness;
   double excursion = 0.01;  // excursion rate of tendons of a drive of speed 1, weighted by u [m/s]
 };
 
@@ -21,10 +21,9 @@ struct ClosingTensions {
 ///   dq = K^-1 B u,
 /// scaled for each drive so that its tendons shorten at  u' B' dq / |u|_1 = excursion Drive::speed,
 /// |u|_1 over the tendons that act on the drive; B of Hand::applied_torque() at (q, u). Where
-/// torque
-/// is linear in tensions, only their ratios matter. A blocked joint takes no excursion, so that the
-/// others of its drive turn faster, in the same ratio. Joints that the tendons would extend do not
-/// move: K represents their resistance. Neither do drives of speed 0.
+/// torque is linear in tensions, only their ratios matter. A blocked joint takes no excursion, so
+/// that the others of its drive turn faster, in the same ratio. Joints that the tendons would
+/// extend do not move: K represents their resistance. Neither do drives of speed 0.
 /// @param q  (coordinates) [rad];  @param free  whether a drive may still move each (coordinates)
 /// @return q_dot (coordinates) [rad/s]
 /// @throws InputError if a length is wrong, u is negative, or a stiffness not positive.

@@ -38,8 +38,8 @@ struct ComparedHand {
   ContactModel contact = ContactModel::kHardPoint;  // contact model of its surfaces
   ClosingRates rates;                               // closing rates: CloseOptions::rates
   HandPlace thumb;                                  // pad of the thumb, for `places`
-  std::vector<HandPlace>
-      places;  // landmarks of Kapandji's scale; empty: an analogous scale is used
+  /// Landmarks of Kapandji's scale; empty: an analogous scale is used.
+  std::vector<HandPlace> places;
   std::vector<std::string> warnings;
 };
 
@@ -76,8 +76,8 @@ struct CompareOptions {
   unsigned seed = 1;    // seed of all generators
   int threads = 1;      // number of threads; 0: one for each processor
   int best = 3;         // number of grasps of each hand and object for which loads are computed
-  bool normalise_size =
-      false;  // scale objects by the ratio of reach_of_digits() to the first hand's
+  /// Scale objects by the ratio of reach_of_digits() to the first hand's.
+  bool normalise_size = false;
   std::vector<GraspTask> tasks{GraspTask::kForceClosure, GraspTask::kHoldWeight};
   int workspace_draws = 150000;   // number of sampled postures
   double workspace_voxel = 5e-3;  // edge of a voxel [m]
@@ -94,27 +94,27 @@ struct BestGrasp {
   std::vector<HandContact> contacts;  // in the object's frame
   double epsilon = 0;                 // certified lower bound [unit forces]
   std::string type;                   // grasp_type()
-  double min_grasp_force =
-      0;  // smallest sum of normal forces that holds the weight by friction alone, for the worst of
-          // the axes pointing down [N]; infinite: impossible
+  /// Smallest sum of normal forces that holds the weight by friction alone, for the worst of the
+  /// axes pointing down [N]; infinite: impossible.
+  double min_grasp_force = 0;
   double standing_grasp_force = 0;       // the same for the object upright, z up [N]; NaN: unknown
   std::map<std::string, double> margin;  // task -> largest load that efforts and friction resist,
                                          // unit as GraspTask; NaN: unknown
-  std::map<std::string, double>
-      with_structure;  // margin with the hand's rigid structure, whose strength no source states;
-                       // infinite: no effort is needed
-  std::map<std::string, std::string>
-      reasons;  // task or "epsilon" -> reason why it is zero, unknown or infinite
+  /// Margin with the hand's rigid structure, whose strength no source states; infinite: no effort
+  /// is needed.
+  std::map<std::string, double> with_structure;
+  /// Task or "epsilon" -> reason why it is zero, unknown or infinite.
+  std::map<std::string, std::string> reasons;
   /// Smallest wrench that the actuation of the hand cannot resist [N]; NaN: unknown.
   double hand_epsilon = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The largest load over several grasps.
 struct LoadFound {
-  double max =
-      std::numeric_limits<double>::quiet_NaN();  // unit as in BestGrasp; NaN: unknown for all
-  int known = 0;                                 // number of grasps for which it is known
-  int total = 0;                                 // number of grasps
+  /// Unit as in BestGrasp; NaN: unknown for all.
+  double max = std::numeric_limits<double>::quiet_NaN();
+  int known = 0;  // number of grasps for which it is known
+  int total = 0;  // number of grasps
 };
 
 /// Result of one hand on one object.

@@ -13,8 +13,7 @@ namespace thenar {
 /// Returns the column of the GRASP taxonomy: power, opposition, and the digits in contact, such as
 /// "power, palm, thumb and 4 digits", "precision, pad, thumb and 2 digits", "intermediate, side, 2
 /// digits". A digit called "thumb" is named, all others are counted; in a hand without a thumb,
-/// such
-/// as jaws, both sides count: "precision, pad, 2 digits".
+/// such as jaws, both sides count: "precision, pad, 2 digits".
 ///   palm       the palm and a digit are in contact
 ///   pad        a digit opposes others, without the palm: power if a link before the last of a
 ///              digit is in contact, otherwise precision

@@ -22,8 +22,8 @@ namespace thenar {
 /// presses: see hand_forces(). NaN: an effort that matters is unknown.
 struct TipForces {
   double closing = 0;  // maximum force along the tip's direction of closing: pressing force [N]
-  double largest =
-      0;  // maximum |f|, by ascent from 65 directions; infinite: joint limits support one [N]
+  /// Maximum |f|, by ascent from 65 directions; infinite: joint limits support one [N]
+  double largest = 0;
 };
 
 /// Computes the maximum forces of a tip at a posture.

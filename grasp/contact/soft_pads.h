@@ -60,10 +60,9 @@ struct PadBody {
 ///   normal  k_n = E / h pi a b,  tangential  k_t = k_n / 3,  twisting  k_t (a^2 + b^2) / 4:
 /// springs under the patch, each with the shear modulus E / 3 of an incompressible material along
 /// the tangents; k_n is d force / d depth. For a material with a pad law, patch and k_n are those
-/// of
-/// the law, and the rest follows from the same formulas. Several points share k_n and k_t, and
-/// resist twist by their distance alone. A patch also resists rocking about its tangents, by
-/// k_n a^2 / 4; this is neglected for single points, whose contacts transmit no such torque.
+/// of the law, and the rest follows from the same formulas. Several points share k_n and k_t, and
+/// resist twist by their distance alone. A patch also resists rocking about its tangents, by k_n
+/// a^2 / 4; this is neglected for single points, whose contacts transmit no such torque.
 /// `options.contact` is ignored: hard points on soft pads have the same springs.
 /// @throws InputError if the force or the step is not positive and finite, or the patch is empty.
 /// Source: [Cutkosky1989] for springs of fingertips, [Johnson1985] section 4.3 for the layer.

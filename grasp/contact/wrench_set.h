@@ -20,8 +20,8 @@ struct WrenchCap {
   ScaledWrench c;                                       // frictionless unit wrench
   Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3> A;  // semi-axes, rows as WrenchCoordinates
                                                         // (6, 0..3)
-  int contact =
-      -1;  // caps with one number >= 0 share the limit of a contact; -1: a limit of its own
+  /// Caps with one number >= 0 share the limit of a contact; -1: a limit of its own.
+  int contact = -1;
 };
 
 /// Wrenches of all contacts of a grasp.

@@ -25,8 +25,8 @@ enum class SupportKind {
 /// Support of one contact.
 struct ContactSupport {
   SupportKind kind = SupportKind::kStructure;
-  int pressing_coordinate =
-      -1;  // coordinate that presses a non-backdrivable or joint-limit contact; or -1
+  /// Coordinate that presses a non-backdrivable or joint-limit contact; or -1.
+  int pressing_coordinate = -1;
   Eigen::Index first = 0;  // entry of its normal force in x
   Eigen::Index size = 1;   // number of its forces in x
   Eigen::VectorXd levers;  // l of hand_forces() with the sign of T_jn, for coordinates that press

@@ -26,8 +26,8 @@ namespace thenar {
 /// r    reactions of locks, clutches and joint limits [N m]
 /// s    forces by which joint limits push back against active ones [N]; see hand_forces()
 struct ForceSet {
-  Eigen::Matrix<double, 6, Eigen::Dynamic>
-      wrench;  // wrenches of unit entries of y on the object, rows as WrenchCoordinates (6, n)
+  /// Wrenches of unit entries of y on the object, rows as WrenchCoordinates (6, n).
+  Eigen::Matrix<double, 6, Eigen::Dynamic> wrench;
   Eigen::MatrixXd A;                  // A y = b: balance of torques (r, n)
   Eigen::VectorXd b;                  // (r)
   Eigen::MatrixXd G;                  // h - G y lies in the cones (m, n)

@@ -14,8 +14,8 @@ namespace thenar {
 
 /// Stiffness of the joints behind the pads.
 struct JointStiffness {
-  Eigen::MatrixXd
-      J;  // velocity of each contact along n, t1, t2 [m] and about n [rad] (4 contacts, joints)
+  /// Velocity of each contact along n, t1, t2 [m] and about n [rad] (4 contacts, joints).
+  Eigen::MatrixXd J;
   Eigen::VectorXd k;  // stiffness of each joint [N m/rad]; infinite: locked (joints)
 };
 

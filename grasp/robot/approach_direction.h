@@ -11,8 +11,8 @@ namespace thenar {
 /// Directions defined by the axes of rotation or translation of closing digits.
 struct ClosingAxes {
   std::optional<Eigen::Vector3d> normal;  // normal to all axes, where they span a plane, unit (3)
-  std::optional<Eigen::Vector3d>
-      line;  // common direction of all axes, where they are parallel, unit (3)
+  /// Common direction of all axes, where they are parallel, unit (3).
+  std::optional<Eigen::Vector3d> line;
 };
 
 /// Finds out if axes are parallel, or span a plane. Signs of axes do not matter.
