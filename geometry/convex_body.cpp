@@ -129,7 +129,7 @@ ConvexBody convex_body(const TriangleMesh& mesh) {
   ConvexBody body;
   for (const auto& p : mesh.vertices.colwise()) body.box.extend(Vector3d(p));
   const double extent = body.box.diagonal().norm();
-  // No corner may stand above any triangle's plane.
+  // No corner may be above the plane of any triangle.
   for (const auto& t : mesh.triangles.colwise()) {
     const Vector3d a = mesh.vertices.col(t(0)), b = mesh.vertices.col(t(1)),
                    c = mesh.vertices.col(t(2));

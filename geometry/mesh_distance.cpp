@@ -188,7 +188,7 @@ class Recent {
   }
 
  private:
-  // Most triangles of unused meshes that are kept, 0.1 GB
+  // Maximum number of triangles of unused meshes that are kept, 0.1 GB
   static constexpr Eigen::Index kMax = 200'000;
 
   std::mutex mutex_;

@@ -260,7 +260,7 @@ RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done d
   double longest = 0;  // hole [m]
   std::vector<std::string> hulls;
   const double all = area_of(mesh), whole = diagonal_of(mesh);
-  // Each part by itself: repaired, replaced by its hull, or left out.
+  // Repair each part, replace it by its hull, or leave it out.
   const std::vector<TriangleMesh> parts = connected_parts(mesh);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const MeshReport before = check_mesh(parts[i]);

@@ -43,7 +43,7 @@ MassProperties cylinder(double r, double height) {
   return {m, {0, 0, 0}, diagonal(across, across, m * r * r / 2)};
 }
 
-/// A cylinder and two half balls, whose centroids stand 3/8 r from their flat sides.
+/// Returns the mass of a cylinder and two half balls, with centroids 3/8 r from their flat sides.
 MassProperties capsule(double r, double height) {
   // The cylinder, then both half balls about the middle.
   MassProperties body = cylinder(r, height);
@@ -145,7 +145,7 @@ constexpr double kMaxEvaluations = 1e7;
 constexpr double kMeshCost = 10;
 constexpr int kCoarseDepth = 4;  // depth for parts without a closed form if work is limited
 
-/// One of the shapes whose union is asked for.
+/// One of the shapes of a union.
 struct UnionPart {
   std::shared_ptr<const Shape> shape;  // body frame
   Eigen::AlignedBox3d box;

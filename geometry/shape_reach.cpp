@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Largest distance to a superellipsoid, by ascent from one direction: again and again to the point
+/// Maximum distance to a superellipsoid, by ascent from one direction: repeatedly to the point
 /// that is farthest along the direction from `from` to the last one.
 double ascend(const Vector3d& size, const Vector2d& exponents, const Vector3d& from,
               Vector3d direction) {

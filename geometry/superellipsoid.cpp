@@ -233,7 +233,7 @@ class Superellipsoid final : public Shape {
  private:
   // Error of the tessellation, over the largest semi-axis [1]
   static constexpr double kTessellation = 1.4e-4;
-  // Smaller gaps count as none, over the largest semi-axis [1]
+  // Gap over the largest semi-axis up to which it counts as none [1]
   static constexpr double kEnough = 1e-12;
 
   static TriangleMesh octant(const Norm& norm, const Vector3d& semi_axes, double tolerance) {

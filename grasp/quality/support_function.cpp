@@ -133,13 +133,13 @@ FirstSimplex first_simplex(const SupportFunction& support, double flat) {
 
 namespace {
 
-constexpr int kMaxPolishSteps = 30;  // Most steps of a polish
-constexpr int kMaxColumns = 20;      // Most columns of the matrices of a polish
+constexpr int kMaxPolishSteps = 30;  // maximum number of steps of a polish
+constexpr int kMaxColumns = 20;      // maximum number of columns of a polish
 constexpr double kLastStep = 1e-9;   // Length of a last step: the next would be its square [rad]
 constexpr double kMostStep = 0.2;    // Longest step [rad]
 constexpr double kNearCap = 0.3;     // caps this close to the best, relative to it, take part [1]
 constexpr double kKinkShare = 0.05;  // |A'u| below this share of |A| is held at 0 [1]
-// Least |A'u| over |A| in the first attempt, in which facets may hold a whole cap [1]
+// Minimum |A'u| over |A| in the first attempt, in which facets may hold a whole cap [1]
 constexpr double kSharpShare = 1e-6;
 // Constraints closer to each other's span are dependent [1]
 constexpr double kDependentDistance = 1e-9;
@@ -285,8 +285,8 @@ class Polish {
     values_(count_++) = piece.h - (l1_ ? value_ : 0) - (piece.kink ? piece.length : 0);
   }
 
-  /// Constraints, each a column, and the gradient of the objective. @returns false if there is no
-  /// room
+  /// Builds the constraints, each a column, and the gradient of the objective. @returns false if
+  /// there are too many columns
   bool build() {
     columns_.resize(7, kMaxColumns);
     values_.resize(kMaxColumns);

@@ -19,7 +19,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Least eigenvalue wanted of F, the set's size being 1 [1]
+// Minimum eigenvalue of F for a set of size 1 [1]
 constexpr double kLeastEigenvalue = 1e-12;
 // Rounding of an eigenvalue, over the size of the matrix [1]
 constexpr double kProofRounding = 64 * std::numeric_limits<double>::epsilon();
@@ -161,8 +161,8 @@ class Problem {
     return maximise_component(all, std::move(y), least, kLeastEigenvalue);
   }
 
-  /// Least eigenvalue of F and of the constraints of its weights, less their rounding. Recomputed
-  /// by eigenvalues, where the search had Cholesky factors.
+  /// Returns the smallest eigenvalue of F and of the constraints of its weights, less their
+  /// rounding errors. Recomputed by eigenvalues, where the search had Cholesky factors.
   [[nodiscard]] double check(const VectorXd& y) const {
     if (!y.allFinite()) return std::numeric_limits<double>::quiet_NaN();
     // Constraints of the weights.
