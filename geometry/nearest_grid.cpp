@@ -135,7 +135,7 @@ void NearestGrid::remove_dominated(const Block& block, std::vector<Candidate>& h
   }
   // Rivals: those eight points of the mesh.
   std::array<PerCorner, 8> rival;
-  for (int s = 0; s < 8; ++s) rival[s] = to_corners(best[s].at) + rounding;
+  for (int s = 0; s < 8; ++s) rival[s] = to_corners(best[s].point) + rounding;
   const auto beaten = [&](const PerCorner& distance) {
     return std::any_of(rival.begin(), rival.end(),
                        [&](const PerCorner& point) { return (distance > point).all(); });
