@@ -6,6 +6,8 @@
 #include <numeric>
 #include <vector>
 
+#include <Eigen/Eigenvalues>
+
 #include "base/error.h"
 #include "geometry/collision/collision_tree.h"
 #include "geometry/collision/patch_reduction.h"

@@ -32,7 +32,7 @@ TEST(TriangleTree, FootIsOnFaceEdgeOrCorner) {
   EXPECT_EQ(edge.feature.kind, Feature::kEdge);
   EXPECT_EQ(edge.feature.k, 0);
   EXPECT_DOUBLE_EQ(edge.squared, 25);
-  EXPECT_LT((edge.at - Vector3d(1, 0, 0)).norm(), 1e-15);
+  EXPECT_LT((edge.point - Vector3d(1, 0, 0)).norm(), 1e-15);
   const FootPoint corner = foot_of(form, {6, -1, 2});
   EXPECT_EQ(corner.feature.kind, Feature::kCorner);
   EXPECT_EQ(corner.feature.k, 1);
