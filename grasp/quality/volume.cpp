@@ -108,7 +108,7 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
     end_if_stopped();
     const internal::Hull::Plane plane = hull.plane(facet);
     const internal::SupportPoint reach = support(plane.n);
-    if (reach.h > plane.d + kBeyondFacet * support.size() && may_come(reach.p) &&
+    if (reach.h > plane.d + kBeyondFacet * support.max_norm() && may_come(reach.p) &&
         hull.insert(reach.p, facet))
       continue;
     off = std::max(off, reach.h - plane.d);
