@@ -269,7 +269,7 @@ Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) 
 Comparison go_on(const CompareRequest& request, CompareOptions options, const JsonNode& inputs,
                  const CompareResult& of, const std::vector<ComparedHand>& hands,
                  const Progress& progress) {
-  KeptComparison kept;
+  SavedComparison kept;
   std::optional<FileLock> lock;  // another comparison would drop our cells, and we its
   if (!request.file.empty()) {
     lock.emplace(request.file);
@@ -287,7 +287,7 @@ Comparison go_on(const CompareRequest& request, CompareOptions options, const Js
     const bool all_old = std::all_of(comparison.cells.begin(), comparison.cells.end(),
                                      [&](const auto& cell) { return holds(kept.cells, cell); });
     if (!all_old && !request.run.arguments.empty())
-      provenance = next_provenance(kept.provenance, request.run, of.files);
+      provenance = continued_provenance(kept.provenance, request.run, of.files);
     save(comparison);
   };
   // Compare the pairs that the file lacks, and write all.

@@ -72,7 +72,7 @@ WrenchSet wrenches_of(const GraspResult& result, const std::vector<HandContact>&
   const GraspBody& object = result.setting.setup.object;
   const WrenchSet set =
       wrench_set(contacts_without_hand(contacts), object.com, object.torque_scale);
-  return result.request.edges > 0 ? pyramids(set, result.request.edges) : set;
+  return result.request.edges > 0 ? friction_pyramids(set, result.request.edges) : set;
 }
 
 // ---- starts
@@ -111,11 +111,11 @@ enum class Standing {
 
 Standing standing_of(const Hand& hand, const Grasp& grasp) {
   if (grasp.outcome != GraspOutcome::kGrasped) return Standing::kNothing;
-  const std::size_t tips = tips_of(hand, grasp.contacts).size();
+  const std::size_t tips = touching_tips(hand, grasp.contacts).size();
   if (grasp.quality.force_closure) return tips > 0 ? Standing::kHeldByTips : Standing::kHeldByInner;
   if (is_held_between_two(grasp.contacts))
     return tips == hand.layout().tips.size() ? Standing::kHeldByAllTips : Standing::kHeld;
-  return digits_of(hand, grasp.contacts).size() > 1 ? Standing::kTouched : Standing::kNothing;
+  return touching_digits(hand, grasp.contacts).size() > 1 ? Standing::kTouched : Standing::kNothing;
 }
 
 /// A start and what came of it.
@@ -226,7 +226,7 @@ GraspRobustness robustness_of(const GraspResult& result, const Progress& progres
   Robustness of_contacts = robustness(
       [&](std::mt19937& rng) {
         tick();
-        return disturbed(contacts, asked.contacts, rng);
+        return disturb_contacts(contacts, asked.contacts, rng);
       },
       random, options);
   // Displace the object and grasp it again from the same start, also without an approach.
@@ -325,7 +325,7 @@ std::vector<std::string> grasp_warnings(const GraspResult& result) {
   // Warn of torques beyond the motors, of a hand that overlaps itself and of a thumb that is idle.
   if (const std::string torques = torque_warning(*hand.hand, result.grasp); !torques.empty())
     warnings.push_back(torques);
-  if (const std::string own = own_overlap_words(result.grasp.closed); !own.empty())
+  if (const std::string own = describe_self_overlaps(result.grasp.closed); !own.empty())
     warnings.insert(warnings.begin(), own);
   if (result.best < 0 && result.start.stand_off > 0)
     warnings.push_back(fmt::format(

@@ -159,12 +159,12 @@ Measured<GraspStiffness> stiffness_of(const Asked& asked) {
   options.force = kPadForce;
   std::vector<PadStiffness> pads;
   // Each contact of a patch shares the springs of its pad.
-  for (const ContactPatch& patch : patches_of(asked.result.grasp.contacts)) {
+  for (const ContactPatch& patch : group_into_patches(asked.result.grasp.contacts)) {
     const int surface = patch.contacts[0].surface;
     const LinkSurface& link =
         asked.result.collision_hand.hand->surfaces()[static_cast<std::size_t>(surface)];
     const PadBody pad{*link.solid, materials.at(link.material),
-                      object.X_WB.inverse() * posed.of_surface(surface)};
+                      object.X_WB.inverse() * posed.surface_pose(surface)};
     const auto springs = pad_stiffness(patch, pad, held, options);
     // Two rigid surfaces have no finite stiffness, so that of the grasp is undefined.
     if (!springs)

@@ -65,7 +65,7 @@ WrenchSet cones_of(const ContactFile& file, const Contact& contact,
   WrenchSet set = wrench_set({contact}, file.centre_of_mass, file.torque_scale);
   if (request.edges == 0) return set;
   turn(set, request.first_edge);
-  return pyramids(set, request.edges);
+  return friction_pyramids(set, request.edges);
 }
 
 /// Wrenches of a file: its cones or their pyramids, and generators where they are given.

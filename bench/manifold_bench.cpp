@@ -214,7 +214,7 @@ void BM_HandRoundMug(benchmark::State& state) {
   for (int i = 0; i < surfaces; ++i)
     for (int j = 0; j < i; ++j) {
       bool meet = false;
-      for (const SurfacePair& pair : collision.self)
+      for (const SurfacePair& pair : collision.self_pairs)
         meet = meet || (i / links == j / links && ((pair.a == i % links && pair.b == j % links) ||
                                                    (pair.a == j % links && pair.b == i % links)));
       if (!meet) contacts.exclude(i, j);

@@ -95,10 +95,10 @@ std::vector<Line> lines() {
   const auto refined = [](const Task& task, double m) {
     EpsilonOptions options;
     options.gap = kExact;
-    return task.epsilon - epsilon(pyramids(task.set, static_cast<int>(m)), options).lower;
+    return task.epsilon - epsilon(friction_pyramids(task.set, static_cast<int>(m)), options).lower;
   };
   const auto whole = [](const Task& task, double m) {
-    const WrenchSet cut = pyramids(task.set, static_cast<int>(m));
+    const WrenchSet cut = friction_pyramids(task.set, static_cast<int>(m));
     return task.epsilon -
            qhull_hull(vertices_of(cut, ForceNorm::kL1), "qhull Qt Pp", false).nearest;
   };

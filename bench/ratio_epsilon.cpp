@@ -31,7 +31,8 @@ std::vector<WrenchSet> closures(int of_each) {
 }
 
 double rival(const WrenchSet& set, int edges) {
-  return qhull_hull(vertices_of(pyramids(set, edges), ForceNorm::kL1), "qhull Qt Pp", false)
+  return qhull_hull(vertices_of(friction_pyramids(set, edges), ForceNorm::kL1), "qhull Qt Pp",
+                    false)
       .nearest;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Meshes that cost seconds, cached from one run to the next.
+/// Cache of meshes that take seconds to build, kept from one run to the next.
 
 #include <functional>
 #include <optional>
@@ -10,18 +10,18 @@
 
 namespace thenar {
 
-/// Returns the mesh that is cached for an input, or the result of `make`, which is then cached.
-/// @param kind, input  as in base/cache.h
+/// Returns the cached mesh of an input, or builds it with `make` and caches it.
+/// @param kind, input  keys of base/cache.h
 [[nodiscard]] TriangleMesh cached_mesh(const std::string& kind, const std::string& input,
                                        const std::function<TriangleMesh()>& make);
 
-/// Bytes of a whole mesh, to be part of an input or a result.
+/// Serializes a mesh, to be part of an input or a result.
 [[nodiscard]] std::string bytes_of(const TriangleMesh& mesh);
 
-/// The mesh of bytes_of(); nothing if these are not the bytes of a mesh.
+/// Deserializes a mesh; nothing if the bytes are not those of a mesh.
 [[nodiscard]] std::optional<TriangleMesh> mesh_of(const std::string& bytes);
 
-/// Appends numbers as they stand in memory.
+/// Appends numbers in their binary representation.
 template <typename T>
 void append_bytes(std::string& bytes, const T* numbers, std::size_t count) {
   bytes.append(reinterpret_cast<const char*>(numbers), count * sizeof(T));

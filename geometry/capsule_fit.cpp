@@ -16,9 +16,9 @@ namespace {
 using Eigen::Vector3d;
 using Ends = Eigen::Matrix<double, 8, 1>;  // centres of both balls, then their radii [m]
 
-constexpr int kMostRounds = 100;      // Most rounds of the search
-constexpr double kSlopeStep = 1e-7;   // Step of finite differences [m]
-constexpr double kLeastGain = 1e-12;  // The search ends at a smaller gain of the sum of squares [1]
+constexpr int kMaxRounds = 100;      // maximum number of rounds
+constexpr double kSlopeStep = 1e-7;  // finite-difference step [m]
+constexpr double kMinGain = 1e-12;   // relative decrease of the sum of squares at which it ends [1]
 
 ShapeSpec capsule_between(const Ends& ends) {
   const Vector3d from = ends.segment<3>(0), to = ends.segment<3>(3);
@@ -71,7 +71,7 @@ CapsuleFit fit_tapered_capsule(const TriangleMesh& mesh) {
   Eigen::VectorXd apart = distances_from(ends, points);
   Eigen::Matrix<double, Eigen::Dynamic, 8> slope(points.cols(), 8);
   double damping = 1e-3;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     for (int k = 0; k < 8; ++k) {
       Ends moved = ends;
       moved[k] += kSlopeStep;
@@ -91,7 +91,7 @@ CapsuleFit fit_tapered_capsule(const TriangleMesh& mesh) {
     ends = next;
     apart = then;
     damping = std::max(0.1 * damping, 1e-12);
-    if (gain < kLeastGain) break;
+    if (gain < kMinGain) break;
   }
   return {capsule_between(ends), apart.cwiseAbs().maxCoeff(),
           std::sqrt(apart.squaredNorm() / static_cast<double>(apart.size()))};

@@ -1,24 +1,24 @@
 #pragma once
 
-/// A tapered capsule in place of a surface of triangles.
+/// Fit of a tapered capsule to a surface of triangles.
 
 #include "geometry/shape_spec.h"
 #include "geometry/triangle_mesh.h"
 
 namespace thenar {
 
-/// A tapered capsule near a surface, and how near.
+/// A tapered capsule fitted to a surface, with its errors.
 struct CapsuleFit {
-  ShapeSpec shape;     // of kTaperedCapsule, in the frame of the mesh
-  double largest = 0;  // distance of a vertex from the capsule's surface [m]
-  double rms = 0;      // of the distances of all vertices [m]
+  ShapeSpec shape;          // of kind kTaperedCapsule, in the frame of the mesh
+  double max_distance = 0;  // maximum distance of a vertex from the capsule's surface [m]
+  double rms_distance = 0;  // root mean square of the distances of all vertices [m]
 };
 
-/// The tapered capsule from which the vertices of a mesh have the least sum of squared signed
-/// distances: two ends and two radii by the method of Levenberg and Marquardt, from the direction
-/// in which vertices vary most. It is exact where the mesh is inscribed in a tapered capsule; a
-/// body that is half as broad again as deep is missed by an eighth of its depth or more.
-/// @throws InputError with fewer than eight vertices, or all in one line or point.
+/// Fits the tapered capsule with the least sum of squared signed distances of the vertices: two
+/// ends and two radii by the Levenberg-Marquardt method, from the principal axis of the vertices.
+/// The fit is exact for a mesh inscribed in a tapered capsule; for a body half as broad again as
+/// deep the error is at least 1/8 of its depth.
+/// @throws InputError if there are fewer than eight vertices, or all are in one line or point.
 [[nodiscard]] CapsuleFit fit_tapered_capsule(const TriangleMesh& mesh);
 
 }  // namespace thenar

@@ -35,7 +35,7 @@ Polygon cut_polygon(const Polygon& polygon, const std::vector<double>& height, P
   return kept;
 }
 
-/// The face on a cutting plane: the points of its rim, in turn.
+/// Returns the face on a clipping plane: the points of its boundary in order.
 Polygon cap_of(const Polygon& cuts, const Vector3d& n) {
   if (cuts.size() < 3) return {};
   // Order the points by their angle about the middle.
@@ -129,7 +129,7 @@ ConvexBody convex_body(const TriangleMesh& mesh) {
   ConvexBody body;
   for (const auto& p : mesh.vertices.colwise()) body.box.extend(Vector3d(p));
   const double extent = body.box.diagonal().norm();
-  // No corner may stand above any triangle's plane.
+  // No corner may be above the plane of any triangle.
   for (const auto& t : mesh.triangles.colwise()) {
     const Vector3d a = mesh.vertices.col(t(0)), b = mesh.vertices.col(t(1)),
                    c = mesh.vertices.col(t(2));
@@ -175,7 +175,7 @@ Polygon cut_faces(std::vector<Polygon>& faces, const Height& above) {
 
 }  // namespace
 
-void cut(ConvexBody& body, const HalfSpace& side, double tolerance) {
+void clip(ConvexBody& body, const HalfSpace& side, double tolerance) {
   // A box on one side of the plane needs no look at its corners.
   const double middle = side.n.dot(body.box.center()) - side.offset;
   const double reach = side.n.cwiseAbs().dot(body.box.sizes()) / 2;
@@ -206,7 +206,7 @@ void cut(ConvexBody& body, const HalfSpace& side, double tolerance) {
 ConvexBody intersection(const ConvexBody& a, const ConvexBody& b, double tolerance) {
   ConvexBody common = a;
   for (const HalfSpace& side : b.sides) {
-    cut(common, side, tolerance);
+    clip(common, side, tolerance);
     if (common.empty()) return {};
   }
   return common;
@@ -255,9 +255,9 @@ void add_difference(const ConvexBody& piece, const ConvexBody& other, double tol
     if (height.least < -tolerance) {
       work += static_cast<double>(2 * rest.faces.size());
       ConvexBody beyond = rest;
-      cut(beyond, {-side.n, -side.offset}, tolerance);
+      clip(beyond, {-side.n, -side.offset}, tolerance);
       if (!beyond.empty()) pieces.push_back(std::move(beyond));
-      cut(rest, side, tolerance);
+      clip(rest, side, tolerance);
     } else {
       rest = {};
     }
@@ -272,7 +272,8 @@ void add_difference(const ConvexBody& piece, const ConvexBody& other, double tol
 
 }  // namespace
 
-UnionMoments union_moments(const std::vector<ConvexBody>& bodies, double tolerance, double most) {
+UnionMoments union_moments(const std::vector<ConvexBody>& bodies, double tolerance,
+                           double max_work) {
   // The largest first: what lies within it is gone at once.
   std::vector<std::pair<Moments, const ConvexBody*>> sorted;
   for (const ConvexBody& body : bodies) sorted.emplace_back(moments_of(body), &body);
@@ -294,7 +295,7 @@ UnionMoments union_moments(const std::vector<ConvexBody>& bodies, double toleran
           add_difference(piece, other, tolerance, outside, result.work);
         else
           outside.push_back(std::move(piece));
-        if (result.work > most) return {{}, false, result.work};
+        if (result.work > max_work) return {{}, false, result.work};
       }
       pieces = std::move(outside);
       whole = false;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Convex polyhedra: cuts by planes, intersections and mass moments.
+/// Convex polyhedra: clipping by planes, intersections and mass moments.
 
 #include <vector>
 
@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// Moments at unit density about the origin of their frame; they add up.
+/// Additive moments at unit density about the origin of their frame.
 struct Moments {
   double volume = 0;                                 // [m^3]
   Eigen::Vector3d first{0, 0, 0};                    // integral of x [m^4] (3)
@@ -20,7 +20,9 @@ struct Moments {
   Moments& operator-=(const Moments& other);
 };
 
+/// Converts mass properties at unit density to moments.
 [[nodiscard]] Moments moments_of(const MassProperties& mass);
+/// Converts moments to mass properties at unit density.
 [[nodiscard]] MassProperties mass_of(const Moments& moments);
 
 /// The half space  n . x <= offset.
@@ -31,42 +33,46 @@ struct HalfSpace {
 
 /// A convex polyhedron by its faces, each a convex polygon, counterclockwise seen from outside.
 struct ConvexBody {
-  std::vector<std::vector<Eigen::Vector3d>> faces;  // corners [m]
-  std::vector<HalfSpace> sides;                     // whose intersection it is
-  Eigen::AlignedBox3d box;
+  std::vector<std::vector<Eigen::Vector3d>> faces;  // corners of each face [m]
+  std::vector<HalfSpace> sides;                     // half-spaces whose intersection it is
+  Eigen::AlignedBox3d box;                          // bounding box [m]
 
   [[nodiscard]] bool empty() const { return faces.size() < 4; }
 };
 
+/// Returns a box as a polyhedron.
 [[nodiscard]] ConvexBody convex_box(const Eigen::AlignedBox3d& box);
 
-/// The polyhedron of a mesh. @param mesh  watertight, outward
-/// @return empty if it is not convex: if a corner stands more than 1e-6 of the extent, which is
-/// what files of single precision leave, above the plane of a triangle; or if it has more than 3e7
-/// pairs of both.
+/// Converts a mesh to a polyhedron. @param mesh  watertight, outward
+/// @return empty if it is not convex: if a corner is more than 1e-6 of the extent, the rounding of
+/// files in single precision, above the plane of a triangle; or if it has more than 3e7 pairs of
+/// corners and triangles.
 [[nodiscard]] ConvexBody convex_body(const TriangleMesh& mesh);
 
-/// Cuts off the part outside of a half space, unless it is less than `tolerance` high [m].
-void cut(ConvexBody& body, const HalfSpace& side, double tolerance);
+/// Removes the part outside of a half space, unless it is less than `tolerance` high [m].
+void clip(ConvexBody& body, const HalfSpace& side, double tolerance);
 
-/// The intersection of two polyhedra.
+/// Computes the intersection of two polyhedra.
 [[nodiscard]] ConvexBody intersection(const ConvexBody& a, const ConvexBody& b, double tolerance);
 
+/// Computes the moments of a polyhedron.
 [[nodiscard]] Moments moments_of(const ConvexBody& body);
 
+/// Result of union_moments().
 struct UnionMoments {
-  Moments moments;       // of nothing unless complete
-  bool complete = true;  // false: there were too many cuts to make
-  double work = 0;       // faces that were looked at [1]
+  Moments moments;       // moments; zero unless complete
+  bool complete = true;  // false: the limit of work was reached
+  double work = 0;       // number of faces processed [1]
 };
 
-/// Moments of the union of some polyhedra, exact to rounding:
+/// Computes the moments of the union of polyhedra, exact to rounding:
 ///   m(P_1 u .. u P_n) = sum_i m(P_i less all P_j with j < i),
-/// each difference as convex pieces that share no more than faces. So n bodies that coincide cost n
-/// looks at each other, and others no more pieces than the planes of all cut space into.
-/// @param most  faces that may be looked at, about; 1e6 take some tenths of a second
+/// each difference as convex pieces that share only faces. Thus n coincident bodies cost n
+/// comparisons, and others no more pieces than those into which the planes of all bodies divide
+/// space.
+/// @param max_work  approximate limit of processed faces; 1e6 take some tenths of a second
 /// @throws Stopped where end_if_stopped() does
 [[nodiscard]] UnionMoments union_moments(const std::vector<ConvexBody>& bodies, double tolerance,
-                                         double most);
+                                         double max_work);
 
 }  // namespace thenar

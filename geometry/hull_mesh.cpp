@@ -68,7 +68,7 @@ void add_point(const Matrix3Xd& p, int point, std::vector<Facet>& facets) {
 /// Uniform in [-1/2, 1/2).
 double draw(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0 - 0.5; }
 
-/// Least over greatest extent along the axes of inertia.
+/// Returns the minimum over the maximum extent along the axes of inertia.
 double thickness(const Matrix3Xd& p) {
   const Matrix3Xd r = p.colwise() - Vector3d(p.rowwise().mean());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(r * r.transpose());

@@ -39,7 +39,8 @@ MassProperties mass_properties(const TriangleMesh& mesh, double density) {
   require(density > 0 && std::isfinite(density), "a density must be positive and finite, got {}",
           density);
   const MeshReport report = check_mesh(mesh);
-  if (!report.holes.empty()) throw InputError("a mesh bounds no solid: " + why_open(mesh, report));
+  if (!report.holes.empty())
+    throw InputError("a mesh bounds no solid: " + explain_open_mesh(mesh, report));
   require(report.volume > 0, "a mesh encloses {} m^3", report.volume);
   MassProperties result = signed_moments(mesh);
   result.mass *= density;

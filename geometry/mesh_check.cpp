@@ -15,7 +15,8 @@ namespace {
 
 using Eigen::Vector3d, Eigen::Vector3i;
 
-constexpr std::size_t kHolesTold = 8;  // Holes that are described; more are only counted
+constexpr std::size_t kMaxListedHoles =
+    8;  // number of holes that are described; more are only counted
 
 using Edge = std::pair<int, int>;
 
@@ -189,14 +190,14 @@ std::string describe(const MeshReport& report) {
   };
   // Holes first, the first few in detail.
   add(static_cast<int>(report.holes.size()), "hole(s)");
-  for (std::size_t i = 0; i < std::min(report.holes.size(), kHolesTold); ++i) {
+  for (std::size_t i = 0; i < std::min(report.holes.size(), kMaxListedHoles); ++i) {
     const MeshHole& hole = report.holes[i];
     text += fmt::format("{} {} edges, {:.4g} mm long, about ({:.4g}, {:.4g}, {:.4g}) mm",
                         i == 0 ? ":" : ",", hole.loop.size(), 1e3 * hole.length,
                         1e3 * hole.centre.x(), 1e3 * hole.centre.y(), 1e3 * hole.centre.z());
   }
-  if (report.holes.size() > kHolesTold)
-    text += fmt::format(" and {} more", report.holes.size() - kHolesTold);
+  if (report.holes.size() > kMaxListedHoles)
+    text += fmt::format(" and {} more", report.holes.size() - kMaxListedHoles);
   add(report.nonmanifold_edges, "edge(s) of more than two triangles");
   add(report.reversed_edges, "edge(s) whose triangles face opposite ways");
   add(report.degenerate, "triangle(s) of no area");

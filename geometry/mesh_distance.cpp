@@ -64,7 +64,7 @@ std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh, const Triangl
   return all;
 }
 
-constexpr double kOnSurface = 1e-12;  // Points within this distance are on the surface [m]
+constexpr double kOnSurface = 1e-12;  // distance within which a point is on the surface [m]
 
 /// A surface that goes through itself nowhere: the side of its nearest feature decides.
 class MeshDistance final : public Shape {
@@ -75,13 +75,13 @@ class MeshDistance final : public Shape {
   double distance(const Vector3d& p) const override {
     const NearestTriangle near = grid_.nearest(p, tree_);
     const double distance = std::sqrt(near.foot.squared);
-    return outward(near).dot(p - near.foot.at) < 0 ? -distance : distance;
+    return outward(near).dot(p - near.foot.point) < 0 ? -distance : distance;
   }
 
   NearestSurface nearest(const Vector3d& p) const override {
     const NearestTriangle near = grid_.nearest(p, tree_);
     const double distance = std::sqrt(near.foot.squared);
-    const Vector3d out = outward(near), arm = p - near.foot.at;
+    const Vector3d out = outward(near), arm = p - near.foot.point;
     const double sign = out.dot(arm) < 0 ? -1 : 1;
     // On the surface the way to it has no direction left.
     if (near.foot.feature.kind == Feature::kFace || distance < kOnSurface)
@@ -118,7 +118,7 @@ TriangleMesh boundary_of(const TriangleMesh& mesh, const TriangleTree& tree,
     const Vector3d outside =
         (form.corner[0] + form.corner[1] + form.corner[2]) / 3 + off * form.normal;
     // The winding number falls by one to the outer side.
-    if (meeting[number] || internal::windings(tree, outside) == 0)
+    if (meeting[number] || internal::winding_number(tree, outside) == 0)
       kept.triangles.col(count++) = mesh.triangles.col(number);
   }
   kept.triangles.conservativeResize(3, count);
@@ -141,13 +141,13 @@ class CrossedMeshDistance final : public Shape {
     const NearestTriangle near = grid_.nearest(p, tree_);
     const double distance = std::sqrt(near.foot.squared), side = sign(p);
     if (distance < kOnSurface) return {side * distance, tree_.forms()[near.triangle].normal};
-    return {side * distance, side / distance * (p - near.foot.at)};
+    return {side * distance, side / distance * (p - near.foot.point)};
   }
 
   Eigen::AlignedBox3d bounds() const override { return tree_.bounds(); }
 
  private:
-  double sign(const Vector3d& p) const { return internal::windings(whole_, p) > 0 ? -1 : 1; }
+  double sign(const Vector3d& p) const { return internal::winding_number(whole_, p) > 0 ? -1 : 1; }
 
   TriangleTree whole_;
   TriangleTree tree_;  // of the boundary
@@ -188,7 +188,7 @@ class Recent {
   }
 
  private:
-  // Most triangles of unused meshes that are kept, 0.1 GB
+  // Maximum number of triangles of unused meshes that are kept, 0.1 GB
   static constexpr Eigen::Index kMax = 200'000;
 
   std::mutex mutex_;

@@ -10,19 +10,19 @@
 namespace thenar {
 
 /// Builds the signed distance, exact to rounding. The sign is that of (p - foot) . n, where n is
-/// the sum of those of an edge's two faces, or the sum of those around a corner, each weighted with
-/// its angle there: right everywhere, inside cavities as well [Baerentzen2005].
+/// the sum of the normals of an edge's two faces, or of those around a corner, each weighted with
+/// its angle there: this is correct everywhere, inside cavities as well [Baerentzen2005].
 ///
 /// Up to one length of the mesh around it, cubes list the triangles that may be nearest; farther
-/// away, and where those would be many, a tree of boxes is searched from a first guess.
+/// away, and where lists would be long, a tree of boxes is searched from a first guess.
 ///
-/// Lists are filled as they are asked for, with the same answers whatever was asked before and from
-/// however many threads. Meshes of the same content share them within a process.
+/// Lists are filled on demand, with results that do not depend on earlier queries or the number of
+/// threads. Meshes of the same content share them within a process.
 ///
-/// @param mesh  watertight, outward, no triangle of no area: what build_solid() makes of meshes
+/// @param mesh  watertight, outward, without triangles of zero area, as from build_solid()
 [[nodiscard]] std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh);
 
-/// Returns whether a shape is of build_mesh_distance(), and its surface goes through itself.
+/// Returns whether a shape is from build_mesh_distance(), and its surface intersects itself.
 [[nodiscard]] bool goes_through_itself(const Shape& shape);
 
 }  // namespace thenar

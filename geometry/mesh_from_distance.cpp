@@ -141,7 +141,7 @@ class Grid {
     const double middle =
         solid.distance(at(low) + Vector3d::Constant(cell_ / 2 * (kBlockCubes - 1)));
     const bool far = std::abs(middle) > reach;
-    // Nodes near the surface are asked one by one; the border counts as outside.
+    // Evaluate nodes near the surface one by one; the border counts as outside.
     Vector3i node;
     for (node.z() = low.z(); node.z() < high.z(); ++node.z())
       for (node.y() = low.y(); node.y() < high.y(); ++node.y())

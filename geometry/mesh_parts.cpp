@@ -61,13 +61,13 @@ struct Part {
 
 /// Returns whether a part lies within another, by the box and up to 64 of its vertices.
 bool is_within(const Part& inner, Part& outer) {
-  // The box first, then windings around some vertices.
+  // Compare boxes first, then winding numbers of some vertices.
   if (!outer.box.contains(inner.box)) return false;
   if (!outer.tree) outer.tree.emplace(outer.mesh);
   const Eigen::Index count = inner.mesh.vertices.cols();
   const Eigen::Index step = std::max<Eigen::Index>(1, count / 64);
   for (Eigen::Index i = 0; i < count; i += step)
-    if (internal::windings(*outer.tree, inner.mesh.vertices.col(i)) < 1) return false;
+    if (internal::winding_number(*outer.tree, inner.mesh.vertices.col(i)) < 1) return false;
   return true;
 }
 
@@ -171,7 +171,7 @@ std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
   return parts;
 }
 
-std::string why_open(const TriangleMesh& mesh, const MeshReport& found) {
+std::string explain_open_mesh(const TriangleMesh& mesh, const MeshReport& found) {
   const MeshFaults faults = find_mesh_faults(mesh);
   const std::string cause = describe(faults);
   if (cause.empty()) return describe(found);
@@ -182,7 +182,8 @@ std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh) {
   // Closed or not at all.
   require(!mesh.empty(), "a mesh has no triangle");
   const MeshReport found = check_mesh(mesh);
-  if (!found.holes.empty()) throw InputError("a mesh bounds no solid: " + why_open(mesh, found));
+  if (!found.holes.empty())
+    throw InputError("a mesh bounds no solid: " + explain_open_mesh(mesh, found));
   const bool sound = found.watertight() && found.volume > 0;
   // Put right first, if it is not sound.
   std::vector<TriangleMesh> meshes =

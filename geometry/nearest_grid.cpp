@@ -13,16 +13,17 @@ using PerCorner = Eigen::Array<double, 8, 1>;
 
 namespace {
 
-constexpr double kMaxCells = 1e5;  // Most cells of the grid; the mesh gets a quarter
-constexpr double kGridMargin = 1;  // Margin of the cubes around the mesh, over its longest side [1]
+constexpr double kMaxCells = 1e5;  // maximum number of cells; the mesh gets a quarter
+constexpr double kGridMargin = 1;  // margin of the cubes around the mesh over its longest side [1]
 // Dividing is in vain if it leaves more than this share of the candidates [1]
 constexpr double kInVain = 0.7;
-constexpr std::size_t kFewCandidates = 32;  // So few candidates are not divided
-constexpr std::size_t kMax = 64;            // With more candidates the tree is searched instead
+constexpr std::size_t kFewCandidates =
+    32;                           // number of candidates up to which a cube is not divided
+constexpr std::size_t kMax = 64;  // number of candidates above which the tree is searched instead
 // Candidates that are tested in the time of one search by the tree
 constexpr int kTreeCandidates = 24;
 
-/// The edge of a smallest cube: about that of a triangle.
+/// Returns the edge of the smallest cubes: about that of a triangle.
 double cell_of(const TriangleTree& tree) {
   double area = 0;
   for (const TriangleForm& form : tree.forms())
@@ -45,7 +46,7 @@ void keep_nearer(const TriangleForm& form, const Vector3d& p, FootPoint& best) {
 
 }  // namespace
 
-NearestGrid::Ball NearestGrid::ball_of(const TriangleForm& form) {
+NearestGrid::Ball NearestGrid::bounding_ball(const TriangleForm& form) {
   const Vector3d centre = (form.corner[0] + form.corner[1] + form.corner[2]) / 3;
   double radius = 0;
   for (const Vector3d& corner : form.corner) radius = std::max(radius, (corner - centre).norm());
@@ -61,10 +62,10 @@ NearestGrid::NearestGrid(const TriangleTree& tree, double share) : share_(share)
   inverse_ = 1 / cell_;
   origin_ = tree.bounds().center().array() - whole / 2;
   // All triangles, with a ball around each.
-  every_.resize(tree.forms().size());
-  std::iota(every_.begin(), every_.end(), 0);
-  balls_.reserve(every_.size());
-  for (const TriangleForm& form : tree.forms()) balls_.push_back(ball_of(form));
+  all_triangles_.resize(tree.forms().size());
+  std::iota(all_triangles_.begin(), all_triangles_.end(), 0);
+  balls_.reserve(all_triangles_.size());
+  for (const TriangleForm& form : tree.forms()) balls_.push_back(bounding_ball(form));
 }
 
 NearestGrid::~NearestGrid() = default;
@@ -74,15 +75,15 @@ Vector3d NearestGrid::centre(const Block& block) const {
          cell_ * (block.low.cast<double>() + Vector3d::Constant(std::ldexp(0.5, block.level)));
 }
 
-std::vector<NearestGrid::Candidate> NearestGrid::near(const Block& block,
-                                                      const std::vector<int>& above,
-                                                      const TriangleTree& tree) const {
+std::vector<NearestGrid::Candidate> NearestGrid::find_candidates(const Block& block,
+                                                                 const std::vector<int>& above,
+                                                                 const TriangleTree& tree) const {
   const Vector3d middle = centre(block);
   const double reach = std::sqrt(3.0) / 2 * std::ldexp(cell_, block.level) * (1 + 1e-9);
   std::vector<Candidate> here;
   here.reserve(above.size());
   double least = std::numeric_limits<double>::infinity();
-  // What was near before is asked first, so that most of the rest can be left out unasked.
+  // Evaluate candidates of the larger cube first: they exclude most others without evaluation.
   for (const int triangle : above) {
     const Ball& ball = balls_[triangle];
     const double most = least + 2 * reach + ball.radius;
@@ -97,17 +98,17 @@ std::vector<NearestGrid::Candidate> NearestGrid::near(const Block& block,
   });
   here.erase(end, here.end());
   // Long lists are worth a sharper test; the nearest comes first.
-  if (here.size() > kFewCandidates) drop_beaten(block, here, tree);
-  std::swap(here.front(), *std::min_element(here.begin(), here.end(), nearer));
+  if (here.size() > kFewCandidates) remove_dominated(block, here, tree);
+  std::swap(here.front(), *std::min_element(here.begin(), here.end(), is_nearer));
   return here;
 }
 
-bool NearestGrid::nearer(const Candidate& a, const Candidate& b) {
+bool NearestGrid::is_nearer(const Candidate& a, const Candidate& b) {
   return a.distance < b.distance || (a.distance == b.distance && a.triangle < b.triangle);
 }
 
-void NearestGrid::drop_beaten(const Block& block, std::vector<Candidate>& here,
-                              const TriangleTree& tree) const {
+void NearestGrid::remove_dominated(const Block& block, std::vector<Candidate>& here,
+                                   const TriangleTree& tree) const {
   // Corners of the cube, and distances of a point from all of them.
   const double edge = std::ldexp(cell_, block.level), rounding = 1e-9 * edge;
   Eigen::Array<double, 8, 3> corner;
@@ -134,7 +135,7 @@ void NearestGrid::drop_beaten(const Block& block, std::vector<Candidate>& here,
   }
   // Rivals: those eight points of the mesh.
   std::array<PerCorner, 8> rival;
-  for (int s = 0; s < 8; ++s) rival[s] = to_corners(best[s].at) + rounding;
+  for (int s = 0; s < 8; ++s) rival[s] = to_corners(best[s].point) + rounding;
   const auto beaten = [&](const PerCorner& distance) {
     return std::any_of(rival.begin(), rival.end(),
                        [&](const PerCorner& point) { return (distance > point).all(); });
@@ -155,8 +156,8 @@ void NearestGrid::drop_beaten(const Block& block, std::vector<Candidate>& here,
 bool NearestGrid::fill_if_due(Cell& cell, const Block& block, const std::vector<int>& above,
                               const TriangleTree& tree) const {
   // Asked often enough to be worth filling, and nobody else is filling.
-  const int asked = cell.asked.fetch_add(1, std::memory_order_relaxed);
-  if (asked < static_cast<int>(above.size()) / kTreeCandidates) return false;
+  const int queries = cell.queries.fetch_add(1, std::memory_order_relaxed);
+  if (queries < static_cast<int>(above.size()) / kTreeCandidates) return false;
   const std::unique_lock lock(filling_, std::try_to_lock);
   if (!lock.owns_lock()) return false;
   if (cell.count.load(std::memory_order_relaxed) == kUnfilled) fill(cell, block, above, tree);
@@ -166,7 +167,7 @@ bool NearestGrid::fill_if_due(Cell& cell, const Block& block, const std::vector<
 void NearestGrid::fill(Cell& cell, const Block& block, const std::vector<int>& above,
                        const TriangleTree& tree) const {
   // Candidates, and whether dividing would help.
-  std::vector<Candidate> here = near(block, above, tree);
+  std::vector<Candidate> here = find_candidates(block, above, tree);
   const double edge = std::ldexp(cell_, block.level);
   const double far = here.front().distance;
   const bool in_vain = edge<far&& static_cast<double>(here.size())> kInVain * above.size();
@@ -182,7 +183,7 @@ void NearestGrid::fill(Cell& cell, const Block& block, const std::vector<int>& a
   }
   // A list, or the nearest as a guess for the tree.
   const bool listed = here.size() <= kMax;
-  if (listed) std::sort(here.begin(), here.end(), nearer);
+  if (listed) std::sort(here.begin(), here.end(), is_nearer);
   const std::size_t count = listed ? here.size() : 1;
   candidates_.push_back(std::make_unique<Candidate[]>(count));
   std::copy_n(here.begin(), count, candidates_.back().get());
@@ -202,7 +203,7 @@ NearestTriangle NearestGrid::nearest(const Vector3d& p, const TriangleTree& tree
   // Down to the smallest cube that is not divided.
   int level = levels_;
   Cell* cell = &root_;
-  const std::vector<int>* above = &every_;
+  const std::vector<int>* above = &all_triangles_;
   int count = cell->count.load(std::memory_order_acquire);
   while (count < kGuess) {
     if (count == kDivided) {
@@ -212,7 +213,7 @@ NearestTriangle NearestGrid::nearest(const Vector3d& p, const TriangleTree& tree
       above = &divided.triangles;
       cell = &divided.cells[side.x() + 2 * side.y() + 4 * side.z()];
     } else if (!fill_if_due(*cell, block_at(level), *above, tree)) {
-      tree.ask(above->front(), p, best);
+      tree.update_nearest(above->front(), p, best);
       return tree.nearest(p, best);
     }
     count = cell->count.load(std::memory_order_acquire);
@@ -220,7 +221,7 @@ NearestTriangle NearestGrid::nearest(const Vector3d& p, const TriangleTree& tree
   // A guess, or a point outside: the tree decides.
   const Candidate* candidate = cell->candidates;
   if (count == kGuess || !(scaled.array() >= 0 && scaled.array() < size).all()) {
-    tree.ask(candidate->triangle, p, best);
+    tree.update_nearest(candidate->triangle, p, best);
     return tree.nearest(p, best);
   }
   // Through the list until no triangle can be nearer.
@@ -228,7 +229,7 @@ NearestTriangle NearestGrid::nearest(const Vector3d& p, const TriangleTree& tree
   for (int i = 0; i < count; ++i) {
     const double bound = candidate[i].distance - off;
     if (bound > 0 && bound * bound > best.limit) break;
-    tree.ask(candidate[i].triangle, p, best);
+    tree.update_nearest(candidate[i].triangle, p, best);
   }
   return best;
 }

@@ -90,7 +90,7 @@ std::map<std::pair<int, int>, int> open_edges(const TriangleMesh& mesh) {
   return open;
 }
 
-/// The least tolerance that leaves fewest edges open.
+/// Finds the smallest tolerance that leaves the fewest edges open.
 TriangleMesh best_welded(const TriangleMesh& mesh) {
   TriangleMesh best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
@@ -131,7 +131,7 @@ std::vector<int> vertices_on(const TriangleMesh& mesh, const Loose& loose, int a
   return vertices;
 }
 
-/// The number of a triangle's edge between two vertices, which it has.
+/// Returns the number of a triangle's edge between two of its vertices.
 int edge_number(const TriangleMesh& mesh, int t, const std::pair<int, int>& edge) {
   int k = 0;
   while (std::minmax({mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t)}) != edge) ++k;
@@ -260,7 +260,7 @@ RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done d
   double longest = 0;  // hole [m]
   std::vector<std::string> hulls;
   const double all = area_of(mesh), whole = diagonal_of(mesh);
-  // Each part by itself: repaired, replaced by its hull, or left out.
+  // Repair each part, replace it by its hull, or leave it out.
   const std::vector<TriangleMesh> parts = connected_parts(mesh);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const MeshReport before = check_mesh(parts[i]);

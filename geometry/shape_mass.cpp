@@ -43,7 +43,7 @@ MassProperties cylinder(double r, double height) {
   return {m, {0, 0, 0}, diagonal(across, across, m * r * r / 2)};
 }
 
-/// A cylinder and two half balls, whose centroids stand 3/8 r from their flat sides.
+/// Returns the mass of a cylinder and two half balls, with centroids 3/8 r from their flat sides.
 MassProperties capsule(double r, double height) {
   // The cylinder, then both half balls about the middle.
   MassProperties body = cylinder(r, height);
@@ -78,7 +78,7 @@ MassProperties enclosed(const TriangleMesh& mesh) {
   if (found.watertight() && found.volume > 0) return signed_moments(mesh);
   std::vector<MassProperties> parts;
   for (const TriangleMesh& part : solids_or_none(mesh)) parts.push_back(signed_moments(part));
-  return together(parts);
+  return sum_of_masses(parts);
 }
 
 MassProperties in_own_frame(const ShapeSpec& shape) {
@@ -112,7 +112,7 @@ MassProperties mass_at_unit_density(const ShapeSpec& shape) {
   return {own.mass, shape.X_BS * own.centre, R * own.inertia * R.transpose()};
 }
 
-MassProperties together(const std::vector<MassProperties>& parts) {
+MassProperties sum_of_masses(const std::vector<MassProperties>& parts) {
   // Common centre.
   MassProperties sum;
   for (const MassProperties& part : parts) {
@@ -133,19 +133,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kTreeDepth = 7;         // Most halvings of the cubes of the tree
-constexpr int kFirstDepth = 3;        // Fewest halvings of the cubes
-constexpr double kTouchShare = 1e-9;  // Parts that overlap by less only touch, over the extent [1]
-constexpr double kMaxFaces = 5e6;     // Most faces of convex parts that are cut out of each other
-constexpr double kFaceLook = 0.3;     // Cost of one such face, in evaluations of a distance [1]
-constexpr std::size_t kFewParts = 2000;  // Most parts that are compared in pairs
-// Most evaluations of distances of primitives at middles of cubes
-constexpr double kMaxLooks = 1e7;
+constexpr int kTreeDepth = 7;            // maximum depth of the tree of cubes
+constexpr int kFirstDepth = 3;           // minimum depth of the tree of cubes
+constexpr double kTouchShare = 1e-9;     // overlap over the extent up to which parts only touch [1]
+constexpr double kMaxFaces = 5e6;        // maximum number of faces of convex parts that are clipped
+constexpr double kFaceCost = 0.3;        // cost of one such face, in evaluations of a distance [1]
+constexpr std::size_t kFewParts = 2000;  // maximum number of parts that are compared in pairs
+// Maximum number of distance evaluations of primitives at centres of cubes
+constexpr double kMaxEvaluations = 1e7;
 // Cost of a distance of a mesh or superellipsoid, in those of a primitive [1]
-constexpr double kMeshLook = 10;
-constexpr int kCoarseDepth = 4;  // Halvings for parts without a closed form, where work is too much
+constexpr double kMeshCost = 10;
+constexpr int kCoarseDepth = 4;  // depth for parts without a closed form if work is limited
 
-/// One of the shapes whose union is asked for.
+/// One of the shapes of a union.
 struct UnionPart {
   std::shared_ptr<const Shape> shape;  // body frame
   Eigen::AlignedBox3d box;
@@ -178,7 +178,7 @@ UnionPart part_of(const ShapeSpec& spec) {
   part.has_moments = spec.kind != ShapeKind::kTaperedCapsule;
   if (part.has_moments) part.moments = moments_of(mass_at_unit_density(spec));
   if (spec.kind == ShapeKind::kMesh || spec.kind == ShapeKind::kSuperellipsoid)
-    part.look = kMeshLook;
+    part.look = kMeshCost;
   // Boxes and convex meshes can be cut exactly.
   if (spec.kind == ShapeKind::kBox)
     part.convex = placed(convex_box({-spec.size / 2, spec.size / 2}), spec.X_BS);
@@ -195,7 +195,7 @@ bool is_same(const ShapeSpec& a, const ShapeSpec& b) {
          a.mesh.triangles == b.mesh.triangles;
 }
 
-/// The shapes whose union is asked for, each once.
+/// Returns the shapes of a union without duplicates.
 std::vector<UnionPart> parts_of(const std::vector<ShapeSpec>& shapes) {
   std::vector<UnionPart> parts;
   std::map<std::array<double, 6>, std::vector<ShapeSpec>> known;  // by the corners of their boxes
@@ -355,13 +355,13 @@ class CubeSum {
     for (const UnionPart* part : through) {
       const NearestSurface near = part->shape->nearest(box.center());
       ConvexBody body = convex_box(box);
-      cut(body, {near.normal, near.normal.dot(box.center()) - near.distance}, tolerance_);
+      clip(body, {near.normal, near.normal.dot(box.center()) - near.distance}, tolerance_);
       if (!body.empty()) filled.push_back(std::move(body));
     }
     // Union of the parts in the cube, or how often it is counted too often.
     if (whole == 0) {
-      const UnionMoments all = union_moments(filled, tolerance_, left_ / kFaceLook);
-      left_ -= kFaceLook * all.work;
+      const UnionMoments all = union_moments(filled, tolerance_, left_ / kFaceCost);
+      left_ -= kFaceCost * all.work;
       if (!all.complete) left_ = -1;
       if (!excess_) sum_ += all.moments;
       if (excess_) sum_ -= all.moments;
@@ -412,9 +412,9 @@ Moments coarse_moments(const UnionPart& part, double looks) {
   return cubes.complete() ? sum : moments_of(convex_box(part.box));
 }
 
-/// The sum of the parts, however they overlap: their union is at least the largest of them.
+/// Returns the sum of the parts, regardless of overlaps: their union contains the largest of them.
 Summed upper_bound(const std::vector<const UnionPart*>& parts) {
-  const double looks = kMaxLooks / static_cast<double>(parts.size());
+  const double looks = kMaxEvaluations / static_cast<double>(parts.size());
   Summed result;
   double largest = 0;
   for (const UnionPart* part : parts) {
@@ -466,12 +466,12 @@ Summed moments_of_cluster(const std::vector<const UnionPart*>& parts, double sha
   std::vector<ConvexBody> convex;
   double extent = 0;
   for (const UnionPart* part : parts) {
-    if (part->convex.empty()) return sum_cubes(parts, share * kMaxLooks);
+    if (part->convex.empty()) return sum_cubes(parts, share * kMaxEvaluations);
     convex.push_back(part->convex);
     extent = std::max(extent, part->box.diagonal().norm());
   }
   const UnionMoments exact = union_moments(convex, 1e-12 * extent, share * kMaxFaces);
-  if (!exact.complete) return sum_cubes(parts, share * kMaxLooks);
+  if (!exact.complete) return sum_cubes(parts, share * kMaxEvaluations);
   return {exact.moments, 0};
 }
 

@@ -12,13 +12,13 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Largest distance to a superellipsoid, by ascent from one direction: again and again to the point
+/// Maximum distance to a superellipsoid, by ascent from one direction: repeatedly to the point
 /// that is farthest along the direction from `from` to the last one.
 double ascend(const Vector3d& size, const Vector2d& exponents, const Vector3d& from,
               Vector3d direction) {
-  constexpr int kMostSteps = 3000;  // Most steps of the ascent
+  constexpr int kMaxSteps = 3000;  // maximum number of steps of the ascent
   double reach = 0;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     direction = superellipsoid_support(size, exponents, direction) - from;
     if (!(direction.norm() > reach)) break;
     reach = direction.norm();

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Shapes as plain data, as files state them.
+/// Shapes as plain data, in the form of data files.
 
 #include <array>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// Kinds of shapes; what `size` means is said in ShapeSpec.
+/// Kinds of shapes; ShapeSpec defines the meaning of `size`.
 enum class ShapeKind {
   kSphere,
   kBox,
@@ -42,18 +42,18 @@ inline constexpr std::array kShapeKindNames{EnumName{ShapeKind::kSphere, "sphere
 ///   ellipsoid       semi-axes size[0..2]
 ///   superellipsoid  semi-axes size[0..2], with (e1, e2) = exponents, each in [0.1, 2]:
 ///                   ((x/a)^(2/e2) + (y/b)^(2/e2))^(e2/e1) + (z/c)^(2/e1) = 1. Source: [Barr1981].
-///   mesh            the surface of `mesh`, which stands in its file's frame, in metres
+///   mesh            the surface of `mesh`, in the frame of its file, in metres
 struct ShapeSpec {
   ShapeKind kind = ShapeKind::kSphere;
   Eigen::Vector3d size{0, 0, 0};    // [m] (3)
   Eigen::Vector2d exponents{1, 1};  // e1 (latitude), e2 (longitude) of a superellipsoid [1]
-  TriangleMesh mesh;                // of kMesh
-  std::string mesh_file;            // where it was read from, as written there; may be empty
+  TriangleMesh mesh;                // mesh of kMesh
+  std::string mesh_file;            // path from which it was read, as written there; may be empty
   double mesh_scale = 1;            // [m] per unit of the file, already applied to `mesh`
-  Pose<double> X_BS;                // the shape's frame in its body's
+  Pose<double> X_BS;                // frame of the shape in the frame of its body
 };
 
-/// Number of entries of `size` that a kind uses.
+/// Returns the number of entries of `size` that a kind uses.
 [[nodiscard]] inline int size_entries(ShapeKind kind) {
   if (kind == ShapeKind::kMesh) return 0;
   if (kind == ShapeKind::kSphere) return 1;

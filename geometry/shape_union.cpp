@@ -59,7 +59,7 @@ class Union final : public Shape {
     double distance;  // [m]
     std::size_t part;
   };
-  /// A part whose box is farther than the best so far is not asked.
+  /// Skips parts whose box is farther than the best distance so far.
   [[nodiscard]] Least find(const Vector3d& p) const {
     Least least{std::numeric_limits<double>::infinity(), 0};
     for (std::size_t i = 0; i < parts_.size(); ++i) {

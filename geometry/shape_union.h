@@ -10,13 +10,13 @@
 
 namespace thenar {
 
-/// A shape in another frame. @param X_BS  the shape's frame in the new one
+/// Returns a shape in another frame. @param X_BS  the shape's frame in the new one
 [[nodiscard]] std::shared_ptr<const Shape> place(std::shared_ptr<const Shape> shape,
                                                  const Pose<double>& X_BS);
 
-/// The union of some shapes, at least one: the least of their distances. Exact outside and on the
+/// Builds the union of at least one shape: the minimum of their distances. Exact outside and on the
 /// surface; inside, where parts overlap, the depth is a lower bound (the deepest part counts,
-/// though its surface may lie within another). It changes by no more than the way gone everywhere.
+/// though its surface may be inside another). It changes by at most the distance moved everywhere.
 [[nodiscard]] std::shared_ptr<const Shape> join(std::vector<std::shared_ptr<const Shape>> parts);
 
 }  // namespace thenar

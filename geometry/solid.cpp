@@ -19,14 +19,14 @@ namespace {
 using Eigen::Vector2d, Eigen::Vector3d;
 
 // Sizes and places beyond these are of no thing that a hand meets, and lose all their digits.
-constexpr double kLeastSize = 1e-9, kLargestSize = 1e6;  // [m]
+constexpr double kMinSize = 1e-9, kMaxSize = 1e6;  // range of valid sizes [m]
 
 void check(const ShapeSpec& spec) {
   // Sizes and exponents in range.
   for (int i = 0; i < size_entries(spec.kind); ++i)
-    require(spec.size(i) >= kLeastSize && spec.size(i) <= kLargestSize,
-            "size {} of a {}: wanted {:g} to {:g} m, got {} m", i, name_of(spec.kind), kLeastSize,
-            kLargestSize, spec.size(i));
+    require(spec.size(i) >= kMinSize && spec.size(i) <= kMaxSize,
+            "size {} of a {}: wanted {:g} to {:g} m, got {} m", i, name_of(spec.kind), kMinSize,
+            kMaxSize, spec.size(i));
   if (spec.kind == ShapeKind::kSuperellipsoid)
     require(spec.exponents.minCoeff() >= 0.1 && spec.exponents.maxCoeff() <= 2,
             "exponents of a superellipsoid must lie in [0.1, 2], got {} and {}", spec.exponents(0),
@@ -35,8 +35,8 @@ void check(const ShapeSpec& spec) {
   const Pose<double>& X = spec.X_BS;
   require(X.R.allFinite() && (X.R * X.R.transpose()).isIdentity(1e-9) && X.R.determinant() > 0,
           "a {} must be placed by a rotation", name_of(spec.kind));
-  require((X.p.array().abs() <= kLargestSize).all(), "a {} must be placed at most {:g} m away",
-          name_of(spec.kind), kLargestSize);
+  require((X.p.array().abs() <= kMaxSize).all(), "a {} must be placed at most {:g} m away",
+          name_of(spec.kind), kMaxSize);
 }
 
 std::shared_ptr<const Shape> shape_of(const ShapeSpec& spec) {
@@ -64,7 +64,7 @@ std::shared_ptr<const Shape> shape_of(const ShapeSpec& spec) {
 
 TriangleMesh cylinder_mesh(double radius, double height, double tolerance) {
   const int sides = sides_of_circle(radius, tolerance);
-  const double rho = radius * (1 + outside_by(sides)), z = height / 2;
+  const double rho = radius * (1 + corner_overshoot(sides)), z = height / 2;
   return surface_of_revolution({{0, -z}, {rho, -z}, {rho, z}, {0, z}}, sides);
 }
 
@@ -76,7 +76,7 @@ TriangleMesh tapered_capsule_mesh(const Vector3d& size, double tolerance) {
   const double slope = std::asin(std::clamp((lower - upper) / size(2), -1.0, 1.0));
   const int below = std::max(2, static_cast<int>(std::ceil((kPi / 2 + slope) * sides / (2 * kPi))));
   const int above = std::max(2, static_cast<int>(std::ceil((kPi / 2 - slope) * sides / (2 * kPi))));
-  const double swell = 1 + 2 * outside_by(sides);
+  const double swell = 1 + 2 * corner_overshoot(sides);
   // Profile from pole to pole: two arcs, whose ends the side's line joins.
   std::vector<Vector2d> profile;
   const auto arc = [&](double radius, double z, double from, double to, int steps) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A body's geometry in the forms that contacts, inertia and pictures need.
+/// Geometry of a body in the forms that contacts, inertia and drawings need.
 
 #include <memory>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace thenar {
 
-/// A surface swept by a ball: everything within `radius` of the core. A capsule is a segment (a
-/// degenerate triangle) with a radius, a mesh has radius 0. A list of them stands for their union.
+/// A surface swept by a ball: all points within `radius` of the core. A capsule is a segment (a
+/// degenerate triangle) with a radius, a mesh has radius 0. A list of them represents their union.
 struct RoundedMesh {
   TriangleMesh core;
   double radius = 0;  // [m]
@@ -19,23 +19,25 @@ struct RoundedMesh {
 
 /// One of the shapes whose union a solid is.
 struct SolidPart {
-  ShapeSpec spec;                      // its mesh is empty: the triangles are in Solid::collision
-  std::shared_ptr<const Shape> shape;  // its distance, in its own frame
+  ShapeSpec spec;  // shape without its mesh, whose triangles are in Solid::collision
+  std::shared_ptr<const Shape> shape;  // distance in the frame of the shape
 };
 
-/// A body; constant once built, all in one frame.
+/// A body, constant after construction, with all members in one frame.
 struct Solid {
-  std::shared_ptr<const Shape> shape;  // asked for distances; shared: hands are copied, grids large
-  std::vector<RoundedMesh> collision;  // what searches another shape's distance for contacts
-  TriangleMesh visual;                 // for drawing and inertia; rounded shapes tessellated
-  std::vector<SolidPart> parts = {};   // what each entry of `collision` is; empty: unknown
+  /// Signed distance; shared, as hands are copied and grids are large.
+  std::shared_ptr<const Shape> shape;
+  std::vector<RoundedMesh>
+      collision;        // surfaces whose distance from another shape is searched for contacts
+  TriangleMesh visual;  // surface for drawing and inertia; rounded shapes are tessellated
+  std::vector<SolidPart> parts = {};  // shape of each entry of `collision`; empty: unknown
 };
 
-/// The union of some shapes in the frame of their body. A mesh of several closed surfaces is the
-/// union of what solid_parts() finds in it, so that where they overlap is inside; repair_to_solid()
-/// mends what that refuses.
-/// @throws InputError if there is none, a size is not positive and finite, or a mesh has holes
-/// (naming them) or no volume.
+/// Builds the union of shapes in the frame of their body. A mesh of several closed surfaces is the
+/// union of its solid_parts(), so that overlaps are inside; repair_to_solid() repairs meshes that
+/// solid_parts() rejects.
+/// @throws InputError if there is no shape, a size is not positive and finite, or a mesh has no
+/// volume or holes (named in the message).
 [[nodiscard]] Solid build_solid(const std::vector<ShapeSpec>& shapes);
 
 }  // namespace thenar

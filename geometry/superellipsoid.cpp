@@ -43,7 +43,7 @@ class Power {
   enum { kSame, kSquare, kRoot, kAny } kind_;
 };
 
-/// The norm N and how it changes, in the first octant.
+/// Norm N with its derivatives, in the first octant.
 class Norm {
  public:
   Norm(const Vector3d& semi_axes, const Vector2d& exponents)
@@ -233,7 +233,7 @@ class Superellipsoid final : public Shape {
  private:
   // Error of the tessellation, over the largest semi-axis [1]
   static constexpr double kTessellation = 1.4e-4;
-  // Smaller gaps count as none, over the largest semi-axis [1]
+  // Gap over the largest semi-axis up to which it counts as none [1]
   static constexpr double kEnough = 1e-12;
 
   static TriangleMesh octant(const Norm& norm, const Vector3d& semi_axes, double tolerance) {
@@ -251,14 +251,14 @@ class Superellipsoid final : public Shape {
     // Otherwise from the tessellation's nearest point.
     const internal::NearestTriangle near = grid_.nearest(p, tree_);
     const double rough = std::copysign(std::sqrt(near.foot.squared), norm - 1);
-    const Vector3d x = near.foot.at.cwiseMax(0.0);
+    const Vector3d x = near.foot.point.cwiseMax(0.0);
     const Norm::Value there = norm_.value(x);
     const Bound bound = norm > 1 ? outside(p, x, there) : improve(norm_, p, x, there, 4, enough);
     // A bound far below what the tessellation says is no good; its own error decides.
     if (std::abs(bound.distance - rough) <= 1.05 * kTessellation * size_)
       return {bound.distance, bound.normal, true};
     // The tessellation has the last word.
-    const Vector3d way = (p - near.foot.at).cwiseMax(0.0);
+    const Vector3d way = (p - near.foot.point).cwiseMax(0.0);
     return {rough, rough > 0 && way.norm() > 0 ? Vector3d(way.normalized()) : bound.normal};
   }
 

@@ -12,11 +12,13 @@ using Eigen::Vector3d, Eigen::Vector3i;
 
 // Triangles within this distance meet, over the mesh's extent [1]
 constexpr double kMeetingDistance = 1e-10;
-// Most pairs per triangle that are compared; beyond it all count as meeting
-constexpr std::size_t kMostPairs = 100;
-constexpr double kFoldAngle = 1e-7;  // Neighbours within this angle lie on each other [rad]
+// Maximum number of pairs per triangle; above it all triangles count as meeting
+constexpr std::size_t kMaxPairs = 100;
+constexpr double kFoldAngle =
+    1e-7;  // angle within which neighbours are folded onto each other [rad]
 
-/// The part of a segment, as shares of its length, where a linear function is at most `most`.
+/// Returns the part of a segment, in fractions of its length, where a linear function is at most
+/// `most`.
 struct PartBelow {
   double from = 0, to = 1;
 
@@ -73,7 +75,7 @@ class CrossingSearch {
  private:
   using Node = TriangleTree::Node;
 
-  [[nodiscard]] bool given_up() const { return compared_ > kMostPairs * boxes_.size(); }
+  [[nodiscard]] bool given_up() const { return compared_ > kMaxPairs * boxes_.size(); }
 
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the tree
   void within(int at) {

@@ -172,7 +172,7 @@ int sides_of_circle(double radius, double tolerance) {
   return std::max(12, 4 * static_cast<int>(std::ceil(kPi / angle / 4)));
 }
 
-double outside_by(int sides) { return 2 / (1 + std::cos(kPi / sides)) - 1; }
+double corner_overshoot(int sides) { return 2 / (1 + std::cos(kPi / sides)) - 1; }
 
 TriangleMesh surface_of_revolution(const std::vector<Vector2d>& profile, int sides) {
   // Rings of corners between the two poles.

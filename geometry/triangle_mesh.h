@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// A surface of triangles, whose corners stand counterclockwise seen from outside.
+/// A surface of triangles, whose corners are counterclockwise seen from outside.
 struct TriangleMesh {
   Eigen::Matrix3Xd vertices;   // [m] (3, vertices)
   Eigen::Matrix3Xi triangles;  // columns of `vertices` (3, triangles)
@@ -18,20 +18,20 @@ struct TriangleMesh {
 
 // Edges of a mesh and the triangles that meet there.
 
-/// A side of a triangle, as one of those at the edge between two vertices.
+/// A side of a triangle, listed at the edge between two vertices.
 struct MeshSide {
-  int low, high;  // vertices of the edge, the lesser first
-  int triangle;   // of the mesh
-  int side;       // from corner `side` of the triangle to the next
-  bool upwards;   // the triangle walks from the lesser vertex to the greater
+  int low, high;  // vertices of the edge, the smaller number first
+  int triangle;   // entry of the mesh
+  int side;       // starts at corner `side` of the triangle
+  bool upwards;   // whether the triangle traverses it from the smaller vertex to the larger
 };
 
-/// Returns all sides, ordered by edge (low, high) and at each edge by triangle and side, in a time
-/// that grows with their number.
-/// @param mesh  whose corners are vertices
+/// Returns all sides, sorted by edge (low, high) and at each edge by triangle and side, in linear
+/// time.
+/// @param mesh  mesh whose corners are valid vertices
 [[nodiscard]] std::vector<MeshSide> sides_by_edge(const TriangleMesh& mesh);
 
-/// Calls visit(first, last) with the sides at each edge, as pointers.
+/// Calls visit(first, last) with the range of sides at each edge, as pointers.
 template <typename Visit>
 void for_each_edge(const std::vector<MeshSide>& sides, const Visit& visit) {
   const MeshSide* const end = sides.data() + sides.size();
@@ -43,7 +43,7 @@ void for_each_edge(const std::vector<MeshSide>& sides, const Visit& visit) {
   }
 }
 
-/// The triangle across each side where exactly two meet, elsewhere -1 (3, triangles).
+/// Returns the triangle across each side where exactly two meet, elsewhere -1 (3, triangles).
 [[nodiscard]] Eigen::Matrix3Xi neighbours_across(const TriangleMesh& mesh);
 
 }  // namespace thenar

@@ -8,7 +8,7 @@ namespace thenar::internal {
 
 using Eigen::Vector3d;
 
-TriangleForm TriangleForm::of(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+TriangleForm TriangleForm::from_corners(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   TriangleForm form;
   form.corner = {a, b, c};
   // From the shortest two edges: of a thin triangle nothing else keeps its digits.
@@ -50,9 +50,9 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
   // Forms in the order of the tree.
   forms_.reserve(count);
   for (const int t : order_)
-    forms_.push_back(TriangleForm::of(mesh.vertices.col(mesh.triangles(0, t)),
-                                      mesh.vertices.col(mesh.triangles(1, t)),
-                                      mesh.vertices.col(mesh.triangles(2, t))));
+    forms_.push_back(TriangleForm::from_corners(mesh.vertices.col(mesh.triangles(0, t)),
+                                                mesh.vertices.col(mesh.triangles(1, t)),
+                                                mesh.vertices.col(mesh.triangles(2, t))));
   // Distances are computed to some 1e-15 of the mesh's extent, and to as much of their own size;
   // the normals of slivers are off by 1e-15 of their length over their height.
   double thinnest = 1;
@@ -65,7 +65,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as triangles are halved
 int TriangleTree::build(int first, int last, const std::vector<Eigen::AlignedBox3d>& boxes) {
-  constexpr int kLeafTriangles = 3;  // Most triangles of a leaf
+  constexpr int kLeafTriangles = 3;  // maximum number of triangles of a leaf
   // Box of the node and of its triangles' centres.
   const int here = static_cast<int>(nodes_.size());
   nodes_.push_back({{}, first, 0, 0});
@@ -107,7 +107,7 @@ NearestTriangle TriangleTree::nearest(const Vector3d& p, NearestTriangle guess) 
     const Waiting next = stack[--waiting];
     if (next.squared > guess.limit) continue;
     const Node& node = nodes_[next.node];
-    for (int i = node.first; i < node.first + node.count; ++i) ask(i, p, guess);
+    for (int i = node.first; i < node.first + node.count; ++i) update_nearest(i, p, guess);
     if (node.count > 0) continue;
     // The nearer child is searched first.
     Waiting near{next.node + 1, nodes_[next.node + 1].box.squaredExteriorDistance(p)};

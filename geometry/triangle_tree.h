@@ -15,49 +15,51 @@ namespace thenar::internal {
 
 // A triangle in the form that the search needs.
 
-/// The feature of a triangle that is nearest: its face, an edge or a corner.
+/// The nearest feature of a triangle: its face, an edge or a corner.
 struct Feature {
   enum Kind { kFace, kEdge, kCorner } kind = kFace;
-  int k = 0;  // edge from corner k to the next, or corner k
+  int k = 0;  // number of the edge from corner k to the next, or of the corner
 };
 
-/// The point of a triangle nearest to another.
+/// The point of a triangle nearest to another point.
 struct FootPoint {
-  double squared;      // distance [m^2]
-  Eigen::Vector3d at;  // [m] (3)
+  double squared;         // squared distance [m^2]
+  Eigen::Vector3d point;  // [m] (3)
   Feature feature;
 };
 
-/// Corners, unit normal, and for each edge its outward unit normal in the plane.
+/// A triangle prepared for searches: corners, unit normal, and the outward normals of its edges.
 struct TriangleForm {
   std::array<Eigen::Vector3d, 3> corner;  // [m]
   Eigen::Vector3d normal;                 // (3)
-  std::array<Eigen::Vector3d, 3> across;  // of edge k, from corner k to the next (3)
-  std::array<double, 3> inverse;          // 1 / squared length of edge k [1/m^2]
+  /// Outward unit normal of edge k in the plane, from corner k to the next (3).
+  std::array<Eigen::Vector3d, 3> across;
+  std::array<double, 3> inverse;  // 1 / squared length of edge k [1/m^2]
 
-  /// @param a, b, c  corners, not in line [m]
-  [[nodiscard]] static TriangleForm of(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                                       const Eigen::Vector3d& c);
+  /// Prepares a triangle. @param a, b, c  corners, not collinear [m]
+  [[nodiscard]] static TriangleForm from_corners(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                                 const Eigen::Vector3d& c);
 
-  /// Finds the point nearest to p. The result depends on p and the triangle alone, whatever `limit`
-  /// is.
-  /// @param limit  a squared distance beyond which it need not be found [m^2]
-  /// @return false: it lies beyond; `foot` may hold another point of the triangle
+  /// Finds the point nearest to p. The result depends only on p and the triangle, and not on
+  /// `limit`.
+  /// @param limit  squared distance beyond which the search may end [m^2]
+  /// @return false: it is beyond; `foot` may hold another point of the triangle
   bool find_foot(const Eigen::Vector3d& p, double limit, FootPoint& foot) const;
 };
 
 inline bool TriangleForm::find_foot(const Eigen::Vector3d& p, double limit, FootPoint& foot) const {
+  // The plane excludes far triangles.
   const Eigen::Vector3d from_first = p - corner[0];
   const double height = normal.dot(from_first), upright = height * height;
   if (upright > limit) return false;
-  // The nearest point is on the face, or on an edge that has p on its outer side.
+  // The nearest point is on the face, or on an edge with p on its outer side.
   foot.squared = std::numeric_limits<double>::infinity();
-  bool over = true;
+  bool over_face = true;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d arm = p - corner[k];
     const double out = across[k].dot(arm);
     if (out <= 0) continue;
-    over = false;
+    over_face = false;
     if (upright + out * out > limit) return false;
     const Eigen::Vector3d edge = corner[(k + 1) % 3] - corner[k];
     const double share = edge.dot(arm) * inverse[k];
@@ -73,57 +75,61 @@ inline bool TriangleForm::find_foot(const Eigen::Vector3d& p, double limit, Foot
       if (squared < foot.squared) foot = {squared, corner[k] + share * edge, {Feature::kEdge, k}};
     }
   }
-  if (over) foot = {upright, p - height * normal, {Feature::kFace, 0}};
+  if (over_face) foot = {upright, p - height * normal, {Feature::kFace, 0}};
   return true;
 }
 
-/// The nearest triangle, by its place in TriangleTree::order(); of several at the same computed
+/// The nearest triangle, by its position in TriangleTree::order(); of several at the same computed
 /// distance the first.
 struct NearestTriangle {
   FootPoint foot{std::numeric_limits<double>::infinity(), {}, {}};
   int triangle = -1;
-  double limit = std::numeric_limits<double>::infinity();  // beyond it nothing is nearer [m^2]
+  double limit = std::numeric_limits<double>::infinity();  // squared distance beyond which nothing
+                                                           // is nearer [m^2]
 };
 
+/// Tree of bounding boxes over the triangles of a mesh.
 class TriangleTree {
  public:
-  /// @param mesh  triangles whose corners are not in line, at least one
+  /// @param mesh  at least one triangle, none with collinear corners
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// Improves on a first guess, whose distance may be infinite. Triangles are left out with a
-  /// margin for rounding, so that the answer is the same whatever the guess was.
+  /// Finds the nearest triangle from a first guess, whose distance may be infinite. Triangles are
+  /// excluded with a margin for rounding, so that the result does not depend on the guess.
   [[nodiscard]] NearestTriangle nearest(const Eigen::Vector3d& p, NearestTriangle guess) const;
 
   /// Replaces `best` by triangle i if that is nearer.
-  void ask(int i, const Eigen::Vector3d& p, NearestTriangle& best) const;
+  void update_nearest(int i, const Eigen::Vector3d& p, NearestTriangle& best) const;
 
-  /// Returns for each of forms() the number of the mesh's triangle.
+  /// Returns the number in the mesh of each entry of forms().
   [[nodiscard]] const std::vector<int>& order() const { return order_; }
-  /// Neighbours in space are neighbours in memory.
+  /// Returns the triangles in an order in which neighbours in space are neighbours in memory.
   [[nodiscard]] const std::vector<TriangleForm>& forms() const { return forms_; }
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return nodes_.front().box; }
 
+  /// Node of the tree, a leaf or with two children.
   struct Node {
     Eigen::AlignedBox3d box;
-    int first;  // of its triangles
-    int count;  // of a leaf's triangles; 0: children are the next node and `second`
+    int first;  // first of its triangles
+    int count;  // number of a leaf's triangles; 0: children are the next node and `second`
     int second;
   };
-  /// The root first.
+  /// Returns the nodes, the root first.
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
 
  private:
   int build(int first, int last, const std::vector<Eigen::AlignedBox3d>& boxes);
 
-  // How far above a squared distance another may be computed that is in truth below it.
-  double relative_ = 0;  // of it [1]
-  double absolute_ = 0;  // [m^2]
+  // Rounding errors: a squared distance may be computed larger than another that it is below.
+  double relative_ = 0;  // relative error [1]
+  double absolute_ = 0;  // absolute error [m^2]
   std::vector<Node> nodes_;
   std::vector<int> order_;
   std::vector<TriangleForm> forms_;
 };
 
-inline void TriangleTree::ask(int i, const Eigen::Vector3d& p, NearestTriangle& best) const {
+inline void TriangleTree::update_nearest(int i, const Eigen::Vector3d& p,
+                                         NearestTriangle& best) const {
   FootPoint foot;
   if (!forms_[i].find_foot(p, best.limit, foot)) return;
   if (foot.squared > best.foot.squared || (foot.squared == best.foot.squared && i >= best.triangle))

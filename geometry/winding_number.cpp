@@ -92,7 +92,7 @@ double solid_angle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
 
 }  // namespace
 
-int windings(const TriangleTree& tree, const Vector3d& p) {
+int winding_number(const TriangleTree& tree, const Vector3d& p) {
   if (!tree.bounds().contains(p)) return 0;
   // Directions in no plane of symmetry that a designer draws.
   static const std::array<Vector3d, 6> directions{

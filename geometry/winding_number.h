@@ -8,10 +8,10 @@
 
 namespace thenar::internal {
 
-/// The winding number of a closed surface around a point off it, by the triangles that a ray
-/// crosses: outwards count 1, inwards -1. A ray that passes an edge within rounding gives way to
-/// one of another direction.
-/// @param tree  of the surface
-[[nodiscard]] int windings(const TriangleTree& tree, const Eigen::Vector3d& p);
+/// Computes the winding number of a closed surface around a point off it, from the triangles that a
+/// ray crosses: outwards they count 1, inwards -1. If a ray passes an edge within rounding, another
+/// direction is used.
+/// @param tree  tree of the surface
+[[nodiscard]] int winding_number(const TriangleTree& tree, const Eigen::Vector3d& p);
 
 }  // namespace thenar::internal

@@ -11,16 +11,17 @@
 namespace thenar {
 namespace {
 
-/// Builds the nodes of triangles[first, last) and returns the index of their root.
+/// Builder of the nodes of a collision tree by recursive median splits.
 class TreeBuilder {
  public:
   explicit TreeBuilder(CollisionTree& body) : body_(body) {}
 
-  // NOLINTNEXTLINE(misc-no-recursion): as deep as triangles are halved
+  /// Builds the nodes of triangles[first, last) and returns the index of their root.
+  // NOLINTNEXTLINE(misc-no-recursion): the depth is logarithmic in the number of triangles
   int build(int first, int last) {
     const int index = static_cast<int>(body_.nodes.size());
     body_.nodes.emplace_back();
-    // A leaf: the ball around one swept triangle.
+    // A leaf has the ball around one swept triangle.
     if (last - first == 1) {
       CollisionNode& leaf = body_.nodes.back();
       leaf.triangle = first;
@@ -28,7 +29,7 @@ class TreeBuilder {
       leaf.ball.r += triangle(first).radius;
       return index;
     }
-    // An inner node: two halves about the median.
+    // An inner node has two halves about the median.
     const Eigen::AlignedBox3d box = box_around(first, last);
     const int middle = split(first, last, box);
     const int left = build(first, middle), right = build(middle, last);
@@ -55,6 +56,7 @@ class TreeBuilder {
     return {c, r};
   }
 
+  /// Partitions triangles about the median along the longest side of their box.
   int split(int first, int last, const Eigen::AlignedBox3d& box) {
     Eigen::Index axis = 0;
     box.sizes().maxCoeff(&axis);
@@ -76,10 +78,14 @@ SweptTriangle swept_triangle(const Eigen::Matrix3d& corners, double radius, int 
   return {corners, radius, cross.stableNormalized(), source};
 }
 
+constexpr double kBallTolerance = 1e-9;  // relative error of a radius that counts as rounding [1]
+constexpr double kOffBoundaryRatio =
+    1.001;  // depth over size from which it is off the boundary [1]
+
 }  // namespace
 
 Ball internal::smallest_ball(const Eigen::Matrix3d& corners) {
-  // The ball over the longest side, if it holds the third corner.
+  // Try the ball over the longest side, if it contains the third corner.
   double longest = -1;
   Ball ball;
   Eigen::Vector3d third = corners.col(0);
@@ -91,8 +97,8 @@ Ball internal::smallest_ball(const Eigen::Matrix3d& corners) {
     ball = {(a + b) / 2, length / 2};
     third = corners.col((k + 2) % 3);
   }
-  if ((third - ball.c).norm() > (1 + 1e-9) * ball.r) {
-    // All angles are acute: the circle through the corners.
+  if ((third - ball.c).norm() > (1 + kBallTolerance) * ball.r) {
+    // All angles are acute: use the circle through the corners.
     const Eigen::Vector3d u = corners.col(1) - corners.col(0), v = corners.col(2) - corners.col(0);
     const Eigen::Vector3d w = u.cross(v);
     ball.c = corners.col(0) +
@@ -104,13 +110,14 @@ Ball internal::smallest_ball(const Eigen::Matrix3d& corners) {
 
 namespace {
 
-/// Returns whether no point of a triangle of a mesh is on the boundary of its part, as where a
-/// surface that goes through itself has the same on both sides: its middle is deeper, or farther
-/// out, than its corners are from there.
+/// Returns whether no point of a triangle of a mesh is on the boundary of its part, which happens
+/// where a surface intersects itself: the depth or distance of its centre exceeds the distance of
+/// its corners from there.
 bool is_off_boundary(const SolidPart& part, const Eigen::Matrix3d& corners) {
   const Eigen::Vector3d middle = corners.rowwise().mean();
   const double reach = (corners.colwise() - middle).colwise().norm().maxCoeff();
-  return std::abs(part.shape->distance(part.spec.X_BS.inverse() * middle)) > 1.001 * reach;
+  return std::abs(part.shape->distance(part.spec.X_BS.inverse() * middle)) >
+         kOffBoundaryRatio * reach;
 }
 
 }  // namespace
@@ -118,7 +125,7 @@ bool is_off_boundary(const SolidPart& part, const Eigen::Matrix3d& corners) {
 CollisionTree collision_tree(const Solid& solid) {
   CollisionTree body;
   const bool known = solid.parts.size() == solid.collision.size();
-  // Checked triangles of all collision surfaces.
+  // Check and copy the triangles of all collision surfaces.
   for (std::size_t part = 0; part < solid.collision.size(); ++part) {
     const RoundedMesh& mesh = solid.collision[part];
     const bool crossed = known && goes_through_itself(*solid.parts[part].shape);
@@ -140,7 +147,7 @@ CollisionTree collision_tree(const Solid& solid) {
     }
   }
   require(!body.triangles.empty(), "a touch surface must have {} triangle or more", 1);
-  // The tree over them.
+  // Build the tree over them.
   body.nodes.reserve(2 * body.triangles.size());
   TreeBuilder(body).build(0, static_cast<int>(body.triangles.size()));
   return body;
@@ -148,30 +155,30 @@ CollisionTree collision_tree(const Solid& solid) {
 
 Eigen::Vector3d internal::nearest_in_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                              const Eigen::Vector3d& p) {
-  const Eigen::Vector3d way = to - from;
-  const double square = way.squaredNorm();
+  const Eigen::Vector3d axis = to - from;
+  const double square = axis.squaredNorm();
   if (!(square > 0)) return from;
-  return from + std::clamp((p - from).dot(way) / square, 0.0, 1.0) * way;
+  return from + std::clamp((p - from).dot(axis) / square, 0.0, 1.0) * axis;
 }
 
 Eigen::Vector3d internal::nearest_in_triangle(const Eigen::Matrix3d& corners,
                                               const Eigen::Vector3d& p) {
   const Eigen::Vector3d a = corners.col(0), b = corners.col(1), c = corners.col(2);
   const Eigen::Vector3d n = (b - a).cross(c - a);
-  // Inside the prism over the triangle: straight down.
+  // Inside the prism over the triangle: project onto its plane.
   const double square = n.squaredNorm();
   if (square > 0 && n.cross(b - a).dot(p - a) >= 0 && n.cross(c - b).dot(p - b) >= 0 &&
       n.cross(a - c).dot(p - c) >= 0)
     return p - n.dot(p - a) / square * n;
-  // Else on a side.
+  // Otherwise the nearest point is on a side.
   Eigen::Vector3d best = nearest_in_segment(a, b, p);
   for (const Eigen::Vector3d& q : {nearest_in_segment(b, c, p), nearest_in_segment(c, a, p)})
     if ((q - p).squaredNorm() < (best - p).squaredNorm()) best = q;
   return best;
 }
 
-std::array<Eigen::Matrix3d, 2> internal::halves(const Eigen::Matrix3d& corners) {
-  // Longest side.
+std::array<Eigen::Matrix3d, 2> internal::bisect_triangle(const Eigen::Matrix3d& corners) {
+  // Find the longest side and move each of its ends to the middle.
   int from = 0;
   double longest = -1;
   for (int k = 0; k < 3; ++k) {

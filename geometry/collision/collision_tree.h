@@ -19,50 +19,50 @@ struct Ball {
 
 /// A triangle swept by a ball; it may be a segment or a point.
 struct SweptTriangle {
-  Eigen::Matrix3d corners;     // columns [m] (3, 3)
+  Eigen::Matrix3d corners;     // radius of the ball that sweeps it [m]
   double radius = 0;           // of the ball that sweeps it [m]
   Eigen::Vector3d n{0, 0, 0};  // unit, outward; 0 for a segment or a point (3)
-  int source = -1;             // its number in the order of Solid::collision
+  int source = -1;             // number of the triangle in the order of Solid::collision
 };
 
 /// Node of the tree: two children, or one triangle.
 struct CollisionNode {
-  Ball ball;  // holds the swept triangles below it
+  Ball ball;  // bounding ball of the swept triangles below it
   int left = -1;
   int right = -1;
-  int triangle = -1;  // entry of CollisionTree::triangles; -1: it has children
+  int triangle = -1;  // entry of CollisionTree::triangles; -1: an inner node
 };
 
-/// The hierarchy, constant once built. The first node is the root.
+/// Bounding volume hierarchy, constant after construction. The first node is the root.
 struct CollisionTree {
   std::vector<SweptTriangle> triangles;
   std::vector<CollisionNode> nodes;
 };
 
-/// Builds the hierarchy of a solid's collision surface by median splits along the longest side,
-/// without triangles of meshes that bound nothing.
+/// Builds the hierarchy of a solid's collision surface by median splits along the longest side.
+/// Triangles of meshes that enclose nothing are left out.
 /// @throws InputError if it has no triangle, or one that is not finite.
 [[nodiscard]] CollisionTree collision_tree(const Solid& solid);
 
 namespace internal {
 
-/// The smallest ball around three points, which may coincide or stand in line.
+/// Computes the smallest ball around three points, which may coincide or be collinear.
 /// @param corners  columns [m] (3, 3)
 [[nodiscard]] Ball smallest_ball(const Eigen::Matrix3d& corners);
 
-/// The point of a triangle nearest to p; the triangle may be a segment or a point.
+/// Returns the point of a triangle nearest to p; the triangle may be a segment or a point.
 /// @param corners  columns [m] (3, 3);  @param p  [m] (3)
 [[nodiscard]] Eigen::Vector3d nearest_in_triangle(const Eigen::Matrix3d& corners,
                                                   const Eigen::Vector3d& p);
 
-/// The point of a segment nearest to p; its ends may coincide.
+/// Returns the point of a segment nearest to p; its ends may coincide.
 [[nodiscard]] Eigen::Vector3d nearest_in_segment(const Eigen::Vector3d& from,
                                                  const Eigen::Vector3d& to,
                                                  const Eigen::Vector3d& p);
 
-/// The two halves of a triangle, cut from the middle of its longest side to the corner opposite.
+/// Bisects a triangle from the middle of its longest side to the opposite corner.
 /// @param corners  columns [m] (3, 3)
-[[nodiscard]] std::array<Eigen::Matrix3d, 2> halves(const Eigen::Matrix3d& corners);
+[[nodiscard]] std::array<Eigen::Matrix3d, 2> bisect_triangle(const Eigen::Matrix3d& corners);
 
 }  // namespace internal
 

@@ -23,7 +23,7 @@ PrincipalCurvatures curvatures(const Shape& shape, const Vector3d& p, double ste
   const double rising = second((t.e1 + t.e2).normalized());
   const double falling = second((t.e1 - t.e2).normalized());
 
-  // Mohr's circle of the four.
+  // Principal curvatures by Mohr's circle.
   const double mean = (along1 + along2 + rising + falling) / 4;
   const double x = (along1 - along2) / 2, y = (rising - falling) / 2;
   const double turn = std::atan2(y, x) / 2, half = std::hypot(x, y);

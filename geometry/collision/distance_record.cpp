@@ -9,24 +9,24 @@ double DistanceRecord::distance(const Eigen::Vector3d& p) {
   return b_.distance(p);
 }
 
-NearestSurface DistanceRecord::see(const Eigen::Vector3d& p) {
+NearestSurface DistanceRecord::nearest_surface(const Eigen::Vector3d& p) {
   ++evaluations_;
   NearestSurface seen = b_.nearest(p);
   if (seen.supports) empty_.add_plane(seen.normal, seen.normal.dot(p) - seen.distance);
   return seen;
 }
 
-double DistanceRecord::look_lifted(const TrianglePiece& piece) {
+double DistanceRecord::bound_by_lifted_ball(const TrianglePiece& piece) {
   ++evaluations_;
   const Ball empty =
-      lifted_ball(b_, piece.corners, piece.ball, piece.seen, enough() + piece.radius);
+      lifted_ball(b_, piece.corners, piece.ball, piece.seen, sufficient_bound() + piece.radius);
   if (!std::isfinite(empty.r)) return kNoBound;
   empty_.add_ball(empty);
-  return bound_by(empty, piece.corners) - piece.radius;
+  return triangle_bound(empty, piece.corners) - piece.radius;
 }
 
-void DistanceRecord::offer(const Eigen::Vector3d& core, const NearestSurface& seen,
-                           const TrianglePiece& piece) {
+void DistanceRecord::update_best(const Eigen::Vector3d& core, const NearestSurface& seen,
+                                 const TrianglePiece& piece) {
   if (seen.distance - piece.radius >= best_.distance) return;
   best_ = {seen.distance - piece.radius, core, seen, piece.radius, piece.triangle};
 }

@@ -18,15 +18,15 @@ double EmptySpace::bound(const Ball& ball) const {
   double bound = -std::numeric_limits<double>::infinity();
   for (const Ball& empty : balls_)
     bound = std::max(bound, empty.r - (ball.c - empty.c).norm() - ball.r);
-  for (std::size_t i = 0; i < planes(); ++i)
+  for (std::size_t i = 0; i < plane_count(); ++i)
     bound = std::max(bound, planes_[i].n.dot(ball.c) - planes_[i].offset - ball.r);
   return bound;
 }
 
 double EmptySpace::bound(const Eigen::Matrix3d& corners, double radius) const {
   double bound = -std::numeric_limits<double>::infinity();
-  for (const Ball& empty : balls_) bound = std::max(bound, bound_by(empty, corners) - radius);
-  for (std::size_t i = 0; i < planes(); ++i)
+  for (const Ball& empty : balls_) bound = std::max(bound, triangle_bound(empty, corners) - radius);
+  for (std::size_t i = 0; i < plane_count(); ++i)
     bound = std::max(bound,
                      (planes_[i].n.transpose() * corners).minCoeff() - planes_[i].offset - radius);
   return bound;
@@ -34,24 +34,24 @@ double EmptySpace::bound(const Eigen::Matrix3d& corners, double radius) const {
 
 namespace {
 
-constexpr double kMostLift = 10;  // Largest lift; beyond it rounding matters [m]
+constexpr double kMaxLift = 10;  // maximum lift; beyond it rounding errors matter [m]
 
 }  // namespace
 
 Ball lifted_ball(const Shape& b, const Eigen::Matrix3d& corners, const Ball& ball,
                  const NearestSurface& seen, double wanted) {
-  // Height of the triangle above the plane that the middle sees.
+  // Height of the triangle above the plane of the nearest surface, less the wanted bound.
   const double lowest =
       seen.distance + (seen.normal.transpose() * (corners.colwise() - ball.c)).minCoeff();
-  const double spare = lowest - wanted;
-  if (!(spare > 0)) return {ball.c, -std::numeric_limits<double>::infinity()};
-  // Lift at which the rim sinks by less than what is to spare.
-  const double h = std::min(ball.r * ball.r / spare, kMostLift);
+  const double margin = lowest - wanted;
+  if (!(margin > 0)) return {ball.c, -std::numeric_limits<double>::infinity()};
+  // Lift at which the rim of the ball lies below that plane by less than the margin.
+  const double h = std::min(ball.r * ball.r / margin, kMaxLift);
   const Eigen::Vector3d above = ball.c + h * seen.normal;
   return {above, b.distance(above)};
 }
 
-double bound_by(const Ball& empty, const Eigen::Matrix3d& corners) {
+double triangle_bound(const Ball& empty, const Eigen::Matrix3d& corners) {
   return empty.r - std::sqrt((corners.colwise() - empty.c).colwise().squaredNorm().maxCoeff());
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Balls and half-spaces known to be empty beside a body, from earlier looks at its distance.
+/// Balls and half-spaces near a body that are known to be empty, from evaluations of its distance.
 
 #include <algorithm>
 #include <array>
@@ -14,14 +14,15 @@
 
 namespace thenar {
 
-/// Balls and half-spaces known to hold no part of a body B: bounds of its distance that cost no
-/// look at it. All in B's frame.
+/// Balls and half-spaces that hold no part of a body B: they bound its distance without evaluating
+/// it. All in B's frame.
 class EmptySpace {
  public:
-  /// The first eight balls are kept.
+  /// Records an empty ball; the first eight are kept.
   void add_ball(const Ball& ball);
 
-  /// B lies in  n . x <= offset  [m]; the last eight planes are kept. @param n  unit (3)
+  /// Records that B lies in  n . x <= offset  [m]; the last eight planes are kept. @param n  unit
+  /// (3)
   void add_plane(const Eigen::Vector3d& n, double offset);
 
   [[nodiscard]] bool has_planes() const { return planes_seen_ > 0; }
@@ -29,7 +30,7 @@ class EmptySpace {
   /// Returns a lower bound of the distance of B to any point of a ball [m].
   [[nodiscard]] double bound(const Ball& ball) const;
 
-  /// Returns a lower bound of the distance of B to a triangle grown by a radius [m].
+  /// Returns a lower bound of the distance of B to a triangle swept by a ball of a radius [m].
   /// @param corners  columns (3, 3)
   [[nodiscard]] double bound(const Eigen::Matrix3d& corners, double radius) const;
 
@@ -40,30 +41,28 @@ class EmptySpace {
   };
   static constexpr std::size_t kMaxKept = 8;
 
-  [[nodiscard]] std::size_t planes() const { return std::min(planes_seen_, kMaxKept); }
+  [[nodiscard]] std::size_t plane_count() const { return std::min(planes_seen_, kMaxKept); }
 
   std::vector<Ball> balls_;
   std::array<Plane, kMaxKept> planes_{};
   std::size_t planes_seen_ = 0;
 };
 
-// Bounds of a triangle's distance from a solid whose distance is known at a few points.
-
-/// A ball without a point of the solid, so that nothing in it is nearer than its rim is far:
-/// a triangle whose corners lie within r' of its centre is no nearer than  r - r'.
+/// Returns an empty ball whose rim is near the surface, so that points in it are at least as far
+/// from the solid as from the rim: a triangle with corners within r' of the centre is no nearer
+/// than r - r'.
 ///
-/// It stands on the surface as the ball about c + h n does, h chosen so that its rim, which sinks
-/// below the plane through c across n by  r^2 / 2h,  tells that nothing in the triangle is nearer
-/// than wanted, if d grows by h along n, as it does up to the ridge of a hollow. The law that d
-/// changes by no more than the way gone holds everywhere, so does the bound, but for the shape's
-/// accuracy.
-/// @param ball  around the corners [m];  @param seen  b.nearest(ball.c)
-/// @param wanted  what the bound ought to exceed [m]
-/// @return  of radius minus infinity if the plane says at once that it cannot [m]
+/// The ball has its centre at c + h n. The offset h is chosen so that its rim, which lies below the
+/// plane through c perpendicular to n by  r^2 / 2h,  proves that no point of the triangle is nearer
+/// than wanted, if d grows by h along n, as it does up to the ridge of a concavity. As d changes by
+/// at most the distance moved, the bound holds everywhere, up to the shape's accuracy.
+/// @param ball    bounding ball of the corners [m];  @param seen  b.nearest(ball.c)
+/// @param wanted  value that the bound should exceed [m]
+/// @return  radius minus infinity if the plane shows that no such ball exists [m]
 [[nodiscard]] Ball lifted_ball(const Shape& b, const Eigen::Matrix3d& corners, const Ball& ball,
                                const NearestSurface& seen, double wanted);
 
-/// No point of the triangle is nearer than this, by what an empty ball tells [m].
-[[nodiscard]] double bound_by(const Ball& empty, const Eigen::Matrix3d& corners);
+/// Returns a lower bound of the distance of a triangle from the solid, given an empty ball [m].
+[[nodiscard]] double triangle_bound(const Ball& empty, const Eigen::Matrix3d& corners);
 
 }  // namespace thenar

@@ -32,7 +32,7 @@ FclMesh::FclMesh(const TriangleMesh& mesh) : model_(std::make_unique<Model>()) {
   require(!mesh.empty() && mesh.vertices.allFinite(),
           "a mesh for FCL must have finite vertices and triangles, got {} of these",
           mesh.triangles.cols());
-  // Vertices and triangles in FCL's types.
+  // Convert vertices and triangles to FCL's types.
   std::vector<fcl::Vector3d> vertices;
   for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i)
     vertices.emplace_back(mesh.vertices.col(i));
@@ -42,7 +42,7 @@ FclMesh::FclMesh(const TriangleMesh& mesh) : model_(std::make_unique<Model>()) {
   };
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i)
     triangles.emplace_back(corner(0, i), corner(1, i), corner(2, i));
-  // FCL builds its tree.
+  // Build FCL's tree.
   model_->tree = std::make_shared<fcl::BVHModel<fcl::OBBRSS<double>>>();
   model_->tree->beginModel();
   model_->tree->addSubModel(vertices, triangles);
@@ -54,7 +54,7 @@ FclMesh& FclMesh::operator=(FclMesh&&) noexcept = default;
 
 double fcl_distance(const FclMesh& a, const Pose<double>& X_WA, const FclMesh& b,
                     const Pose<double>& X_WB, double tolerance) {
-  // Signed distance is left off: of meshes FCL aborts, or answers -1, in an overlap.
+  // No signed distance: for overlapping meshes FCL aborts, or returns -1.
   const fcl::DistanceRequest<double> request(false, false, 0, tolerance);
   fcl::DistanceResult<double> result;
   const auto posed_A = posed(a, X_WA), posed_B = posed(b, X_WB);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The distance of two meshes as FCL finds it: a cross-check of signed_distance(), and its rival.
+/// Distance of two meshes by the library FCL: a cross-check of signed_distance().
 
 #include <memory>
 
@@ -20,20 +20,20 @@ class FclMesh {
   FclMesh(const FclMesh&) = delete;
   FclMesh& operator=(const FclMesh&) = delete;
 
-  struct Model;  // FCL's own; in fcl_separation.cpp
+  struct Model;  // type of FCL, in fcl_separation.cpp
   [[nodiscard]] const Model& model() const { return *model_; }
 
  private:
   std::unique_ptr<Model> model_;
 };
 
-/// The distance of the surfaces in world, 0 where they cross [m]. FCL's meshes are surfaces: a body
-/// wholly inside another is as far from it as its surface.
-/// @param tolerance  error that FCL may make [m]; version 0.7 heeds none for trees of OBBRSS
+/// Computes the distance of the surfaces in world, 0 where they intersect [m]. FCL's meshes are
+/// surfaces: for a body inside another it is the distance of their surfaces.
+/// @param tolerance  error allowed for FCL [m]; version 0.7 ignores it for trees of OBBRSS
 [[nodiscard]] double fcl_distance(const FclMesh& a, const Pose<double>& X_WA, const FclMesh& b,
                                   const Pose<double>& X_WB, double tolerance = 0);
 
-/// Returns whether the surfaces cross.
+/// Returns whether the surfaces intersect.
 [[nodiscard]] bool fcl_collide(const FclMesh& a, const Pose<double>& X_WA, const FclMesh& b,
                                const Pose<double>& X_WB);
 

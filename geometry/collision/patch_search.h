@@ -1,6 +1,6 @@
 #pragma once
 
-/// Search for the parts of a collision surface that lie near a solid.
+/// Search for the parts of a collision surface that are near a solid.
 
 #include <vector>
 
@@ -12,43 +12,44 @@
 
 namespace thenar {
 
-/// A point of A's core, seen from B, in B's frame.
+/// A point of A's core with the nearest surface of B, in B's frame.
 struct PatchPoint {
   Eigen::Vector3d core{0, 0, 0};    // [m] (3)
-  double distance = 0;              // of the rounded surface there [m]
+  double distance = 0;              // distance of the rounded surface from B [m]
   Eigen::Vector3d on_b{0, 0, 0};    // nearest point of B's surface [m] (3)
-  Eigen::Vector3d normal{0, 0, 1};  // outward of B there, unit (3)
-  double radius = 0;                // of the rounding [m]
+  Eigen::Vector3d normal{0, 0, 1};  // outward normal of B at on_b, unit (3)
+  double radius = 0;                // rounding radius [m]
   bool supports = false;            // NearestSurface::supports
 };
 
-/// A piece of a triangle of A that lies near B.
+/// A piece of a triangle of A that is near B.
 struct PatchPiece {
-  Ball ball;                       // around its core [m]
-  std::vector<PatchPoint> points;  // those of its points that are near enough, the nearest first
+  Ball ball;                       // bounding ball of its core [m]
+  std::vector<PatchPoint> points;  // points of it that are near enough, nearest first
 };
 
-/// Parameters of the search.
+/// Settings of the search.
 struct PatchQuery {
-  double level = 0;       // points no farther from B than this [m]
-  double aim = 0;         // distance to look for at the rim, a little less than the level [m]
-  double resolution = 0;  // pieces at the rim are halved down to balls of this radius [m]
-  Ball within{{0, 0, 0}, 1e30};  // nothing outside is looked at [m]
-  int max_evaluations = 50'000;  // of B's distance
-  int halvings = 0;              // of sides that cross the rim, to find where
+  double level = 0;       // maximum distance of points from B [m]
+  double aim = 0;         // distance sought at the boundary, slightly less than the level [m]
+  double resolution = 0;  // radius down to which pieces at the boundary are halved [m]
+  Ball within{{0, 0, 0}, 1e30};  // ball outside of which nothing is evaluated [m]
+  int max_evaluations = 50'000;  // maximum number of distance evaluations of B
+  int halvings = 0;              // number of bisections of sides that cross the boundary
 };
 
+/// Result of near_pieces().
 struct PatchPieces {
   std::vector<PatchPiece> pieces;
-  bool complete = true;  // the search ended before max_evaluations
+  bool complete = true;  // true: the search ended before max_evaluations
 };
 
 /// Finds the pieces of A within a level of B's distance.
 ///
 /// A piece with all corners inside the level is kept whole: its corners span it. Others are halved
-/// down to the resolution; of those left at the rim the points count that are inside, among them
-/// where sides cross the rim, and those nearest to the points of B's edges that corners outside lie
-/// over.
+/// down to the resolution. For pieces left at the boundary only points inside the level count,
+/// including those where sides cross the boundary, and those nearest to the points of B's edges
+/// that are opposite to corners outside.
 [[nodiscard]] PatchPieces near_pieces(const CollisionTree& a, const Pose<double>& X_BA,
                                       const Shape& b, const PatchQuery& query);
 

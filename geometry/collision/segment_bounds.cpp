@@ -5,13 +5,13 @@
 
 namespace thenar {
 
-double BallPair::narrowest() const {
+double BallPair::narrowest_position() const {
   const double way = to - from;
   return from + std::clamp((way - (d_to * d_to - d_from * d_from) / way) / 2, 0.0, way);
 }
 
-double BallPair::least() const {
-  const double way = to - from, s = narrowest() - from;
+double BallPair::min_bound() const {
+  const double way = to - from, s = narrowest_position() - from;
   const double square = d_from * d_from + s * ((d_to * d_to - d_from * d_from) / way + s - way);
   return square > 0 ? std::sqrt(square) : (d_from + d_to - way) / 2;
 }
@@ -22,34 +22,34 @@ ConvexBracket::ConvexBracket(double low, double high, const Tangent& first)
 }
 
 void ConvexBracket::add(const Tangent& tangent) {
-  // The side of the minimum that it is on, and how often in turn.
+  // Replace the tangent on its side of the minimum, and count tangents on one side.
   const bool falls = tangent.slope <= 0;
-  same_side_ = falls == last_low_ ? same_side_ + 1 : 1;
-  last_low_ = falls;
+  same_side_count_ = falls == last_was_low_ ? same_side_count_ + 1 : 1;
+  last_was_low_ = falls;
   (falls ? low_ : high_) = tangent;
-  (falls ? seen_low_ : seen_high_) = true;
+  (falls ? has_low_ : has_high_) = true;
 }
 
-double ConvexBracket::meeting() const {
+double ConvexBracket::intersection() const {
   const double turn = high_.slope - low_.slope;  // > 0, as the one falls and the other rises
   const double t = (low_.value - high_.value + high_.slope * high_.t - low_.slope * low_.t) / turn;
   return std::clamp(t, low_.t, high_.t);
 }
 
 double ConvexBracket::lower() const {
-  if (!seen_high_) return low_.value + low_.slope * (high_.t - low_.t);
-  if (!seen_low_) return high_.value - high_.slope * (high_.t - low_.t);
-  return low_.value + low_.slope * (meeting() - low_.t);
+  if (!has_high_) return low_.value + low_.slope * (high_.t - low_.t);
+  if (!has_low_) return high_.value - high_.slope * (high_.t - low_.t);
+  return low_.value + low_.slope * (intersection() - low_.t);
 }
 
-double ConvexBracket::next(double step) const {
+double ConvexBracket::next_position(double step) const {
   // Only one side is known: growing steps towards the other.
-  if (!closed()) {
-    const double way = step * std::pow(4, same_side_ - 1);
-    return seen_low_ ? std::min(high_.t, low_.t + way) : std::max(low_.t, high_.t - way);
+  if (!is_closed()) {
+    const double way = step * std::pow(4, same_side_count_ - 1);
+    return has_low_ ? std::min(high_.t, low_.t + way) : std::max(low_.t, high_.t - way);
   }
-  // Stuck on one side: where the tangents meet; otherwise regula falsi on the slope.
-  if (same_side_ > 1) return meeting();
+  // Repeatedly on one side: intersect the tangents; otherwise regula falsi on the slope.
+  if (same_side_count_ > 1) return intersection();
   return low_.t - low_.slope * (high_.t - low_.t) / (high_.slope - low_.slope);
 }
 

@@ -4,30 +4,30 @@
 
 namespace thenar {
 
-/// Balls without a point of the solid, about two points of a line.
+/// Empty balls about two points of a line, which hold no part of a solid.
 ///
-/// Outside a solid d(x)^2 - |x|^2 is the least of linear functions,  |s|^2 - 2 x.s  over its points
-/// s, hence concave: between two points it is nowhere less than in between, so that
+/// Outside a solid d(x)^2 - |x|^2 is the minimum of linear functions,  |s|^2 - 2 x.s  over its
+/// points s, hence concave. Between two points of a line therefore
 ///   d(t)^2 >= d_from^2 + s ((d_to^2 - d_from^2) / way + s - way),  s = t - from,  way = to - from.
-/// Of equal balls that is  d^2 - way^2 / 4  in the middle: a loss of  way^2 / 8 d  only, nearly.
+/// For equal balls this is  d^2 - way^2 / 4  in the middle: a loss of only about  way^2 / 8 d.
 struct BallPair {
-  double from, to;      // where on the line, from < to [m]
-  double d_from, d_to;  // distances of the solid from there, exact; > 0 [m]
+  double from, to;      // positions on the line, from < to [m]
+  double d_from, d_to;  // exact distances of the solid at these positions, > 0 [m]
 
-  /// Returns the place between `from` and `to` at which the bound is least [m].
-  [[nodiscard]] double narrowest() const;
+  /// Returns the position between `from` and `to` at which the bound is smallest [m].
+  [[nodiscard]] double narrowest_position() const;
 
-  /// Returns the bound at narrowest(): nothing of the solid is nearer to the segment [m]. It is
-  /// negative where the balls do not meet, and then the least value of distances that change by no
-  /// more than the way.
-  [[nodiscard]] double least() const;
+  /// Returns the bound at narrowest_position(): no point of the solid is nearer to the segment [m].
+  /// It is negative if the balls do not meet, and then follows from a distance that changes by at
+  /// most the distance moved.
+  [[nodiscard]] double min_bound() const;
 };
 
-// Least value of a convex function on an interval, bracketed from both sides.
+// Minimum of a convex function on an interval, bracketed from both sides.
 
-/// A convex function at one place.
+/// Value and slope of a convex function at one position.
 struct Tangent {
-  double t;      // where [m]
+  double t;      // position [m]
   double value;  // [m]
   double slope;  // [1]
 };
@@ -36,36 +36,38 @@ struct Tangent {
 /// below both tangents.
 class ConvexBracket {
  public:
-  /// Brackets the minimum on [low, high]. @param first  a tangent within
+  /// Brackets the minimum on [low, high]. @param first  a tangent in the interval
   ConvexBracket(double low, double high, const Tangent& first);
 
-  /// Adds another tangent, at next().
+  /// Adds a tangent at next_position().
   void add(const Tangent& tangent);
 
   /// Returns a lower bound of the function [m].
   [[nodiscard]] double lower() const;
 
-  /// Returns the next place to evaluate: where the slope vanishes if it changes evenly; where the
-  /// tangents meet if evaluations keep falling on the same side; while only one side is known, a
-  /// step that grows, up to the end of the interval.
-  /// @param step  way to go while there is but one side, a guess > 0 [m]
-  [[nodiscard]] double next(double step) const;
+  /// Returns the position of the next evaluation: where the slope vanishes if it changes linearly;
+  /// where the tangents intersect if evaluations keep falling on the same side; while only one side
+  /// is known, a growing step, up to the end of the interval.
+  /// @param step  step while only one side is known, > 0 [m]
+  [[nodiscard]] double next_position(double step) const;
 
  private:
-  [[nodiscard]] bool closed() const { return seen_low_ && seen_high_; }
-  [[nodiscard]] double meeting() const;
+  [[nodiscard]] bool is_closed() const { return has_low_ && has_high_; }
+  [[nodiscard]] double intersection() const;
 
-  Tangent low_, high_;  // the function falls at low, rises at high; those not seen are ends
-  bool seen_low_ = false, seen_high_ = false;
-  int same_side_ = 0;  // how often in turn the side of the last one
-  bool last_low_ = false;
+  Tangent low_,
+      high_;  // the function falls at low_ and rises at high_; without a tangent: the ends
+  bool has_low_ = false, has_high_ = false;
+  int same_side_count_ = 0;    // consecutive tangents on the side of the last one
+  bool last_was_low_ = false;  // side of the last tangent
 };
 
-/// Finds the place in [0, 1] at which a convex function is least, to `tolerance` of its value, by
-/// tangents from both sides.
-/// @param tangent  its value and slope at a place, as a Tangent
+/// Finds the position in [0, 1] of the minimum of a convex function, to `tolerance` of its value,
+/// by tangents from both sides.
+/// @param tangent  function that returns the Tangent at a position
 template <typename Function>
-[[nodiscard]] double least_place(const Function& tangent, double tolerance) {
+[[nodiscard]] double minimum_position(const Function& tangent, double tolerance) {
+  constexpr int kMaxTangents = 60;  // maximum number of tangents
   Tangent best = tangent(0.0);
   if (best.slope >= 0) return 0;
   const Tangent high = tangent(1.0);
@@ -73,8 +75,8 @@ template <typename Function>
   ConvexBracket bracket(0, 1, best);
   bracket.add(high);
   if (high.value < best.value) best = high;
-  for (int i = 0; i < 60 && best.value - bracket.lower() >= tolerance; ++i) {
-    const Tangent next = tangent(bracket.next(0.5));
+  for (int i = 0; i < kMaxTangents && best.value - bracket.lower() >= tolerance; ++i) {
+    const Tangent next = tangent(bracket.next_position(0.5));
     if (next.value < best.value) best = next;
     if (next.slope == 0) break;
     bracket.add(next);

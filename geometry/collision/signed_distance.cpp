@@ -18,39 +18,39 @@ using internal::kEverywhere;
 using internal::kNoBound;
 using Piece = internal::TrianglePiece;
 
-/// Something still to be searched: a node of the tree, or a piece.
+/// An entry of the search queue: a node of the tree, or a piece.
 struct Candidate {
-  double bound;  // nothing in it is nearer [m]
-  int node;      // -1: it is a piece
+  double bound;  // lower bound of its distance [m]
+  int node;      // node of the tree; -1: a piece
   int piece;
 };
 
-bool farther(const Candidate& x, const Candidate& y) { return x.bound > y.bound; }
+bool is_farther(const Candidate& x, const Candidate& y) { return x.bound > y.bound; }
 
-/// Finds the triangle with the corner least far along n, which is in A's frame.
+/// Finds the triangle with the lowest corner along n, given in A's frame.
 int lowest_triangle(const CollisionTree& a, const Eigen::Vector3d& n) {
-  double least = kInfinity;
+  double lowest = kInfinity;
   int best = 0;
   std::vector<int> nodes{0};
   while (!nodes.empty()) {
     const CollisionNode& node = a.nodes[static_cast<std::size_t>(nodes.back())];
     nodes.pop_back();
-    if (n.dot(node.ball.c) - node.ball.r >= least) continue;
-    // Inner nodes: both children.
+    if (n.dot(node.ball.c) - node.ball.r >= lowest) continue;
+    // Inner nodes add their children.
     if (node.triangle < 0) {
       nodes.push_back(node.left);
       nodes.push_back(node.right);
       continue;
     }
-    // The triangle's lowest corner.
+    // A leaf has the lowest corner of its triangle.
     const SweptTriangle& t = a.triangles[static_cast<std::size_t>(node.triangle)];
     const double low = (n.transpose() * t.corners).minCoeff() - t.radius;
-    if (low < least) least = low, best = node.triangle;
+    if (low < lowest) lowest = low, best = node.triangle;
   }
   return best;
 }
 
-/// Returns a lower bound of the distance of a piece, from the distance at its middle [m].
+/// Returns a lower bound of the distance of a piece, from the distance at its centre [m].
 double bound_of(const Piece& piece) {
   const NearestSurface& seen = piece.seen;
   const double by_ball = seen.distance - piece.ball.r - piece.radius;
@@ -62,11 +62,11 @@ double bound_of(const Piece& piece) {
 
 /// Branch and bound in B's frame, lowest bound first.
 ///
-/// A triangle is bounded twice: by the ball around it, and by the ball about a point lifted off B,
-/// through the triangle's corners, whose surface is nearly flat there. Flat faces that lie on each
-/// other are settled by the second without being divided. The core of a capsule is searched along
-/// itself: beside a convex solid between supporting planes (ConvexBracket), beside other solids
-/// between balls without a point of the solid (BallPair).
+/// A triangle is bounded twice: by its bounding ball, and by a ball about a point lifted off B,
+/// through the triangle's corners, whose surface is nearly flat there. The second bound is sharp
+/// for flat faces that lie on each other, which are then not divided. The core of a capsule is
+/// searched along its axis: beside a convex solid between supporting planes (ConvexBracket), beside
+/// other solids between empty balls (BallPair).
 class DistanceSearch {
  public:
   DistanceSearch(const CollisionTree& a, const Pose<double>& X_BA, const Shape& b,
@@ -74,30 +74,31 @@ class DistanceSearch {
       : a_(a), X_BA_(X_BA), options_(std::move(options)), record_(b, options_) {}
 
   SignedDistance run() {
-    // A triangle of a near pose is a good start.
+    // The triangle of a similar pose is a good start.
     if (options_.start >= 0 && options_.start < static_cast<int>(a_.triangles.size()))
       descend(whole(options_.start));
-    // Bound of the root; only near pairs are worth a guess.
+    // Bound the root, and try a first guess if the bodies are near.
     const Ball root = posed(a_.nodes.front());
     const bool single = a_.nodes.front().triangle >= 0;
     const NearestSurface seen =
-        single ? whole(a_.nodes.front().triangle).seen : record_.see(root.c);
+        single ? whole(a_.nodes.front().triangle).seen : record_.nearest_surface(root.c);
     const double bound = seen.distance - root.r;
-    if (bound <= options_.cutoff && bound < record_.enough() && options_.within.r >= kEverywhere)
+    if (bound <= options_.cutoff && bound < record_.sufficient_bound() &&
+        options_.within.r >= kEverywhere)
       guess(seen.normal);
     if (single)
       add_node(0, bound);
     else
       push({bound, 0, -1});
-    // Lowest bound first, until no candidate can be better by more than the tolerance.
-    while (!heap_.empty() && heap_.front().bound < record_.enough() &&
-           heap_.front().bound <= options_.cutoff && !record_.is_spent())
+    // Expand the lowest bound, until no candidate can be better by more than the tolerance.
+    while (!heap_.empty() && heap_.front().bound < record_.sufficient_bound() &&
+           heap_.front().bound <= options_.cutoff && !record_.is_exhausted())
       expand(pop());
     return result();
   }
 
  private:
-  [[nodiscard]] bool near(const Ball& ball) const {
+  [[nodiscard]] bool is_in_region(const Ball& ball) const {
     return (ball.c - options_.within.c).norm() <= ball.r + options_.within.r;
   }
 
@@ -106,23 +107,23 @@ class DistanceSearch {
   }
 
   void push(const Candidate& candidate) {
-    if (candidate.bound >= record_.enough()) {
-      record_.drop(candidate.bound);
+    if (candidate.bound >= record_.sufficient_bound()) {
+      record_.skip(candidate.bound);
       return;
     }
     heap_.push_back(candidate);
-    std::push_heap(heap_.begin(), heap_.end(), farther);
+    std::push_heap(heap_.begin(), heap_.end(), is_farther);
   }
 
   Candidate pop() {
-    std::pop_heap(heap_.begin(), heap_.end(), farther);
+    std::pop_heap(heap_.begin(), heap_.end(), is_farther);
     const Candidate top = heap_.back();
     heap_.pop_back();
     return top;
   }
 
-  /// Moves to the triangle farthest down, as B is seen from the best point, until none is better.
-  /// Large empty balls there then exclude most other triangles at once.
+  /// Moves to the lowest triangle along the normal of the best point, until none is better. Large
+  /// empty balls there then exclude most other triangles.
   void guess(Eigen::Vector3d n) {
     for (int i = 0, last = -1; i < kGuesses; ++i) {
       const double before = record_.best().distance;
@@ -133,49 +134,51 @@ class DistanceSearch {
       n = record_.best().seen.normal;
       last = lowest;
     }
-    // Planes and segments have bounds of their own.
+    // Planes and segments have bounds of their own; otherwise add two empty balls.
     const internal::BestPoint& best = record_.best();
     if (best.seen.supports ||
         (a_.triangles.size() == 1 && is_segment(0) && internal::has_ball_bounds(record_)))
       return;
-    for (const double h : {3.0, 30.0})
-      record_.keep_ball_about(best.core + h * a_.nodes.front().ball.r * best.seen.normal);
+    for (const double lift : {3.0, 30.0})
+      record_.add_empty_ball(best.core + lift * a_.nodes.front().ball.r * best.seen.normal);
   }
 
   [[nodiscard]] Eigen::Matrix3d corners_of(int triangle) const {
     return (X_BA_.R * a_.triangles[triangle].corners).colwise() + X_BA_.p;
   }
 
+  /// Evaluates a whole triangle.
   Piece whole(int triangle) {
     return evaluated(corners_of(triangle), a_.triangles[triangle].radius, triangle);
   }
 
+  /// Evaluates the distance at the centre of a piece; the last piece is stored.
   Piece evaluated(const Eigen::Matrix3d& corners, double radius, int triangle) {
     if (triangle == last_.triangle && corners == last_.corners) return last_;
     Piece piece{corners, internal::smallest_ball(corners), {}, radius, triangle};
-    piece.seen = record_.see(piece.ball.c);
-    record_.offer(piece.ball.c, piece.seen, piece);
+    piece.seen = record_.nearest_surface(piece.ball.c);
+    record_.update_best(piece.ball.c, piece.seen, piece);
     last_ = piece;
     return piece;
   }
 
-  /// Queues a triangle or a part of one.
+  /// Adds a triangle or a part of one to the queue.
   void add_piece(const Eigen::Matrix3d& corners, double radius, int triangle, double parent) {
-    // What is known to be empty may rule it out.
-    const double bound = std::max(parent, record_.empty().bound(corners, radius));
-    if (bound >= record_.enough()) {
-      record_.drop(bound);
+    // Known empty space may exclude it.
+    const double bound = std::max(parent, record_.empty_space().bound(corners, radius));
+    if (bound >= record_.sufficient_bound()) {
+      record_.skip(bound);
       return;
     }
-    // Look at its middle.
+    // Evaluate the distance at its centre.
     const Piece piece = evaluated(corners, radius, triangle);
     const double seen = std::max(bound, bound_of(piece));
-    // Segments have sharper bounds of their own.
+    // Segments have sharper bounds.
     if (is_segment(triangle)) {
       const double lower = piece.seen.supports ? internal::bound_by_planes(piece, record_)
                                                : internal::bound_by_balls(piece, record_);
       if (lower > kNoBound) {
-        record_.drop(std::max(seen, lower));
+        record_.skip(std::max(seen, lower));
         return;
       }
     }
@@ -187,81 +190,85 @@ class DistanceSearch {
     return a_.triangles[static_cast<std::size_t>(triangle)].n.isZero(0);
   }
 
+  /// Adds a node of the tree to the queue.
   void add_node(int index, double parent) {
-    // Outside of the region that counts.
+    // Exclude nodes outside of the searched region.
     const CollisionNode& node = a_.nodes[index];
     const Ball ball = posed(node);
-    if (!near(ball)) return;
+    if (!is_in_region(ball)) return;
     // A leaf is a triangle.
     if (node.triangle >= 0) {
       const double radius = a_.triangles[node.triangle].radius;
       return add_piece(corners_of(node.triangle), radius, node.triangle, parent);
     }
-    // A node's ball, against empty space and against B.
-    double bound = std::max(parent, record_.empty().bound(ball));
-    if (bound < record_.enough())
-      bound = std::max(bound, (record_.empty().has_planes() ? record_.see(ball.c).distance
-                                                            : record_.distance(ball.c)) -
-                                  ball.r);
+    // Bound the node's ball by empty space, then by its distance from B.
+    double bound = std::max(parent, record_.empty_space().bound(ball));
+    if (bound < record_.sufficient_bound())
+      bound = std::max(
+          bound, (record_.empty_space().has_planes() ? record_.nearest_surface(ball.c).distance
+                                                     : record_.distance(ball.c)) -
+                     ball.r);
     push({bound, index, -1});
   }
 
+  /// Replaces a node by its children, or a piece by its halves.
   void expand(const Candidate& candidate) {
-    // A node: both children.
     if (candidate.node >= 0) {
       const CollisionNode& node = a_.nodes[candidate.node];
       add_node(node.left, candidate.bound);
       add_node(node.right, candidate.bound);
       return;
     }
-    // A piece: look for better points, then sharpen its bound, then halve it.
+    // Search for better points in a piece, then sharpen its bound, then halve it.
     const Piece piece = pieces_[candidate.piece];
     descend(piece);
     const double bound =
-        std::max({candidate.bound, record_.empty().bound(piece.corners, piece.radius),
-                  piece.seen.supports ? kNoBound : record_.look_lifted(piece)});
-    if (bound >= record_.enough())
-      record_.drop(bound);
+        std::max({candidate.bound, record_.empty_space().bound(piece.corners, piece.radius),
+                  piece.seen.supports ? kNoBound : record_.bound_by_lifted_ball(piece)});
+    if (bound >= record_.sufficient_bound())
+      record_.skip(bound);
     else
       halve(piece, bound);
   }
 
-  /// Looks for better points: the corner farthest down, and the point nearest to B's, alternately.
+  /// Searches for better points: the lowest corner, then the points nearest to each other,
+  /// alternately.
   void descend(const Piece& piece) {
-    // The corner that B's plane sees lowest.
+    // The lowest corner above B's plane.
     Eigen::Index lowest = 0;
     const double rise = (piece.seen.normal.transpose() * (piece.corners.colwise() - piece.ball.c))
                             .minCoeff(&lowest);
-    if (piece.seen.distance + rise - piece.radius >= record_.enough() &&
+    if (piece.seen.distance + rise - piece.radius >= record_.sufficient_bound() &&
         record_.best().distance < kInfinity && record_.best().triangle != piece.triangle)
-      return;  // seen as flat, it has no better point
+      return;  // flat, as far as known: there is no better point
     const Eigen::Vector3d corner = piece.corners.col(lowest);
-    record_.offer(corner, record_.see(corner), piece);
+    record_.update_best(corner, record_.nearest_surface(corner), piece);
 
     // Alternate between the nearest points of the two.
     Eigen::Vector3d on_b = piece.ball.c - piece.seen.distance * piece.seen.normal;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < kAlternations; ++i) {
       const double before = record_.best().distance;
       const Eigen::Vector3d p = internal::nearest_in_triangle(piece.corners, on_b);
-      const NearestSurface there = record_.see(p);
-      record_.offer(p, there, piece);
+      const NearestSurface there = record_.nearest_surface(p);
+      record_.update_best(p, there, piece);
       if (!(record_.best().distance < before - options_.tolerance)) return;
       on_b = p - there.distance * there.normal;
     }
   }
 
   void halve(const Piece& piece, double bound) {
-    for (const Eigen::Matrix3d& half : internal::halves(piece.corners))
-      if (near(internal::smallest_ball(half))) add_piece(half, piece.radius, piece.triangle, bound);
+    for (const Eigen::Matrix3d& half : internal::bisect_triangle(piece.corners))
+      if (is_in_region(internal::smallest_ball(half)))
+        add_piece(half, piece.radius, piece.triangle, bound);
   }
 
   /// Returns the result in B's frame.
   SignedDistance result() {
-    // The lowest bound that is left tells the error.
+    // The lowest remaining bound determines the error.
     const internal::BestPoint& best = record_.best();
-    if (best.triangle < 0) whole(0);  // beyond the cutoff before any triangle was seen
+    if (best.triangle < 0) whole(0);  // the cutoff was reached before any triangle was evaluated
     const double below = heap_.empty() ? kInfinity : heap_.front().bound;
-    const double lower = std::min({below, record_.dropped(), best.distance});
+    const double lower = std::min({below, record_.skipped_bound(), best.distance});
     SignedDistance s{
         best.distance,
         best.distance - lower + record_.shape().accuracy() + kRounding * best.core.norm(),
@@ -274,20 +281,21 @@ class DistanceSearch {
     return s;
   }
 
-  static constexpr int kGuesses = 4;          // Most triangles tried as a first guess
-  static constexpr double kRounding = 1e-14;  // Rounding of a distance, over the coordinates [1]
+  static constexpr int kGuesses = 4;          // maximum number of triangles of a first guess
+  static constexpr int kAlternations = 3;     // maximum steps between nearest points of a piece
+  static constexpr double kRounding = 1e-14;  // rounding error of a distance over coordinates [1]
 
   const CollisionTree& a_;
   const Pose<double> X_BA_;
   const SignedDistanceOptions options_;
-  DistanceRecord record_;  // of looks at B
+  DistanceRecord record_;  // evaluations of B
   std::vector<Candidate> heap_;
   std::vector<Piece> pieces_;
-  Piece last_{{}, {}, {}, 0, -1};  // that was evaluated
+  Piece last_{{}, {}, {}, 0, -1};  // last evaluated piece
 };
 
-/// Turns a result in B's frame to world.
-SignedDistance turned(const Pose<double>& X_WB, SignedDistance s) {
+/// Transforms a result from B's frame to world.
+SignedDistance to_world(const Pose<double>& X_WB, SignedDistance s) {
   s.on_a = X_WB * s.on_a;
   s.on_b = X_WB * s.on_b;
   s.normal = X_WB.R * s.normal;
@@ -308,7 +316,7 @@ SignedDistance signed_distance(const CollisionTree& a, const Pose<double>& X_BA,
 SignedDistance signed_distance(const CollisionTree& a, const Pose<double>& X_WA, const Solid& b,
                                const Pose<double>& X_WB, const SignedDistanceOptions& options) {
   require(b.shape != nullptr, "a solid without a {} has no distance", "shape");
-  return turned(X_WB, signed_distance(a, X_WB.inverse() * X_WA, *b.shape, options));
+  return to_world(X_WB, signed_distance(a, X_WB.inverse() * X_WA, *b.shape, options));
 }
 
 SignedDistance signed_distance(const Solid& a, const Pose<double>& X_WA, const Solid& b,

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The hull of two balls: spheres, capsules and tapered capsules, and what is nearest to them.
+/// Hull of two balls: spheres, capsules and tapered capsules, and points nearest to them.
 
 #include <Eigen/Core>
 
@@ -10,36 +10,36 @@
 
 namespace thenar::internal {
 
-/// The hull of two balls, somewhere. Its balls are numbered by t in [0, 1] along the axis.
+/// Hull of two balls in a given frame. Its balls are parametrized by t in [0, 1] along the axis.
 struct BallHull {
-  Eigen::Vector3d p0, way;  // centre of the lower ball, and from there to the upper one [m] (3)
-  double r0, grow;          // radius of the lower ball, and by how much the upper one is larger [m]
-  double length;            // of the way [m]
+  Eigen::Vector3d p0,
+      axis;  // centre of the lower ball, and vector to that of the upper one [m] (3)
+  double r0, radius_increase;  // radius of the lower ball, and how much larger the upper one is [m]
+  double length;               // length of the axis [m]
 
   /// @param part  of form kRound, placed by X
   BallHull(const CollisionPart& part, const Pose<double>& X);
-  /// A segment, or a point, without radius.
+  /// Builds a segment, or a point, without radius.
   BallHull(const Eigen::Vector3d& from, const Eigen::Vector3d& to_other);
 
-  [[nodiscard]] Eigen::Vector3d at(double t) const { return p0 + t * way; }
-  [[nodiscard]] double radius(double t) const { return r0 + t * grow; }
+  [[nodiscard]] Eigen::Vector3d centre(double t) const { return p0 + t * axis; }
+  [[nodiscard]] double radius(double t) const { return r0 + t * radius_increase; }
 
-  /// Returns the place on the axis of the ball nearest to a point, as if the axis were endless.
-  [[nodiscard]] double foot(const Eigen::Vector3d& q) const;
+  /// Returns the parameter of the ball nearest to a point, on the infinite axis.
+  [[nodiscard]] double nearest_parameter(const Eigen::Vector3d& q) const;
 };
 
-/// The nearest balls of two hulls: those of the axes, and where radii change, one after the other
-/// from there.
-[[nodiscard]] SegmentPlaces nearest_balls(const BallHull& a, const BallHull& b);
+/// Finds the nearest balls of two hulls: those nearest on the axes and, where radii change, by
+/// alternating steps from there.
+[[nodiscard]] SegmentParameters nearest_balls(const BallHull& a, const BallHull& b);
 
-/// Features of a ball on the axis, for FeatureKind: the lower end, the upper end, or between.
+/// Features of a ball on the axis, for FeatureKind: the lower end, the upper end, or in between.
 inline constexpr int kEndLower = 0, kEndUpper = 1, kBetween = 2;
-[[nodiscard]] inline int feature_at(double t) {
+[[nodiscard]] inline int axis_feature(double t) {
   return t <= 0 ? kEndLower : t >= 1 ? kEndUpper : kBetween;
 }
 
-/// The contact of the ball at t with the surface of a shape that is nearest to its centre, without
-/// a feature.
+/// Returns the contact of the ball at t with the nearest surface of a shape, without a feature.
 [[nodiscard]] ManifoldPoint ball_on_shape(const BallHull& a, const Shape& b, double t);
 
 }  // namespace thenar::internal

@@ -22,16 +22,25 @@ struct BoxPair {
 /// A direction that may separate the boxes.
 struct BoxAxis {
   Vector3d n{0, 0, 1};                                    // unit, from B to A (3)
-  double gap = -std::numeric_limits<double>::infinity();  // along n [m]
-  int index = -1;  // 0-2: faces of B, 3-5: of A, 6-14: edges of B across edges of A
+  double gap = -std::numeric_limits<double>::infinity();  // gap of the boxes along n [m]
+  int index = -1;  // 0-2: faces of B, 3-5: faces of A, 6-14: edges of B across edges of A
 };
 
+// Sine of the angle between edges below which they are parallel [1]
+constexpr double kParallelEdges = 1e-7;
+// Gaps by which faces of A, and crossing edges, must exceed the best one before them [m]
+constexpr double kFacePreference = 1e-12, kEdgePreference = 1e-9;
+// Depth by which another direction must be better than the last: absolute [m], relative [1]
+constexpr double kKeepDepth = 1e-5, kKeepRatio = 0.02;
+
+/// Returns half the extent of a box along a direction [m].
 double extent(const Vector3d& half, const Vector3d& n) { return half.dot(n.cwiseAbs()); }
 
 double gap_along(const BoxPair& boxes, const Vector3d& n) {
   return n.dot(boxes.c) - extent(boxes.hb, n) - extent(boxes.ha, boxes.R.transpose() * n);
 }
 
+/// Returns the direction of an index, with its gap; no gap for parallel edges.
 BoxAxis axis_of(const BoxPair& boxes, int index) {
   Vector3d n;
   if (index < 3) {
@@ -41,19 +50,19 @@ BoxAxis axis_of(const BoxPair& boxes, int index) {
   } else {
     n = Vector3d::Unit((index - 6) / 3).cross(boxes.R.col((index - 6) % 3));
     const double sine = n.norm();
-    if (sine < 1e-7) return {};  // parallel edges: their faces tell
+    if (sine < kParallelEdges) return {};  // faces separate parallel edges
     n /= sine;
   }
   if (n.dot(boxes.c) < 0) n = -n;
   return {n, gap_along(boxes, n), index};
 }
 
-/// The direction along which the gap is largest, or the depth least.
+/// Finds the direction with the largest gap, or the smallest depth.
 BoxAxis best_axis(const BoxPair& boxes, int last) {
   BoxAxis best;
   const Matrix3d share = boxes.R.cwiseAbs();
   const Vector3d in_a = boxes.R.transpose() * boxes.c;
-  // Faces of B, faces of A, then edges, which must be better by more than rounding.
+  // Faces of B, faces of A, then edges, which must be better by more than rounding errors.
   const Vector3d of_b = boxes.c.cwiseAbs() - boxes.hb - share * boxes.ha;
   const Vector3d of_a = in_a.cwiseAbs() - boxes.ha - share.transpose() * boxes.hb;
   int index = -1;
@@ -61,23 +70,23 @@ BoxAxis best_axis(const BoxPair& boxes, int last) {
   for (int k = 0; k < 3; ++k)
     if (of_b(k) > gap) gap = of_b(k), index = k;
   for (int k = 0; k < 3; ++k)
-    if (of_a(k) > gap + 1e-12) gap = of_a(k), index = 3 + k;
+    if (of_a(k) > gap + kFacePreference) gap = of_a(k), index = 3 + k;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
       const double sine = std::sqrt(
           std::max(0.0, boxes.R(i1, j) * boxes.R(i1, j) + boxes.R(i2, j) * boxes.R(i2, j)));
-      if (sine < 1e-7) continue;
+      if (sine < kParallelEdges) continue;
       const double reach = boxes.hb(i1) * share(i2, j) + boxes.hb(i2) * share(i1, j) +
                            boxes.ha(j1) * share(i, j2) + boxes.ha(j2) * share(i, j1);
-      const double way = std::abs(boxes.c(i2) * boxes.R(i1, j) - boxes.c(i1) * boxes.R(i2, j));
-      const double edge_gap = (way - reach) / sine;
-      if (edge_gap > gap + 1e-9) gap = edge_gap, index = 6 + 3 * i + j;
+      const double offset = std::abs(boxes.c(i2) * boxes.R(i1, j) - boxes.c(i1) * boxes.R(i2, j));
+      const double edge_gap = (offset - reach) / sine;
+      if (edge_gap > gap + kEdgePreference) gap = edge_gap, index = 6 + 3 * i + j;
     }
-  // Overlapping boxes keep to their direction.
+  // Overlapping boxes keep their last direction, unless another is clearly better.
   if (gap < 0 && last >= 0 && last != index) {
     const BoxAxis kept = axis_of(boxes, last);
-    if (kept.gap > gap - 1e-5 + 0.02 * gap) return kept;
+    if (kept.gap > gap - kKeepDepth + kKeepRatio * gap) return kept;
   }
   best = axis_of(boxes, index);
   return best;
@@ -94,40 +103,42 @@ Vector3d corner_of(const Vector3d& half, int number) {
           number & 4 ? half.z() : -half.z()};
 }
 
-/// The edge between two neighbouring corners.
+/// Returns the number of the edge between two neighbouring corners.
 int edge_number(int corner, int other) {
   const int direction = (corner ^ other) == 1 ? 0 : (corner ^ other) == 2 ? 1 : 2;
   return 8 * direction + (corner & other);
 }
 
-/// Corners of the face across axis k on the side of `sign`, counterclockwise seen from outside.
+/// Returns the corners of the face across axis k, counterclockwise seen from outside.
 std::array<int, 4> face_corners(int k, bool positive) {
   const int u = 1 << (k + 1) % 3, v = 1 << (k + 2) % 3, base = positive ? 1 << k : 0;
   if (positive) return {base, base | u, base | u | v, base | v};
   return {base, base | v, base | u | v, base | u};
 }
 
-/// A corner of the polygon that is cut, with the line that leads from it to the next.
+/// A corner of the clipped polygon, with the line from it to the next.
 struct CutCorner {
   Vector3d p;  // [m] (3)
-  int line;    // 0-3: side of the cut face; 4-7: plane through a side of the cutting face
+  int line;    // 0-3: side of the clipped face; 4-7: plane through a side of the clipping face
 };
 
+/// Polygon of a face that is clipped.
 struct CutPolygon {
   std::array<CutCorner, 12> corners;
   int count = 0;
   void add(const Vector3d& p, int line) { corners[count++] = {p, line}; }
 };
 
-/// Keeps the part of a polygon with  n.x <= offset.
-CutPolygon cut(const CutPolygon& polygon, const Vector3d& n, double offset, int line) {
+/// Returns the part of a polygon with  n.x <= offset.
+CutPolygon clip(const CutPolygon& polygon, const Vector3d& n, double offset, int line) {
   CutPolygon kept;
   for (int i = 0; i < polygon.count; ++i) {
     const CutCorner& from = polygon.corners[i];
     const CutCorner& to = polygon.corners[(i + 1) % polygon.count];
     const double here = n.dot(from.p) - offset, there = n.dot(to.p) - offset;
     if (here <= 0) {
-      // Leaving: the corner, then the point on the plane, from which the plane leads on.
+      // Leaving the half-space: the corner, then the point on the plane, where the plane's line
+      // begins.
       kept.add(from.p, from.line);
       if (there > 0) kept.add(from.p + here / (here - there) * (to.p - from.p), line);
     } else if (there <= 0) {
@@ -137,7 +148,7 @@ CutPolygon cut(const CutPolygon& polygon, const Vector3d& n, double offset, int 
   return kept;
 }
 
-/// One box as the cutting or the cut one, in B's frame.
+/// A box in B's frame.
 struct PosedBox {
   Matrix3d R;
   Vector3d c, half;
@@ -148,9 +159,10 @@ struct PosedBox {
 struct BoxFace {
   int axis;
   bool positive;
-  double alignment;  // cosine of its normal with the direction asked for [1]
+  double alignment;  // cosine of its normal with the given direction [1]
 };
 
+/// Finds the face of a box whose normal is nearest to n.
 BoxFace face_along(const PosedBox& box, const Vector3d& n) {
   const Vector3d local = box.R.transpose() * n;
   Eigen::Index axis;
@@ -158,7 +170,7 @@ BoxFace face_along(const PosedBox& box, const Vector3d& n) {
   return {static_cast<int>(axis), local(axis) > 0, alignment};
 }
 
-/// Cuts the face of one box with the sides of the face of the other.
+/// Clips the face of one box by the sides of a face of the other.
 class FaceCut {
  public:
   FaceCut(const PosedBox& cutting, const BoxFace& face, const PosedBox& box, const BoxFace& other)
@@ -167,7 +179,7 @@ class FaceCut {
     normal_ = (face.positive ? 1 : -1) * cutting.R.col(face.axis);
     offset_ = normal_.dot(cutting.c) + cutting.half(face.axis);
     for (int i = 0; i < 4; ++i) polygon_.add(box.corner(inner_[i]), i);
-    // The planes through the sides of the cutting face.
+    // Clip by the planes through the sides of the clipping face.
     for (int i = 0; i < 4 && polygon_.count > 0; ++i) {
       const int from = outer_[i], to = outer_[(i + 1) % 4];
       const int along = (from ^ to) == 1   ? 0
@@ -176,18 +188,18 @@ class FaceCut {
                 across = 3 - along - face.axis;
       const bool positive = (from >> across) & 1;
       const Vector3d n = (positive ? 1 : -1) * cutting.R.col(across);
-      polygon_ = cut(polygon_, n, n.dot(cutting.c) + cutting.half(across), 4 + i);
+      polygon_ = clip(polygon_, n, n.dot(cutting.c) + cutting.half(across), 4 + i);
     }
   }
 
   [[nodiscard]] int count() const { return polygon_.count; }
   [[nodiscard]] const Vector3d& at(int i) const { return polygon_.corners[i].p; }
   [[nodiscard]] const Vector3d& normal() const { return normal_; }
-  /// Height above the cutting face [m].
+  /// Returns the height of a corner above the clipping face [m].
   [[nodiscard]] double height(int i) const { return normal_.dot(at(i)) - offset_; }
 
   /// Returns the key of the features that meet in a corner of the polygon.
-  /// @param flipped  the cutting box is A
+  /// @param flipped  whether the clipping box is A
   [[nodiscard]] std::uint64_t feature(int i, bool flipped) const {
     const int before = polygon_.corners[(i + polygon_.count - 1) % polygon_.count].line;
     const int after = polygon_.corners[i].line;
@@ -196,11 +208,12 @@ class FaceCut {
       return feature_key(flipped ? FeatureKind::kVertexB : FeatureKind::kVertexA,
                          corner(inner_, after), 0);
     if (before >= 4 && after >= 4) {
-      // The corner that both sides share.
+      // Two clipping planes meet in the corner that both sides share.
       const int side = (before - 4 + 1) % 4 == after - 4 ? after - 4 : before - 4;
       return feature_key(flipped ? FeatureKind::kVertexA : FeatureKind::kVertexB,
                          corner(outer_, side), 0);
     }
+    // A side of the clipped face crosses a side of the clipping one.
     const int of_cut = std::min(before, after), of_cutting = std::max(before, after) - 4;
     const int inner = edge_number(corner(inner_, of_cut), corner(inner_, of_cut + 1));
     const int outer = edge_number(corner(outer_, of_cutting), corner(outer_, of_cutting + 1));
@@ -208,32 +221,32 @@ class FaceCut {
   }
 
  private:
-  std::array<int, 4> outer_, inner_;  // corners of the cutting and of the cut face
+  std::array<int, 4> outer_, inner_;  // corners of the clipping and of the clipped face
   Vector3d normal_;
   double offset_;
   CutPolygon polygon_;
 };
 
-constexpr double kCuttingCosine = 0.98;  // Least cosine to the normal of a face that cuts [1]
-// The reference face changes if the other's cosine is larger by this: at 0.01 rad [1]
-// Least difference of cosines that changes the reference face, 1 - cos 0.01 [1]
+constexpr double kMinClippingCosine = 0.98;  // cosine to the normal of a face that clips [1]
+// Difference of cosines from which the reference face changes, 1 - cos 0.01 [1]
 constexpr double kReferenceStep = 5e-5;
 
-/// The points by cutting faces; the least gap among them, infinite if there is none.
+/// Adds points by clipping faces. @return the smallest gap among them, infinite if there is none
+/// [m]
 double add_face_points(const PosedBox& a, const PosedBox& b, const BoxAxis& axis, double margin,
                        PartMemory& memory, std::vector<ManifoldPoint>& points) {
   const BoxFace on_b = face_along(b, axis.n), on_a = face_along(a, -axis.n);
-  // Which face cuts.
+  // Select the face that clips; the last one is kept unless the other is better aligned.
   double least = std::numeric_limits<double>::infinity();
   int reference = on_b.alignment >= on_a.alignment ? 1 : 0;
   if (memory.reference >= 0 && std::abs(on_b.alignment - on_a.alignment) < kReferenceStep)
     reference = memory.reference;
   memory.reference = reference;
   const bool flipped = reference == 0;
-  if ((flipped ? on_a : on_b).alignment < kCuttingCosine) return least;
+  if ((flipped ? on_a : on_b).alignment < kMinClippingCosine) return least;
   const FaceCut cut = flipped ? FaceCut(a, on_a, b, on_b) : FaceCut(b, on_b, a, on_a);
   for (int i = 0; i < cut.count(); ++i) {
-    // On the face that is cut, and below it on the one that cuts.
+    // One point is on the clipped face, the other below it on the clipping face.
     ManifoldPoint point;
     const Vector3d below = cut.at(i) - cut.height(i) * cut.normal();
     point.on_a = flipped ? below : cut.at(i);
@@ -248,18 +261,18 @@ double add_face_points(const PosedBox& a, const PosedBox& b, const BoxAxis& axis
   return least;
 }
 
-/// The corner of a box farthest along a direction.
+/// Returns the corner of a box farthest along a direction.
 int farthest_corner(const PosedBox& box, const Vector3d& n) {
   return corner_number(box.R.transpose() * n);
 }
 
-/// Finds the contact point where two edges cross, seen along n. The edges run through the corners
-/// farthest along n.
+/// Computes the contact point where two edges cross, seen along n. The edges pass through the
+/// corners farthest along n.
 ManifoldPoint edge_point(const PosedBox& a, const PosedBox& b, const BoxAxis& axis) {
   const int k = (axis.index - 6) / 3, j = (axis.index - 6) % 3;
   const int corner_a = farthest_corner(a, -axis.n), corner_b = farthest_corner(b, axis.n);
   const Vector3d u = a.R.col(j), w = b.R.col(k);
-  // Middles of both edges; then the points of their lines nearest to each other.
+  // Centres of both edges, then the nearest points of their lines.
   Vector3d la = corner_of(a.half, corner_a), lb = corner_of(b.half, corner_b);
   la(j) = lb(k) = 0;
   const Vector3d pa = a.R * la + a.c, pb = b.R * lb + b.c, r = pa - pb;
@@ -277,16 +290,17 @@ ManifoldPoint edge_point(const PosedBox& a, const PosedBox& b, const BoxAxis& ax
   return point;
 }
 
-constexpr double kDistanceMiss = 1e-7;  // Largest error of a nearest point in the distance [m]
+constexpr double kDistanceError = 1e-7;  // error of the distance of nearest points [m]
+constexpr double kGjkTolerance = 1e-10;  // tolerance of convex_distance() [m]
 
-/// The nearest points where no face or pair of edges has them.
+/// Finds the nearest points of two boxes.
 ConvexDistance nearest_points(const PosedBox& a, const PosedBox& b, const Vector3d& guess,
                               double enough) {
   return convex_distance(
       [&](const Vector3d& n) {
         return SupportPoints{a.corner(farthest_corner(a, -n)), b.corner(farthest_corner(b, n))};
       },
-      guess, 1e-10, enough);
+      guess, kGjkTolerance, enough);
 }
 
 }  // namespace
@@ -300,23 +314,23 @@ double box_on_box(const CollisionPart& part_a, const CollisionPart& part_b,
   memory.overlapped = axis.gap < 0;
   if (axis.gap > margin) return axis.gap;
 
-  // Points of faces, along the direction that separates.
+  // Points of faces, along the separating direction.
   const PosedBox a{X_BA.R, X_BA.p, part_a.half},
       b{Matrix3d::Identity(), Vector3d::Zero(), part_b.half};
   const std::size_t first = points.size();
   double least = add_face_points(a, b, axis, margin, memory, points);
-  if (least <= axis.gap + kDistanceMiss) return axis.gap;
-  // A crossing of edges.
+  if (least <= axis.gap + kDistanceError) return axis.gap;
+  // A crossing of edges, if it has the distance of that direction.
   if (axis.index >= 6) {
     const ManifoldPoint point = edge_point(a, b, axis);
-    if (std::abs((point.on_a - point.on_b).norm() - std::abs(axis.gap)) < kDistanceMiss) {
+    if (std::abs((point.on_a - point.on_b).norm() - std::abs(axis.gap)) < kDistanceError) {
       points.push_back(point);
       return axis.gap;
     }
   }
   if (axis.gap < 0) {
     if (points.size() > first) return axis.gap;
-    // Overlapping without a face between: the deepest corners along the direction.
+    // Overlap without a face in between: the deepest corner along the direction.
     ManifoldPoint point;
     point.on_a = a.corner(farthest_corner(a, -axis.n));
     point.on_b = point.on_a - axis.gap * axis.n;
@@ -326,7 +340,7 @@ double box_on_box(const CollisionPart& part_a, const CollisionPart& part_b,
     points.push_back(point);
     return axis.gap;
   }
-  // Apart, corner by corner or edge: the nearest points and faces along their direction.
+  // Apart with nearest points at a corner or edge: find them, and faces along their direction.
   const ConvexDistance near = nearest_points(a, b, axis.n, margin);
   if (near.n.isZero(0)) return axis.gap;
   points.resize(first);
@@ -334,10 +348,10 @@ double box_on_box(const CollisionPart& part_a, const CollisionPart& part_b,
   axis.n = near.n;
   axis.gap = near.distance;
   least = add_face_points(a, b, axis, margin, memory, points);
-  if (least <= near.distance + kDistanceMiss) return near.distance;
+  if (least <= near.distance + kDistanceError) return near.distance;
   ManifoldPoint point;
-  point.on_a = near.at.on_a;
-  point.on_b = near.at.on_b;
+  point.on_a = near.points.on_a;
+  point.on_b = near.points.on_b;
   point.normal = near.n;
   point.gap = near.distance;
   point.feature = feature_key(FeatureKind::kWitness, 0, 0);

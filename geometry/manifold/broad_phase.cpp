@@ -30,7 +30,7 @@ bool BroadPhase::excluded(int a, int b) const {
 const std::vector<BodyPair>& BroadPhase::update(const std::vector<Eigen::AlignedBox3d>& boxes) {
   require(boxes.size() == bodies_, "{} boxes for {} bodies", boxes.size(), bodies_);
   const auto box = [&](int i) -> const Eigen::AlignedBox3d& { return boxes[i]; };
-  // The axis along which centres vary most.
+  // Find the axis along which centres vary most.
   Eigen::Array3d sum = Eigen::Array3d::Zero(), squares = sum;
   for (std::size_t i = 0; i < bodies_; ++i) {
     require(!boxes[i].isEmpty() && boxes[i].min().allFinite() && boxes[i].max().allFinite(),
@@ -41,7 +41,7 @@ const std::vector<BodyPair>& BroadPhase::update(const std::vector<Eigen::Aligned
   }
   Eigen::Index axis = 0;
   if (bodies_ > 0) (squares - sum.square() / static_cast<double>(bodies_)).maxCoeff(&axis);
-  // Insertion sort: nearly in order already; equals by number.
+  // Insertion sort, as the order has hardly changed; ties by number.
   const auto before = [&](int i, int j) {
     const double low_i = box(i).min()(axis), low_j = box(j).min()(axis);
     return low_i != low_j ? low_i < low_j : i < j;
@@ -52,7 +52,7 @@ const std::vector<BodyPair>& BroadPhase::update(const std::vector<Eigen::Aligned
     for (; at > 0 && before(moving, order_[at - 1]); --at) order_[at] = order_[at - 1];
     order_[at] = moving;
   }
-  // Compare while ranges overlap.
+  // Compare boxes while their ranges overlap.
   pairs_.clear();
   for (std::size_t k = 0; k < bodies_; ++k)
     for (std::size_t m = k + 1; m < bodies_; ++m) {

@@ -16,7 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Two balls in the part's frame; where one holds the other, it is all there is.
+/// Builds the hull of two balls in the part's frame; a ball that contains the other is the whole
+/// part.
 CollisionPart round_part(double lower, double upper, double length) {
   CollisionPart part;
   part.form = PartForm::kRound;
@@ -40,7 +41,7 @@ TriangleMesh moved_mesh(TriangleMesh mesh, const Pose<double>& X) {
   return mesh;
 }
 
-/// A primitive by its sizes. @param core  its tessellated surface, in the body's frame
+/// Builds a primitive by its sizes. @param core  its tessellated surface, in the body's frame
 CollisionPart primitive_part(const SolidPart& given, const TriangleMesh& core) {
   const ShapeSpec& spec = given.spec;
   const Vector3d& size = spec.size;
@@ -84,12 +85,12 @@ CollisionPart primitive_part(const SolidPart& given, const TriangleMesh& core) {
   return part;
 }
 
-/// A ball or a capsule, if that is what a collision surface without a spec is.
+/// Builds a ball or a capsule from a collision surface without a spec.
 CollisionPart swept_part(const RoundedMesh& swept) {
   const Eigen::Matrix3Xd& v = swept.core.vertices;
   require(swept.core.triangles.cols() == 1, "a rounded surface of {} triangles is no primitive",
           swept.core.triangles.cols());
-  // The two corners farthest apart; the third must be one of them.
+  // The two corners farthest apart are the ends; the third must be one of them.
   const Eigen::Vector3i t = swept.core.triangles.col(0);
   const Vector3d from = v.col(t(0)), to = v.col(t(1)) == from ? v.col(t(2)) : v.col(t(1));
   require(v.col(t(2)) == from || v.col(t(2)) == to, "a rounded triangle is no primitive");
@@ -104,7 +105,7 @@ CollisionPart swept_part(const RoundedMesh& swept) {
   return part;
 }
 
-/// CollisionBody::thickness.
+/// Computes CollisionBody::thickness.
 double thickness_of(const Solid& solid, const std::vector<CollisionPart>& parts) {
   double least = std::numeric_limits<double>::infinity();
   for (const CollisionPart& part : parts) {
@@ -134,7 +135,7 @@ std::shared_ptr<const CollisionBody> collision_body(const Solid& solid) {
   require(!solid.collision.empty(), "a solid without a collision surface touches nothing");
   const bool known = solid.parts.size() == solid.collision.size();
   auto body = std::make_shared<CollisionBody>();
-  // Primitives one by one; meshes all together.
+  // Primitives are parts of their own; all meshes form one part.
   std::vector<TriangleMesh> meshes;
   std::vector<std::shared_ptr<const Shape>> shapes;
   for (std::size_t i = 0; i < solid.collision.size(); ++i) {
@@ -159,11 +160,11 @@ std::shared_ptr<const CollisionBody> collision_body(const Solid& solid) {
     body->parts.push_back(std::move(part));
   }
   body->thickness = thickness_of(solid, body->parts);
-  // Around all.
+  // Bounding box and ball of all parts.
   for (const CollisionPart& part : body->parts) {
     const Vector3d c = part.X_BP * part.ball.c;
     Eigen::AlignedBox3d box(c.array() - part.ball.r, c.array() + part.ball.r);
-    // Sharper where the shape tells.
+    // The shape's own bounds may be smaller.
     const Eigen::AlignedBox3d own = place(part.shape, part.X_BP)->bounds();
     box = box.intersection(own);
     body->box.extend(box);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A solid as contacts in motion see it: primitives by their sizes, all else by its triangles.
+/// Collision geometry of a body in motion: primitives by their sizes, everything else by triangles.
 
 #include <array>
 #include <memory>
@@ -28,34 +28,37 @@ enum class PartForm {
 /// One convex primitive, or all meshes of a body.
 struct CollisionPart {
   PartForm form = PartForm::kRound;
-  Pose<double> X_BP{};  // the part's frame in the body's
-  Ball ball{};          // holds the part, in its frame
+  Pose<double> X_BP{};  // frame of the part in the frame of the body
+  Ball ball{};          // bounding ball of the part, in its frame
 
   // Sizes, in the part's frame, about its origin.
-  double half_length = 0;          // of kRound: balls stand at z = -half_length, +half_length [m]
-  std::array<double, 2> radius{};  // of kRound: of the lower and the upper ball [m]
-  Eigen::Vector3d half{0, 0, 0};   // of kBox, kCylinder (r, r, height / 2), kSmooth [m] (3)
-  bool is_ellipsoid = false;       // of kSmooth; false: a superellipsoid
+  double half_length = 0;  // kRound: the balls are centred at z = -half_length and +half_length [m]
+  std::array<double, 2> radius{};  // kRound: radii of the lower and the upper ball [m]
+  Eigen::Vector3d half{0, 0,
+                       0};    // half sizes of kBox, kCylinder (r, r, height / 2), kSmooth [m] (3)
+  bool is_ellipsoid = false;  // kSmooth: an ellipsoid; false: a superellipsoid
 
-  std::shared_ptr<const Shape> shape;            // distance, in the part's frame
-  std::shared_ptr<const Polyhedron> polyhedron;  // all but kRound: its surface, perhaps tessellated
+  std::shared_ptr<const Shape> shape;  // distance, in the frame of the part
+  /// Surface of all forms but kRound, tessellated if curved.
+  std::shared_ptr<const Polyhedron> polyhedron;
 };
 
-/// A body as contacts see it, in the frame of its solid; constant once built.
+/// Collision geometry of a body, in the frame of its solid; constant after construction.
 struct CollisionBody {
   std::vector<CollisionPart> parts;
-  Eigen::AlignedBox3d box;  // holds all parts [m]
-  Ball ball;                // the same
-  double thickness = 0;     // what moves less goes through no part: the least extent of primitives,
-                            // and twice volume over area of every surface of triangles [m]
+  Eigen::AlignedBox3d box;  // bounding box of all parts [m]
+  Ball ball;                // bounding ball of all parts
+  double thickness = 0;  // motion below which nothing passes through a part: the minimum extent of
+                         // primitives, and twice volume over area of every surface of triangles [m]
 };
 
-/// Builds it from a solid with `parts`, as build_solid() makes it. A solid without them is taken
-/// for polyhedra, or for balls and capsules where its collision surfaces are points or segments.
+/// Builds the collision geometry of a solid with `parts`, from build_solid(). A solid without them
+/// is treated as polyhedra, or as balls and capsules if its collision surfaces are points or
+/// segments.
 /// @throws InputError if the solid has no shape or no collision surface, or a rounded triangle.
 [[nodiscard]] std::shared_ptr<const CollisionBody> collision_body(const Solid& solid);
 
-/// A box around a body at a pose, grown by a margin on all sides [m].
+/// Returns a bounding box of a body at a pose, enlarged by a margin on all sides [m].
 [[nodiscard]] Eigen::AlignedBox3d world_box(const CollisionBody& body, const Pose<double>& X_WB,
                                             double margin);
 

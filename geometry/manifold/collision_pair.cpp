@@ -17,11 +17,11 @@ CollisionPair::CollisionPair(std::shared_ptr<const CollisionBody> a,
   candidates_.reserve(64);
 }
 
-void CollisionPair::forget() {
+void CollisionPair::clear_memory() {
   for (PartPair& pair : parts_) pair.memory = {};
-  memory_.forget();
+  memory_.clear();
   manifold_.count = 0;
-  seen_ = false;
+  is_updated_ = false;
 }
 
 const ContactManifold& CollisionPair::update(const Pose<double>& X_WA, const Pose<double>& X_WB,
@@ -34,20 +34,20 @@ const ContactManifold& CollisionPair::update(const Pose<double>& X_WA, const Pos
   candidates_.clear();
   bound_ = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    // Skipped while the bound exceeds the motion since then.
+    // Skip the pair while its bound exceeds the motion since the last query.
     PartPair& pair = parts_[i];
     PartMemory& memory = pair.memory;
     const CollisionPart& a = a_->parts[pair.a];
     const CollisionPart& b = b_->parts[pair.b];
     const Pose<double> X = b.X_BP.inverse() * X_BA * a.X_BP;
-    if (memory.seen) {
-      const double left = memory.bound - motion_bound(a.ball, b.ball, memory.X_BA, X);
-      if (left > margin) {
-        bound_ = std::min(bound_, left);
+    if (memory.is_known) {
+      const double remaining = memory.bound - motion_bound(a.ball, b.ball, memory.X_BA, X);
+      if (remaining > margin) {
+        bound_ = std::min(bound_, remaining);
         continue;
       }
     }
-    // Balls first, then the parts themselves.
+    // Bounding balls first, then the parts.
     const std::size_t first = candidates_.size();
     memory.bound = (X * a.ball.c - b.ball.c).norm() - a.ball.r - b.ball.r;
     if (memory.bound <= margin)
@@ -55,9 +55,9 @@ const ContactManifold& CollisionPair::update(const Pose<double>& X_WA, const Pos
     else
       memory.overlapped = false;
     memory.X_BA = X;
-    memory.seen = true;
+    memory.is_known = true;
     bound_ = std::min(bound_, memory.bound);
-    // To world, named by the pair of parts.
+    // Transform to world, and add the pair of parts to the key.
     const Pose<double> X_WP = X_WB * b.X_BP;
     for (std::size_t k = first; k < candidates_.size(); ++k) {
       ManifoldPoint& point = candidates_[k];
@@ -67,11 +67,11 @@ const ContactManifold& CollisionPair::update(const Pose<double>& X_WA, const Pos
       point.feature |= static_cast<std::uint64_t>(i % 4096) << 52U;
     }
   }
-  // The way since the last update, for ids.
-  const double motion = seen_ ? motion_bound(a_->ball, b_->ball, X_BA_, X_BA) : 0;
+  // Motion since the last update, to identify points.
+  const double motion = is_updated_ ? motion_bound(a_->ball, b_->ball, X_BA_, X_BA) : 0;
   X_BA_ = X_BA;
-  seen_ = true;
-  memory_.keep(candidates_, X_WA, X_WB, motion, margin, manifold_);
+  is_updated_ = true;
+  memory_.update(candidates_, X_WA, X_WB, motion, margin, manifold_);
   return manifold_;
 }
 

@@ -13,27 +13,27 @@
 
 namespace thenar {
 
-/// Finds the contacts of two bodies again and again as they move.
+/// Finds the contacts of two bodies repeatedly as they move.
 ///
-/// Each pair of their parts (CollisionPart) remembers a bound of its distance and the pose for
-/// which it holds. A part of A in a ball of centre c and radius r moves in B's frame by at most
+/// Each pair of their parts (CollisionPart) stores a bound of its distance and the pose for which
+/// it holds. A part of A in a ball of centre c and radius r moves in B's frame by at most
 ///   |X c - X' c| + ||R - R'||_2 r,
 /// so that pairs whose bound exceeds this by more than the margin are skipped, without error.
-/// Contacts keep their id while the same features touch, or while the point that takes over is
-/// where the old one was.
+/// Contacts keep their id while the same features touch, or while a new point replaces the old one
+/// at the same position.
 ///
-/// update() does not use the heap once its buffers have grown to what the contacts need.
+/// update() does not allocate heap memory once its buffers have reached their maximum sizes.
 class CollisionPair {
  public:
   CollisionPair(std::shared_ptr<const CollisionBody> a, std::shared_ptr<const CollisionBody> b);
 
-  /// The contacts at these poses: all points with gaps up to the margin, reduced to a few. The
-  /// reference holds until the next update.
+  /// Computes the contacts at these poses: all points with gaps up to the margin, reduced to a few.
+  /// The reference is valid until the next update.
   ///
-  /// Where bodies are apart the least gap is their distance: to rounding for spheres, capsules,
-  /// tapered capsules, boxes and meshes of any pairing (of a capsule on its side to 0.1 um), for
-  /// cylinders on a face of a box and ellipsoids on these; others are tessellated
-  /// (polyhedron_contact.h). Where they overlap it is minus a depth along the normal: the least of
+  /// If the bodies are apart, the smallest gap is their distance: exact to rounding for spheres,
+  /// capsules, tapered capsules, boxes and meshes in any combination (for a capsule on its side to
+  /// 0.1 um), for cylinders on a face of a box and ellipsoids on these; others are tessellated
+  /// (polyhedron_contact.h). If they overlap it is minus a depth along the normal: the minimum over
   /// all directions for boxes, the deepest ball of a capsule, the deepest corner of a mesh.
   /// @param margin  >= 0 [m]
   /// @throws InputError if a pose or the margin is not finite.
@@ -41,12 +41,13 @@ class CollisionPair {
 
   [[nodiscard]] const ContactManifold& manifold() const { return manifold_; }
 
-  /// Forgets all contacts, bounds and normals: ids start anew, and of directions to separate
-  /// overlaps none is preferred.
-  void forget();
+  /// Clears all contacts, bounds and normals: ids start again, and no direction that separates
+  /// overlaps is preferred.
+  void clear_memory();
 
-  /// No point of A is nearer to B than this at the last poses, unless it is in the manifold [m].
-  [[nodiscard]] double bound() const { return bound_; }
+  /// Returns a lower bound of the distance of points of A from B at the last poses, except for
+  /// those in the manifold [m].
+  [[nodiscard]] double distance_bound() const { return bound_; }
 
   [[nodiscard]] const CollisionBody& a() const { return *a_; }
   [[nodiscard]] const CollisionBody& b() const { return *b_; }
@@ -57,9 +58,9 @@ class CollisionPair {
   std::vector<ManifoldPoint> candidates_;
   ContactManifold manifold_;
   ManifoldMemory memory_;
-  Pose<double> X_BA_{};  // of the last update
-  bool seen_ = false;
-  double bound_ = 0;  // [m]
+  Pose<double> X_BA_{};      // pose at the last update
+  bool is_updated_ = false;  // whether there was an update
+  double bound_ = 0;         // distance_bound() [m]
 };
 
 }  // namespace thenar

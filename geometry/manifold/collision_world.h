@@ -11,24 +11,24 @@
 
 namespace thenar {
 
-/// The contacts of two bodies.
+/// Contacts of two bodies.
 struct BodyContact {
-  int a = 0, b = 0;                           // bodies, a < b; normals are outward of b
-  const ContactManifold* manifold = nullptr;  // not empty; holds until the next update
+  int a = 0, b = 0;  // numbers of the bodies, a < b; normals are outward of b
+  const ContactManifold* manifold = nullptr;  // not empty; valid until the next update
 };
 
-/// Finds the contacts between all bodies that are not excluded, step by step. A pair remembers from
-/// its first approach on; the heap is used at first approaches alone.
+/// Finds the contacts between all bodies that are not excluded, step by step. A pair keeps its
+/// memory from its first approach on; heap memory is allocated at first approaches only.
 class CollisionWorld {
  public:
   /// @throws InputError if a body is null.
   explicit CollisionWorld(std::vector<std::shared_ptr<const CollisionBody>> bodies);
 
-  /// Leaves out a pair from now on: two links that a joint connects, two obstacles.
+  /// Excludes a pair from now on, such as two links that a joint connects, or two obstacles.
   void exclude(int a, int b) { broad_.exclude(a, b); }
 
-  /// The pairs with points nearer than the margin, by rising (a, b); the same for the same motion,
-  /// whatever the machine does.
+  /// Returns the pairs with points nearer than the margin, sorted by (a, b). The result depends on
+  /// the motion only, and not on the machine.
   /// @param X_WB    pose of each body in world
   /// @param margin  >= 0 [m]
   /// @throws InputError if there are not as many poses as bodies, or one is not finite.
@@ -38,7 +38,7 @@ class CollisionWorld {
     return bodies_;
   }
 
-  /// Pairs whose boxes met at the last update.
+  /// Returns the number of pairs whose boxes overlapped at the last update.
   [[nodiscard]] int near_pairs() const { return near_pairs_; }
 
  private:

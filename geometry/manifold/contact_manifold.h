@@ -1,6 +1,6 @@
 #pragma once
 
-/// Contact points of two bodies, as a time stepper takes them.
+/// Contact points of two bodies, as input of a time stepper.
 
 #include <array>
 #include <cstdint>
@@ -9,22 +9,23 @@
 
 namespace thenar {
 
-/// One point of contact of two bodies A and B, in world.
+/// One contact point of two bodies A and B, in world.
 struct ManifoldPoint {
   Eigen::Vector3d on_a{0, 0, 0};    // point of A's surface [m] (3)
   Eigen::Vector3d on_b{0, 0, 0};    // point of B's surface [m] (3)
-  Eigen::Vector3d normal{0, 0, 1};  // unit, outward of B: A is pushed along it (3)
+  Eigen::Vector3d normal{0, 0, 1};  // unit, outward of B: direction of the force on A (3)
   double gap = 0;                   // (on_a - on_b) . normal; negative: minus the depth [m]
-  std::uint64_t feature = 0;        // the features that touch: corners, edges, faces by number
-  int id = -1;                      // the same integer while the contact lasts
-  int age = 0;                      // updates since it appeared
+  std::uint64_t feature = 0;  // key of the features that touch: corners, edges, faces by number
+  int id = -1;                // number that is constant while the contact lasts
+  int age = 0;                // number of updates since it appeared
 };
 
-/// The points where two bodies touch, or are nearer than a margin, by rising id.
+/// Points where two bodies touch, or are nearer than a margin, sorted by id.
 ///
-/// One region of contact (normals within 30 degrees of each other) has at most six points: those of
-/// a face span its rim, an edge has two, a point one. Bodies that meet in several regions (a finger
-/// in the corner of a mug) have six for the first and one or more for each other, twelve in all.
+/// One contact region (normals within 30 degrees of each other) has at most six points: those of a
+/// face span its boundary, an edge has two, a point one. Bodies that meet in several regions (a
+/// finger in the corner of a mug) have six for the first and one or more for each other, at most
+/// twelve.
 struct ContactManifold {
   static constexpr int kMaxPoints = 12;
   std::array<ManifoldPoint, kMaxPoints> points{};

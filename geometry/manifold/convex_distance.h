@@ -10,7 +10,7 @@
 
 namespace thenar::internal {
 
-/// Points of two bodies A and B that lie farthest against and along a direction.
+/// Points of two bodies A and B that are farthest against and along a direction.
 struct SupportPoints {
   Eigen::Vector3d on_a{0, 0, 0};  // [m] (3)
   Eigen::Vector3d on_b{0, 0, 0};  // [m] (3)
@@ -18,23 +18,24 @@ struct SupportPoints {
   [[nodiscard]] Eigen::Vector3d difference() const { return on_a - on_b; }
 };
 
-/// The nearest points of two convex bodies.
+/// Nearest points of two convex bodies.
 struct ConvexDistance {
-  double distance = 0;  // 0: they overlap, or are nearer than rounding tells [m]
-  double lower = 0;     // the distance is not less [m]
-  SupportPoints at{};
+  double distance = 0;  // 0: they overlap, or are nearer than rounding errors [m]
+  double lower = 0;     // lower bound of the distance [m]
+  SupportPoints points{};
   Eigen::Vector3d n{0, 0, 0};  // unit, from B to A; 0 if they overlap (3)
 };
 
-/// Simplex of up to four points of the difference of two bodies, reduced to the points around its
-/// place nearest to the origin.
+/// Simplex of up to four points of the difference of two bodies, reduced to the corners that span
+/// its point nearest to the origin.
 class Simplex {
  public:
-  /// Adds a point, the fifth never. Keeps what spans the point nearest to the origin.
-  /// @return that point; 0: the origin is within
+  /// Adds a point to at most three others, and keeps the corners that span the point nearest to the
+  /// origin.
+  /// @return that point; 0: the origin is inside
   Eigen::Vector3d add(const SupportPoints& point) {
     points_[count_++] = point;
-    // The nearest point of every face that has the new corner.
+    // Find the nearest point of every face that has the new corner.
     double least = std::numeric_limits<double>::infinity();
     unsigned best_set = 0;
     Eigen::Vector4d best_weights = Eigen::Vector4d::Zero();
@@ -47,7 +48,7 @@ class Simplex {
       if (v.squaredNorm() < least)
         least = v.squaredNorm(), best_set = set, best_weights = weights, best = v;
     }
-    // Keep the corners of the best.
+    // Keep the corners of the nearest face.
     int kept = 0;
     for (int i = 0; i < count_; ++i)
       if (best_set & (1U << static_cast<unsigned>(i))) {
@@ -59,61 +60,64 @@ class Simplex {
   }
 
   [[nodiscard]] int count() const { return count_; }
-  [[nodiscard]] bool has(const Eigen::Vector3d& difference) const {
+  [[nodiscard]] bool contains(const Eigen::Vector3d& difference) const {
     for (int i = 0; i < count_; ++i)
       if (points_[i].difference() == difference) return true;
     return false;
   }
-  [[nodiscard]] SupportPoints nearest() const {
-    SupportPoints at;
+  [[nodiscard]] SupportPoints nearest_points() const {
+    SupportPoints points;
     for (int i = 0; i < count_; ++i) {
-      at.on_a += weights_(i) * points_[i].on_a;
-      at.on_b += weights_(i) * points_[i].on_b;
+      points.on_a += weights_(i) * points_[i].on_a;
+      points.on_b += weights_(i) * points_[i].on_b;
     }
-    return at;
+    return points;
   }
 
  private:
-  /// The point nearest to the origin of the flat through some corners, if it lies between them.
+  /// Computes the point nearest to the origin of the plane, line or point through some corners.
+  /// @return whether it is between them
   bool nearest_of(unsigned set, Eigen::Vector4d& weights, Eigen::Vector3d& v) const {
-    std::array<int, 4> at{};
+    // Corners of the set.
+    std::array<int, 4> index{};
     int n = 0;
     for (int i = 0; i < count_; ++i)
-      if (set & (1U << static_cast<unsigned>(i))) at[n++] = i;
-    const auto corner = [&](int k) -> Eigen::Vector3d { return points_[at[k]].difference(); };
+      if (set & (1U << static_cast<unsigned>(i))) index[n++] = i;
+    const auto corner = [&](int k) -> Eigen::Vector3d { return points_[index[k]].difference(); };
     const Eigen::Vector3d first = corner(0);
+    // A corner, an edge, a face, or the whole tetrahedron.
     if (n == 1) {
-      weights(at[0]) = 1;
+      weights(index[0]) = 1;
       v = first;
       return true;
     }
     if (n == 2) {
-      const Eigen::Vector3d way = corner(1) - first;
-      const double squared = way.squaredNorm();
+      const Eigen::Vector3d edge = corner(1) - first;
+      const double squared = edge.squaredNorm();
       if (!(squared > 0)) return false;
-      const double t = -first.dot(way) / squared;
+      const double t = -first.dot(edge) / squared;
       if (!(t > 0 && t < 1)) return false;
-      weights(at[0]) = 1 - t;
-      weights(at[1]) = t;
-      v = first + t * way;
+      weights(index[0]) = 1 - t;
+      weights(index[1]) = t;
+      v = first + t * edge;
       return true;
     }
     const Eigen::Vector3d d1 = corner(1) - first, d2 = corner(2) - first;
     const Eigen::Vector3d normal = d1.cross(d2);
     if (n == 3) {
       const double area = normal.squaredNorm();
-      if (!(area > 1e-30 * d1.squaredNorm() * d2.squaredNorm())) return false;
+      if (!(area > kFlatTriangle * d1.squaredNorm() * d2.squaredNorm())) return false;
       const double s = -normal.dot(first.cross(d2)) / area, t = -normal.dot(d1.cross(first)) / area;
       if (!(s > 0 && t > 0 && s + t < 1)) return false;
-      weights(at[0]) = 1 - s - t;
-      weights(at[1]) = s;
-      weights(at[2]) = t;
+      weights(index[0]) = 1 - s - t;
+      weights(index[1]) = s;
+      weights(index[2]) = t;
       v = normal.dot(first) / area * normal;
       return true;
     }
     const Eigen::Vector3d d3 = corner(3) - first;
     const double volume = normal.dot(d3);
-    if (!(std::abs(volume) > 1e-15 * normal.norm() * d3.norm())) return false;
+    if (!(std::abs(volume) > kFlatTetrahedron * normal.norm() * d3.norm())) return false;
     const double x = -first.dot(d2.cross(d3)) / volume, y = -first.dot(d3.cross(d1)) / volume,
                  z = -first.dot(normal) / volume;
     if (!(x > 0 && y > 0 && z > 0 && x + y + z < 1)) return false;
@@ -122,40 +126,50 @@ class Simplex {
     return true;
   }
 
+  static constexpr double kFlatTriangle = 1e-30;  // squared area over squared edges: rounding [1]
+  static constexpr double kFlatTetrahedron = 1e-15;  // volume over area times edge: rounding [1]
+
   std::array<SupportPoints, 4> points_{};
   Eigen::Vector4d weights_ = Eigen::Vector4d::Zero();
   int count_ = 0;
 };
 
-/// The distance of two convex bodies: their difference A - B is approached by simplices of its
-/// support points, until the plane across the nearest point v is within `tolerance` of it:
+/// Computes the distance of two convex bodies: simplices of support points approach their
+/// difference A - B, until the plane perpendicular to the nearest point v is within `tolerance` of
+/// it:
 ///   h = min over A - B of x . v / |v|  <=  distance  <=  |v|.
-/// @param support  of a direction n: A's point farthest against n, and B's farthest along it
-/// @param guess    from B to A, not 0 (3);  @param tolerance  of the distance [m]
-/// @param enough   it ends where the distance is known to exceed this [m]
+/// @param support  function of a direction n: A's point farthest against n, and B's farthest along
+///                 n
+/// @param guess    direction from B to A, not 0 (3);  @param tolerance  of the distance [m]
+/// @param enough   bound above which the search ends early [m]
 /// Source: [Gilbert1988].
 template <typename Support>
 [[nodiscard]] ConvexDistance convex_distance(const Support& support, const Eigen::Vector3d& guess,
                                              double tolerance, double enough) {
+  constexpr int kMaxSteps = 60;       // maximum number of steps
+  constexpr double kOverlap = 1e-12;  // distance that counts as overlap [m]
   Simplex simplex;
   Eigen::Vector3d n = guess.normalized(), v = Eigen::Vector3d::Zero();
   ConvexDistance found;
   found.lower = -std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
+    // The support point bounds the distance from below.
     const SupportPoints point = support(n);
     const Eigen::Vector3d w = point.difference();
     found.lower = std::max(found.lower, w.dot(n));
-    if (i > 0 && (found.distance - found.lower <= tolerance || simplex.has(w))) break;
+    if (i > 0 && (found.distance - found.lower <= tolerance || simplex.contains(w))) break;
     if (found.lower > enough) {
-      if (i == 0) found.distance = w.norm(), found.at = point, found.n = n;
+      if (i == 0) found.distance = w.norm(), found.points = point, found.n = n;
       break;
     }
+    // The simplex bounds it from above, unless it contains the origin.
     v = simplex.add(point);
     const double distance = v.norm();
-    if (simplex.count() == 4 || distance < 1e-12) return {0, 0, simplex.nearest(), {0, 0, 0}};
+    if (simplex.count() == 4 || distance < kOverlap)
+      return {0, 0, simplex.nearest_points(), {0, 0, 0}};
     if (i > 0 && !(distance < found.distance)) break;
     found.distance = distance;
-    found.at = simplex.nearest();
+    found.points = simplex.nearest_points();
     found.n = n = v / distance;
   }
   return found;

@@ -11,22 +11,22 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns a distance from its origin that no point of a body exceeds [m].
-double reach_of(const CollisionBody& body) { return body.ball.c.norm() + body.ball.r; }
+/// Returns a bound of the distance of a body's points from its origin [m].
+double radius_about_origin(const CollisionBody& body) { return body.ball.c.norm() + body.ball.r; }
 
 bool is_convex(const CollisionBody& body) {
   return body.parts.size() == 1 && body.parts.front().form != PartForm::kPolyhedron;
 }
 
 /// Lower bound of the distance of two bodies, and its direction.
-struct Apart {
+struct Separation {
   double distance = std::numeric_limits<double>::infinity();  // [m]
-  Vector3d n{0, 0, 0};  // of the nearest points, if they are known (3)
+  Vector3d n{0, 0, 0};  // direction of the nearest points, if they are known (3)
 };
 
-Apart apart_now(const CollisionPair& pair) {
-  Apart apart;
-  apart.distance = pair.bound();
+Separation separation_of(const CollisionPair& pair) {
+  Separation apart;
+  apart.distance = pair.distance_bound();
   for (const ManifoldPoint& point : pair.manifold())
     if (point.gap <= apart.distance) apart.distance = point.gap, apart.n = point.normal;
   return apart;
@@ -34,7 +34,7 @@ Apart apart_now(const CollisionPair& pair) {
 
 }  // namespace
 
-Pose<double> BodyMotion::at(double t) const {
+Pose<double> BodyMotion::pose_at(double t) const {
   const double rate = omega.norm(), angle = rate * t;
   Pose<double> X = X_WB;
   X.p += t * v;
@@ -50,24 +50,25 @@ FirstContact first_contact(CollisionPair& pair, const BodyMotion& a, const BodyM
           duration);
   require(options.gap > 0, "the gap of a contact must be positive, got {} m", options.gap);
   // Bounds of the speed at which the bodies approach.
-  const double turning = a.omega.norm() * reach_of(pair.a()) + b.omega.norm() * reach_of(pair.b());
-  const Vector3d way = a.v - b.v;
-  const double speed = way.norm() + turning;
+  const double turning = a.omega.norm() * radius_about_origin(pair.a()) +
+                         b.omega.norm() * radius_about_origin(pair.b());
+  const Vector3d velocity = a.v - b.v;
+  const double speed = velocity.norm() + turning;
   const bool convex = is_convex(pair.a()) && is_convex(pair.b());
-  // Of convex bodies the nearest points tell more, so all within a step are asked for.
+  // For convex bodies nearest points improve the bound, so the margin covers the whole motion.
   const double margin = std::max(2 * options.gap, convex ? speed * duration : 1e-3);
 
   FirstContact found;
   for (; found.steps < options.max_steps; ++found.steps) {
-    pair.update(a.at(found.time), b.at(found.time), margin);
-    const Apart apart = apart_now(pair);
+    pair.update(a.pose_at(found.time), b.pose_at(found.time), margin);
+    const Separation apart = separation_of(pair);
     if (apart.distance <= options.gap) {
       found.found = found.complete = true;
       return found;
     }
-    // As far as they can approach until the gap is half of what is wanted.
+    // Advance as far as the bodies can approach until the gap is half of the tolerance.
     const bool directed = convex && !apart.n.isZero(0);
-    const double closing = directed ? -apart.n.dot(way) + turning : speed;
+    const double closing = directed ? -apart.n.dot(velocity) + turning : speed;
     const double step = closing > 0 ? (apart.distance - options.gap / 2) / closing
                                     : std::numeric_limits<double>::infinity();
     if (found.time + step >= duration) {
@@ -82,9 +83,10 @@ FirstContact first_contact(CollisionPair& pair, const BodyMotion& a, const BodyM
 
 Eigen::AlignedBox3d swept_box(const CollisionBody& body, const BodyMotion& motion, double duration,
                               double margin) {
-  const double leave =
-      motion.omega.squaredNorm() * reach_of(body) * duration * duration / 8 + margin;
-  return world_box(body, motion.X_WB, leave).merged(world_box(body, motion.at(duration), leave));
+  const double growth =
+      motion.omega.squaredNorm() * radius_about_origin(body) * duration * duration / 8 + margin;
+  return world_box(body, motion.X_WB, growth)
+      .merged(world_box(body, motion.pose_at(duration), growth));
 }
 
 }  // namespace thenar

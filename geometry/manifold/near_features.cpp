@@ -8,9 +8,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns whether a ball is within a reach of a triangle.
+/// Returns whether a ball is within a distance of a triangle.
 bool ball_near_face(const Vector3d& c, double reach, const PolyhedronFace& face) {
-  // The plane first.
+  // The distance from the plane excludes most.
   if (std::abs(face.n.dot(c - face.corners.col(0))) > reach) return false;
   return (nearest_in_triangle(face.corners, c) - c).squaredNorm() <= reach * reach;
 }
@@ -20,7 +20,7 @@ void sort_unique(std::vector<int>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// Collects features of pairs of faces.
+/// Search for features of pairs of faces, by both trees.
 class PairSearch {
  public:
   PairSearch(const Polyhedron& a, const Polyhedron& b, const Pose<double>& X_BA, double reach,
@@ -32,26 +32,28 @@ class PairSearch {
     while (!near_.stack.empty()) {
       const std::array<int, 2> top = near_.stack.back();
       near_.stack.pop_back();
-      look_at(top[0], top[1]);
+      visit(top[0], top[1]);
     }
     sort_unique(near_.corners_a);
     sort_unique(near_.corners_b);
   }
 
  private:
-  void look_at(int node_a, int node_b) {
+  /// Visits a pair of nodes: adds features of leaves, or pushes children.
+  void visit(int node_a, int node_b) {
     const CollisionNode& a = a_.nodes[node_a];
     const CollisionNode& b = b_.nodes[node_b];
     const double apart = a.ball.r + b.ball.r + reach_;
     if ((X_BA_ * a.ball.c - b.ball.c).squaredNorm() > apart * apart) return;
-    // The larger node gives way to its children.
+    // Two leaves are a pair of faces.
     const bool leaf_a = a.triangle >= 0, leaf_b = b.triangle >= 0;
     if (leaf_a && leaf_b) return add_faces(a, b);
-    // Of a large face the triangle tells more than its ball.
+    // For a large face, its triangle excludes more than its ball.
     if (leaf_a && !ball_near_face(X_AB_ * b.ball.c, b.ball.r + reach_, a_.faces[a.triangle]))
       return;
     if (leaf_b && !ball_near_face(X_BA_ * a.ball.c, a.ball.r + reach_, b_.faces[b.triangle]))
       return;
+    // The larger node is replaced by its children.
     if (!leaf_a && (leaf_b || a.ball.r > b.ball.r)) {
       near_.stack.push_back({a.left, node_b});
       near_.stack.push_back({a.right, node_b});
@@ -67,7 +69,7 @@ class PairSearch {
     if (!ball_near_face(X_BA_ * node_a.ball.c, node_a.ball.r + reach_, b) ||
         !ball_near_face(X_AB_ * node_b.ball.c, node_b.ball.r + reach_, a))
       return;
-    // Corners near the other's face, edges near the other's edges.
+    // Add corners near the other's face, and edges near the other's edges.
     for (const int i : a.own_corners)
       if (i >= 0 && ball_near_face(X_BA_ * a_.corners[i].p, reach_, b))
         near_.corners_a.push_back(i);
@@ -82,9 +84,9 @@ class PairSearch {
   void add_edges(int i, int j) {
     const PolyhedronEdge& a = a_.edges[i];
     const PolyhedronEdge& b = b_.edges[j];
-    const Vector3d from = X_BA_ * a.from, way = X_BA_.R * a.way;
-    const SegmentPlaces at = nearest_on_segments(from, way, b.from, b.way);
-    if ((from + at.s * way - b.from - at.t * b.way).squaredNorm() <= reach_ * reach_)
+    const Vector3d from = X_BA_ * a.from, way = X_BA_.R * a.axis;
+    const SegmentParameters at = nearest_on_segments(from, way, b.from, b.axis);
+    if ((from + at.s * way - b.from - at.t * b.axis).squaredNorm() <= reach_ * reach_)
       near_.edges.push_back({i, j});
   }
 
@@ -96,15 +98,15 @@ class PairSearch {
 
 }  // namespace
 
-SegmentPlaces nearest_on_segments(const Vector3d& from_a, const Vector3d& way_a,
-                                  const Vector3d& from_b, const Vector3d& way_b) {
+SegmentParameters nearest_on_segments(const Vector3d& from_a, const Vector3d& way_a,
+                                      const Vector3d& from_b, const Vector3d& way_b) {
   const Vector3d r = from_a - from_b;
   const double aa = way_a.squaredNorm(), bb = way_b.squaredNorm();
   if (aa == 0) return {0, bb == 0 ? 0 : std::clamp(way_b.dot(r) / bb, 0.0, 1.0)};
   const double c = way_a.dot(r);
   if (bb == 0) return {std::clamp(-c / aa, 0.0, 1.0), 0};
   const double f = way_b.dot(r), ab = way_a.dot(way_b), turn = aa * bb - ab * ab;
-  // Of lines that are not parallel the nearest points; then within both.
+  // Nearest points of lines that are not parallel, then clamped to both segments.
   double s = turn > 1e-14 * aa * bb ? std::clamp((ab * f - c * bb) / turn, 0.0, 1.0) : 0.5;
   double t = (ab * s + f) / bb;
   if (t < 0 || t > 1) {
@@ -116,8 +118,8 @@ SegmentPlaces nearest_on_segments(const Vector3d& from_a, const Vector3d& way_a,
 
 void add_deep_corners(const Polyhedron& body, const Pose<double>& X_SP, const Shape& shape,
                       double depth, std::vector<int>& corners) {
-  // Depth grows by no more than the way gone.
-  const auto look = [&](const auto& self, int index) -> void {
+  // Visit nodes that may be deep enough: depth changes by at most the distance moved.
+  const auto visit = [&](const auto& self, int index) -> void {
     const CollisionNode& node = body.nodes[index];
     const Vector3d c = X_SP * node.ball.c;
     const double box = std::sqrt(shape.bounds().squaredExteriorDistance(c));
@@ -130,12 +132,12 @@ void add_deep_corners(const Polyhedron& body, const Pose<double>& X_SP, const Sh
     for (const int i : body.faces[node.triangle].own_corners)
       if (i >= 0 && shape.distance(X_SP * body.corners[i].p) < -depth) corners.push_back(i);
   };
-  look(look, 0);
+  visit(visit, 0);
   sort_unique(corners);
 }
 
-void find_near(const Polyhedron& a, const Polyhedron& b, const Pose<double>& X_BA, double reach,
-               NearFeatures& near) {
+void find_near_features(const Polyhedron& a, const Polyhedron& b, const Pose<double>& X_BA,
+                        double reach, NearFeatures& near) {
   near.corners_a.clear();
   near.corners_b.clear();
   near.edges.clear();
@@ -152,7 +154,7 @@ void find_near_faces(const Vector3d& from, const Vector3d& to, const Polyhedron&
   while (!near.stack.empty()) {
     const CollisionNode& node = b.nodes[near.stack.back()[0]];
     near.stack.pop_back();
-    // Balls around faces against the segment; then the faces.
+    // Exclude balls around faces that are far from the segment, then the faces.
     const Vector3d nearest = nearest_in_segment(from, to, node.ball.c);
     const double apart = node.ball.r + reach;
     if ((nearest - node.ball.c).squaredNorm() > apart * apart) continue;

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace internal {
 
-void flip_points(std::vector<ManifoldPoint>& points, std::size_t first, const Pose<double>& X) {
+void exchange_bodies(std::vector<ManifoldPoint>& points, std::size_t first, const Pose<double>& X) {
   for (std::size_t i = first; i < points.size(); ++i) {
     ManifoldPoint& point = points[i];
     const Vector3d on_a = X * point.on_b;
@@ -40,35 +40,35 @@ double motion_bound(const Ball& a, const Ball& b, const Pose<double>& from_BA,
 
 namespace {
 
-/// The points of A on B where B's form comes first.
+/// Finds the points with A and B exchanged, if B's form comes first.
 double find_flipped(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
                     double margin, PartMemory& memory, std::vector<ManifoldPoint>& points) {
   const std::size_t first = points.size();
   const double bound = find_points(b, a, X_BA.inverse(), margin, memory, points);
-  internal::flip_points(points, first, X_BA);
+  internal::exchange_bodies(points, first, X_BA);
   return bound;
 }
 
-/// A box A and a cylinder B: over a face, else as polyhedra.
+/// Finds the points of a box A and a cylinder B: on a face, otherwise as polyhedra.
 double cylinder_on_box(const CollisionPart& box, const CollisionPart& cylinder,
                        const Pose<double>& X_BA, double margin, PartMemory& memory,
                        std::vector<ManifoldPoint>& points) {
   const std::size_t first = points.size();
   const std::optional<double> bound =
       internal::cylinder_on_face(cylinder, box, X_BA.inverse(), margin, memory, points);
-  internal::flip_points(points, first, X_BA);
+  internal::exchange_bodies(points, first, X_BA);
   if (bound) return *bound;
   return internal::polyhedron_on_polyhedron(box, cylinder, X_BA, margin, memory, points);
 }
 
-/// A convex solid and an ellipsoid, which of the two may be; else as polyhedra.
+/// Finds the points of a convex solid and an ellipsoid, in any order; if that fails, as polyhedra.
 double ellipsoid_on_solid(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
                           double margin, PartMemory& memory, std::vector<ManifoldPoint>& points) {
   const std::size_t first = points.size();
   const std::optional<double> bound =
       a.is_ellipsoid ? internal::ellipsoid_on_convex(a, b, X_BA, margin, memory, points)
                      : internal::ellipsoid_on_convex(b, a, X_BA.inverse(), margin, memory, points);
-  if (!a.is_ellipsoid) internal::flip_points(points, first, X_BA);
+  if (!a.is_ellipsoid) internal::exchange_bodies(points, first, X_BA);
   if (bound) return *bound;
   return internal::polyhedron_on_polyhedron(a, b, X_BA, margin, memory, points);
 }
@@ -77,7 +77,7 @@ double ellipsoid_on_solid(const CollisionPart& a, const CollisionPart& b, const 
 
 double find_points(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
                    double margin, PartMemory& memory, std::vector<ManifoldPoint>& points) {
-  // The lesser form is A.
+  // A is the part whose form comes first.
   if (b.form < a.form) return find_flipped(a, b, X_BA, margin, memory, points);
   if (b.form == PartForm::kRound)
     return internal::round_on_round(a, b, X_BA, margin, memory, points);
@@ -87,7 +87,7 @@ double find_points(const CollisionPart& a, const CollisionPart& b, const Pose<do
     return internal::box_on_box(a, b, X_BA, margin, memory, points);
   if (a.form == PartForm::kRound)
     return internal::round_on_polyhedron(a, b, X_BA, margin, memory, points);
-  // Cylinders and ellipsoids on convex solids; where that fails as polyhedra.
+  // Cylinders and ellipsoids on convex solids; if that fails, as polyhedra.
   if (a.form == PartForm::kBox && b.form == PartForm::kCylinder)
     return cylinder_on_box(a, b, X_BA, margin, memory, points);
   if (b.form != PartForm::kPolyhedron && (a.is_ellipsoid || b.is_ellipsoid))

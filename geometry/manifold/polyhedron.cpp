@@ -10,9 +10,10 @@ namespace {
 
 using Eigen::Vector3d, Eigen::Vector3i;
 
-// Neighbours up to this sine of their angle are one face, 0.1 deg [1]
+// Sine of the angle up to which neighbouring triangles are one face, 0.1 deg [1]
 constexpr double kFlatSine = 0.002;
 
+/// Builder of a polyhedron from a mesh.
 class PolyhedronBuilder {
  public:
   explicit PolyhedronBuilder(const TriangleMesh& mesh) : mesh_(mesh) {}
@@ -25,7 +26,7 @@ class PolyhedronBuilder {
   }
 
  private:
-  /// Faces in the order of the tree's triangles.
+  /// Adds faces in the order of the tree's triangles.
   void add_faces() {
     CollisionTree tree = collision_tree({nullptr, {{mesh_, 0}}, {}, {}});
     built_->nodes = std::move(tree.nodes);
@@ -41,11 +42,13 @@ class PolyhedronBuilder {
     std::iota(plane_.begin(), plane_.end(), 0);
   }
 
+  /// Returns the root of a face's plane in the forest plane_.
   int plane_of(int face) {
     while (plane_[face] != face) face = plane_[face];
     return face;
   }
 
+  /// Adds convex edges, and merges the planes of flat ones.
   void add_edges() {
     corner_of_.assign(static_cast<std::size_t>(mesh_.vertices.cols()), -1);
     neighbours_.resize(static_cast<std::size_t>(mesh_.vertices.cols()));
@@ -53,7 +56,7 @@ class PolyhedronBuilder {
       neighbours_[first->low].push_back(first->high);
       neighbours_[first->high].push_back(first->low);
       if (last - first != 2) return add_edge(first[0], first[last - first > 1 ? 1 : 0]);
-      // Flat: one plane. Concave: nothing touches there first.
+      // Flat edges merge planes; concave ones cannot touch first.
       const int one = place_[first[0].triangle];
       const int other = place_[first[1].triangle];
       const Vector3d n = built_->faces[one].n;
@@ -78,13 +81,13 @@ class PolyhedronBuilder {
     add_corner(one.low);
     add_corner(one.high);
     edge.from = mesh_.vertices.col(one.low);
-    edge.way = mesh_.vertices.col(one.high) - mesh_.vertices.col(one.low);
+    edge.axis = mesh_.vertices.col(one.high) - mesh_.vertices.col(one.low);
     edge.normals = {face.n, built_->faces[place_[other.triangle]].n};
     face.own_edges[one.side] = static_cast<int>(built_->edges.size());
     built_->edges.push_back(edge);
   }
 
-  /// Makes a vertex a corner, if it is none.
+  /// Makes a vertex a corner, unless it is one.
   void add_corner(int vertex) {
     int& number = corner_of_[vertex];
     if (number >= 0) return;
@@ -93,15 +96,16 @@ class PolyhedronBuilder {
     vertex_of_.push_back(vertex);
   }
 
+  /// Adds the directions of each corner's edges, and assigns it to a face.
   void add_corners() {
     for (std::size_t i = 0; i < built_->corners.size(); ++i) {
       PolyhedronCorner& corner = built_->corners[i];
-      corner.first = static_cast<int>(built_->ways.size());
+      corner.first = static_cast<int>(built_->directions.size());
       for (const int to : neighbours_[vertex_of_[i]])
-        built_->ways.push_back((mesh_.vertices.col(to) - corner.p).stableNormalized());
-      corner.count = static_cast<int>(built_->ways.size()) - corner.first;
+        built_->directions.push_back((mesh_.vertices.col(to) - corner.p).stableNormalized());
+      corner.count = static_cast<int>(built_->directions.size()) - corner.first;
     }
-    // Each belongs to the first face that has it.
+    // Each corner belongs to the first face that has it.
     std::vector<bool> owned(built_->corners.size(), false);
     for (int i = 0; i < static_cast<int>(mesh_.triangles.cols()); ++i)
       for (int k = 0; k < 3; ++k) {
@@ -114,11 +118,11 @@ class PolyhedronBuilder {
 
   const TriangleMesh& mesh_;
   std::shared_ptr<Polyhedron> built_ = std::make_shared<Polyhedron>();
-  std::vector<int> place_;                    // of each of the mesh's triangles among the faces
-  std::vector<int> plane_;                    // of each face, a face of the same plane: a forest
-  std::vector<int> corner_of_;                // of each vertex, -1: none
-  std::vector<int> vertex_of_;                // of each corner
-  std::vector<std::vector<int>> neighbours_;  // of each vertex
+  std::vector<int> place_;                    // index of each of the mesh's triangles in the faces
+  std::vector<int> plane_;                    // another face in the plane of each face: a forest
+  std::vector<int> corner_of_;                // corner of each vertex; -1: none
+  std::vector<int> vertex_of_;                // vertex of each corner
+  std::vector<std::vector<int>> neighbours_;  // neighbours of each vertex
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Corners, edges and faces of a body of triangles, as contacts need them.
+/// Corners, edges and faces of a body of triangles, prepared for contacts.
 
 #include <array>
 #include <memory>
@@ -13,39 +13,39 @@
 
 namespace thenar {
 
-/// A convex edge: its faces bend away from each other by more than a degree.
+/// A convex edge: the angle between its faces is more than a degree.
 struct PolyhedronEdge {
   Eigen::Vector3d from{0, 0, 0};             // [m] (3)
-  Eigen::Vector3d way{0, 0, 0};              // to the other corner [m] (3)
-  std::array<Eigen::Vector3d, 2> normals{};  // of its faces, unit, outward (3)
+  Eigen::Vector3d axis{0, 0, 0};             // vector to the other corner [m] (3)
+  std::array<Eigen::Vector3d, 2> normals{};  // normals of its faces, unit, outward (3)
 };
 
-/// A corner where the surface bends outwards somewhere.
+/// A corner at which some part of the surface is convex.
 struct PolyhedronCorner {
   Eigen::Vector3d p{0, 0, 0};  // [m] (3)
-  int first = 0, count = 0;    // its ways in Polyhedron::ways
+  int first = 0, count = 0;    // its entries of Polyhedron::directions
 };
 
-/// A triangle, with the corners and edges of which it is the first.
+/// A triangle, with the corners and edges that belong to it and to no earlier triangle.
 struct PolyhedronFace {
-  Eigen::Matrix3d corners{};                   // columns [m] (3, 3)
-  Eigen::Vector3d n{0, 0, 0};                  // unit, outward (3)
-  int plane = 0;                               // the first triangle of its flat neighbourhood
-  std::array<int, 3> own_corners{-1, -1, -1};  // of Polyhedron::corners; -1: none
-  std::array<int, 3> own_edges{-1, -1, -1};    // of Polyhedron::edges; -1: none
+  Eigen::Matrix3d corners{};   // columns [m] (3, 3)
+  Eigen::Vector3d n{0, 0, 0};  // unit, outward (3)
+  int plane = 0;               // first triangle of the flat region to which it belongs
+  std::array<int, 3> own_corners{-1, -1, -1};  // entries of Polyhedron::corners; -1: none
+  std::array<int, 3> own_edges{-1, -1, -1};    // entries of Polyhedron::edges; -1: none
 };
 
-/// A closed surface of triangles in parts that can touch: where it is flat or bends inwards nothing
-/// does before something else.
+/// A closed surface of triangles, reduced to features that can touch: flat and concave parts cannot
+/// touch before others.
 struct Polyhedron {
   std::vector<PolyhedronCorner> corners;
-  std::vector<Eigen::Vector3d> ways;  // unit, from corners along their edges (3)
+  std::vector<Eigen::Vector3d> directions;  // unit, from corners along their edges (3)
   std::vector<PolyhedronEdge> edges;
   std::vector<PolyhedronFace> faces;
-  std::vector<CollisionNode> nodes;  // balls around faces; CollisionNode::triangle is a face
+  std::vector<CollisionNode> nodes;  // bounding balls of faces; CollisionNode::triangle is a face
 };
 
-/// @param mesh  closed; corners at the same place may be several vertices
+/// Builds the polyhedron of a mesh. @param mesh  closed; several vertices may have one position
 /// @throws InputError if it has no triangle.
 [[nodiscard]] std::shared_ptr<const Polyhedron> build_polyhedron(const TriangleMesh& mesh);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Random approaches: poses, postures and stand-offs from which a hand starts.
+/// Random approaches: poses, postures and stand-offs at which grasps start.
 
 #include <random>
 
@@ -14,42 +14,44 @@ namespace thenar {
 
 /// Samples a collision-free hand pose whose palm faces the object. Two kinds are equally likely:
 ///
-/// along axes: the hand comes along one of the six half-axes of the object's box, all equally
-/// likely,
-///   aims at a point that is uniform in a ball of a tenth of the object's radius about its centre
-///   of mass, and closes (closing_axis()) across the shorter of the other two axes, in either
-///   sense. Jaws then lie flat on flat sides, as they would turn the object to.
-/// any: the direction of approach is uniform on the sphere, the roll about it uniform, and the aim
+/// along an axis: the approach direction is one of the six half-axes of the object's box, all
+///   equally likely; it points to an aim, uniform in a ball of 1/10 of the object's radius about
+///   the
+///   centre of mass. The hand closes (closing_axis()) across the shorter of the other two axes, in
+///   either sense, so that jaws lie flat on flat sides.
+/// free: the approach direction is uniform on the sphere, the roll about it uniform, and the aim
 ///   uniform in a ball of half the object's radius about its centre of mass.
 ///
-/// The same generator gives every hand the same nine random numbers, whatever its build.
+/// Each call draws nine random numbers, so that hands of any kind keep the same random sequence.
 /// @param q  posture of the approach (coordinates)
 [[nodiscard]] Pose<double> sample_approach_pose(const CollisionHand& hand, const Eigen::VectorXd& q,
                                                 const GraspBody& object, std::mt19937& random);
 
-/// Distance of approach from such a start to beyond the object [m].
+/// Returns the distance that takes a hand from a sampled pose to beyond the object [m].
 [[nodiscard]] double approach_distance(const CollisionHand& hand, const Eigen::VectorXd& q,
                                        const GraspBody& object);
 
-/// Samples GraspOptions::stand_off: 0 in half of all grasps, otherwise uniform in [0, 1). One draw.
-/// [1]
+/// Samples GraspOptions::stand_off [1]: 0 with probability 1/2, otherwise uniform in [0, 1). Draws
+/// one number.
 [[nodiscard]] double sample_stand_off(std::mt19937& random);
 
-/// Samples the posture of approach `number` [rad], of sliding joints [m]: open_posture() for every
-/// fourth. For the others, undriven coordinates are uniform within their limits. Those that move
-/// all digits alike, as wrists and arms do, stay: they would turn the palm away from its approach.
+/// Samples the posture of approach `number` [rad], of sliding joints [m]. Every fourth starts at
+/// open_posture(). In the others, coordinates without drives are uniform within their limits,
+/// except those that move all digits together, such as wrists and arms: these would turn the palm
+/// away from its approach direction.
 [[nodiscard]] Eigen::VectorXd sample_preshape(const CollisionHand& hand, int number,
                                               std::mt19937& random);
 
-/// Uniform in [0, 1), the same on every machine; std::uniform_real_distribution is not.
+/// Samples a number uniform in [0, 1), identical on every platform, unlike
+/// std::uniform_real_distribution.
 [[nodiscard]] inline double sample_uniform(std::mt19937& random) { return random() * 0x1p-32; }
 
-/// Uniform in [lower, upper).
+/// Samples a number uniform in [lower, upper).
 [[nodiscard]] inline double sample_between(double lower, double upper, std::mt19937& random) {
   return lower + sample_uniform(random) * (upper - lower);
 }
 
-/// Uniform posture within a hand's limits [rad], of sliding joints [m] (coordinates)
+/// Samples a posture uniform within a hand's limits [rad], of sliding joints [m] (coordinates)
 [[nodiscard]] inline Eigen::VectorXd sample_posture(const HandLayout& layout,
                                                     std::mt19937& random) {
   Eigen::VectorXd q(layout.lower.size());

@@ -1,6 +1,7 @@
 #pragma once
 
-/// Clearances between everything that may meet while a hand moves, bounded from below.
+/// Clearances between surfaces of a hand and of other bodies, with lower bounds that are updated as
+/// the hand moves.
 
 #include <string>
 #include <vector>
@@ -13,58 +14,59 @@
 
 namespace thenar {
 
-/// Clearance of a surface of the hand from another surface or a body; `body` must outlive it.
+/// Clearance of a surface of the hand from another surface or from a body, which must outlive it.
 struct Clearance {
-  int surface;                      // of Hand::surfaces()
-  int other = -1;                   // another surface; -1: `body`
-  const GraspBody* body = nullptr;  // null: against `other`
+  int surface;                      // entry of Hand::surfaces()
+  int other = -1;                   // entry of Hand::surfaces() of the other surface; -1: `body`
+  const GraspBody* body = nullptr;  // the other body; null: `other`
   double bound = 0;                 // lower bound of the clearance [m]
-  int nearest = -1;                 // nearest triangle of the surface; -1: unknown
-  double yield = 0;                 // overlap at which the two touch: depth of soft layers [m]
-  double sticking_cosine = 0;       // SurfacePair::sticking_cosine
+  int nearest = -1;                 // triangle of the surface nearest to the other; -1: unknown
+  double yield_depth = 0;      // overlap at which the two stop each other: depth of soft layers [m]
+  double sticking_cosine = 0;  // SurfacePair::sticking_cosine
 
-  /// Lower bound of the distance until contact [m].
-  [[nodiscard]] double margin() const { return bound + yield; }
+  /// Returns a lower bound of the distance until contact [m].
+  [[nodiscard]] double margin() const { return bound + yield_depth; }
 };
 
-/// A hand in a posture. The collision hand must outlive it.
+/// Collision model of a hand in a posture; the CollisionHand must outlive it.
 struct PosedCollisionHand {
   const CollisionHand& collision_hand;
   Pose<double> X_WH;
-  std::vector<Pose<double>> links;  // displacements from the reference posture, as Hand::pose()
+  std::vector<Pose<double>> links;  // displacements from the reference posture: Hand::pose()
 
-  /// Displacement of a surface from the reference posture to the world.
-  [[nodiscard]] Pose<double> of_surface(int surface) const;
+  /// Returns the displacement of a surface from the reference posture to the world.
+  [[nodiscard]] Pose<double> surface_pose(int surface) const;
 };
 
-/// Measures a clearance, to a fifth of it or to the tolerance, and updates its bound.
-/// @param tolerance, cutoff  as of signed_distance() [m]
+/// Measures a clearance, within 1/5 of its value or the tolerance, and updates its bound.
+/// @param tolerance, cutoff  settings of signed_distance() [m]
 SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand& posed,
                                  double tolerance, double cutoff);
 
-/// Lower bound of a clearance by the balls around the surfaces: one distance evaluation [m].
-[[nodiscard]] double ball_bound(const Clearance& clearance, const PosedCollisionHand& posed);
+/// Returns a lower bound of a clearance [m] from bounding balls, at the cost of one distance.
+[[nodiscard]] double bounding_ball_clearance(const Clearance& clearance,
+                                             const PosedCollisionHand& posed);
 
-/// Clearances of every surface from every body of the setup, bounded by balls.
+/// Finds the clearances of every surface from every body of the setup, bounded by balls.
 [[nodiscard]] std::vector<Clearance> find_clearances(const PosedCollisionHand& posed,
                                                      const GraspSetup& setup);
 
-/// Two things that overlap.
+/// Overlap of a surface of a hand with another surface or a body.
 struct Overlap {
   std::string surface;
   std::string other;
-  double depth;  // [m]
+  double depth;  // penetration [m]
 };
 
-/// Pairs of surfaces of a hand that may meet.
+/// Clearances and overlaps between surfaces of one hand.
 struct SelfClearances {
-  std::vector<Clearance> clearances;  // with a margin left
-  std::vector<Overlap> overlaps;      // of the other pairs, those deeper than they yield
+  std::vector<Clearance> clearances;  // pairs that have a positive margin
+  std::vector<Overlap> overlaps;      // other pairs, if they overlap by more than their soft layers
 };
-/// Clearances between the surfaces of a hand. @param accuracy  of contact [m]
-[[nodiscard]] SelfClearances self_clearances(const PosedCollisionHand& posed, double accuracy);
+/// Finds the clearances between the surfaces of a hand. @param accuracy  of contact [m]
+[[nodiscard]] SelfClearances find_self_clearances(const PosedCollisionHand& posed, double accuracy);
 
-/// Overlaps of surfaces with bodies of the setup. @param accuracy  of the depths [m]
+/// Finds overlaps of surfaces with bodies of the setup. @param accuracy  of the depths [m]
 [[nodiscard]] std::vector<Overlap> find_overlaps(const PosedCollisionHand& posed,
                                                  const GraspSetup& setup, double accuracy);
 

@@ -11,12 +11,14 @@
 namespace thenar {
 namespace {
 
-constexpr double kSoftWay = 1e-3;  // distance between two checks of soft links that slide [m]
+constexpr double kSoftCheckDistance = 1e-3;  // sliding of soft links between two checks [m]
+// Fraction of the refresh distance after which rates are updated, for rounding errors [1]
+constexpr double kRefreshFraction = 0.999;
 
-/// Linear and angular speed of one thing relative to another.
+/// Linear and angular speed of one surface relative to another.
 struct RelativeSpeed {
-  double speed = 0;  // [m/s]
-  double turn = 0;   // [rad/s]
+  double linear = 0;   // [m/s]
+  double angular = 0;  // [rad/s]
 };
 
 /// Closes a hand by conservative advancement.
@@ -32,55 +34,56 @@ class Closing {
         q_(q),
         clearances_(find_clearances(posed_, setup)),
         speeds_(touching.trees.size()) {
-    // Links that may stop each other.
+    // Pairs of links that may stop each other.
     if (!options.self) return;
-    SelfClearances self = self_clearances(posed_, options.accuracy);
+    SelfClearances self = find_self_clearances(posed_, options.accuracy);
     clearances_.insert(clearances_.end(), self.clearances.begin(), self.clearances.end());
-    own_ = std::move(self.overlaps);
+    self_overlaps_ = std::move(self.overlaps);
   }
 
   ClosedHand run() {
     int steps = 0;
-    follow_rates();
-    for (; drives_.moving() && steps < options_.max_steps; ++steps) {
+    update_rates();
+    for (; drives_.is_moving() && steps < options_.max_steps; ++steps) {
       advance();
-      follow_rates();
+      update_rates();
     }
-    return {q_, drives_.stopped(), {}, own_, !drives_.moving(), steps, queries_};
+    return {q_, drives_.stopped(), {}, self_overlaps_, !drives_.is_moving(), steps, queries_};
   }
 
  private:
-  /// Updates given rates at the start, after a stop, and after the refresh distance.
-  void follow_rates() {
+  /// Evaluates the given rates at the start, after a stop, and after the refresh distance.
+  void update_rates() {
     if (!options_.rates) return;
-    const Eigen::Array<bool, Eigen::Dynamic, 1> free = drives_.free();
-    // Nothing was stopped and little has moved: keep the rates.
-    const bool same = followed_.size() == q_.size() && (free == free_).all();
-    if (same && (q_ - followed_).lpNorm<Eigen::Infinity>() < 0.999 * options_.refresh) return;
-    drives_.follow(options_.rates(q_, free));
-    followed_ = q_;
-    free_ = free;
+    const Eigen::Array<bool, Eigen::Dynamic, 1> free = drives_.free_coordinates();
+    // Keep the rates if nothing has stopped and little has moved.
+    const bool same = rates_q_.size() == q_.size() && (free == rates_free_).all();
+    if (same && (q_ - rates_q_).lpNorm<Eigen::Infinity>() < kRefreshFraction * options_.refresh)
+      return;
+    drives_.set_rates(options_.rates(q_, free));
+    rates_q_ = q_;
+    rates_free_ = free;
   }
 
-  /// Time until rates have to be updated [s].
+  /// Returns the time until rates have to be updated [s].
   [[nodiscard]] double time_to_refresh() const {
     if (!options_.rates) return kInfinity;
     double time = kInfinity;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
       const double rate = std::abs(drives_.rates()[j]);
-      const double left = options_.refresh - std::abs(q_[j] - followed_[j]);
-      if (rate > 0) time = std::min(time, std::max(0.0, left) / rate);
+      const double remaining = options_.refresh - std::abs(q_[j] - rates_q_[j]);
+      if (rate > 0) time = std::min(time, std::max(0.0, remaining) / rate);
     }
     return time;
   }
 
-  void find_speeds() {
+  void update_speeds() {
     for (std::size_t s = 0; s < speeds_.size(); ++s)
       speeds_[s] = surface_speed(hand_, q_, drives_.rates(), static_cast<int>(s),
                                  touching_.trees[s].nodes[0].ball);
   }
 
-  /// Sum of the speeds of coordinates that move one of the two things and not the other.
+  /// Sums the speeds of coordinates that move only one of the two surfaces.
   [[nodiscard]] RelativeSpeed relative_speed(const Clearance& clearance) const {
     RelativeSpeed sum;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
@@ -88,48 +91,52 @@ class Closing {
       const bool second = clearance.body == nullptr && touching_.moved_by(clearance.other, j);
       if (first == second) continue;
       const SurfaceSpeed& mover = speeds_[first ? clearance.surface : clearance.other];
-      sum.speed += mover.speed[j];
-      sum.turn += mover.turn[j];
+      sum.linear += mover.speed[j];
+      sum.angular += mover.angular_speed[j];
     }
     return sum;
   }
 
-  /// One step, as long as all clearances allow, or the stop of coordinates that caused a contact.
+  /// Takes one step, as long as all clearances allow, or stops the coordinates that cause a
+  /// contact.
   void advance() {
-    find_speeds();
+    update_speeds();
     double time = std::min(time_to_limits(), time_to_refresh());
-    // Only clearances that the step might use up are measured.
+    // Measure only clearances that the step may use up.
     for (Clearance& clearance : clearances_) {
       const RelativeSpeed relative = relative_speed(clearance);
-      if (relative.speed == 0 || safe(relative, clearance) >= time) continue;
-      const double way = longest_way(relative.speed, relative.turn, finite(time, relative));
+      if (relative.linear == 0 || safe_time_of(relative, clearance) >= time) continue;
+      const double way =
+          max_displacement(relative.linear, relative.angular, finite_time(time, relative));
       const SignedDistance found =
           measure_clearance(clearance, posed_, options_.accuracy / 4, way + 2 * options_.accuracy);
       ++queries_;
-      // In contact: stop what presses, or let it slide on; otherwise the new bound limits the step.
-      if (found.distance + clearance.yield <= options_.accuracy) {
+      // In contact: stop what presses, or let it slide; otherwise the new bound limits the step.
+      if (found.distance + clearance.yield_depth <= options_.accuracy) {
         if (stop(clearance, found)) return;
-        time = std::min(time, slide(clearance) / relative.speed);
+        time = std::min(time, check_distance(clearance) / relative.linear);
       } else {
-        time = std::min(time, safe(relative, clearance));
+        time = std::min(time, safe_time_of(relative, clearance));
       }
     }
     move(time);
   }
 
-  [[nodiscard]] double safe(const RelativeSpeed& relative, const Clearance& clearance) const {
-    return safe_time(relative.speed, relative.turn,
+  /// Returns a time in which the margin of a clearance is not used up [s].
+  [[nodiscard]] double safe_time_of(const RelativeSpeed& relative,
+                                    const Clearance& clearance) const {
+    return safe_time(relative.linear, relative.angular,
                      std::max(0.0, clearance.margin() - options_.accuracy / 2));
   }
 
-  /// Distance until two things that slide along each other are checked again [m].
-  [[nodiscard]] double slide(const Clearance& clearance) const {
-    return clearance.sticking_cosine > 0 ? kSoftWay : options_.accuracy / 4;
+  /// Returns the distance after which two sliding surfaces are checked again [m].
+  [[nodiscard]] double check_distance(const Clearance& clearance) const {
+    return clearance.sticking_cosine > 0 ? kSoftCheckDistance : options_.accuracy / 4;
   }
 
-  /// A finite time, in which a coordinate moves no farther than a metre [s].
-  static double finite(double time, const RelativeSpeed& relative) {
-    return std::min(time, safe_time(relative.speed, relative.turn, 1.0));
+  /// Limits a time to one in which no point moves farther than a metre [s].
+  static double finite_time(double time, const RelativeSpeed& relative) {
+    return std::min(time, safe_time(relative.linear, relative.angular, 1.0));
   }
 
   [[nodiscard]] double time_to_limits() const {
@@ -141,19 +148,20 @@ class Closing {
     return time;
   }
 
+  /// Returns the limit towards which a coordinate moves.
   [[nodiscard]] double limit(Eigen::Index j) const {
     return drives_.rates()[j] > 0 ? hand_.layout().upper[j] : hand_.layout().lower[j];
   }
 
   /// Moves all coordinates, and stops those that reach their limits.
   void move(double time) {
-    // Bounds shrink by the longest distance a point can move.
+    // Reduce all bounds by the largest distance that a point can move.
     for (Clearance& clearance : clearances_) {
       const RelativeSpeed relative = relative_speed(clearance);
-      clearance.bound -= longest_way(relative.speed, relative.turn, time);
+      clearance.bound -= max_displacement(relative.linear, relative.angular, time);
     }
     const Eigen::VectorXd rates = drives_.rates();
-    // Coordinates move at their rates, up to their limits.
+    // Move coordinates at their rates, up to their limits.
     std::vector<int> at_limit;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
       if (rates[j] == 0) continue;
@@ -165,13 +173,14 @@ class Closing {
     for (const int j : at_limit) drives_.stop(j, StoppedBy::kLimit);
   }
 
-  /// Velocity of a point of a surface by each coordinate that does not move the other surface, too.
+  /// Returns the velocity of a point of a surface by each coordinate that does not also move the
+  /// other surface
   /// [m/s] (3, coordinates)
   [[nodiscard]] Eigen::Matrix3Xd velocities(int surface, int other,
                                             const Eigen::Vector3d& at_W) const {
     const int link = hand_.surfaces()[surface].link;
     if (link < 0) return Eigen::Matrix3Xd::Zero(3, q_.size());
-    const Eigen::Vector3d p = posed_.of_surface(surface).inverse() * at_W;
+    const Eigen::Vector3d p = posed_.surface_pose(surface).inverse() * at_W;
     Eigen::Matrix3Xd v =
         posed_.X_WH.R * hand_.jacobian(q_, link, p).bottomRows<3>() * drives_.rates().asDiagonal();
     for (Eigen::Index j = 0; j < q_.size(); ++j)
@@ -179,20 +188,21 @@ class Closing {
     return v;
   }
 
-  /// Stops the coordinates that press two things together: for soft links each that sticks to the
-  /// other, for others all that move the two relative to each other. @returns whether it stopped
-  /// any
+  /// Stops the coordinates that press two surfaces together: for soft links those of a link that
+  /// sticks to the other, otherwise all that move the two relative to each other. @returns whether
+  /// any was stopped
   bool stop(const Clearance& clearance, const SignedDistance& found) {
     // Velocities of both contact points.
     const Eigen::Matrix3Xd a = velocities(clearance.surface, clearance.other, found.on_a);
     Eigen::Matrix3Xd b = Eigen::Matrix3Xd::Zero(3, q_.size());
     if (clearance.body == nullptr) b = velocities(clearance.other, clearance.surface, found.on_b);
-    // Closing speed by each coordinate; parting things are not stopped.
+    // Closing speed by each coordinate; surfaces that separate are not stopped.
     const Eigen::VectorXd into = (b - a).transpose() * found.normal;  // [m/s] (coordinates)
     if (into.sum() <= 0) return false;
     // Soft links slide unless they stick.
     const bool sticks[] = {sticks_to(-a, found.normal, into.sum(), clearance.sticking_cosine),
                            sticks_to(b, found.normal, into.sum(), clearance.sticking_cosine)};
+    // Stop coordinates that move only one of the two.
     bool stopped = false;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
       const bool first = touching_.moved_by(clearance.surface, j);
@@ -205,9 +215,9 @@ class Closing {
     return stopped;
   }
 
-  /// Returns whether a link goes into another within the friction cone, and faster than that gives
-  /// way.
-  /// @param closing  speed at which the two come together [m/s]
+  /// Returns whether a link moves into another within the friction cone, and faster than the other
+  /// recedes.
+  /// @param closing  speed at which the two approach each other [m/s]
   static bool sticks_to(const Eigen::Matrix3Xd& velocities, const Eigen::Vector3d& inwards,
                         double closing, double cosine) {
     const Eigen::Vector3d v = velocities.rowwise().sum();
@@ -221,16 +231,16 @@ class Closing {
   PosedCollisionHand posed_;
   Eigen::VectorXd q_;
   std::vector<Clearance> clearances_;
-  std::vector<Overlap> own_;  // at the start
+  std::vector<Overlap> self_overlaps_;  // at the start
   std::vector<SurfaceSpeed> speeds_;
-  Eigen::VectorXd followed_;                    // where rates were asked for last
-  Eigen::Array<bool, Eigen::Dynamic, 1> free_;  // then
+  Eigen::VectorXd rates_q_;                           // posture of the last evaluation of rates
+  Eigen::Array<bool, Eigen::Dynamic, 1> rates_free_;  // free coordinates at that evaluation
   int queries_ = 0;
 };
 
 }  // namespace
 
-void require_start(const Hand& hand, const Eigen::VectorXd& q) {
+void require_valid_start(const Hand& hand, const Eigen::VectorXd& q) {
   const HandLayout& layout = hand.layout();
   require(q.size() == layout.lower.size(), "the hand has {} coordinates, q has {}",
           layout.lower.size(), q.size());
@@ -242,8 +252,8 @@ void require_start(const Hand& hand, const Eigen::VectorXd& q) {
 
 ClosedHand close_hand(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
                       const GraspSetup& setup, const CloseOptions& options) {
-  require_start(*hand.hand, q);
-  // Overlaps at the start leave nothing to close.
+  require_valid_start(*hand.hand, q);
+  // A hand that starts in overlap cannot close.
   std::vector<Overlap> overlaps =
       find_overlaps({hand, X_WH, hand.hand->pose(q)}, setup, options.accuracy);
   if (overlaps.empty()) return Closing(hand, X_WH, q, setup, options).run();
@@ -256,7 +266,8 @@ ClosedHand close_hand(const CollisionHand& hand, const Pose<double>& X_WH, const
 
 namespace {
 
-constexpr double kLongestTurn = 1.5;  // e^x - 1 <= x + x^2 up to x = 1.79 [rad]
+// Maximum rotation in a step: e^x - 1 <= x + x^2 holds up to x = 1.79 [rad]
+constexpr double kMaxStepRotation = 1.5;
 
 }  // namespace
 
@@ -264,23 +275,24 @@ SurfaceSpeed surface_speed(const Hand& hand, const Eigen::VectorXd& q, const Eig
                            int surface, const Ball& ball) {
   const int link = hand.surfaces()[surface].link;
   if (link < 0) return {Eigen::VectorXd::Zero(q.size()), Eigen::VectorXd::Zero(q.size())};
-  // The centre of the ball by the Jacobian; its rim moves faster by radius times angular speed.
+  // Speed of the ball's centre by the Jacobian, plus radius times angular speed.
   const auto J = hand.jacobian(q, link, ball.c);
   const Eigen::VectorXd rate = q_dot.cwiseAbs();
-  const Eigen::VectorXd turn = J.topRows<3>().colwise().norm().transpose().cwiseProduct(rate);
+  const Eigen::VectorXd angular = J.topRows<3>().colwise().norm().transpose().cwiseProduct(rate);
   const Eigen::VectorXd centre = J.bottomRows<3>().colwise().norm().transpose().cwiseProduct(rate);
-  return {centre + ball.r * turn, turn};
+  return {centre + ball.r * angular, angular};
 }
 
-double safe_time(double speed, double turn, double clearance) {
+double safe_time(double speed, double angular_speed, double clearance) {
   if (speed <= 0) return std::numeric_limits<double>::infinity();
-  // Root of  speed turn t^2 + speed t = clearance,  in a form without cancellation.
-  const double time = 2 * clearance / speed / (1 + std::sqrt(1 + 4 * turn * clearance / speed));
-  return turn > 0 ? std::min(time, kLongestTurn / turn) : time;
+  // Root of  speed angular_speed t^2 + speed t = clearance,  in a form without cancellation.
+  const double time =
+      2 * clearance / speed / (1 + std::sqrt(1 + 4 * angular_speed * clearance / speed));
+  return angular_speed > 0 ? std::min(time, kMaxStepRotation / angular_speed) : time;
 }
 
-double longest_way(double speed, double turn, double time) {
-  return speed * time * (1 + turn * time);
+double max_displacement(double speed, double angular_speed, double time) {
+  return speed * time * (1 + angular_speed * time);
 }
 
 }  // namespace thenar

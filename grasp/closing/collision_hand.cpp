@@ -10,41 +10,43 @@
 namespace thenar {
 namespace {
 
-constexpr double kAlongsideCosine = 0.7;  // Least cosine between the axes of links side by side [1]
+constexpr double kMinAlongsideCosine = 0.7;  // cosine between closing axes of adjacent links [1]
 
+/// Returns which coordinates move each surface.
 MovedBy moved_by(const Hand& hand) {
   const HandLayout& layout = hand.layout();
   const Eigen::VectorXd q = (layout.lower + layout.upper) / 2;
-  const Eigen::Vector3d somewhere(0.1, 0.2, 0.3);  // off every likely axis [m]
+  const Eigen::Vector3d probe(0.1, 0.2, 0.3);  // a point off all likely axes [m]
   // A coordinate moves a surface if its Jacobian column is not zero.
   MovedBy moves(hand.surfaces().size(), q.size());
   for (Eigen::Index s = 0; s < moves.rows(); ++s) {
     const int link = hand.surfaces()[s].link;
     moves.row(s) = false;
-    if (link >= 0) moves.row(s) = hand.jacobian(q, link, somewhere).colwise().norm().array() > 0;
+    if (link >= 0) moves.row(s) = hand.jacobian(q, link, probe).colwise().norm().array() > 0;
   }
   return moves;
 }
 
-/// The nearest link towards the base, itself included, that has a surface; -1: the base.
-int carrier(const Hand& hand, int link) {
-  const auto carries = [&](int l) {
+/// Returns the nearest link towards the base, including itself, that has a surface; -1: the base.
+int nearest_surface_link(const Hand& hand, int link) {
+  const auto has_surface = [&](int l) {
     return std::any_of(hand.surfaces().begin(), hand.surfaces().end(),
                        [l](const LinkSurface& s) { return s.link == l; });
   };
-  while (link >= 0 && !carries(link)) link = hand.layout().parents[link];
+  while (link >= 0 && !has_surface(link)) link = hand.layout().parents[link];
   return link;
 }
 
-/// Returns whether b is a, or carries a at most `steps` surfaces farther out.
-bool carries(const Hand& hand, int a, int b, int steps) {
-  for (; a != b && a >= 0 && steps > 0; --steps) a = carrier(hand, hand.layout().parents[a]);
+/// Returns whether b is a, or carries a over at most `steps` links with surfaces.
+bool is_carried_by(const Hand& hand, int a, int b, int steps) {
+  for (; a != b && a >= 0 && steps > 0; --steps)
+    a = nearest_surface_link(hand, hand.layout().parents[a]);
   return a == b;
 }
 
-/// Angular velocity of a link in closing, by coordinates that move it and not the other, with
-/// drives at their speeds and joints in the middle of their ranges [rad/s] (3).
-Eigen::Vector3d own_turn(const Hand& hand, const MovedBy& moves, int surface, int other) {
+/// Computes the angular velocity of a link in closing by coordinates that do not move the other
+/// one, with drives at their speeds and joints in the middle of their ranges [rad/s] (3).
+Eigen::Vector3d relative_rotation(const Hand& hand, const MovedBy& moves, int surface, int other) {
   const HandLayout& layout = hand.layout();
   const int link = hand.surfaces()[surface].link;
   if (link < 0) return Eigen::Vector3d::Zero();
@@ -57,21 +59,22 @@ Eigen::Vector3d own_turn(const Hand& hand, const MovedBy& moves, int surface, in
 
 /// Returns whether two links curl in the same direction.
 bool curl_alongside(const Hand& hand, const MovedBy& moves, int a, int b) {
-  const Eigen::Vector3d one = own_turn(hand, moves, a, b), other = own_turn(hand, moves, b, a);
-  return one.dot(other) > kAlongsideCosine * one.norm() * other.norm();
+  const Eigen::Vector3d one = relative_rotation(hand, moves, a, b),
+                        other = relative_rotation(hand, moves, b, a);
+  return one.dot(other) > kMinAlongsideCosine * one.norm() * other.norm();
 }
 
-/// The pair of two surfaces; nothing if they never meet.
+/// Returns the pair of two surfaces; nothing if contact between them is ignored.
 std::optional<SurfacePair> pair_of(const Hand& hand, const MovedBy& moves,
                                    const Materials& materials, int a, int b) {
   const LinkSurface &first = hand.surfaces()[a], &second = hand.surfaces()[b];
-  // Two soft links fold over each other across one more joint.
-  const double layers[] = {soft_layer(first, materials), soft_layer(second, materials)};
+  // Neighbours are ignored; soft links also over one more joint, as flesh folds there.
+  const double layers[] = {soft_layer_depth(first, materials), soft_layer_depth(second, materials)};
   const int steps = layers[0] > 0 && layers[1] > 0 ? 2 : 1;
-  if (carries(hand, first.link, second.link, steps) ||
-      carries(hand, second.link, first.link, steps))
+  if (is_carried_by(hand, first.link, second.link, steps) ||
+      is_carried_by(hand, second.link, first.link, steps))
     return std::nullopt;
-  // Soft pairs yield by both layers, and stick within the friction cone.
+  // Soft pairs stop each other when both layers are compressed, and stick within the friction cone.
   SurfacePair pair{a, b, layers[0] + layers[1]};
   if (steps > 1) {
     if (curl_alongside(hand, moves, a, b)) return std::nullopt;
@@ -83,7 +86,7 @@ std::optional<SurfacePair> pair_of(const Hand& hand, const MovedBy& moves,
 
 }  // namespace
 
-double soft_layer(const LinkSurface& surface, const Materials& materials) {
+double soft_layer_depth(const LinkSurface& surface, const Materials& materials) {
   for (const Material& material : materials.materials)
     if (material.name == surface.material) return material.layer_thickness;
   return 0;
@@ -93,12 +96,12 @@ CollisionHand collision_hand(const Hand& hand, const Materials& materials) {
   const std::vector<LinkSurface>& surfaces = hand.surfaces();
   require(!surfaces.empty(), "the hand has no surface that could touch");
   CollisionHand built{&hand, {}, moved_by(hand), {}};
-  // A tree of triangles for each surface, and the pairs that may meet.
+  // Build a tree for each surface, and list the pairs that may stop each other.
   for (const LinkSurface& surface : surfaces) built.trees.push_back(collision_tree(*surface.solid));
   for (int a = 0; a < static_cast<int>(surfaces.size()); ++a)
     for (int b = 0; b < a; ++b)
       if (const auto pair = pair_of(hand, built.moved_by, materials, a, b))
-        built.self.push_back(*pair);
+        built.self_pairs.push_back(*pair);
   return built;
 }
 

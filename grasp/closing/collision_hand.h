@@ -12,43 +12,46 @@
 
 namespace thenar {
 
-/// Table of surfaces and the coordinates that move them (surfaces, coordinates).
+/// Table of the coordinates that move each surface (surfaces, coordinates).
 using MovedBy = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Two surfaces of a hand that may meet.
+/// Two surfaces of one hand between which contact is checked.
 struct SurfacePair {
-  int a, b;                    // of Hand::surfaces()
-  double yield = 0;            // depth of overlap at which they stop each other [m]
-  double sticking_cosine = 0;  // sticks if at least this share of the speed is into the other [1]
+  int a, b;                // entries of Hand::surfaces()
+  double yield_depth = 0;  // overlap at which they stop each other [m]
+  /// Minimum share of the speed into the other surface at which they stick [1]
+  double sticking_cosine = 0;
 };
 
-/// Surfaces of a hand as collision trees; constant once built. The hand must outlive it.
+/// Surfaces of a hand as collision trees; constant after construction. The hand must outlive it.
 struct CollisionHand {
   const Hand* hand;
-  std::vector<CollisionTree> trees;  // of each surface, hand frame, reference posture
-  MovedBy moved_by;                  // (surfaces, coordinates)
-  std::vector<SurfacePair> self;     // pairs that may meet: all but near ones of one limb
+  std::vector<CollisionTree> trees;  // one for each surface, hand frame, reference posture
+  MovedBy moved_by;  // whether each coordinate moves a surface (surfaces, coordinates)
+  std::vector<SurfacePair> self_pairs;  // checked pairs: all but neighbours on one limb
 };
 
-/// Depth to which the soft layer of a surface can be pressed: its thickness,
-/// Material::layer_thickness [m]; 0 for materials that are not in the table. The built-in table has
-/// 3 mm for skin.
-[[nodiscard]] double soft_layer(const LinkSurface& surface,
-                                const Materials& materials = built_in_materials());
+/// Returns the depth to which the soft layer of a surface can be compressed: its thickness,
+/// Material::layer_thickness [m]; 0 for materials that are not in the table. Skin has 3 mm in the
+/// built-in table.
+[[nodiscard]] double soft_layer_depth(const LinkSurface& surface,
+                                      const Materials& materials = built_in_materials());
 
-/// Builds the collision model. The Jacobians tell which coordinates move a surface, so that no
+/// Builds the collision model. The Jacobians show which coordinates move a surface, so that no
 /// kinematic tree is needed.
 ///
-/// Surfaces of one link never meet; nor do those of a link and of the next link towards the base
-/// that has a surface. Two soft surfaces yield by both their layers, and stick where one goes into
-/// the other within their friction cone: with a share of  1 / sqrt(1 + mu^2)  or more of its speed,
-/// 0.74 for skin on skin by the built-in table. Two soft surfaces do not meet, either,
-/// - on a link and the next but one: flesh folds between them as the joints flex (under the thumb's
-///   phalanx lies its own eminence, though the palm carries it); joint limits stand for contact
+/// Contact is not checked between surfaces of one link, nor between those of a link and of the next
+/// link towards the base that has a surface. Two soft surfaces stop each other when both layers are
+/// compressed, and stick where one moves into the other within the friction cone: with a share of
+/// 1 / sqrt(1 + mu^2)  or more of its speed, 0.74 for skin on skin in the built-in table. Contact
+/// between soft surfaces is also ignored
+/// - on a link and the next but one: flesh folds between them as the joints flex (the thumb's
+///   phalanx lies on the thenar eminence, which the palm carries); joint limits replace contact
 ///   there;
-/// - where both turn the same way in closing, about axes within 45 deg of each other: fingers that
-///   curl side by side part sideways, without a drive; here they overlap instead.
-/// @throws InputError if the hand has no surface, or two soft materials of it no friction.
+/// - where both rotate in the same sense in closing, about axes within 45 deg of each other: such
+///   fingers separate sideways, a motion that no drive makes; here they overlap.
+/// @throws InputError if the hand has no surface, or no friction is known between two of its soft
+/// materials.
 [[nodiscard]] CollisionHand collision_hand(const Hand& hand,
                                            const Materials& materials = built_in_materials());
 

@@ -6,18 +6,18 @@
 namespace thenar {
 namespace {
 
-// Least part of a wrench that is named, over the largest [1]
-constexpr double kNamedShare = 1.0 / 3;
-constexpr double kNoTurn = 1e-12;  // Smaller torques and turns are rounding [1]
+// Minimum size of a listed component over the largest [1]
+constexpr double kMinComponentRatio = 1.0 / 3;
+constexpr double kNoRotation = 1e-12;  // rotation per unit of a coordinate that is rounding [1]
 
-/// The large parts, those of the first three named `along`, the others `about`.
-std::string large_parts(const Eigen::Matrix<double, 6, 1>& vector, const char* along,
-                        const char* about) {
+/// Lists the large components, the first three as `along` an axis, the others as `about` one.
+std::string large_components(const Eigen::Matrix<double, 6, 1>& vector, const char* along,
+                             const char* about) {
   const double largest = vector.cwiseAbs().maxCoeff();
   if (!(largest > 0)) return "none";
   std::vector<std::string> parts;
   for (int k = 0; k < 6; ++k)
-    if (std::abs(vector[k]) >= kNamedShare * largest)
+    if (std::abs(vector[k]) >= kMinComponentRatio * largest)
       parts.push_back(
           fmt::format("{} {}{}", k < 3 ? along : about, vector[k] > 0 ? "+" : "-", "xyz"[k % 3]));
   return fmt::format("{}", fmt::join(parts, ", "));
@@ -26,14 +26,14 @@ std::string large_parts(const Eigen::Matrix<double, 6, 1>& vector, const char* a
 }  // namespace
 
 std::string direction_words(const ScaledWrench& wrench) {
-  return large_parts(wrench.vector(), "force along", "torque about");
+  return large_components(wrench.vector(), "force along", "torque about");
 }
 
-std::string motion_words(const ScaledMotion& motion) {
-  return large_parts(motion.vector(), "along", "turning about");
+std::string describe_motion(const ScaledMotion& motion) {
+  return large_components(motion.vector(), "along", "turning about");
 }
 
-std::string overlap_words(const std::vector<Overlap>& overlaps) {
+std::string describe_overlaps(const std::vector<Overlap>& overlaps) {
   std::vector<std::string> parts;
   parts.reserve(overlaps.size());
   for (const Overlap& each : overlaps)
@@ -42,16 +42,17 @@ std::string overlap_words(const std::vector<Overlap>& overlaps) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string own_overlap_words(const ClosedHand& closed) {
+std::string describe_self_overlaps(const ClosedHand& closed) {
   if (closed.self_overlaps.empty()) return "";
   return "some links overlap at the start, so contact between them is ignored: " +
-         overlap_words(closed.self_overlaps);
+         describe_overlaps(closed.self_overlaps);
 }
 
 bool is_held_between_two(const std::vector<HandContact>& contacts) {
   if (contacts.size() != 2) return false;
   const Contact &a = contacts[0].contact, &b = contacts[1].contact;
   const Eigen::Vector3d line = (b.p - a.p).normalized();
+  // The line between the points must lie in both friction cones.
   const auto within = [](const Contact& contact, const Eigen::Vector3d& along) {
     const double cosine = contact.n.dot(along);
     return cosine > 0 && contact.n.cross(along).norm() < contact.friction * cosine;
@@ -72,7 +73,7 @@ std::string outcome_words(const Grasp& grasp) {
                          grasp.quality.force_closure ? "force closure" : "no force closure");
     case GraspOutcome::kOverlaps:
       return "the hand begins in something: " +
-             overlap_words(way.overlaps.empty() ? grasp.closed.overlaps : way.overlaps);
+             describe_overlaps(way.overlaps.empty() ? grasp.closed.overlaps : way.overlaps);
     case GraspOutcome::kMissed:
       return "missed: the approach met nothing";
     case GraspOutcome::kBlocked:
@@ -90,7 +91,7 @@ bool slides(const Hand& hand, const Eigen::VectorXd& q, int coordinate) {
     if (surface.link < 0) continue;
     const Eigen::Vector3d p = surface.solid->shape->bounds().center();
     const Eigen::Matrix<double, 6, 1> column = hand.jacobian(q, surface.link, p).col(coordinate);
-    if (column.norm() > kNoTurn) return column.head<3>().norm() <= kNoTurn;
+    if (column.norm() > kNoRotation) return column.head<3>().norm() <= kNoRotation;
   }
   return false;
 }

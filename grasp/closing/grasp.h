@@ -1,6 +1,6 @@
 #pragma once
 
-/// A whole grasp: approach, closing, contacts, quality.
+/// Complete grasp: approach, closing, contacts, quality.
 
 #include <array>
 #include <string>
@@ -19,22 +19,24 @@ namespace thenar {
 
 /// Settings of grasp().
 struct GraspOptions {
-  double approach_distance = 1;  // largest distance of approach [m]; 0: closes where it is
-  double side_step = 1;          // largest distance of giving way, by the object's radius [1]
-  double stand_off = 0;  // share of max_stand_off() that the hand moves back before it closes [1]
+  double approach_distance =
+      1;                 // maximum distance of the approach [m]; 0: the hand closes without one
+  double side_step = 1;  // maximum sum of sidesteps, over the object's radius [1]
+  double stand_off = 0;  // retreat before closing, over max_stand_off() [1]
   CloseOptions close;
   ContactPatchOptions patches;
   EpsilonOptions epsilon;
-  PadOptions pads;  // hard points unless they say soft fingers
+  PadOptions pads;  // contact model: hard points or soft fingers
 };
 
 /// Outcome of a grasp.
 enum class GraspOutcome {
-  kGrasped,   // there are contacts, and `quality` holds
-  kOverlaps,  // the hand began in something: see approached.overlaps or closed.overlaps
-  kMissed,    // the approach met nothing
-  kBlocked,   // the approach met an obstacle first, and closing there touched nothing
-  kTooLong,   // closing exceeded its step limit
+  kGrasped,   // there are contacts, and `quality` is valid
+  kOverlaps,  // the hand overlaps something at the start: see approached.overlaps or
+              // closed.overlaps
+  kMissed,    // the approach ended without a contact
+  kBlocked,   // the approach met an obstacle first, and the closed hand does not touch the object
+  kTooLong,   // closing exceeded its maximum number of steps
   kEmpty      // the closed hand does not touch the object
 };
 inline constexpr std::array kGraspOutcomeNames{
@@ -51,30 +53,30 @@ struct [[nodiscard]] Grasp {
   ApproachResult approached;
   ClosedHand closed;
   std::vector<HandContact> contacts;  // in the object's frame
-  Epsilon quality;                    // about the centre of mass, torques over the object's radius
+  Epsilon quality;  // about the centre of mass, torques divided by the object's radius
 };
 
 /// Finds the contacts of a posed hand with the object, patch by patch, numbered in
-/// `Contact::patch`, with the friction of both materials, and for soft fingers the torsion of their
-/// soft layers (torsion_of()). Patches of one link that meet are merged.
-/// @throws InputError if the setup has no friction for a pair of materials, or for soft fingers
+/// `Contact::patch`. They have the friction of the two materials and, for soft fingers, the torsion
+/// of the soft layers (patch_torsion()). Adjacent patches of one link are merged.
+/// @throws InputError if the setup has no friction for a pair of materials, or, for soft fingers,
 /// lacks a material.
 [[nodiscard]] std::vector<HandContact> find_contacts(const PosedCollisionHand& posed,
                                                      const GraspSetup& setup,
                                                      const ContactPatchOptions& options = {},
                                                      const PadOptions& pads = {});
 
-/// Largest stand-off at which the tips still close beyond the object's centre of mass: the tips
-/// count at the time at which they are as far apart along the closing axis as the object is wide
-/// there.
-///   max(0, tips_ahead() - d'(com - point of approach)),  d the direction of approach [m].
+/// Returns the maximum stand-off at which the tips still close beyond the object's centre of mass
+/// [m]. The tips count at the time at which they are as far apart along the closing axis as the
+/// object is wide:
+///   max(0, mean_tip_advance() - d'(com - point of approach)),  d the direction of approach.
 /// @param q  posture of the approach (coordinates)
 [[nodiscard]] double max_stand_off(const CollisionHand& hand, const Pose<double>& X_WH,
                                    const Eigen::VectorXd& q, const GraspBody& object);
 
 /// Approaches (yielding_approach()), closes, finds the contacts, and computes their quality. A hand
-/// that meets the object moves back by its stand-off, so that fingertips may hold it off the palm;
-/// a hand that meets an obstacle closes there, too.
+/// that meets the object retreats by its stand-off, so that the fingertips can hold it off the
+/// palm; a hand that meets an obstacle closes where it is.
 /// @param q  posture of the approach, at which closing begins (coordinates)
 /// @throws InputError as approach(), close_hand() and find_contacts(), or if stand_off is not in
 /// [0, 1].

@@ -16,7 +16,8 @@
 namespace thenar {
 namespace {
 
-/// Centroid of the volume: of the union, if shapes or parts of meshes overlap [m] (3)
+/// Returns the centroid of a body's volume: of the union, if shapes or parts of meshes overlap [m]
+/// (3)
 Eigen::Vector3d volume_centre(const BodySpec& body) {
   BodySpec even = body;
   even.density = 1;
@@ -30,7 +31,7 @@ std::vector<std::string> names_of(const WorldSpec& world) {
   return names;
 }
 
-/// build_solid() whose errors name the body and its meshes.
+/// Calls build_solid(), with the body and its meshes named in errors.
 Solid solid_of(const BodySpec& body) {
   try {
     return build_solid(body.shapes);
@@ -57,7 +58,7 @@ GraspBody build_body(const PlacedBody& placed) {
   body.material = placed.body.material.empty() ? kDefaultMaterial : placed.body.material;
   body.solid = solid_of(placed.body);
   body.X_WB = placed.X_WB;
-  // The centre of mass, or of volume if the mass is unknown.
+  // Centre of mass, or of volume if the mass is unknown.
   body.com = placed.body.mass ? placed.body.mass->com : volume_centre(placed.body);
   for (const ShapeSpec& shape : placed.body.shapes)
     body.torque_scale = std::max(body.torque_scale, reach_of(shape, body.com));
@@ -90,20 +91,20 @@ GraspSetup build_setup(const WorldSpec& world, const std::string& object) {
 
 namespace {
 
-// Largest ratio of volumes at which the turned box is taken [1]
-constexpr double kSmallerVolume = 0.99;
+// Maximum ratio of volumes at which the box along principal axes is preferred [1]
+constexpr double kMaxVolumeRatio = 0.99;
 
-/// Box along given axes that holds all points.
+/// Returns the bounding box of points along given axes.
 BodyBox box_along(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points) {
   const Eigen::Matrix3Xd along = axes.transpose() * points;
   return {axes, (along.rowwise().maxCoeff() - along.rowwise().minCoeff()) / 2};
 }
 
+/// Sorts the axes of a box by length, and keeps them right-handed.
 BodyBox longest_first(const BodyBox& box) {
   std::array<int, 3> order{0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return box.half[a] > box.half[b]; });
-  // Sort the axes, and keep them right-handed.
   BodyBox sorted;
   for (int i = 0; i < 3; ++i) {
     sorted.axes.col(i) = box.axes.col(order[static_cast<std::size_t>(i)]);
@@ -116,11 +117,11 @@ BodyBox longest_first(const BodyBox& box) {
 }  // namespace
 
 BodyBox body_box(const TriangleMesh& picture) {
-  // Boxes along the frame and along the principal axes.
+  // Boxes along the frame and along the principal axes of inertia.
   const BodyBox framed = box_along(Eigen::Matrix3d::Identity(), picture.vertices);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(mass_properties(picture, 1).inertia);
   const BodyBox turned = box_along(inertia.eigenvectors(), picture.vertices);
-  const bool smaller = turned.half.prod() < kSmallerVolume * framed.half.prod();
+  const bool smaller = turned.half.prod() < kMaxVolumeRatio * framed.half.prod();
   return longest_first(smaller ? turned : framed);
 }
 

@@ -18,26 +18,27 @@ namespace thenar {
 /// Bounding box of a body, in the frame of its mesh.
 struct BodyBox {
   Eigen::Matrix3d axes{Eigen::Matrix3d::Identity()};  // columns, right-handed, longest first (3, 3)
-  Eigen::Vector3d half{0, 0, 0};                      // half sides along them, descending [m] (3)
+  Eigen::Vector3d half{0, 0, 0};  // half sides along the axes, descending [m] (3)
 };
 
-/// The smaller of two boxes around a body: along its frame, and along its principal axes of inertia
-/// at uniform density. The second must be smaller by 1 % of the volume, so that bodies without
-/// distinct principal axes, like balls and cubes, keep their frame.
+/// Returns the smaller of two bounding boxes of a body: along its frame, and along its principal
+/// axes of inertia at uniform density. The second must be smaller by 1 % of the volume, so that
+/// bodies without distinct principal axes, like balls and cubes, keep their frame.
 [[nodiscard]] BodyBox body_box(const TriangleMesh& picture);
 
-/// A body at its pose, ready for contacts.
+/// A body at its pose, with the geometry that contacts need.
 struct GraspBody {
   std::string name;
   std::string material;
-  Solid solid;                   // body frame
-  Pose<double> X_WB;             //
-  Eigen::Vector3d com{0, 0, 0};  // centre of mass; of volume if that is unknown, body frame [m] (3)
-  double torque_scale = 0;       // largest distance of the surface from com [m]
-  BodyBox box;                   // body frame
+  Solid solid;        // body frame
+  Pose<double> X_WB;  // pose of the body in the world
+  Eigen::Vector3d com{0, 0,
+                      0};   // centre of mass, or of volume if it is unknown, body frame [m] (3)
+  double torque_scale = 0;  // maximum distance of the surface from com [m]
+  BodyBox box;              // body frame
 };
 
-/// Object to be grasped, the obstacles around it, and the materials of all.
+/// Object to grasp, the obstacles around it, and all materials.
 struct GraspSetup {
   GraspBody object;
   std::vector<GraspBody> obstacles;

@@ -22,8 +22,8 @@ void require_pull(const HandLayout& layout, const ClosingTensions& pull, const F
   require(std::isfinite(pull.excursion), "an excursion must be finite, got {} m/s", pull.excursion);
 }
 
-/// Sum of the tensions of tendons that turn any joint of the drive [N].
-double pulled(const Drive& drive, const Eigen::MatrixXd& B, const Eigen::VectorXd& u) {
+/// Sums the tensions of tendons that act on any joint of the drive [N].
+double sum_of_tensions(const Drive& drive, const Eigen::MatrixXd& B, const Eigen::VectorXd& u) {
   double sum = 0;
   for (Eigen::Index i = 0; i < u.size(); ++i) {
     bool crosses = false;
@@ -44,19 +44,20 @@ Eigen::VectorXd tendon_rates(const Hand& hand, const ClosingTensions& pull,
   const Eigen::MatrixXd B = hand.applied_torque(q, pull.u).B;
   const Eigen::VectorXd torque = B * pull.u;
   Eigen::VectorXd rates = Eigen::VectorXd::Zero(q.size());
+  // Each drive, with its joints in the ratio of torque over stiffness.
   for (const Drive& drive : layout.drives) {
     if (drive.speed == 0) continue;
-    double power = 0;  // of the tensions, while the joints turn by torque / stiffness
+    double power = 0;  // power of the tensions while joints turn by torque over stiffness [W]
     for (const DrivenCoordinate& driven : drive.moves) {
       const Eigen::Index j = driven.coordinate;
       if (free[j] && torque[j] > 0) power += torque[j] * torque[j] / pull.stiffness[j];
     }
     if (power == 0) continue;
-    // Scale: the tendons run in at the speed of the drive.
-    const double pace = pull.excursion * drive.speed * pulled(drive, B, pull.u) / power;
+    // Scale the rates so that the tendons shorten at the speed of the drive.
+    const double scale = pull.excursion * drive.speed * sum_of_tensions(drive, B, pull.u) / power;
     for (const DrivenCoordinate& driven : drive.moves) {
       const Eigen::Index j = driven.coordinate;
-      if (free[j] && torque[j] > 0) rates[j] = pace * torque[j] / pull.stiffness[j];
+      if (free[j] && torque[j] > 0) rates[j] = scale * torque[j] / pull.stiffness[j];
     }
   }
   return rates;
@@ -67,7 +68,7 @@ ClosingRates tendon_closing_rates(const Hand& hand, Eigen::VectorXd pull) {
   ClosingTensions all{std::move(pull), Eigen::VectorXd::Ones(n)};
   require_pull(hand.layout(), all, Free::Constant(n, true));
   require((all.u.array() > 0).any(), "no tendon of the hand pulls");
-  // Keeps a reference to the hand, as the header says.
+  // The function keeps a reference to the hand, as the header says.
   return [&hand, all](const Eigen::VectorXd& q, const Free& free) {
     return tendon_rates(hand, all, q, free);
   };

@@ -20,6 +20,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Describes how a hand holds an object.
 HeldObject held_by(const ComparedHand& hand, const Grasp& grasp, const GraspBody& object) {
   return {*hand.hand, grasp.closed.q, grasp.contacts,
           grasp.approached.X_WH.inverse() * object.X_WB};
@@ -32,7 +33,7 @@ Eigen::VectorXd ascending(std::vector<double> values) {
 
 }  // namespace
 
-void StandingObject::build() {
+void LazyObject::build() {
   std::call_once(built_, [&] {
     PlacedBody placed;
     placed.body = scaled(object_, scale_);
@@ -43,24 +44,24 @@ void StandingObject::build() {
   });
 }
 
-const GraspSetup& StandingObject::setup() {
+const GraspSetup& LazyObject::setup() {
   build();
   return *setup_;
 }
 
-double StandingObject::mass() {
+double LazyObject::mass() {
   build();
   return mass_;
 }
 
-const CollisionHand& TouchingHand::surfaces() {
+const CollisionHand& LazyCollisionHand::surfaces() {
   std::call_once(built_, [&] {
     surfaces_ = std::make_unique<CollisionHand>(collision_hand(*hand_.hand, materials_));
   });
   return *surfaces_;
 }
 
-CellWork::CellWork(TouchingHand& hand, StandingObject& object, const CompareOptions& options,
+CellWork::CellWork(LazyCollisionHand& hand, LazyObject& object, const CompareOptions& options,
                    const Progress& progress)
     : hand_(hand), object_(object), options_(options), progress_(progress) {
   cell_.hand = hand.hand().name;
@@ -69,9 +70,10 @@ CellWork::CellWork(TouchingHand& hand, StandingObject& object, const CompareOpti
 }
 
 void CellWork::add_to(TaskQueue& queue) {
-  left_ = options_.approaches;
+  pending_ = options_.approaches;
   tried_.resize(static_cast<std::size_t>(options_.approaches));
-  for (int n = 0; n < options_.approaches; ++n) queue.add([this, n, &queue] { attempt(n, queue); });
+  for (int n = 0; n < options_.approaches; ++n)
+    queue.add([this, n, &queue] { run_approach(n, queue); });
 }
 
 bool CellWork::Tried::closes() const {
@@ -89,8 +91,8 @@ Grasp CellWork::make_grasp(int number) {
                        setup, grasping);
 }
 
-/// Tries an approach; the last one of all ranks them.
-void CellWork::attempt(int number, TaskQueue& queue) {
+/// Runs one approach; the last one of all ranks the grasps.
+void CellWork::run_approach(int number, TaskQueue& queue) {
   if (progress_.stop()) return;
   const auto start = Clock::now();
   Tried& tried = tried_[static_cast<std::size_t>(number)];
@@ -102,13 +104,13 @@ void CellWork::attempt(int number, TaskQueue& queue) {
     tried.hand_epsilon = epsilon.value;
     tried.message = std::move(epsilon.message);
   }
-  spent(seconds_since(start));
+  add_time(seconds_since(start));
   ++tried_count_;
-  if (--left_ == 0) rank(queue);
+  if (--pending_ == 0) rank_grasps(queue);
 }
 
-/// Counts outcomes, and adds the loads of the best ones as pieces.
-void CellWork::rank(TaskQueue& queue) {
+/// Counts outcomes, and adds tasks for the loads of the best grasps.
+void CellWork::rank_grasps(TaskQueue& queue) {
   std::vector<std::pair<double, int>> closed;
   std::vector<double> epsilon, hand_epsilon;
   for (std::size_t n = 0; n < tried_.size(); ++n) {
@@ -123,7 +125,7 @@ void CellWork::rank(TaskQueue& queue) {
     if (!std::isnan(tried.hand_epsilon)) hand_epsilon.push_back(tried.hand_epsilon);
     ++cell_.types[grasp_type(*hand_.hand().hand, tried.grasp.contacts)];
   }
-  // Closures sorted by epsilon.
+  // Sort closures by epsilon.
   std::sort(closed.begin(), closed.end());
   cell_.approaches = options_.approaches;
   cell_.closures = static_cast<int>(closed.size());
@@ -131,24 +133,24 @@ void CellWork::rank(TaskQueue& queue) {
   cell_.interval = wilson_interval(cell_.closures, options_.approaches);
   cell_.epsilon = ascending(std::move(epsilon));
   cell_.hand_epsilon = ascending(std::move(hand_epsilon));
-  // Loads of the best ones, from the largest epsilon down.
+  // Add tasks for the loads of the best ones, the largest epsilon first.
   const int best = std::min(options_.best, cell_.closures);
   cell_.best.resize(static_cast<std::size_t>(best));
-  left_ = best;
+  pending_ = best;
   done_ = best == 0;
   for (int i = best; i-- > 0;) {
     const int number = closed[static_cast<std::size_t>(cell_.closures - 1 - i)].second;
-    queue.add_first([this, i, number] { describe(static_cast<std::size_t>(i), number); });
+    queue.add_first([this, i, number] { compute_loads(static_cast<std::size_t>(i), number); });
   }
 }
 
-/// Loads that one of the best grasps resists, and reasons for zero or unknown ones.
-void CellWork::describe(std::size_t place, int number) {
+/// Computes the loads that one of the best grasps resists, with reasons for zero or unknown ones.
+void CellWork::compute_loads(std::size_t rank, int number) {
   if (progress_.stop()) return;
   const auto start = Clock::now();
   const Tried& tried = tried_[static_cast<std::size_t>(number)];
   const Grasp& grasp = tried.grasp;
-  BestGrasp& best = cell_.best[place];
+  BestGrasp& best = cell_.best[rank];
   best.approach = number;
   best.X_WH = grasp.approached.X_WH;
   best.q = grasp.closed.q;
@@ -165,13 +167,13 @@ void CellWork::describe(std::size_t place, int number) {
   best.reasons = std::move(loads.reasons);
   best.hand_epsilon = tried.hand_epsilon;
   if (!tried.message.empty()) best.reasons["epsilon"] = tried.message;
-  spent(seconds_since(start));
-  if (--left_ > 0) return;
+  add_time(seconds_since(start));
+  if (--pending_ > 0) return;
   tried_.clear();
   done_ = true;
 }
 
-void CellWork::spent(double seconds) {
+void CellWork::add_time(double seconds) {
   const std::lock_guard lock(timing_);
   cell_.seconds += seconds;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// One hand on one object, in pieces that several threads may share.
+/// Evaluation of one hand on one object, in tasks that several threads can share.
 
 #include <atomic>
 #include <memory>
@@ -14,16 +14,17 @@
 
 namespace thenar {
 
-/// An object as hands approach it, built when first asked for.
-class StandingObject {
+/// An object to grasp, built on first use.
+class LazyObject {
  public:
-  /// @param scale  of the object [1]
-  StandingObject(const BodySpec& object, double scale, const Materials& materials)
+  /// @param scale  scale of the object [1]
+  LazyObject(const BodySpec& object, double scale, const Materials& materials)
       : object_(object), scale_(scale), materials_(materials) {}
 
-  /// Alone in the world, with its mass.
+  /// Returns the object alone in the world.
   [[nodiscard]] const GraspSetup& setup();
-  [[nodiscard]] double mass();  // [kg]
+  /// Returns the object's mass [kg].
+  [[nodiscard]] double mass();
   [[nodiscard]] double scale() const { return scale_; }
   [[nodiscard]] const std::string& name() const { return object_.name; }
 
@@ -38,10 +39,10 @@ class StandingObject {
   double mass_ = 0;
 };
 
-/// A compared hand with its surfaces for collisions, built when first asked for.
-class TouchingHand {
+/// A compared hand with its collision model, built on first use.
+class LazyCollisionHand {
  public:
-  TouchingHand(const ComparedHand& hand, const Materials& materials)
+  LazyCollisionHand(const ComparedHand& hand, const Materials& materials)
       : hand_(hand), materials_(materials) {}
 
   [[nodiscard]] const ComparedHand& hand() const { return hand_; }
@@ -54,21 +55,21 @@ class TouchingHand {
   std::unique_ptr<CollisionHand> surfaces_;
 };
 
-/// The comparison of a hand on an object: a piece for each approach, and when all are done one for
-/// the loads of each of the best. All arguments must outlive it.
+/// Evaluation of a hand on an object: one task for each approach and, when all are done, one for
+/// the loads of each of the best grasps. All arguments must outlive it.
 class CellWork {
  public:
-  CellWork(TouchingHand& hand, StandingObject& object, const CompareOptions& options,
+  CellWork(LazyCollisionHand& hand, LazyObject& object, const CompareOptions& options,
            const Progress& progress);
 
-  /// Adds its approaches; what follows from them is added before all that waits.
+  /// Adds its approaches to a queue; tasks that follow from them precede all waiting ones.
   void add_to(TaskQueue& queue);
-  /// Number of approaches that are done.
+  /// Returns the number of finished approaches.
   [[nodiscard]] int tried() const { return tried_count_; }
-  /// Returns whether all pieces are done; never, where it was stopped.
+  /// Returns whether all tasks are finished; never true after a stop.
   [[nodiscard]] bool done() const { return done_; }
-  /// The result, when all pieces are done.
-  [[nodiscard]] HandOnObject take() { return std::move(cell_); }
+  /// Moves the result out, once all tasks are finished.
+  [[nodiscard]] HandOnObject take_result() { return std::move(cell_); }
 
  private:
   /// An approach and the epsilon that the hand's own efforts give it.
@@ -79,19 +80,19 @@ class CellWork {
     [[nodiscard]] bool closes() const;
   };
 
-  void attempt(int number, TaskQueue& queue);
-  void rank(TaskQueue& queue);
-  void describe(std::size_t place, int number);
+  void run_approach(int number, TaskQueue& queue);
+  void rank_grasps(TaskQueue& queue);
+  void compute_loads(std::size_t rank, int number);
   [[nodiscard]] Grasp make_grasp(int number);
-  void spent(double seconds);
+  void add_time(double seconds);
 
-  TouchingHand& hand_;
-  StandingObject& object_;
+  LazyCollisionHand& hand_;
+  LazyObject& object_;
   const CompareOptions& options_;
   const Progress& progress_;
-  std::vector<Tried> tried_;         // by approach
-  std::atomic<int> tried_count_{0};  //
-  std::atomic<int> left_{0};         // approaches, then loads, that are not done
+  std::vector<Tried> tried_;         // results of the approaches, by number
+  std::atomic<int> tried_count_{0};  // number of finished approaches
+  std::atomic<int> pending_{0};      // unfinished approaches, then unfinished load tasks
   std::atomic<bool> done_{false};
   std::mutex timing_;
   HandOnObject cell_;

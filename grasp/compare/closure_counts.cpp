@@ -5,11 +5,11 @@
 namespace thenar {
 namespace {
 
-constexpr double kMarkChance = 0.05;  // Chance of a mark although two hands are equal [1]
+constexpr double kSignificance = 0.05;  // p-value below which two hands differ [1]
 
 }  // namespace
 
-double ClosureCount::share() const {
+double ClosureCount::success_rate() const {
   return approaches > 0 ? static_cast<double>(closures) / approaches : 0;
 }
 
@@ -30,17 +30,19 @@ std::string hand_of_most_closures(const Comparison& comparison) {
   std::vector<ClosureCount> counts;
   for (const std::string& hand : comparison.hands)
     counts.push_back(count_closures(comparison, hand));
-  const auto most = std::max_element(
-      counts.begin(), counts.end(),
-      [](const ClosureCount& a, const ClosureCount& b) { return a.share() < b.share(); });
+  const auto best = std::max_element(counts.begin(), counts.end(),
+                                     [](const ClosureCount& a, const ClosureCount& b) {
+                                       return a.success_rate() < b.success_rate();
+                                     });
+  // The best hand must differ significantly from each other hand.
   for (auto other = counts.begin(); other != counts.end(); ++other) {
-    if (other == most) continue;
-    if (most->approaches == 0 || other->approaches == 0 ||
-        fisher_exact_p({most->closures, most->approaches}, {other->closures, other->approaches}) >=
-            kMarkChance)
+    if (other == best) continue;
+    if (best->approaches == 0 || other->approaches == 0 ||
+        fisher_exact_p({best->closures, best->approaches}, {other->closures, other->approaches}) >=
+            kSignificance)
       return "";
   }
-  return comparison.hands[static_cast<std::size_t>(most - counts.begin())];
+  return comparison.hands[static_cast<std::size_t>(best - counts.begin())];
 }
 
 }  // namespace thenar

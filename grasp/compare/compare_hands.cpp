@@ -34,7 +34,7 @@ void require_numbers(const CompareOptions& options) {
           options.approaches, options.threads);
 }
 
-/// Lines like "human:skewed, human:soft: assumption": each warning once, with its hands.
+/// Merges equal warnings to lines like "human:skewed, human:soft: assumption".
 std::vector<std::string> folded_warnings(const std::vector<ComparedHand>& hands) {
   std::vector<std::pair<std::string, std::string>> whose;  // warning, hands
   for (const ComparedHand& hand : hands)
@@ -53,7 +53,8 @@ std::vector<std::string> folded_warnings(const std::vector<ComparedHand>& hands)
   return folded;
 }
 
-/// Refuses at once what would fail hours later, with the hand's name.
+/// Checks hands before the computation, so that errors do not come hours later; messages name the
+/// hand.
 void require_hands(const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects,
                    const Materials& materials) {
   for (const ComparedHand& hand : hands) {
@@ -71,6 +72,7 @@ void require_hands(const std::vector<ComparedHand>& hands, const std::vector<Bod
   }
 }
 
+/// Returns a comparison without results.
 Comparison heading(const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects,
                    const CompareOptions& options) {
   Comparison out;
@@ -106,7 +108,7 @@ Eigen::VectorXd middle_posture(const HandLayout& layout) {
   return (layout.lower + layout.upper) / 2;
 }
 
-/// Types of grasp that a hand has taken on any object, by name.
+/// Returns the types of grasp that a hand has made on any object, sorted by name.
 std::vector<std::string> grasp_types(const std::vector<HandOnObject>& cells,
                                      const std::string& hand) {
   std::set<std::string> types;
@@ -124,9 +126,9 @@ HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& opt
   HandAbilities abilities;
   abilities.hand = hand.name;
   abilities.reach = reach_of_digits(*hand.hand);
-  // Workspaces first: all draws come from one generator, in a fixed order.
-  Workspaces spaces =
-      workspaces(*hand.hand, options.workspace_draws, options.workspace_voxel, random, progress);
+  // Workspaces first, as all random numbers come from one generator in a fixed order.
+  Workspaces spaces = measure_workspaces(*hand.hand, options.workspace_draws,
+                                         options.workspace_voxel, random, progress);
   abilities.overlap = spaces.overlap;
   abilities.digits = std::move(spaces.digits);
   // Tip forces with all joints in the middle of their ranges.
@@ -136,7 +138,7 @@ HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& opt
     abilities.digits[tip].closing_force = forces.closing;
     abilities.digits[tip].max_tip_force = forces.largest;
   }
-  const Opposition opposed = opposition(hand, random, progress);
+  const Opposition opposed = measure_opposition(hand, random, progress);
   abilities.opposition = opposed.score;
   abilities.opposition_scale = opposed.scale;
   abilities.reached = opposed.reached;
@@ -147,19 +149,19 @@ HandOnObject compare_on(const ComparedHand& hand, const BodySpec& object, double
                         const CompareOptions& options, const Progress& progress) {
   require_numbers(options);
   require_hands({hand}, {object}, options.materials);
-  TouchingHand touching(hand, options.materials);
-  StandingObject standing(object, scale, options.materials);
-  CellWork work(touching, standing, options, progress);
+  LazyCollisionHand lazy_hand(hand, options.materials);
+  LazyObject lazy_object(object, scale, options.materials);
+  CellWork work(lazy_hand, lazy_object, options, progress);
   TaskQueue queue;
   work.add_to(queue);
   queue.run(threads_or_all(options.threads),
             [&] { progress(static_cast<double>(work.tried()) / options.approaches, ""); });
-  return work.done() ? work.take() : stopped_cell(hand, object, scale);
+  return work.done() ? work.take_result() : stopped_cell(hand, object, scale);
 }
 
 namespace {
 
-/// All work of a comparison, hand by hand, and what is finished of it in this order.
+/// All tasks of a comparison, hand by hand, with its finished results in this order.
 class WholeComparison {
  public:
   WholeComparison(Comparison& out, const std::vector<ComparedHand>& hands,
@@ -169,26 +171,26 @@ class WholeComparison {
     quiet_.stop_requested = progress.stop_requested;
     const double first_reach = reach_of_digits(*hands.front().hand);
     for (const ComparedHand& hand : hands) {
-      // Sizes are relative to the first hand. Its abilities come first, as one long piece.
+      // Scales are relative to the first hand. Abilities come first, as they are one long task.
       const double scale = options.normalise_size ? reach_of_digits(*hand.hand) / first_reach : 1.0;
-      touching_.emplace_back(hand, options.materials);
-      const std::size_t number = touching_.size() - 1;
+      lazy_hands_.emplace_back(hand, options.materials);
+      const std::size_t number = lazy_hands_.size() - 1;
       queue_.add([this, &hand, number] { find_abilities(hand, abilities_[number]); });
       for (const BodySpec& object : objects) {
-        // A cell of an earlier run is taken over.
+        // Cells of an earlier run are reused.
         const HandOnObject* known = find_cell(done, hand.name, object.name);
         cells_.emplace_back(hand.name + " on " + object.name, known);
         if (known != nullptr) continue;
-        StandingObject& standing = standing_object(object, scale);
-        cells_.back().work.emplace(touching_.back(), standing, options, progress);
+        LazyObject& lazy = lazy_object(object, scale);
+        cells_.back().work.emplace(lazy_hands_.back(), lazy, options, progress);
         cells_.back().work->add_to(queue_);
-        all_ += options.approaches;
+        total_approaches_ += options.approaches;
       }
     }
     objects_ = objects.size();
   }
 
-  /// Works on all of it; keeps and reports what is finished.
+  /// Runs all tasks; keeps and reports finished results.
   void run() {
     queue_.run(threads_or_all(options_.threads), [&] {
       keep_finished();
@@ -200,7 +202,7 @@ class WholeComparison {
   struct Cell {
     Cell(std::string what, const HandOnObject* earlier) : name(std::move(what)), known(earlier) {}
     std::string name;           // "barrett on mug"
-    const HandOnObject* known;  // null: `work` is to be done
+    const HandOnObject* known;  // result of an earlier run; null: `work`
     std::optional<CellWork> work;
   };
   struct Found {
@@ -208,8 +210,8 @@ class WholeComparison {
     std::atomic<bool> done{false};
   };
 
-  StandingObject& standing_object(const BodySpec& object, double scale) {
-    return standing_
+  LazyObject& lazy_object(const BodySpec& object, double scale) {
+    return lazy_objects_
         .try_emplace(std::make_pair(object.name, scale), object, scale, options_.materials)
         .first->second;
   }
@@ -220,7 +222,7 @@ class WholeComparison {
     found.done = !progress_.stop();
   }
 
-  /// Keeps the finished results, in the order of hands and objects, as far as nothing is missing.
+  /// Appends finished results in the order of hands and objects, up to the first unfinished one.
   void keep_finished() {
     while (next_ < cells_.size() + abilities_.size()) {
       const std::size_t hand = next_ / (objects_ + 1), object = next_ % (objects_ + 1);
@@ -231,7 +233,7 @@ class WholeComparison {
       } else {
         Cell& cell = cells_[hand * objects_ + object];
         if (cell.work && !cell.work->done()) return;
-        out_.cells.push_back(cell.known != nullptr ? *cell.known : cell.work->take());
+        out_.cells.push_back(cell.known != nullptr ? *cell.known : cell.work->take_result());
         if (options_.keep) options_.keep(out_);
       }
       ++next_;
@@ -239,7 +241,7 @@ class WholeComparison {
     out_.complete = true;
   }
 
-  /// Reports the share of approaches that are done, and the first pair that is not.
+  /// Reports the share of finished approaches, and the first unfinished cell.
   void report() const {
     if (out_.complete) {
       progress_(1, "compared");
@@ -252,19 +254,20 @@ class WholeComparison {
       tried += cell.work->tried();
       if (first == nullptr && !cell.work->done()) first = &cell;
     }
-    progress_(static_cast<double>(tried) / std::max(1, all_), first == nullptr ? "" : first->name);
+    progress_(static_cast<double>(tried) / std::max(1, total_approaches_),
+              first == nullptr ? "" : first->name);
   }
 
   Comparison& out_;
   const CompareOptions& options_;
   const Progress& progress_;
-  Progress quiet_;  // asks whether to stop, and tells nothing
-  std::deque<TouchingHand> touching_;
-  std::map<std::pair<std::string, double>, StandingObject> standing_;
+  Progress quiet_;  // checks for stops, and reports nothing
+  std::deque<LazyCollisionHand> lazy_hands_;
+  std::map<std::pair<std::string, double>, LazyObject> lazy_objects_;
   std::vector<Found> abilities_;  // by hand
   std::deque<Cell> cells_;        // hand by hand
   std::size_t objects_ = 0, next_ = 0;
-  int all_ = 0;  // approaches
+  int total_approaches_ = 0;
   TaskQueue queue_;
 };
 

@@ -14,14 +14,14 @@ namespace {
 
 /// Finds the largest load of a task over some grasps.
 /// @param loads  member of BestGrasp that holds the loads
-LoadFound largest(const std::vector<BestGrasp>& grasps,
-                  std::map<std::string, double> BestGrasp::*loads, GraspTask task) {
+LoadFound max_load(const std::vector<BestGrasp>& grasps,
+                   std::map<std::string, double> BestGrasp::*loads, GraspTask task) {
   LoadFound load;
-  // NaN margins are unknown and leave the maximum alone.
+  // Unknown margins are NaN, which fmax() ignores.
   for (const BestGrasp& grasp : grasps) {
     const auto found = (grasp.*loads).find(name_of(task));
     if (found == (grasp.*loads).end()) continue;
-    ++load.asked;
+    ++load.total;
     if (!std::isnan(found->second)) ++load.known;
     load.max = std::fmax(load.max, found->second);
   }
@@ -69,31 +69,31 @@ double HandOnObject::quantile(double p) const {
 }
 
 LoadFound HandOnObject::load(GraspTask task) const {
-  return largest(best, &BestGrasp::margin, task);
+  return max_load(best, &BestGrasp::margin, task);
 }
 
 LoadFound HandOnObject::load_with_structure(GraspTask task) const {
-  return largest(best, &BestGrasp::with_structure, task);
+  return max_load(best, &BestGrasp::with_structure, task);
 }
 
 LoadFound HandOnObject::best_hand_epsilon() const {
   LoadFound load;
-  load.asked = closures;
+  load.total = closures;
   load.known = static_cast<int>(hand_epsilon.size());
   if (load.known > 0) load.max = hand_epsilon[hand_epsilon.size() - 1];
   return load;
 }
 
 double HandOnObject::min_grasp_force() const {
-  double least = std::numeric_limits<double>::quiet_NaN();
-  for (const BestGrasp& grasp : best) least = std::fmin(least, grasp.min_grasp_force);
-  return least;
+  double min_force = std::numeric_limits<double>::quiet_NaN();
+  for (const BestGrasp& grasp : best) min_force = std::fmin(min_force, grasp.min_grasp_force);
+  return min_force;
 }
 
 double HandOnObject::standing_grasp_force() const {
-  double least = std::numeric_limits<double>::quiet_NaN();
-  for (const BestGrasp& grasp : best) least = std::fmin(least, grasp.standing_grasp_force);
-  return least;
+  double min_force = std::numeric_limits<double>::quiet_NaN();
+  for (const BestGrasp& grasp : best) min_force = std::fmin(min_force, grasp.standing_grasp_force);
+  return min_force;
 }
 
 double reach_of_digits(const Hand& hand) {
@@ -113,7 +113,7 @@ BodySpec scaled(BodySpec body, double scale) {
     shape.mesh_scale *= scale;
     shape.X_BS.p *= scale;
   }
-  // Mass grows with the volume, inertia with its fifth power of length.
+  // Mass is proportional to the cube of the scale, inertia to its fifth power.
   const double volume = std::pow(scale, 3);
   body.uniform_mass *= volume;
   if (body.mass) {

@@ -25,23 +25,23 @@ JsonNode number_node(double value) {
   return std::isnan(value) ? JsonNode() : JsonNode(value);
 }
 
-// ---- what a cell may hold: whoever seals a file anew may write anything
+// ---- Ranges of a cell's values, which are checked as files may be edited and sealed again
 
-// Largest scale of an object, and inverse of the smallest [1]
-constexpr double kLargestScale = 1000;
-constexpr double kMostDistance = 1000;      // Largest coordinate of a point [m]
-constexpr double kMostLoad = 1e12;          // Largest load or quality [N], [1], [N m]
-constexpr double kUnitError = 1e-6;         // Largest error of unit directions [1]
-constexpr int kMaxApproaches = 10'000'000;  // Largest number of approaches
+// Maximum scale of an object, and inverse of the minimum [1]
+constexpr double kMaxScale = 1000;
+constexpr double kMaxDistance = 1000;       // maximum coordinate of a point [m]
+constexpr double kMaxLoad = 1e12;           // maximum load or quality [N], [1], [N m]
+constexpr double kUnitTolerance = 1e-6;     // error of unit directions and shares [1]
+constexpr int kMaxApproaches = 10'000'000;  // maximum number of approaches
 
-/// Fault of a cell, with its line.
+/// Error of a cell, with its line.
 struct BrokenCell {
   int line;
   std::string complaint;
 };
 
 [[noreturn]] void refuse(const std::string& name, const std::string& wanted, const JsonNode& got) {
-  constexpr std::size_t kQuotedCharacters = 100;  // Most characters of a value in a message
+  constexpr std::size_t kQuotedCharacters = 100;  // maximum length of a value in a message
   throw BrokenCell{got.line, fmt::format("'{}': wanted {}, got {}", name, wanted,
                                          canonical_text(got).substr(0, kQuotedCharacters))};
 }
@@ -52,15 +52,15 @@ const JsonNode& member(const JsonNode& node, const std::string& name) {
   return *found;
 }
 
-/// A finite number between two.
-double within(const JsonNode& value, const std::string& name, double low, double high) {
+/// Reads a finite number within a range.
+double number_within(const JsonNode& value, const std::string& name, double low, double high) {
   if (value.kind == JsonKind::kNumber && value.number >= low && value.number <= high)
     return value.number;
   refuse(name, fmt::format("a number from {} to {}", low, high), value);
 }
 
-/// A whole number between two.
-int whole(const JsonNode& value, const std::string& name, int low, int high) {
+/// Reads a whole number within a range.
+int whole_within(const JsonNode& value, const std::string& name, int low, int high) {
   if (value.kind == JsonKind::kNumber && value.whole && value.number >= low && value.number <= high)
     return static_cast<int>(value.number);
   refuse(name, fmt::format("a whole number from {} to {}", low, high), value);
@@ -71,17 +71,17 @@ const std::string& text(const JsonNode& value, const std::string& name) {
   return value.text;
 }
 
-/// A load or a quality: >= 0, may be infinite, or not known.
+/// Reads a load or a quality: >= 0, infinite, or unknown.
 double load_of(const JsonNode& value, const std::string& name) {
   if (value.kind == JsonKind::kNull) return kNaN;
   if (value.kind == JsonKind::kText && value.text == kInfinite) return kInfinity;
-  return within(value, name, 0, kMostLoad);
+  return number_within(value, name, 0, kMaxLoad);
 }
 
-/// Loads of at most `most` grasps, ascending.
-Eigen::VectorXd loads_of(const JsonNode& list, const std::string& name, int most) {
-  if (list.kind != JsonKind::kArray || list.items.size() > static_cast<std::size_t>(most))
-    refuse(name, fmt::format("at most {} numbers", most), list);
+/// Reads ascending loads of at most `max_count` grasps.
+Eigen::VectorXd loads_of(const JsonNode& list, const std::string& name, int max_count) {
+  if (list.kind != JsonKind::kArray || list.items.size() > static_cast<std::size_t>(max_count))
+    refuse(name, fmt::format("at most {} numbers", max_count), list);
   Eigen::VectorXd out(static_cast<Eigen::Index>(list.items.size()));
   for (Eigen::Index i = 0; i < out.size(); ++i) {
     out[i] = load_of(list.items[static_cast<std::size_t>(i)], name);
@@ -90,18 +90,18 @@ Eigen::VectorXd loads_of(const JsonNode& list, const std::string& name, int most
   return out;
 }
 
-/// Finite numbers, none beyond `most`.
-Eigen::VectorXd vector(const JsonNode& list, const std::string& name, double most) {
+/// Reads finite numbers of magnitude up to `max`.
+Eigen::VectorXd vector(const JsonNode& list, const std::string& name, double max) {
   if (list.kind != JsonKind::kArray) refuse(name, "a list of numbers", list);
   Eigen::VectorXd out(static_cast<Eigen::Index>(list.items.size()));
   for (std::size_t i = 0; i < list.items.size(); ++i)
-    out[static_cast<Eigen::Index>(i)] = within(list.items[i], name, -most, most);
+    out[static_cast<Eigen::Index>(i)] = number_within(list.items[i], name, -max, max);
   return out;
 }
 
-/// Three numbers, as every place and direction has.
-Eigen::Vector3d vector3(const JsonNode& list, const std::string& name, double most) {
-  const Eigen::VectorXd read = vector(list, name, most);
+/// Reads three numbers, such as a position or direction.
+Eigen::Vector3d vector3(const JsonNode& list, const std::string& name, double max) {
+  const Eigen::VectorXd read = vector(list, name, max);
   if (read.size() != 3) refuse(name, "3 numbers", list);
   return read;
 }
@@ -110,9 +110,9 @@ Eigen::Matrix3d rotation_of(const JsonNode& rows) {
   Eigen::Matrix3d R;
   if (rows.items.size() != 3) refuse("rotation", "3 rows", rows);
   for (int i = 0; i < 3; ++i)
-    R.row(i) =
-        vector3(rows.items[static_cast<std::size_t>(i)], "rotation", 1 + kUnitError).transpose();
-  if (!(R * R.transpose()).isIdentity(kUnitError) || R.determinant() < 0)
+    R.row(i) = vector3(rows.items[static_cast<std::size_t>(i)], "rotation", 1 + kUnitTolerance)
+                   .transpose();
+  if (!(R * R.transpose()).isIdentity(kUnitTolerance) || R.determinant() < 0)
     refuse("rotation", "the rows of a rotation", rows);
   return R;
 }
@@ -133,7 +133,7 @@ std::map<std::string, double> margins_of(const JsonNode& json) {
   return margins;
 }
 
-/// Numbers, some of which may be infinite or unknown.
+/// Converts numbers that may be infinite or unknown.
 template <typename Vector>
 JsonNode numbers_node(const Vector& values) {
   JsonNode list(JsonKind::kArray);
@@ -167,16 +167,15 @@ JsonNode contact_node(const HandContact& contact) {
 
 HandContact contact_of(const JsonNode& json) {
   HandContact contact;
-  // Largest coefficient of friction; nothing real exceeds it [1]
-  constexpr double kMostFriction = 100;
-  contact.contact.p = vector3(member(json, "position_m"), "position_m", kMostDistance);
-  contact.contact.n = vector3(member(json, "normal"), "normal", 1 + kUnitError);
-  if (std::abs(contact.contact.n.norm() - 1) > kUnitError)
+  constexpr double kMaxFriction = 100;  // coefficient above that of any real pair [1]
+  contact.contact.p = vector3(member(json, "position_m"), "position_m", kMaxDistance);
+  contact.contact.n = vector3(member(json, "normal"), "normal", 1 + kUnitTolerance);
+  if (std::abs(contact.contact.n.norm() - 1) > kUnitTolerance)
     refuse("normal", "a direction of length 1", member(json, "normal"));
-  contact.contact.friction = within(member(json, "friction"), "friction", 0, kMostFriction);
-  contact.contact.torsion = within(member(json, "torsion_m"), "torsion_m", 0, kMostDistance);
-  contact.surface = whole(member(json, "surface"), "surface", -1, kMaxApproaches);
-  contact.depth = within(member(json, "depth_m"), "depth_m", -kMostDistance, kMostDistance);
+  contact.contact.friction = number_within(member(json, "friction"), "friction", 0, kMaxFriction);
+  contact.contact.torsion = number_within(member(json, "torsion_m"), "torsion_m", 0, kMaxDistance);
+  contact.surface = whole_within(member(json, "surface"), "surface", -1, kMaxApproaches);
+  contact.depth = number_within(member(json, "depth_m"), "depth_m", -kMaxDistance, kMaxDistance);
   return contact;
 }
 
@@ -201,11 +200,11 @@ JsonNode best_node(const BestGrasp& best) {
 }
 
 BestGrasp best_of(const JsonNode& json, int approaches) {
-  constexpr double kMostPosture = 1000;  // Largest entry of a posture [rad] or [m]
+  constexpr double kMaxPosture = 1000;  // maximum entry of a posture [rad] or [m]
   BestGrasp best;
-  // Read each number within the range that a comparison can write, as files may be edited.
-  best.approach = whole(member(json, "approach"), "approach", 0, approaches - 1);
-  best.epsilon = within(member(json, "epsilon"), "epsilon", 0, kMostLoad);
+  // Read each number within its range.
+  best.approach = whole_within(member(json, "approach"), "approach", 0, approaches - 1);
+  best.epsilon = number_within(member(json, "epsilon"), "epsilon", 0, kMaxLoad);
   best.type = text(member(json, "type"), "type");
   best.min_grasp_force = load_of(member(json, "hold_N"), "hold_N");
   const JsonNode* standing = json.find("hold_standing_N");  // older files lack it
@@ -214,7 +213,7 @@ BestGrasp best_of(const JsonNode& json, int approaches) {
   best.margin = margins_of(member(json, "margin"));
   if (const JsonNode* with = json.find("margin_with_structure")) {
     best.with_structure = margins_of(*with);
-  } else {  // older files: what efforts alone bear is not known
+  } else {  // older files: loads of efforts alone are unknown
     best.with_structure.swap(best.margin);
     for (const auto& [task, load] : best.with_structure) best.margin[task] = kNaN;
   }
@@ -222,8 +221,8 @@ BestGrasp best_of(const JsonNode& json, int approaches) {
   for (std::size_t i = 0; i < reasons.names.size(); ++i)
     best.reasons[reasons.names[i]] = text(reasons.items[i], "reasons");
   best.X_WH.R = rotation_of(member(json, "rotation"));
-  best.X_WH.p = vector3(member(json, "position_m"), "position_m", kMostDistance);
-  best.q = vector(member(json, "q"), "q", kMostPosture);
+  best.X_WH.p = vector3(member(json, "position_m"), "position_m", kMaxDistance);
+  best.q = vector(member(json, "q"), "q", kMaxPosture);
   for (const JsonNode& contact : member(json, "contacts").items)
     best.contacts.push_back(contact_of(contact));
   return best;
@@ -252,41 +251,42 @@ JsonNode cell_node(const HandOnObject& cell) {
   return out;
 }
 
-/// Counts of a cell, which must add up.
+/// Reads the counts of a cell, which must be consistent.
 void read_counts(const JsonNode& json, HandOnObject& cell) {
   // Outcomes must add up to no more than the approaches, types to no more than the closures.
-  cell.approaches = whole(member(json, "approaches"), "approaches", 1, kMaxApproaches);
+  cell.approaches = whole_within(member(json, "approaches"), "approaches", 1, kMaxApproaches);
   int ended = 0;
   for (const auto& [outcome, name] : kGraspOutcomeNames) {
     int& count = cell.outcomes[static_cast<std::size_t>(outcome)];
-    count = whole(member(member(json, "outcomes"), name), name, 0, cell.approaches - ended);
+    count = whole_within(member(member(json, "outcomes"), name), name, 0, cell.approaches - ended);
     ended += count;
   }
-  cell.closures = whole(member(json, "closures"), "closures", 0, cell.approaches);
-  // Older files lack it.
+  cell.closures = whole_within(member(json, "closures"), "closures", 0, cell.approaches);
+  // Older files lack this count.
   const int others =
       std::max(0, cell.outcomes[static_cast<std::size_t>(GraspOutcome::kGrasped)] - cell.closures);
   if (const JsonNode* two = json.find("held_between_two"))
-    cell.between_two = whole(*two, "held_between_two", 0, others);
+    cell.between_two = whole_within(*two, "held_between_two", 0, others);
   int typed = 0;
   const JsonNode& types = member(json, "types");
   for (std::size_t i = 0; i < types.names.size(); ++i) {
-    const int count = whole(types.items[i], "types", 1, cell.closures - typed);
+    const int count = whole_within(types.items[i], "types", 1, cell.closures - typed);
     cell.types[types.names[i]] = count;
     typed += count;
   }
   const double share = static_cast<double>(cell.closures) / cell.approaches;
-  cell.success = within(member(json, "success"), "success", share - kUnitError, share + kUnitError);
-  cell.interval.lower = within(member(json, "success_lower"), "success_lower", 0, 1);
+  cell.success = number_within(member(json, "success"), "success", share - kUnitTolerance,
+                               share + kUnitTolerance);
+  cell.interval.lower = number_within(member(json, "success_lower"), "success_lower", 0, 1);
   cell.interval.upper =
-      within(member(json, "success_upper"), "success_upper", cell.interval.lower, 1);
+      number_within(member(json, "success_upper"), "success_upper", cell.interval.lower, 1);
 }
 
 HandOnObject cell_of(const JsonNode& json) {
   HandOnObject cell;
   cell.hand = text(member(json, "hand"), "hand");
   cell.object = text(member(json, "object"), "object");
-  cell.scale = within(member(json, "scale"), "scale", 1 / kLargestScale, kLargestScale);
+  cell.scale = number_within(member(json, "scale"), "scale", 1 / kMaxScale, kMaxScale);
   read_counts(json, cell);
   cell.epsilon = loads_of(member(json, "epsilon"), "epsilon", cell.closures);
   if (cell.epsilon.size() != cell.closures)
@@ -330,7 +330,7 @@ JsonNode abilities_node(const HandAbilities& hand) {
 
 using HandName = std::function<std::string(const std::string&)>;
 
-/// Gives hands their names of today; what is broken is left as it is.
+/// Gives hands their present names; broken nodes are left unchanged.
 void rename_hands(JsonNode& file, const HandName& name) {
   const auto rename = [&](JsonNode& hand) {
     if (hand.kind == JsonKind::kText) hand.text = name(hand.text);
@@ -347,10 +347,10 @@ void rename_hands(JsonNode& file, const HandName& name) {
       if (JsonNode* hand = cell.find("hand")) rename(*hand);
 }
 
-/// Files that a provenance records with another hash: "'cone.stl' (SHA-256 0123abcd then, 4567ef01
-/// now)".
+/// Lists files that a provenance records with another hash: "'cone.stl' (SHA-256 0123abcd then,
+/// 4567ef01 now)".
 std::vector<std::string> changed_files(const JsonNode* provenance, const FileDigests& files) {
-  constexpr std::size_t kShownDigits = 8;  // Digits of a hash that messages show
+  constexpr std::size_t kShownDigits = 8;  // number of digits of a hash in messages
   std::vector<std::string> changed;
   for (const auto& [path, digest] : files) {
     const JsonNode* then = provenance == nullptr ? nullptr : provenance->find(path);
@@ -363,14 +363,14 @@ std::vector<std::string> changed_files(const JsonNode* provenance, const FileDig
   return changed;
 }
 
-/// Names the difference of two comparisons for people: "'seed'", "hand 'barrett'", a changed file.
+/// Describes the difference of two comparisons: "'seed'", "hand 'barrett'", a changed file.
 /// @param then  value of the file; null: it has none
 std::string difference(const std::string& name, const JsonNode& now, const JsonNode* then,
                        const std::vector<std::string>& changed) {
   if (name == "program") return "build of thenar ('program')";
   if (name != "contents" || then == nullptr) return fmt::format("'{}'", name);
   if (!changed.empty()) return fmt::format("{}", fmt::join(changed, ", "));
-  // Files that are not recorded: whose content differs.
+  // Without a recorded file, name the content that differs.
   for (std::size_t i = 0; i < now.names.size(); ++i) {
     const JsonNode* other = then->find(now.names[i]);
     const std::size_t blank = now.names[i].find(' ');
@@ -380,8 +380,8 @@ std::string difference(const std::string& name, const JsonNode& now, const JsonN
   return "set of hands and objects";
 }
 
-/// Refuses a file whose content is not what was sealed.
-void check_seal(const std::string& path, const JsonNode& file) {
+/// Checks that the content of a file matches its checksum.
+void check_checksum(const std::string& path, const JsonNode& file) {
   const JsonNode* sum = file.find("sha256");
   if (sum == nullptr)
     throw DataError(path, 1,
@@ -421,18 +421,18 @@ std::vector<HandOnObject> parse_cells(const JsonNode& list, const std::string& p
   return cells;
 }
 
-KeptComparison read_comparison(const std::string& path, const JsonNode& inputs,
-                               const HandName& name, const FileDigests& files) {
+SavedComparison read_comparison(const std::string& path, const JsonNode& inputs,
+                                const HandName& name, const FileDigests& files) {
   std::error_code none;
   if (!std::filesystem::exists(path, none)) return {};
   JsonNode file = parse_json(path, read_guarded(path, GuardedKind::kJson));
   require(file.find("inputs") != nullptr && file.find("cells") != nullptr,
           "'{}' is no comparison of hands: name another file", path);
-  check_seal(path, file);
+  check_checksum(path, file);
   rename_hands(file, name);
   const JsonNode *its_inputs = file.find("inputs"), *cells = file.find("cells");
   const JsonNode* provenance = file.find("provenance");
-  // The same question, or its answer is not gone on with.
+  // The inputs must be the same, or the file cannot be continued.
   for (std::size_t i = 0; i < inputs.names.size(); ++i) {
     const JsonNode* other = its_inputs->find(inputs.names[i]);
     require(other != nullptr && *other == inputs.items[i],
@@ -442,13 +442,14 @@ KeptComparison read_comparison(const std::string& path, const JsonNode& inputs,
   return {parse_cells(*cells, path), provenance == nullptr ? JsonNode() : *provenance};
 }
 
-JsonNode next_provenance(const JsonNode& before, const RunRecord& run, const FileDigests& files) {
-  // The runs that came before, the oldest first.
+JsonNode continued_provenance(const JsonNode& before, const RunRecord& run,
+                              const FileDigests& files) {
+  // List the earlier runs, the oldest first.
   JsonNode earlier(JsonKind::kArray), last = before;
   if (const JsonNode* runs = before.find(kEarlierRuns)) earlier = *runs;
   last.erase(kEarlierRuns);
   if (last.kind == JsonKind::kObject) earlier.items.push_back(last);
-  // This one.
+  // Add this run.
   JsonNode next;
   for (const auto& [name, text] : texts_of(run))
     if (!text.empty()) next.set(name, text);

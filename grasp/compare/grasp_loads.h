@@ -1,6 +1,6 @@
 #pragma once
 
-/// Loads that a grasp resists, and reasons for zero or unknown loads.
+/// Loads that a grasp resists, with the reasons of zero or unknown loads.
 
 #include <map>
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace thenar {
 
-/// Loads below this are rounding of the cone programs [N].
+/// Magnitude below which loads are rounding errors of the cone programs [N]
 inline constexpr double kNegligibleLoad = 1e-6;
 
-/// Reason of a load without limit, and of one that efforts bear nothing of.
+/// Reasons of an unlimited load, and of one that efforts resist no part of.
 inline constexpr const char* kSupportedByStructure =
     "supported by rigid structure (strength unknown)";
 inline constexpr const char* kBorneByStructure =
@@ -29,13 +29,13 @@ struct HandForceInputs {
   Actuation actuation;
 };
 
-/// Explains a load margin that is unknown: "the effort of 'motor' is unknown" for the first
-/// actuator without a limit that moves a coordinate which feels a contact and is not locked; empty
-/// if all efforts that matter are known.
+/// Explains an unknown load margin: "the effort of 'motor' is unknown" for the first actuator
+/// without a limit that moves a coordinate which is not locked and carries contact forces; empty if
+/// all relevant efforts are known.
 [[nodiscard]] std::string explain_unknown_effort(const HandForceInputs& forces);
 
-/// Explains a zero load margin: friction, or a least set of joints that would need a motor of any
-/// strength to support any of the loads.
+/// Explains a zero load margin: by friction, or by a minimal set of joints of which each would need
+/// a motor of any strength to support any of the loads.
 [[nodiscard]] std::string explain_zero_margin(const HandForceInputs& forces,
                                               const std::vector<ScaledWrench>& loads);
 
@@ -61,31 +61,34 @@ struct HeldObject {
   Pose<double> X_HO;                  // pose of the object in the hand's frame
 };
 
-/// Arguments of hand_forces() for a held object, torques divided by the object's radius.
+/// Computes the arguments of hand_forces() for a held object, torques divided by the object's
+/// radius.
 [[nodiscard]] HandForceInputs hand_force_inputs(const HeldObject& held, const GraspBody& object);
 
-/// Unit loads of a task, none for force closure [N].
-/// @param weight  of the object [N]
-/// @param scale  of torques [m]
+/// Returns the unit loads of a task [N]; none for force closure.
+/// @param weight  weight of the object [N]
+/// @param scale   length that divides torques [m]
 [[nodiscard]] std::vector<ScaledWrench> task_loads(GraspTask task, double weight, double scale);
 
-/// Load margins of tasks about the object's centre of mass, along its own axes: weight both ways
-/// along each of the three, a pull of 1 N along +-z, a torque of 1 N m about +-z, within
-/// hand_forces() of actuation_with_joint_limits(). Efforts may include those that hold the joints
-/// at the posture. By efforts alone (active_only()) structure pushes back no more than they press;
-/// with structure, a load that needs no effort, like a palm's, has no limit. Loads below 1e-6 N are
-/// zero. Force closure is no load and has no margin: see HandOnObject::success.
-/// @param mass  of the object [kg], under 9.81 m/s^2
+/// Computes the load margins of tasks about the object's centre of mass, along its own axes: its
+/// weight both ways along each of the three, a pull of 1 N along +-z, a torque of 1 N m about +-z,
+/// within hand_forces() of actuation_with_joint_limits(). Efforts may include those that hold the
+/// joints at the posture. With efforts alone (active_only()) structure pushes back no more than
+/// they press; with structure, a load that needs no effort, such as one on the palm, is unlimited.
+/// Loads below 1e-6 N are zero. Force closure is no load and has no margin: see
+/// HandOnObject::success.
+/// @param mass  mass of the object [kg], under 9.81 m/s^2
 [[nodiscard]] GraspLoads grasp_loads(const HeldObject& held, const GraspBody& object, double mass,
                                      const std::vector<GraspTask>& tasks);
 
-/// A unit load along an axis [N], torques over the scale, that is proven not to be supported,
-/// however small; nothing if there is none. (6)
+/// Finds a unit load along an axis [N], torques over the scale, that is proven not to be supported
+/// at any magnitude; nothing if there is none. (6)
 [[nodiscard]] std::optional<ScaledWrench> unsupported_load(const ForceSet& forces);
 
-/// Epsilon of a hand: radius of inscribed_ball() of the same forces, torques divided by the
-/// object's radius, within 5 % from below if the search ends, otherwise its certified lower bound
-/// [N]. Zero as soon as one load along an axis is proven not to be supported.
+/// Computes the epsilon of a hand: the radius of inscribed_ball() of the same forces, torques
+/// divided by the object's radius, within 5 % from below if the search ends, otherwise its
+/// certified lower bound [N]. It is zero as soon as one load along an axis is proven not to be
+/// supported.
 [[nodiscard]] ExplainedLoad hand_epsilon(const HeldObject& held, const GraspBody& object);
 
 }  // namespace thenar

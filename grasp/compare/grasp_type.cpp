@@ -9,11 +9,11 @@
 namespace thenar {
 namespace {
 
-/// Parts of the hand that touch the object.
+/// Parts of the hand in contact with the object.
 struct TouchedSegments {
   std::map<std::string, Eigen::Vector3d> push;  // digit -> sum of its normals
   bool palm = false;
-  bool inner = false;  // a link before the last of a digit
+  bool inner = false;  // whether a link before the last of a digit is in contact
 };
 
 TouchedSegments find_touched_parts(const Hand& hand, const std::vector<HandContact>& contacts) {
@@ -36,8 +36,8 @@ TouchedSegments find_touched_parts(const Hand& hand, const std::vector<HandConta
 }
 
 /// Returns whether a digit pushes against the others: the thumb, or any digit in a hand without
-/// thumb.
-bool opposed(bool has_thumb, const TouchedSegments& touching) {
+/// one.
+bool is_opposed(bool has_thumb, const TouchedSegments& touching) {
   if (has_thumb) return touching.push.count("thumb") > 0;
   // A digit opposes if its normals point against those of the others.
   return std::any_of(touching.push.begin(), touching.push.end(), [&](const auto& digit) {
@@ -48,8 +48,8 @@ bool opposed(bool has_thumb, const TouchedSegments& touching) {
   });
 }
 
-/// "thumb and 2 digits", "2 digits", "thumb".
-std::string counted(const TouchedSegments& touching) {
+/// Returns the digits in words: "thumb and 2 digits", "2 digits", "thumb".
+std::string digits_in_words(const TouchedSegments& touching) {
   const std::size_t thumbs = touching.push.count("thumb"), digits = touching.push.size() - thumbs;
   if (digits == 0) return "thumb";
   return fmt::format("{}{} digit{}", thumbs > 0 ? "thumb and " : "", digits,
@@ -58,7 +58,7 @@ std::string counted(const TouchedSegments& touching) {
 
 }  // namespace
 
-std::string thumb_of(const Hand& hand) {
+std::string opposing_digit(const Hand& hand) {
   for (const LinkSurface& surface : hand.surfaces())
     if (surface.digit == "thumb") return "thumb";
   for (const std::string& tip : hand.layout().tips)
@@ -72,11 +72,11 @@ std::string grasp_type(const Hand& hand, const std::vector<HandContact>& contact
   // Power with the palm; otherwise by the number of digits and their opposition.
   const TouchedSegments touching = find_touched_parts(hand, contacts);
   if (touching.push.empty()) return "palm alone";
-  if (touching.palm) return "power, palm, " + counted(touching);
+  if (touching.palm) return "power, palm, " + digits_in_words(touching);
   if (touching.push.size() == 1) return "one digit";
-  if (!opposed(!thumb_of(hand).empty(), touching))
-    return "intermediate, side, " + counted(touching);
-  return (touching.inner ? "power, pad, " : "precision, pad, ") + counted(touching);
+  if (!is_opposed(!opposing_digit(hand).empty(), touching))
+    return "intermediate, side, " + digits_in_words(touching);
+  return (touching.inner ? "power, pad, " : "precision, pad, ") + digits_in_words(touching);
 }
 
 }  // namespace thenar

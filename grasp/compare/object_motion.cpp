@@ -10,8 +10,8 @@
 namespace thenar {
 namespace {
 
-/// Velocities of the hand along unit components of contact forces (k, coordinates), torques over
-/// the object's reach: torque maps have friction and torsion in them.
+/// Computes velocities of the hand along unit components of contact forces (k, coordinates),
+/// torques divided by the object's radius, from a torque map, which includes friction and torsion.
 Eigen::MatrixXd unit_velocities(const std::vector<Contact>& contacts, const GraspBody& object,
                                 const Eigen::MatrixXd& T) {
   Eigen::MatrixXd J = T.transpose();
@@ -24,7 +24,7 @@ Eigen::MatrixXd unit_velocities(const std::vector<Contact>& contacts, const Gras
   return J;
 }
 
-/// The unit of drives, each told by the first coordinate that it moves.
+/// Returns the unit of drives; each has that of the first coordinate that it moves.
 std::string unit_of(const Hand& hand, const Eigen::VectorXd& q, const Eigen::MatrixXd& ratios) {
   bool turning = false, sliding = false;
   for (Eigen::Index d = 0; d < ratios.cols(); ++d) {
@@ -40,6 +40,7 @@ std::string unit_of(const Hand& hand, const Eigen::VectorXd& q, const Eigen::Mat
 Eigen::MatrixXd drive_ratios(const Hand& hand, const Eigen::VectorXd& q) {
   const HandLayout& layout = hand.layout();
   const auto n = static_cast<Eigen::Index>(layout.coordinates.size());
+  // A column for each drive that moves a coordinate.
   std::vector<Eigen::VectorXd> columns;
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(n);
   for (const Drive& drive : layout.drives) {
@@ -49,6 +50,7 @@ Eigen::MatrixXd drive_ratios(const Hand& hand, const Eigen::VectorXd& q) {
     moved += column.cwiseAbs();
     columns.push_back(column);
   }
+  // A column for each other coordinate with an actuator.
   const Actuation actuation = hand.actuation(q);
   for (Eigen::Index c = 0; c < n; ++c)
     if (moved[c] == 0 && !actuation.B.row(c).isZero(0))
@@ -70,7 +72,7 @@ ObjectMotion object_motion(const Hand& hand, const Eigen::VectorXd& q,
   if (motion.object.cols() > 0)
     speeds = Eigen::JacobiSVD<Eigen::MatrixXd>(motion.object).singularValues();
   const Manipulability found = manipulability(motion.object);
-  speeds.tail(speeds.size() - found.rank).setZero();  // rounding
+  speeds.tail(speeds.size() - found.rank).setZero();  // rounding errors
   return {found, speeds, static_cast<int>(ratios.cols()), unit_of(hand, q, ratios)};
 }
 

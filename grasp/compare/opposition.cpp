@@ -13,15 +13,16 @@
 namespace thenar {
 namespace {
 
-constexpr double kSkinMeets = 10e-3;  // Points of skin closer than this meet [m]
-// Centres of tips closer than this meet, about a finger's thickness [m]
-constexpr double kTipsMeet = 20e-3;
-constexpr int kSearchStarts = 12, kSearchSteps = 60;
-constexpr double kAngleDamping = 1e-6;  // [m^2/rad^2]
+constexpr double kSkinContactDistance = 10e-3;  // distance within which points of skin meet [m]
+// Distance within which centres of tips meet, about a finger's thickness [m]
+constexpr double kTipContactDistance = 20e-3;
+constexpr int kSearchStarts = 12, kSearchSteps = 60;  // number of starts, and of steps from each
+constexpr double kMaxJointStep = 0.3;                 // maximum motion of a joint in a step [rad]
+constexpr double kAngleDamping = 1e-6;                // damping of joint steps [m^2/rad^2]
 
 HandPlace place_of(const HandTip& tip) { return {tip.digit, tip.link, tip.p, 0}; }
 
-Eigen::Vector3d at(const HandPlace& place, const std::vector<Pose<double>>& links) {
+Eigen::Vector3d position_of(const HandPlace& place, const std::vector<Pose<double>>& links) {
   return place.link < 0 ? place.p : links[place.link] * place.p;
 }
 
@@ -30,29 +31,29 @@ Eigen::Matrix3Xd jacobian(const Hand& hand, const Eigen::VectorXd& q, const Hand
   return hand.jacobian(q, place.link, place.p).bottomRows<3>();
 }
 
-/// Smallest distance of two places in a search from q, which ends below `near` [m].
+/// Minimises the distance of two landmarks from a start q, until it is below `near` [m].
 double bring_together(const Hand& hand, Eigen::VectorXd q, const HandPlace& a, const HandPlace& b,
                       double near) {
   const HandLayout& layout = hand.layout();
   double best = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kSearchSteps; ++step) {
     const std::vector<Pose<double>> links = hand.pose(q);
-    const Eigen::Vector3d gap = at(b, links) - at(a, links);
+    const Eigen::Vector3d gap = position_of(b, links) - position_of(a, links);
     best = std::min(best, gap.norm());
     if (best < near) break;
-    // Relative Jacobian of the two places.
+    // Relative Jacobian of the two landmarks.
     Eigen::Matrix3Xd J = jacobian(hand, q, a) - jacobian(hand, q, b);
-    // Joints at a limit that would move beyond it stay.
+    // Joints at a limit that would move beyond it are fixed.
     for (Eigen::Index j = 0; j < q.size(); ++j) {
       const double push = J.col(j).dot(gap);
       if ((q[j] <= layout.lower[j] && push < 0) || (q[j] >= layout.upper[j] && push > 0))
         J.col(j).setZero();
     }
-    // Damped least-squares step, at most 0.3 rad in any joint.
+    // Damped least-squares step with limited joint motion.
     const Eigen::Matrix3d normal = J * J.transpose() + kAngleDamping * Eigen::Matrix3d::Identity();
     Eigen::VectorXd dq = J.transpose() * normal.ldlt().solve(gap);
     const double largest = dq.cwiseAbs().maxCoeff();
-    if (largest > 0.3) dq *= 0.3 / largest;
+    if (largest > kMaxJointStep) dq *= kMaxJointStep / largest;
     q = (q + dq).cwiseMax(layout.lower).cwiseMin(layout.upper);
   }
   return best;
@@ -78,20 +79,21 @@ Opposition kapandji(const ComparedHand& hand, const std::vector<Eigen::VectorXd>
   out.scale = "Kapandji, highest of ten places";
   for (const HandPlace& place : hand.places) {
     if (progress.stop()) break;
-    // The highest place that the thumb meets is the score.
-    if (!meet(*hand.hand, hand.thumb, place, starts, kSkinMeets)) continue;
+    // The score is that of the highest landmark that the thumb meets.
+    if (!meet(*hand.hand, hand.thumb, place, starts, kSkinContactDistance)) continue;
     out.reached.push_back(place.name);
     out.score = std::max(out.score, static_cast<double>(place.score));
   }
   return out;
 }
 
-/// Names of other digits whose tips the tip of a digit meets.
+/// Returns the names of other digits whose tips the tip of a digit meets.
 std::vector<std::string> met_by(const Hand& hand, const HandTip& thumb,
                                 const std::vector<Eigen::VectorXd>& starts) {
   std::vector<std::string> met;
   for (const HandTip& tip : hand.layout().tip_points)
-    if (tip.digit != thumb.digit && meet(hand, place_of(thumb), place_of(tip), starts, kTipsMeet))
+    if (tip.digit != thumb.digit &&
+        meet(hand, place_of(thumb), place_of(tip), starts, kTipContactDistance))
       met.push_back(tip.digit);
   return met;
 }
@@ -99,7 +101,7 @@ std::vector<std::string> met_by(const Hand& hand, const HandTip& thumb,
 Opposition analogous(const Hand& hand, const std::vector<Eigen::VectorXd>& starts,
                      const Progress& progress) {
   const std::vector<HandTip>& tips = hand.layout().tip_points;
-  const std::string thumb = thumb_of(hand);
+  const std::string thumb = opposing_digit(hand);
   Opposition out;
   out.scale = "not defined: fewer than two digits";
   out.score = std::numeric_limits<double>::quiet_NaN();
@@ -110,7 +112,7 @@ Opposition analogous(const Hand& hand, const std::vector<Eigen::VectorXd>& start
                           thumb.empty() ? tips.front().digit : thumb);
   for (const HandTip& tip : tips) {
     if (progress.stop()) break;
-    // The thumb counts, or in a hand without thumb the best digit.
+    // Only the thumb counts, or in a hand without one the best digit.
     if (!thumb.empty() && tip.digit != thumb) continue;
     std::vector<std::string> met = met_by(hand, tip, starts);
     if (met.size() <= out.reached.size()) continue;
@@ -123,7 +125,8 @@ Opposition analogous(const Hand& hand, const std::vector<Eigen::VectorXd>& start
 
 }  // namespace
 
-Opposition opposition(const ComparedHand& hand, std::mt19937& random, const Progress& progress) {
+Opposition measure_opposition(const ComparedHand& hand, std::mt19937& random,
+                              const Progress& progress) {
   const std::vector<Eigen::VectorXd> starts = draw_starts(hand.hand->layout(), random);
   return hand.places.empty() ? analogous(*hand.hand, starts, progress)
                              : kapandji(hand, starts, progress);

@@ -10,18 +10,18 @@ namespace thenar {
 
 /// Opposition of the thumb, on a scale of 0 to 10.
 struct Opposition {
-  double score = 0;                  // NaN: a hand of fewer than two digits
+  double score = 0;                  // score; NaN: the hand has fewer than two digits
   std::string scale;                 // name of the scale
-  std::vector<std::string> reached;  // places or digits that the thumb meets
+  std::vector<std::string> reached;  // landmarks or digits that the thumb meets
 };
 
-/// Measures opposition. With places: Kapandji's score, the highest place that the thumb's pad
-/// meets. Without: ten times the share of other tips that the tip of the thumb meets, the best over
-/// all digits if none is called thumb. Two points meet if some posture within the limits brings
-/// them within 10 mm, centres of tips 20 mm; flesh may overlap on the way, and orientations do not
-/// count. Postures are searched from 12 random starts by damped least squares clamped to the
-/// limits. Source: [Kapandji1986].
-[[nodiscard]] Opposition opposition(const ComparedHand& hand, std::mt19937& random,
-                                    const Progress& progress = {});
+/// Measures opposition. For a hand with `places` it is Kapandji's score: the highest landmark that
+/// the pad of the thumb meets. For others it is ten times the share of other tips that the tip of
+/// the thumb meets, the maximum over all digits if none is called thumb. Two points meet if a
+/// posture within the limits brings them within 10 mm, centres of tips within 20 mm; soft tissue
+/// may overlap, and orientations do not count. Postures are searched from 12 random starts by
+/// damped least squares, clamped to the limits. Source: [Kapandji1986].
+[[nodiscard]] Opposition measure_opposition(const ComparedHand& hand, std::mt19937& random,
+                                            const Progress& progress = {});
 
 }  // namespace thenar

@@ -14,31 +14,31 @@
 namespace thenar {
 namespace {
 
-constexpr int kForceDirections = 64;    // Directions of force, evenly over the sphere
-constexpr double kStillMotion = 1e-12;  // Smaller motions of a tip count as none [m/rad]
-constexpr double kAscentGain = 1e-9;    // relative gain that a step of the ascent must have [1]
-constexpr int kMaxForceSteps = 20;      // Most steps of the ascent
+constexpr int kForceDirections = 64;     // number of directions of force, evenly over the sphere
+constexpr double kNoTipMotion = 1e-12;   // motion of a tip up to which it counts as none [m/rad]
+constexpr double kMinAscentGain = 1e-9;  // relative gain of a step of the ascent [1]
+constexpr int kMaxAscentSteps = 20;      // maximum number of steps of the ascent
 
-/// Direction i of a Fibonacci spiral, evenly spread on the sphere. (3)
-Eigen::Vector3d direction(int i) {
+/// Returns direction i of a Fibonacci spiral, evenly distributed on the sphere. (3)
+Eigen::Vector3d spiral_direction(int i) {
   const double z = 1 - (2.0 * i + 1) / kForceDirections, r = std::sqrt(1 - z * z);
   const double turn = kPi * (3 - std::sqrt(5.0)) * i;
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
-/// The joints that balance a tip force by effort, and not by structure.
+/// Returns the joints that balance a tip force by effort, and not by structure.
 std::vector<int> pressing_joints(const Eigen::MatrixXd& J, const Reactions& reactions) {
   std::vector<int> joints;
   // The outermost non-backdrivable joint that moves the tip.
   int carrier = -1;
   for (const int j : reactions.non_backdrivable)
-    if (!J.col(j).isZero(kStillMotion)) carrier = std::max(carrier, j);
+    if (!J.col(j).isZero(kNoTipMotion)) carrier = std::max(carrier, j);
   // Locked joints, and inner non-backdrivable ones, support the force as structure.
   for (int j = 0; j < J.cols(); ++j) {
     const bool non_backdrivable =
         std::find(reactions.non_backdrivable.begin(), reactions.non_backdrivable.end(), j) !=
         reactions.non_backdrivable.end();
-    if (!J.col(j).isZero(kStillMotion) && !is_locked(reactions, j) &&
+    if (!J.col(j).isZero(kNoTipMotion) && !is_locked(reactions, j) &&
         (!non_backdrivable || j == carrier))
       joints.push_back(j);
   }
@@ -57,31 +57,31 @@ Eigen::Matrix3Xd tip_jacobian(const Hand& hand, const Eigen::VectorXd& q, const 
   return hand.jacobian(q, tip.link, tip.p).bottomRows<3>();
 }
 
-/// Torques of a force on the tip, with the same force on every other tip that a closing coordinate
-/// moves with it, each along its own direction: tau = L f.  (coordinates, 3)
+/// Computes the torques of a force on the tip, with the same force on every other tip that a
+/// closing coordinate moves with it, each along its own direction: tau = L f.  (coordinates, 3)
 Eigen::MatrixX3d load_map(const Hand& hand, const Eigen::VectorXd& q, int tip,
                           const Eigen::Matrix3Xd& J, const Eigen::VectorXd& rates) {
   Eigen::MatrixX3d L = J.transpose();
   const Eigen::Vector3d way = J * rates;
-  if (way.isZero(kStillMotion)) return L;
+  if (way.isZero(kNoTipMotion)) return L;
   const std::vector<HandTip>& tips = hand.layout().tip_points;
   for (int t = 0; t < static_cast<int>(tips.size()); ++t) {
     if (t == tip || tips[t].link < 0) continue;
     const Eigen::Matrix3Xd other = tip_jacobian(hand, q, tips[t]);
-    // Does a closing coordinate move both tips?
+    // Find out if a closing coordinate moves both tips.
     bool shared = false;
     for (Eigen::Index j = 0; j < rates.size(); ++j)
-      shared = shared || (rates[j] != 0 && !J.col(j).isZero(kStillMotion) &&
-                          !other.col(j).isZero(kStillMotion));
-    // The other tip meets as much force along its own direction.
+      shared = shared || (rates[j] != 0 && !J.col(j).isZero(kNoTipMotion) &&
+                          !other.col(j).isZero(kNoTipMotion));
+    // The other tip carries the same force along its own direction.
     const Eigen::Vector3d its = other * rates;
-    if (shared && !its.isZero(kStillMotion))
+    if (shared && !its.isZero(kNoTipMotion))
       L += other.transpose() * its.normalized() * way.normalized().transpose();
   }
   return L;
 }
 
-/// Cone program of the balance of pressing joints, over (s, u, r).
+/// Returns the cone program of the balance of pressing joints, over (s, u, r).
 /// @param L  load_map() of these joints (joints, 3) [m]
 ConeProgram balance(const Eigen::MatrixXd& J, const Eigen::MatrixXd& L, const Actuation& a,
                     const std::vector<int>& joints) {
@@ -118,12 +118,13 @@ ConeProgram balance(const Eigen::MatrixXd& J, const Eigen::MatrixXd& L, const Ac
   return program;
 }
 
-/// Largest tip force in one direction.
-struct Farthest {
-  double reach;       // max d'f [N]; infinite: joint limits support it; NaN: no answer
-  Eigen::Vector3d f;  // the force that attains it [N]; zero without a finite answer
+/// Maximum tip force in one direction.
+struct MaxForce {
+  double value;       // max d'f [N]; infinite: joint limits support it; NaN: no answer
+  Eigen::Vector3d f;  // force that attains it [N]; zero without a finite answer
 };
-Farthest farthest(ConeProgram program, const Eigen::MatrixXd& J, const Eigen::Vector3d& d) {
+/// Computes the maximum tip force in direction d.
+MaxForce max_force_along(ConeProgram program, const Eigen::MatrixXd& J, const Eigen::Vector3d& d) {
   program.c = Eigen::VectorXd::Zero(program.A.cols());
   program.c.head(J.cols()) = -J.transpose() * d;
   const ConeResult result = solve(program);
@@ -134,17 +135,18 @@ Farthest farthest(ConeProgram program, const Eigen::MatrixXd& J, const Eigen::Ve
   return {-result.objective, J * result.x.head(J.cols())};
 }
 
-/// Ascent of |f|: the direction of the force found is the next one to look in. |f| is convex, so
-/// each step increases it, and the ascent ends in a corner of the set. [N]
-double climb(const ConeProgram& program, const Eigen::MatrixXd& J, Eigen::Vector3d d) {
+/// Computes the maximum of |f| by ascent: each force found gives the next direction. |f| is convex,
+/// so that each step increases it, and the ascent ends in a corner of the set. [N]
+double max_force_by_ascent(const ConeProgram& program, const Eigen::MatrixXd& J,
+                           Eigen::Vector3d d) {
   double best = 0;
-  for (int step = 0; step < kMaxForceSteps; ++step) {
-    const Farthest most = farthest(program, J, d);
-    if (!std::isfinite(most.reach)) return most.reach;
-    const double size = most.f.norm();
-    if (!(size > (1 + kAscentGain) * best)) break;
+  for (int step = 0; step < kMaxAscentSteps; ++step) {
+    const MaxForce found = max_force_along(program, J, d);
+    if (!std::isfinite(found.value)) return found.value;
+    const double size = found.f.norm();
+    if (!(size > (1 + kMinAscentGain) * best)) break;
     best = size;
-    d = most.f / size;
+    d = found.f / size;
   }
   return best;
 }
@@ -169,17 +171,17 @@ TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip) {
   const Eigen::Vector3d closing = all * rates;
   TipForces forces;
   // Force in the direction of closing.
-  if (!closing.isZero(kStillMotion)) {
+  if (!closing.isZero(kNoTipMotion)) {
     const Eigen::Vector3d way = closing.normalized();
-    forces.closing = farthest(program, J, way).reach;
+    forces.closing = max_force_along(program, J, way).value;
     if (std::isnan(forces.closing)) return {kNaN, kNaN};
-    forces.largest = std::max(forces.closing, climb(program, J, way));
+    forces.largest = std::max(forces.closing, max_force_by_ascent(program, J, way));
   }
   // Ascent from directions all over the sphere.
   for (int i = 0; i < kForceDirections; ++i) {
-    const double reach = climb(program, J, direction(i));
-    if (std::isnan(reach)) return {forces.closing, kNaN};
-    forces.largest = std::max(forces.largest, reach);
+    const double ascent = max_force_by_ascent(program, J, spiral_direction(i));
+    if (std::isnan(ascent)) return {forces.closing, kNaN};
+    forces.largest = std::max(forces.largest, ascent);
   }
   return forces;
 }

@@ -17,15 +17,15 @@
 namespace thenar {
 namespace {
 
-constexpr double kCells[] = {0.25, 0.5, 1, 2, 4};  // sizes tried, in voxels asked for [1]
-// Size of voxels for the overlap of two tips, over that for one tip [1]
-constexpr double kVoxelGrowth = 2;
-constexpr int kStopInterval = 1000;  // draws between two checks for a stop
+constexpr double kVoxelRatios[] = {0.25, 0.5, 1, 2, 4};  // sizes that are tried, over `voxel` [1]
+// Size of voxels for the overlap of two tips, over `voxel` [1]
+constexpr double kOverlapVoxelRatio = 2;
+constexpr int kStopInterval = 1000;  // number of postures between two checks for a stop
 
 using Voxel = std::array<int, 3>;
 using Voxels = std::vector<Voxel>;  // ascending
 
-/// Voxels that contain points, in their first `dimension` rows.
+/// Returns the voxels that contain points, by their first `dimension` rows.
 Voxels voxels_of(const Eigen::Matrix3Xd& points, int dimension, double voxel) {
   Voxels voxels;
   voxels.reserve(static_cast<std::size_t>(points.cols()));
@@ -35,14 +35,14 @@ Voxels voxels_of(const Eigen::Matrix3Xd& points, int dimension, double voxel) {
       at[static_cast<std::size_t>(i)] = static_cast<int>(std::floor(p[i] / voxel));
     voxels.push_back(at);
   }
-  // Each voxel once, in ascending order.
+  // Remove duplicates.
   std::sort(voxels.begin(), voxels.end());
   voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
   return voxels;
 }
 
-/// Number of voxels at the rim: those with a neighbour that is not in the set.
-int rim_of(const Voxels& voxels, int dimension) {
+/// Counts the voxels at the boundary: those with a neighbour that is not in the set.
+int count_boundary_voxels(const Voxels& voxels, int dimension) {
   int rim = 0;
   for (const Voxel& voxel : voxels) {
     // Neighbours along each axis.
@@ -58,16 +58,16 @@ int rim_of(const Voxels& voxels, int dimension) {
   return rim;
 }
 
-/// The points about their mean along their principal axes, the longest extent first.
-Eigen::Matrix3Xd principal(const Eigen::Matrix3Xd& points) {
+/// Returns the points about their mean along their principal axes, the longest extent first.
+Eigen::Matrix3Xd principal_coordinates(const Eigen::Matrix3Xd& points) {
   const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(
       Eigen::Matrix3d(centred * centred.transpose()));
   return axes.eigenvectors().rowwise().reverse().transpose() * centred;
 }
 
-/// Postures between the limits, spread evenly but not regularly over every coordinate, the middle
-/// first (coordinates, 5).
+/// Returns postures between the limits, distributed evenly but not regularly over every coordinate,
+/// the middle first (coordinates, 5).
 Eigen::MatrixXd spread_postures(const HandLayout& layout) {
   constexpr double kGoldenRatio = 0.6180339887498949;  // multiples of it fill 0..1 evenly
   const Eigen::VectorXd range = layout.upper - layout.lower;
@@ -80,16 +80,16 @@ Eigen::MatrixXd spread_postures(const HandLayout& layout) {
   return postures;
 }
 
-/// Counts the coordinates that move each tip in at least one posture (tips). A tip cannot fill a
-/// space of more dimensions.
+/// Counts the coordinates that move each tip in at least one posture (tips): the dimension of a
+/// tip's workspace cannot exceed this number.
 std::vector<int> movers_of_tips(const Hand& hand) {
-  constexpr double kRangeStep = 1e-3;  // Step of a coordinate, over its range [1]
-  constexpr double kNoMotion = 1e-9;   // Smaller motions of a tip count as none [m]
+  constexpr double kRangeStep = 1e-3;  // step of a coordinate over its range [1]
+  constexpr double kNoMotion = 1e-9;   // motion of a tip up to which it counts as none [m]
   const HandLayout& layout = hand.layout();
   const Eigen::MatrixXd postures = spread_postures(layout);
   std::vector<int> movers(layout.tip_points.size(), 0);
   for (Eigen::Index c = 0; c < postures.rows(); ++c) {
-    // How far a small step of this coordinate moves each tip, at most.
+    // Maximum motion of each tip for a small step of this coordinate.
     Eigen::VectorXd far = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(movers.size()));
     for (const Eigen::VectorXd q : postures.colwise()) {
       Eigen::VectorXd stepped = q;
@@ -103,10 +103,10 @@ std::vector<int> movers_of_tips(const Hand& hand) {
   return movers;
 }
 
-/// @param movers  of the tip, as movers_of_tips()
+/// Measures the workspace of a tip. @param movers  number of coordinates that move it
 DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& points, int movers,
                            double voxel) {
-  const Eigen::Matrix3Xd along = principal(points);
+  const Eigen::Matrix3Xd along = principal_coordinates(points);
   DigitAbility ability;
   ability.digit = digit;
   // Flat workspaces are measured in fewer dimensions.
@@ -114,16 +114,15 @@ DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& poi
     if (along.row(i).maxCoeff() - along.row(i).minCoeff() > 2 * voxel) ++ability.dimension;
   ability.dimension = std::min(ability.dimension, movers);  // a bent curve spans a plane
   if (ability.dimension == 0) return ability;
-  // Large voxels have a thick rim, small ones holes between draws: take the smallest relative
-  // error.
-  double least = std::numeric_limits<double>::infinity();
-  for (const double share : kCells) {
-    const Voxels voxels = voxels_of(along, ability.dimension, share * voxel);
-    const double rim = rim_of(voxels, ability.dimension);
-    const double unit = std::pow(share * voxel, ability.dimension), error = unit * rim / 2;
-    const double size = unit * (static_cast<double>(voxels.size()) - rim / 2);
-    if (error >= least * size) continue;
-    least = error / size;
+  // Large voxels have a thick boundary, small ones holes: use the smallest relative error.
+  double min_error = std::numeric_limits<double>::infinity();
+  for (const double ratio : kVoxelRatios) {
+    const Voxels voxels = voxels_of(along, ability.dimension, ratio * voxel);
+    const double boundary = count_boundary_voxels(voxels, ability.dimension);
+    const double unit = std::pow(ratio * voxel, ability.dimension), error = unit * boundary / 2;
+    const double size = unit * (static_cast<double>(voxels.size()) - boundary / 2);
+    if (error >= min_error * size) continue;
+    min_error = error / size;
     ability.workspace = size;
     ability.workspace_error = error;
   }
@@ -132,8 +131,8 @@ DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& poi
 
 }  // namespace
 
-Workspaces workspaces(const Hand& hand, int draws, double voxel, std::mt19937& random,
-                      const Progress& progress) {
+Workspaces measure_workspaces(const Hand& hand, int draws, double voxel, std::mt19937& random,
+                              const Progress& progress) {
   require(draws > 0 && voxel > 0, "a workspace wants draws and a cell, got {} and {} m", draws,
           voxel);
   const HandLayout& layout = hand.layout();
@@ -149,21 +148,21 @@ Workspaces workspaces(const Hand& hand, int draws, double voxel, std::mt19937& r
   std::set<Voxel> thumb, others;
   const std::vector<int> movers = movers_of_tips(hand);
   // The opposing digit is the thumb, or the first digit.
-  const std::string opposing = thumb_of(hand).empty() && !layout.tip_points.empty()
+  const std::string opposing = opposing_digit(hand).empty() && !layout.tip_points.empty()
                                    ? layout.tip_points[0].digit
-                                   : thumb_of(hand);
+                                   : opposing_digit(hand);
   for (std::size_t t = 0; t < points.size() && !progress.stop(); ++t) {
     const std::string& digit = layout.tip_points[t].digit;
-    // Workspace of each tip; voxels of the opposing digit and of all others.
+    // Measure each workspace, and collect voxels of the opposing digit and of all others.
     out.digits.push_back(measure_space(digit, points[t], movers[t], voxel));
     if (out.digits.back().dimension < 3) continue;  // planes and curves share no volume
-    const Voxels voxels = voxels_of(points[t], 3, kVoxelGrowth * voxel);
+    const Voxels voxels = voxels_of(points[t], 3, kOverlapVoxelRatio * voxel);
     (digit == opposing ? thumb : others).insert(voxels.begin(), voxels.end());
   }
   // Their common voxels are the overlap.
   if (thumb.empty() || others.empty()) out.overlap = std::numeric_limits<double>::quiet_NaN();
   for (const Voxel& each : thumb)
-    if (others.count(each) > 0) out.overlap += std::pow(kVoxelGrowth * voxel, 3);
+    if (others.count(each) > 0) out.overlap += std::pow(kOverlapVoxelRatio * voxel, 3);
   return out;
 }
 

@@ -23,40 +23,40 @@ Contact seen_from(const Pose<double>& X_AB, const Contact& contact_B) {
 
 namespace {
 
-// Contacts are equal within this: places over the grasp's extent, and normals [1]
-constexpr double kSamePlace = 1e-9;
+// Tolerance of equal contacts: positions over the grasp's extent, and normals [1]
+constexpr double kContactTolerance = 1e-9;
 
-/// Contacts are sorted along this direction; its components are irrational, so that points rarely
-/// tie.
-const Eigen::Vector3d kAcross(0.6180339887, 0.7548776662, 0.5698402910);
+/// Direction along which contacts are sorted; its irrational components make ties rare.
+const Eigen::Vector3d kSortDirection(0.6180339887, 0.7548776662, 0.5698402910);
 
 double extent(const std::vector<Contact>& contacts) {
-  double most = 0;
-  for (const Contact& each : contacts) most = std::max(most, (each.p - contacts[0].p).norm());
-  return most;
+  double max_distance = 0;
+  for (const Contact& each : contacts)
+    max_distance = std::max(max_distance, (each.p - contacts[0].p).norm());
+  return max_distance;
 }
 
-/// Returns for every contact without a patch the first contact at its place with its normal, maybe
-/// itself.
-std::vector<std::size_t> first_at_place(const std::vector<Contact>& contacts) {
-  const double near = kSamePlace * extent(contacts);
+/// Returns for every contact without a patch the first contact with its position and normal,
+/// possibly itself.
+std::vector<std::size_t> first_equal_contacts(const std::vector<Contact>& contacts) {
+  const double near = kContactTolerance * extent(contacts);
   std::vector<std::size_t> first(contacts.size()), order;
   std::iota(first.begin(), first.end(), std::size_t{0});
-  // Contacts without a patch number, sorted along one direction.
+  // Sort contacts without a patch number along one direction.
   for (std::size_t i = 0; i < contacts.size(); ++i)
     if (contacts[i].patch < 0) order.push_back(i);
-  const auto level = [&](std::size_t i) { return kAcross.dot(contacts[i].p); };
+  const auto level = [&](std::size_t i) { return kSortDirection.dot(contacts[i].p); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t i, std::size_t j) { return level(i) < level(j); });
-  // Sweep: only predecessors within the tolerance along that direction can be at the same place.
+  // Sweep: only predecessors within the tolerance along that direction can be equal.
   for (std::size_t a = 0; a < order.size(); ++a)
     for (std::size_t b = a; b-- > 0;) {
       const std::size_t i = order[a], j = order[b];
       if (level(i) - level(j) > 2 * near) break;
       if ((contacts[i].p - contacts[j].p).norm() > near ||
-          (contacts[i].n - contacts[j].n).norm() > kSamePlace)
+          (contacts[i].n - contacts[j].n).norm() > kContactTolerance)
         continue;
-      // The earlier contact knows its own first one, so chains end at once.
+      // The earlier contact already refers to the first one.
       first[i] = first[j];
       break;
     }
@@ -66,12 +66,12 @@ std::vector<std::size_t> first_at_place(const std::vector<Contact>& contacts) {
 }  // namespace
 
 std::vector<int> contact_regions(const std::vector<Contact>& contacts) {
-  const std::vector<std::size_t> first = first_at_place(contacts);
+  const std::vector<std::size_t> first = first_equal_contacts(contacts);
   std::map<int, int> of_patch;
   std::map<std::size_t, int> of_place;
   std::vector<int> numbers;
   int next = 0;
-  // A patch or a place gets the next number when its first point comes.
+  // A patch, or a group of equal contacts, gets the next number at its first point.
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const int patch = contacts[i].patch;
     const int number = patch >= 0 ? of_patch.try_emplace(patch, next).first->second

@@ -17,66 +17,71 @@ namespace thenar {
 
 /// One connected region of contact.
 struct ContactPatch {
-  std::vector<HandContact> contacts;  // in B's frame; surface, patch -1, torsion 0: for the caller
-  double distance;                    // smallest in the patch; negative: overlap [m]
-  double loss;  // largest distance of a touching point from the hull of the contacts; a wrench of
-                // unit normal force changes by at most loss sqrt(1 + friction^2) of torque [m]
-  Eigen::Vector3d normal;  // at its nearest point, into B, unit (3)
+  std::vector<HandContact>
+      contacts;     // in B's frame; surface, patch -1 and torsion 0 are left to the caller
+  double distance;  // minimum in the patch; negative: overlap [m]
+  /// Maximum distance of a touching point from the hull of the contacts; it changes the wrench of
+  /// unit normal force by a torque of at most loss sqrt(1 + friction^2) [m]
+  double loss;
+  Eigen::Vector3d normal;  // normal at its nearest point, into B, unit (3)
 };
 
 /// Settings of contact_patches().
 struct ContactPatchOptions {
-  double tolerance = 2e-4;       // regions farther from B do not touch [m]
-  double band = 5e-6;            // a region touches where it is at most so much farther than its
-                                 // nearest point; at least twice B's accuracy [m]
-  double resolution = 1e-3;      // of the rim of a region [m]
-  double merge = 1.5e-3;         // smaller regions are one point, narrower ones two [m]
-  int max_points = 8;            // of a patch, 3 or more
-  int max_evaluations = 50'000;  // of B's distance, in each search
+  double tolerance = 2e-4;  // maximum distance of contact regions from B [m]
+  double band = 5e-6;  // maximum distance from B of points in a region, less that of its nearest
+                       // point; at least twice B's accuracy [m]
+  double resolution = 1e-3;  // resolution of the boundary of a region [m]
+  double merge = 1.5e-3;  // extent below which a region becomes one point, and width below which it
+                          // becomes two [m]
+  int max_points = 8;     // maximum number of points of a patch, >= 3
+  int max_evaluations = 50'000;  // maximum number of distance evaluations of B in each search
 };
 
 /// Result of contact_patches().
 struct [[nodiscard]] ContactPatches {
-  std::vector<ContactPatch> patches;  // nearest first
-  bool complete;                      // no search hit max_evaluations
+  std::vector<ContactPatch> patches;  // patches, nearest first
+  bool complete;                      // true: no search reached max_evaluations
 };
 
 /// Finds the patches where body A touches body B.
 ///
 /// Neighbouring pieces of A within the tolerance form one region while their directions of contact
-/// turn by less than 30 degrees. A region keeps its points within a thin band of its nearest point,
+/// turn by less than 30 degrees. A region keeps the points within a thin band of its nearest point,
 /// because bodies touch where they are nearest: with the whole tolerance a ball on a plane would
 /// touch in a disc of radius sqrt(2 R tolerance), 2 mm for a ball of 10 mm. The contacts are the
 /// corners of the convex hull of these points, reduced by reduce_points(): a face on a face gives
 /// the corners of the overlap, an edge two points, a ball one. The loss includes the resolution
-/// where the rim was found by halving. Positions lie on B's surface; normals are contact_normal().
+/// where the boundary was found by halving. Positions lie on B's surface; normals are those of
+/// contact_normal().
 ///
-/// @param friction  of the two materials [1]
+/// @param friction  coefficient of the two materials [1]
 /// @throws InputError if friction is negative or not finite, or an option is not positive.
 ContactPatches contact_patches(const CollisionTree& a, const Pose<double>& X_WA, const Solid& b,
                                const Pose<double>& X_WB, double friction,
                                const ContactPatchOptions& options = {});
 
-/// Merges two patches of one body if their normals are within 30 degrees and the patches less than
-/// the resolution apart, as parts of a body are that lie flat upon or beside each other. The points
-/// of both are reduced anew. @returns nothing if the patches are apart
+/// Merges two patches of one body if their normals are within 30 degrees and the patches are less
+/// than the resolution apart, as those of adjacent parts of a body are. The points of both are
+/// reduced together. @returns nothing if the patches are apart
 [[nodiscard]] std::optional<ContactPatch> merge_patches(const ContactPatch& x,
                                                         const ContactPatch& y,
                                                         const ContactPatchOptions& options = {});
 
-/// All contacts of all patches; `patch` is the number of their patch.
-[[nodiscard]] std::vector<HandContact> contacts_of(const std::vector<ContactPatch>& patches);
+/// Returns all contacts of all patches; `patch` is the number of their patch.
+[[nodiscard]] std::vector<HandContact> number_patch_contacts(
+    const std::vector<ContactPatch>& patches);
 
-/// Direction of a contact of two bodies, into B, also where one or both have a sharp edge.
+/// Returns the direction of a contact of two bodies, into B, also where one or both have a sharp
+/// edge.
 ///
-///   A rounded there:         the inward normal of B as A's core sees it; it is A's as well
-///   B smooth there:          B's inward normal
-///   B sharp, A smooth:       A's normal, with the sign that points into B
-///   B sharp, A sharp too:    the normal of a face of A that lies on a face of B, within 10
-///   degrees;
-///                            otherwise the inward normal of a face of B that looks the same way as
-///                            a face of A; without such a pair the normal of two edges that cross,
-///                            or, at corners, the mean inward normal of B there
+///   A rounded there:      the inward normal of B as seen from A's core, which is A's as well
+///   B smooth there:       B's inward normal
+///   B sharp, A smooth:    A's normal, with the sign that points into B
+///   both sharp:           the normal of a face of A that lies on a face of B, within 10 degrees;
+///                         otherwise the inward normal of a face of B that faces the same way as a
+///                         face of A; without such a pair the normal of two edges that cross, or,
+///                         at corners, the mean inward normal of B there
 ///
 /// B is sharp where its normals at points 0.1 mm around turn away from each other by more than 30
 /// degrees; A is sharp where the normals of its triangles within 0.1 mm do.

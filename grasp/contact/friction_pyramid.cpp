@@ -10,7 +10,7 @@ namespace {
 
 using Axes = decltype(WrenchCap::A);
 
-/// m-gon (2, m) in the unit circle, its first corner at (1, 0).
+/// Returns an m-gon (2, m) in the unit circle, with its first corner at (1, 0).
 Eigen::Matrix2Xd polygon(int edges) {
   Eigen::Matrix2Xd z(2, edges);
   for (int k = 0; k < edges; ++k) {
@@ -20,8 +20,8 @@ Eigen::Matrix2Xd polygon(int edges) {
   return z;
 }
 
-/// Vertices in terms of the axes (axes, vertices) of a cap with that many axes.
-Eigen::MatrixXd vertices_in(Eigen::Index axes, int edges) {
+/// Returns the vertices of a pyramid in terms of a cap's axes (axes, vertices).
+Eigen::MatrixXd pyramid_vertices(Eigen::Index axes, int edges) {
   if (axes == 0) return Eigen::MatrixXd(0, 1);
   if (axes == 1) return Eigen::RowVector2d(1, -1);
   Eigen::MatrixXd z = Eigen::MatrixXd::Zero(axes, edges + 2 * (axes - 2));
@@ -30,17 +30,17 @@ Eigen::MatrixXd vertices_in(Eigen::Index axes, int edges) {
   return z;
 }
 
-int bands(int edges) { return (edges + 1) / 2; }
+int band_count(int edges) { return (edges + 1) / 2; }
 
-/// Vertices in terms of the axes (axes, vertices), ellipsoids cut by m meridians and m / 2 bands of
-/// latitude.
-Eigen::MatrixXd vertices_even(Eigen::Index axes, int edges) {
-  if (axes < 3) return vertices_in(axes, edges);
-  Eigen::MatrixXd z = Eigen::MatrixXd::Zero(3, edges * (bands(edges) - 1) + 2);
+/// Returns inscribed vertices in terms of the axes (axes, vertices); ellipsoids are cut by m
+/// meridians and m / 2 bands of latitude.
+Eigen::MatrixXd inscribed_vertices(Eigen::Index axes, int edges) {
+  if (axes < 3) return pyramid_vertices(axes, edges);
+  Eigen::MatrixXd z = Eigen::MatrixXd::Zero(3, edges * (band_count(edges) - 1) + 2);
   // The two poles come last; each ring of latitude is a polygon.
   z.bottomRightCorner<1, 2>() << 1, -1;
-  for (int i = 1; i < bands(edges); ++i) {
-    const double latitude = M_PI * i / bands(edges) - M_PI / 2;
+  for (int i = 1; i < band_count(edges); ++i) {
+    const double latitude = M_PI * i / band_count(edges) - M_PI / 2;
     auto ring = z.middleCols(edges * (i - 1), edges);
     ring.topRows<2>() = std::cos(latitude) * polygon(edges);
     ring.row(2).setConstant(std::sin(latitude));
@@ -48,19 +48,20 @@ Eigen::MatrixXd vertices_even(Eigen::Index axes, int edges) {
   return z;
 }
 
-/// Computes the vertices of vertices_even(), enlarged until the polytope contains the disc or
-/// ellipsoid: divided by its inradius.
-Eigen::MatrixXd vertices_about(Eigen::Index axes, int edges) {
-  Eigen::MatrixXd z = vertices_even(axes, edges);
+/// Returns the inscribed vertices divided by the inradius, so that the polytope contains the disc
+/// or ellipsoid.
+Eigen::MatrixXd circumscribed_vertices(Eigen::Index axes, int edges) {
+  Eigen::MatrixXd z = inscribed_vertices(axes, edges);
   if (axes >= 2) z /= std::cos(M_PI / edges);
-  if (axes == 3) z /= std::cos(M_PI / (2 * bands(edges)));
+  if (axes == 3) z /= std::cos(M_PI / (2 * band_count(edges)));
   return z;
 }
 
+/// Replaces each cap by the polytope of its vertices.
 template <typename Vertices>
-WrenchSet cut(const WrenchSet& set, int edges, Vertices vertices) {
+WrenchSet replace_caps(const WrenchSet& set, int edges, Vertices vertices) {
   require(edges >= 3, "a pyramid has at least 3 edges, got {}", edges);
-  int contact = 0;  // first number that no contact has yet
+  int contact = 0;  // first unused number of a contact
   for (const WrenchCap& cap : set.caps) contact = std::max(contact, cap.contact + 1);
   WrenchSet out;
   for (const WrenchCap& cap : set.caps) {
@@ -76,12 +77,16 @@ WrenchSet cut(const WrenchSet& set, int edges, Vertices vertices) {
 
 }  // namespace
 
-WrenchSet pyramids(const WrenchSet& set, int edges) { return cut(set, edges, vertices_in); }
+WrenchSet friction_pyramids(const WrenchSet& set, int edges) {
+  return replace_caps(set, edges, pyramid_vertices);
+}
 
-WrenchSet polytopes_in(const WrenchSet& set, int edges) { return cut(set, edges, vertices_even); }
+WrenchSet inscribed_polytopes(const WrenchSet& set, int edges) {
+  return replace_caps(set, edges, inscribed_vertices);
+}
 
-WrenchSet polytopes_about(const WrenchSet& set, int edges) {
-  return cut(set, edges, vertices_about);
+WrenchSet circumscribed_polytopes(const WrenchSet& set, int edges) {
+  return replace_caps(set, edges, circumscribed_vertices);
 }
 
 }  // namespace thenar

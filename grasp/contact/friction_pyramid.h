@@ -1,6 +1,6 @@
 #pragma once
 
-/// Friction pyramids: friction cones replaced by polytopes, as in most of the literature.
+/// Friction pyramids: polytopes that replace friction cones, as in most of the literature.
 
 #include "grasp/contact/wrench_set.h"
 
@@ -11,19 +11,20 @@ namespace thenar {
 ///   disc, axes a1, a2:          c + cos(2 pi k / m) a1 + sin(2 pi k / m) a2,  k = 0..m-1
 ///   ellipsoid of a soft finger: these, and the poles c +- a3 (twist alone)
 ///   segment:                    its two ends
-///   point, explicit wrench:     as it is
+///   point, explicit wrench:     unchanged
 /// The vertices of a cap share its contact's limit. The first edge of contacts made by wrench_set()
 /// is along the first of tangents(n).
-/// @param edges  m >= 3 of each pyramid
+/// @param edges  number m >= 3 of edges of each pyramid
 /// @throws InputError if edges < 3. Source: [Ferrari1992].
-[[nodiscard]] WrenchSet pyramids(const WrenchSet& set, int edges);
+[[nodiscard]] WrenchSet friction_pyramids(const WrenchSet& set, int edges);
 
-/// Inscribed polytopes; ellipsoids are cut by m meridians and m / 2 bands of latitude, so that they
-/// converge as fast as discs do. @throws InputError if edges < 3
-[[nodiscard]] WrenchSet polytopes_in(const WrenchSet& set, int edges);
+/// Replaces each cap by an inscribed polytope. Ellipsoids are cut by m meridians and m / 2
+/// parallels, so that they converge as fast as discs. @throws InputError if edges < 3
+[[nodiscard]] WrenchSet inscribed_polytopes(const WrenchSet& set, int edges);
 
-/// Circumscribed polytopes: those of polytopes_in(), enlarged for discs by 1 / cos(pi / m), for
-/// ellipsoids also by 1 / cos(pi / (2 bands)). @throws InputError if edges < 3
-[[nodiscard]] WrenchSet polytopes_about(const WrenchSet& set, int edges);
+/// Replaces each cap by a circumscribed polytope: that of inscribed_polytopes(), scaled for discs
+/// by 1 / cos(pi / m), for ellipsoids also by 1 / cos(pi / (2 bands)). @throws InputError if edges
+/// < 3
+[[nodiscard]] WrenchSet circumscribed_polytopes(const WrenchSet& set, int edges);
 
 }  // namespace thenar

@@ -12,7 +12,7 @@ WrenchCoordinates ScaledWrench::vector() const {
   return six;
 }
 
-// Sums over all six numbers, as of a vector.
+// All six numbers count equally.
 double ScaledWrench::dot(const ScaledWrench& b) const { return vector().dot(b.vector()); }
 double ScaledWrench::norm() const { return vector().norm(); }
 bool ScaledWrench::is_zero() const { return vector().isZero(0); }
@@ -24,7 +24,7 @@ bool operator==(const ScaledWrench& a, const ScaledWrench& b) {
 
 Eigen::Matrix<double, 6, 1> ScaledMotion::vector() const {
   Eigen::Matrix<double, 6, 1> six;
-  six << way, turn_times_length;
+  six << translation, rotation_times_length;
   return six;
 }
 

@@ -8,24 +8,24 @@
 
 namespace thenar {
 
-/// Six numbers of a scaled wrench [N]: force x, y, z, then moment / length x, y, z. Every matrix of
+/// Components of a scaled wrench [N]: force x, y, z, then moment / length x, y, z. Every matrix of
 /// scaled wrenches (6, n) has its rows in this order, and so have points and directions of the
-/// six-dimensional space in which the wrenches of a grasp form a body.
+/// six-dimensional space of the wrenches of a grasp.
 using WrenchCoordinates = Eigen::Matrix<double, 6, 1>;
 
-/// A wrench as two vectors of forces. It is no vector of six numbers, so that a `Wrench` as six
-/// numbers, whose moment comes first and has its own unit, cannot stand in its place.
+/// A wrench as two vectors of forces. It is a type of its own, not a vector of six numbers, so that
+/// it cannot be confused with a `Wrench`, whose moment comes first and has another unit.
 struct ScaledWrench {
   Eigen::Vector3d force{0, 0, 0};               // [N] (3)
   Eigen::Vector3d moment_over_length{0, 0, 0};  // moment / torque scale [N] (3)
 
-  /// Returns the wrench of six numbers in the order of WrenchCoordinates.
+  /// Returns the wrench with given components in the order of WrenchCoordinates.
   [[nodiscard]] static ScaledWrench from_coordinates(const WrenchCoordinates& six) {
     return {six.head<3>(), six.tail<3>()};
   }
   /// Returns the unit wrench along an axis: 0..2 forces, 3..5 moments.
   [[nodiscard]] static ScaledWrench unit(Eigen::Index axis);
-  /// Returns the six numbers in the order of WrenchCoordinates.
+  /// Returns the components in the order of WrenchCoordinates.
   [[nodiscard]] WrenchCoordinates vector() const;
 
   [[nodiscard]] double dot(const ScaledWrench& b) const;
@@ -55,17 +55,17 @@ struct ScaledWrench {
   return {wrench.force, wrench.moment / torque_scale};
 }
 
-/// The inverse of scaled_wrench().
+/// Multiplies the moment by the length again: the inverse of scaled_wrench().
 [[nodiscard]] inline Wrench unscaled_wrench(const ScaledWrench& wrench, double torque_scale) {
   return {torque_scale * wrench.moment_over_length, wrench.force};
 }
 
-/// A small displacement that does work with scaled wrenches, in one unit too.
+/// A small displacement, conjugate to scaled wrenches, with both parts in metres.
 struct ScaledMotion {
-  Eigen::Vector3d way{0, 0, 0};                // [m] (3)
-  Eigen::Vector3d turn_times_length{0, 0, 0};  // rotation vector x torque scale [m] (3)
+  Eigen::Vector3d translation{0, 0, 0};            // [m] (3)
+  Eigen::Vector3d rotation_times_length{0, 0, 0};  // rotation vector x torque scale [m] (3)
 
-  /// Returns the six numbers, the way first, as conjugate to WrenchCoordinates.
+  /// Returns the components, translation first, conjugate to WrenchCoordinates.
   [[nodiscard]] Eigen::Matrix<double, 6, 1> vector() const;
 };
 

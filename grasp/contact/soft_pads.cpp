@@ -12,40 +12,41 @@
 namespace thenar {
 namespace {
 
-constexpr double kFlatCurvature = 10;  // Least curvature of a gap, that of a ball of 0.1 m [1/m]
+constexpr double kMinGapCurvature = 10;  // curvature of a gap, that of a ball of 0.1 m [1/m]
 // Shear modulus over Young's modulus of an incompressible layer [1]
 constexpr double kShearRatio = 1.0 / 3;
-// Least cosine between directions of one region, as contact_patches() [1]
-const double kSamePad = std::cos(30 * kDegree);
+// Minimum cosine between normals of one patch, as in contact_patches() [1]
+const double kMinPatchCosine = std::cos(30 * kDegree);
 
 bool is_soft(const Material& material) {
   return material.young > 0 && material.layer_thickness > 0;
 }
 
-Eigen::Vector3d middle(const ContactPatch& patch) {
+Eigen::Vector3d centroid(const ContactPatch& patch) {
   Eigen::Vector3d sum(0, 0, 0);
   for (const HandContact& each : patch.contacts) sum += each.contact.p;
   return sum / static_cast<double>(patch.contacts.size());
 }
 
-/// Mean distance of the points from their middle [m].
-double spread(const ContactPatch& patch) {
-  const Eigen::Vector3d centre = middle(patch);
+/// Returns the mean distance of the points from their centroid [m].
+double mean_arm(const ContactPatch& patch) {
+  const Eigen::Vector3d centre = centroid(patch);
   double sum = 0;
   for (const HandContact& each : patch.contacts) sum += (each.contact.p - centre).norm();
   return sum / static_cast<double>(patch.contacts.size());
 }
 
-/// Curvatures where the surface is nearest to p, seen from the frame of the contacts.
+/// Computes curvatures where the surface is nearest to p, in the frame of the contacts.
 PrincipalCurvatures curvatures_at(const PadBody& body, const Eigen::Vector3d& p_O, double step) {
   const Eigen::Vector3d p = body.X_OB.inverse() * p_O;
   const NearestSurface near = body.solid.shape->nearest(p);
-  // Curvatures at the surface point below p.
+  // Curvatures at the surface point nearest to p.
   PrincipalCurvatures found = curvatures(*body.solid.shape, p - near.distance * near.normal, step);
   found.d1 = body.X_OB.R * found.d1;
   return found;
 }
 
+/// Computes the relative curvatures of two bodies at p.
 RelativeCurvatures gap_at(const Eigen::Vector3d& p, const PadBody& a, const PadBody& b,
                           double step) {
   const PrincipalCurvatures on_a = curvatures_at(a, p, step);
@@ -54,19 +55,21 @@ RelativeCurvatures gap_at(const Eigen::Vector3d& p, const PadBody& a, const PadB
   return relative_curvatures(on_a, on_b, angle);
 }
 
-/// Patch of a layer of springs that is pressed at most to its thickness and to half the smaller
-/// radius.
+/// Computes the patch of a Winkler layer, compressed at most to its thickness and to half the
+/// smaller radius.
 SoftPatch spring_patch(const Material& layer, const RelativeCurvatures& gap, double friction,
                        double force) {
-  const double R1 = 1 / std::max(kFlatCurvature, gap.k1), R2 = 1 / std::max(kFlatCurvature, gap.k2);
+  const double R1 = 1 / std::max(kMinGapCurvature, gap.k1),
+               R2 = 1 / std::max(kMinGapCurvature, gap.k2);
   const auto pressed = [&](double load) {
     return winkler_patch(load, layer.young, layer.layer_thickness, R1, R2, friction);
   };
-  // Beyond the limit of the indentation, take the force that just reaches it.
+  // Beyond the maximum depth, use the force that just reaches it.
   const SoftPatch patch = pressed(force);
-  const double most = std::min(layer.layer_thickness, std::min(R1, R2) / 2);
-  if (patch.depth <= most) return patch;
-  return pressed(force * std::pow(most / patch.depth, 2));  // depth goes with its root
+  const double max_depth = std::min(layer.layer_thickness, std::min(R1, R2) / 2);
+  if (patch.depth <= max_depth) return patch;
+  return pressed(force *
+                 std::pow(max_depth / patch.depth, 2));  // depth is proportional to its root
 }
 
 /// Patch of a layer, and its stiffness d force / d depth [N/m].
@@ -99,8 +102,8 @@ const Material* softer_layer(const Material& a, const Material& b) {
   return a.young * b.layer_thickness <= b.young * a.layer_thickness ? &a : &b;
 }
 
-double torsion_of(const ContactPatch& patch, const PadBody& a, const PadBody& b,
-                  const PadOptions& options) {
+double patch_torsion(const ContactPatch& patch, const PadBody& a, const PadBody& b,
+                     const PadOptions& options) {
   require(
       options.contact == ContactModel::kHardPoint || options.contact == ContactModel::kSoftFinger,
       "contacts of grasps are hard points or soft fingers");
@@ -109,13 +112,13 @@ double torsion_of(const ContactPatch& patch, const PadBody& a, const PadBody& b,
   if (options.contact == ContactModel::kHardPoint || layer == nullptr || patch.contacts.empty())
     return 0;
 
-  // Line and face contacts: their extent is given by their points, not by an elastic patch.
-  const RelativeCurvatures gap = gap_at(middle(patch), a, b, options.step);
-  if (patch.contacts.size() > 1 && gap.k2 < kFlatCurvature) return 0;
+  // Points represent the extent of line and face contacts, which have no elastic patch.
+  const RelativeCurvatures gap = gap_at(centroid(patch), a, b, options.step);
+  if (patch.contacts.size() > 1 && gap.k2 < kMinGapCurvature) return 0;
   const double friction = patch.contacts[0].contact.friction;
-  // Each point gets what the friction of separate points does not resist already.
+  // Each point gets the torsion that friction of separate points does not resist.
   const double torsion = pressed_layer(*layer, gap, friction, options.force).patch.torsion;
-  return std::max(0.0, torsion - friction * spread(patch));
+  return std::max(0.0, torsion - friction * mean_arm(patch));
 }
 
 std::optional<PadStiffness> pad_stiffness(const ContactPatch& patch, const PadBody& a,
@@ -124,19 +127,19 @@ std::optional<PadStiffness> pad_stiffness(const ContactPatch& patch, const PadBo
   require(!patch.contacts.empty(), "a patch of no contacts has no springs");
   const Material* layer = softer_layer(a.material, b.material);
   if (layer == nullptr) return {};
-  const RelativeCurvatures gap = gap_at(middle(patch), a, b, options.step);
+  const RelativeCurvatures gap = gap_at(centroid(patch), a, b, options.step);
   const double friction = patch.contacts[0].contact.friction;
   // Springs of the whole patch, shared by its points.
   const auto [pressed, stiffness] = pressed_layer(*layer, gap, friction, options.force);
   const double normal = stiffness / static_cast<double>(patch.contacts.size());
-  // The twist of one point comes from the shear springs over the ellipse.
+  // The twist of a single point comes from shear springs over the ellipse.
   const double shear = kShearRatio * normal,
                arms = (pressed.a * pressed.a + pressed.b * pressed.b) / 4;
-  const bool twists = patch.contacts.size() == 1 && arms > 0;  // a rigid point does not
+  const bool twists = patch.contacts.size() == 1 && arms > 0;  // a rigid point does not twist
   return PadStiffness{normal, shear, twists ? shear * arms : 0};
 }
 
-std::vector<ContactPatch> patches_of(const std::vector<HandContact>& contacts) {
+std::vector<ContactPatch> group_into_patches(const std::vector<HandContact>& contacts) {
   std::vector<ContactPatch> regions;
   // A contact continues the last patch if it has the same number, or the same surface and
   // direction.
@@ -145,10 +148,10 @@ std::vector<ContactPatch> patches_of(const std::vector<HandContact>& contacts) {
       const HandContact& first = region.contacts[0];
       if (each.contact.patch >= 0 || first.contact.patch >= 0)
         return first.contact.patch == each.contact.patch;
-      return first.surface == each.surface && region.normal.dot(each.contact.n) > kSamePad;
+      return first.surface == each.surface && region.normal.dot(each.contact.n) > kMinPatchCosine;
     };
-    const bool goes_on = !regions.empty() && belongs(regions.back());
-    if (!goes_on) regions.push_back({{}, 0, 0, each.contact.n});
+    const bool continues = !regions.empty() && belongs(regions.back());
+    if (!continues) regions.push_back({{}, 0, 0, each.contact.n});
     regions.back().contacts.push_back(each);
   }
   return regions;

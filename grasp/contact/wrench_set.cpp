@@ -10,7 +10,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kUnitError = 1e-6;  // normals may be off unit length by this [1]
+constexpr double kUnitError = 1e-6;  // maximum deviation of a normal from unit length [1]
 
 void require_sound(const Contact& contact, std::size_t i) {
   require(contact.p.allFinite() && contact.n.allFinite(), "contact {} is not finite", i);
@@ -22,6 +22,7 @@ void require_sound(const Contact& contact, std::size_t i) {
           "torsion of contact {} is {} m", i, contact.torsion);
 }
 
+/// Builds the cap of one contact.
 WrenchCap wrench_cap(const Contact& contact, const Eigen::Vector3d& arm, double torque_scale) {
   const auto wrench = [&](const Eigen::Vector3d& force) {
     return scaled_wrench(wrench_of_force(arm, force), torque_scale);
@@ -30,7 +31,7 @@ WrenchCap wrench_cap(const Contact& contact, const Eigen::Vector3d& arm, double 
   const Eigen::Vector3d n = contact.n.normalized();
   const Tangents t = tangents(n);
   WrenchCap cap{wrench(n), {}, -1};
-  // Semi-axes of friction and of torsion, as far as there are any.
+  // Semi-axes of friction and of torsion, if there are any.
   const int slides = contact.friction > 0 ? 2 : 0, twists = contact.torsion > 0 ? 1 : 0;
   cap.A.resize(6, slides + twists);
   if (slides > 0)
@@ -48,13 +49,13 @@ WrenchSet wrench_set(const std::vector<Contact>& contacts, const Eigen::Vector3d
   require(torque_scale > 0 && torque_scale < std::numeric_limits<double>::infinity(),
           "torque scale is {} m", torque_scale);
   require(centre.allFinite(), "the centre is not finite");
-  // One cap a contact point.
+  // One cap for each contact point.
   WrenchSet set;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     require_sound(contacts[i], i);
     set.caps.push_back(wrench_cap(contacts[i], contacts[i].p - centre, torque_scale));
   }
-  // Points of one region share a number, and with it a limit of force.
+  // Points of one region share a number, and with it a force limit.
   const std::vector<int> region = contact_regions(contacts);
   for (std::size_t i = 0; i < contacts.size(); ++i) set.caps[i].contact = region[i];
   return set;
@@ -62,7 +63,7 @@ WrenchSet wrench_set(const std::vector<Contact>& contacts, const Eigen::Vector3d
 
 double support(const WrenchSet& set, const ScaledWrench& u, ForceNorm limit) {
   double largest = -std::numeric_limits<double>::infinity(), sum = 0;
-  std::map<int, double> shared;  // best of the caps of numbered contacts, where positive
+  std::map<int, double> shared;  // maximum over the caps of each numbered contact, where positive
   for (const WrenchCap& cap : set.caps) {
     // Support of one cap: an ellipsoid.
     const double reach = u.dot(cap.c) + (cap.A.transpose() * u.vector()).norm();
@@ -72,7 +73,7 @@ double support(const WrenchSet& set, const ScaledWrench& u, ForceNorm limit) {
     else
       shared[cap.contact] = std::max(shared[cap.contact], reach);
   }
-  // Numbered contacts count once, by their best cap.
+  // Each numbered contact counts once, with its best cap.
   for (const auto& [contact, reach] : shared) sum += reach;
   return limit == ForceNorm::kL1 ? largest : sum;
 }

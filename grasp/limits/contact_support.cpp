@@ -18,26 +18,26 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Torques below this share of the largest torque of unit forces are rounding [1].
-constexpr double kNoTorque = 1e-12;
+/// Torques below this fraction of the largest torque of unit forces are rounding errors [1]
+constexpr double kTorqueRounding = 1e-12;
 
-/// Entries of a row below this share of its norm are rounding [1].
+/// Entries of a row below this fraction of its norm are rounding errors [1]
 constexpr double kForceRounding = 1e-8;
 
-/// A coordinate presses a contact if its normal lever is at least the first share of its longest
-/// lever, and at least the second share of the best such ratio among all coordinates [1].
-constexpr double kAlongShare = 1e-3, kAsWellRatio = 0.5;
+/// Minimum ratio of a coordinate's normal lever to its longest lever at which it presses a contact,
+/// and minimum of this ratio over the best one among all coordinates [1]
+constexpr double kMinNormalLever = 1e-3, kMinNormalLeverRatio = 0.5;
 
-/// Returns for each coordinate whether it does work on internal forces, which cancel out on the
-/// object. Others, like those of an arm, move all contacts as one body would.
-std::vector<bool> squeezing(const WrenchSet& set, const MatrixXd& T) {
+/// Returns for each coordinate whether it does work on internal forces, which produce no wrench on
+/// the object. Other coordinates, such as those of an arm, move all contacts as one rigid body.
+std::vector<bool> works_on_internal_forces(const WrenchSet& set, const MatrixXd& T) {
   std::vector<bool> squeezing(static_cast<std::size_t>(T.rows()), false);
   if (T.size() == 0) return squeezing;
-  // Orthonormal basis of the forces that make a wrench on the object.
+  // Orthonormal basis of the forces that exert a wrench on the object.
   Eigen::ColPivHouseholderQR<MatrixXd> qr(free_forces(set).wrench.transpose());
   qr.setThreshold(kForceRounding);
   const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(T.cols(), qr.rank());
-  // What is left of the torques is due to internal forces.
+  // The remaining torques are due to internal forces.
   const MatrixXd internal = T - (T * Q) * Q.transpose();
   for (Index j = 0; j < T.rows(); ++j)
     squeezing[static_cast<std::size_t>(j)] =
@@ -45,27 +45,28 @@ std::vector<bool> squeezing(const WrenchSet& set, const MatrixXd& T) {
   return squeezing;
 }
 
-/// One contact as the joints feel it: torques (coordinates, size).
+/// One contact with its joint torques (coordinates, size).
 class OneContact {
  public:
   OneContact(const MatrixXd& torques, const Reactions& reactions,
              const std::vector<bool>& squeezing, double zero)
       : torques_(torques), reactions_(reactions), squeezing_(squeezing), zero_(zero) {
     for (Index j = 0; j < torques.rows(); ++j)
-      if (!is_locked(reactions, j)) least_along_ = std::max(least_along_, kAsWellRatio * along(j));
+      if (!is_locked(reactions, j))
+        min_ratio_ = std::max(min_ratio_, kMinNormalLeverRatio * normal_ratio(j));
   }
 
   [[nodiscard]] ContactSupport contact_support() const {
     ContactSupport found{SupportKind::kStructure, -1, 0, torques_.cols(),
                          VectorXd::Zero(torques_.rows())};
-    // The outermost non-backdrivable coordinate that presses along the normal; failing it, one that
-    // feels the contact.
+    // Select the outermost non-backdrivable coordinate that presses along the normal; without one,
+    // the outermost that carries contact force.
     for (const int j : reactions_.non_backdrivable)
-      if (along(j) >= least_along_)
+      if (normal_ratio(j) >= min_ratio_)
         found.pressing_coordinate = std::max(found.pressing_coordinate, j);
     if (found.pressing_coordinate < 0)
       for (const int j : reactions_.non_backdrivable)
-        if (feels(j)) found.pressing_coordinate = std::max(found.pressing_coordinate, j);
+        if (carries_force(j)) found.pressing_coordinate = std::max(found.pressing_coordinate, j);
     // Levers of all coordinates that press.
     bool pressed = false;
     for (Index j = 0; j < torques_.rows(); ++j) {
@@ -73,41 +74,45 @@ class OneContact {
       found.levers(j) = std::copysign(longest_lever(j), torques_(j, 0));
       pressed = true;
     }
-    // Drives come first, then a joint limit, then structure.
+    // Support by drives first, then by a joint limit, then by structure.
     if (pressed)
-      found.by =
+      found.kind =
           found.pressing_coordinate >= 0 ? SupportKind::kNonBackdrivable : SupportKind::kEffort;
     if (pressed || found.pressing_coordinate >= 0) return found;
     found.pressing_coordinate = longest_stop();
-    if (found.pressing_coordinate >= 0) found.by = SupportKind::kJointLimit;
+    if (found.pressing_coordinate >= 0) found.kind = SupportKind::kJointLimit;
     return found;
   }
 
  private:
-  [[nodiscard]] bool feels(Index j) const { return torques_.row(j).cwiseAbs().maxCoeff() > zero_; }
+  [[nodiscard]] bool carries_force(Index j) const {
+    return torques_.row(j).cwiseAbs().maxCoeff() > zero_;
+  }
   [[nodiscard]] double longest_lever(Index j) const {
     return std::max(std::abs(torques_(j, 0)), torques_.row(j).tail(torques_.cols() - 1).norm());
   }
-  /// Share of a coordinate's longest lever that is along the normal [1]; 0 if it squeezes nothing.
-  [[nodiscard]] double along(Index j) const {
-    if (!squeezing_[static_cast<std::size_t>(j)] || !feels(j)) return 0;
+  /// Returns the normal lever of a coordinate over its longest lever [1]; 0 if it does no work on
+  /// internal forces.
+  [[nodiscard]] double normal_ratio(Index j) const {
+    if (!squeezing_[static_cast<std::size_t>(j)] || !carries_force(j)) return 0;
     return std::abs(torques_(j, 0)) / longest_lever(j);
   }
   [[nodiscard]] bool is_stopped(Index j) const {
-    return along(j) > kAlongShare && bears_torque(reactions_, j, torques_(j, 0));
+    return normal_ratio(j) > kMinNormalLever && resists_torque(reactions_, j, torques_(j, 0));
   }
 
   /// Returns whether effort at a coordinate presses the contact.
-  /// @param worm  the non-backdrivable one, or -1
+  /// @param worm  the non-backdrivable coordinate that presses, or -1
   [[nodiscard]] bool presses(Index j, int worm) const {
-    if (along(j) < least_along_ || is_locked(reactions_, j)) return false;
+    if (normal_ratio(j) < min_ratio_ || is_locked(reactions_, j)) return false;
     const auto& non_backdrivable = reactions_.non_backdrivable;
     if (std::find(non_backdrivable.begin(), non_backdrivable.end(), j) != non_backdrivable.end())
       return j == worm;
     return !is_stopped(j);
   }
 
-  /// Coordinate with the longest lever of those that the normal force pushes against their limits.
+  /// Returns the coordinate with the longest lever of those that the normal force pushes against
+  /// their limits.
   [[nodiscard]] int longest_stop() const {
     int longest = -1;
     for (Index j = 0; j < torques_.rows(); ++j)
@@ -120,14 +125,15 @@ class OneContact {
   const MatrixXd& torques_;
   const Reactions& reactions_;
   const std::vector<bool>& squeezing_;
-  double zero_, least_along_ = kAlongShare;
+  double zero_, min_ratio_ = kMinNormalLever;
 };
 
 /// Splits the forces of one contact into active and passive ones.
 void split(JointLoads& joint_loads, const std::vector<int>& non_backdrivable,
            const ContactSupport& contact_support) {
   VectorXd passive_torques = joint_loads.x.col(contact_support.first);
-  // Non-backdrivable coordinates bear passive forces, and all but the pressing one active ones too.
+  // Non-backdrivable coordinates support passive forces, and all but the pressing one also active
+  // ones.
   for (const int j : non_backdrivable) {
     passive_torques(j) = 0;
     if (j != contact_support.pressing_coordinate)
@@ -141,10 +147,10 @@ void split(JointLoads& joint_loads, const std::vector<int>& non_backdrivable,
 
 JointLoads find_contact_support(const WrenchSet& set, const MatrixXd& T,
                                 const Reactions& reactions) {
-  const double zero = T.size() > 0 ? kNoTorque * T.cwiseAbs().maxCoeff() : 0;
-  const std::vector<bool> does_work = squeezing(set, T);
+  const double zero = T.size() > 0 ? kTorqueRounding * T.cwiseAbs().maxCoeff() : 0;
+  const std::vector<bool> does_work = works_on_internal_forces(set, T);
   JointLoads joint_loads{T, MatrixXd(T.rows(), 0), {}, {}, {}};
-  // Tell how each contact is supported; what no effort presses gets a passive force.
+  // Find the support of each contact; contacts that no effort presses get a passive force.
   Index first = 0;
   for (const WrenchCap& cap : set.caps) {
     const Index size = 1 + cap.A.cols();
@@ -152,14 +158,14 @@ JointLoads find_contact_support(const WrenchSet& set, const MatrixXd& T,
     ContactSupport contact_support =
         OneContact(torques, reactions, does_work, zero).contact_support();
     contact_support.first = first;
-    if (contact_support.by != SupportKind::kEffort) {
+    if (contact_support.kind != SupportKind::kEffort) {
       split(joint_loads, reactions.non_backdrivable, contact_support);
       joint_loads.passive_contacts.push_back(static_cast<int>(joint_loads.contacts.size()));
     }
     joint_loads.contacts.push_back(contact_support);
     first += size;
   }
-  // Only coordinates that feel a contact take part in the balance.
+  // Only coordinates that carry contact forces are part of the balance.
   for (int j = 0; j < T.rows(); ++j) {
     const double x = joint_loads.x.cols() > 0 ? joint_loads.x.row(j).cwiseAbs().maxCoeff() : 0;
     const double p = joint_loads.p.cols() > 0 ? joint_loads.p.row(j).cwiseAbs().maxCoeff() : 0;
@@ -174,54 +180,57 @@ using Eigen::Index;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-/// Rows over y = (x, p, v, r, s); s is absent where no coordinate off its joint limits presses.
-class Limits {
+/// Rows over y = (x, p, v, r, s) that limit preload; s is absent if no coordinate away from its
+/// limits presses.
+class PreloadLimits {
  public:
-  Limits(ForceSet forces, const JointLoads& joint_loads, const Actuation& actuation,
-         double preload_slack)
+  PreloadLimits(ForceSet forces, const JointLoads& joint_loads, const Actuation& actuation,
+                double preload_slack)
       : forces_(std::move(forces)),
         joint_loads_(joint_loads),
         actuation_(actuation),
         preload_slack_(preload_slack),
         s_(forces_.wrench.cols()) {
-    // Clutches are reactions with finite limits.
+    // Clutches are the reactions with finite limits.
     clutches_ = reactions_on(actuation.reactions, joint_loads.rows);
     for (Index i = 0; i < clutches_.cols(); ++i)
       if (!std::isfinite(actuation.reactions.lower(i)) ||
           !std::isfinite(actuation.reactions.upper(i)))
         clutches_.col(i).setZero();
 
-    // One variable s for each contact on a joint limit, if anything can push back against it.
+    // Add one variable s for each contact on a joint limit, if anything can push back against it.
     const bool pushed = count(SupportKind::kEffort) + count(SupportKind::kNonBackdrivable) > 0;
-    widen(forces_, pushed ? count(SupportKind::kJointLimit) : 0);
-    // Sums that the rows below need: active normal forces, and those of joint limits.
+    append_variables(forces_, pushed ? count(SupportKind::kJointLimit) : 0);
+    // Sums for the rows below: active normal forces, and those of joint limits.
     pressed_ = sum_of(SupportKind::kEffort) + sum_of(SupportKind::kNonBackdrivable);
-    by_stops_ = none();
-    for (Index i = 0; s_ + i < forces_.wrench.cols(); ++i) by_stops_(s_ + i) = 1;
+    sum_of_stops_ = zero_row();
+    for (Index i = 0; s_ + i < forces_.wrench.cols(); ++i) sum_of_stops_(s_ + i) = 1;
   }
 
-  ForceSet limited() {
-    // Active forces stay within the efforts.
+  ForceSet apply() {
+    // Limit active forces by the efforts.
     for (const int j : joint_loads_.rows)
-      for (const double way : {1.0, -1.0}) keep_within_efforts(j, way);
-    // Passive forces push back at most as much as active ones press.
-    push_back();
+      for (const double sign : {1.0, -1.0}) keep_within_efforts(j, sign);
+    // Limit passive forces by the sum of active ones.
+    limit_push_back();
     if (count(SupportKind::kJointLimit) == 0) return forces_;
-    ForceSet idle = forces_;
-    // Joints at their limits are pressed on by the efforts, unless their springs outweigh these.
-    for (const auto& [j, way] : pressers()) largest(j, way) < 0 ? leave(j) : press(j, way);
-    // Keep these rows if the hand stays in balance with them.
+    ForceSet without_pressing = forces_;
+    // Efforts press joints against their limits, unless springs are stronger.
+    for (const auto& [j, sign] : pressing_coordinates())
+      max_torque(j, sign) < 0 ? release_stop(j) : press_stop(j, sign);
+    // Keep these rows if the hand can be in balance with them.
     if (is_slack() ||
         minimum_grasp_force(forces_, ScaledWrench{}, GraspForceObjective::kSum).status !=
             Status::kInfeasible)
       return forces_;
-    // No effort keeps the hand in balance and off its joint limits: they are not pressed.
-    add_rows(idle, sum_of(SupportKind::kJointLimit) - by_stops_, VectorXd::Zero(1));
-    return idle;
+    // No effort keeps the hand in balance and away from its limits: they are not pressed.
+    append_limits(without_pressing, sum_of(SupportKind::kJointLimit) - sum_of_stops_,
+                  VectorXd::Zero(1));
+    return without_pressing;
   }
 
  private:
-  [[nodiscard]] RowVectorXd none() const { return RowVectorXd::Zero(forces_.wrench.cols()); }
+  [[nodiscard]] RowVectorXd zero_row() const { return RowVectorXd::Zero(forces_.wrench.cols()); }
   [[nodiscard]] RowVectorXd unit(Index i) const {
     return RowVectorXd::Unit(forces_.wrench.cols(), i);
   }
@@ -231,26 +240,27 @@ class Limits {
            joint_loads_.rows.begin();
   }
 
-  [[nodiscard]] Index count(SupportKind carrier) const {
+  [[nodiscard]] Index count(SupportKind kind) const {
     return std::count_if(joint_loads_.contacts.begin(), joint_loads_.contacts.end(),
-                         [&](const ContactSupport& contact) { return contact.by == carrier; });
+                         [&](const ContactSupport& contact) { return contact.kind == kind; });
   }
 
-  [[nodiscard]] RowVectorXd sum_of(SupportKind carrier) const {
-    RowVectorXd sum = none();
+  [[nodiscard]] RowVectorXd sum_of(SupportKind kind) const {
+    RowVectorXd sum = zero_row();
     for (const ContactSupport& contact : joint_loads_.contacts)
-      if (contact.by == carrier) sum(contact.first) = 1;
+      if (contact.kind == kind) sum(contact.first) = 1;
     return sum;
   }
 
-  /// Coordinates at joint limits whose efforts press, and the sign of moving off the limit.
-  [[nodiscard]] std::map<int, double> pressers() const {
-    std::map<int, double> ways;
+  /// Returns the coordinates at joint limits whose efforts press, with the sign of motion off the
+  /// limit.
+  [[nodiscard]] std::map<int, double> pressing_coordinates() const {
+    std::map<int, double> signs;
     for (const ContactSupport& contact : joint_loads_.contacts)
-      if (contact.by == SupportKind::kJointLimit)
-        ways[contact.pressing_coordinate] =
+      if (contact.kind == SupportKind::kJointLimit)
+        signs[contact.pressing_coordinate] =
             joint_loads_.x(contact.pressing_coordinate, contact.first) > 0 ? 1 : -1;
-    return ways;
+    return signs;
   }
 
   /// Returns whether zero effort is allowed and keeps the hand in balance.
@@ -259,57 +269,60 @@ class Limits {
            (actuation_.upper.array() >= 0).all();
   }
 
-  /// Largest torque of efforts and clutches at a coordinate, in the direction of the sign.
-  [[nodiscard]] double largest(int j, double way) const {
-    double sum = way * actuation_.tau_0(j);
-    const auto add = [&](double torque, double least, double most) {
-      if (torque != 0) sum += std::max(torque * least, torque * most);
+  /// Returns the maximum torque of efforts and clutches at a coordinate, in the direction of the
+  /// sign.
+  [[nodiscard]] double max_torque(int j, double sign) const {
+    double sum = sign * actuation_.tau_0(j);
+    const auto add = [&](double torque, double lower, double upper) {
+      if (torque != 0) sum += std::max(torque * lower, torque * upper);
     };
     // Torques of actuators, then of clutches.
     for (Index k = 0; k < actuation_.B.cols(); ++k)
-      add(way * actuation_.B(j, k), actuation_.lower(k), actuation_.upper(k));
+      add(sign * actuation_.B(j, k), actuation_.lower(k), actuation_.upper(k));
     for (Index i = 0; i < clutches_.cols(); ++i)
-      add(way * clutches_(row_of(j), i), actuation_.reactions.lower(i),
+      add(sign * clutches_(row_of(j), i), actuation_.reactions.lower(i),
           actuation_.reactions.upper(i));
     return sum;
   }
 
-  /// sum l_i x_i0 <= largest torque, over the contacts that push a coordinate back the same way.
-  void keep_within_efforts(int j, double way) {
-    RowVectorXd row = none();
+  /// Adds  sum l_i x_i0 <= max_torque(), over the contacts that push a coordinate back in one
+  /// direction.
+  void keep_within_efforts(int j, double sign) {
+    RowVectorXd row = zero_row();
     for (const ContactSupport& contact : joint_loads_.contacts)
-      if (contact.by == SupportKind::kEffort || contact.by == SupportKind::kNonBackdrivable)
-        row(contact.first) = std::max(0.0, way * contact.levers(j));
-    // Scaled by the longest lever; an unlimited torque needs no row.
-    const double longest = row.maxCoeff(), limit = std::max(0.0, largest(j, way));
+      if (contact.kind == SupportKind::kEffort || contact.kind == SupportKind::kNonBackdrivable)
+        row(contact.first) = std::max(0.0, sign * contact.levers(j));
+    // Scale by the longest lever; an unlimited torque needs no row.
+    const double longest = row.maxCoeff(), limit = std::max(0.0, max_torque(j, sign));
     if (longest > 0 && std::isfinite(limit))
-      add_rows(forces_, row / longest, VectorXd::Constant(1, limit / longest));
+      append_limits(forces_, row / longest, VectorXd::Constant(1, limit / longest));
   }
 
-  /// 0 <= s_i <= x_i0, and the sum of passive forces is at most the sum of active ones.
-  void push_back() {
+  /// Adds  0 <= s_i <= x_i0, and limits the sum of passive forces by the sum of active ones.
+  void limit_push_back() {
     Index s = s_;
     for (const ContactSupport& contact : joint_loads_.contacts) {
-      if (contact.by != SupportKind::kJointLimit || s == forces_.wrench.cols()) continue;
-      add_rows(forces_, -unit(s), VectorXd::Zero(1));
-      add_rows(forces_, unit(s++) - unit(contact.first), VectorXd::Zero(1));
+      if (contact.kind != SupportKind::kJointLimit || s == forces_.wrench.cols()) continue;
+      append_limits(forces_, -unit(s), VectorXd::Zero(1));
+      append_limits(forces_, unit(s++) - unit(contact.first), VectorXd::Zero(1));
     }
     // sum s <= sum of active normal forces.
-    if (s > s_) add_rows(forces_, by_stops_ - pressed_, VectorXd::Zero(1));
+    if (s > s_) append_limits(forces_, sum_of_stops_ - pressed_, VectorXd::Zero(1));
     // sum x of structure + sum s <= active sum + sum a, with a = x - s of joint limits.
     if (count(SupportKind::kStructure) > 0)
-      add_rows(forces_,
-               sum_of(SupportKind::kStructure) + 2 * by_stops_ - sum_of(SupportKind::kJointLimit) -
-                   (1 + preload_slack_) * pressed_,
-               VectorXd::Zero(1));
+      append_limits(forces_,
+                    sum_of(SupportKind::kStructure) + 2 * sum_of_stops_ -
+                        sum_of(SupportKind::kJointLimit) - (1 + preload_slack_) * pressed_,
+                    VectorXd::Zero(1));
   }
 
-  /// The a_i = x_i0 - s_i of contacts at the joint limit of a coordinate, times their levers.
+  /// Returns the row of a_i = x_i0 - s_i of contacts at the joint limit of a coordinate, times
+  /// their levers.
   [[nodiscard]] RowVectorXd pressed_at(int j) const {
-    RowVectorXd row = none();
+    RowVectorXd row = zero_row();
     Index s = s_;
     for (const ContactSupport& contact : joint_loads_.contacts) {
-      if (contact.by != SupportKind::kJointLimit) continue;
+      if (contact.kind != SupportKind::kJointLimit) continue;
       const double lever =
           contact.pressing_coordinate == j ? std::abs(joint_loads_.x(j, contact.first)) : 0;
       row(contact.first) = lever;
@@ -318,41 +331,41 @@ class Limits {
     return row;
   }
 
-  /// sum |T_j n_i| a_i <= B_j u + R_j r + tau_0j, r of clutches, with the sign of moving off the
-  /// limit.
-  void press(int j, double way) {
+  /// Adds  sum |T_j n_i| a_i <= B_j u + R_j r + tau_0j, r of clutches, with the sign of motion off
+  /// the limit.
+  void press_stop(int j, double sign) {
     RowVectorXd row = pressed_at(j);
     // Columns of efforts v and reactions r.
     const Index v = joint_loads_.x.cols() + joint_loads_.p.cols(), r = v + actuation_.B.cols();
     row.segment(v, actuation_.B.cols()) =
-        -way * actuation_.B.row(j).cwiseProduct(forces_.effort_unit.transpose());
-    row.segment(r, clutches_.cols()) = -way * clutches_.row(row_of(j));
-    // Scaled to a largest coefficient of 1.
+        -sign * actuation_.B.row(j).cwiseProduct(forces_.effort_unit.transpose());
+    row.segment(r, clutches_.cols()) = -sign * clutches_.row(row_of(j));
+    // Scale to a largest coefficient of 1.
     const double size = row.cwiseAbs().maxCoeff();
-    add_rows(forces_, row / size, VectorXd::Constant(1, way * actuation_.tau_0(j) / size));
+    append_limits(forces_, row / size, VectorXd::Constant(1, sign * actuation_.tau_0(j) / size));
   }
 
-  /// Springs keep the joint at its limit whatever the efforts are: a = 0.
-  void leave(int j) {
+  /// Adds a = 0: springs keep the joint at its limit for all efforts.
+  void release_stop(int j) {
     const RowVectorXd row = pressed_at(j);
-    add_rows(forces_, row / row.cwiseAbs().maxCoeff(), VectorXd::Zero(1));
+    append_limits(forces_, row / row.cwiseAbs().maxCoeff(), VectorXd::Zero(1));
   }
 
   ForceSet forces_;
   const JointLoads& joint_loads_;
   const Actuation& actuation_;
-  double preload_slack_;      // of hand_forces() [1]
+  double preload_slack_;      // parameter of hand_forces() [1]
   Eigen::MatrixXd clutches_;  // rows of limited reactions, zeros for others (rows, reactions)
-  Index s_;                   // first of s
-  RowVectorXd pressed_;       // sums the normal forces that joints off their limits press
-  RowVectorXd by_stops_;      // sums s
+  Index s_;                   // first entry of s
+  RowVectorXd pressed_;       // sum of the normal forces that joints away from their limits press
+  RowVectorXd sum_of_stops_;  // sum of s
 };
 
 }  // namespace
 
 ForceSet limit_preload(ForceSet forces, const JointLoads& joint_loads, const Actuation& actuation,
                        double preload_slack) {
-  return Limits(std::move(forces), joint_loads, actuation, preload_slack).limited();
+  return PreloadLimits(std::move(forces), joint_loads, actuation, preload_slack).apply();
 }
 
 }  // namespace thenar::internal

@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Largest lag of a coupled joint behind its drive, in units of the drive.
-constexpr double kCoupledTorque = 1e-6;
+/// Maximum lag of a coupled joint behind its drive, in units of the drive.
+constexpr double kMaxCoupledLag = 1e-6;
 
 /// One drive: its column of B, and the reactions that it adds.
 class OneDrive {
@@ -30,7 +30,7 @@ class OneDrive {
     return VectorXd::Unit(q_.size(), coordinate);
   }
 
-  /// Drives that stay put lock their coordinates; others only keep them from being driven back.
+  /// Locks the coordinates of drives that do not move; others only cannot be driven back.
   void hold() {
     for (const DrivenCoordinate& move : drive_.moves)
       if (drive_.speed == 0)
@@ -39,39 +39,41 @@ class OneDrive {
         reactions_.non_backdrivable.push_back(move.coordinate);
   }
 
-  /// tau = u r / (r'r)
+  /// Returns tau = u r / (r'r) for unit effort.
   [[nodiscard]] VectorXd shared() const {
     VectorXd column = VectorXd::Zero(q_.size());
     for (const DrivenCoordinate& move : drive_.moves) column(move.coordinate) = move.ratio;
     return column / column.squaredNorm();
   }
 
+  /// Returns the torque of unit effort at the outermost coupled joint, and adds reactions of
+  /// clutches.
   VectorXd through_clutches() {
     const double closing = drive_.speed < 0 ? -1 : 1;
-    const auto gone = [&](const DrivenCoordinate& move) {
+    const auto travel = [&](const DrivenCoordinate& move) {
       return closing * q_(move.coordinate) / move.ratio;
     };
-    // Joints at the drive's farthest position are still coupled; the last of them is the outermost.
+    // Joints at the drive's farthest position are coupled; the last of them is the outermost.
     double farthest = -kInfinity;
-    for (const DrivenCoordinate& move : drive_.moves) farthest = std::max(farthest, gone(move));
+    for (const DrivenCoordinate& move : drive_.moves) farthest = std::max(farthest, travel(move));
     const DrivenCoordinate* outermost = nullptr;
     for (const DrivenCoordinate& move : drive_.moves)
-      if (gone(move) >= farthest - kCoupledTorque) outermost = &move;
-    // The clutches of all others take their torques; the outermost gets the rest.
+      if (travel(move) >= farthest - kMaxCoupledLag) outermost = &move;
+    // Clutches of all other joints take their torques; the outermost gets the rest.
     for (const DrivenCoordinate& move : drive_.moves)
       if (&move != outermost)
-        bear(move, *outermost, gone(move) >= farthest - kCoupledTorque, closing);
+        add_clutch(move, *outermost, travel(move) >= farthest - kMaxCoupledLag, closing);
     return unit(outermost->coordinate) / outermost->ratio;
   }
 
-  /// The torque c of one joint, on a clutch that is closed or has opened.
-  void bear(const DrivenCoordinate& move, const DrivenCoordinate& outermost, bool coupled,
-            double closing) {
+  /// Adds the torque c of one joint as a reaction of its clutch, which is closed or open.
+  void add_clutch(const DrivenCoordinate& move, const DrivenCoordinate& outermost, bool coupled,
+                  double closing) {
     VectorXd torque = unit(move.coordinate);
-    // A coupled joint takes its torque from the outermost's share.
+    // A coupled joint takes its torque from that of the outermost.
     if (coupled) torque(outermost.coordinate) -= move.ratio / outermost.ratio;
     const double back = coupled && drive_.backdrivable ? drive_.breakaway : 0;
-    const bool rises = closing * move.ratio > 0;  // with the drive's way of closing
+    const bool rises = closing * move.ratio > 0;  // whether the joint closes upwards
     add_reaction(reactions_, torque, rises ? -back : -drive_.breakaway,
                  rises ? drive_.breakaway : back);
   }

@@ -14,15 +14,15 @@
 namespace thenar {
 namespace {
 
-// Squared wrenches below this share of the largest count as none [1]
-constexpr double kNoWrench = 1e-14;
-constexpr double kSurePlace = 1e-4;  // Uncertainty of contact places, over the torque scale [1]
+// Squared wrenches below this fraction of the largest count as zero [1]
+constexpr double kZeroWrench = 1e-14;
+constexpr double kPositionError = 1e-4;  // uncertainty of contact positions over the scale [1]
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using internal::add_rows;
-using internal::widen;
+using internal::append_limits;
+using internal::append_variables;
 
 Index variables_of(const WrenchSet& set) {
   Index n = 0;
@@ -55,31 +55,33 @@ void check(const WrenchSet& set, const MatrixXd& T, const Actuation& a) {
     require(coordinate >= 0 && coordinate < joints, "held coordinate {} of {}", coordinate, joints);
 }
 
-/// The largest finite limit, so that efforts are of order one; 1 without.
-double unit_of(double lower, double upper) {
+/// Returns the largest finite limit, which scales efforts to order one; 1 if there is none.
+double effort_unit_of(double lower, double upper) {
   double unit = 0;
   for (const double limit : {lower, upper})
     if (std::isfinite(limit)) unit = std::max(unit, std::abs(limit));
   return unit > 0 ? unit : 1;
 }
 
-/// Adds the variables p: passive normal forces of contacts that exist already.
-// One column a passive force: the frictionless unit wrench of its contact, never negative.
-void bear(ForceSet& forces, const WrenchSet& set, const std::vector<int>& passive_contacts) {
+/// Adds the variables p: passive normal forces of contacts that exist already, one column each with
+/// the frictionless unit wrench of its contact, never negative.
+void add_passive_forces(ForceSet& forces, const WrenchSet& set,
+                        const std::vector<int>& passive_contacts) {
   const Index first = forces.wrench.cols(), count = static_cast<Index>(passive_contacts.size());
-  widen(forces, count);
+  append_variables(forces, count);
   for (Index i = 0; i < count; ++i) {
     const Index column = first + i;
     forces.wrench.col(column) =
         set.caps[static_cast<std::size_t>(passive_contacts[static_cast<std::size_t>(i)])]
             .c.vector();
     forces.normals(column) = 1;
-    add_rows(forces, -Eigen::RowVectorXd::Unit(forces.wrench.cols(), column), VectorXd::Zero(1));
+    append_limits(forces, -Eigen::RowVectorXd::Unit(forces.wrench.cols(), column),
+                  VectorXd::Zero(1));
   }
   forces.passive_contacts = passive_contacts;
 }
 
-/// T x - B u - R r = tau_0, each row divided by its largest coefficient.
+/// Sets  T x - B u - R r = tau_0,  each row divided by its largest coefficient.
 void balance_torques(ForceSet& forces, const internal::JointLoads& joint_loads,
                      const Actuation& a) {
   const auto rows = static_cast<Index>(joint_loads.rows.size());
@@ -98,15 +100,15 @@ void balance_torques(ForceSet& forces, const internal::JointLoads& joint_loads,
   }
 }
 
-/// lower <= unit y_i <= upper, where finite.
-void limit(ForceSet& forces, Index i, double lower, double upper, double unit) {
+/// Adds  lower <= unit y_i <= upper,  for finite limits.
+void add_bounds(ForceSet& forces, Index i, double lower, double upper, double unit) {
   const Eigen::RowVectorXd one = Eigen::RowVectorXd::Unit(forces.wrench.cols(), i);
-  if (std::isfinite(upper)) add_rows(forces, one, VectorXd::Constant(1, upper / unit));
-  if (std::isfinite(lower)) add_rows(forces, -one, VectorXd::Constant(1, -lower / unit));
+  if (std::isfinite(upper)) append_limits(forces, one, VectorXd::Constant(1, upper / unit));
+  if (std::isfinite(lower)) append_limits(forces, -one, VectorXd::Constant(1, -lower / unit));
 }
 
-/// Loads that the variables of a contact stand for, about the contact: columns (torque, force) as
-/// the rows of a spatial Jacobian (6, size).
+/// Returns the loads of a contact's variables about the contact: columns (torque, force) as the
+/// rows of a spatial Jacobian (6, size).
 MatrixXd local_loads(const Contact& contact) {
   const Tangents t = tangents(contact.n);
   const int slides = contact.friction > 0 ? 2 : 0, twists = contact.torsion > 0 ? 1 : 0;
@@ -123,7 +125,7 @@ ForceSet free_forces(const WrenchSet& set) {
   const Index n = variables_of(set);
   ForceSet forces;
   forces.contacts = static_cast<int>(set.caps.size());
-  // Without hand: no balance, and each contact's variables in its cone.
+  // Without a hand there is no balance; each contact's variables are in its cone.
   forces.wrench.resize(6, n);
   forces.normals.setZero(n);
   forces.A.resize(0, n);
@@ -146,23 +148,23 @@ ForceSet free_forces(const WrenchSet& set) {
 ForceSet unit_forces(const WrenchSet& set, ForceNorm limit) {
   ForceSet forces = free_forces(set);
   const Index n = forces.normals.size();
-  // L1: one limit on the sum of all normal forces.
+  // L1: one limit of the sum of all normal forces.
   if (limit == ForceNorm::kL1) {
-    add_rows(forces, forces.normals, VectorXd::Ones(1));
+    append_limits(forces, forces.normals, VectorXd::Ones(1));
     return forces;
   }
-  // Linf: one limit a patch, on the sum over its points.
-  std::map<int, Eigen::RowVectorXd> shared;  // sums of caps that share a contact's limit
+  // Linf: one limit for each patch, of the sum over its points.
+  std::map<int, Eigen::RowVectorXd> shared;  // sums of caps that share a limit
   Index column = 0;
   for (const WrenchCap& cap : set.caps) {
     const Eigen::RowVectorXd normal = Eigen::RowVectorXd::Unit(n, column);
     column += 1 + cap.A.cols();
     if (cap.contact < 0)
-      add_rows(forces, normal, VectorXd::Ones(1));
+      append_limits(forces, normal, VectorXd::Ones(1));
     else
       shared.try_emplace(cap.contact, Eigen::RowVectorXd::Zero(n)).first->second += normal;
   }
-  for (const auto& [contact, sum] : shared) add_rows(forces, sum, VectorXd::Ones(1));
+  for (const auto& [contact, sum] : shared) append_limits(forces, sum, VectorXd::Ones(1));
   return forces;
 }
 
@@ -173,44 +175,45 @@ ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& a
   const internal::JointLoads joint_loads = internal::find_contact_support(set, T, reactions);
   // Variables x of the cones, then p of passive forces.
   ForceSet forces = free_forces(set);
-  bear(forces, set, joint_loads.passive_contacts);
+  add_passive_forces(forces, set, joint_loads.passive_contacts);
   // Variables v of efforts and r of reactions, tied to the contacts by the balance of torques.
   const Index efforts = forces.wrench.cols(), actuators = actuation.B.cols();
-  widen(forces, actuators + reactions.R.cols());
+  append_variables(forces, actuators + reactions.R.cols());
   forces.effort_unit.resize(actuators);
   for (Index i = 0; i < actuators; ++i)
-    forces.effort_unit(i) = unit_of(actuation.lower(i), actuation.upper(i));
+    forces.effort_unit(i) = effort_unit_of(actuation.lower(i), actuation.upper(i));
   balance_torques(forces, joint_loads, actuation);
   // Limits of actuators and reactions.
   for (Index i = 0; i < actuators; ++i)
-    limit(forces, efforts + i, actuation.lower(i), actuation.upper(i), forces.effort_unit(i));
+    add_bounds(forces, efforts + i, actuation.lower(i), actuation.upper(i), forces.effort_unit(i));
   for (Index i = 0; i < reactions.R.cols(); ++i)
-    limit(forces, efforts + actuators + i, reactions.lower(i), reactions.upper(i), 1);
+    add_bounds(forces, efforts + actuators + i, reactions.lower(i), reactions.upper(i), 1);
   return internal::limit_preload(std::move(forces), joint_loads, actuation, preload_slack);
 }
 
-ScaledWrench bearable_part(const ForceSet& forces, const ScaledWrench& load) {
-  // Directions of no wrench, by the squares of what there is along them.
+ScaledWrench resistible_part(const ForceSet& forces, const ScaledWrench& load) {
+  // Directions without a wrench, by the squared wrenches along them.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> axes(forces.wrench *
                                                                         forces.wrench.transpose());
-  WrenchCoordinates borne = load.vector();
+  WrenchCoordinates resisted = load.vector();
   for (Index k = 0; k < 6; ++k) {
-    if (axes.eigenvalues()[k] > kNoWrench * axes.eigenvalues()[5]) break;
+    if (axes.eigenvalues()[k] > kZeroWrench * axes.eigenvalues()[5]) break;
     const double along = axes.eigenvectors().col(k).dot(load.vector());
-    if (std::abs(along) <= kSurePlace * load.norm()) borne -= along * axes.eigenvectors().col(k);
+    if (std::abs(along) <= kPositionError * load.norm())
+      resisted -= along * axes.eigenvectors().col(k);
   }
-  return ScaledWrench::from_coordinates(borne);
+  return ScaledWrench::from_coordinates(resisted);
 }
 
 ForceSet active_only(ForceSet forces) {
   const Index pressed = forces.wrench.cols();
-  Index first = 0;  // of p, behind x
-  // Passive forces p follow the contacts' own variables; each is set to zero.
+  Index first = 0;  // first entry of p, after x
+  // Passive forces p follow the contacts' own variables; set each to zero.
   for (int contact = 0; contact < forces.contacts; ++contact)
     first += forces.cones[static_cast<std::size_t>(contact)];
   for (std::size_t i = 0; i < forces.passive_contacts.size(); ++i)
-    add_rows(forces, Eigen::RowVectorXd::Unit(pressed, first + static_cast<Index>(i)),
-             VectorXd::Zero(1));
+    append_limits(forces, Eigen::RowVectorXd::Unit(pressed, first + static_cast<Index>(i)),
+                  VectorXd::Zero(1));
   return forces;
 }
 
@@ -222,8 +225,8 @@ MatrixXd torque_map(const Hand& hand, const VectorXd& q, const std::vector<HandC
     const auto surface = static_cast<std::size_t>(contacts[i].surface);
     require(surface < hand.surfaces().size(), "contact {} is at surface {} of {}", i,
             contacts[i].surface, hand.surfaces().size());
-    // Point and loads seen from the hand. The loads are those of the wrench set, whose tangents are
-    // the object's: a normal that is turned has others.
+    // Point and loads in the frame of the hand. The tangents of the loads are the object's, as in
+    // the wrench set: rotating the normal first would give others.
     const Eigen::Vector3d p_H = X_HO * contacts[i].contact.p;
     MatrixXd loads = local_loads(contacts[i].contact);
     loads.topRows<3>() = X_HO.R * loads.topRows<3>();
@@ -252,7 +255,7 @@ ContactForces contact_forces(const ForceSet& set, const VectorXd& y) {
     result.normal(i) = y(column);
     column += size;
   }
-  // Passive forces add to the contacts that bear them.
+  // Passive forces are added to the contacts that carry them.
   for (const int contact : set.passive_contacts) {
     result.wrenches[static_cast<std::size_t>(contact)] +=
         ScaledWrench::from_coordinates(set.wrench.col(column) * y(column));
@@ -269,26 +272,26 @@ namespace thenar::internal {
 
 using Eigen::Index;
 
-void add_rows(ForceSet& forces, const Eigen::MatrixXd& rows, const Eigen::VectorXd& most) {
+void append_limits(ForceSet& forces, const Eigen::MatrixXd& rows, const Eigen::VectorXd& upper) {
   const Index old = forces.G.rows();
   forces.G.conservativeResize(old + rows.rows(), forces.G.cols());
   forces.G.bottomRows(rows.rows()) = rows;
   forces.h.conservativeResize(old + rows.rows());
-  forces.h.tail(rows.rows()) = most;
+  forces.h.tail(rows.rows()) = upper;
   forces.cones.insert(forces.cones.end(), static_cast<std::size_t>(rows.rows()), 1);
 }
 
-void widen(ForceSet& forces, Index by) {
-  // New columns are zero everywhere: no limit and no balance knows them.
+void append_variables(ForceSet& forces, Index count) {
+  // New columns are zero: no limit and no balance uses them yet.
   const Index n = forces.wrench.cols();
-  forces.wrench.conservativeResize(6, n + by);
-  forces.wrench.rightCols(by).setZero();
-  forces.A.conservativeResize(forces.A.rows(), n + by);
-  forces.A.rightCols(by).setZero();
-  forces.G.conservativeResize(forces.G.rows(), n + by);
-  forces.G.rightCols(by).setZero();
-  forces.normals.conservativeResize(n + by);
-  forces.normals.tail(by).setZero();
+  forces.wrench.conservativeResize(6, n + count);
+  forces.wrench.rightCols(count).setZero();
+  forces.A.conservativeResize(forces.A.rows(), n + count);
+  forces.A.rightCols(count).setZero();
+  forces.G.conservativeResize(forces.G.rows(), n + count);
+  forces.G.rightCols(count).setZero();
+  forces.normals.conservativeResize(n + count);
+  forces.normals.tail(count).setZero();
 }
 
 }  // namespace thenar::internal

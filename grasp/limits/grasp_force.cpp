@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Row of the force limit of every contact; points of one patch share a row.
+/// Rows of the force limits of contacts; points of one patch share a row.
 struct PatchRows {
   std::vector<Index> of_contact;
   Index count = 0;
@@ -28,9 +28,9 @@ PatchRows patch_rows(const ForceSet& forces) {
   return rows;
 }
 
-/// Adds t with  sum of f_n <= t  for every patch, and aims at the least t.
-void bound_by_largest(ConeProgram& program, const ForceSet& forces) {
-  // A new column for t, with the objective t alone.
+/// Adds a variable t with  sum of f_n <= t  for every patch, and minimises t.
+void minimise_max_force(ConeProgram& program, const ForceSet& forces) {
+  // Add a column for t, with the objective t alone.
   const PatchRows patches = patch_rows(forces);
   const Index n = program.c.size(), rows = program.G.rows();
   program.c = VectorXd::Unit(n + 1, n);
@@ -44,7 +44,7 @@ void bound_by_largest(ConeProgram& program, const ForceSet& forces) {
   program.h.conservativeResize(rows + patches.count);
   program.h.tail(patches.count).setZero();
   program.cones.insert(program.cones.end(), static_cast<std::size_t>(patches.count), 1);
-  // Active and passive normal forces of each contact count in the row of its patch.
+  // Active and passive normal forces of a contact count in the row of its patch.
   Index column = 0;
   for (std::size_t i = 0; i < patches.of_contact.size(); ++i) {
     program.G(rows + patches.of_contact[i], column) = 1;
@@ -59,14 +59,14 @@ void bound_by_largest(ConeProgram& program, const ForceSet& forces) {
 GraspForce minimum_grasp_force(const ForceSet& forces, const ScaledWrench& whole_load,
                                GraspForceObjective objective) {
   require(whole_load.is_finite(), "the load must be finite");
-  const WrenchCoordinates load = bearable_part(forces, whole_load).vector();
+  const WrenchCoordinates load = resistible_part(forces, whole_load).vector();
   // Variables and cones of the force set, and six rows for the equilibrium of the object.
   ConeProgram program{forces.normals.transpose(), {}, {}, forces.G, forces.h, forces.cones};
   program.A.resize(forces.A.rows() + 6, forces.wrench.cols());
   program.A << forces.A, forces.wrench;
   program.b.resize(forces.b.size() + 6);
   program.b << forces.b, -load;
-  if (objective == GraspForceObjective::kLargest) bound_by_largest(program, forces);
+  if (objective == GraspForceObjective::kLargest) minimise_max_force(program, forces);
   const ConeResult solution = solve(program);
   const VectorXd y = solution.x.head(forces.wrench.cols());
   return {solution.status, solution.objective, contact_forces(forces, y),

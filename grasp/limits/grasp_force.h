@@ -15,25 +15,26 @@ enum class GraspForceObjective {
 
 /// Result of minimum_grasp_force().
 struct [[nodiscard]] GraspForce {
-  Status status;         // kInfeasible: proof that contacts and limits cannot hold the load
-  double objective;      // sum of the normal forces, or that of the most loaded patch [N]; infinite
-                         // where infeasible
+  Status status;     // kInfeasible: proof that contacts and limits cannot hold the load
+  double objective;  // sum of the normal forces, or that of the most loaded patch [N]; infinite if
+                     // infeasible
   ContactForces forces;  // an optimal choice
-  ScaledWrench unbalanced;  // wrench of the contacts plus bearable_part() of the load: rounding
-  double residual;          // largest of the scaled KKT conditions [1]
+  ScaledWrench
+      unbalanced;   // wrench of the contacts plus resistible_part() of the load: rounding error
+  double residual;  // largest of the scaled KKT conditions [1]
 };
 
 /// Finds the smallest contact forces in equilibrium with a load:
 ///   minimise  sum of f_n, or max over patches of their sums,
 ///   subject to  W y = -load,  y in the force set.
 ///
-/// The number of points into which a patch is cut changes neither objective: a point between others
-/// with the same normal and friction makes no wrench that they do not make together, at the same
-/// sum. A zero load needs no force. With free_forces() only friction limits the forces, with
+/// The objective does not depend on the number of points of a patch: a point between others with
+/// the same normal and friction exerts no wrench that they cannot exert together, at the same sum.
+/// A zero load needs no force. With free_forces() only friction limits the forces, with
 /// hand_forces() the efforts of the hand do, too.
-/// @param load  on the object, torque / scale (6) [N]
+/// @param load  load on the object, torque / scale (6) [N]
 /// @throws InputError if the load is not finite.
-/// Source: [Boyd2007], section II, whose friction cones are second-order cones as here.
+/// Source: [Boyd2007], section II, with friction as second-order cones.
 GraspForce minimum_grasp_force(const ForceSet& forces, const ScaledWrench& load,
                                GraspForceObjective objective);
 

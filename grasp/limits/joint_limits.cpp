@@ -37,10 +37,11 @@ Actuation actuation_with_joint_limits(const Hand& hand, const Eigen::VectorXd& q
   const HandLayout& layout = hand.layout();
   Actuation actuation = hand.actuation(q);
   for (Index j = 0; j < q.size(); ++j) {
-    // A joint limit pushes towards the inside of the range, without limit.
+    // A joint limit pushes towards the inside of the range with any magnitude.
     const Eigen::VectorXd torque = Eigen::VectorXd::Unit(q.size(), j);
-    if (q[j] <= layout.lower[j] + kAtLimit) add_reaction(actuation.reactions, torque, 0, kInfinity);
-    if (q[j] >= layout.upper[j] - kAtLimit)
+    if (q[j] <= layout.lower[j] + kLimitTolerance)
+      add_reaction(actuation.reactions, torque, 0, kInfinity);
+    if (q[j] >= layout.upper[j] - kLimitTolerance)
       add_reaction(actuation.reactions, -torque, 0, kInfinity);
   }
   return actuation;
@@ -51,7 +52,7 @@ Eigen::MatrixXd reactions_on(const Reactions& reactions, const std::vector<int>&
   if (count == 0) return Eigen::MatrixXd(coordinates.size(), 0);
   Eigen::MatrixXd rows = reactions.R(coordinates, Eigen::all);
   for (Index i = 0; i < count; ++i) {
-    // The coordinate nearest to the base that the reaction acts on.
+    // Find the innermost coordinate on which the reaction acts.
     int innermost = 0;
     while (innermost + 1 < reactions.R.rows() && reactions.R(innermost, i) == 0) ++innermost;
     // A non-backdrivable drive already supports what a joint limit of its coordinate would.
@@ -64,9 +65,9 @@ Eigen::MatrixXd reactions_on(const Reactions& reactions, const std::vector<int>&
   return rows;
 }
 
-bool bears_torque(const Reactions& reactions, Index coordinate, double direction) {
+bool resists_torque(const Reactions& reactions, Index coordinate, double direction) {
   for (Index i = 0; i < reactions.lower.size(); ++i) {
-    // The end of the reaction's range in the direction asked for.
+    // End of the reaction's range in the given direction.
     const bool up = (reactions.R(coordinate, i) > 0) == (direction > 0);
     const double limit = up ? reactions.upper(i) : -reactions.lower(i);
     if (limit == kInfinity && is_own(reactions, i, coordinate)) return true;
@@ -75,7 +76,7 @@ bool bears_torque(const Reactions& reactions, Index coordinate, double direction
 }
 
 bool is_locked(const Reactions& reactions, Index coordinate) {
-  return bears_torque(reactions, coordinate, 1) && bears_torque(reactions, coordinate, -1);
+  return resists_torque(reactions, coordinate, 1) && resists_torque(reactions, coordinate, -1);
 }
 
 }  // namespace thenar

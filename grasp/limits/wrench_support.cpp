@@ -12,10 +12,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kMaxLeverage = 1e4;     // largest ratio of a load to the limits of forces [1]
-constexpr double kWholeLoad = 1 - 1e-4;  // share of a load that counts as all of it [1]
+constexpr double kMaxLeverage = 1e4;        // maximum ratio of a load to the limits of forces [1]
+constexpr double kReachedShare = 1 - 1e-4;  // fraction of a value that counts as reaching it [1]
 
-/// The cone program of a force set, without an objective.
+/// Returns the cone program of a force set, without an objective.
 ConeProgram program_of(const ForceSet& forces) {
   return {
       VectorXd::Zero(forces.wrench.cols()), forces.A, forces.b, forces.G, forces.h, forces.cones};
@@ -40,53 +40,55 @@ void add_equalities(ConeProgram& program, const MatrixXd& rows, const VectorXd& 
   program.b.tail(rows.rows()) = values;
 }
 
-/// The largest limit of a program; 0: it has none.
-double largest_limit(const ConeProgram& program) {
+/// Returns the largest limit of a program; 0: it has none.
+double max_limit(const ConeProgram& program) {
   return std::max(program.b.lpNorm<Eigen::Infinity>(), program.h.lpNorm<Eigen::Infinity>());
 }
 
 /// Returns whether the last variable reaches a value far above all limits. The program is scaled by
-/// it.
-bool reaches(ConeProgram program, double value) {
+/// this value.
+bool reaches_value(ConeProgram program, double value) {
   const Index rows = program.G.rows(), last = program.c.size() - 1;
   program.b /= value;
   program.h /= value;
   program.G.conservativeResize(rows + 1, program.G.cols());
-  // One more limit: the scaled variable is at most 1.
+  // Add one more limit: the scaled variable is at most 1.
   program.G.row(rows) = Eigen::RowVectorXd::Unit(program.G.cols(), last);
   program.h.conservativeResize(rows + 1);
   program.h(rows) = 1;
   program.cones.push_back(1);
-  const ConeResult most = solve(program);
-  return most.status == Status::kSolved && -most.objective > kWholeLoad;
+  const ConeResult result = solve(program);
+  return result.status == Status::kSolved && -result.objective > kReachedShare;
 }
 
-/// A value of so much leverage is supported by structure except for the rounding of normals; the
-/// program is then scaled so badly that its solver may stall. Marks the solution as unbounded.
-void judge_leverage(const ConeProgram& program, double direction, ConeResult& solution) {
-  const double most = kMaxLeverage * largest_limit(program) / direction;
-  if (most == 0) return;
+/// Marks a solution as unbounded if its value exceeds the limits by kMaxLeverage: structure then
+/// supports the load except for rounding errors of normals, and the program is so badly scaled that
+/// its solver may stall.
+void mark_if_unlimited(const ConeProgram& program, double direction, ConeResult& solution) {
+  const double max_value = kMaxLeverage * max_limit(program) / direction;
+  if (max_value == 0) return;
   const bool beyond = solution.status == Status::kSolved
-                          ? -solution.objective > most
-                          : is_undecided(solution.status) && reaches(program, most);
+                          ? -solution.objective > max_value
+                          : is_undecided(solution.status) && reaches_value(program, max_value);
   if (beyond) solution.status = Status::kUnbounded;
 }
 
 /// Reads the support from a solution; the value is minus the objective.
 WrenchSupport support_of(const ForceSet& forces, const ConeResult& solution) {
   const VectorXd y = solution.x.head(forces.wrench.cols());
-  WrenchSupport reach{solution.status, kNaN, kNaN,
-                      ScaledWrench::from_coordinates(forces.wrench * y), contact_forces(forces, y),
-                      // The dual objective bounds the value from above.
-                      solution.residual};
+  WrenchSupport support{solution.status, kNaN, kNaN,
+                        ScaledWrench::from_coordinates(forces.wrench * y),
+                        contact_forces(forces, y),
+                        // The dual objective bounds the value from above.
+                        solution.residual};
   if (solution.status == Status::kSolved) {
-    reach.value = -solution.objective;
-    reach.bound = std::max(reach.value, -solution.dual);
+    support.value = -solution.objective;
+    support.bound = std::max(support.value, -solution.dual);
   }
-  if (solution.status == Status::kUnbounded) reach.value = reach.bound = kInfinity;
-  if (solution.status != Status::kSolved) reach.wrench = {};
-  // Without a solution the forces stand for no wrench.
-  return reach;
+  if (solution.status == Status::kUnbounded) support.value = support.bound = kInfinity;
+  // Without a solution the forces have no meaningful wrench.
+  if (solution.status != Status::kSolved) support.wrench = {};
+  return support;
 }
 
 void require_direction(const VectorXd& d) {
@@ -110,23 +112,23 @@ WrenchSupport support_along(const ForceSet& forces, const MatrixXd& rows, const 
           "rows are {} x {}, wanted {} x 6, and the direction {}", rows.rows(), rows.cols(),
           start.size(), direction.size());
   require(rows.allFinite() && start.allFinite(), "rows and start must be finite");
-  // One more variable k, to be as large as possible.
+  // Add a variable k to maximise.
   ConeProgram program = program_of(forces);
   add_variable(program);
   program.c(program.c.size() - 1) = -1;
-  // rows W y - k direction = start.
+  // Constrain it:  rows W y - k direction = start.
   MatrixXd equalities(rows.rows(), program.c.size());
   equalities << rows * forces.wrench, -direction;
   add_equalities(program, equalities, start);
   ConeResult solution = solve(program);
   // Loads far above all limits are unbounded up to rounding.
-  judge_leverage(program, direction.norm(), solution);
+  mark_if_unlimited(program, direction.norm(), solution);
   return support_of(forces, solution);
 }
 
 WrenchSupport load_margin(const ForceSet& forces, const ScaledWrench& d) {
   return support_along(forces, Eigen::Matrix<double, 6, 6>::Identity(), WrenchCoordinates::Zero(),
-                       -bearable_part(forces, d).vector());
+                       -resistible_part(forces, d).vector());
 }
 
 }  // namespace thenar

@@ -11,7 +11,8 @@
 namespace thenar::internal {
 namespace {
 
-constexpr int kMaxBodyPoints = 200;  // some seconds: all triples are tried
+constexpr int kMaxBodyPoints =
+    200;  // maximum number of points: all triples are tried, for some seconds
 
 using Basis = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3>;
 
@@ -50,7 +51,7 @@ double area(const Eigen::Matrix2Xd& x, const std::vector<int>& corners) {
   return twice / 2;
 }
 
-/// The corner farthest from the line through corners i and i + 1.
+/// Returns the corner farthest from the line through corners i and i + 1.
 int opposite(const Eigen::Matrix2Xd& x, const std::vector<int>& corners, std::size_t i) {
   const Eigen::Vector2d a = x.col(corners[i]), e = x.col(corners[(i + 1) % corners.size()]) - a;
   return *std::max_element(corners.begin(), corners.end(), [&](int p, int q) {
@@ -68,7 +69,7 @@ ContactFace edge(const WrenchCoordinates& from, const WrenchCoordinates& to) {
 }
 
 void add_inward(ContactFace& face, const WrenchCoordinates& along) {
-  face.inward[static_cast<std::size_t>(face.inwards++)] = along;
+  face.inward[static_cast<std::size_t>(face.inward_count++)] = along;
 }
 
 ContactFace whole(const Basis& Q, double size) {
@@ -77,7 +78,7 @@ ContactFace whole(const Basis& Q, double size) {
   return face;
 }
 
-/// Edges of a plane polygon, each with its inward direction, and the polygon itself.
+/// Returns the edges of a planar polygon, each with its inward direction, and the polygon itself.
 void add_flat(ContactBody& body, const Basis& Q, const Eigen::Matrix2Xd& x, double tolerance) {
   const std::vector<int> corners = corners_of(x, tolerance);
   const auto point = [&](int i) { return body.points[static_cast<std::size_t>(i)]; };
@@ -117,7 +118,7 @@ class FaceSolid {
     return body_.points[static_cast<std::size_t>(i)];
   }
 
-  /// The plane through three points is a face if all points lie on one side.
+  /// Adds the plane through three points as a face if all points lie on one side.
   void add_plane(int i, int j, int k) {
     // Nearly collinear points span no plane.
     Eigen::Vector3d n = (x_.col(j) - x_.col(i)).cross(x_.col(k) - x_.col(i));
@@ -154,7 +155,7 @@ class FaceSolid {
     body_.faces.push_back(face);
     // Pyramid over the face with its apex at the mean of all points.
     volume_ += face.size * depth_of_middle(n, on.front()) / 3;
-    // Each edge remembers the corner opposite in this face.
+    // Each edge stores the opposite corner in this face.
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const auto number = [&](int corner) { return on[static_cast<std::size_t>(corner)]; };
       const std::pair<int, int> ends =
@@ -163,7 +164,7 @@ class FaceSolid {
     }
   }
 
-  /// Depth of the mean of all points below a face [1].
+  /// Returns the depth of the mean of all points below a face [1].
   [[nodiscard]] double depth_of_middle(const Eigen::Vector3d& n, int on) const {
     return n.dot(x_.col(on) - x_.rowwise().mean());
   }
@@ -192,7 +193,7 @@ std::vector<WrenchCoordinates> distinct(const std::vector<WrenchCoordinates>& po
 std::optional<ContactBody> contact_body(const std::vector<WrenchCoordinates>& points) {
   double size = 0;
   for (const WrenchCoordinates& point : points) size = std::max(size, point.norm());
-  const double tolerance = kFlat * size;
+  const double tolerance = kRankTolerance * size;
   // The origin is a corner, too.
   ContactBody body{distinct(points, tolerance), {}};
   if (body.points.size() > kMaxBodyPoints) return {};

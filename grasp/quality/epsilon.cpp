@@ -17,22 +17,24 @@ namespace thenar {
 namespace {
 
 using internal::Hull;
-using internal::Span;
 using internal::span_of;
 using internal::SupportFunction;
 using internal::SupportPoint;
+using internal::WrenchSpan;
 
-constexpr double kUndecidedShare = 1e-9;  // An epsilon below this share of the size has no sign [1]
-// Facets at the first polish, doubled each time; a lower bar leaves out more
-constexpr int kPolishAt = 400;
-// Factor on the facets until the next proof, after a proof was not found
-constexpr int kProveAgain = 64;
-// Parts of the sphere in a proof, on the way and at the end
-constexpr int kFewParts = 8, kMaxParts = 64;
-constexpr int kLinfParts = 4;  // Parts of Linf in a proof, at any time: a part takes 20 to 100 ms
-constexpr int kMaxTries = 20;  // Most tries of a proof, each from a lower bound from above
-constexpr double kProvableGap = 1e-9;  // Gap that proofs of two caps reach, over the size [1]
-// Gap that is asked of distances from outside, where it costs little [1]
+constexpr double kUndecidedRatio =
+    1e-9;  // epsilon over the size below which its sign is undecided [1]
+// Number of facets at the first polish, doubled each time
+constexpr int kPolishFacets = 400;
+// Factor on the number of facets until the next proof, after a failed one
+constexpr int kProofFactor = 64;
+// Maximum number of parts of the sphere in a proof, in the search and at its end
+constexpr int kSearchParts = 8, kMaxParts = 64;
+constexpr int kLinfParts = 4;  // maximum parts of a proof for Linf, at 20 to 100 ms each
+constexpr int kMaxProofAttempts =
+    20;  // maximum number of attempts of a proof, with decreasing lower bounds
+constexpr double kProvableGap = 1e-9;  // gap that proofs of two caps reach, over the size [1]
+// Gap of distances from outside, where accuracy is cheap [1]
 constexpr double kOutsideGap = 1e-10;
 
 void require_options(const WrenchSet& set, const EpsilonOptions& options) {
@@ -53,8 +55,8 @@ Epsilon nothing() {
   return out;
 }
 
-/// Distance of the origin from a set that does not contain it in its interior.
-Epsilon outside(const WrenchSet& set, const Span& span, const EpsilonOptions& options) {
+/// Computes the distance of the origin from a set that does not contain it in its interior.
+Epsilon outside(const WrenchSet& set, const WrenchSpan& span, const EpsilonOptions& options) {
   // Wolfe's method bounds the distance from both sides.
   const SupportFunction support(set, ForceNorm::kL1);
   const auto nearest = internal::min_norm(support, std::min(options.gap, kOutsideGap));
@@ -62,39 +64,39 @@ Epsilon outside(const WrenchSet& set, const Span& span, const EpsilonOptions& op
   out.rank = span.rank;
   out.supports = nearest.supports;
   out.has_missing_direction = true;
-  out.missing_direction = ScaledWrench::from_coordinates(nearest.away);
+  out.missing_direction = ScaledWrench::from_coordinates(nearest.direction);
   out.lower = -nearest.x.norm() - support.rounding();
-  out.upper = nearest.reach + support.rounding();
+  out.upper = nearest.support + support.rounding();
   // A flat set has no wrench across its span: epsilon is 0 unless the origin is clearly outside.
-  if (span.rank < 6 && !(out.upper < -kUndecidedShare * support.size())) {
+  if (span.rank < 6 && !(out.upper < -kUndecidedRatio * support.max_norm())) {
     out.missing_direction = ScaledWrench::from_coordinates(span.basis.col(5));
     out.upper = 0;
-    if (out.lower > -kUndecidedShare * support.size()) out.lower = 0;
+    if (out.lower > -kUndecidedRatio * support.max_norm()) out.lower = 0;
   }
   out.worst_wrench = -out.missing_direction;
   out.converged = out.upper - out.lower <= options.gap;
   return out;
 }
 
-/// Lower and upper bound of epsilon while the hull grows.
+/// Search for epsilon by a growing hull, with lower and upper bounds.
 class EpsilonSearch {
  public:
   EpsilonSearch(const SupportFunction& support, const EpsilonOptions& options)
       : support_(support), options_(options) {}
 
-  /// Grows the hull until its nearest facet is certified. @returns false if the set has no inside
+  /// Grows the hull until its nearest facet is certified. @returns false if the set is flat
   bool run() {
     // Start from a simplex of support points; a flat set has none.
-    const auto simplex = internal::first_simplex(support_, internal::kFlat);
+    const auto simplex = internal::first_simplex(support_, internal::kRankTolerance);
     supports_ += simplex.supports;
     if (!simplex.found) return false;
     Hull hull(simplex.points);
-    lower_ = -support_.size();
+    lower_ = -support_.max_norm();
     grow(hull);
-    // Final descent, then proofs for the gap asked for and for the sharpest one.
+    // Descend once more, then prove the requested gap and the smallest provable one.
     facets_ = hull.facets();
     descend_support();
-    for (const double gap : {needed_gap(), kProvableGap * support_.size()})
+    for (const double gap : {needed_gap(), kProvableGap * support_.max_norm()})
       if (!settled() && prove(gap, linf() ? kLinfParts : kMaxParts)) break;
     return true;
   }
@@ -118,10 +120,11 @@ class EpsilonSearch {
   [[nodiscard]] ScaledWrench worst() const { return ScaledWrench::from_coordinates(worst_); }
 
  private:
-  /// Adds support points to the hull until its nearest facet settles epsilon, or no more fit in.
+  /// Adds support points to the hull until its nearest facet decides epsilon, or there are too many
+  /// facets.
   void grow(Hull& hull) {
-    int next_polish = kPolishAt;
-    int next_proof = kPolishAt;
+    int next_polish = kPolishFacets;
+    int next_proof = kPolishFacets;
     while (upper_ > 0 && hull.facets() <= options_.max_facets) {
       // The nearest facet bounds epsilon from below; facets beyond the bar cannot matter.
       end_if_stopped();
@@ -141,8 +144,8 @@ class EpsilonSearch {
       if (hull.facets() < next_polish) continue;
       descend_support();
       if (hull.facets() >= next_proof) {
-        if (prove(needed_gap(), linf() ? kLinfParts : kFewParts)) return;
-        next_proof *= kProveAgain;
+        if (prove(needed_gap(), linf() ? kLinfParts : kSearchParts)) return;
+        next_proof *= kProofFactor;
       }
       next_polish *= 2;
     }
@@ -150,17 +153,17 @@ class EpsilonSearch {
 
   /// Lowers the upper bound to the local minimum.
   void descend_support() {
-    if (upper_ > kUndecidedShare * support_.size())
+    if (upper_ > kUndecidedRatio * support_.max_norm())
       (void)look(internal::descend_support(support_, worst_));
   }
 
   /// Proves the lower bound without facets: two caps may be nearest along whole families of
   /// directions, for which the number of facets would grow with 1 / gap.
   bool prove(double gap, int max_parts) {
-    for (int tries = 0; tries < kMaxTries; ++tries) {
+    for (int tries = 0; tries < kMaxProofAttempts; ++tries) {
       // Value to prove: just below the upper bound.
       const double r = upper_ - support_.rounding() - 0.9 * gap;
-      if (upper_ <= kUndecidedShare * support_.size() || r <= lower_) return false;
+      if (upper_ <= kUndecidedRatio * support_.max_norm() || r <= lower_) return false;
       const internal::SupportProof proof = internal::prove_support(support_, r, max_parts);
       if (proof.found) {
         lower_ = r;
@@ -185,9 +188,9 @@ class EpsilonSearch {
 
   [[nodiscard]] bool linf() const { return support_.limit() == ForceNorm::kLinf; }
 
-  /// The gap at which the sign is settled, too.
+  /// Returns the gap that also decides the sign.
   [[nodiscard]] double needed_gap() const {
-    return std::min(options_.gap, std::max(0.99 * upper_, kUndecidedShare * support_.size()));
+    return std::min(options_.gap, std::max(0.99 * upper_, kUndecidedRatio * support_.max_norm()));
   }
   [[nodiscard]] double bar() const { return upper_ - 0.9 * needed_gap(); }
   [[nodiscard]] bool settled() const { return upper_ - lower_ <= needed_gap(); }
@@ -199,9 +202,9 @@ class EpsilonSearch {
   int supports_ = 0, facets_ = 0;
 };
 
-/// kLinf without proof of force closure: the value of kL1. If kL1 has the proof, the larger kLinf
-/// set is closed, too.
-// NOLINTNEXTLINE(misc-no-recursion): once, with the other limit
+/// Computes epsilon of kLinf without proven force closure as that of kL1. If kL1 has the proof, the
+/// larger kLinf set has force closure, too.
+// NOLINTNEXTLINE(misc-no-recursion): at most one call, with the other limit
 Epsilon of_l1(const WrenchSet& set, EpsilonOptions options, Epsilon linf) {
   options.limit = ForceNorm::kL1;
   Epsilon l1 = epsilon(set, options);
@@ -214,11 +217,11 @@ Epsilon of_l1(const WrenchSet& set, EpsilonOptions options, Epsilon linf) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(misc-no-recursion): once, with the other limit
+// NOLINTNEXTLINE(misc-no-recursion): at most one call, with the other limit
 Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
   require_options(set, options);
   if (set.caps.empty()) return nothing();
-  const Span span = span_of(set);
+  const WrenchSpan span = span_of(set);
   // Flat sets, and sets whose origin is not inside, are measured from outside.
   if (span.rank < 6) return outside(set, span, options);
 
@@ -226,11 +229,11 @@ Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
   EpsilonSearch search(support, options);
   if (!search.run() || search.upper() <= support.rounding()) return outside(set, span, options);
   Epsilon out = search.result();
-  // Force closure is certified, or the sign decides.
+  // Force closure is certified, or the sign of the value decides.
   if (out.force_closure) return out;
   if (options.limit == ForceNorm::kLinf) return of_l1(set, options, out);
-  // Facets bound nothing from below where the origin is not inside: a needle beside it may have
-  // all its planes near it.
+  // With the origin outside, facets give no lower bound: a thin set beside it may have all its
+  // planes near the origin.
   Epsilon beside = outside(set, span, options);
   if (out.upper >= beside.upper) return beside;
   beside.upper = out.upper;
@@ -247,10 +250,10 @@ Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
 namespace thenar::internal {
 namespace {
 
-constexpr int kMaxSupports = 2000;    // Most evaluations of the support function
-constexpr double kZeroShare = 1e-14;  // Shorter vectors |x| count as zero, over the size [1]
+constexpr int kMaxSupports = 2000;    // maximum number of support evaluations
+constexpr double kZeroRatio = 1e-14;  // norm over the size below which x counts as zero [1]
 
-/// Weights of the least-norm point in the affine hull of the columns: y = w0 + D a, w0 the last.
+/// Computes the weights of the least-norm point in the affine hull of the columns.
 Eigen::VectorXd affine_weights(const Eigen::Matrix<double, 6, Eigen::Dynamic>& points) {
   const Eigen::Index edges = points.cols() - 1;
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(points.cols());
@@ -262,7 +265,7 @@ Eigen::VectorXd affine_weights(const Eigen::Matrix<double, 6, Eigen::Dynamic>& p
   return weights;
 }
 
-/// A few points, and the convex weights of the point of their hull nearest to the origin.
+/// Points with the convex weights of the point of their hull nearest to the origin.
 struct Corral {
   Eigen::Matrix<double, 6, Eigen::Dynamic> points;
   Eigen::VectorXd weights;  // >= 0, sum 1
@@ -311,7 +314,7 @@ struct Corral {
 }  // namespace
 
 MinNorm min_norm(const SupportFunction& support, double gap) {
-  // Any support point will do as a start.
+  // Start from any support point.
   const WrenchCoordinates start = WrenchCoordinates::Constant(1 / std::sqrt(6.0));
   MinNorm out{support(start).p, start, std::numeric_limits<double>::infinity(), 1};
   Corral corral;
@@ -322,20 +325,20 @@ MinNorm min_norm(const SupportFunction& support, double gap) {
     end_if_stopped();
     const double length = x.norm();
     if (length < out.x.norm()) out.x = x;
-    // x = 0 to rounding: the origin is in the set.
-    if (length <= kZeroShare * support.size()) break;
+    // x is 0 to rounding: the set contains the origin.
+    if (length <= kZeroRatio * support.max_norm()) break;
     // Support point against x: its plane bounds the distance from below.
     const WrenchCoordinates u = -x / length;
     const SupportPoint reach = support(u);
     ++out.supports;
-    if (reach.h < out.reach) {
-      out.reach = reach.h;
-      out.away = u;
+    if (reach.h < out.support) {
+      out.support = reach.h;
+      out.direction = u;
     }
-    // Both bounds agree, or rounding stops progress.
-    if (out.x.norm() + out.reach <= std::max(gap, support.rounding())) break;
+    // Stop if both bounds agree, or rounding prevents progress.
+    if (out.x.norm() + out.support <= std::max(gap, support.rounding())) break;
     if (length + reach.h <= support.rounding()) break;  // no progress left
-    // Major cycle: take the point in, then find the nearest point again.
+    // Major cycle: add the point, then find the nearest point again.
     corral.add(reach.p);
     corral.settle();
     x = corral.points * corral.weights;

@@ -8,7 +8,7 @@ namespace thenar {
 Eigen::Matrix<double, 6, Eigen::Dynamic> grasp_matrix(const std::vector<Contact>& contacts,
                                                       const Eigen::Vector3d& centre,
                                                       double torque_scale) {
-  // Caps of unit coefficients have unit components for axes.
+  // Caps with unit coefficients have unit components as axes.
   std::vector<Contact> unit = contacts;
   for (Contact& contact : unit) {
     if (contact.friction > 0) contact.friction = 1;

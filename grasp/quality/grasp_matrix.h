@@ -1,6 +1,6 @@
 #pragma once
 
-/// Grasp matrix and its algebraic measures, which do not depend on friction.
+/// Grasp matrix and its algebraic measures, which are independent of friction.
 
 #include <vector>
 
@@ -10,8 +10,9 @@
 
 namespace thenar {
 
-/// Grasp matrix: wrenches of unit force components of each contact, along its normal; with friction
-/// along both tangents; with torsion about the normal. Force [N], then torque / scale [N].
+/// Computes the grasp matrix: wrenches of unit force components of each contact, along its normal;
+/// with friction along both tangents; with torsion about the normal. Force [N], then torque / scale
+/// [N].
 /// @returns (6, k)
 /// @throws InputError as wrench_set()
 [[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> grasp_matrix(
@@ -19,15 +20,15 @@ namespace thenar {
 
 /// Measures of a grasp matrix G. Rows that are zero in a planar problem are left out.
 struct GraspMatrixMeasures {
-  int rank;                   // singular values above 1e-12 of the largest
-  double min_singular_value;  // 0 below full rank: distance from losing rank [1]
-  double isotropy;            // smallest by largest singular value; 1: alike in all directions [1]
-  double volume;        // sqrt(det G G'), product of singular values: volume of the ellipsoid of
-                        // wrenches of forces |f| = 1, over that of the unit ball [1]
+  int rank;                   // number of singular values above 1e-12 of the largest
+  double min_singular_value;  // distance from losing rank; 0 below full rank [1]
+  double isotropy;  // smallest over largest singular value; 1: equal in all directions [1]
+  double volume;  // sqrt(det G G'), product of singular values: volume of the ellipsoid of wrenches
+                  // of forces |f| = 1, over that of the unit ball [1]
   int internal_forces;  // dimension of the null space of G: internal forces
 };
 
-/// @param G  (3 or 6, k), finite
+/// Computes the measures of a grasp matrix. @param G  (3 or 6, k), finite
 /// @throws InputError if an entry is not finite
 /// Source: [RoaSuarez2015] for the measures of the algebraic properties of G; [Murray1994] for
 /// internal forces.

@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Wrenches of unit n, t1, t2 forces and unit torque about n, torque / scale.
+/// Returns the wrenches of unit n, t1, t2 forces and of a unit torque about n, torque / scale.
 Eigen::Matrix<double, 6, 4> unit_wrenches(const Contact& contact, const Eigen::Vector3d& centre,
                                           double torque_scale) {
   const Tangents t = tangents(contact.n);
@@ -27,7 +27,7 @@ Eigen::Matrix<double, 6, 4> unit_wrenches(const Contact& contact, const Eigen::V
   return G;
 }
 
-/// Springs that resist, with the wrench and the component index of each.
+/// Springs of a grasp, with the wrench and the component index of each.
 struct Springs {
   Eigen::Matrix<double, 6, Eigen::Dynamic> G;
   VectorXd k;
@@ -56,7 +56,7 @@ Springs springs_of(const std::vector<Contact>& contacts, const Eigen::Vector3d& 
   return springs;
 }
 
-/// J K_q^-1 J' for the components that have springs (springs, springs).
+/// Computes J K_q^-1 J' for the components that have springs (springs, springs).
 MatrixXd joint_compliance(const JointStiffness& joints, const Springs& springs, Index components) {
   require(joints.J.rows() == components && joints.J.cols() == joints.k.size(),
           "J is {} x {}, wanted {} x {}", joints.J.rows(), joints.J.cols(), components,
@@ -69,7 +69,7 @@ MatrixXd joint_compliance(const JointStiffness& joints, const Springs& springs, 
   return J * joints.k.cwiseInverse().asDiagonal() * J.transpose();
 }
 
-/// K = G C^-1 G' of springs in series with the joints.
+/// Computes K = G C^-1 G' of springs in series with the joints.
 Eigen::Matrix<double, 6, 6> in_series(const Springs& springs, const MatrixXd& compliance) {
   if (springs.k.size() == 0) return Eigen::Matrix<double, 6, 6>::Zero();
   const Eigen::LDLT<MatrixXd> ldlt(compliance);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Grasp stiffness: how a held object yields to loads.
+/// Grasp stiffness: the displacement of a held object under loads.
 
 #include <optional>
 #include <vector>
@@ -12,31 +12,32 @@
 
 namespace thenar {
 
-/// Joint stiffness behind the pads.
+/// Stiffness of the joints behind the pads.
 struct JointStiffness {
-  Eigen::MatrixXd J;  // velocity of each contact along n, t1, t2 [m] and about n [rad]
-                      // (4 contacts, joints)
-  Eigen::VectorXd k;  // of each joint [N m/rad]; infinite: locked (joints)
+  /// Velocity of each contact along n, t1, t2 [m] and about n [rad] (4 contacts, joints).
+  Eigen::MatrixXd J;
+  Eigen::VectorXd k;  // stiffness of each joint [N m/rad]; infinite: locked (joints)
 };
 
-/// Wrench on the object per displacement. Torques are divided and rotations multiplied by the
-/// torque scale, so that all are forces and lengths.
+/// Stiffness of a grasp: wrench on the object per displacement. Torques are divided and rotations
+/// multiplied by the torque scale, so that all are forces and lengths.
 struct GraspStiffness {
   Eigen::Matrix<double, 6, 6> K;  // [N/m]
   double min_eigenvalue;          // stiffness of the softest direction [N/m]
-  ScaledMotion softest;           // unit displacement, rotation times scale
+  ScaledMotion softest;  // unit displacement of the softest direction, rotation times scale
 };
 
 /// Computes K = G (C_pads + J K_q^-1 J')^-1 G',  C_pads the inverse pad stiffness: springs in
 /// series.
 ///
-/// Components that a pad does not resist are left out, and so is the part of the stiffness that
-/// comes from existing forces, linear in the grasp force and in curvatures, which may soften a
-/// grasp.
+/// Components that a pad does not resist are left out. Also neglected is the stiffness due to
+/// existing forces, linear in the grasp force and in curvatures, which may soften a grasp.
+/// @param pads    stiffness of the pad of each contact
+/// @param joints  nothing: rigid fingers
 /// @param pads    one for each contact
 /// @param joints  nothing: rigid fingers
 /// @throws InputError if shapes disagree, a stiffness is negative or NaN, a joint stiffness is
-///         zero, or a rigid pad has no joints behind it that yield.
+///         zero, or a rigid pad has no compliant joints behind it.
 /// Source: [Cutkosky1989].
 [[nodiscard]] GraspStiffness grasp_stiffness(const std::vector<Contact>& contacts,
                                              const Eigen::Vector3d& centre, double torque_scale,

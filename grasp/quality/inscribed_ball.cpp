@@ -11,9 +11,10 @@
 namespace thenar {
 namespace {
 
-constexpr double kNothingNew = 1e-9;  // a point beyond a facet by less of its size is not new [1]
+constexpr double kMinNewDistance =
+    1e-9;  // distance beyond a facet over its size from which a point is new [1]
 
-/// The forces with a limit on the sum of normal forces.
+/// Returns the forces with a limit on the sum of normal forces.
 ForceSet with_strength(ForceSet forces, double max_total_force) {
   const Eigen::Index rows = forces.G.rows();
   forces.G.conservativeResize(rows + 1, forces.G.cols());
@@ -31,7 +32,7 @@ class BallSearch {
       : forces_(with_strength(forces, options.max_total_force)), options_(options) {}
 
   InscribedBall run() {
-    // Most sets contain the zero wrench, about which the ball lies.
+    // Most sets contain the zero wrench, the centre of the ball.
     const GraspForce none = minimum_grasp_force(forces_, ScaledWrench{}, GraspForceObjective::kSum);
     if (none.status == Status::kSolved) {
       points_.caps.push_back({ScaledWrench{}, {}});
@@ -41,7 +42,7 @@ class BallSearch {
     // Support in both directions of all six axes.
     for (int i = 0; i < 6 && ok(); ++i)
       for (const double sign : {1.0, -1.0}) (void)look(sign * ScaledWrench::unit(i));
-    // Refine the nearest facet until the bounds meet or the number of programs is spent.
+    // Refine the nearest facet until the bounds agree or the maximum number of programs is reached.
     while (ok() && result_.programs < options_.max_programs && !refine()) {
     }
     const bool met = result_.upper <= 0 || result_.upper - result_.lower <= gap();
@@ -53,10 +54,10 @@ class BallSearch {
  private:
   [[nodiscard]] bool ok() const { return result_.status == Status::kSolved; }
   [[nodiscard]] double gap() const {
-    return options_.gap * std::max(result_.upper, kNothingNew * size_);
+    return options_.gap * std::max(result_.upper, kMinNewDistance * size_);
   }
 
-  /// Support of the set in a direction. @returns whether its point is new: beyond all others
+  /// Adds the support in a direction. @returns whether its point is new: beyond all others
   bool look(const ScaledWrench& u) {
     const WrenchSupport reach = wrench_support(forces_, u);
     ++result_.programs;
@@ -64,14 +65,14 @@ class BallSearch {
       result_.status = reach.status;
       return false;
     }
-    // The bound of the multipliers holds from above.
+    // The multipliers give an upper bound.
     result_.residual = max_or_nan(result_.residual, reach.residual);
     if (reach.bound < result_.upper) {
       result_.upper = reach.bound;
       result_.worst_load = -u;
     }
     const bool is_new = points_.caps.empty() ||
-                        reach.value > support(points_, u, ForceNorm::kL1) + kNothingNew * size_;
+                        reach.value > support(points_, u, ForceNorm::kL1) + kMinNewDistance * size_;
     size_ = std::max(size_, reach.wrench.norm());
     points_.caps.push_back({reach.wrench, {}});
     return is_new;

@@ -18,14 +18,15 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Form = std::array<double, 64>;  // exterior product of vectors, indexed by the set of axes
 
-constexpr int kAllAxes = 63;  // the set of all six axes
-// A determinant below this share of its columns' lengths is 0 [1]
-constexpr double kTieShare = 1e-14;
-constexpr double kTurns[] = {0, 1e-9, 1e-7};  // of contacts, until in general position [1]
+constexpr int kAllAxes = 63;  // bit set of all six axes
+// Determinant over its columns' lengths below which it counts as 0 [1]
+constexpr double kZeroDeterminant = 1e-14;
+constexpr double kPerturbations[] = {0, 1e-9,
+                                     1e-7};  // rotations of contacts until in general position [1]
 constexpr double kTurnedArea = 100;  // facets below this times the turn times their vectors'
                                      // lengths are neglected [1]
-// A surface is closed up to this sum of normals, over its area [1]
-constexpr double kOpenShare = 1e-7;
+// Sum of normals over the area up to which a surface counts as closed [1]
+constexpr double kMaxOpenRatio = 1e-7;
 
 int members(int axes) { return __builtin_popcount(static_cast<unsigned>(axes)); }
 
@@ -95,20 +96,21 @@ double times_lengths(double lengths, const ContactFace& face) {
   return lengths;
 }
 
-/// Volume of a Minkowski sum by its facets, found by trying all choices of faces.
+/// Computation of the volume of a Minkowski sum from its facets, by all combinations of faces.
 class Sum {
  public:
   /// @param no_area  uncertain facets below this share of their vectors' lengths are neglected [1]
   Sum(const std::vector<ContactBody>& bodies, double no_area, const Progress& progress)
       : bodies_(bodies), no_area_(no_area), progress_(progress) {}
 
-  /// @return nothing if facets do not close, ties leave them uncertain, or it was stopped
+  /// @return nothing if facets do not form a closed surface, ties leave them uncertain, or after a
+  /// stop
   std::optional<double> volume() {
     Form one{};
     one[0] = 1;
     choose(0, 5, one, 1, 1);
     // The normals of a closed surface sum up to zero.
-    if (tie_ || stopped_ || !(surplus_.norm() <= kOpenShare * surface_)) return {};
+    if (tie_ || stopped_ || !(surplus_.norm() <= kMaxOpenRatio * surface_)) return {};
     return volume_ / 6;
   }
 
@@ -117,7 +119,7 @@ class Sum {
   /// @param f        product of the vectors along the faces chosen so far
   /// @param size     product of their sizes
   /// @param lengths  product of their vectors' lengths
-  // NOLINTNEXTLINE(misc-no-recursion): five deep, a dimension each
+  // NOLINTNEXTLINE(misc-no-recursion): depth five, one for each dimension
   void choose(std::size_t first, int left, const Form& f, double size, double lengths) {
     // With one dimension left the normal is linear in the last edge.
     const Matrix6 S = left == 1 ? normals(f) : Matrix6();
@@ -147,10 +149,10 @@ class Sum {
     bool uncertain = false;
     // Outer normals have all neighbouring faces of each chosen face behind them.
     for (auto chosen = chosen_.rbegin(); chosen != chosen_.rend(); ++chosen)
-      for (int i = 0; i < chosen->face->inwards; ++i) {
+      for (int i = 0; i < chosen->face->inward_count; ++i) {
         const WrenchCoordinates& inward = chosen->face->inward[static_cast<std::size_t>(i)];
         const double t = -u.dot(inward);
-        if (std::abs(t) < kTieShare * lengths * inward.norm()) {
+        if (std::abs(t) < kZeroDeterminant * lengths * inward.norm()) {
           uncertain = true;
           continue;
         }
@@ -163,7 +165,7 @@ class Sum {
     if (way <= 0) add(-u, size, lengths);
   }
 
-  /// Notes that it is uncertain whether this is a facet, which matters if it is large.
+  /// Records that it is uncertain if this is a facet, which matters only if it is large.
   void tie(const WrenchCoordinates& u, double lengths) {
     tie_ = tie_ || u.norm() > no_area_ * lengths;
   }
@@ -181,7 +183,7 @@ class Sum {
         second = std::max(second, std::min(best, reach));
         best = std::max(best, reach);
       }
-      if (!is_chosen && best - second < kTieShare * lengths * longest_[c]) tie(u, lengths);
+      if (!is_chosen && best - second < kZeroDeterminant * lengths * longest_[c]) tie(u, lengths);
       h += best;
     }
     // Divergence theorem: volume and closure of the surface.
@@ -215,7 +217,7 @@ class Sum {
   }
 };
 
-/// Number of choices of faces with five dimensions in all.
+/// Counts the combinations of faces with five dimensions in total.
 double choices(const std::vector<ContactBody>& bodies) {
   // Count by dimension, contact by contact.
   std::array<double, 6> ways{1};
@@ -229,7 +231,7 @@ double choices(const std::vector<ContactBody>& bodies) {
   return ways[5];
 }
 
-/// Each contact turned at random by about `by`, so that their faces are in general position.
+/// Rotates each contact at random by about `by`, so that their faces are in general position.
 std::vector<ContactBody> turned(std::vector<ContactBody> bodies, double by) {
   std::mt19937 rng(1);
   for (ContactBody& body : bodies) {
@@ -245,7 +247,7 @@ std::vector<ContactBody> turned(std::vector<ContactBody> bodies, double by) {
   return bodies;
 }
 
-/// Points of each contact; caps with one number share a contact.
+/// Groups the points of each contact; caps with one number share a contact.
 std::vector<std::vector<WrenchCoordinates>> grouped(const WrenchSet& set) {
   std::map<int, std::vector<WrenchCoordinates>> shared;
   std::vector<std::vector<WrenchCoordinates>> groups;
@@ -261,7 +263,7 @@ std::vector<std::vector<WrenchCoordinates>> grouped(const WrenchSet& set) {
 
 }  // namespace
 
-std::optional<double> minkowski_volume(const WrenchSet& set, double most,
+std::optional<double> minkowski_volume(const WrenchSet& set, double max_choices,
                                        const Progress& progress) {
   // Faces of each contact, if it spans three dimensions at most.
   std::vector<ContactBody> bodies;
@@ -270,9 +272,9 @@ std::optional<double> minkowski_volume(const WrenchSet& set, double most,
     if (!body) return {};
     bodies.push_back(std::move(*body));
   }
-  if (choices(bodies) > most) return {};
-  // Turn contacts a little more until no ties are left.
-  for (const double by : kTurns)
+  if (choices(bodies) > max_choices) return {};
+  // Increase the perturbation until no ties are left.
+  for (const double by : kPerturbations)
     if (const auto found = Sum(turned(bodies, by), kTurnedArea * by, progress).volume())
       return found;
   return {};

@@ -15,8 +15,9 @@ namespace {
 using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
-constexpr double kPlanarRounding = 1e-12;  // Rounding of the value, over the largest wrench [1]
-constexpr double kParallelSine = 1e-12;    // Largest sine of the angle between parallel edges [1]
+constexpr double kPlanarRounding =
+    1e-12;                               // rounding error of the value over the largest wrench [1]
+constexpr double kParallelSine = 1e-12;  // sine of the angle up to which edges are parallel [1]
 
 Vector3d in_plane(const ScaledWrench& w) {
   return {w.force.x(), w.force.y(), w.moment_over_length.z()};
@@ -24,7 +25,7 @@ Vector3d in_plane(const ScaledWrench& w) {
 
 ScaledWrench in_space(const Vector3d& w) { return {{w.x(), w.y(), 0}, {0, 0, w.z()}}; }
 
-/// Points of each contact; caps with one number share a contact.
+/// Groups the points of each contact; caps with one number share a contact.
 std::vector<Points> grouped_points(const WrenchSet& set) {
   std::vector<Points> groups;
   std::map<int, std::size_t> shared;
@@ -37,7 +38,7 @@ std::vector<Points> grouped_points(const WrenchSet& set) {
   return groups;
 }
 
-/// Smallest support over the normals of pairs of vectors, and its direction.
+/// Search for the minimum support over normals of pairs of vectors.
 class LeastSupport {
  public:
   LeastSupport(const std::vector<Points>& groups, ForceNorm limit)
@@ -57,7 +58,7 @@ class LeastSupport {
 
  private:
   [[nodiscard]] double support(const Vector3d& u) const {
-    // L1: the best point; Linf: the sum of the best points of all contacts, where positive.
+    // L1: the maximum over points; Linf: the sum of the maxima of all contacts, where positive.
     double sum = 0, largest = -std::numeric_limits<double>::infinity();
     for (const Points& points : groups_) {
       double best = -std::numeric_limits<double>::infinity();
@@ -72,7 +73,7 @@ class LeastSupport {
   ForceNorm limit_;
 };
 
-/// L1: looks along the normals of facets through three points of the set.
+/// L1: evaluates the normals of facets through three points of the set.
 void look_at_triples(LeastSupport& search, const std::vector<Points>& groups) {
   Points all;
   for (const Points& points : groups) all.insert(all.end(), points.begin(), points.end());
@@ -82,7 +83,7 @@ void look_at_triples(LeastSupport& search, const std::vector<Points>& groups) {
         search.look_across(all[j] - all[i], all[k] - all[i]);
 }
 
-/// Linf: looks along the normals of facets spanned by two edges of the contacts' hulls with 0.
+/// Linf: evaluates the normals of facets spanned by two edges of the contacts' hulls with 0.
 void look_at_edge_pairs(LeastSupport& search, const std::vector<Points>& groups) {
   Points all;
   for (Points points : groups) {
@@ -94,7 +95,7 @@ void look_at_edge_pairs(LeastSupport& search, const std::vector<Points>& groups)
     for (std::size_t j = 0; j < i; ++j) search.look_across(all[i], all[j]);
 }
 
-/// Looks along the normals of all possible facets.
+/// Evaluates the normals of all possible facets.
 void look_at_facets(LeastSupport& search, const std::vector<Points>& groups, ForceNorm limit) {
   if (limit == ForceNorm::kL1)
     look_at_triples(search, groups);
@@ -145,9 +146,9 @@ Epsilon planar_epsilon(const WrenchSet& set, ForceNorm limit) {
     all.col(i) = in_plane(set.caps[static_cast<std::size_t>(i)].c);
   const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(all, Eigen::ComputeFullU);
   const Eigen::VectorXd& sigma = svd.singularValues();
-  found.rank = static_cast<int>((sigma.array() > internal::kFlat * sigma(0)).count());
+  found.rank = static_cast<int>((sigma.array() > internal::kRankTolerance * sigma(0)).count());
   Vector3d missing = svd.matrixU().col(2);
-  // Full rank: the least support over all facet normals, if it is positive.
+  // Full rank: the minimum support over all facet normals, if it is positive.
   if (found.rank == 3) {
     const std::vector<Points> groups = grouped_points(set);
     LeastSupport search(groups, limit);

@@ -16,32 +16,32 @@
 namespace thenar {
 namespace {
 
-/// Uniform in the open interval (0, 1).
+/// Returns a random number uniform in the open interval (0, 1).
 double uniform(std::mt19937& rng) { return (static_cast<double>(rng()) + 0.5) / 4294967296.0; }
 
-/// Standard normal by Box and Muller; one of its two numbers is used, so that all machines agree.
+/// Returns a standard normal random number by Box and Muller, identical on every platform.
 double normal(std::mt19937& rng) {
   const double radius = std::sqrt(-2 * std::log(uniform(rng)));
   return radius * std::cos(2 * kPi * uniform(rng));
 }
 
-/// Disturbance that all points of a region share.
+/// Random disturbance of all points of a region.
 struct Disturbance {
-  double grip;          // factor of friction and torsion [1]
-  Eigen::Vector3d way;  // [m] (3)
-  Eigen::Matrix3d R;    // of normals
+  double friction_factor;        // factor of friction and torsion [1]
+  Eigen::Vector3d displacement;  // [m] (3)
+  Eigen::Matrix3d R;             // rotation of normals (3, 3)
 };
 
-/// @param n  mean normal of the region, unit (3)
+/// Draws a disturbance. @param n  mean normal of the region, unit (3)
 Disturbance draw_disturbance(const Eigen::Vector3d& n, const ContactUncertainty& uncertainty,
                              std::mt19937& rng) {
   // Log-normal friction.
   const Tangents t = tangents(n);
   Disturbance drawn;
-  drawn.grip = std::exp(uncertainty.friction * normal(rng));
+  drawn.friction_factor = std::exp(uncertainty.friction * normal(rng));
   // Displacement in the tangent plane.
   const double right = normal(rng), up = normal(rng);
-  drawn.way = uncertainty.place * (right * t.e1 + up * t.e2);
+  drawn.displacement = uncertainty.position * (right * t.e1 + up * t.e2);
   // Small rotation of the normal about the tangents.
   const double about_e1 = normal(rng), about_e2 = normal(rng);
   const Eigen::Vector3d turn = uncertainty.tilt * (about_e1 * t.e1 + about_e2 * t.e2);
@@ -51,21 +51,21 @@ Disturbance draw_disturbance(const Eigen::Vector3d& n, const ContactUncertainty&
   return drawn;
 }
 
-Contact disturbed(Contact contact, const Disturbance& by) {
-  contact.friction *= by.grip;
-  contact.torsion *= by.grip;
-  contact.p += by.way;
+Contact disturb_contact(Contact contact, const Disturbance& by) {
+  contact.friction *= by.friction_factor;
+  contact.torsion *= by.friction_factor;
+  contact.p += by.displacement;
   contact.n = (by.R * contact.n).normalized();
   return contact;
 }
 
 }  // namespace
 
-std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
-                               const ContactUncertainty& uncertainty, std::mt19937& rng) {
-  require(uncertainty.friction >= 0 && uncertainty.place >= 0 && uncertainty.tilt >= 0,
+std::vector<Contact> disturb_contacts(const std::vector<Contact>& contacts,
+                                      const ContactUncertainty& uncertainty, std::mt19937& rng) {
+  require(uncertainty.friction >= 0 && uncertainty.position >= 0 && uncertainty.tilt >= 0,
           "standard deviations must be >= 0, got {}, {}, {}", uncertainty.friction,
-          uncertainty.place, uncertainty.tilt);
+          uncertainty.position, uncertainty.tilt);
   // Mean normal of each region.
   const std::vector<int> region = contact_regions(contacts);
   std::vector<Eigen::Vector3d> normals;
@@ -74,14 +74,14 @@ std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
     if (number == normals.size()) normals.emplace_back(0, 0, 0);
     normals[number] += contacts[i].n;
   }
-  // One disturbance a region, applied to all its points.
+  // Apply one disturbance to all points of a region.
   std::vector<Disturbance> drawn;
   drawn.reserve(normals.size());
   for (const Eigen::Vector3d& sum : normals)
     drawn.push_back(draw_disturbance(sum.normalized(), uncertainty, rng));
   std::vector<Contact> result;
   for (std::size_t i = 0; i < contacts.size(); ++i)
-    result.push_back(disturbed(contacts[i], drawn[static_cast<std::size_t>(region[i])]));
+    result.push_back(disturb_contact(contacts[i], drawn[static_cast<std::size_t>(region[i])]));
   return result;
 }
 
@@ -105,7 +105,7 @@ double fisher_exact_p(const HitCount& a, const HitCount& b) {
     return -std::lgamma(of_a + 1.0) - std::lgamma(a.trials - of_a + 1.0) - std::lgamma(of_b + 1.0) -
            std::lgamma(b.trials - of_b + 1.0);
   };
-  // Equal ones differ by rounding.
+  // Equal probabilities may differ by rounding errors.
   constexpr double kEqualShare = 1e-9;
   const double found = weight(a.hits);
   double all = 0, unlikely = 0;
@@ -118,7 +118,7 @@ double fisher_exact_p(const HitCount& a, const HitCount& b) {
 }
 
 double Robustness::quantile(double p) const {
-  // Linear interpolation between order statistics; misses are infinitely bad.
+  // Linear interpolation between order statistics; misses count as -infinity.
   require(p >= 0 && p <= 1, "a quantile is in [0, 1], got {}", p);
   const double at = p * static_cast<double>(epsilon.size() - 1);
   const auto below = static_cast<Eigen::Index>(at);
@@ -146,7 +146,8 @@ Robustness robustness(const std::function<std::vector<Contact>(std::mt19937&)>& 
     }
     // Epsilon on cones or pyramids.
     const WrenchSet set = wrench_set(contacts, options.centre, options.torque_scale);
-    const Epsilon found = epsilon(options.edges > 0 ? pyramids(set, options.edges) : set, each);
+    const Epsilon found =
+        epsilon(options.edges > 0 ? friction_pyramids(set, options.edges) : set, each);
     closed += found.force_closure ? 1 : 0;
     result.epsilon(i) = found.lower;
   }

@@ -10,68 +10,69 @@
 
 namespace thenar {
 
-/// Uncertainty of contacts; independent for each region of contact and each quantity.
+/// Standard deviations of contacts, independent for each contact region and each quantity.
 struct ContactUncertainty {
   double friction = 0;  // standard deviation of log friction, also of log torsion [1]
-  double place = 0;     // standard deviation along each tangent [m]
+  double position = 0;  // standard deviation along each tangent [m]
   double tilt = 0;      // standard deviation of the normal about each tangent [rad]
 };
 
-/// Draws disturbed contacts: log-normal friction, positions moved in the tangent plane, normals
-/// rotated. Points of one region (contact_regions()) are one rigid face: they move and turn alike
-/// and share one factor of friction.
-[[nodiscard]] std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
-                                             const ContactUncertainty& uncertainty,
-                                             std::mt19937& rng);
+/// Samples disturbed contacts: log-normal friction, positions moved in the tangent plane, normals
+/// rotated. Points of one region (contact_regions()) are one rigid face: they move and turn
+/// together and share one friction factor.
+[[nodiscard]] std::vector<Contact> disturb_contacts(const std::vector<Contact>& contacts,
+                                                    const ContactUncertainty& uncertainty,
+                                                    std::mt19937& rng);
 
 /// Settings of robustness().
 struct RobustnessOptions {
-  int draws = 1000;
-  double gap = 1e-2;                // of each epsilon, for unit contact forces [1]
+  int draws = 1000;                 // number of samples
+  double gap = 1e-2;                // settings of epsilon(): gap for unit contact forces [1]
   Eigen::Vector3d centre{0, 0, 0};  // reference point of torques [m] (3)
   double torque_scale = 1;          // length that divides torques [m]
   ForceNorm limit = ForceNorm::kL1;
-  int edges = 0;  // of friction pyramids, as pyramids(); 0: cones
+  int edges = 0;  // edges of friction_pyramids(); 0: cones
 };
 
-/// Distribution of epsilon over the draws.
+/// Distribution of epsilon over the samples.
 struct Robustness {
-  double closure;           // share of draws with force closure [1]
-  double closure_lower;     // Wilson's 95 % interval of its probability [1]
-  double closure_upper;     // [1]
-  Eigen::VectorXd epsilon;  // certified lower bounds, ascending; -infinity of misses (draws)
-  int misses = 0;           // draws without any contact
+  double closure;           // share of samples with force closure [1]
+  double closure_lower;     // lower end of Wilson's 95 % interval of its probability [1]
+  double closure_upper;     // upper end [1]
+  Eigen::VectorXd epsilon;  // certified lower bounds, ascending; -infinity for misses (draws)
+  int misses = 0;           // number of samples without any contact
 
-  /// Quantile of epsilon by linear interpolation; -infinity if a miss takes part in it.
+  /// Returns a quantile of epsilon, interpolated linearly; -infinity if that uses a miss.
   /// @param p  in [0, 1]
   [[nodiscard]] double quantile(double p) const;
 };
 
-/// Monte Carlo over possible grasps, with the seed of `rng`.
+/// Runs a Monte Carlo simulation over possible grasps, with the seed of `rng`.
 ///
-/// @param draw  contacts of one possible grasp: finds them anew if the pose of the object is
-///              uncertain, or calls disturbed() on given contacts. It may find none: a miss, worse
-///              than any grasp.
-/// @throws InputError if draws or gap is not positive, or edges is neither 0 nor 3 and more.
+/// @param draw  function that returns the contacts of one possible grasp: it finds contacts again
+///              if the pose of the object is uncertain, or calls disturb_contacts() on given ones.
+///              Without contacts the sample is a miss, worse than any grasp.
+/// @throws InputError if draws or gap is not positive, or edges is neither 0 nor at least 3.
 /// Source: [Weisz2012] for the measure, [Wilson1927] for the interval.
 [[nodiscard]] Robustness robustness(const std::function<std::vector<Contact>(std::mt19937&)>& draw,
                                     std::mt19937& rng, const RobustnessOptions& options = {});
 
-/// Interval of a probability.
+/// Confidence interval of a probability.
 struct ConfidenceInterval {
   double lower, upper;  // [1]
 };
-/// Wilson's 95 % interval of a probability, from `hits` in `trials`. Source: [Wilson1927].
+/// Computes Wilson's 95 % interval of a probability, from `hits` in `trials`. Source: [Wilson1927].
 [[nodiscard]] ConfidenceInterval wilson_interval(int hits, int trials);
 
-/// Two counts of hits in trials.
+/// Number of hits in a number of trials.
 struct HitCount {
   int hits = 0, trials = 0;
 };
-/// Fisher's exact test, two-sided: how likely counts at least as unlikely as these are, given their
-/// sums, if both have the same probability. Below 0.05 in at most 5 % of equal pairs, however few
-/// the trials. [1]
-/// @throws InputError if a count has no trials, or hits outside of them. Source: [Fisher1935].
+/// Computes the p-value of Fisher's exact test, two-sided [1]: the probability of counts at most as
+/// likely as these, given their sums, if both have the same hit probability. It is below 0.05 for
+/// at most 5 % of pairs with equal probabilities, for any number of trials.
+/// @throws InputError if a count has no trials, or its hits are not within 0 .. trials. Source:
+/// [Fisher1935].
 [[nodiscard]] double fisher_exact_p(const HitCount& a, const HitCount& b);
 
 }  // namespace thenar

@@ -31,9 +31,9 @@ SupportFunction::SupportFunction(const WrenchSet& set, ForceNorm limit) : limit_
     caps_.back().last_of_contact = true;
     ++contacts;
     // Size of the set: the largest cap of a contact, or their sum.
-    size_ = limit == ForceNorm::kL1 ? std::max(size_, largest) : size_ + largest;
+    max_norm_ = limit == ForceNorm::kL1 ? std::max(max_norm_, largest) : max_norm_ + largest;
   }
-  rounding_ = 32 * std::numeric_limits<double>::epsilon() * size_;
+  rounding_ = 32 * std::numeric_limits<double>::epsilon() * max_norm_;
 }
 
 double SupportFunction::reach(const Cap& cap, const WrenchCoordinates& u) {
@@ -96,7 +96,7 @@ WrenchCoordinates across(const Eigen::Matrix<double, 6, 6>& basis, int count) {
 
 }  // namespace
 
-Span span_of(const WrenchSet& set) {
+WrenchSpan span_of(const WrenchSet& set) {
   // All centres and semi-axes as columns; rank by singular values.
   Eigen::Matrix<double, 6, Eigen::Dynamic> all(6, 0);
   for (const WrenchCap& cap : set.caps) {
@@ -105,7 +105,7 @@ Span span_of(const WrenchSet& set) {
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeFullU);
   const Eigen::VectorXd& sigma = svd.singularValues();
-  return {static_cast<int>((sigma.array() > kFlat * sigma(0)).count()), svd.matrixU()};
+  return {static_cast<int>((sigma.array() > kRankTolerance * sigma(0)).count()), svd.matrixU()};
 }
 
 FirstSimplex first_simplex(const SupportFunction& support, double flat) {
@@ -118,7 +118,7 @@ FirstSimplex first_simplex(const SupportFunction& support, double flat) {
     const WrenchCoordinates plus = support(u).p, minus = support(-u).p;
     out.supports += 2;
     const double rise = u.dot(plus - out.points[0]), fall = u.dot(out.points[0] - minus);
-    if (std::max(rise, fall) <= flat * support.size()) return out;
+    if (std::max(rise, fall) <= flat * support.max_norm()) return out;
     const std::size_t next = static_cast<std::size_t>(k) + 1;
     out.points[next] = rise > fall ? plus : minus;
     // Extend its orthonormal basis by the new edge.
@@ -133,13 +133,13 @@ FirstSimplex first_simplex(const SupportFunction& support, double flat) {
 
 namespace {
 
-constexpr int kMaxPolishSteps = 30;  // Most steps of a polish
-constexpr int kMaxColumns = 20;      // Most columns of the matrices of a polish
+constexpr int kMaxPolishSteps = 30;  // maximum number of steps of a polish
+constexpr int kMaxColumns = 20;      // maximum number of columns of a polish
 constexpr double kLastStep = 1e-9;   // Length of a last step: the next would be its square [rad]
 constexpr double kMostStep = 0.2;    // Longest step [rad]
 constexpr double kNearCap = 0.3;     // caps this close to the best, relative to it, take part [1]
 constexpr double kKinkShare = 0.05;  // |A'u| below this share of |A| is held at 0 [1]
-// Least |A'u| over |A| in the first attempt, in which facets may hold a whole cap [1]
+// Minimum |A'u| over |A| in the first attempt, in which facets may hold a whole cap [1]
 constexpr double kSharpShare = 1e-6;
 // Constraints closer to each other's span are dependent [1]
 constexpr double kDependentDistance = 1e-9;
@@ -285,8 +285,8 @@ class Polish {
     values_(count_++) = piece.h - (l1_ ? value_ : 0) - (piece.kink ? piece.length : 0);
   }
 
-  /// Constraints, each a column, and the gradient of the objective. @returns false if there is no
-  /// room
+  /// Builds the constraints, each a column, and the gradient of the objective. @returns false if
+  /// there are too many columns
   bool build() {
     columns_.resize(7, kMaxColumns);
     values_.resize(kMaxColumns);
@@ -377,7 +377,7 @@ class Polish {
       PolishPoint pull = slope_;
       pull.head<6>() += H * d.head<6>();
       const Reduced M = Z.topRows<6>().transpose() * H * Z.topRows<6>();
-      d += Z * descend(M, Z.transpose() * pull, support_.size());
+      d += Z * descend(M, Z.transpose() * pull, support_.max_norm());
     }
     // Limited step on the sphere.
     const double length = d.head<6>().norm();

@@ -19,7 +19,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Least eigenvalue wanted of F, the set's size being 1 [1]
+// Minimum eigenvalue of F for a set of size 1 [1]
 constexpr double kLeastEigenvalue = 1e-12;
 // Rounding of an eigenvalue, over the size of the matrix [1]
 constexpr double kProofRounding = 64 * std::numeric_limits<double>::epsilon();
@@ -57,7 +57,8 @@ std::vector<SupportFunction::Cap> distinct_caps(const SupportFunction& support) 
         std::find_if(first.begin(), first.end(), [&](const SupportFunction::Cap& other) {
           const bool joined = !linf || other.contact == cap.contact || (alone(other) && alone(cap));
           return joined && other.axes == cap.axes &&
-                 (other.c - cap.c).norm() + (other.A - cap.A).norm() <= kSameCap * support.size();
+                 (other.c - cap.c).norm() + (other.A - cap.A).norm() <=
+                     kSameCap * support.max_norm();
         });
     if (same == first.end()) {
       kept.push_back(cap);
@@ -90,14 +91,14 @@ std::vector<Cone> cones_of(const std::vector<SupportFunction::Cap>& caps,
   // Caps that distinct_caps() merged may reach less by its rounding.
   const double margin = kSameCap * static_cast<double>(support.caps().size());
   const std::vector<VectorXd> levels =
-      levels_of(caps, r / support.size() + margin, support.limit());
+      levels_of(caps, r / support.max_norm() + margin, support.limit());
   const Index d = levels[0].size();
   std::vector<Cone> cones;
   // |A'u| < level - c'u for each cap.
   for (std::size_t i = 0; i < caps.size(); ++i) {
     Cone cone{levels[i], MatrixXd::Zero(caps[i].axes, d)};
-    cone.l.head<6>() -= caps[i].c / support.size();
-    cone.Z.leftCols<6>() = caps[i].A.leftCols(caps[i].axes).transpose() / support.size();
+    cone.l.head<6>() -= caps[i].c / support.max_norm();
+    cone.Z.leftCols<6>() = caps[i].A.leftCols(caps[i].axes).transpose() / support.max_norm();
     cones.push_back(std::move(cone));
   }
   // Levels of Linf are not negative.
@@ -160,8 +161,8 @@ class Problem {
     return maximise_component(all, std::move(y), least, kLeastEigenvalue);
   }
 
-  /// Least eigenvalue of F and of the constraints of its weights, less their rounding. Recomputed
-  /// by eigenvalues, where the search had Cholesky factors.
+  /// Returns the smallest eigenvalue of F and of the constraints of its weights, less their
+  /// rounding errors. Recomputed by eigenvalues, where the search had Cholesky factors.
   [[nodiscard]] double check(const VectorXd& y) const {
     if (!y.allFinite()) return std::numeric_limits<double>::quiet_NaN();
     // Constraints of the weights.

@@ -26,12 +26,12 @@ constexpr double kUpperWeight = 0.56;  // Weight of the upper bound's logarithm 
 
 constexpr int kFacetsBeforeSum = 100000;  // Facets of a hull before a method without hull is tried
 constexpr double kSharpVolume = 1e-9;     // A volume with a smaller error needs no other method [1]
-// Least error of a larger hull of a sum, which nearly parallel faces fold; 1.3e-5 was met [1]
+// Minimum error of a large hull of a sum, which nearly parallel faces fold; 1.3e-5 was observed [1]
 constexpr double kFoldError = 1e-4;
-constexpr int kMostTimes = 20;          // Most times that a point is put into a hull
+constexpr int kMaxInsertions = 20;      // maximum number of insertions of a point into a hull
 constexpr double kLostVolume = 0.1;     // A volume with a larger error is not known [1]
 constexpr double kExactVolume = 1e-12;  // A volume with a smaller error counts as exact [1]
-constexpr double kMaxChoices = 2e7;     // Most choices of faces of a sum, which take some seconds
+constexpr double kMaxChoices = 2e7;     // maximum combinations of faces, for some seconds
 // Relative error of the volume of a sum that is not in general position [1]
 constexpr double kSumError = 1e-6;
 
@@ -89,7 +89,7 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
   const ForceNorm limit = options.limit;
   const Rounded round = rounded(set, limit);
   const internal::SupportFunction support(round.set, limit);
-  const auto simplex = internal::first_simplex(support, internal::kFlat);
+  const auto simplex = internal::first_simplex(support, internal::kRankTolerance);
   if (!simplex.found) return {0, true, 0};
   internal::Hull hull(simplex.points);
   double off = 0;
@@ -100,7 +100,7 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
   const auto may_come = [&](const WrenchCoordinates& p) {
     std::array<double, 6> key;
     std::copy(p.data(), p.data() + 6, key.begin());
-    return ++times[key] <= kMostTimes;
+    return ++times[key] <= kMaxInsertions;
   };
   // Refine facets until no support point lies beyond any.
   while ((facet = hull.pop_nearest()) >= 0 && hull.facets() <= max_facets &&
@@ -108,13 +108,13 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
     end_if_stopped();
     const internal::Hull::Plane plane = hull.plane(facet);
     const internal::SupportPoint reach = support(plane.n);
-    if (reach.h > plane.d + kBeyondFacet * support.size() && may_come(reach.p) &&
+    if (reach.h > plane.d + kBeyondFacet * support.max_norm() && may_come(reach.p) &&
         hull.insert(reach.p, facet))
       continue;
     off = std::max(off, reach.h - plane.d);
   }
   const double error = error_of(hull, off);
-  // Of so narrow a set rounding leaves no volume that could be told.
+  // For so thin a set the volume is below rounding errors.
   if (!(error <= kLostVolume)) return {0, false, hull.facets(), 1};
   return {hull.volume() * round.shrunk, facet < 0, hull.facets(), error};
 }
@@ -136,9 +136,9 @@ Volume enclosed_volume(const WrenchSet& set, const VolumeOptions& options) {
     return sum ? *sum : hull_volume(polytopes, options, options.max_facets);
   };
   // Inner and outer polytopes, each widened by its error.
-  PolytopeVolume in = find(polytopes_in(set, options.edges));
-  PolytopeVolume about =
-      in.complete ? find(polytopes_about(set, options.edges)) : PolytopeVolume{0, false, in.facets};
+  PolytopeVolume in = find(inscribed_polytopes(set, options.edges));
+  PolytopeVolume about = in.complete ? find(circumscribed_polytopes(set, options.edges))
+                                     : PolytopeVolume{0, false, in.facets};
   in.volume *= 1 - in.error;
   about.volume *= 1 + about.error;
   if (!about.complete) return {in.volume, kInfinity, kNaN, false, about.facets, options.edges};
@@ -158,7 +158,7 @@ Volume tighter(const Volume& fine, Volume coarse) {
 /// Volume of polytopes: by the hull if it is small and sharp, otherwise by the sum without hull if
 /// possible, otherwise by a larger hull.
 Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
-  const WrenchSet points = pyramids(set, options.edges);
+  const WrenchSet points = friction_pyramids(set, options.edges);
   PolytopeVolume v = hull_volume(points, options, std::min(options.max_facets, kFacetsBeforeSum));
   if (!v.complete || v.error > kSharpVolume) {
     if (const std::optional<PolytopeVolume> sum = volume_of_sum(points, options))

@@ -16,39 +16,41 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr int kLinkPoints = 150;         // Points of each link
-constexpr double kTouchDistance = 5e-4;  // Links within this distance touch [m]
-constexpr double kStillApproach = 1e-7;  // Shorter approaches count as none [m]
-// Links of the hand within this distance touch: the spacing of their points [m]
-constexpr double kSelfTouch = 3e-3;
+constexpr int kLinkPoints = 150;         // number of sample points of a link
+constexpr int kMinShapePoints = 30;      // minimum number of sample points of a shape
+constexpr double kTouchDistance = 5e-4;  // distance from the ball within which links touch it [m]
+constexpr double kMinApproach = 1e-7;    // motion towards the ball that counts as an approach [m]
+// Distance within which links of the hand touch each other: the spacing of their points [m]
+constexpr double kSelfTouchDistance = 3e-3;
 
 RobotSpec without_shapes(RobotSpec robot) {
   for (RobotLink& link : robot.links) link.shapes.clear();
   return robot;
 }
 
-/// Low-discrepancy number in [0, 1): fractional part of a multiple of an irrational number.
+/// Returns a low-discrepancy number in [0, 1): fractional part of a multiple of an irrational
+/// number.
 double spread(int i, double irrational) {
   const double x = (i + 0.5) * irrational;
   return x - std::floor(x);
 }
 
-/// Corners of a mesh: all if there are few, otherwise the outermost along each axis (its box).
+/// Returns corners of a mesh: all if there are few, otherwise the outermost along each axis.
 Matrix3Xd outermost(const Matrix3Xd& corners) {
-  constexpr Eigen::Index kFewCorners = 12;  // Most corners of a mesh of which all are kept
+  constexpr Eigen::Index kFewCorners = 12;  // number of corners up to which all are kept
   if (corners.cols() <= kFewCorners) return corners;
   Matrix3Xd points(3, 6);
   for (int k = 0; k < 3; ++k) {
-    Eigen::Index least = 0, most = 0;
-    corners.row(k).minCoeff(&least);
-    corners.row(k).maxCoeff(&most);
-    points.col(2 * k) = corners.col(least);
-    points.col(2 * k + 1) = corners.col(most);
+    Eigen::Index lowest = 0, highest = 0;
+    corners.row(k).minCoeff(&lowest);
+    corners.row(k).maxCoeff(&highest);
+    points.col(2 * k) = corners.col(lowest);
+    points.col(2 * k + 1) = corners.col(highest);
   }
   return points;
 }
 
-/// Points spread over triangles by area, and the outermost() corners. (3, points)
+/// Samples points on triangles by area, and adds the outermost() corners. (3, points)
 Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
   std::vector<double> area(static_cast<std::size_t>(mesh.triangles.cols()) + 1, 0);
   const auto corner = [&](Eigen::Index t, int k) -> Vector3d {
@@ -61,7 +63,7 @@ Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
         area[static_cast<std::size_t>(t)] + (corner(t, 1) - a).cross(corner(t, 2) - a).norm() / 2;
   }
   if (!(area.back() > 0)) return mesh.vertices;
-  // Equal steps of area choose the triangle; low-discrepancy numbers the point in it.
+  // Equal steps of area select the triangle, low-discrepancy numbers the point in it.
   Matrix3Xd points(3, count);
   for (int i = 0; i < count; ++i) {
     const auto above = std::upper_bound(area.begin(), area.end(), (i + 0.5) / count * area.back());
@@ -70,17 +72,18 @@ Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
     const double side = root * spread(i, 0.5698402909980532);
     points.col(i) = (1 - root) * corner(t, 0) + (root - side) * corner(t, 1) + side * corner(t, 2);
   }
-  // Corners keep the extent of the mesh.
+  // Corners preserve the extent of the mesh.
   const Matrix3Xd corners = outermost(mesh.vertices);
   Matrix3Xd all(3, count + corners.cols());
   all << points, corners;
   return all;
 }
 
-/// Normals of triangles times areas, those of one direction summed. (3, directions) [m^2]
+/// Sums the normals of triangles times areas by direction. (3, directions) [m^2]
 Matrix3Xd faces_of(const TriangleMesh& mesh) {
-  constexpr double kNormalCell = 1e-3;  // Normals in one cell of this size are one [1]
+  constexpr double kNormalCell = 1e-3;  // edge of a cell in which normals are merged [1]
   std::map<std::array<long, 3>, Vector3d> sums;
+  // Each triangle adds to the cell of its normal.
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const Vector3d a = mesh.vertices.col(mesh.triangles(0, t));
     const Vector3d area = (mesh.vertices.col(mesh.triangles(1, t)) - a)
@@ -104,9 +107,9 @@ struct LinkSamples {
 };
 
 LinkSamples samples_of(const RobotLink& link) {
-  // Of each shape, meshes as they are and primitives by their surface.
+  // Meshes are sampled directly, primitives by a mesh of their surface.
   std::vector<Matrix3Xd> points, faces;
-  const int each = std::max(30, kLinkPoints / static_cast<int>(link.shapes.size()));
+  const int each = std::max(kMinShapePoints, kLinkPoints / static_cast<int>(link.shapes.size()));
   for (const ShapeSpec& shape : link.shapes) {
     if (shape.kind == ShapeKind::kMesh) {
       if (shape.mesh.triangles.cols() == 0) continue;
@@ -118,30 +121,30 @@ LinkSamples samples_of(const RobotLink& link) {
       faces.push_back(faces_of(surface));
     }
   }
-  return {side_by_side(points), side_by_side(faces)};
+  return {join_columns(points), join_columns(faces)};
 }
 
-Vector3d at(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
+Vector3d to_hand_frame(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
   return link < 0 ? p : Vector3d(links[static_cast<std::size_t>(link)] * p);
 }
 
-/// The point in the frame in which points of a surface are stated.
-Vector3d from(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
+/// Transforms a point to the frame in which the points of a link's surfaces are stored.
+Vector3d to_link_frame(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
   return link < 0 ? p : Vector3d(links[static_cast<std::size_t>(link)].inverse() * p);
 }
 
-/// Index and distance of the point of a surface nearest to p, if it is within `reach`.
-std::pair<Eigen::Index, double> nearest(const SampledSurface& surface, const Vector3d& p,
-                                        double reach) {
+/// Finds the point of a surface nearest to p, and its distance, if it is within `reach`.
+std::pair<Eigen::Index, double> nearest_sample(const SampledSurface& surface, const Vector3d& p,
+                                               double reach) {
   Eigen::Index index = -1;
-  // The bounding ball is too far away.
+  // The bounding ball excludes far surfaces.
   if ((p - surface.centre).norm() > reach + surface.radius) return {index, kInfinity};
   const double distance =
       std::sqrt((surface.p.colwise() - p).colwise().squaredNorm().minCoeff(&index));
   return {index, distance};
 }
 
-/// The layout with other drives.
+/// Returns the layout with other drives.
 HandLayout with_drives(HandLayout layout, const std::vector<Drive>& drives) {
   layout.drives = drives;
   return layout;
@@ -149,7 +152,7 @@ HandLayout with_drives(HandLayout layout, const std::vector<Drive>& drives) {
 
 }  // namespace
 
-Matrix3Xd side_by_side(const std::vector<Matrix3Xd>& parts) {
+Matrix3Xd join_columns(const std::vector<Matrix3Xd>& parts) {
   Eigen::Index count = 0;
   for (const Matrix3Xd& part : parts) count += part.cols();
   Matrix3Xd all(3, count);
@@ -172,14 +175,14 @@ BallGrasp::BallGrasp(const RobotSpec& robot) : hand_(without_shapes(robot)) {
     surface.link = hand_.mover_of(i);
     surface.name = link.name;
     surface.digit = link.digit;
-    // Points at the reference posture, with their bounding ball.
+    // Sample points at the reference posture, with their bounding ball.
     const LinkSamples samples = samples_of(link);
     surface.p = (frames[i].R * samples.points).colwise() + frames[i].p;
     if (surface.p.cols() == 0) continue;
     surface.faces = frames[i].R * samples.faces;
     surface.centre = (surface.p.rowwise().minCoeff() + surface.p.rowwise().maxCoeff()) / 2;
     surface.radius = (surface.p.colwise() - surface.centre).colwise().norm().maxCoeff();
-    // Coordinates that move the surface.
+    // The Jacobian shows which coordinates move the surface.
     if (surface.link >= 0) {
       const Eigen::MatrixXd J = hand_.jacobian(middle, surface.link, surface.centre);
       for (Eigen::Index c = 0; c < J.cols(); ++c)
@@ -191,29 +194,30 @@ BallGrasp::BallGrasp(const RobotSpec& robot) : hand_(without_shapes(robot)) {
 
 double BallGrasp::sphere_cast(const std::vector<Pose<double>>& links, const Vector3d& origin,
                               const Vector3d& direction, double radius) const {
-  double way = -kInfinity;
+  double distance = -kInfinity;
   for (const SampledSurface& surface : surfaces_) {
     // The ray in the frame of the surface's points.
-    const Vector3d o = from(links, surface.link, origin),
+    const Vector3d o = to_link_frame(links, surface.link, origin),
                    d = surface.link < 0
                            ? direction
                            : Vector3d(links[static_cast<std::size_t>(surface.link)].R.transpose() *
                                       direction);
-    // Surfaces whose bounding ball is off the ray cannot meet.
-    const Vector3d off = surface.centre - o;
-    if ((off - off.dot(d) * d).norm() > radius + surface.radius) continue;
-    // Along the ray the ball touches a point at the larger root.
+    // Surfaces whose bounding ball is off the ray cannot touch the ball.
+    const Vector3d to_centre = surface.centre - o;
+    if ((to_centre - to_centre.dot(d) * d).norm() > radius + surface.radius) continue;
+    // The ball touches a point at the larger root of a quadratic equation.
     for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
       const Vector3d v = surface.p.col(i) - o;
-      const double along = v.dot(d), room = radius * radius - (v.squaredNorm() - along * along);
-      if (room >= 0) way = std::max(way, along + std::sqrt(room));
+      const double along = v.dot(d),
+                   discriminant = radius * radius - (v.squaredNorm() - along * along);
+      if (discriminant >= 0) distance = std::max(distance, along + std::sqrt(discriminant));
     }
   }
-  return way;
+  return distance;
 }
 
-bool BallGrasp::side_by_side(const SampledSurface& a, const SampledSurface& b) const {
-  // Links of one digit, or neighbours of the palm, are always near each other.
+bool BallGrasp::are_adjacent(const SampledSurface& a, const SampledSurface& b) const {
+  // Links of one digit, or a link and its parent, are always near each other.
   if (a.digit == b.digit) return true;
   const auto& parents = hand_.layout().parents;
   const auto next_to = [&](int inner, int outer) {
@@ -222,19 +226,21 @@ bool BallGrasp::side_by_side(const SampledSurface& a, const SampledSurface& b) c
   return next_to(a.link, b.link) || next_to(b.link, a.link);
 }
 
-/// Returns whether points of two links come within a spacing of their points.
+/// Returns whether points of two links come within the spacing of their points.
 bool BallGrasp::collide(const SampledSurface& a, const SampledSurface& b,
                         const std::vector<Pose<double>>& links) {
-  const Vector3d ca = at(links, a.link, a.centre), cb = at(links, b.link, b.centre);
-  if ((ca - cb).norm() > a.radius + b.radius + kSelfTouch) return false;
+  const Vector3d ca = to_hand_frame(links, a.link, a.centre),
+                 cb = to_hand_frame(links, b.link, b.centre);
+  if ((ca - cb).norm() > a.radius + b.radius + kSelfTouchDistance) return false;
   for (Eigen::Index i = 0; i < a.p.cols(); ++i) {
-    const Vector3d p = from(links, b.link, at(links, a.link, a.p.col(i)));
-    if (nearest(b, p, kSelfTouch).second < kSelfTouch) return true;
+    const Vector3d p = to_link_frame(links, b.link, to_hand_frame(links, a.link, a.p.col(i)));
+    if (nearest_sample(b, p, kSelfTouchDistance).second < kSelfTouchDistance) return true;
   }
   return false;
 }
 
-/// A closing under way. Drives close at their speeds; a contact stops the coordinates of its links.
+/// A closing motion in steps. Drives run at their speeds; a contact stops the coordinates of its
+/// links.
 class BallGrasp::Closing {
  public:
   Closing(const BallGrasp& grasp, const std::vector<Drive>& drives, Eigen::VectorXd q, int steps)
@@ -245,11 +251,11 @@ class BallGrasp::Closing {
         step_time_(time_to_limits(layout_, q_, drives_.rates()) / steps),
         links_(grasp.hand_.pose(q_)),
         gaps_(grasp.surfaces_.size(), -kInfinity),
-        met_(grasp.surfaces_.size() * grasp.surfaces_.size(), false) {}
+        collided_(grasp.surfaces_.size() * grasp.surfaces_.size(), false) {}
 
-  [[nodiscard]] bool moving() const { return drives_.moving(); }
+  [[nodiscard]] bool is_moving() const { return drives_.is_moving(); }
 
-  /// Moves on by one step; limits stop coordinates.
+  /// Moves by one step; limits stop coordinates.
   void advance() {
     const Eigen::VectorXd rates = drives_.rates();
     q_ = (q_ + step_time_ * rates).cwiseMax(layout_.lower).cwiseMin(layout_.upper);
@@ -259,20 +265,21 @@ class BallGrasp::Closing {
     links_ = grasp_.hand_.pose(q_);
   }
 
-  /// Stops links that touch the ball and still approach.
-  void stop_at(const ProbeBall& ball) {
+  /// Stops links that touch the ball and still approach it.
+  void stop_at_ball(const ProbeBall& ball) {
     for (std::size_t s = 0; s < grasp_.surfaces_.size(); ++s) {
       const SampledSurface& surface = grasp_.surfaces_[s];
-      const Vector3d c = from(links_, surface.link, ball.centre);
-      const double gap = nearest(surface, c, ball.radius + kTouchDistance).second - ball.radius;
-      if (gap <= kTouchDistance && gap < gaps_[s] - kStillApproach)
+      const Vector3d c = to_link_frame(links_, surface.link, ball.centre);
+      const double gap =
+          nearest_sample(surface, c, ball.radius + kTouchDistance).second - ball.radius;
+      if (gap <= kTouchDistance && gap < gaps_[s] - kMinApproach)
         for (const int moved : surface.moved_by) drives_.stop(moved, StoppedBy::kContact);
       gaps_[s] = gap;
     }
   }
 
-  /// Pairs of surfaces that collide for the first time, the first of a pair of one of these digits.
-  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> meet(
+  /// Finds pairs of surfaces that collide for the first time, the first of each on one of `digits`.
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> find_new_collisions(
       const std::vector<std::string>& digits) {
     const std::vector<SampledSurface>& surfaces = grasp_.surfaces_;
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
@@ -280,17 +287,17 @@ class BallGrasp::Closing {
       if (std::find(digits.begin(), digits.end(), surfaces[a].digit) == digits.end()) continue;
       for (std::size_t b = 0; b < surfaces.size(); ++b) {
         const std::size_t pair = a * surfaces.size() + b;
-        if (grasp_.side_by_side(surfaces[a], surfaces[b]) || met_[pair] ||
+        if (grasp_.are_adjacent(surfaces[a], surfaces[b]) || collided_[pair] ||
             !grasp_.collide(surfaces[a], surfaces[b], links_))
           continue;
-        met_[pair] = true;
+        collided_[pair] = true;
         pairs.emplace_back(a, b);
       }
     }
     return pairs;
   }
 
-  /// Stops coordinates that move one surface and not the other.
+  /// Stops coordinates that move one surface but not the other.
   void stop_between(std::size_t one, std::size_t other) {
     const std::vector<int>& both = grasp_.surfaces_[other].moved_by;
     for (const int moved : grasp_.surfaces_[one].moved_by)
@@ -305,22 +312,22 @@ class BallGrasp::Closing {
   HandLayout layout_;
   ClosingDrives drives_;
   Eigen::VectorXd q_;
-  double step_time_;  // of equal steps of closing time [s]
+  double step_time_;  // duration of a step [s]
   std::vector<Pose<double>> links_;
-  std::vector<double> gaps_;  // of each surface to the ball, after the last step [m]
-  std::vector<bool> met_;     // pairs of surfaces that have collided
+  std::vector<double> gaps_;    // gap between each surface and the ball after the last step [m]
+  std::vector<bool> collided_;  // pairs of surfaces that have collided
 };
 
 std::vector<BallContact> BallGrasp::contacts(const std::vector<Pose<double>>& links,
                                              const ProbeBall& ball) const {
-  // With a wider tolerance than that of touching.
+  // The tolerance is wider than that of stopping.
   std::vector<BallContact> contacts;
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
     const SampledSurface& surface = surfaces_[s];
-    const Vector3d c = from(links, surface.link, ball.centre);
-    const auto [index, distance] = nearest(surface, c, ball.radius + 2 * kTouchDistance);
+    const Vector3d c = to_link_frame(links, surface.link, ball.centre);
+    const auto [index, distance] = nearest_sample(surface, c, ball.radius + 2 * kTouchDistance);
     if (index < 0 || distance > ball.radius + 2 * kTouchDistance) continue;
-    const Vector3d normal = ball.centre - at(links, surface.link, surface.p.col(index));
+    const Vector3d normal = ball.centre - to_hand_frame(links, surface.link, surface.p.col(index));
     contacts.push_back({static_cast<int>(s), normal.normalized()});
   }
   return contacts;
@@ -330,14 +337,14 @@ std::vector<BallContact> BallGrasp::close(const std::vector<Drive>& drives, Eige
                                           const ProbeBall& ball, int steps,
                                           const std::vector<std::string>& self) const {
   Closing closing(*this, drives, std::move(q), steps);
-  // Links that are near each other at the start do not stop each other.
-  closing.stop_at(ball);
-  if (!self.empty()) (void)closing.meet(self);
-  for (int step = 1; step <= steps && closing.moving(); ++step) {
+  // Links that touch each other at the start do not stop each other.
+  closing.stop_at_ball(ball);
+  if (!self.empty()) (void)closing.find_new_collisions(self);
+  for (int step = 1; step <= steps && closing.is_moving(); ++step) {
     closing.advance();
-    closing.stop_at(ball);
+    closing.stop_at_ball(ball);
     if (self.empty()) continue;
-    for (const auto& [a, b] : closing.meet(self)) {
+    for (const auto& [a, b] : closing.find_new_collisions(self)) {
       closing.stop_between(a, b);
       closing.stop_between(b, a);
     }

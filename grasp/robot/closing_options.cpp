@@ -6,26 +6,28 @@
 namespace thenar {
 namespace {
 
-constexpr double kUndecidedRange = 0.1;  // Smaller differences of ranges are no evidence [1]
-constexpr double kHardlyNear = 1e-3;     // Smaller differences of nearness are no evidence [1]
-constexpr double kAgainstWeight = 0.4;   // weight of evidence against a way of closing [1]
-// Larger differences of nearness count with their whole weight [1]
-constexpr double kNearDifference = 0.1;
-// Largest sum of evidence against a way, less than a trial can give for it [1]
-constexpr double kMostAgainst = 0.6;
-constexpr double kDoubtfulRange = 0.35;  // difference of ranges up to which both ways are tried [1]
-constexpr double kClearlyNear = 0.05;    // difference of nearness that leaves no doubt [1]
+// Difference of ranges up to which they are no evidence, over their sum [1]
+constexpr double kMinRangeEvidence = 0.1;
+// Difference of tip separations up to which they are no evidence, over their sum [1]
+constexpr double kMinSeparationEvidence = 1e-3;
+constexpr double kEvidenceWeight = 0.4;  // weight of each kind of evidence in the penalty [1]
+// Difference of tip separations from which they count with their full weight [1]
+constexpr double kFullSeparationEvidence = 0.1;
+// Maximum penalty, less than the score that a trial can give [1]
+constexpr double kMaxPenalty = 0.6;
+constexpr double kDoubtfulRange = 0.35;    // difference of ranges up to which both are tried [1]
+constexpr double kClearSeparation = 0.05;  // difference of separations that is conclusive [1]
 
-/// Signed evidence for the sense of one group, each -1 to 1.
+/// Signed evidence for the closing direction of one group, each -1 to 1.
 struct SenseEvidence {
-  double range = 0;     // how much farther its motors go in its own sense
-  double nearness = 0;  // how much nearer the tips come in its own sense
+  double range = 0;       // difference of its motor ranges in both directions, over their sum
+  double separation = 0;  // difference of tip separations in both directions, over their sum
 };
 
 SenseEvidence evidence_of(int group, const HandLayout& layout, const Eigen::VectorXd& rest,
                           const DriveGroups& groups,
-                          const std::function<double(const std::vector<double>&)>& apart) {
-  // Ranges of its motors in both senses, of those that turn.
+                          const std::function<double(const std::vector<double>&)>& separation) {
+  // Ranges of the rotating motors of the group in both directions.
   double up = 0, down = 0;
   std::vector<double> closing(layout.drives.size(), 0), opening(layout.drives.size(), 0);
   for (std::size_t d = 0; d < layout.drives.size(); ++d) {
@@ -40,29 +42,30 @@ SenseEvidence evidence_of(int group, const HandLayout& layout, const Eigen::Vect
     up += r > 0 ? above : below;
     down += r > 0 ? below : above;
   }
-  // How near the tips come in both.
-  const double near = apart(closing), far = apart(opening);
+  // Separation of the tips in both directions.
+  const double when_closed = separation(closing), when_opened = separation(opening);
   return {up + down > 0 ? (up - down) / (up + down) : 0,
-          near + far > 0 ? (far - near) / (far + near) : 0};
+          when_closed + when_opened > 0 ? (when_opened - when_closed) / (when_opened + when_closed)
+                                        : 0};
 }
 
 double sense_of(double evidence) { return evidence < 0 ? -1 : 1; }
 
-/// Senses of all groups that are worth a try, some of them twice.
+/// Returns closing directions of all groups that are worth a trial, some of them twice.
 std::vector<std::vector<double>> candidate_senses(const std::vector<SenseEvidence>& evidence) {
-  // Decide by ranges and by nearness; evidence that says nothing yields to the other.
-  std::vector<double> by_range, by_nearness;
-  for (const auto& [range, nearness] : evidence) {
-    const bool range_speaks = std::abs(range) > kUndecidedRange,
-               nearness_speaks = std::abs(nearness) > kHardlyNear;
-    by_range.push_back(sense_of(range_speaks || !nearness_speaks ? range : nearness));
-    by_nearness.push_back(sense_of(nearness_speaks || !range_speaks ? nearness : range));
+  // Decide by ranges and by separations; where one is no evidence, the other decides.
+  std::vector<double> by_range, by_separation;
+  for (const auto& [range, separation] : evidence) {
+    const bool range_counts = std::abs(range) > kMinRangeEvidence,
+               separation_counts = std::abs(separation) > kMinSeparationEvidence;
+    by_range.push_back(sense_of(range_counts || !separation_counts ? range : separation));
+    by_separation.push_back(sense_of(separation_counts || !range_counts ? separation : range));
   }
-  // Both decisions, doubtful groups reversed, and everything reversed.
-  std::vector<std::vector<double>> senses{by_range, by_nearness};
+  // Candidates: both decisions, doubtful groups reversed, and all groups reversed.
+  std::vector<std::vector<double>> senses{by_range, by_separation};
   for (std::size_t g = 0; g < evidence.size(); ++g) {
     if (std::abs(evidence[g].range) > kDoubtfulRange ||
-        std::abs(evidence[g].nearness) > kClearlyNear)
+        std::abs(evidence[g].separation) > kClearSeparation)
       continue;
     senses.push_back(by_range);
     senses.back()[g] *= -1;
@@ -78,37 +81,39 @@ std::vector<std::vector<double>> candidate_senses(const std::vector<SenseEvidenc
 
 std::vector<SenseOption> closing_options(
     const HandLayout& layout, const Eigen::VectorXd& rest, const DriveGroups& groups,
-    const std::function<double(const std::vector<double>& senses)>& apart) {
+    const std::function<double(const std::vector<double>& senses)>& separation) {
   const std::vector<Drive>& drives = layout.drives;
   const int count =
       groups.group.empty() ? 0 : *std::max_element(groups.group.begin(), groups.group.end()) + 1;
+  // Evidence of each group.
   std::vector<SenseEvidence> evidence;
   evidence.reserve(static_cast<std::size_t>(count));
-  for (int g = 0; g < count; ++g) evidence.push_back(evidence_of(g, layout, rest, groups, apart));
+  for (int g = 0; g < count; ++g)
+    evidence.push_back(evidence_of(g, layout, rest, groups, separation));
   // Stated speeds keep their magnitudes.
-  const bool paced = std::any_of(drives.begin(), drives.end(),
-                                 [](const Drive& drive) { return drive.speed != 0; });
-  // Each candidate once, with the ranges and the nearness that speak against it.
+  const bool has_speeds = std::any_of(drives.begin(), drives.end(),
+                                      [](const Drive& drive) { return drive.speed != 0; });
+  // Each distinct candidate, with the evidence against it as its penalty.
   std::vector<SenseOption> options;
-  std::vector<std::vector<double>> had;
+  std::vector<std::vector<double>> seen;
   for (const std::vector<double>& senses : candidate_senses(evidence)) {
-    if (std::find(had.begin(), had.end(), senses) != had.end()) continue;
-    had.push_back(senses);
+    if (std::find(seen.begin(), seen.end(), senses) != seen.end()) continue;
+    seen.push_back(senses);
     SenseOption option;
     for (std::size_t g = 0; g < senses.size(); ++g) {
       if (senses[g] * evidence[g].range < 0)
-        option.against += kAgainstWeight * std::abs(evidence[g].range);
-      if (senses[g] * evidence[g].nearness < 0)
-        option.against +=
-            kAgainstWeight * std::min(1.0, std::abs(evidence[g].nearness) / kNearDifference);
+        option.penalty += kEvidenceWeight * std::abs(evidence[g].range);
+      if (senses[g] * evidence[g].separation < 0)
+        option.penalty += kEvidenceWeight *
+                          std::min(1.0, std::abs(evidence[g].separation) / kFullSeparationEvidence);
     }
-    option.against = std::min(option.against, kMostAgainst);
+    option.penalty = std::min(option.penalty, kMaxPenalty);
     for (std::size_t d = 0; d < drives.size(); ++d)
       option.speed.push_back(groups.group[d] < 0
                                  ? 0
                                  : groups.orientation[d] *
                                        senses[static_cast<std::size_t>(groups.group[d])] *
-                                       (paced ? std::abs(drives[d].speed) : 1));
+                                       (has_speeds ? std::abs(drives[d].speed) : 1));
     options.push_back(std::move(option));
   }
   if (options.empty()) options.push_back({std::vector<double>(drives.size(), 0), 0});

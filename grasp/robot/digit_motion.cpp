@@ -13,21 +13,22 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kSameWay = 0.7;  // smallest cosine between tip directions of similar fingers [1]
-constexpr double kNoWay = 1e-9;   // motion of a tip that counts as none [m]
-constexpr std::size_t kPalmFingers = 3;   // fingers that make a palm, approached along its normal
-constexpr double kOppositionRange = 0.6;  // range from which a turning motor may oppose [rad]
-constexpr double kFartherRatio = 1.4;     // smallest ratio to the ranges of the others [1]
-constexpr double kMostBackBend = 0.6;     // farthest that fingers bend backwards to open [rad]
-constexpr double kNearNormal = 0.9925;    // least cosine to a flat face of the palm's normal [1]
+constexpr double kMinFingerCosine = 0.7;    // minimum cosine between tip motions of fingers [1]
+constexpr double kNoTipMotion = 1e-9;       // motion of a tip up to which it counts as none [m]
+constexpr std::size_t kMinPalmFingers = 3;  // number of fingers approached along the palm's normal
+constexpr std::size_t kMaxOpposingMotors = 3;  // number of turning motors that are tried
+constexpr double kMinOppositionRange = 0.6;    // range from which a turning motor can oppose [rad]
+constexpr double kMinOppositionRatio = 1.4;    // ratio of that range to the ranges of others [1]
+constexpr double kMaxBackwardBend = 0.6;       // backward bend of fingers that open [rad]
+constexpr double kMinPalmNormalCosine = 0.9925;  // cosine of the palm's normal to a flat face [1]
 
-/// Number of positions at which each of so many turning motors is tried.
-int places(std::size_t motors) { return motors <= 1 ? 9 : motors == 2 ? 5 : 3; }
+/// Returns the number of positions at which each of several turning motors is tried.
+int position_count(std::size_t motors) { return motors <= 1 ? 9 : motors == 2 ? 5 : 3; }
 
 }  // namespace
 
 DigitMotion::DigitMotion(const BallGrasp& grip, bool closing) : digits_(grip) {
-  // Stated speeds tell how the hand closes; otherwise both senses are tried.
+  // Stated speeds define how the hand closes; otherwise several directions are tried.
   if (closing) {
     SenseOption stated;
     for (const Drive& drive : digits_.drives()) stated.speed.push_back(drive.speed);
@@ -35,7 +36,7 @@ DigitMotion::DigitMotion(const BallGrasp& grip, bool closing) : digits_(grip) {
   } else {
     options_ = closing_options(grip.hand().layout(), digits_.rest(), digits_.groups(),
                                [this](const std::vector<double>& senses) {
-                                 return digits_.apart(digits_.moved(senses, 0.5));
+                                 return digits_.tip_separation(digits_.posture_at(senses, 0.5));
                                });
   }
 }
@@ -46,17 +47,20 @@ std::vector<Drive> DigitMotion::drives(std::size_t option) const {
   return drives;
 }
 
-/// Direction in which a tip moves as its digit begins to curl; zero: it does not. (3)
-Vector3d DigitMotion::curl_way(const HandDigit& digit, std::size_t option) const {
+/// Returns the direction in which a tip moves as its digit begins to curl; zero: it does not. (3)
+Vector3d DigitMotion::curl_motion(const HandDigit& digit, std::size_t option) const {
   Vector3d sum = Vector3d::Zero();
   for (const int d : digit.curls) {
     const double speed = options_[option].speed[static_cast<std::size_t>(d)];
-    sum += (speed > 0 ? 1 : speed < 0 ? -1 : 0) * digits_.way(static_cast<std::size_t>(d), digit);
+    sum += (speed > 0   ? 1
+            : speed < 0 ? -1
+                        : 0) *
+           digits_.tip_translation(static_cast<std::size_t>(d), digit);
   }
-  return sum.norm() > kNoWay ? Vector3d(sum.normalized()) : Vector3d::Zero();
+  return sum.norm() > kNoTipMotion ? Vector3d(sum.normalized()) : Vector3d::Zero();
 }
 
-/// The largest range of a motor that turns this digit alone [rad].
+/// Returns the maximum range of the motors that turn this digit alone [rad].
 double DigitMotion::turn_range(const HandDigit& digit) const {
   double largest = 0;
   for (const int d : digit.turns)
@@ -65,24 +69,26 @@ double DigitMotion::turn_range(const HandDigit& digit) const {
   return largest;
 }
 
-/// The largest group of digits whose tips move the same way, without digits that turn far.
-/// @param ways   curl_way() of each digit      @param turns  turn_range() of each digit [rad]
-std::vector<std::size_t> DigitMotion::find_fingers(const std::vector<Vector3d>& ways,
+/// Finds the largest group of digits whose tips move in the same direction, without digits that
+/// turn far.
+/// @param motions  curl_motion() of each digit;  @param turns  turn_range() of each digit [rad]
+std::vector<std::size_t> DigitMotion::find_fingers(const std::vector<Vector3d>& motions,
                                                    const std::vector<double>& turns) const {
-  // A digit that turns much farther than the median is opposed, wherever it stands now.
-  const std::size_t count = digits_.all().size();
+  // A digit that turns much farther than the median is opposed, whatever its rest position.
+  const std::size_t count = digits_.digits().size();
   std::vector<double> sorted = turns;
   std::sort(sorted.begin(), sorted.end());
   std::vector<bool> turned(count, false);
   for (std::size_t i = 0; i < count; ++i)
-    turned[i] = count > 2 && turns[i] > kOppositionRange &&
-                turns[i] > kFartherRatio * sorted[(count - 1) / 2];
-  // Groups around each digit.
+    turned[i] = count > 2 && turns[i] > kMinOppositionRange &&
+                turns[i] > kMinOppositionRatio * sorted[(count - 1) / 2];
+  // The largest of the groups around each digit.
   std::vector<std::size_t> fingers;
   for (std::size_t i = 0; i < count; ++i) {
     std::vector<std::size_t> alike;
     for (std::size_t j = 0; j < count; ++j)
-      if (!turned[i] && !turned[j] && ways[i].dot(ways[j]) > kSameWay) alike.push_back(j);
+      if (!turned[i] && !turned[j] && motions[i].dot(motions[j]) > kMinFingerCosine)
+        alike.push_back(j);
     if (alike.size() > fingers.size()) fingers = alike;
   }
   return fingers;
@@ -90,58 +96,63 @@ std::vector<std::size_t> DigitMotion::find_fingers(const std::vector<Vector3d>& 
 
 DigitRoles DigitMotion::roles(std::size_t option) const {
   DigitRoles roles;
-  const std::size_t count = digits_.all().size();
+  const std::size_t count = digits_.digits().size();
   roles.opposed.assign(count, false);
-  // Fingers move the same way, and do not turn far.
+  // Fingers move in the same direction, and do not turn far.
   std::vector<double> turns;
-  for (const HandDigit& digit : digits_.all()) turns.push_back(turn_range(digit));
-  std::vector<Vector3d> ways;
-  for (const HandDigit& digit : digits_.all()) ways.push_back(curl_way(digit, option));
-  std::vector<std::size_t> fingers = find_fingers(ways, turns);
+  for (const HandDigit& digit : digits_.digits()) turns.push_back(turn_range(digit));
+  std::vector<Vector3d> motions;
+  for (const HandDigit& digit : digits_.digits()) motions.push_back(curl_motion(digit, option));
+  std::vector<std::size_t> fingers = find_fingers(motions, turns);
   if (fingers.size() < 2) {
     // A thumb and one finger: the digit that turns farther is opposed.
     for (std::size_t i = 0; i < count && count == 2; ++i)
-      roles.opposed[i] = turns[i] > kOppositionRange && turns[i] > kFartherRatio * turns[1 - i];
+      roles.opposed[i] =
+          turns[i] > kMinOppositionRange && turns[i] > kMinOppositionRatio * turns[1 - i];
     if (count != 2 || roles.opposed[0] == roles.opposed[1]) return roles;
     fingers = {roles.opposed[0] ? 1U : 0U};
   } else {
     roles.opposed.assign(count, true);
     for (const std::size_t i : fingers) roles.opposed[i] = false;
   }
-  // Normal, direction and mean root of the fingers.
+  // Mean motion, direction, root and length of the fingers.
   Vector3d normal = Vector3d::Zero(), along = Vector3d::Zero();
   for (const std::size_t i : fingers) {
-    normal += ways[i];
-    along += digits_.all()[i].tip - digits_.all()[i].root;
-    roles.root += digits_.all()[i].root / static_cast<double>(fingers.size());
-    roles.length +=
-        (digits_.all()[i].tip - digits_.all()[i].root).norm() / static_cast<double>(fingers.size());
+    normal += motions[i];
+    along += digits_.digits()[i].tip - digits_.digits()[i].root;
+    roles.root += digits_.digits()[i].root / static_cast<double>(fingers.size());
+    roles.length += (digits_.digits()[i].tip - digits_.digits()[i].root).norm() /
+                    static_cast<double>(fingers.size());
   }
+  // The normal is aligned with a flat face of the palm, if there is one.
   const std::vector<Pose<double>> links = digits_.grip().hand().pose(digits_.rest());
   roles.normal = normal.normalized();
   roles.normal = without_rounding(
       facing_direction(faces_of(digits_.grip(), palm_surfaces(digits_.grip()), links), roles.normal,
-                       kNearNormal, {})
+                       kMinPalmNormalCosine, {})
           .value_or(roles.normal));
   along -= along.dot(roles.normal) * roles.normal;
   // A palm needs fingers and an opposed digit.
-  roles.palm = fingers.size() < count && along.norm() > kNoWay;
+  roles.palm = fingers.size() < count && along.norm() > kNoTipMotion;
   if (roles.palm) roles.along = along.normalized();
-  roles.row = fingers.size() >= kPalmFingers;
+  roles.row = fingers.size() >= kMinPalmFingers;
   return roles;
 }
 
-/// The posture in which drives that close start at the limit from which they come. (coordinates)
+/// Returns the posture in which closing drives are at the limit from which they start.
+/// (coordinates)
 /// @param others    posture of the other drives (coordinates)
-/// @param farthest  that drives which turn open from rest, where their range goes farther [rad]
-VectorXd DigitMotion::open_at(std::size_t option, const VectorXd& others, double farthest) const {
+/// @param farthest  maximum opening from rest of rotating drives [rad]
+VectorXd DigitMotion::posture_at_opening(std::size_t option, const VectorXd& others,
+                                         double farthest) const {
   const HandLayout& layout = digits_.grip().hand().layout();
   VectorXd open = others;
   for (std::size_t d = 0; d < digits_.drives().size(); ++d) {
-    const double back = digits_.turns(d) ? farthest : kInfinity;
+    const double back = digits_.rotates_digits(d) ? farthest : kInfinity;
     for (const DrivenCoordinate& driven : digits_.drives()[d].moves) {
       const double rate = options_[option].speed[d] * driven.ratio;
       if (rate == 0) continue;
+      // Open to the limit, but not farther than allowed.
       const Eigen::Index c = driven.coordinate;
       const double lower = layout.lower[c], upper = layout.upper[c];
       open[c] = rate > 0 ? lower : upper;
@@ -152,28 +163,28 @@ VectorXd DigitMotion::open_at(std::size_t option, const VectorXd& others, double
   return open;
 }
 
-/// Returns whether every digit has one drive that curls it, as jaws have.
+/// Returns whether every digit has at most one drive that curls it, like a jaw.
 bool DigitMotion::are_jaws() const {
-  return std::all_of(digits_.all().begin(), digits_.all().end(),
+  return std::all_of(digits_.digits().begin(), digits_.digits().end(),
                      [](const HandDigit& digit) { return digit.curls.size() <= 1; });
 }
 
-/// Returns up to three motors with the largest ranges that turn opposed digits.
+/// Returns the motors with the largest ranges that turn opposed digits, at most kMaxOpposingMotors.
 std::vector<std::size_t> DigitMotion::opposing_motors(const DigitRoles& roles) const {
   std::vector<std::size_t> motors;
-  for (std::size_t i = 0; i < digits_.all().size(); ++i)
-    for (const int d : digits_.all()[i].turns)
-      if (roles.opposed[i] && !digits_.spreads(static_cast<std::size_t>(d), digits_.all()[i]) &&
+  for (std::size_t i = 0; i < digits_.digits().size(); ++i)
+    for (const int d : digits_.digits()[i].turns)
+      if (roles.opposed[i] && !digits_.spreads(static_cast<std::size_t>(d), digits_.digits()[i]) &&
           std::find(motors.begin(), motors.end(), static_cast<std::size_t>(d)) == motors.end())
         motors.push_back(static_cast<std::size_t>(d));
   std::stable_sort(motors.begin(), motors.end(), [&](std::size_t a, std::size_t b) {
     return digits_.range(a) > digits_.range(b);
   });
-  if (motors.size() > 3) motors.resize(3);
+  if (motors.size() > kMaxOpposingMotors) motors.resize(kMaxOpposingMotors);
   return motors;
 }
 
-/// The posture with a motor at so many positions, from one end of its range to the other.
+/// Returns postures with a motor at several positions, from one end of its range to the other.
 std::vector<VectorXd> DigitMotion::motor_positions(const VectorXd& before, std::size_t motor,
                                                    int positions) const {
   const HandLayout& layout = digits_.grip().hand().layout();
@@ -189,37 +200,39 @@ std::vector<VectorXd> DigitMotion::motor_positions(const VectorXd& before, std::
   return postures;
 }
 
-std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles& roles,
-                                            bool only_one) const {
-  // A stated closing opens as stated; jaws open as far as they go.
+std::vector<VectorXd> DigitMotion::opening_postures(std::size_t option, const DigitRoles& roles,
+                                                    bool only_one) const {
+  // A stated closing starts at its stated posture; jaws open as far as possible.
   const VectorXd& stated = digits_.grip().hand().layout().open;
-  if (only_one) return {open_at(option, stated.size() > 0 ? stated : digits_.rest(), kInfinity)};
-  if (!roles.palm && are_jaws()) return {open_at(option, digits_.rest(), kInfinity)};
-  // Fingers that also bend backwards do not open so far that they lie behind the palm.
-  const VectorXd open = open_at(option, digits_.rest(), kMostBackBend);
-  std::vector<VectorXd> openings{open};
-  // Digits that curl at each other may start with outer joints open.
+  if (only_one)
+    return {posture_at_opening(option, stated.size() > 0 ? stated : digits_.rest(), kInfinity)};
+  if (!roles.palm && are_jaws()) return {posture_at_opening(option, digits_.rest(), kInfinity)};
+  // Fingers that also bend backwards must not open so far that they are behind the palm.
+  const VectorXd open = posture_at_opening(option, digits_.rest(), kMaxBackwardBend);
+  std::vector<VectorXd> postures{open};
+  // Digits that curl towards each other may start with outer joints open.
   if (!roles.palm)
     for (const VectorXd& inner : {open, digits_.rest()})
-      openings.push_back(outer_open(option, inner));
-  // Each motor that opposes digits at several positions, in all combinations.
+      postures.push_back(with_outer_joints_open(option, inner));
+  // Motors that oppose digits are tried at several positions, in all combinations.
   const std::vector<std::size_t> motors = opposing_motors(roles);
   for (const std::size_t motor : motors) {
-    std::vector<VectorXd> next = openings;  // where it is at rest
-    for (const VectorXd& before : openings) {
-      const std::vector<VectorXd> all = motor_positions(before, motor, places(motors.size()));
+    std::vector<VectorXd> next = postures;  // with the motor at rest
+    for (const VectorXd& before : postures) {
+      const std::vector<VectorXd> all =
+          motor_positions(before, motor, position_count(motors.size()));
       next.insert(next.end(), all.begin(), all.end());
     }
-    openings = std::move(next);
+    postures = std::move(next);
   }
-  return openings;
+  return postures;
 }
 
-/// The posture with outer joints as far open as they go. Otherwise the ends of digits that curl at
-/// each other meet before their middles hold anything.
-VectorXd DigitMotion::outer_open(std::size_t option, VectorXd open) const {
+/// Returns the posture with outer joints as far open as possible. Otherwise the ends of digits that
+/// curl towards each other meet before their middle links hold anything.
+VectorXd DigitMotion::with_outer_joints_open(std::size_t option, VectorXd open) const {
   const HandLayout& layout = digits_.grip().hand().layout();
-  for (const HandDigit& digit : digits_.all())
+  for (const HandDigit& digit : digits_.digits())
     for (std::size_t i = 1; i < digit.curls.size(); ++i) {
       const auto d = static_cast<std::size_t>(digit.curls[i]);
       for (const DrivenCoordinate& driven : digits_.drives()[d].moves) {
@@ -231,8 +244,8 @@ VectorXd DigitMotion::outer_open(std::size_t option, VectorXd open) const {
   return open;
 }
 
-/// Every coordinate that closing drives move at the middle of its range, the others at rest.
-VectorXd DigitMotion::half_closed(std::size_t option) const {
+/// Returns the posture with driven coordinates in the middle of their ranges, the others at rest.
+VectorXd DigitMotion::half_closed_posture(std::size_t option) const {
   const HandLayout& layout = digits_.grip().hand().layout();
   VectorXd q = digits_.rest();
   for (std::size_t d = 0; d < digits_.drives().size(); ++d)
@@ -243,8 +256,9 @@ VectorXd DigitMotion::half_closed(std::size_t option) const {
   return q;
 }
 
-/// Every coordinate that closing drives move at the limit to which they close, the others at rest.
-VectorXd DigitMotion::closed(std::size_t option) const {
+/// Returns the posture with driven coordinates at the limit to which they close, the others at
+/// rest.
+VectorXd DigitMotion::closed_posture(std::size_t option) const {
   const HandLayout& layout = digits_.grip().hand().layout();
   VectorXd q = digits_.rest();
   for (std::size_t d = 0; d < digits_.drives().size(); ++d)

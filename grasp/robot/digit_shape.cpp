@@ -9,46 +9,48 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kParallelCosine = 0.9;  // least cosine of axes about which links bend together [1]
-constexpr double kShortShare = 0.3;      // share of a link across its axis that tells no bend [1]
-constexpr double kNoLink = 1e-3;         // distance of hinges that tells no bend [m]
-constexpr double kFoldedBend = 2;        // Larger bends are not of a digit that lies open [rad]
-constexpr double kStraightBend = 0.15;   // Smaller bends stay as they are [rad]
-constexpr double kSameRow = 0.8;  // least cosine between ways of fingers of a row, either way [1]
-constexpr double kBesideWays = 0.5;  // largest cosine of the ways to the line between roots [1]
+constexpr double kMinParallelCosine = 0.9;  // cosine of axes about which links bend together [1]
+// Fraction of a link perpendicular to its axis, below which its bend is undefined [1]
+constexpr double kMinPerpendicularFraction = 0.3;
+constexpr double kMinLinkLength = 1e-3;  // distance of hinges below which a bend is undefined [m]
+constexpr double kMaxOpenBend = 2;       // bend above which a digit is folded, not open [rad]
+constexpr double kMinStraightening = 0.15;  // bend below which a joint is left unchanged [rad]
+constexpr double kMinRowCosine = 0.8;  // |cosine| between the tip motions of fingers in a row [1]
+constexpr double kMaxBesideCosine = 0.5;  // |cosine| of motions to the line between roots [1]
 
-/// Bend of one link against another about an axis; 0: they do not tell. [rad]
+/// Returns the bend of one link relative to another about an axis; 0: it is undefined. [rad]
 double bend_about(const Vector3d& axis, const Vector3d& inner, const Vector3d& outer) {
   const Vector3d u = inner - inner.dot(axis) * axis, v = outer - outer.dot(axis) * axis;
   for (const auto& [part, whole] : {std::make_pair(u, inner), std::make_pair(v, outer)})
-    if (part.norm() < std::max(kNoLink, kShortShare * whole.norm())) return 0;
+    if (part.norm() < std::max(kMinLinkLength, kMinPerpendicularFraction * whole.norm())) return 0;
   const double bend = std::atan2(axis.dot(u.cross(v)), u.dot(v));
-  return std::abs(bend) < kFoldedBend ? bend : 0;
+  return std::abs(bend) < kMaxOpenBend ? bend : 0;
 }
 
 }  // namespace
 
-/// Hinges of a digit that turn about axes parallel to its last one, the innermost first.
+/// Returns the hinges of a digit about axes parallel to its last one, innermost first.
 std::vector<int> HandDigits::hinges_of(const HandDigit& digit) const {
   const RobotHand& hand = grip_.hand();
   const Vector3d last = last_axis(digit);
   std::vector<int> hinges;
   for (int link = grip_.surfaces()[digit.last].link; link >= 0;
        link = hand.layout().parents[static_cast<std::size_t>(link)])
-    if (std::abs(hand.axis(rest_, link).dot(last)) > kParallelCosine) hinges.push_back(link);
+    if (std::abs(hand.axis(rest_, link).dot(last)) > kMinParallelCosine) hinges.push_back(link);
   std::reverse(hinges.begin(), hinges.end());
   return hinges;
 }
 
-/// Turns the hinges of curled digits back at rest, as far as they go, until each link goes on along
-/// the one before. How far the first link is bent is not seen: it counts as the mean of the others.
+/// Straightens curled digits at rest, as far as their hinges go, until each link continues the
+/// previous one. The bend of the first link is not visible: it counts as the mean of the others.
 void HandDigits::straighten() {
   const RobotHand& hand = grip_.hand();
   const std::vector<Pose<double>> links = hand.pose(rest_);
   const auto point = [&](int link) -> Vector3d {
     return links[static_cast<std::size_t>(link)] * hand.axis_point(link);
   };
-  std::vector<std::pair<int, double>> turns;  // coordinates, by how much [rad]
+  // Rotation of each coordinate that straightens its joint.
+  std::vector<std::pair<int, double>> turns;  // coordinate, angle [rad]
   for (const HandDigit& digit : digits_) {
     const std::vector<int> hinges = hinges_of(digit);
     if (hinges.size() < 2) continue;
@@ -59,7 +61,7 @@ void HandDigits::straighten() {
       const Vector3d here = point(hinges[k]), axis = hand.axis(rest_, hinges[k]);
       const double bend = bend_about(axis, here - point(hinges[k - 1]), end - here);
       mean += std::copysign(1.0, axis.dot(last)) * bend / static_cast<double>(hinges.size() - 1);
-      // Joints that one motor turns share a coordinate: the innermost one tells.
+      // Joints of one motor share a coordinate: the innermost one decides.
       const int coordinate = hand.coordinate_of(hinges[k]);
       if (std::none_of(hinges.begin(), hinges.begin() + static_cast<std::ptrdiff_t>(k),
                        [&](int inner) { return hand.coordinate_of(inner) == coordinate; }))
@@ -68,13 +70,13 @@ void HandDigits::straighten() {
     const double first = std::copysign(1.0, hand.axis(rest_, hinges[0]).dot(last));
     turns.emplace_back(hand.coordinate_of(hinges[0]), -first * mean);
   }
-  for (const auto& [coordinate, angle] : turns) turn_by(coordinate, angle);
+  for (const auto& [coordinate, angle] : turns) turn_in_range(coordinate, angle);
 }
 
-/// Turns a coordinate at rest within its limits, with all that its drive moves, if it comes first
-/// among them and its drive curls digits.
-void HandDigits::turn_by(int coordinate, double angle) {
-  if (std::abs(angle) < kStraightBend) return;
+/// Rotates a coordinate at rest within its limits, with all others of its drive, if it is the first
+/// coordinate of a drive that curls digits.
+void HandDigits::turn_in_range(int coordinate, double angle) {
+  if (std::abs(angle) < kMinStraightening) return;
   const HandLayout& layout = grip_.hand().layout();
   for (std::size_t d = 0; d < drives_.size(); ++d) {
     const DrivenCoordinate& first = drives_[d].moves.front();
@@ -94,34 +96,37 @@ void HandDigits::turn_by(int coordinate, double angle) {
   }
 }
 
-/// Fingers side by side whose tips move along the same line close the same way.
+/// Joins the groups of adjacent fingers whose tips move along the same line: they close together.
 void HandDigits::join_rows() {
-  std::vector<Vector3d> ways;
+  // Direction in which the tip of each digit curls.
+  std::vector<Vector3d> motions;
   for (const HandDigit& digit : digits_) {
     Vector3d sum = Vector3d::Zero();
     for (const int d : digit.curls)
       sum += groups_.orientation[static_cast<std::size_t>(d)] *
-             way(static_cast<std::size_t>(d), digit);
-    ways.push_back(sum.normalized());
+             tip_translation(static_cast<std::size_t>(d), digit);
+    motions.push_back(sum.normalized());
   }
+  // Fingers are adjacent if they move along one line, across the line between their parallel roots.
   for (std::size_t a = 0; a < digits_.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
       if (digits_[a].curls.empty() || digits_[b].curls.empty()) continue;
-      const double same = ways[a].dot(ways[b]);
+      const double same = motions[a].dot(motions[b]);
       const Vector3d between = (digits_[a].root - digits_[b].root).normalized();
       const Vector3d long_a = digits_[a].tip - digits_[a].root,
                      long_b = digits_[b].tip - digits_[b].root;
-      if (std::abs(same) < kSameRow || std::abs(between.dot(ways[a])) > kBesideWays ||
-          std::abs(between.dot(ways[b])) > kBesideWays ||
-          long_a.dot(long_b) < kSameRow * long_a.norm() * long_b.norm())
+      if (std::abs(same) < kMinRowCosine || std::abs(between.dot(motions[a])) > kMaxBesideCosine ||
+          std::abs(between.dot(motions[b])) > kMaxBesideCosine ||
+          long_a.dot(long_b) < kMinRowCosine * long_a.norm() * long_b.norm())
         continue;
       const int one = group_of(digits_[a]), other = group_of(digits_[b]);
       if (one == other) continue;
+      // Opposite signs: the whole group is reversed.
       for (std::size_t c = 0; c < digits_.size(); ++c)
-        if (same < 0 && !digits_[c].curls.empty() && group_of(digits_[c]) == one) ways[c] *= -1;
+        if (same < 0 && !digits_[c].curls.empty() && group_of(digits_[c]) == one) motions[c] *= -1;
       join_groups(one, other, same < 0);
     }
-  // Numbers of groups without gaps.
+  // Renumber the groups without gaps.
   std::vector<int> numbers;
   for (int& group : groups_.group) {
     if (group < 0) continue;
@@ -135,7 +140,7 @@ int HandDigits::group_of(const HandDigit& digit) const {
   return groups_.group[static_cast<std::size_t>(digit.curls.front())];
 }
 
-/// Makes one group of two, the first of them turned round where asked.
+/// Merges two groups; `reversed` reverses the drives of the first one.
 void HandDigits::join_groups(int one, int other, bool reversed) {
   for (std::size_t d = 0; d < drives_.size(); ++d) {
     if (groups_.group[d] != one) continue;

@@ -12,10 +12,11 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kAlongCosine = 0.7;  // Least cosine of a curling joint to the last one's axis [1]
+constexpr double kMinCurlCosine = 0.7;  // cosine of a curling joint to the last joint's axis [1]
 constexpr double kSameDistance = 1e-9;  // relative change of tip distances that counts as none [1]
 constexpr double kNoMotion = 1e-9;      // rotation or motion that counts as none [1], [m]
-constexpr double kAsFar = 0.85;  // share of a tip's motion from which another moves as far [1]
+// Motion of another tip over a tip's own, from which a drive spreads both [1]
+constexpr double kMinSpreadRatio = 0.85;
 
 }  // namespace
 
@@ -24,11 +25,11 @@ HandDigits::HandDigits(const BallGrasp& grip) : grip_(grip), drives_(grip.hand()
   rest_ = layout.lower.cwiseMax(0).cwiseMin(layout.upper);
   find_digits();
   sort_drives();
-  // What curls and where tips go is told by straight digits.
+  // Curling drives and tip motions are defined for straight digits.
   straighten();
   find_digits();
   sort_drives();
-  orient();
+  orient_drives();
   join_rows();
 }
 
@@ -37,9 +38,9 @@ void HandDigits::find_digits() {
   names_.clear();
   const std::vector<Pose<double>> links = grip_.hand().pose(rest_);
   const std::vector<SampledSurface>& surfaces = grip_.surfaces();
-  std::vector<int> depth;
+  std::vector<int> depth;  // number of joints between each surface and the base
   depth.reserve(surfaces.size());
-  // Innermost and outermost surface of each digit, by depth in the tree.
+  // Innermost and outermost surface of each digit.
   for (const SampledSurface& surface : surfaces)
     depth.push_back(joints_to(grip_.hand().layout(), surface.link));
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
@@ -54,13 +55,14 @@ void HandDigits::find_digits() {
     if (depth[s] < depth[digit->first]) digit->first = s;
     if (depth[s] >= depth[digit->last]) digit->last = s;
   }
+  // Centre of a surface at rest.
   const auto centre = [&](std::size_t s) -> Vector3d {
     const SampledSurface& surface = surfaces[s];
     return surface.link < 0 ? surface.centre
                             : links[static_cast<std::size_t>(surface.link)] * surface.centre;
   };
   for (HandDigit& digit : digits_) {
-    // The root is the hinge of the digit's first link; for a slide, the link itself.
+    // The root is the hinge of the digit's first link, or the link itself for a slide.
     digit.tip = centre(digit.last);
     digit.root = centre(digit.first);
     const int link = surfaces[digit.first].link;
@@ -79,29 +81,31 @@ Eigen::Matrix<double, 6, 1> HandDigits::twist(std::size_t drive, const HandDigit
   return sum;
 }
 
-Vector3d HandDigits::spin(std::size_t drive, const HandDigit& digit) const {
+Vector3d HandDigits::tip_rotation(std::size_t drive, const HandDigit& digit) const {
   return twist(drive, digit).head<3>();
 }
 
-Vector3d HandDigits::way(std::size_t drive, const HandDigit& digit) const {
+Vector3d HandDigits::tip_translation(std::size_t drive, const HandDigit& digit) const {
   return twist(drive, digit).tail<3>();
 }
 
-/// Returns whether a drive moves every tip, and none relative to another: a wrist.
+/// Returns whether a drive moves every tip, and none relative to another, like a wrist.
 bool HandDigits::moves_alike(std::size_t drive) const {
   for (const HandDigit& digit : digits_)
-    if (way(drive, digit).norm() < kNoMotion && spin(drive, digit).norm() < kNoMotion) return false;
+    if (tip_translation(drive, digit).norm() < kNoMotion &&
+        tip_rotation(drive, digit).norm() < kNoMotion)
+      return false;
   if (digits_.size() < 2) return false;
-  // Distances between tips are the same with the drive moved either way.
+  // Distances between tips must be equal with the drive moved either way.
   std::vector<double> senses(drives_.size(), 0);
   senses[drive] = 1;
-  const double up = apart(moved(senses, 0.1));
+  const double up = tip_separation(posture_at(senses, 0.1));
   senses[drive] = -1;
-  const double down = apart(moved(senses, 0.1));
+  const double down = tip_separation(posture_at(senses, 0.1));
   return std::abs(up - down) <= kSameDistance * std::max(up, down);
 }
 
-/// Axis of the last joint of a digit that turns; zero: none does. (3)
+/// Returns the axis of the outermost rotating joint of a digit; zero: there is none. (3)
 Vector3d HandDigits::last_axis(const HandDigit& digit) const {
   Vector3d last = Vector3d::Zero();
   for (int link = grip_.surfaces()[digit.last].link; link >= 0 && last.isZero(0);
@@ -110,52 +114,56 @@ Vector3d HandDigits::last_axis(const HandDigit& digit) const {
   return last;
 }
 
+/// Assigns each drive to the digits that it moves, as a curling or as a turning drive.
 void HandDigits::sort_drives() {
   for (std::size_t d = 0; d < drives_.size(); ++d) {
     if (moves_alike(d)) continue;
-    // A drive of several digits has the kind that it has for the digit whose tip it moves most.
+    // A drive of several digits has the kind that it has for the digit whose tip moves most.
     double farthest = -1;
     bool curls = true;
     std::vector<HandDigit*> moved;
     for (HandDigit& digit : digits_) {
-      const Vector3d w = spin(d, digit), v = way(d, digit);
+      const Vector3d w = tip_rotation(d, digit), v = tip_translation(d, digit);
       if (w.norm() < kNoMotion && v.norm() < kNoMotion) continue;
       moved.push_back(&digit);
       if (v.norm() <= farthest) continue;
       farthest = v.norm();
-      // Parallel to the last axis: it curls; across: it turns.
+      // Parallel to the last axis it curls the digit, otherwise it turns it.
       const Vector3d last = last_axis(digit);
       curls = w.norm() < kNoMotion || last.isZero(0) ||
-              std::abs(w.dot(last)) >= kAlongCosine * w.norm() * last.norm();
+              std::abs(w.dot(last)) >= kMinCurlCosine * w.norm() * last.norm();
     }
     for (HandDigit* digit : moved)
       (curls ? digit->curls : digit->turns).push_back(static_cast<int>(d));
   }
 }
 
-/// Sign of a drive relative to the outermost of a digit, by rotation or by motion of the tip.
+/// Returns the sign of a drive relative to a digit's outermost one, by rotation or by motion of the
+/// tip.
 double HandDigits::sign_against(std::size_t outer, std::size_t drive,
                                 const HandDigit& digit) const {
-  const Vector3d w = spin(drive, digit), w_outer = spin(outer, digit);
+  const Vector3d w = tip_rotation(drive, digit), w_outer = tip_rotation(outer, digit);
   const bool turn = w.norm() > kNoMotion && w_outer.norm() > kNoMotion;
-  const double along = turn ? w.dot(w_outer) : way(drive, digit).dot(way(outer, digit));
+  const double along =
+      turn ? w.dot(w_outer) : tip_translation(drive, digit).dot(tip_translation(outer, digit));
   return along < 0 ? -1.0 : 1.0;
 }
 
-/// Finds the signs of drives that curl each digit, and which drives belong together.
-void HandDigits::orient() {
+/// Finds the signs of drives that curl each digit, and their groups.
+void HandDigits::orient_drives() {
   groups_.orientation.assign(drives_.size(), 0);
   groups_.group.assign(drives_.size(), -1);
+  // Drives without any rotation.
   for (std::size_t d = 0; d < drives_.size(); ++d)
-    groups_.slides.push_back(
-        std::all_of(digits_.begin(), digits_.end(),
-                    [&](const HandDigit& digit) { return spin(d, digit).norm() < kNoMotion; }));
+    groups_.slides.push_back(std::all_of(
+        digits_.begin(), digits_.end(),
+        [&](const HandDigit& digit) { return tip_rotation(d, digit).norm() < kNoMotion; }));
   int groups = 0;
   for (const HandDigit& digit : digits_) {
     if (digit.curls.empty()) continue;
     const auto outer = static_cast<std::size_t>(digit.curls.back());
     const auto sign = [&](std::size_t d) { return sign_against(outer, d, digit); };
-    // A drive that already has a sign sets that of the whole digit.
+    // A drive that already has a sign determines that of the whole digit.
     double flip = 1;
     int group = -1;
     for (const int c : digit.curls)
@@ -180,8 +188,7 @@ double HandDigits::range(std::size_t drive) const {
   return (layout.upper[first.coordinate] - layout.lower[first.coordinate]) / std::abs(first.ratio);
 }
 
-/// Posture at a share of the range from rest in the given senses; senses of 0 stay. (coordinates)
-VectorXd HandDigits::moved(const std::vector<double>& senses, double share) const {
+VectorXd HandDigits::posture_at(const std::vector<double>& senses, double share) const {
   const HandLayout& layout = grip_.hand().layout();
   VectorXd q = rest_;
   for (std::size_t d = 0; d < drives_.size(); ++d)
@@ -194,8 +201,8 @@ VectorXd HandDigits::moved(const std::vector<double>& senses, double share) cons
   return q.cwiseMax(layout.lower).cwiseMin(layout.upper);
 }
 
-/// Mean distance of points of the only digit's end to the palm's [m].
-double HandDigits::from_palm(const std::vector<Pose<double>>& links) const {
+/// Returns the mean distance between points of the only digit's end and the palm [m].
+double HandDigits::distance_from_palm(const std::vector<Pose<double>>& links) const {
   const Eigen::Matrix3Xd palm = points_of(grip_, palm_surfaces(grip_), links),
                          end = points_of(grip_, {digits_.front().last}, links);
   if (palm.cols() == 0) return 0;
@@ -205,10 +212,10 @@ double HandDigits::from_palm(const std::vector<Pose<double>>& links) const {
   return sum / static_cast<double>(end.cols());
 }
 
-/// Sum of distances between tips; of an only digit from the palm, which may be a fixed jaw [m].
-double HandDigits::apart(const VectorXd& q) const {
+double HandDigits::tip_separation(const VectorXd& q) const {
   const std::vector<Pose<double>> links = grip_.hand().pose(q);
-  if (digits_.size() == 1) return from_palm(links);
+  if (digits_.size() == 1) return distance_from_palm(links);
+  // Positions of the tips, then the sum over all pairs.
   std::vector<Vector3d> tips;
   for (const HandDigit& digit : digits_) {
     const SampledSurface& tip = grip_.surfaces()[digit.last];
@@ -226,22 +233,21 @@ double HandDigits::mean_digit_length() const {
   for (const HandDigit& digit : digits_) sum += (digit.tip - digit.root).norm();
   if (sum > kNoMotion * static_cast<double>(digits_.size()))
     return sum / static_cast<double>(digits_.size());
-  // Jaws of one link: the distance by which they part.
+  // Jaws of one link have no length: use the distance by which they open.
   std::vector<double> up(drives_.size(), 1), down(drives_.size(), -1);
-  return std::max(apart(moved(up, 1)), apart(moved(down, 1)));
+  return std::max(tip_separation(posture_at(up, 1)), tip_separation(posture_at(down, 1)));
 }
 
-/// Returns whether a drive rotates any digit, rather than only sliding it.
-bool HandDigits::turns(std::size_t drive) const {
-  return std::any_of(digits_.begin(), digits_.end(),
-                     [&](const HandDigit& digit) { return spin(drive, digit).norm() > kNoMotion; });
+bool HandDigits::rotates_digits(std::size_t drive) const {
+  return std::any_of(digits_.begin(), digits_.end(), [&](const HandDigit& digit) {
+    return tip_rotation(drive, digit).norm() > kNoMotion;
+  });
 }
 
-/// Returns whether a drive turns other digits about as far as this one.
 bool HandDigits::spreads(std::size_t drive, const HandDigit& digit) const {
-  const double own = way(drive, digit).norm();
+  const double own = tip_translation(drive, digit).norm();
   return std::any_of(digits_.begin(), digits_.end(), [&](const HandDigit& other) {
-    return &other != &digit && way(drive, other).norm() > kAsFar * own;
+    return &other != &digit && tip_translation(drive, other).norm() > kMinSpreadRatio * own;
   });
 }
 

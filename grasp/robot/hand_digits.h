@@ -1,6 +1,6 @@
 #pragma once
 
-/// Digits of a hand: what belongs to them, and how its drives move them.
+/// Digits of a hand: their surfaces, and the drives that move them.
 
 #include <string>
 #include <vector>
@@ -15,50 +15,53 @@ namespace thenar {
 /// A digit with its ends, and the drives that move it.
 struct HandDigit {
   std::string name;
-  std::size_t first = 0, last = 0;  // surfaces: innermost and outermost
-  Eigen::Vector3d root, tip;        // at rest [m] (3)
-  std::vector<int> curls, turns;    // drives that curl and that turn it
+  std::size_t first = 0, last = 0;  // innermost and outermost surface
+  Eigen::Vector3d root, tip;        // root and tip at rest [m] (3)
+  std::vector<int> curls, turns;    // drives that curl and drives that turn it
 };
 
-/// The digits of a hand at rest, where they are as straight as they go, and which of its drives
-/// curl them. Constant once built; the grasp must outlive it.
+/// Digits of a hand at rest, where they are as straight as possible, and the drives that curl them.
+/// Constant after construction; the grasp must outlive it.
 class HandDigits {
  public:
   explicit HandDigits(const BallGrasp& grip);
 
   [[nodiscard]] const BallGrasp& grip() const { return grip_; }
   [[nodiscard]] const std::vector<Drive>& drives() const { return drives_; }
-  [[nodiscard]] const std::vector<HandDigit>& all() const { return digits_; }
+  [[nodiscard]] const std::vector<HandDigit>& digits() const { return digits_; }
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
-  /// Every coordinate at zero or the nearest limit, digits that are curled there as straight as
-  /// they go [rad] or [m] (coordinates)
+  /// Returns the rest posture [rad] or [m] (coordinates): every coordinate at zero or the limit
+  /// nearest to it, and digits that are curled there as straight as possible.
   [[nodiscard]] const Eigen::VectorXd& rest() const { return rest_; }
-  /// Signs of drives that curl digits, and which belong together.
+  /// Returns the signs of drives that curl digits, and their groups.
   [[nodiscard]] const DriveGroups& groups() const { return groups_; }
 
-  /// Mean distance from the root of a digit to its tip [m].
+  /// Returns the mean distance from the root of a digit to its tip [m].
   [[nodiscard]] double mean_digit_length() const;
-  /// Rotation of a digit's tip per unit of a drive, at rest [rad] (3).
-  [[nodiscard]] Eigen::Vector3d spin(std::size_t drive, const HandDigit& digit) const;
-  /// Motion of a digit's tip per unit of a drive, at rest [m] (3).
-  [[nodiscard]] Eigen::Vector3d way(std::size_t drive, const HandDigit& digit) const;
-  /// Range of a drive [rad] or [m].
+  /// Computes the rotation of a digit's tip per unit of a drive, at rest [rad] (3).
+  [[nodiscard]] Eigen::Vector3d tip_rotation(std::size_t drive, const HandDigit& digit) const;
+  /// Computes the translation of a digit's tip per unit of a drive, at rest [m] (3).
+  [[nodiscard]] Eigen::Vector3d tip_translation(std::size_t drive, const HandDigit& digit) const;
+  /// Returns the range of a drive [rad] or [m].
   [[nodiscard]] double range(std::size_t drive) const;
-  /// Whether a drive rotates any digit, rather than only sliding it.
-  [[nodiscard]] bool turns(std::size_t drive) const;
-  /// Whether a drive turns other digits about as far as this one. @param digit  one of all()
+  /// Returns whether a drive rotates any digit, rather than only translating it.
+  [[nodiscard]] bool rotates_digits(std::size_t drive) const;
+  /// Returns whether a drive rotates other digits about as far as this one. @param digit  one of
+  /// digits()
   [[nodiscard]] bool spreads(std::size_t drive, const HandDigit& digit) const;
-  /// Posture at a share of the range from rest in the given senses; senses of 0 stay (coordinates).
-  [[nodiscard]] Eigen::VectorXd moved(const std::vector<double>& senses, double share) const;
-  /// Sum of distances between tips; of an only digit from the palm, which may be a fixed jaw [m].
-  [[nodiscard]] double apart(const Eigen::VectorXd& q) const;
+  /// Returns the posture at a fraction of the range from rest in the given directions; drives of
+  /// direction 0 do not move (coordinates).
+  [[nodiscard]] Eigen::VectorXd posture_at(const std::vector<double>& senses, double share) const;
+  /// Returns the sum of distances between tips; for a single digit its distance from the palm,
+  /// which may be a fixed jaw [m].
+  [[nodiscard]] double tip_separation(const Eigen::VectorXd& q) const;
 
  private:
   void find_digits();
   void sort_drives();
-  void orient();
+  void orient_drives();
   void straighten();
-  void turn_by(int coordinate, double angle);
+  void turn_in_range(int coordinate, double angle);
   void join_rows();
   void join_groups(int one, int other, bool reversed);
   [[nodiscard]] int group_of(const HandDigit& digit) const;
@@ -69,7 +72,7 @@ class HandDigits {
   [[nodiscard]] Eigen::Vector3d last_axis(const HandDigit& digit) const;
   [[nodiscard]] double sign_against(std::size_t outer, std::size_t drive,
                                     const HandDigit& digit) const;
-  [[nodiscard]] double from_palm(const std::vector<Pose<double>>& links) const;
+  [[nodiscard]] double distance_from_palm(const std::vector<Pose<double>>& links) const;
 
   const BallGrasp& grip_;
   std::vector<Drive> drives_;

@@ -22,7 +22,7 @@ namespace {
 constexpr const char* kSoftMaterial = "rubber";
 constexpr const char* kSoftWords[] = {"silicone", "rubber", "elastomer"};
 
-/// Names the digit that is opposed to the others "thumb", unless links are named already.
+/// Names the opposed digit "thumb", unless the file names its digits.
 void name_thumb(InferredClosing& guess) {
   const auto called = [&](const std::string& name) {
     return std::any_of(guess.robot.links.begin(), guess.robot.links.end(),
@@ -35,7 +35,8 @@ void name_thumb(InferredClosing& guess) {
   std::replace(guess.idle.begin(), guess.idle.end(), thumb, std::string("thumb"));
 }
 
-void tell_digits(RobotSpec& robot) {
+/// Adds a warning that lists the inferred digits.
+void warn_of_digits(RobotSpec& robot) {
   std::vector<std::string> names;
   for (const RobotLink& link : robot.links)
     if (!link.digit.empty()) names.push_back(fmt::format("{} of {}", link.name, link.digit));
@@ -43,9 +44,9 @@ void tell_digits(RobotSpec& robot) {
                                        digits_in(robot).size(), fmt::join(names, ", ")));
 }
 
-/// Chooses the efforts in the direction of closing, where a file's efforts differ by direction, and
-/// reports it.
-void take_closing_efforts(RobotSpec& robot) {
+/// Selects the efforts in the direction of closing, where a file's efforts differ by direction, and
+/// adds a warning.
+void select_closing_efforts(RobotSpec& robot) {
   std::vector<std::string> taken, none;
   for (RobotDof& dof : robot.dofs) {
     if (!take_effort_of_speed(dof)) continue;
@@ -62,12 +63,12 @@ void take_closing_efforts(RobotSpec& robot) {
         fmt::format("no effort in the direction that closes: {}; it is unknown", some_of(none)));
 }
 
-/// The robot with the closing of infer_closing(), and warnings that say what was inferred.
+/// Returns the robot with the closing of infer_closing(), and warnings about what was inferred.
 RobotSpec with_closing(const RobotSpec& robot, const StatedClosing& known, bool digits_guessed) {
   InferredClosing guess = infer_closing(robot, known);
   if (digits_guessed) {
     name_thumb(guess);
-    tell_digits(guess.robot);
+    warn_of_digits(guess.robot);
   }
   std::vector<std::string>& warnings = guess.robot.warnings;
   // One warning for each inference.
@@ -90,13 +91,14 @@ RobotSpec with_closing(const RobotSpec& robot, const StatedClosing& known, bool 
         "in the trial of this guess, closed on a ball of {:.0f} mm, {} "
         "touch{} nothing",
         2e3 * guess.ball, fmt::join(guess.idle, ", "), guess.idle.size() == 1 ? "es" : ""));
-  take_closing_efforts(guess.robot);
-  // From now on the robot states both.
+  select_closing_efforts(guess.robot);
+  // The robot now states both.
   guess.robot.closing_stated = guess.robot.approach_stated = true;
   return std::move(guess.robot);
 }
 
-void name_nominal(RobotSpec& robot) {
+/// Adds a warning about nominal efforts.
+void warn_of_nominal_efforts(RobotSpec& robot) {
   std::vector<std::string> nominal;
   for (const RobotDof& dof : robot.dofs)
     if (dof.nominal_effort && dof.max_effort > 0) nominal.push_back(dof.name);
@@ -113,7 +115,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-/// Returns whether the name of a link says that it is a soft pad.
+/// Returns whether the name of a link indicates a soft pad.
 bool is_named_soft(const std::string& link) {
   const std::string name = lower_case(link);
   return std::any_of(std::begin(kSoftWords), std::end(kSoftWords),
@@ -150,34 +152,36 @@ void require_closed_loops(const RobotSpec& robot) {
 RobotSpec graspable(RobotSpec robot) {
   require_closed_loops(robot);
   robot = with_materials(std::move(robot));
-  // Digits are inferred only if the robot states nothing of a hand.
-  name_nominal(robot);
-  const bool guess_them = digits_in(robot).empty() && !robot.approach_stated;
-  if (guess_them) (void)infer_digits(robot);
+  // Digits are inferred only if the file describes no part of a hand.
+  warn_of_nominal_efforts(robot);
+  const bool infer_them = digits_in(robot).empty() && !robot.approach_stated;
+  if (infer_them) (void)infer_digits(robot);
   if (digits_in(robot).empty()) return robot;
-  // Speeds that are all zero say nothing.
+  // Speeds that are all zero state no closing.
   if (!any_speed(robot)) robot.closing_stated = robot.dofs.empty();
   if (robot.closing_stated && robot.approach_stated) return robot;
-  return with_closing(robot, {robot.closing_stated, robot.approach_stated}, guess_them);
+  return with_closing(robot, {robot.closing_stated, robot.approach_stated}, infer_them);
 }
 
 namespace {
 
-/// Bodies of each digit; branches that a loop joins, or would if the file could say so, are one.
+/// Returns the bodies of each digit; branches that a loop joins, in the file or by a pinned bar,
+/// are one digit.
 std::vector<std::set<std::size_t>> find_branches(const RobotSpec& robot,
                                                  const RigidBodies& bodies) {
-  const std::vector<RigidBody>& list = bodies.list;
+  const std::vector<RigidBody>& list = bodies.bodies;
   std::vector<std::set<std::size_t>> branches;
-  // From each leaf inwards, up to the next branching.
+  // Branches run from each leaf inwards to the next branching point.
   for (std::size_t leaf = 1; leaf < list.size(); ++leaf) {
     if (!list[leaf].shaped || list[leaf].branches > 0) continue;
     branches.emplace_back();
     for (std::size_t b = leaf; b != 0 && list[b].branches <= 1; b = list[b].parent)
       branches.back().insert(b);
   }
-  // Branches joined by a loop.
+  // Merge branches that a loop joins.
   std::vector<std::pair<std::size_t, std::size_t>> joined = pinned_bars(robot, bodies);
-  for (const auto& [a, b] : robot.joined) joined.emplace_back(bodies.of.at(a), bodies.of.at(b));
+  for (const auto& [a, b] : robot.joined)
+    joined.emplace_back(bodies.body_of_link.at(a), bodies.body_of_link.at(b));
   for (const auto& [a, b] : joined) {
     const auto with = [&](std::size_t body) {
       return std::find_if(
@@ -192,7 +196,7 @@ std::vector<std::set<std::size_t>> find_branches(const RobotSpec& robot,
   return branches;
 }
 
-/// Names of fingers: words within a name, and beginnings of names, also after a side as in "rh_".
+/// Names of fingers: words within a name, and (^) prefixes of names, also after a side as in "rh_".
 const std::vector<std::pair<std::string, std::vector<std::string>>> kFingers{
     {"thumb", {"thumb", "^th"}},
     {"index", {"index", "^ff"}},
@@ -210,17 +214,18 @@ bool names_finger(const std::string& link, const std::vector<std::string>& words
   });
 }
 
-/// Name of a digit with these links; each name is used once.
+/// Returns a name for a digit with these links; each name is used once.
 std::string name_digit(const std::vector<RobotLink*>& links, std::set<std::string>& taken) {
   for (const auto& [finger, words] : kFingers) {
     const auto named =
         std::count_if(links.begin(), links.end(), [&words = words](const RobotLink* link) {
           return names_finger(lower_case(link->name), words);
         });
-    // Most links of a digit carry its name, unlike the middle link of any finger.
+    // Most links of a digit carry its name; "middle" alone may denote the middle link of any
+    // finger.
     if (2 * named > static_cast<long>(links.size()) && taken.insert(finger).second) return finger;
   }
-  // Without a known name: the next number.
+  // Without a known name the digit gets the next number.
   for (std::size_t i = 1;; ++i)
     if (std::string name = fmt::format("finger {}", i); taken.insert(name).second) return name;
 }
@@ -229,12 +234,12 @@ std::string name_digit(const std::vector<RobotLink*>& links, std::set<std::strin
 
 int infer_digits(RobotSpec& robot) {
   const RigidBodies bodies = find_rigid_bodies(robot);
-  // All shaped links of a branch get its name.
+  // All shaped links of a branch get the name of its digit.
   std::set<std::string> taken;
   for (const std::set<std::size_t>& branch : find_branches(robot, bodies)) {
     std::vector<RobotLink*> links;
     for (RobotLink& link : robot.links)
-      if (!link.shapes.empty() && branch.count(bodies.of.at(link.name)) == 1)
+      if (!link.shapes.empty() && branch.count(bodies.body_of_link.at(link.name)) == 1)
         links.push_back(&link);
     const std::string name = name_digit(links, taken);
     for (RobotLink* link : links) link->digit = name;

@@ -16,14 +16,15 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr double kMostPinMotion = 1e-4;  // largest motion of a pin against what it joins [m]
-constexpr double kTurnOfBar = 0.02;      // smallest turn of a bar against its finger [rad]
-// Largest distance of a pin from the part that it joins, over the part's diagonal [1]
-constexpr double kNearPin = 0.25;
-// Range assumed for a motor without limits, either way [rad] or [m]
-constexpr double kAnyRange = 1;
+constexpr double kMaxPinMotion = 1e-4;    // motion of a pin relative to the parts it joins [m]
+constexpr double kMinBarRotation = 0.02;  // rotation of a bar relative to its finger [rad]
+// Maximum distance of a pin from a part that it joins, over the part's diagonal [1]
+constexpr double kMaxPinDistance = 0.25;
+constexpr double kPinRankTolerance = 1e-6;  // relative singular values that count as zero [1]
+// Range assumed in both directions for a motor without limits [rad] or [m]
+constexpr double kAssumedRange = 1;
 
-/// Box of a body's shapes in its frame.
+/// Computes the bounding box of a body's shapes in its frame.
 AlignedBox3d box_of(const RobotSpec& robot, const RigidBody& body,
                     const std::vector<Pose<double>>& links) {
   AlignedBox3d box;
@@ -42,8 +43,8 @@ AlignedBox3d box_of(const RobotSpec& robot, const RigidBody& body,
 using Instants = std::array<std::vector<Pose<double>>, 3>;
 
 Instants instants_of(const RobotSpec& robot, const RobotDof& dof) {
-  const double lower = std::isfinite(dof.lower) ? dof.lower : -kAnyRange,
-               upper = std::isfinite(dof.upper) ? dof.upper : kAnyRange;
+  const double lower = std::isfinite(dof.lower) ? dof.lower : -kAssumedRange,
+               upper = std::isfinite(dof.upper) ? dof.upper : kAssumedRange;
   Instants all;
   for (int k = 0; k < 3; ++k)
     all[static_cast<std::size_t>(k)] =
@@ -51,18 +52,19 @@ Instants instants_of(const RobotSpec& robot, const RobotDof& dof) {
   return all;
 }
 
-/// Returns whether an axis near both lies still in both.
+/// Returns whether there is an axis near both bodies that is at rest in both.
 bool are_pinned(const RobotSpec& robot, const RigidBody& bar, const RigidBody& finger,
                 const Instants& instants) {
+  // Poses of the bar in the finger; it must rotate.
   std::array<Pose<double>, 3> X_FB;
   for (std::size_t k = 0; k < 3; ++k)
     X_FB[k] = instants[k][finger.links.front()].inverse() * instants[k][bar.links.front()];
   const Eigen::AngleAxisd turn(X_FB[0].R.transpose() * X_FB[2].R);
-  if (std::abs(turn.angle()) < kTurnOfBar) return false;
+  if (std::abs(turn.angle()) < kMinBarRotation) return false;
   const AlignedBox3d bar_box = box_of(robot, bar, instants[0]),
                      finger_box = box_of(robot, finger, instants[0]);
   if (bar_box.isEmpty() || finger_box.isEmpty()) return false;
-  // The place of the bar nearest to its middle c that comes where it was: X_k b = X_0 b.
+  // Find the point of the bar nearest to its centre c that does not move: X_k b = X_0 b.
   const Vector3d c = bar_box.center();
   Eigen::MatrixXd equations(6, 3);
   Eigen::VectorXd right(6);
@@ -72,18 +74,20 @@ bool are_pinned(const RobotSpec& robot, const RigidBody& bar, const RigidBody& f
     right.segment<3>(row) = X_FB[0] * c - X_FB[k] * c;
   }
   Eigen::JacobiSVD<Eigen::MatrixXd> solver(equations, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  solver.setThreshold(1e-6);
+  solver.setThreshold(kPinRankTolerance);
   const Vector3d off = solver.solve(right);
-  if ((equations * off - right).lpNorm<Eigen::Infinity>() > kMostPinMotion) return false;
+  if ((equations * off - right).lpNorm<Eigen::Infinity>() > kMaxPinMotion) return false;
+  // The pin must be near both bodies.
   const Vector3d pin = c + off;
-  return bar_box.exteriorDistance(pin) < kNearPin * bar_box.diagonal().norm() &&
-         finger_box.exteriorDistance(X_FB[0] * pin) < kNearPin * finger_box.diagonal().norm();
+  return bar_box.exteriorDistance(pin) < kMaxPinDistance * bar_box.diagonal().norm() &&
+         finger_box.exteriorDistance(X_FB[0] * pin) <
+             kMaxPinDistance * finger_box.diagonal().norm();
 }
 
-/// Returns whether a motor alone moves a body against another on which it hangs by two joints or
-/// more.
-bool hangs_by_two(const std::vector<RigidBody>& list, std::size_t body, std::size_t on,
-                  const std::string& dof) {
+/// Returns whether a motor alone moves a body relative to another that carries it over at least two
+/// joints.
+bool is_carried_over_two_joints(const std::vector<RigidBody>& list, std::size_t body,
+                                std::size_t on, const std::string& dof) {
   int joints = 0;
   for (; body != on; body = list[body].parent) {
     if (body == 0 || list[body].joint->dof != dof) return false;
@@ -96,19 +100,21 @@ bool hangs_by_two(const std::vector<RigidBody>& list, std::size_t body, std::siz
 
 std::vector<std::pair<std::size_t, std::size_t>> pinned_bars(const RobotSpec& robot,
                                                              const RigidBodies& bodies) {
-  const std::vector<RigidBody>& list = bodies.list;
+  const std::vector<RigidBody>& list = bodies.bodies;
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (const RobotDof& dof : robot.dofs) {
+    // Bars of this motor.
     const auto is_bar = [&](const RigidBody& body) {
       return body.joint != nullptr && body.branches == 0 && body.joint->dof == dof.name &&
              body.joint->kind == RobotJointKind::kRevolute;
     };
     if (std::none_of(list.begin(), list.end(), is_bar)) continue;
+    // Fingers to which they are pinned.
     const Instants instants = instants_of(robot, dof);
     for (std::size_t bar = 1; bar < list.size(); ++bar) {
       if (!is_bar(list[bar])) continue;
       for (std::size_t finger = 1; finger < list.size(); ++finger)
-        if (hangs_by_two(list, finger, list[bar].parent, dof.name) &&
+        if (is_carried_over_two_joints(list, finger, list[bar].parent, dof.name) &&
             are_pinned(robot, list[bar], list[finger], instants)) {
           pairs.emplace_back(bar, finger);
           break;

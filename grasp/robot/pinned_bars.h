@@ -9,14 +9,14 @@
 
 namespace thenar {
 
-/// Finds bars that move as if a pin held them to a finger: files without loops (URDF) let each bar
-/// of a linkage follow the motor by itself (`mimic`), so that the inner knuckle of a gripper ends
-/// its own chain as a finger does. A bar is a rigid body on a hinge that carries no other; the
-/// finger hangs by two joints or more on the body on which the bar hangs; the same motor moves
-/// both; and an axis passes near both, within a quarter of their diagonals, that lies still in
-/// both within 0.1 mm at the ends and in the middle of the motor's range, over which one turns
-/// against the other.
-/// @returns the body of each bar, and that of its finger
+/// Finds bars that move as if a pin connected them to a finger: in files without loops (URDF) each
+/// bar of a linkage follows the motor separately (`mimic`), so that the inner knuckle of a gripper
+/// ends its own chain like a finger. A bar is a rigid body on a hinge that carries no other body;
+/// the finger is connected by two joints or more to the body that carries the bar; the same motor
+/// moves both; and an axis passes near both, within 1/4 of their diagonals, that is at rest in both
+/// within 0.1 mm at the ends and in the middle of the motor's range, over which one rotates
+/// relative to the other.
+/// @returns the body of each bar, and the body of its finger
 [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> pinned_bars(
     const RobotSpec& robot, const RigidBodies& bodies);
 

@@ -4,6 +4,7 @@ namespace thenar {
 
 std::vector<std::size_t> palm_surfaces(const BallGrasp& grip) {
   const HandLayout& layout = grip.hand().layout();
+  // Surfaces without a digit on the outermost link that has any.
   std::vector<std::size_t> palm;
   for (std::size_t s = 0; s < grip.surfaces().size(); ++s) {
     const SampledSurface& surface = grip.surfaces()[s];
@@ -25,7 +26,7 @@ Eigen::Matrix3Xd points_of(const BallGrasp& grip, const std::vector<std::size_t>
         points.link < 0 ? Pose<double>{} : links[static_cast<std::size_t>(points.link)];
     parts.emplace_back((X.R * points.p).colwise() + X.p);
   }
-  return side_by_side(parts);
+  return join_columns(parts);
 }
 
 Eigen::Matrix3Xd faces_of(const BallGrasp& grip, const std::vector<std::size_t>& surfaces,
@@ -37,7 +38,7 @@ Eigen::Matrix3Xd faces_of(const BallGrasp& grip, const std::vector<std::size_t>&
     if (surface.link >= 0)
       faces.back() = links[static_cast<std::size_t>(surface.link)].R * surface.faces;
   }
-  return side_by_side(faces);
+  return join_columns(faces);
 }
 
 Eigen::AlignedBox3d box_of(const BallGrasp& grip, const std::vector<std::size_t>& surfaces,

@@ -4,28 +4,26 @@ namespace thenar {
 
 RigidBodies find_rigid_bodies(const RobotSpec& robot) {
   RigidBodies bodies;
-  bodies.list.resize(1);
-  bodies.of[robot.links.front().name] = 0;
-  // A fixed joint joins its links to one body.
+  bodies.bodies.resize(1);
+  bodies.body_of_link[robot.links.front().name] = 0;
+  // Links that a fixed joint connects form one body.
   for (const RobotJoint& joint : robot.joints) {
-    const std::size_t on = bodies.of[joint.parent];
+    const std::size_t parent = bodies.body_of_link[joint.parent];
     const bool moves = joint.kind != RobotJointKind::kFixed;
-    bodies.of[joint.child] = moves ? bodies.list.size() : on;
-    if (moves) bodies.list.push_back({{}, on, &joint, 0, false});
+    bodies.body_of_link[joint.child] = moves ? bodies.bodies.size() : parent;
+    if (moves) bodies.bodies.push_back({{}, parent, &joint, 0, false});
   }
-  const auto holds = [&](std::size_t link) -> RigidBody& {
-    return bodies.list[bodies.of[robot.links[link].name]];
-  };
+  // Links of each body, the one that its joint carries first.
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    RigidBody& body = holds(i);
+    RigidBody& body = bodies.bodies[bodies.body_of_link[robot.links[i].name]];
     const bool carried = body.joint != nullptr && body.joint->child == robot.links[i].name;
     body.links.insert(carried ? body.links.begin() : body.links.end(), i);
     body.shaped = body.shaped || !robot.links[i].shapes.empty();
   }
-  // From the leaves inwards: shapes and branches.
-  for (std::size_t b = bodies.list.size(); b-- > 1;) {
-    if (!bodies.list[b].shaped) continue;
-    RigidBody& parent = bodies.list[bodies.list[b].parent];
+  // Count shapes and branches from the leaves inwards.
+  for (std::size_t b = bodies.bodies.size(); b-- > 1;) {
+    if (!bodies.bodies[b].shaped) continue;
+    RigidBody& parent = bodies.bodies[bodies.bodies[b].parent];
     parent.shaped = true;
     ++parent.branches;
   }

@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Limits may cross by this much: printed figures have nine decimals [rad] or [m].
+// Overlap of limits that counts as rounding: printed numbers have nine decimals [rad] or [m]
 constexpr double kLimitRounding = 1e-8;
 
 int index_of_dof(const RobotSpec& robot, const std::string& name) {
@@ -27,7 +27,7 @@ int index_of_dof(const RobotSpec& robot, const std::string& name) {
   return -1;
 }
 
-/// An interval that limits narrow.
+/// An interval that limits make narrower.
 struct AngleInterval {
   double lower = -kInfinity, upper = kInfinity;
 
@@ -66,8 +66,8 @@ RobotHand::RobotHand(const RobotSpec& robot) : dofs_(static_cast<int>(robot.dofs
   add_coordinates(robot);
   add_drives(robot);
   add_surfaces(robot);
-  set_open(robot);
-  // Tips belong to the links that carry them.
+  set_open_posture(robot);
+  // Tips belong to the links of the Hand that carry them.
   for (const RobotTip& tip : find_tips(robot, reference_)) {
     layout_.tips.push_back(tip.digit);
     layout_.tip_points.push_back({tip.digit, mover_of_[static_cast<std::size_t>(tip.link)], tip.p});
@@ -76,7 +76,7 @@ RobotHand::RobotHand(const RobotSpec& robot) : dofs_(static_cast<int>(robot.dofs
 }
 
 void RobotHand::add_movers(const RobotSpec& robot) {
-  // Links by name.
+  // Index of each link by name.
   std::map<std::string, std::size_t> index;
   for (const RobotLink& link : robot.links) {
     index[link.name] = links_.size();
@@ -124,7 +124,7 @@ void RobotHand::add_coordinates(const RobotSpec& robot) {
     }
     limits[static_cast<std::size_t>(mover.coordinate)].narrow(joint, mover.ratio, dof);
   }
-  // Some value must satisfy all limits.
+  // A value must exist that satisfies all limits.
   layout_.lower.resize(static_cast<Eigen::Index>(limits.size()));
   layout_.upper.resize(static_cast<Eigen::Index>(limits.size()));
   for (std::size_t i = 0; i < limits.size(); ++i) {
@@ -143,7 +143,7 @@ void RobotHand::add_drives(const RobotSpec& robot) {
     const RobotDof& dof = robot.dofs[static_cast<std::size_t>(d)];
     const bool rigid = dof.kind == DriveCoupling::kRigid;
     Drive drive{dof.name, dof.kind, {}, dof.speed, dof.breakaway, dof.backdrivable};
-    // A rigid drive moves its one coordinate, others each joint by its ratio.
+    // A rigid drive moves its one coordinate, others move each joint by its ratio.
     for (const Mover& mover : movers_)
       if (mover.dof == d && (!rigid || drive.moves.empty()))
         drive.moves.push_back({mover.coordinate, rigid ? 1 : mover.dof_ratio});
@@ -158,8 +158,8 @@ void RobotHand::add_drives(const RobotSpec& robot) {
                                                   static_cast<Eigen::Index>(max_effort.size()));
 }
 
-/// Sets the posture in which closing begins, if any motor states its own.
-void RobotHand::set_open(const RobotSpec& robot) {
+/// Sets the posture in which closing begins, if any motor states a position.
+void RobotHand::set_open_posture(const RobotSpec& robot) {
   if (std::none_of(robot.dofs.begin(), robot.dofs.end(),
                    [](const RobotDof& dof) { return dof.open.has_value(); }))
     return;
@@ -173,7 +173,7 @@ void RobotHand::set_open(const RobotSpec& robot) {
 }
 
 void RobotHand::add_surfaces(const RobotSpec& robot) {
-  // Building solids is slow and independent: in parallel.
+  // Solids are built in parallel, as this is slow.
   std::vector<std::size_t> with_shapes;
   for (std::size_t i = 0; i < robot.links.size(); ++i)
     if (!robot.links[i].shapes.empty()) with_shapes.push_back(i);
@@ -245,14 +245,14 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> RobotHand::jacobian(const Eigen::Vector
 
 Actuation RobotHand::actuation(const Eigen::VectorXd& q) const {
   require_posture(q);
-  // Springs of the joints.
+  // Torques of the joint springs.
   Eigen::VectorXd tau_0 = Eigen::VectorXd::Zero(q.size());
   for (const Mover& mover : movers_) {
     const double at = q[mover.coordinate];
     tau_0[mover.coordinate] +=
         mover.slope(at) * mover.stiffness * (mover.stretch - mover.motion(at));
   }
-  // Motors through gears and clutches.
+  // Torques of the motors through gears and clutches.
   DriveTorques drives = drive_torques(layout_, q);
   return {drives.B, tau_0, -max_effort_, max_effort_, std::move(drives.reactions)};
 }

@@ -195,7 +195,7 @@ std::optional<PadOnObject> pressed_pad(const GraspResult& grasp, const ContactPa
   // The bed in the link's frame, under the object.
   const PosedCollisionHand posed{grasp.collision_hand, grasp.grasp.approached.X_WH,
                                  hand.pose(grasp.grasp.closed.q)};
-  const Pose<double> X_WP = posed.of_surface(s), X_PO = X_WP.inverse() * object.X_WB;
+  const Pose<double> X_WP = posed.surface_pose(s), X_PO = X_WP.inverse() * object.X_WB;
   const Eigen::Vector3d n = X_PO.R * mean_normal(patch);
   const FoundationBed bed(
       columns_near(surface.solid->visual, X_PO * mean_place(patch), springs->thickness), *springs);
@@ -259,7 +259,7 @@ LivePads press_pads(const LiveWorld& live, const LivePair& pair, double force) {
   const std::vector<Eigen::Vector3d> shares = weight_shares(live, grasp, out.reasons);
   // Contacts of a patch follow each other.
   std::size_t first = 0;
-  for (const ContactPatch& patch : patches_of(grasp.grasp.contacts)) {
+  for (const ContactPatch& patch : group_into_patches(grasp.grasp.contacts)) {
     Eigen::Vector3d load = Eigen::Vector3d::Zero();
     for (std::size_t i = first; i < first + patch.contacts.size() && i < shares.size(); ++i)
       load += shares[i];

@@ -31,8 +31,8 @@ std::vector<std::string> deep_overlaps(const LiveMeeting& meeting) {
   std::vector<std::string> warnings;
   for (const Overlap& overlap : find_overlaps(posed(meeting), meeting.setup, 1e-5)) {
     const double soft =
-        soft_layer(*find_named(meeting.stands.built->model().surfaces(), overlap.surface),
-                   meeting.setup.materials);
+        soft_layer_depth(*find_named(meeting.stands.built->model().surfaces(), overlap.surface),
+                         meeting.setup.materials);
     if (overlap.depth > std::max(kDeepOverlap, soft))
       warnings.push_back(fmt::format("{} is {:.1f} mm deep in {}", overlap.surface,
                                      1000 * overlap.depth, overlap.other));

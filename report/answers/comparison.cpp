@@ -192,8 +192,8 @@ std::string unknown_words(const HandOnObject& cell, const std::vector<std::strin
   bool any = false;  // at least one load is known
   const auto tell = [&](const std::string& name, const LoadFound& load) {
     any = any || load.known > 0;
-    if (load.known < load.asked)
-      parts.push_back(fmt::format("{} {} of {}", name, load.asked - load.known, load.asked));
+    if (load.known < load.total)
+      parts.push_back(fmt::format("{} {} of {}", name, load.total - load.known, load.total));
   };
   tell(kEpsilon, cell.best_hand_epsilon());
   for (const std::string& task : tasks) tell(task, cell.load(grasp_task(task)));

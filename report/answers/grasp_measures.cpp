@@ -36,7 +36,7 @@ Fields ball_fields(const InscribedBall& ball) {
 Fields stiffness_fields(const GraspStiffness& stiffness) {
   return {{"least", stiffness.min_eigenvalue},
           {"softest", units::kOne, stiffness.softest.vector()},
-          {"softest_words", motion_words(stiffness.softest)},
+          {"softest_words", describe_motion(stiffness.softest)},
           {"pad_force", units::kNewton, kPadForce},
           {"matrix", units::kOne, stiffness.K}};
 }
@@ -182,7 +182,8 @@ std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
   add_load_row(rows, "supports a pull along z", m.pull, "N");
   add_load_row(rows, "supports a torque about z", m.turn, "N m");
   add_row(rows, "least stiffness of contacts", m.stiffness, [](const GraspStiffness& stiffness) {
-    return fmt::format("{:.4g} N/m, {}", stiffness.min_eigenvalue, motion_words(stiffness.softest));
+    return fmt::format("{:.4g} N/m, {}", stiffness.min_eigenvalue,
+                       describe_motion(stiffness.softest));
   });
   add_row(rows, "in-hand motion without slip", m.manipulability, mobility_words);
   if (m.edges > 0)

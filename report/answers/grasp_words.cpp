@@ -21,9 +21,9 @@ const std::string& name_of(const Hand& hand, int surface) {
 /// Gaps with the setup, and between all surfaces that may meet.
 std::vector<Clearance> all_gaps(const PosedCollisionHand& posed, const GraspSetup& setup) {
   std::vector<Clearance> clearances = find_clearances(posed, setup);
-  for (const SurfacePair& pair : posed.collision_hand.self) {
+  for (const SurfacePair& pair : posed.collision_hand.self_pairs) {
     Clearance clearance{pair.a, pair.b};
-    clearance.bound = ball_bound(clearance, posed);
+    clearance.bound = bounding_ball_clearance(clearance, posed);
     clearances.push_back(clearance);
   }
   return clearances;

@@ -78,7 +78,7 @@ Json glance_row(const Comparison& comparison, const std::string& hand) {
   // Pool the approaches to all objects for the share of closures and its interval.
   const ClosureCount count = count_closures(comparison, hand);
   return {hand,
-          count.approaches > 0 ? Json(100 * count.share()) : Json(),
+          count.approaches > 0 ? Json(100 * count.success_rate()) : Json(),
           count.approaches > 0 ? Json(percent_words(count.interval())) : Json(),
           held,
           finite(median(best)),

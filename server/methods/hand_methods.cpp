@@ -79,7 +79,7 @@ OrderedJson approach(Session& session, const Json& params, const Progress& progr
   return {{"outcome", outcome},
           {"body", met.touches ? Json(met.body) : Json()},
           {"surface", met.touches ? Json(met.surface) : Json()},
-          {"explanation", met.overlaps.empty() ? "" : overlap_words(met.overlaps)}};
+          {"explanation", met.overlaps.empty() ? "" : describe_overlaps(met.overlaps)}};
 }
 
 OrderedJson close(Session& session, const Json& params, const Progress& progress) {

@@ -110,7 +110,7 @@ Finding hands_finding(const Comparison& comparison) {
   double widest = 0;
   std::string widest_hand;
   for (const HandScore& score : scores) {
-    closures.push_back(fmt::format("{} {:.0f} %", score.hand, 100 * score.count.share()));
+    closures.push_back(fmt::format("{} {:.0f} %", score.hand, 100 * score.count.success_rate()));
     if (score.epsilon <= widest) continue;
     widest = score.epsilon;
     widest_hand = score.hand;

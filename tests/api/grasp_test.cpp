@@ -104,7 +104,7 @@ TEST_F(GraspOffThePalm, HoldsByFingersWhatBarsWouldHold) {
   (void)write_urdf(path("bars.urdf"), sample::four_bars(0));
   for (const double radius : {8.0, 12.0, 20.0}) {
     const GraspResult found = of_ball(radius, path("bars.urdf"));
-    EXPECT_EQ(tips_of(*found.collision_hand.hand, found.grasp.contacts).size(), 2U) << radius;
+    EXPECT_EQ(touching_tips(*found.collision_hand.hand, found.grasp.contacts).size(), 2U) << radius;
   }
 }
 

@@ -128,7 +128,8 @@ int stops_without_partner(const GraspResult& result) {
   const PosedCollisionHand posed{result.collision_hand, grasp.approached.X_WH,
                                  result.collision_hand.hand->pose(grasp.closed.q)};
   std::vector<Clearance> pairs = find_clearances(posed, result.setting.setup);
-  for (const SurfacePair& pair : result.collision_hand.self) pairs.push_back({pair.a, pair.b});
+  for (const SurfacePair& pair : result.collision_hand.self_pairs)
+    pairs.push_back({pair.a, pair.b});
   std::vector<Clearance> touching;
   for (Clearance& pair : pairs)
     if (measure_clearance(pair, posed, kTouch / 4, 2 * kTouch).distance <= kTouch)

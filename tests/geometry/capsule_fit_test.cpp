@@ -54,8 +54,8 @@ TEST(CapsuleFit, FindsTheCapsuleThatThereIs) {
   X.R = rotation_about<double>(Eigen::Vector3d(1, 2, 3).normalized(), 0.7);
   X.p = {0.1, -0.2, 0.3};
   const CapsuleFit fit = fit_tapered_capsule(on_capsule(0.009, 0.006, 0.03, X));
-  EXPECT_LT(fit.largest, 1e-8);
-  EXPECT_LT(fit.rms, fit.largest);
+  EXPECT_LT(fit.max_distance, 1e-8);
+  EXPECT_LT(fit.rms_distance, fit.max_distance);
   const Eigen::Vector3d lower = X * Eigen::Vector3d(0, 0, -0.015),
                         upper = X * Eigen::Vector3d(0, 0, 0.015);
   EXPECT_TRUE(matrix_near(ball_near(fit, lower),
@@ -74,8 +74,8 @@ TEST(CapsuleFit, TellsHowFarItMisses) {
   mesh.vertices.conservativeResize(3, 2 * thin.vertices.cols());
   mesh.vertices.rightCols(thick.vertices.cols()) = thick.vertices;
   const CapsuleFit fit = fit_tapered_capsule(mesh);
-  EXPECT_NEAR(fit.largest, 2e-4, 1e-8);
-  EXPECT_NEAR(fit.rms, 2e-4, 1e-8);
+  EXPECT_NEAR(fit.max_distance, 2e-4, 1e-8);
+  EXPECT_NEAR(fit.rms_distance, 2e-4, 1e-8);
   EXPECT_NEAR(fit.shape.size[0], 0.01, 1e-7);
 }
 

@@ -38,8 +38,8 @@ TEST(ConvexBody, MomentsOfABoxAtTheOrigin) {
 TEST(ConvexBody, CutsOffACorner) {
   ConvexBody corner = box_of(Vector3d::Zero(), Vector3d::Ones()), rest = corner;
   const HalfSpace side{Vector3d::Ones().normalized(), 1 / std::sqrt(3.0)};
-  cut(corner, side, kCutTolerance);
-  cut(rest, {-side.n, -side.offset}, kCutTolerance);
+  clip(corner, side, kCutTolerance);
+  clip(rest, {-side.n, -side.offset}, kCutTolerance);
   EXPECT_EQ(corner.faces.size(), 4U);
   EXPECT_NEAR(moments_of(corner).volume, 1.0 / 6, kMomentRounding);
   EXPECT_NEAR(moments_of(rest).volume, 5.0 / 6, kMomentRounding);
@@ -48,9 +48,9 @@ TEST(ConvexBody, CutsOffACorner) {
 
 TEST(ConvexBody, CutsThatMissLeaveAllOrNothing) {
   ConvexBody body = box_of(Vector3d::Zero(), Vector3d::Ones());
-  cut(body, {Vector3d::UnitX(), 1 - 0.5 * kCutTolerance}, kCutTolerance);  // less than so high
+  clip(body, {Vector3d::UnitX(), 1 - 0.5 * kCutTolerance}, kCutTolerance);  // less than so high
   EXPECT_NEAR(moments_of(body).volume, 1, kMomentRounding);
-  cut(body, {Vector3d::UnitX(), -1}, kCutTolerance);
+  clip(body, {Vector3d::UnitX(), -1}, kCutTolerance);
   EXPECT_TRUE(body.empty());
 }
 

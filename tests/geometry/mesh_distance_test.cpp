@@ -343,7 +343,7 @@ TEST(NearestGrid, FindsWhatTheTreeFinds) {
   for (int again = 0; again < 3; ++again)
     for (const Vector3d& p : points_about(mesh, queries(2000))) {
       internal::NearestTriangle guess;
-      tree.ask(last, p, guess);
+      tree.update_nearest(last, p, guess);
       const internal::NearestTriangle by_tree = tree.nearest(p, guess),
                                       by_cubes = grid.nearest(p, tree);
       EXPECT_EQ(by_tree.triangle, by_cubes.triangle);

@@ -28,7 +28,7 @@ void expect_the_trees_answers(const TriangleMesh& mesh, double extent, double sh
       const NearestTriangle wanted = tree.nearest(near, {}), found = grid.nearest(near, tree);
       ASSERT_EQ(found.triangle, wanted.triangle) << round << ": " << near.transpose();
       ASSERT_EQ(found.foot.squared, wanted.foot.squared);
-      ASSERT_EQ(found.foot.at, wanted.foot.at);
+      ASSERT_EQ(found.foot.point, wanted.foot.point);
     }
 }
 

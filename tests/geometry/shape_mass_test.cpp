@@ -100,9 +100,9 @@ TEST(UnionMass, OfHundredsOfBoxesIsThatOfRandomPoints) {
 // Boxes of 40 x 20 x 20 mm and 20 x 20 x 60 mm that share 20 x 20 x 20 mm: an L of 32 cm^3.
 // By hand: a box from 0 to 40 along x, and one of 20 x 20 x 40 on top of its last half.
 TEST(UnionMass, OfTwoOverlappingBoxesIsThatOfTheL) {
-  const MassProperties L =
-      together({mass_at_unit_density(spec(ShapeKind::kBox, {0.04, 0.02, 0.02}, {0.02, 0, 0})),
-                mass_at_unit_density(spec(ShapeKind::kBox, {0.02, 0.02, 0.04}, {0.03, 0, 0.03}))});
+  const MassProperties L = sum_of_masses(
+      {mass_at_unit_density(spec(ShapeKind::kBox, {0.04, 0.02, 0.02}, {0.02, 0, 0})),
+       mass_at_unit_density(spec(ShapeKind::kBox, {0.02, 0.02, 0.04}, {0.03, 0, 0.03}))});
   EXPECT_NEAR(L.mass, 3.2e-5, 1e-18);
   EXPECT_TRUE(matrix_near(L.centre, Vector3d(0.025, 0, 0.015), 1e-15));
   const Vector3d low(0, -0.01, -0.01), high(0.04, 0.01, 0.01);
@@ -213,8 +213,8 @@ TEST(ConvexBody, UnionsTakeWorkByPairsAndEndWhereItIsTooMuch) {
     ShapeSpec box = spec(ShapeKind::kBox, {1, 1, 1}, 0.2 * random_in_cube(rng));
     boxes.push_back(convex_box({box.X_BS.p - box.size / 2, box.X_BS.p + box.size / 2}));
     for (int k = 0; k < 20; ++k)  // 26 sides each
-      cut(boxes.back(), {random_in_cube(rng).normalized(), 0.5 + random_in_cube(rng).x() / 10},
-          1e-12);
+      clip(boxes.back(), {random_in_cube(rng).normalized(), 0.5 + random_in_cube(rng).x() / 10},
+           1e-12);
   }
   const UnionMoments cut_short = union_moments(boxes, 1e-12, 1e5);
   EXPECT_FALSE(cut_short.complete);
@@ -258,8 +258,8 @@ TEST(UnionMass, OfShapesApartIsTheirSum) {
   const UnionMass found = union_mass(apart);
   EXPECT_EQ(found.error, 0);
   expect_mass(found.mass,
-              together({mass_at_unit_density(apart[0]), mass_at_unit_density(apart[1]),
-                        mass_at_unit_density(apart[2])}),
+              sum_of_masses({mass_at_unit_density(apart[0]), mass_at_unit_density(apart[1]),
+                             mass_at_unit_density(apart[2])}),
               1e-13);
 }
 
@@ -317,9 +317,9 @@ TEST(UnionMass, OfManyBoxesIsThatOfRandomPoints) {
 
 TEST(ConvexBody, OfABoxCutAcrossACornerIsATetrahedronLess) {
   ConvexBody box = convex_box({Vector3d(0, 0, 0), Vector3d(1, 1, 1)});
-  cut(box, {Vector3d(1, 1, 1).normalized(), 2.5 / std::sqrt(3)}, 1e-12);
+  clip(box, {Vector3d(1, 1, 1).normalized(), 2.5 / std::sqrt(3)}, 1e-12);
   EXPECT_NEAR(moments_of(box).volume, 1 - 0.125 / 6, 1e-15);
-  cut(box, {-Vector3d::UnitX(), -2}, 1e-12);
+  clip(box, {-Vector3d::UnitX(), -2}, 1e-12);
   EXPECT_TRUE(box.empty());
 }
 

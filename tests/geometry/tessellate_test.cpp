@@ -32,11 +32,12 @@ TEST(Tessellate, RevolvesAProfileToAPrism) {
 TEST(Tessellate, PolygonsLeaveACircleByTheToleranceAtMost) {
   for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
     const int sides = sides_of_circle(1, tolerance);
-    const double outside = outside_by(sides), inside = 1 - (1 + outside) * std::cos(kPi / sides);
+    const double outside = corner_overshoot(sides),
+                 inside = 1 - (1 + outside) * std::cos(kPi / sides);
     EXPECT_NEAR(outside, inside, 1e-12);
     EXPECT_LE(outside, tolerance * (1 + 2 * tolerance));
     if (sides > 12) {
-      EXPECT_GT(outside_by(sides - 4), tolerance);
+      EXPECT_GT(corner_overshoot(sides - 4), tolerance);
     }
   }
 }

@@ -24,7 +24,7 @@ FootPoint foot_of(const TriangleForm& form, const Vector3d& p) {
 
 // A right triangle in the plane z = 0: over its face, beside its edges, beyond its corners.
 TEST(TriangleTree, FootIsOnFaceEdgeOrCorner) {
-  const TriangleForm form = TriangleForm::of({0, 0, 0}, {4, 0, 0}, {0, 3, 0});
+  const TriangleForm form = TriangleForm::from_corners({0, 0, 0}, {4, 0, 0}, {0, 3, 0});
   const FootPoint face = foot_of(form, {1, 1, -2});
   EXPECT_EQ(face.feature.kind, Feature::kFace);
   EXPECT_DOUBLE_EQ(face.squared, 4);
@@ -32,7 +32,7 @@ TEST(TriangleTree, FootIsOnFaceEdgeOrCorner) {
   EXPECT_EQ(edge.feature.kind, Feature::kEdge);
   EXPECT_EQ(edge.feature.k, 0);
   EXPECT_DOUBLE_EQ(edge.squared, 25);
-  EXPECT_LT((edge.at - Vector3d(1, 0, 0)).norm(), 1e-15);
+  EXPECT_LT((edge.point - Vector3d(1, 0, 0)).norm(), 1e-15);
   const FootPoint corner = foot_of(form, {6, -1, 2});
   EXPECT_EQ(corner.feature.kind, Feature::kCorner);
   EXPECT_EQ(corner.feature.k, 1);
@@ -42,7 +42,7 @@ TEST(TriangleTree, FootIsOnFaceEdgeOrCorner) {
 }
 
 TEST(TriangleTree, ALimitHidesWhatIsFarther) {
-  const TriangleForm form = TriangleForm::of({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  const TriangleForm form = TriangleForm::from_corners({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   FootPoint foot;
   EXPECT_FALSE(form.find_foot({0.2, 0.2, 1}, 0.99, foot));
   EXPECT_TRUE(form.find_foot({0.2, 0.2, 1}, 1.01, foot));
@@ -72,7 +72,8 @@ TEST(TriangleTree, FindsTheNearestOfAll) {
     for (int i = 0; i < 100; ++i) {
       const Vector3d p = 0.08 * random_in_cube(rng);
       NearestTriangle best;
-      for (int k = 0; k < static_cast<int>(tree.forms().size()); ++k) tree.ask(k, p, best);
+      for (int k = 0; k < static_cast<int>(tree.forms().size()); ++k)
+        tree.update_nearest(k, p, best);
       double least = 1e300;
       for (const TriangleForm& form : tree.forms())
         least = std::min(least, foot_of(form, p).squared);
@@ -81,7 +82,7 @@ TEST(TriangleTree, FindsTheNearestOfAll) {
       EXPECT_EQ(found.triangle, best.triangle);
       EXPECT_EQ(found.foot.squared, best.foot.squared);
       NearestTriangle guess;
-      tree.ask(static_cast<int>(rng() % tree.forms().size()), p, guess);
+      tree.update_nearest(static_cast<int>(rng() % tree.forms().size()), p, guess);
       EXPECT_EQ(tree.nearest(p, guess).triangle, best.triangle);
     }
   }

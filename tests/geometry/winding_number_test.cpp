@@ -27,7 +27,7 @@ TEST(WindingNumber, IsOneInABoxAndZeroOutside) {
   for (int i = 0; i < 2000; ++i) {
     const Vector3d p = 1.5 * random_in_cube(rng);
     const bool inside = std::abs(p[0]) < 1 && std::abs(p[1]) < 0.5 && std::abs(p[2]) < 0.25;
-    EXPECT_EQ(windings(tree, p), inside ? 1 : 0) << p.transpose();
+    EXPECT_EQ(winding_number(tree, p), inside ? 1 : 0) << p.transpose();
   }
 }
 
@@ -36,13 +36,13 @@ TEST(WindingNumber, AddsUpOverSurfaces) {
   TriangleMesh moved = box_mesh({2, 2, 2});
   moved.vertices.row(0).array() += 1;
   const TriangleTree two(joined({box_mesh({2, 2, 2}), moved}));
-  EXPECT_EQ(windings(two, {0.5, 0.1, 0.2}), 2);
-  EXPECT_EQ(windings(two, {-0.5, 0.1, 0.2}), 1);
-  EXPECT_EQ(windings(two, {2.5, 0.1, 0.2}), 0);
+  EXPECT_EQ(winding_number(two, {0.5, 0.1, 0.2}), 2);
+  EXPECT_EQ(winding_number(two, {-0.5, 0.1, 0.2}), 1);
+  EXPECT_EQ(winding_number(two, {2.5, 0.1, 0.2}), 0);
   const TriangleTree hollow(joined({box_mesh({2, 2, 2}), facing_in(box_mesh({1, 1, 1}))}));
-  EXPECT_EQ(windings(hollow, {0.1, 0.2, 0.3}), 0);
-  EXPECT_EQ(windings(hollow, {0.1, 0.2, 0.7}), 1);
-  EXPECT_EQ(windings(TriangleTree(facing_in(box_mesh({1, 1, 1}))), {0.1, 0.1, 0.1}), -1);
+  EXPECT_EQ(winding_number(hollow, {0.1, 0.2, 0.3}), 0);
+  EXPECT_EQ(winding_number(hollow, {0.1, 0.2, 0.7}), 1);
+  EXPECT_EQ(winding_number(TriangleTree(facing_in(box_mesh({1, 1, 1}))), {0.1, 0.1, 0.1}), -1);
 }
 
 // Rays from the axis of a surface of revolution pass its edges and poles, and give way to others.
@@ -50,8 +50,9 @@ TEST(WindingNumber, GivesWayWhereRaysPassEdges) {
   const TriangleTree tree(mug(60));
   for (int i = 1; i < 96; ++i) {
     const double z = -0.05 + 0.001 * i + 1e-6;
-    EXPECT_EQ(windings(tree, {0, 0, z}), z < -0.046 ? 1 : 0) << z;  // its floor, then the hollow
-    EXPECT_EQ(windings(tree, {0.038, 0, z}), 1) << z;               // the wall
+    EXPECT_EQ(winding_number(tree, {0, 0, z}), z < -0.046 ? 1 : 0)
+        << z;                                                // its floor, then the hollow
+    EXPECT_EQ(winding_number(tree, {0.038, 0, z}), 1) << z;  // the wall
   }
 }
 

@@ -161,7 +161,7 @@ class StaticLimit : public testing::TestWithParam<LadderPair> {
                       hand_
                           ->jacobian(out.q,
                                      hand_->surfaces()[static_cast<std::size_t>(surface)].link,
-                                     posed.of_surface(surface).inverse() * centre)
+                                     posed.surface_pose(surface).inverse() * centre)
                           .bottomRows<3>());
     }
     const auto motors = static_cast<std::size_t>((tau_.array() != 0).count());

@@ -257,7 +257,7 @@ MassProperties mass_of_body(const MjcfCompiler& compiler,
   MassProperties mass;
   // The compiler's settings decide where the mass comes from.
   if (compiler.inertia_from_geom == "true" || (compiler.inertia_from_geom == "auto" && !inertial)) {
-    mass = together(geoms);
+    mass = sum_of_masses(geoms);
   } else if (inertial) {
     mass = read_inertial(*inertial);
   }

@@ -24,7 +24,7 @@ class BallRecord : public testing::Test {
   DistanceRecord record_{*ball_, options_};
 
   void look(const Eigen::Vector3d& p, int triangle) {
-    record_.offer(p, record_.see(p), piece_of(triangle));
+    record_.update_best(p, record_.nearest_surface(p), piece_of(triangle));
   }
 };
 
@@ -38,21 +38,21 @@ TEST_F(BallRecord, KeepsTheNearestPoint) {
 }
 
 TEST_F(BallRecord, HasEnoughWithinTheTolerance) {
-  EXPECT_EQ(record_.enough(), kInfinity);
+  EXPECT_EQ(record_.sufficient_bound(), kInfinity);
   look({1.5, 0, 0}, 0);
-  EXPECT_DOUBLE_EQ(record_.enough(), 0.875 - options_.tolerance);
+  EXPECT_DOUBLE_EQ(record_.sufficient_bound(), 0.875 - options_.tolerance);
 }
 
 TEST_F(BallRecord, NotesTheLeastOfWhatIsLeftOut) {
-  record_.drop(3);
-  record_.drop(2);
-  record_.drop(5);
-  EXPECT_EQ(record_.dropped(), 2);
+  record_.skip(3);
+  record_.skip(2);
+  record_.skip(5);
+  EXPECT_EQ(record_.skipped_bound(), 2);
 }
 
 TEST_F(BallRecord, KnowsTheSpaceAboutAPointToBeEmpty) {
-  record_.keep_ball_about({2.5, 0, 0});
-  EXPECT_DOUBLE_EQ(record_.empty().bound(Ball{{2.5, 0, 0}, 0.5}), 1.5);
+  record_.add_empty_ball({2.5, 0, 0});
+  EXPECT_DOUBLE_EQ(record_.empty_space().bound(Ball{{2.5, 0, 0}, 0.5}), 1.5);
 }
 
 }  // namespace

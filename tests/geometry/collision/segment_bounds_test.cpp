@@ -13,22 +13,22 @@ namespace {
 // The solid may be where both spheres meet, 4 from the line by Pythagoras.
 TEST(BallPair, IsAsNarrowAsTheCircleWhereItsBallsMeet) {
   const BallPair equal{0, 6, 5, 5};
-  EXPECT_NEAR(equal.narrowest(), 3, 1e-15);
-  EXPECT_NEAR(equal.least(), 4, 1e-15);
+  EXPECT_NEAR(equal.narrowest_position(), 3, 1e-15);
+  EXPECT_NEAR(equal.min_bound(), 4, 1e-15);
   const BallPair unequal{-5, 16, 13, 20};  // the circle is over 0, 12 off: 5-12-13, 16-12-20
-  EXPECT_NEAR(unequal.narrowest(), 0, 1e-14);
-  EXPECT_NEAR(unequal.least(), 12, 1e-14);
+  EXPECT_NEAR(unequal.narrowest_position(), 0, 1e-14);
+  EXPECT_NEAR(unequal.min_bound(), 12, 1e-14);
 }
 
 TEST(BallPair, EndsAtTheSmallerBallInTheLarger) {
   const BallPair pair{1, 3, 2, 10};
-  EXPECT_EQ(pair.narrowest(), 1);
-  EXPECT_EQ(pair.least(), 2);
+  EXPECT_EQ(pair.narrowest_position(), 1);
+  EXPECT_EQ(pair.min_bound(), 2);
 }
 
 // 1 and 2 at a way of 5: it falls by 1 for 1 from both, to -1.
 TEST(BallPair, FallsWithTheWayWhereBallsDoNotMeet) {
-  EXPECT_NEAR(BallPair({0, 5, 1, 2}).least(), -1, 1e-15);
+  EXPECT_NEAR(BallPair({0, 5, 1, 2}).min_bound(), -1, 1e-15);
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ Found close_in(Function f) {
   ConvexBracket bracket(-kHalfInterval, kHalfInterval, f(0));
   Found found{bracket.lower(), f(0).value, 1};
   while (found.upper - found.lower > 1e-6 && found.asked < 100) {
-    const Tangent tangent = f(bracket.next(0.01));
+    const Tangent tangent = f(bracket.next_position(0.01));
     EXPECT_LE(std::abs(tangent.t), kHalfInterval);
     bracket.add(tangent);
     found = {bracket.lower(), std::min(found.upper, tangent.value), found.asked + 1};

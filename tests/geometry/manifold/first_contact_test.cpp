@@ -126,7 +126,7 @@ TEST(FirstContact, SweptBoxHoldsTheWholeMotion) {
       for (int c = 0; c < 8; ++c) {
         const Eigen::Vector3d corner(c & 1 ? 0.025 : -0.025, c & 2 ? 0.01 : -0.01,
                                      c & 4 ? 0.05 : -0.05);
-        ASSERT_TRUE(swept.contains(moving.at(0.005 * k) * corner)) << i;
+        ASSERT_TRUE(swept.contains(moving.pose_at(0.005 * k) * corner)) << i;
       }
   }
 }

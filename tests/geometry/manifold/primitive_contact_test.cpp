@@ -217,7 +217,7 @@ TEST(PrimitiveContact, UnionsTouchPartByPart) {
   EXPECT_NEAR(std::abs(manifold.points[0].on_b.x()), 0.03, 1e-15);
   // After a jump ids start anew.
   const int id = manifold.points[0].id;
-  pair.forget();
+  pair.clear_memory();
   pair.update(placed(0, 0, 0.02), {}, 1e-4);
   EXPECT_GT(pair.manifold().points[0].id, id);
 }

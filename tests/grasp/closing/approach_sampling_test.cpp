@@ -53,7 +53,7 @@ TEST(FingertipPaths, OfJawsGoAcrossTheApproach) {
   const FingertipPaths ways = fingertip_paths(hand, open_posture(hand.layout()));
   EXPECT_NEAR(std::abs(ways.axis.x()), 1, kRound);
   // Tips of plates of 40 mm about the middle of the hand, at every width.
-  const double ahead = tips_ahead(ways, hand.layout().approach, 0.03);
+  const double ahead = mean_tip_advance(ways, hand.layout().approach, 0.03);
   EXPECT_NEAR(ahead, hand.layout().tip_points[0].p.y(), kRound);
 }
 
@@ -64,7 +64,7 @@ TEST(FingertipPaths, OfHingesAreAheadByTheSineWhereTheyAreAsWideApart) {
   const double l = sample::kLength + sample::kRadius, width = 0.02;
   const double sine = (0.06 - width) / 2 / l;
   const double step = kPi / 2 / 20;  // between times, by which the width may be missed
-  EXPECT_NEAR(tips_ahead(ways, hand.layout().approach, width), l * std::sqrt(1 - sine * sine),
+  EXPECT_NEAR(mean_tip_advance(ways, hand.layout().approach, width), l * std::sqrt(1 - sine * sine),
               l * step * sine + l * step * step);
 }
 

@@ -32,7 +32,7 @@ TEST(DescribeGrasp, SaysThatTwoHardPointsLetTheObjectTurn) {
 }
 
 TEST(DescribeGrasp, SaysHowDeepOverlapsAre) {
-  EXPECT_EQ(overlap_words({{"DP2", "table", 0.0032}, {"palm", "can", 0.001}}),
+  EXPECT_EQ(describe_overlaps({{"DP2", "table", 0.0032}, {"palm", "can", 0.001}}),
             "DP2 is 3.20 mm in table, palm is 1.00 mm in can");
   Grasp grasp{};
   grasp.outcome = GraspOutcome::kOverlaps;

@@ -57,11 +57,11 @@ double deepest(const CollisionHand& hand, const Eigen::VectorXd& q, const std::s
   exact.tolerance = kMeasured;
   exact.cutoff = 1e-3;
   double depth = 0;
-  for (const SurfacePair& pair : hand.self) {
+  for (const SurfacePair& pair : hand.self_pairs) {
     if (surfaces[pair.a].digit != digit && surfaces[pair.b].digit != digit) continue;
     const SignedDistance found =
-        signed_distance(hand.trees[pair.a], posed.of_surface(pair.a), *surfaces[pair.b].solid,
-                        posed.of_surface(pair.b), exact);
+        signed_distance(hand.trees[pair.a], posed.surface_pose(pair.a), *surfaces[pair.b].solid,
+                        posed.surface_pose(pair.b), exact);
     depth = std::max(depth, -found.distance);
   }
   return depth;

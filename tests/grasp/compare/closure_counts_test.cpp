@@ -32,7 +32,7 @@ TEST(ClosureCounts, AreOverAllObjects) {
   const ClosureCount count = count_closures(compared({{20, 0}, {14, 3}}), "1");
   EXPECT_EQ(count.closures, 17);
   EXPECT_EQ(count.approaches, 40);
-  EXPECT_EQ(count.share(), 17.0 / 40);
+  EXPECT_EQ(count.success_rate(), 17.0 / 40);
 }
 
 // Published tables of Fisher's test: p = 0.26 of 20 and 14 in 40, 0.04 of 20 and 10.

@@ -241,7 +241,7 @@ TEST(Workspace, OfAPlanarFingerHasItsArea) {
   robot.dofs.push_back(sample::motor("second", DriveCoupling::kRigid));
   const RobotHand hand(robot);
   std::mt19937 random(1);
-  const DigitAbility finger = workspaces(hand, 40000, 2e-3, random).digits.front();
+  const DigitAbility finger = measure_workspaces(hand, 40000, 2e-3, random).digits.front();
   EXPECT_EQ(finger.dimension, 2);
   // The tip is the far end of the distal capsule, one radius beyond the second link.
   const double l1 = sample::kLength, l2 = sample::kLength + sample::kRadius;
@@ -252,10 +252,10 @@ TEST(Workspace, OfAPlanarFingerHasItsArea) {
 // Fingers of 58 mm, 80 mm apart, meet; 150 mm apart they do not.
 TEST(Opposition, OfTwoFingersIsWhetherTheyMeet) {
   std::mt19937 random(1);
-  const Opposition near = opposition(compared("near", sample::pincer(0.08)), random);
+  const Opposition near = measure_opposition(compared("near", sample::pincer(0.08)), random);
   EXPECT_EQ(near.score, 10);
   EXPECT_EQ(near.reached.size(), 1u);
-  EXPECT_EQ(opposition(compared("far", sample::pincer(0.15)), random).score, 0);
+  EXPECT_EQ(measure_opposition(compared("far", sample::pincer(0.15)), random).score, 0);
 }
 
 }  // namespace

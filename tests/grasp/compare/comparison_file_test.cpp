@@ -45,7 +45,7 @@ using ComparisonFile = TemporaryFolder;
 TEST_F(ComparisonFile, IsReadAsItWasWritten) {
   const JsonNode inputs = JsonNode().set("seed", 1);
   write_comparison(path("a.json"), one_cell(), inputs, JsonNode());
-  const KeptComparison kept = read_comparison(path("a.json"), inputs, same);
+  const SavedComparison kept = read_comparison(path("a.json"), inputs, same);
   ASSERT_EQ(kept.cells.size(), 1U);
   EXPECT_EQ(kept.cells[0].hand, "jaw");
   EXPECT_EQ(kept.cells[0].epsilon[0], 0.1);
@@ -77,8 +77,8 @@ TEST_F(ComparisonFile, NamesTheFileThatChanged) {
   const auto contents = [](const char* hash) {
     return JsonNode().set("contents", JsonNode().set("object cone", hash));
   };
-  const JsonNode provenance =
-      next_provenance(JsonNode(), run_at("1"), {{"cone.stl", "0123456789"}, {"cone.toml", "ab"}});
+  const JsonNode provenance = continued_provenance(
+      JsonNode(), run_at("1"), {{"cone.stl", "0123456789"}, {"cone.toml", "ab"}});
   write_comparison(path("a.json"), one_cell(), contents("1"), provenance);
   const auto message = [&](const FileDigests& files) {
     return message_of<InputError>(
@@ -103,9 +103,10 @@ TEST_F(ComparisonFile, RefusesOtherInputsAndBrokenSeals) {
 }
 
 TEST_F(ComparisonFile, NamesTheRunsThatComputedIt) {
-  const JsonNode first = next_provenance(JsonNode(), run_at("1"));
+  const JsonNode first = continued_provenance(JsonNode(), run_at("1"));
   EXPECT_EQ(first.find("earlier_runs"), nullptr);
-  const JsonNode third = next_provenance(next_provenance(first, run_at("2")), run_at("3"));
+  const JsonNode third =
+      continued_provenance(continued_provenance(first, run_at("2")), run_at("3"));
   EXPECT_EQ(third.find("date")->text, "3");
   const JsonNode& earlier = *third.find("earlier_runs");
   ASSERT_EQ(earlier.items.size(), 2U);

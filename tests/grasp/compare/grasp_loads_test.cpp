@@ -158,16 +158,16 @@ TEST(HandEpsilon, GrowsWithTheMotor) {
 
 TEST(HandOnObject, TakesTheLargestLoadAndCountsThoseThatAreKnown) {
   HandOnObject cell;
-  EXPECT_EQ(cell.load(GraspTask::kPull).asked, 0);
+  EXPECT_EQ(cell.load(GraspTask::kPull).total, 0);
   cell.best.resize(4);
   cell.best[0].margin["pull"] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(cell.load(GraspTask::kPull).max));
-  EXPECT_EQ(cell.load(GraspTask::kPull).asked, 1);
+  EXPECT_EQ(cell.load(GraspTask::kPull).total, 1);
   cell.best[1].margin["pull"] = 3;
   cell.best[2].margin["pull"] = 2;
   EXPECT_EQ(cell.load(GraspTask::kPull).max, 3);
   EXPECT_EQ(cell.load(GraspTask::kPull).known, 2);
-  EXPECT_EQ(cell.load(GraspTask::kPull).asked, 3);  // nobody asked the fourth
+  EXPECT_EQ(cell.load(GraspTask::kPull).total, 3);  // nobody asked the fourth
 }
 
 TEST(HandOnObject, TakesTheLargestEpsilonOfTheHandAndTheLeastSqueeze) {
@@ -177,7 +177,7 @@ TEST(HandOnObject, TakesTheLargestEpsilonOfTheHandAndTheLeastSqueeze) {
   cell.hand_epsilon = Eigen::Vector2d(1, 4);
   EXPECT_EQ(cell.best_hand_epsilon().max, 4);
   EXPECT_EQ(cell.best_hand_epsilon().known, 2);
-  EXPECT_EQ(cell.best_hand_epsilon().asked, 3);
+  EXPECT_EQ(cell.best_hand_epsilon().total, 3);
   cell.best.resize(2);
   cell.best[0].min_grasp_force = 7;
   cell.best[1].min_grasp_force = 5;

@@ -27,7 +27,7 @@ TEST(HumanOpposition, MeetsFingertipsAndTheCreasesOfTheLittleFinger) {
   const SkinLandmark& pad = pad_of(human.patches, "thumb");
   compared.thumb = {"thumb", pad.link, pad.p, 0};
   std::mt19937 random(1);
-  const Opposition found = opposition(compared, random);
+  const Opposition found = measure_opposition(compared, random);
   EXPECT_GE(found.score, 9);
   for (const char* digit : {"index", "middle", "ring", "little"}) {
     const std::string place = std::string("tip of the ") + digit + " finger";

@@ -47,7 +47,7 @@ RobotSpec telescope() {
 
 DigitAbility space_of(const RobotSpec& robot, int draws, double cell) {
   std::mt19937 random(1);
-  return workspaces(RobotHand(robot), draws, cell, random).digits.front();
+  return measure_workspaces(RobotHand(robot), draws, cell, random).digits.front();
 }
 
 // Angles a and b of [0, pi/2]: area  integral l1 l2 sin b da db = l1 l2 pi/2.
@@ -88,7 +88,7 @@ TEST(Workspace, CountsJointsThatDoNotMoveTheTipInTheMiddle) {
 
 TEST(Workspace, OfPlanarFingersShareNoVolume) {
   std::mt19937 random(1);
-  EXPECT_TRUE(std::isnan(workspaces(RobotHand(planar_arm()), 3000, 5e-3, random).overlap));
+  EXPECT_TRUE(std::isnan(measure_workspaces(RobotHand(planar_arm()), 3000, 5e-3, random).overlap));
 }
 
 // Between radii r and R: volume  (R^3 - r^3) / 3  pi/2  sin 45 deg.

@@ -222,7 +222,7 @@ TEST(ContactPatch, KeepsRegionsApart) {
       patches(touching({{block_mesh({0.1, 0.02, 0.02}), 0}}), at(0, 0, 0.02), posts);
   ASSERT_EQ(found.patches.size(), 2U);
   for (const ContactPatch& patch : found.patches) EXPECT_EQ(patch.contacts.size(), 4U);
-  const std::vector<HandContact> all = contacts_of(found.patches);
+  const std::vector<HandContact> all = number_patch_contacts(found.patches);
   ASSERT_EQ(all.size(), 8U);
   EXPECT_EQ(all.front().contact.patch, 0);
   EXPECT_EQ(all.back().contact.patch, 1);

@@ -21,7 +21,7 @@ TEST(Pyramids, StartAlongTheFirstTangent) {
   Contact contact;
   contact.friction = 0.5;
   const WrenchSet set = wrench_set({contact}, Eigen::Vector3d::Zero(), 1);
-  const WrenchSet cut = pyramids(set, 4);
+  const WrenchSet cut = friction_pyramids(set, 4);
   ASSERT_EQ(cut.caps.size(), 4U);
   WrenchCoordinates first;
   first << 0.5 * tangents(contact.n).e1 + contact.n, 0, 0, 0;
@@ -32,7 +32,7 @@ TEST(Pyramids, OfSoftFingersHavePoles) {
   Contact contact;
   contact.friction = 0.5;
   contact.torsion = 0.1;
-  const WrenchSet cut = pyramids(wrench_set({contact}, Eigen::Vector3d::Zero(), 1), 6);
+  const WrenchSet cut = friction_pyramids(wrench_set({contact}, Eigen::Vector3d::Zero(), 1), 6);
   ASSERT_EQ(cut.caps.size(), 8U);
   EXPECT_DOUBLE_EQ(std::abs(cut.caps[6].c.moment_over_length.z()), 0.1);
   EXPECT_DOUBLE_EQ(cut.caps[6].c.moment_over_length.z(), -cut.caps[7].c.moment_over_length.z());
@@ -44,8 +44,8 @@ TEST(Pyramids, LieInTheConesAndThoseAboutContainThem) {
   contacts[0].torsion = 0.2;
   contacts[1].friction = 0;
   const WrenchSet set = wrench_set(contacts, Eigen::Vector3d::Zero(), 1);
-  const WrenchSet in = pyramids(set, 6), even = polytopes_in(set, 6),
-                  about = polytopes_about(set, 6);
+  const WrenchSet in = friction_pyramids(set, 6), even = inscribed_polytopes(set, 6),
+                  about = circumscribed_polytopes(set, 6);
   for (int i = 0; i < 1000; ++i) {
     const ScaledWrench u = ScaledWrench::from_coordinates(
         WrenchCoordinates::NullaryExpr([&] { return uniform(rng, -1, 1); }));
@@ -57,7 +57,7 @@ TEST(Pyramids, LieInTheConesAndThoseAboutContainThem) {
   }
 }
 
-TEST(Pyramids, HaveThreeEdgesOrMore) { EXPECT_THROW((void)pyramids({}, 2), InputError); }
+TEST(Pyramids, HaveThreeEdgesOrMore) { EXPECT_THROW((void)friction_pyramids({}, 2), InputError); }
 
 struct Case {
   ForceNorm limit;
@@ -70,8 +70,8 @@ int compare_with_qhull(const Case& c, std::mt19937& rng) {
   int inside = 0;
   const int sets = std::getenv("THENAR_GRASPS") == nullptr ? (c.sets + 7) / 8 : c.sets;
   for (int i = 0; i < sets; ++i) {
-    const WrenchSet polytope =
-        pyramids(wrench_set(random_contacts(rng, c.contacts), Eigen::Vector3d::Zero(), 1), c.edges);
+    const WrenchSet polytope = friction_pyramids(
+        wrench_set(random_contacts(rng, c.contacts), Eigen::Vector3d::Zero(), 1), c.edges);
     const QhullHull theirs = qhull_hull(vertices_of(polytope, c.limit), "qhull Qt Pp", true);
     EXPECT_TRUE(theirs.ok);
     EpsilonOptions options;

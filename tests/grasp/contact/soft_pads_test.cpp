@@ -107,10 +107,10 @@ TEST(SoftPads, OfFacetsHoldAsMuchAsSmoothOnes) {
       build_solid({sample::shape(ShapeKind::kBox, {0.02, 0.06, 0.06}, {0.01, 0, 0})});
   const Materials& materials = built_in_materials();
   const PadBody a{ball, materials.at("skin"), {}}, b{wall, materials.at("wood"), {}};
-  const double faceted = torsion_of(patch, a, b, soft());
+  const double faceted = patch_torsion(patch, a, b, soft());
   patch.contacts.resize(1);
   patch.contacts[0].contact.p.setZero();
-  const double smooth = torsion_of(patch, a, b, soft());
+  const double smooth = patch_torsion(patch, a, b, soft());
   EXPECT_NEAR(faceted + 0.6e-3, smooth, 1e-5);  // 3 points at 1 mm from their middle hold 0.6 mm
 }
 
@@ -124,7 +124,7 @@ GraspStiffness stiffness(const ShapeSpec& pad, const ShapeSpec& object) {
   options.step = 3e-4;  // so that curvatures of balls are off by 0.02 %
   std::vector<Contact> contacts;
   std::vector<PadStiffness> pads;
-  for (const ContactPatch& patch : patches_of(squeeze(pad, "skin", object, {}).contacts)) {
+  for (const ContactPatch& patch : group_into_patches(squeeze(pad, "skin", object, {}).contacts)) {
     const Contact& first = patch.contacts[0].contact;
     PadBody at{jaw, materials.at("skin"), {}};
     at.X_OB.p.x() = first.p.x() - (first.n.x() > 0 ? half : -half);
@@ -208,7 +208,7 @@ struct PadWithLaw {
     options.step = 3e-4;  // so that curvatures of balls are off by 0.02 %
   }
   [[nodiscard]] double torsion() const {
-    return torsion_of(patch, {ball, skin, {}}, held, options);
+    return patch_torsion(patch, {ball, skin, {}}, held, options);
   }
   [[nodiscard]] PadStiffness stiffness() const {
     return *pad_stiffness(patch, {ball, skin, {}}, held, options);
@@ -277,7 +277,8 @@ TEST(SoftPads, OfSeveralPointsShareTheirLaw) {
 TEST(SoftPads, AskTheLawOfTheSofterLayer) {
   PadWithLaw pad(hertz_law(40e3));
   const PadBody as_soft{pad.object, built_in_materials().at("skin"), {}};
-  EXPECT_EQ(torsion_of(pad.patch, {pad.ball, pad.skin, {}}, as_soft, pad.options), pad.torsion());
+  EXPECT_EQ(patch_torsion(pad.patch, {pad.ball, pad.skin, {}}, as_soft, pad.options),
+            pad.torsion());
   Material softer = built_in_materials().at("skin");
   softer.young /= 2;
   const PadBody held{pad.object, softer, {}};
@@ -285,7 +286,7 @@ TEST(SoftPads, AskTheLawOfTheSofterLayer) {
   const double R = 1 / (1 / kPad + 1 / kBall);
   const double springs =
       winkler_patch(0.5, softer.young, softer.layer_thickness, R, R, 0.6).torsion;
-  EXPECT_NEAR(torsion_of(pad.patch, {pad.ball, pad.skin, {}}, held, pad.options), springs,
+  EXPECT_NEAR(patch_torsion(pad.patch, {pad.ball, pad.skin, {}}, held, pad.options), springs,
               1e-3 * springs);
 }
 

@@ -107,7 +107,7 @@ WrenchSet odd_set(std::mt19937& rng, int i) {
   const double scale = uniform(rng, 0, 1) < 0.7 ? 1 : magnitude(rng, -3, 3);
   const WrenchSet set = wrench_set(contacts, Eigen::Vector3d::Zero(), scale);
   if (i % 4 != 3) return set;
-  WrenchSet cut = pyramids(set, 3 + static_cast<int>(uniform(rng, 0, 6)));
+  WrenchSet cut = friction_pyramids(set, 3 + static_cast<int>(uniform(rng, 0, 6)));
   for (WrenchCap& cap : cut.caps) cap.contact = -1;  // one cap a contact, as the search wants
   return cut;
 }

@@ -78,8 +78,8 @@ TEST(EpsilonLaws, PyramidsInConesAreNoBetterThanTheCones) {
   for (int i = 0; i < kGrasps; ++i) {
     const WrenchSet set = wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1);
     const Epsilon cone = epsilon(set);
-    EXPECT_LE(epsilon(pyramids(set, 8)).lower, cone.upper);
-    EXPECT_GE(epsilon(polytopes_about(set, 8)).upper, cone.lower);
+    EXPECT_LE(epsilon(friction_pyramids(set, 8)).lower, cone.upper);
+    EXPECT_GE(epsilon(circumscribed_polytopes(set, 8)).upper, cone.lower);
   }
 }
 
@@ -179,7 +179,7 @@ TEST(EpsilonStability, SymmetricGraspsConverge) {
     for (const int edges : {4, 6, 8}) {
       EpsilonOptions exact;
       exact.gap = 1e-10;
-      const Epsilon p = epsilon(pyramids(set, edges), exact);
+      const Epsilon p = epsilon(friction_pyramids(set, edges), exact);
       EXPECT_TRUE(p.converged) << edges;
       EXPECT_LE(p.lower, e.upper);
     }

@@ -35,7 +35,7 @@ TEST(GraspStiffness, OfAPinchIsDiagonal) {
   const GraspStiffness found = stiffness(kPads);
   EXPECT_TRUE(matrix_near(found.K, Eigen::MatrixXd(diagonal.asDiagonal()), kExactStiffness));
   EXPECT_NEAR(found.min_eigenvalue, twist, kExactStiffness);
-  EXPECT_NEAR(std::abs(found.softest.turn_times_length.x()), 1, kExactStiffness);
+  EXPECT_NEAR(std::abs(found.softest.rotation_times_length.x()), 1, kExactStiffness);
 }
 
 // Springs in series: a joint of k at a lever of l yields like a pad of k / l^2.
@@ -52,7 +52,7 @@ TEST(GraspStiffness, IsZeroWithoutContactsAndAlongWhatNoPadResists) {
   EXPECT_TRUE(grasp_stiffness({}, {0, 0, 0}, kScale, {}).K.isZero(0));
   const GraspStiffness hard = stiffness({2, {2000, 1000, 0}});
   EXPECT_NEAR(hard.min_eigenvalue, 0, kExactStiffness);
-  EXPECT_NEAR(std::abs(hard.softest.turn_times_length.x()), 1, kExactStiffness);
+  EXPECT_NEAR(std::abs(hard.softest.rotation_times_length.x()), 1, kExactStiffness);
 }
 
 TEST(GraspStiffness, RefusesRigidPadsOnRigidFingers) {

@@ -39,7 +39,7 @@ WrenchSet on_axes(int contacts, int edges) {
     contact.n = -contact.p;
     contact.friction = 0.5;
   }
-  return pyramids(wrench_set(list, {0, 0, 0}, 1), edges);
+  return friction_pyramids(wrench_set(list, {0, 0, 0}, 1), edges);
 }
 
 // A cube; three triangles at right angles, 1/2 each; two tetrahedra, 1/6 each.

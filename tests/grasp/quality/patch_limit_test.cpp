@@ -226,7 +226,7 @@ TEST(PatchLimit, HoldsAndLoadsAreOneNumber) {
 TEST(PatchLimit, DisturbancesMoveAFaceAsOne) {
   std::mt19937 rng(5);
   const std::vector<Contact> contacts = jaws(0.5);
-  const std::vector<Contact> moved = disturbed(contacts, {0.1, 0.01, 0.1}, rng);
+  const std::vector<Contact> moved = disturb_contacts(contacts, {0.1, 0.01, 0.1}, rng);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const std::size_t first = i < 4 ? 0 : 4;
     EXPECT_EQ(moved[i].n, moved[first].n);

@@ -30,8 +30,8 @@ Robustness of(const std::vector<Contact>& contacts, const ContactUncertainty& un
   RobustnessOptions options;
   options.draws = draws;
   options.torque_scale = kScale;
-  return robustness([&](std::mt19937& r) { return disturbed(contacts, uncertainty, r); }, rng,
-                    options);
+  return robustness([&](std::mt19937& r) { return disturb_contacts(contacts, uncertainty, r); },
+                    rng, options);
 }
 
 // Wilson's formula by hand, z = 1.96: 8 of 10 is 0.490 to 0.943; none of 10 ends at
@@ -73,7 +73,7 @@ TEST(Robustness, ShareIsTheProbability) {
   const Robustness found = robustness(
       [&](std::mt19937& r) {
         std::vector<Contact> contacts = pinch_contacts(mu, 0.01);
-        contacts[0] = disturbed({contacts[0]}, {0, 0, sigma}, r)[0];
+        contacts[0] = disturb_contacts({contacts[0]}, {0, 0, sigma}, r)[0];
         return contacts;
       },
       rng, options);
@@ -120,7 +120,7 @@ TEST(Robustness, OfPyramidsIsLessThanOfCones) {
 TEST(Robustness, RefusesNegativeDeviations) {
   std::mt19937 rng(1);
   EXPECT_EQ(message_of([&] {
-              (void)disturbed(three(0.5), {-1, 0, 0}, rng);
+              (void)disturb_contacts(three(0.5), {-1, 0, 0}, rng);
             }),
             "standard deviations must be >= 0, got -1, 0, 0");
 }

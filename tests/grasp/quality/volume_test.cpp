@@ -192,7 +192,7 @@ TEST(Volume, OfTooManyPointsIsNone) {
   std::vector<Contact> contacts = random_contacts(rng, 4);
   for (Contact& contact : contacts) contact.torsion = 0.1;
   const WrenchSet set = wrench_set(contacts, Eigen::Vector3d::Zero(), 1);
-  const Volume v = volume(pyramids(set, 8), options);
+  const Volume v = volume(friction_pyramids(set, 8), options);
   EXPECT_FALSE(v.complete);
   EXPECT_TRUE(std::isnan(v.estimate));
   EXPECT_TRUE(std::isinf(v.upper));
@@ -203,7 +203,7 @@ TEST(Volume, OfHardPointsIsHadWithoutAHullThatIsTooLarge) {
   VolumeOptions options;
   options.limit = ForceNorm::kLinf;
   const WrenchSet set =
-      pyramids(wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1), 4);
+      friction_pyramids(wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1), 4);
   const Volume hull = volume(set, options);
   ASSERT_GT(hull.facets, 100);
   options.max_facets = 100;
@@ -219,7 +219,7 @@ TEST(Volume, OfHardPointsIsHadWithoutAHullThatIsTooLarge) {
 TEST(Volume, OfNearlyFlatSetsIsThatOfTheWideOnesPressed) {
   std::mt19937 rng(6);
   const WrenchSet wide =
-      pyramids(wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1), 4);
+      friction_pyramids(wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1), 4);
   for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf}) {
     const double whole = volume_of(wide, limit).estimate;
     for (const double left : {1e-3, 1e-6, 1e-8}) {

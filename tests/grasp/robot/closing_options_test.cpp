@@ -41,9 +41,9 @@ TEST(ClosingOptions, RangesAndTipsThatAgreeComeFirstThenTheReverse) {
   const std::vector<SenseOption> options = options_of(layout, {{1, 1}, {0, 1}});
   ASSERT_EQ(options.size(), 2U);
   EXPECT_EQ(options[0].speed, (Speeds{1, 1}));
-  EXPECT_EQ(options[0].against, 0);
+  EXPECT_EQ(options[0].penalty, 0);
   EXPECT_EQ(options[1].speed, (Speeds{-1, -1}));
-  EXPECT_EQ(options[1].against, 0.6);  // 0.4 (2 / 3 + 2 / 3) and 0.4 (1 + 1), but no more than this
+  EXPECT_EQ(options[1].penalty, 0.6);  // 0.4 (2 / 3 + 2 / 3) and 0.4 (1 + 1), but no more than this
 }
 
 // Tips 1.5 and 2.5 m apart are evidence of 1 / 4, which counts whole.
@@ -51,9 +51,9 @@ TEST(ClosingOptions, RangesAndTipsThatDisagreeAreBothTried) {
   const std::vector<SenseOption> options = options_of(layout_of({{-1, 0.2}}), {{1}, {0}});
   ASSERT_EQ(options.size(), 2U);
   EXPECT_EQ(options[0].speed, Speeds{-1});
-  EXPECT_EQ(options[0].against, 0.4);
+  EXPECT_EQ(options[0].penalty, 0.4);
   EXPECT_EQ(options[1].speed, Speeds{1});
-  EXPECT_NEAR(options[1].against, 0.4 * 2.0 / 3, 1e-15);
+  EXPECT_NEAR(options[1].penalty, 0.4 * 2.0 / 3, 1e-15);
 }
 
 // Jaws that begin closed go one way alone, which is not that of closing.
@@ -61,7 +61,7 @@ TEST(ClosingOptions, RangesOfSlidesSayNothing) {
   const std::vector<SenseOption> options = options_of(layout_of({{-1, 0}}), {{1}, {0}, {true}});
   ASSERT_EQ(options.size(), 1U);
   EXPECT_EQ(options[0].speed, Speeds{1});
-  EXPECT_EQ(options[0].against, 0);
+  EXPECT_EQ(options[0].penalty, 0);
 }
 
 TEST(ClosingOptions, DrivesOfOneGroupKeepTheirSignsToEachOther) {
@@ -84,7 +84,7 @@ TEST(ClosingOptions, HandsWithoutCurlingDrivesHaveOneOptionThatStandsStill) {
   const std::vector<SenseOption> options = options_of(layout_of({{-1, 1}}), {{0}, {-1}});
   ASSERT_EQ(options.size(), 1U);
   EXPECT_EQ(options[0].speed, Speeds{0});
-  EXPECT_EQ(options[0].against, 0);
+  EXPECT_EQ(options[0].penalty, 0);
 }
 
 }  // namespace
