@@ -54,7 +54,7 @@ Schema vary_schema() {
                      0, 100);
 }
 
-PostureRequest posture_from(const Json& json, PostureUnit unit) {
+PostureRequest posture_from_json(const Json& json, PostureUnit unit) {
   PostureRequest posture;
   posture.unit = unit;
   if (json.is_array())
@@ -64,12 +64,12 @@ PostureRequest posture_from(const Json& json, PostureUnit unit) {
   return posture;
 }
 
-Json posture_to(const PostureRequest& posture, PostureUnit unit) {
+Json posture_to_json(const PostureRequest& posture, PostureUnit unit) {
   if (posture.empty() || posture.unit != unit) return {};
   return posture.named.empty() ? Json(posture.in_order) : Json(posture.named);
 }
 
-std::vector<Vary> vary_from(const Json& json) {
+std::vector<Vary> vary_from_json(const Json& json) {
   std::vector<Vary> all;
   for (const Json& each : json)
     all.push_back({each["joint"].get<std::string>(), each["from"].get<double>(),
@@ -77,7 +77,7 @@ std::vector<Vary> vary_from(const Json& json) {
   return all;
 }
 
-Json vary_to(const std::vector<Vary>& vary) {
+Json vary_to_json(const std::vector<Vary>& vary) {
   Json list;
   for (const Vary& each : vary)
     list.push_back(

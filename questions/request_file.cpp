@@ -22,7 +22,7 @@ Json json_from(const TomlNode& node, const std::string& path) {
       // Whole numbers stay whole.
       if (node.number == std::floor(node.number) && std::abs(node.number) < 1e15)
         return static_cast<long>(node.number);
-      return give(node.number);
+      return value_json(node.number);
     case TomlKind::kFlag:
       return node.flag;
     case TomlKind::kDate:
@@ -126,9 +126,10 @@ std::string request_template(const Question& question) {
     if (!schema.words.empty()) text += fmt::format("# One of {}.\n", listed(schema.words));
     if (example.contains(key))
       text += fmt::format("{} = {}\n", toml_key(key), toml_of(example[key]));
-    else if (!param.member.usual.is_null())
-      text += fmt::format("# {} = {}\n", toml_key(key),
-                          toml_of(value_in(param.member.usual, param.unit, UnitSystem::kPrinted)));
+    else if (!param.member.default_value.is_null())
+      text += fmt::format(
+          "# {} = {}\n", toml_key(key),
+          toml_of(value_in(param.member.default_value, param.unit, UnitSystem::kPrinted)));
     else
       text += fmt::format("# {} =\n", toml_key(key));
   }

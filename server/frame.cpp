@@ -46,14 +46,16 @@ Grid grid_of(const std::vector<Eigen::Vector3d>& points) {
 }
 
 template <typename Vector>
-void add_floats(LittleEndian& out, const Vector& values) {
+void add_floats(LittleEndianWriter& out, const Vector& values) {
   for (const auto value : values) out.add<float>(value);
 }
 
 /// An entry of bodies; -1 becomes 0xffff.
-void add_body(LittleEndian& out, int body) { out.add<std::uint16_t>(body < 0 ? 0xffff : body); }
+void add_body(LittleEndianWriter& out, int body) {
+  out.add<std::uint16_t>(body < 0 ? 0xffff : body);
+}
 
-void add_head(LittleEndian& out, const LiveInstant& instant, const Grid& grid) {
+void add_head(LittleEndianWriter& out, const LiveInstant& instant, const Grid& grid) {
   out.add<double>(instant.time);
   out.add<std::uint16_t>(count_of(instant.bodies.size(), "bodies"));
   out.add<std::uint16_t>(count_of(instant.joints.size(), "joints"));
@@ -76,9 +78,9 @@ Eigen::Vector4d quaternion_of(const Eigen::Matrix3d& R) {
 std::string encode_frame(const LiveInstant& instant, std::uint32_t revision,
                          std::uint32_t sequence) {
   const Grid grid = grid_of(instant.line_points);
-  LittleEndian out(52 + 28 * instant.bodies.size() + 4 * instant.joints.size() +
-                   4 * instant.tensions.size() + 44 * instant.contacts.size() +
-                   24 * instant.arrows.size() + 6 * instant.line_points.size());
+  LittleEndianWriter out(52 + 28 * instant.bodies.size() + 4 * instant.joints.size() +
+                         4 * instant.tensions.size() + 44 * instant.contacts.size() +
+                         24 * instant.arrows.size() + 6 * instant.line_points.size());
   out.add_text("THF1");
   out.add<std::uint32_t>(revision);
   out.add<std::uint32_t>(sequence);

@@ -44,7 +44,7 @@ class GltfFile {
 
   /// @returns the accessor of points [m]
   std::size_t add_points(const Eigen::Matrix3Xd& points) {
-    LittleEndian out(static_cast<std::size_t>(12 * points.cols()));
+    LittleEndianWriter out(static_cast<std::size_t>(12 * points.cols()));
     const Eigen::Matrix3Xf rounded = points.cast<float>();
     for (const float coordinate : rounded.reshaped()) out.add<float>(coordinate);
     const Eigen::Vector3f least = rounded.rowwise().minCoeff(), most = rounded.rowwise().maxCoeff();
@@ -57,7 +57,7 @@ class GltfFile {
   /// @returns a mesh of triangles
   std::size_t add_mesh(const TriangleMesh& mesh, int material) {
     const std::size_t points = add_points(mesh.vertices);
-    LittleEndian out(static_cast<std::size_t>(12 * mesh.triangles.cols()));
+    LittleEndianWriter out(static_cast<std::size_t>(12 * mesh.triangles.cols()));
     for (const int corner : mesh.triangles.reshaped()) out.add<std::uint32_t>(corner);
     const std::size_t corners = add_accessor(
         out.take(), kIndices,

@@ -47,7 +47,7 @@ struct Jobs::Job {
   OrderedJson result;
 };
 
-void Jobs::end() {
+void Jobs::stop_all() {
   std::unique_lock<std::mutex> lock(mutex_);
   ending_ = true;
   for (const auto& [id, job] : jobs_) job->stop = true;
@@ -76,7 +76,7 @@ int Jobs::start(const Question& question, const Json& request, const std::string
 /// Starts jobs that wait, in their order, while there is room; the mutex is held.
 void Jobs::start_waiting() {
   for (const auto& [id, job] : jobs_) {
-    if (held_ || ending_ || running_ >= kMaxRunningJobs) return;
+    if (deferred_ || ending_ || running_ >= kMaxRunningJobs) return;
     if (job->stage != JobStage::kWaiting) continue;
     job->stage = JobStage::kRunning;
     job->begin = JobClock::now();
@@ -92,7 +92,7 @@ void Jobs::run(const std::shared_ptr<Job>& job) {
   std::function<void(int)> told;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!ending_) told = told_;
+    if (!ending_) told = end_callback_;
   }
   if (told) told(job->id);
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -153,10 +153,10 @@ void Jobs::answer(Job& job, const std::function<bool(long)>& stop) {
   if (!text.empty() || stage == JobStage::kDone) job.text = text;
   if (stage == JobStage::kDone) job.fraction = 1;
   job.result = std::move(result);
-  untold_.push_back(ended);
+  ended_jobs_.push_back(ended);
 }
 
-std::shared_ptr<Jobs::Job> Jobs::job(int id) {
+std::shared_ptr<Jobs::Job> Jobs::find_job(int id) {
   const auto found = jobs_.find(id);
   require_field("job", found != jobs_.end(), "there is no job {}", id);
   return found->second;
@@ -173,10 +173,10 @@ JobState Jobs::state_of(const Job& job) {
 
 JobState Jobs::state(int id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return state_of(*job(id));
+  return state_of(*find_job(id));
 }
 
-std::vector<JobState> Jobs::all() {
+std::vector<JobState> Jobs::states() {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<JobState> states;
   for (const auto& [id, job] : jobs_) states.push_back(state_of(*job));
@@ -185,7 +185,7 @@ std::vector<JobState> Jobs::all() {
 
 bool Jobs::stop(int id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::shared_ptr<Job> job = this->job(id);
+  const std::shared_ptr<Job> job = find_job(id);
   if (has_ended(job->stage)) return false;
   job->stop = true;
   return true;
@@ -193,38 +193,38 @@ bool Jobs::stop(int id) {
 
 OrderedJson Jobs::result(int id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::shared_ptr<Job> job = this->job(id);
+  const std::shared_ptr<Job> job = find_job(id);
   require(has_ended(job->stage), "job {} has not ended: it is {}", id, name_of(job->stage));
   require(!job->result.is_null(), "job {} has no result: {}", id, job->text);
   return job->result;
 }
 
-std::vector<EndedJob> Jobs::take_ended() {
+std::vector<EndedJob> Jobs::take_ended_jobs() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return std::exchange(untold_, {});
+  return std::exchange(ended_jobs_, {});
 }
 
-void Jobs::on_end(std::function<void(int id)> told) {
+void Jobs::set_end_callback(std::function<void(int id)> callback) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  told_ = std::move(told);
+  end_callback_ = std::move(callback);
 }
 
-bool Jobs::writes(int id) {
+bool Jobs::writes_file(int id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return job(id)->request.contains("output");
+  return find_job(id)->request.contains("output");
 }
 
-EndedJob Jobs::run_held(int id, const std::optional<long>& stopped_at) {
+EndedJob Jobs::run_deferred(int id, const std::optional<long>& stopped_at) {
   std::shared_ptr<Job> job;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    job = this->job(id);
+    job = find_job(id);
     require(job->stage == JobStage::kWaiting, "job {} has run already", id);
     job->stage = JobStage::kRunning;
     job->begin = JobClock::now();
   }
   answer(*job, [&](long number) { return stopped_at && number >= *stopped_at; });
-  return take_ended().back();
+  return take_ended_jobs().back();
 }
 
 }  // namespace thenar

@@ -25,9 +25,9 @@ using net::ip::tcp;
 
 // Of what a client has asked without a reply so far, and of replies that it has not taken: beyond
 // these it is read no further. Replies that nobody takes end its connection.
-constexpr std::size_t kMostUnanswered = 256;           // requests
-constexpr std::size_t kMostAskedBytes = kLongestLine;  // [bytes]
-constexpr std::size_t kMostUnread = 64UL << 20U;       // [bytes]
+constexpr std::size_t kMostUnanswered = 256;            // requests
+constexpr std::size_t kMostAskedBytes = kMaxLineBytes;  // [bytes]
+constexpr std::size_t kMostUnread = 64UL << 20U;        // [bytes]
 // Of all clients together; then only those are read that have no request without a reply.
 constexpr std::size_t kMostAskedOfAll = 32UL << 20U;    // [bytes]
 constexpr std::size_t kMostUnreadOfAll = 128UL << 20U;  // [bytes]
@@ -94,9 +94,9 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
       self->go_on();
     });
   }
-  void tell(std::shared_ptr<const std::string> /*text*/) override {}
-  void show(std::shared_ptr<const std::string> /*frame*/) override {}
-  [[nodiscard]] bool watches() const override { return false; }
+  void notify(std::shared_ptr<const std::string> /*text*/) override {}
+  void send_frame(std::shared_ptr<const std::string> /*frame*/) override {}
+  [[nodiscard]] bool is_watching() const override { return false; }
 
   /// Ends when all is sent.
   void finish() {
@@ -108,7 +108,7 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
     boost::system::error_code ignored;
     socket_.close(ignored);
     end_waiting();
-    if (number_ > 0) net_->engine.leave(number_);
+    if (number_ > 0) net_->engine.remove_client(number_);
     number_ = -1;
     // Whoever is gone holds nothing.
     while (!asked_.empty()) end_asking();
@@ -122,7 +122,7 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
   bool join() {
     end_waiting();
     try {
-      number_ = net_->engine.join(shared_from_this());
+      number_ = net_->engine.add_client(shared_from_this());
       return true;
     } catch (const InputError& error) {
       refuse(error.what());
@@ -156,16 +156,16 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
       begun_ = start == StreamStart::kRequest;
     }
     lines_.add(piece_.data(), count);
-    while (const auto line = lines_.next())
+    while (const auto line = lines_.next_line())
       if (!take(*line)) return;
-    if (stranger_ && !net_->access.token.empty() && lines_.held() > kLongestGreeting)
+    if (stranger_ && !net_->access.token.empty() && lines_.pending_bytes() > kLongestGreeting)
       return refuse(kNoGreeting);
     go_on();
   }
 
   /// Whoever sends no more may still wait for replies.
   void on_end() {
-    if (const auto line = lines_.rest())
+    if (const auto line = lines_.take_rest())
       if (!take(*line)) return;
     ended_ = true;
     go_on();
@@ -174,7 +174,7 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
   /// @returns whether the client stays
   bool take(const SplitLine& line) {
     const std::string& token = net_->access.token;
-    if (stranger_ && !token.empty() && !greets_with(line.text, token)) {
+    if (stranger_ && !token.empty() && !is_hello_with_token(line.text, token)) {
       refuse(kNoGreeting);
       return false;
     }
@@ -234,7 +234,7 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
   /// Ends the connection with the most replies that nobody takes.
   void drop_worst() {
     std::shared_ptr<LineClient> worst;
-    for (const auto& client : net_->clients.all())
+    for (const auto& client : net_->clients.connected())
       if (worst == nullptr || client->unread() > worst->unread()) worst = client;
     if (worst != nullptr) worst->drop();
   }
@@ -264,7 +264,7 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
   tcp::socket socket_;
   net::steady_timer greeting_;
   std::array<char, 65536> piece_{};
-  LineSplitter lines_{kLongestLine};
+  LineSplitter lines_{kMaxLineBytes};
   int number_ = 0;                                            // of the engine; -1: gone
   std::deque<std::size_t> asked_;                             // bytes of each request
   std::size_t asked_bytes_ = 0, unread_ = 0;                  // [bytes]
@@ -275,7 +275,7 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
 
 }  // namespace
 
-bool greets_with(const std::string& line, const std::string& token) {
+bool is_hello_with_token(const std::string& line, const std::string& token) {
   const auto request = short_request(line, "session.hello");
   if (!request || request->failure) return false;
   const auto shown = request->params.find("token");
@@ -285,7 +285,7 @@ bool greets_with(const std::string& line, const std::string& token) {
 
 std::string too_long_reply() {
   const RpcFailure failure{RpcCode::kTooLarge,
-                           fmt::format("a line of more than {} bytes", kLongestLine)};
+                           fmt::format("a line of more than {} bytes", kMaxLineBytes)};
   return json_text(rpc_reply(nullptr, {{}, failure}), -1);
 }
 
@@ -317,10 +317,10 @@ class LineServer::Network {
       boost::system::error_code ignored;
       acceptor_.close(ignored);
       pause_.cancel();
-      for (const auto& client : net_->clients.all()) client->finish();
+      for (const auto& client : net_->clients.connected()) client->finish();
       patience.expires_after(kLastWords);
       patience.async_wait([this](boost::system::error_code) {
-        for (const auto& client : net_->clients.all()) client->drop();
+        for (const auto& client : net_->clients.connected()) client->drop();
       });
     });
     thread_.join();

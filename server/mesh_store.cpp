@@ -21,8 +21,8 @@ std::string mesh_bytes(const TriangleMesh& mesh) {
   require(mesh.vertices.cols() <= kMost && mesh.triangles.cols() <= kMost,
           "a mesh of {} vertices is too large to be shown", mesh.vertices.cols());
   const bool few = mesh.vertices.cols() <= kFewVertices;
-  LittleEndian out(static_cast<std::size_t>(8 + 12 * mesh.vertices.cols() +
-                                            (few ? 6 : 12) * mesh.triangles.cols()));
+  LittleEndianWriter out(static_cast<std::size_t>(8 + 12 * mesh.vertices.cols() +
+                                                  (few ? 6 : 12) * mesh.triangles.cols()));
   out.add<std::uint32_t>(mesh.vertices.cols());
   out.add<std::uint32_t>(mesh.triangles.cols());
   for (const double coordinate : mesh.vertices.reshaped()) out.add<float>(coordinate);

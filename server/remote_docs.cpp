@@ -52,11 +52,12 @@ std::string type_of(const Schema& schema) {
       return "`true` or `false`";
     case Schema::Kind::kList:
       if (schema.unit == "quaternion") return "rotation, quaternion [w, x, y, z]";
-      if (schema.least == schema.most)
-        return fmt::format("list of {}: {}", schema.least, type_of(*schema.each));
-      return fmt::format("list of {} to {}: {}", schema.least, schema.most, type_of(*schema.each));
+      if (schema.min_size == schema.max_size)
+        return fmt::format("list of {}: {}", schema.min_size, type_of(*schema.element));
+      return fmt::format("list of {} to {}: {}", schema.min_size, schema.max_size,
+                         type_of(*schema.element));
     case Schema::Kind::kMap:
-      return "object, name: " + type_of(*schema.each);
+      return "object, name: " + type_of(*schema.element);
     case Schema::Kind::kObject:
       break;
   }
@@ -77,7 +78,7 @@ std::string in_cell(std::string text) {
 
 std::string usual_of(const SchemaMember& member) {
   if (member.required) return "must be there";
-  return member.usual.is_null() ? "" : "`" + json_text(member.usual, -1) + "`";
+  return member.default_value.is_null() ? "" : "`" + json_text(member.default_value, -1) + "`";
 }
 
 /// A request as code: on one line where it fits, else a line each for what it holds.
@@ -114,7 +115,7 @@ std::string section_of(const RpcMethod& method) {
 
 std::string methods_markdown(const MethodTable& table) {
   std::string out, group;
-  for (const RpcMethod& method : table.all()) {
+  for (const RpcMethod& method : table.methods()) {
     const std::string its = method.name.substr(0, method.name.find('.'));
     if (its != group) out += fmt::format("## {}.*\n\n", its);
     group = its;

@@ -117,9 +117,9 @@ RpcAnswer answer_request(const RpcRequest& request, const MethodTable& table, Se
   if (request.failure) return {{}, request.failure};
   RpcCode code = RpcCode::kNoMethod;  // of what is thrown next
   try {
-    const RpcMethod& method = table.at(request.method);
+    const RpcMethod& method = table.method_named(request.method);
     code = RpcCode::kInvalidParams;
-    const Json params = checked(method.params, request.params, "params");
+    const Json params = validated(method.params, request.params, "params");
     code = RpcCode::kRefused;
     const StopScope scope(progress);
     return {method.handler(session, params, progress), std::nullopt};

@@ -55,7 +55,7 @@ bool is_logged(const std::string& method) {
 }
 
 std::vector<LoggedRequest> read_log(const std::string& path) {
-  std::istringstream lines(read_file(outside_path(path, OutsideUse::kRead), kLongestLog));
+  std::istringstream lines(read_file(outside_path(path, OutsideUse::kRead), kMaxLogBytes));
   std::vector<LoggedRequest> requests;
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -70,7 +70,7 @@ std::vector<LoggedRequest> read_log(const std::string& path) {
 }
 
 void SessionLog::open(const std::string& path) {
-  const std::string before = all();
+  const std::string before = read_all();
   // A link that leads nowhere yet may lead anywhere.
   std::error_code none;
   const bool dangles = std::filesystem::is_symlink(outside_path(path, OutsideUse::kRead), none) &&
@@ -90,27 +90,30 @@ bool SessionLog::write(std::FILE& file, const std::string& lines) {
 }
 
 void SessionLog::add(const LoggedRequest& request) {
-  if (lost_) return;
+  if (is_incomplete_) return;
   const std::string line = line_of(request);
   if (!path_.empty()) {
     // Refuse a line that does not fit, so that the log so far can be repeated.
-    lost_ = bytes_ + line.size() > most_;
-    require(!lost_, "the log {} is full ({} bytes): this request and those after it are not in it",
-            path_, bytes_);
+    is_incomplete_ = bytes_ + line.size() > max_bytes_;
+    require(!is_incomplete_,
+            "the log {} is full ({} bytes): this request and those after it are not in it", path_,
+            bytes_);
     // Who named the file may read it at any time.
-    lost_ = !write(*file_, line) || std::fflush(file_.get()) != 0;
-    require(!lost_, "cannot write {}: {}; nothing more is logged", path_, std::strerror(errno));
+    is_incomplete_ = !write(*file_, line) || std::fflush(file_.get()) != 0;
+    require(!is_incomplete_, "cannot write {}: {}; nothing more is logged", path_,
+            std::strerror(errno));
   } else {
     // Nobody asked for this one: without room for it the session goes on.
     if (file_ == nullptr) file_.reset(std::tmpfile());
-    lost_ = file_ == nullptr || bytes_ + line.size() > kLongestText || !write(*file_, line);
-    if (lost_) file_ = nullptr;
+    is_incomplete_ =
+        file_ == nullptr || bytes_ + line.size() > kLongestText || !write(*file_, line);
+    if (is_incomplete_) file_ = nullptr;
   }
   bytes_ += line.size();
 }
 
-std::string SessionLog::all() const {
-  require(!lost_ || !path_.empty(),
+std::string SessionLog::read_all() const {
+  require(!is_incomplete_ || !path_.empty(),
           "the log became longer than {} MB, or there was no room for it: start with --log FILE to "
           "have it",
           kLongestText >> 20U);
@@ -126,7 +129,7 @@ std::string SessionLog::all() const {
 std::string SessionLog::text() const {
   require(path_.empty() || bytes_ <= kLongestText, "the log is longer than {} MB: it is in {}",
           kLongestText >> 20U, path_);
-  return all();
+  return read_all();
 }
 
 }  // namespace thenar

@@ -38,9 +38,9 @@ class StreamClient final : public EngineClient {
     if (--asked_ == 0) bytes_ = 0;
     answered_.notify_all();
   }
-  void tell(std::shared_ptr<const std::string> /*text*/) override {}
-  void show(std::shared_ptr<const std::string> /*frame*/) override {}
-  [[nodiscard]] bool watches() const override { return false; }
+  void notify(std::shared_ptr<const std::string> /*text*/) override {}
+  void send_frame(std::shared_ptr<const std::string> /*frame*/) override {}
+  [[nodiscard]] bool is_watching() const override { return false; }
 
   void write_line(const std::string& text) {
     const std::lock_guard<std::mutex> lock(writing_);
@@ -99,25 +99,25 @@ ssize_t read_piece(int input, char* bytes, std::size_t most) {
 
 void serve_stream(Engine& engine, int input, int output, const std::function<bool()>& ended) {
   const auto client = std::make_shared<StreamClient>(output);
-  const int number = engine.join(client);
-  LineSplitter lines(kLongestLine);
+  const int number = engine.add_client(client);
+  LineSplitter lines(kMaxLineBytes);
   std::array<char, 65536> piece{};
   // Read pieces, split them into lines, and wait while too many replies are open.
   while (!ended() && client->error() == 0) {
     const ssize_t count = read_piece(input, piece.data(), piece.size());
     if (count < 0) continue;
     if (count == 0) {
-      if (const auto line = lines.rest()) take_line(engine, number, *client, *line);
+      if (const auto line = lines.take_rest()) take_line(engine, number, *client, *line);
       break;
     }
     lines.add(piece.data(), static_cast<std::size_t>(count));
-    while (const auto line = lines.next()) take_line(engine, number, *client, *line);
+    while (const auto line = lines.next_line()) take_line(engine, number, *client, *line);
     client->wait_below(kMostUnansweredLines, ended);
   }
   // Send what is left before the client goes.
   client->wait_below(1, ended);
   if (ended()) client->give_up();
-  engine.leave(number);
+  engine.remove_client(number);
   const int error = client->error();
   require(error == 0, "cannot write replies: {}", std::strerror(error));
 }

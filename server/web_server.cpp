@@ -89,7 +89,7 @@ std::string header_of(const Request& request, http::field field) {
   return {text.data(), text.size()};
 }
 
-WebQuestion question_of(const Request& request) {
+HttpRequest http_request_of(const Request& request) {
   return {{request.method_string().data(), request.method_string().size()},
           {request.target().data(), request.target().size()},
           header_of(request, http::field::host),
@@ -127,18 +127,18 @@ class WebClient final : public EngineClient,
       if (!text.empty()) self->put({std::make_shared<const std::string>(text), text.size()});
     });
   }
-  void tell(std::shared_ptr<const std::string> text) override {
+  void notify(std::shared_ptr<const std::string> text) override {
     asio::post(stream_.get_executor(), [self = shared_from_this(), text = std::move(text)] {
       self->put({text, 0});
     });
   }
-  void show(std::shared_ptr<const std::string> frame) override {
+  void send_frame(std::shared_ptr<const std::string> frame) override {
     asio::post(stream_.get_executor(), [self = shared_from_this(), frame = std::move(frame)] {
       self->frame_ = frame;
       self->write();
     });
   }
-  [[nodiscard]] bool watches() const override { return true; }
+  [[nodiscard]] bool is_watching() const override { return true; }
 
   void finish() override {
     finishing_ = true;
@@ -155,7 +155,7 @@ class WebClient final : public EngineClient,
     beast::error_code ignored;
     stream_.next_layer().set_option(tcp::no_delay(true), ignored);
     try {
-      number_ = web()->engine.join(shared_from_this());
+      number_ = web()->engine.add_client(shared_from_this());
     } catch (const InputError& error) {
       stream_.async_close({websocket::close_code::try_again_later, error.what()},
                           [self = shared_from_this()](beast::error_code) {});
@@ -247,7 +247,7 @@ class WebClient final : public EngineClient,
   /// Ends the connection with the most replies that nobody takes.
   void drop_worst() {
     std::shared_ptr<WebClient> worst;
-    for (const auto& peer : web()->peers.all())
+    for (const auto& peer : web()->peers.connected())
       if (const auto client = std::dynamic_pointer_cast<WebClient>(peer))
         if (worst == nullptr || client->own_ > worst->own_) worst = client;
     if (worst != nullptr) worst->drop();
@@ -287,7 +287,7 @@ class WebClient final : public EngineClient,
 
   void leave() {
     if (number_ < 0) return;
-    web()->engine.leave(number_);
+    web()->engine.remove_client(number_);
     number_ = -1;
     web()->waiting -= std::exchange(own_, 0);
     texts_.clear();
@@ -351,7 +351,7 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
   void on_request() {
     const Request& request = parser_->get();
     if (request.method() == http::verb::unknown) return drop();
-    WebQuestion question = question_of(request);
+    HttpRequest question = http_request_of(request);
     // The browser that the program has opened shows its code once, in place of the token.
     if (!web()->once.empty() && same_token(question.target, web()->once)) {
       question.target = "/?token=" + web()->access.token;
@@ -359,8 +359,8 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
     }
     const ServerAccess& access = web()->access;
     if (path_of(question) != "/ws" || !websocket::is_upgrade(request))
-      return write(answer_to(access, web()->port, question,
-                             [this](const std::string& id) { return web()->engine.mesh(id); }));
+      return write(respond_to(access, web()->port, question,
+                              [this](const std::string& id) { return web()->engine.mesh(id); }));
     if (auto refused = socket_refusal_of(access, web()->port, question))
       return write(*std::move(refused));
     stream_.expires_never();
@@ -370,7 +370,7 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
     client->accept(request);
   }
 
-  void write(WebAnswer answer) {
+  void write(HttpResponse answer) {
     // The body is kept alive until it is written.
     const Request& request = parser_->get();
     Response response(static_cast<http::status>(answer.status), 11);
@@ -425,8 +425,8 @@ class WebServer::Network {
       throw InputError(fmt::format("cannot listen at {}, port {}: {}; --port 0 takes a free one",
                                    access.address, access.port, error.code().message()));
     }
-    opening_ = access.token.empty() ? "/" : "/?once=" + random_token();
-    if (!access.token.empty()) web_->once = opening_;
+    opening_target_ = access.token.empty() ? "/" : "/?once=" + random_token();
+    if (!access.token.empty()) web_->once = opening_target_;
     accept();
     thread_ = std::thread([this] { web_->context.run(); });
   }
@@ -437,7 +437,7 @@ class WebServer::Network {
       beast::error_code ignored;
       acceptor_.close(ignored);
       pause_.cancel();
-      for (const auto& peer : web_->peers.all()) peer->finish();
+      for (const auto& peer : web_->peers.connected()) peer->finish();
       // Connections that have not ended by then are cut off, and the thread has nothing left to do.
       patience.expires_after(kFarewell);
       patience.async_wait([this](beast::error_code) { drop_all(); });
@@ -449,11 +449,11 @@ class WebServer::Network {
   Network& operator=(const Network&) = delete;
 
   [[nodiscard]] int port() const { return web_->port; }
-  [[nodiscard]] const std::string& opening() const { return opening_; }
+  [[nodiscard]] const std::string& opening_target() const { return opening_target_; }
 
  private:
   void drop_all() {
-    for (const auto& peer : web_->peers.all()) peer->drop();
+    for (const auto& peer : web_->peers.connected()) peer->drop();
   }
 
   void accept() {
@@ -474,7 +474,7 @@ class WebServer::Network {
   }
 
   std::shared_ptr<Web> web_;
-  std::string opening_;
+  std::string opening_target_;
   tcp::acceptor acceptor_;
   asio::steady_timer pause_;
   std::thread thread_;
@@ -487,6 +487,6 @@ WebServer::~WebServer() = default;
 
 int WebServer::port() const { return network_->port(); }
 
-std::string WebServer::opening() const { return network_->opening(); }
+std::string WebServer::opening_target() const { return network_->opening_target(); }
 
 }  // namespace thenar

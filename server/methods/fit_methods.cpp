@@ -65,8 +65,8 @@ OrderedJson fit_state_json(const LiveFit& fit) {
   OrderedJson json{{"kind", fit.source().kind},
                    {"subject", fit.source().subject.name},
                    {"digit", fit.source().problem.experiments().front().digit},
-                   {"rotation", to_json(quaternion_of(fit.placed().R))},
-                   {"trial", fit.shown()},
+                   {"rotation", to_json(quaternion_of(fit.subject_pose().R))},
+                   {"trial", fit.shown_trial()},
                    {"trials", OrderedJson::array()}};
   for (int i = 0; i < static_cast<int>(fit.trials().size()); ++i)
     json["trials"].push_back(trial_json(fit, i));
@@ -86,8 +86,8 @@ OrderedJson open_fit(Session& session, const Json& params, const Progress& progr
 
 OrderedJson show_trial(Session& session, const Json& params, const Progress& /*progress*/) {
   auto& fit = session.model<LiveFit>(LiveMode::kFit);
-  fit.show(params["trial"].get<int>());
-  OrderedJson json = trial_json(fit, fit.shown());
+  fit.show_trial(params["trial"].get<int>());
+  OrderedJson json = trial_json(fit, fit.shown_trial());
   json["posture_angles"] = to_json(fit.digit().names.coordinates, fit.posture());
   json["warnings"] = fit.warnings();
   return json;

@@ -15,7 +15,7 @@ namespace thenar::internal {
 namespace {
 
 OrderedJson contacts(Session& session, const Json& params, const Progress& /*progress*/) {
-  const LiveContacts found = contacts_of(live_world(session), pair_param(params));
+  const LiveContacts found = current_contacts(live_world(session), pair_param(params));
   OrderedJson list = OrderedJson::array();
   for (std::size_t i = 0; i < found.contacts.size(); ++i) {
     const HandContact& each = found.contacts[i];
@@ -124,7 +124,7 @@ OrderedJson pads(Session& session, const Json& params, const Progress& /*progres
       press_pads(live_world(session), pair_param(params), params["force"].get<double>());
   OrderedJson list = OrderedJson::array();
   // Tell every spring of each pad: its place, its pressure and whether it sticks.
-  for (const PadOnObject& pad : found.pads) {
+  for (const LoadedPad& pad : found.pads) {
     OrderedJson points = OrderedJson::array();
     for (const PadPoint& point : pad.points)
       points.push_back(

@@ -17,7 +17,7 @@ namespace {
 /// Returns the outcome of a closing, and the reason why each joint stopped, as JSON.
 OrderedJson closing_json(const LiveWorld& live, const LivePair& pair, const HandClosing& closing) {
   OrderedJson stopped = OrderedJson::array();
-  const GraspResult standing = standing_grasp(live, pair);
+  const GraspResult standing = current_grasp(live, pair);
   for (const JointRow& row : joint_rows(standing))
     stopped.push_back({{"joint", row.name}, {"by", row.stopped_by}, {"why", row.why}});
   Grasp told{};
@@ -40,10 +40,10 @@ OrderedJson joint_list(const LiveWorld& live, std::size_t index) {
   OrderedJson list = OrderedJson::array();
   for (std::size_t c = 0; c < layout.coordinates.size(); ++c) {
     const auto i = static_cast<Eigen::Index>(c);
-    const int leader = hand.built->leads[c].leader;
+    const int leader = hand.built->couplings[c].leader;
     list.push_back({{"name", layout.coordinates[c]},
                     {"field", field_name(layout.coordinates[c])},
-                    {"value", hand.stand.q[i]},
+                    {"value", hand.placement.q[i]},
                     {"lower", number_or_null(layout.lower[i])},
                     {"upper", number_or_null(layout.upper[i])},
                     {"slides", bool(slides[c])},
@@ -55,13 +55,14 @@ OrderedJson joint_list(const LiveWorld& live, std::size_t index) {
 OrderedJson get_joints(Session& session, const Json& params, const Progress& /*progress*/) {
   const LiveWorld& live = live_world(session);
   const std::size_t hand = hand_index(live.state(), text_param(params, "hand"));
-  return {{"hand", name_of(live.state(), live.state().hands[hand])},
+  return {{"hand", hand_name(live.state(), live.state().hands[hand])},
           {"joints", joint_list(live, hand)}};
 }
 
 OrderedJson put_joints(Session& session, const Json& params, const Progress& /*progress*/) {
-  const SetJoints set = set_joints(live_world(session), text_param(params, "hand"),
-                                   named_numbers(params, "joints"), text_param(params, "gesture"));
+  const JointChange set =
+      set_joints(live_world(session), text_param(params, "hand"), named_numbers(params, "joints"),
+                 text_param(params, "gesture"));
   return {{"joints", set.joints}, {"limited", set.limited}, {"parted", set.parted}};
 }
 

@@ -31,12 +31,12 @@ SchemaMember step_member() {
 }
 
 std::vector<SchemaMember> input_members() {
-  return {{"efforts", numbers_by_name("N m or N", -kLargestEffort, kLargestEffort),
+  return {{"efforts", numbers_by_name("N m or N", -kMaxMotionEffort, kMaxMotionEffort),
            "Coordinate -> effort, in place of its drives, cut to their largest."},
-          {"targets", numbers_by_name("rad or m", -kFarthestTarget, kFarthestTarget),
+          {"targets", numbers_by_name("rad or m", -kMaxMotionTarget, kMaxMotionTarget),
            "Coordinate -> target of its drive, which must have stiffness; one beyond the limits of "
            "a joint presses against its stop."},
-          {"tensions", numbers_by_name("N", 0, kLargestTension),
+          {"tensions", numbers_by_name("N", 0, kMaxMotionTension),
            "Muscle -> tension: human:skewed/index/FDP2."},
           {"excitations", numbers_by_name("1", 0, 1), "Muscle that contracts -> excitation."},
           {"release", list_schema(text_schema(), 0, 1000),
@@ -185,15 +185,15 @@ OrderedJson play_json(const LiveTimeline& motion) {
 
 MotionSource source_of(const Session& session, const Json& params) {
   // Without a scene the world is moved as it stands; drives hold its hands.
-  const std::string& data = session.places().data;
+  const std::string& data = session.folders().data;
   std::optional<double> step;
   if (params.contains("step")) step = params.at("step").get<double>();
   if (!params.contains("scene")) {
     require(!params.contains("pads"), "a world has no pads that deform: open a scene with [[pad]]");
     const std::string drives = params.value("drives", "hold");
     const auto& world = session.model<LiveWorld>(LiveMode::kWorld);
-    return world_motion(spec_of(world.state()), data, value_in(kWorldDrivesNames, drives, "drives"),
-                        step);
+    return world_motion(world_spec(world.state()), data,
+                        value_in(kWorldDrivesNames, drives, "drives"), step);
   }
   require(!params.contains("drives"), "'drives' are of a world: a scene has its own");
   // A scene is read as the command reads it.
@@ -221,8 +221,8 @@ OrderedJson open_record(Session& session, const Json& params, const Progress& /*
   require_kind(file, {"scene run", "motion"});
   if (contents_of(file).kind == "motion")
     return show_motion(session, std::make_shared<RecordedDigitMotion>(read_motion(file)));
-  return show_motion(session,
-                     std::make_shared<RecordedMotion>(read_scene_run(file, session.places().data)));
+  return show_motion(
+      session, std::make_shared<RecordedMotion>(read_scene_run(file, session.folders().data)));
 }
 
 OrderedJson step_motion(Session& session, const Json& params, const Progress& progress) {

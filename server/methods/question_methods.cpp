@@ -35,7 +35,7 @@ OrderedJson reply_of(const Answer& answer) {
 RpcMethod ask_method(const Question& question) {
   const auto handler = [&question](Session& session, const Json& params, const Progress& progress) {
     require_short(params);
-    const Answer answer = question.ask(params, session.places().data, progress);
+    const Answer answer = question.ask(params, session.folders().data, progress);
     if (answer.outcome.status == Status::kStopped) throw Stopped("stopped");
     return reply_of(answer);
   };
@@ -65,7 +65,7 @@ OrderedJson start_job(Session& session, const Json& params, const Progress& /*pr
       require_field("request", param.scope == ParamScope::kAnywhere || param.member.name != key,
                     "'{}' is for programs of the server's own machine", key);
   (void)request_in_si(question.params, request);  // refuses it before it waits
-  return {{"job", session.jobs().start(question, request, session.places().data)}};
+  return {{"job", session.jobs().start(question, request, session.folders().data)}};
 }
 
 Schema job_schema() {
@@ -100,7 +100,8 @@ void add_question_methods(MethodTable& table) {
              "jobs: a list of what job.state gives", "{}",
              [](Session& session, const Json&, const Progress&) {
                OrderedJson list = OrderedJson::array();
-               for (const JobState& state : session.jobs().all()) list.push_back(state_json(state));
+               for (const JobState& state : session.jobs().states())
+                 list.push_back(state_json(state));
                return OrderedJson{{"jobs", list}};
              }});
   table.add({"job.stop", "Asks a job to stop and keep its best so far.", job_schema(),

@@ -25,7 +25,8 @@ Json list_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
 
 OrderedJson joints_json(const LiveDigit& digit) {
   // Joints that follow another one are told with their leader.
-  const std::vector<double> angles = hinge_angles(digit.about().bones().model, digit.now().point.q);
+  const std::vector<double> angles =
+      hinge_angles(digit.digit_case().bones().model, digit.state().point.q);
   OrderedJson joints = OrderedJson::array();
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const LiveJoint& joint = digit.shape().joints[i];
@@ -42,8 +43,8 @@ OrderedJson joints_json(const LiveDigit& digit) {
 
 OrderedJson muscles_json(const LiveDigit& digit) {
   // NaN means unknown, and is sent as null.
-  const DigitNow& now = digit.now();
-  const TendonDigit& bones = digit.about().bones();
+  const DigitState& now = digit.state();
+  const TendonDigit& bones = digit.digit_case().bones();
   OrderedJson muscles = OrderedJson::array();
   for (std::size_t m = 0; m < bones.names.muscles.size(); ++m) {
     const auto row = static_cast<Eigen::Index>(m);
@@ -79,8 +80,8 @@ OrderedJson bands_json(const LiveDigit& digit) {
 /// trusted.
 void add_tip(const LiveDigit& digit, OrderedJson& json) {
   // A tip force without balance would mislead, so it is null.
-  const DigitPoint& point = digit.now().point;
-  const TendonModel<double>& model = digit.about().bones().model;
+  const DigitPoint& point = digit.state().point;
+  const TendonModel<double>& model = digit.digit_case().bones().model;
   const bool sound = trusted(point.pull.status);
   json["tip_force"] = sound ? OrderedJson(to_json(point.tip.f_W)) : OrderedJson();
   json["tip_force_axes"] = OrderedJson();
@@ -91,10 +92,10 @@ void add_tip(const LiveDigit& digit, OrderedJson& json) {
     json["tip_force_axes"] =
         to_json({"proximal", "dorsal", "radial"}, axes.transpose() * point.tip.f_W);
   }
-  const std::vector<std::string>& joints = digit.about().bones().names.coordinates;
+  const std::vector<std::string>& joints = digit.digit_case().bones().names.coordinates;
   // Passive torques depend on the posture alone, so they are told in any case.
   Fields passive;
-  add_passive(digit.about().bones().skeleton, point.q, passive);
+  add_passive(digit.digit_case().bones().skeleton, point.q, passive);
   json.update(json_of(passive, UnitSystem::kPrinted));
   json["torques"] = sound ? to_json(joints, point.pull.tau) : OrderedJson();
   json["unbalanced_torques"] = sound ? to_json(joints, point.tip.tau_residual) : OrderedJson();
@@ -103,7 +104,7 @@ void add_tip(const LiveDigit& digit, OrderedJson& json) {
 
 std::vector<std::string> warnings_of(const LiveDigit& digit) {
   std::vector<std::string> warnings = digit.warnings();
-  const DigitNow& now = digit.now();
+  const DigitState& now = digit.state();
   warnings.insert(warnings.end(), now.warnings.begin(), now.warnings.end());
   const std::string note = tip_note(now.point.tip);
   if (!note.empty() && now.tension.maxCoeff() > 0) warnings.push_back(note);
@@ -111,15 +112,15 @@ std::vector<std::string> warnings_of(const LiveDigit& digit) {
 }
 
 OrderedJson state_json(const LiveDigit& digit) {
-  const DigitCase& about = digit.about();
+  const DigitCase& about = digit.digit_case();
   // Tell first what was built, as it may be less than what was asked for.
-  const DigitNow& now = digit.now();
+  const DigitState& now = digit.state();
   OrderedJson json{
       {"subject", about.subject.name},
       {"digit", about.digit},
       {"built", describe(about.bones().fidelity)},
       {"net", about.net != nullptr ? OrderedJson(about.net->net().net.name) : OrderedJson()},
-      {"rotation", to_json(quaternion_of(digit.placed().R))}};
+      {"rotation", to_json(quaternion_of(digit.subject_pose().R))}};
   json["joints"] = joints_json(digit);
   json["muscles"] = muscles_json(digit);
   json["bands"] = bands_json(digit);
@@ -139,7 +140,7 @@ OrderedJson state_json(const LiveDigit& digit) {
 OrderedJson open_digit_of(Session& session, const Json& params, const Progress& progress) {
   // Rungs that are left out are chosen by the digit.
   DigitRequest request;
-  request.data = session.places().data;
+  request.data = session.folders().data;
   request.subject = params["subject"].get<std::string>();
   request.digit = params.value("digit", "");
   request.net = params.value("net", "");
@@ -169,7 +170,7 @@ OrderedJson sweep_digit_of(Session& session, const Json& params, const Progress&
       digit.sweep(params["joint"].get<std::string>(), params["count"].get<int>(), progress);
   if (progress.stop()) throw Stopped("stopped");
   OrderedJson json{{"joint", curves.joint}, {"x", list_of(curves.angle)}};
-  const std::vector<std::string>& muscles = digit.about().bones().names.muscles;
+  const std::vector<std::string>& muscles = digit.digit_case().bones().names.muscles;
   for (const Json& what : params["what"]) {
     const std::string name = what.get<std::string>();
     const Eigen::MatrixXd& of = name == "arms" ? curves.arms : curves.lengths;

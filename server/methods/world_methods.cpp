@@ -47,14 +47,14 @@ OrderedJson save(Session& session, const Json& params, const Progress& /*progres
   LiveWorld& live = live_world(session);
   const std::string file = params["file"].get<std::string>();
   const bool overwrites = params["overwrite"].get<bool>();
-  (void)save_live_world(live, file, overwrites ? SaveOver::kAnything : SaveOver::kNothing);
+  (void)save_live_world(live, file, overwrites ? Overwrite::kAnything : Overwrite::kNothing);
   return {{"file", file}};
 }
 
 OrderedJson hand_json(const LiveWorld& live, const PlacedHand& placed) {
   const WorldState& state = live.state();
   // The folder of imported files has another name every time.
-  const std::string imported = imported_file(live, placed);
+  const std::string imported = imported_hand_file(live, placed);
   OrderedJson out{{"name", placed.name},
                   {"file", imported.empty() ? placed.file : "imported/" + imported},
                   {"position", to_json(placed.X_WH.p)},
@@ -68,7 +68,7 @@ OrderedJson hand_json(const LiveWorld& live, const PlacedHand& placed) {
     for (std::size_t part = 0; part < hand.parts.size(); ++part) {
       if (&state.placed[hand.parts[part]] != &placed) continue;
       for (std::size_t c = 0; c < built.names[part].size(); ++c)
-        out["joints"][built.names[part][c]] = hand.stand.q[built.places[part][c]];
+        out["joints"][built.names[part][c]] = hand.placement.q[built.places[part][c]];
     }
   }
   return out;
@@ -99,12 +99,12 @@ OrderedJson get(Session& session, const Json& /*params*/, const Progress& /*prog
 
 OrderedJson put_object(Session& session, const Json& params, const Progress& /*progress*/) {
   return added_json(add_object(open_live_world(session), params["object"].get<std::string>(),
-                               params["dynamic"].get<bool>(), place_param(params)));
+                               params["dynamic"].get<bool>(), pose_param(params)));
 }
 
 OrderedJson put_hand(Session& session, const Json& params, const Progress& progress) {
   return added_json(add_hand(open_live_world(session), params["hand"].get<std::string>(),
-                             place_param(params), progress));
+                             pose_param(params), progress));
 }
 
 OrderedJson import(Session& session, const Json& params, const Progress& progress) {
@@ -137,9 +137,9 @@ void add_file_rows(MethodTable& table) {
   table.add(
       {"world.load", "Loads a world by name or file, or from the text of a file.",
        object_schema(
-           {{"world", text_schema(kPathLength), "Name of a world, or path of its file."},
+           {{"world", text_schema(kMaxPathLength), "Name of a world, or path of its file."},
             {"text", content_schema(kWorldText), "The world itself as TOML."},
-            {"name", text_schema(kNameLength), "How messages call the text.", false, "text"}}),
+            {"name", text_schema(kMaxNameLength), "How messages call the text.", false, "text"}}),
        "name: of the world; warnings: what was assumed", R"({"world": "jaw_box"})", load});
   table.add(
       {"world.text",
@@ -162,7 +162,7 @@ void add_file_rows(MethodTable& table) {
 
 void add_thing_rows(MethodTable& table) {
   // Paths may be longer than names.
-  const Schema path = text_schema(kPathLength), name = text_schema(kNameLength);
+  const Schema path = text_schema(kMaxPathLength), name = text_schema(kMaxNameLength);
   table.add(
       {"world.add_object",
        "Adds an object, or an obstacle that never moves; without a position at the origin, or "

@@ -59,7 +59,7 @@ TEST(MotionHistory, FindsTheNearestInstant) {
 
 TEST(MotionHistory, CutsBehindAnInstant) {
   MotionHistory history = history_of({0, 1, 2, 3});
-  history.cut_behind(1);
+  history.erase_after(1);
   EXPECT_EQ(history.size(), 2U);
   EXPECT_EQ(history.bytes(), history_of({0, 1}).bytes());
   history.add(instant_at(1.5));
