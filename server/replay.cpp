@@ -11,7 +11,7 @@ namespace thenar {
 
 Execution execute(const RpcRequest& request, const MethodTable& table, Session& session,
                   const Progress& progress) {
-  // Several threads of one request may ask at a time.
+  // Count the stop checks; several threads of one request may check at a time.
   std::atomic<long> asked{0}, stopped_at{-1};
   Progress counting = progress;
   counting.stop_requested = [&] {
@@ -37,7 +37,7 @@ LoggedRequest log_entry(const EndedJob& job) {
 
 namespace {
 
-/// The job of a line that says that it ended. @throws InputError if it names none
+/// Returns the job of a "job.end" line. @throws InputError if the line has no job
 int ended_job(const LoggedRequest& line) {
   const bool has_id = line.params.is_object() && line.params.contains("job") &&
                       line.params["job"].is_number_integer();
@@ -45,21 +45,21 @@ int ended_job(const LoggedRequest& line) {
   return line.params["job"].get<int>();
 }
 
-/// Whether what a line says would write a file.
+/// Returns true if executing a line would write a file.
 bool would_write(const LoggedRequest& line, const MethodTable& table, Session& session) {
   if (line.method == kJobEnd) return session.jobs().writes_file(ended_job(line));
   return table.has_method(line.method) &&
          table.method_named(line.method).writes == MethodWrites::kFiles;
 }
 
-/// Executes one line of a log again. @throws InputError for a job that was not started
+/// Executes a line of a log again. @throws InputError for a job that was not started
 LoggedRequest execute_again(const LoggedRequest& then, const MethodTable& table, Session& session) {
   if (then.method == kJobEnd)
     return log_entry(session.jobs().run_deferred(ended_job(then), then.stopped_at));
   RpcRequest request;
   request.method = then.method;
   request.params = then.params;
-  // It is told to stop when it was, not when somebody wants the repetition to end.
+  // Stop at the same stop check, and not when the replay is stopped.
   long asked = 0;
   Progress same;
   same.stop_requested = [&] { return then.stopped_at && asked++ >= *then.stopped_at; };
@@ -74,11 +74,12 @@ ReplayResult replay(const std::vector<LoggedRequest>& log, const MethodTable& ta
   session.jobs().defer();
   for (std::size_t line = 1; line <= log.size() && !result.first_difference; ++line) {
     const LoggedRequest& then = log[line - 1];
-    // Files are written for those alone who said so.
+    // Skip lines that write files, unless that is allowed.
     if (writes == ReplayWrites::kSkipped && would_write(then, table, session)) {
       ++result.skipped;
       continue;
     }
+    // Execute the line, and compare the replies.
     const LoggedRequest now = execute_again(then, table, session);
     session.log().add(now);
     ++result.requests;

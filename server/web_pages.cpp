@@ -24,7 +24,7 @@ bool has_token(const ServerAccess& access, int port, const HttpRequest& request)
   return by_query || by_cookie;
 }
 
-/// Headers of every answer: nothing but the server's own is loaded, framed or told to others.
+/// Returns a response whose headers allow content of this server only, no frames and no referrers.
 HttpResponse protected_response(int status, const std::string& type, std::string body,
                                 const std::string& host) {
   return {status,
@@ -82,7 +82,7 @@ std::optional<HttpResponse> refusal_of(const ServerAccess& access, int port,
 
 std::optional<HttpResponse> socket_refusal_of(const ServerAccess& access, int port,
                                               const HttpRequest& request) {
-  // Browsers open WebSockets to anybody: it is for the server to look where they come from.
+  // Browsers let any page open a WebSocket, so the server must check the origin.
   if (!is_origin_ours(request.origin, request.host))
     return refused_response(403, "this page comes from somewhere else");
   return refusal_of(access, port, request);
@@ -92,7 +92,7 @@ HttpResponse respond_to(const ServerAccess& access, int port, const HttpRequest&
                         const MeshSource& meshes) {
   if (auto refused = refusal_of(access, port, request)) return *std::move(refused);
   const std::string path = path_of(request);
-  // Meshes never change: their names are hashes of them.
+  // Return a mesh; browsers may cache it forever, because its id is a hash.
   if (path.rfind("/mesh/", 0) == 0) {
     const auto bytes = meshes(path.substr(6));
     if (bytes == nullptr) return refused_response(404, "no such mesh is shown");
@@ -101,7 +101,7 @@ HttpResponse respond_to(const ServerAccess& access, int port, const HttpRequest&
     answer.headers.emplace_back("Cache-Control", "private, max-age=31536000, immutable");
     return answer;
   }
-  // Pages of the viewer are built into the program; all other paths are refused.
+  // Find the file among those that are built into the program.
   if (path == "/favicon.ico") return protected_response(204, "image/x-icon", "", request.host);
   const std::string file = path == "/" ? "live.html" : path.substr(path.empty() ? 0 : 1);
   const auto& files = internal::live_bundle();
@@ -110,7 +110,7 @@ HttpResponse respond_to(const ServerAccess& access, int port, const HttpRequest&
   HttpResponse answer =
       protected_response(200, type_of(file), std::string(found->second), request.host);
   answer.headers.emplace_back("Cache-Control", "no-store");
-  // The page's own requests show the token, too.
+  // Set the cookie with the token for the page's own requests.
   if (file == "live.html" && !access.token.empty())
     answer.headers.emplace_back(
         "Set-Cookie",
