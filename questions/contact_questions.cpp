@@ -49,8 +49,7 @@ RequestTable<ContactQualityRequest> contact_params() {
             "Largest certified upper - lower of epsilon, in units of normal force.");
   table
       .add("volume", flag_schema(), &Request::volume,
-           "Compute the volume, which takes 80 to 5,000 times as long as epsilon.",
-           "!no-volume")
+           "Compute the volume, which takes 80 to 5,000 times as long as epsilon.", "!no-volume")
       .off_about = "Skip the volume, which takes 80 to 5,000 times as long as epsilon.";
   add_data(table, &Request::data);
   return table;

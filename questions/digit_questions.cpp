@@ -1,5 +1,4 @@
-// Where digits stand and what their tendons do: poses, moment arms, forces of its tip, bands of its
-// hood.
+// Questions about a digit: poses, moment arms, fingertip forces, tensions of its hood.
 
 #include "api/feasible_force.h"
 #include "api/moment_arms.h"
@@ -50,7 +49,7 @@ RequestTable<TipForceRequest> tip_force_params() {
   return table;
 }
 
-/// Loads beside the one that is asked for, which are of the other kind.
+/// Adds the bound of the loads of the other kind.
 void add_other_load(RequestTable<FeasibleForceRequest>& table, TipLoad load, const std::string& key,
                     const FieldUnit& unit, const std::string& about) {
   // A force may come with moments and a moment with forces; each has its own key, as their units

@@ -1,4 +1,4 @@
-// What measured forces say of a digit: fits, predictions, posteriors, bands of a hood.
+// Questions about measured forces: fits, predictions, posteriors, bands of a hood.
 
 #include "api/fit.h"
 #include "api/posterior.h"
@@ -26,7 +26,7 @@ constexpr std::size_t kMaxNames = 1000;  // Entries of a list of names in a requ
 
 Schema names_schema() { return list_schema(text_schema(), 0, kMaxNames); }
 
-/// Tendon paths of a fit: via, straight between via points; its force model has no others.
+/// Adds the tendon paths of a fit; its force model supports only straight paths between via points.
 template <typename Request>
 void add_fit_path(RequestTable<Request>& table, std::optional<Path> Request::*member) {
   table.add_word("path", kPathNames, member,
@@ -118,7 +118,7 @@ PredictResult predict(const PredictRequest& request, const Progress& /*progress*
   return predict_forces(request);
 }
 
-/// Infers, and refuses what is no answer.
+/// Infers a net. @throws InputError if there is no answer
 InferNetResult infer(const InferNetRequest& request, const Progress& progress) {
   InferNetResult result = infer_net(request, progress);
   const std::string refusal = refusal_of(result);
@@ -126,7 +126,7 @@ InferNetResult infer(const InferNetRequest& request, const Progress& progress) {
   return result;
 }
 
-/// One process asks: it has the answer.
+/// Samples a posterior; a single process always has the result.
 PosteriorResult sample(const SampleRequest& request, const Progress& progress) {
   require_field("output", !request.output.empty(), "wanted a file for the draws (.nc), got none");
   return sample_fit(request, progress).value();

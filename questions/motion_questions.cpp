@@ -1,5 +1,5 @@
-// What moves and gives way: a digit whose muscles are excited, scenes of bodies and hands, pads
-// under objects.
+// Questions about motion and deformation: digits with excited muscles, scenes of bodies and hands,
+// pads under objects.
 
 #include "api/pads/press_pad.h"
 #include "api/scenes/simulate_scene.h"
@@ -75,7 +75,7 @@ RequestTable<PressRequest> press_params() {
   return table;
 }
 
-/// One process asks: it has the answer.
+/// Simulates a sweep of scenes; a single process always has the result.
 SceneSweepResult sweep(const SceneRequest& request, const Progress& progress) {
   return sweep_scene(request, progress).value();
 }

@@ -41,7 +41,7 @@ Json json_from(const TomlNode& node, const std::string& path) {
   throw DataError(path, node.line, "no parameter is a date");
 }
 
-/// A key as TOML has it: bare where it may be.
+/// Writes a TOML key, bare if possible.
 std::string toml_key(const std::string& key) {
   const char* const bare = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
   const bool is_bare = !key.empty() && key.find_first_not_of(bare) == std::string::npos;

@@ -25,17 +25,17 @@ using net::ip::tcp;
 
 // Limits of a client. Beyond those of pending requests its input is not read, beyond that of unsent
 // replies its connection is closed.
-constexpr std::size_t kMaxPendingRequests = 256;         // requests
-constexpr std::size_t kMaxPendingBytes = kMaxLineBytes;  // [bytes]
-constexpr std::size_t kMaxUnsentBytes = 64UL << 20U;     // [bytes]
+constexpr std::size_t kMaxPendingRequests = 256;         // requests without a reply
+constexpr std::size_t kMaxPendingBytes = kMaxLineBytes;  // requests without a reply [bytes]
+constexpr std::size_t kMaxUnsentBytes = 64UL << 20U;     // replies that are not sent [bytes]
 // Limits of all clients together. Beyond them only clients without pending requests are read.
-constexpr std::size_t kMaxTotalPendingBytes = 32UL << 20U;  // [bytes]
-constexpr std::size_t kMaxTotalUnsentBytes = 128UL << 20U;  // [bytes]
+constexpr std::size_t kMaxTotalPendingBytes = 32UL << 20U;  // requests without a reply [bytes]
+constexpr std::size_t kMaxTotalUnsentBytes = 128UL << 20U;  // replies that are not sent [bytes]
 // Limits of strangers: connections that have not sent a valid first line.
-constexpr std::size_t kMaxStrangers = 64;          // also where none is wanted
-constexpr std::size_t kMaxGreetingBytes = 4096;    // [bytes]
-constexpr std::chrono::seconds kGreetingTime{10};  // until the token is shown
-constexpr std::chrono::milliseconds kClosingTime{300};
+constexpr std::size_t kMaxStrangers = 64;               // strangers, also without a token
+constexpr std::size_t kMaxGreetingBytes = 4096;         // length of the first line [bytes]
+constexpr std::chrono::seconds kGreetingTime{10};       // time until the token must arrive
+constexpr std::chrono::milliseconds kClosingTime{300};  // time for pending replies at the end
 
 const std::string kGreetingError = "wanted session.hello with the token first";
 

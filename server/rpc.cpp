@@ -12,7 +12,7 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kMaxShortRequest = 512;  // [bytes]
+constexpr std::size_t kMaxShortRequest = 512;  // largest message for short_request() [bytes]
 
 /// Returns the reason why a text is too large to be parsed; counts brackets and commas outside of
 /// its strings.

@@ -19,8 +19,7 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kMaxTextBytes = 32UL
-                                      << 20U;  // of a log in a reply, and without a name [bytes]
+constexpr std::size_t kMaxTextBytes = 32UL << 20U;  // largest log in a reply [bytes]
 
 std::string line_of(const LoggedRequest& request) {
   OrderedJson line{{"client", request.client},

@@ -22,9 +22,9 @@
 namespace thenar {
 namespace {
 
-constexpr int kPollTime = 100;  // [ms]
-constexpr std::size_t kMaxPendingLines = 256;
-constexpr std::size_t kMaxPendingLineBytes = 8UL << 20U;  // of these lines
+constexpr int kPollTime = 100;                            // longest wait for input or output [ms]
+constexpr std::size_t kMaxPendingLines = 256;             // requests without a reply
+constexpr std::size_t kMaxPendingLineBytes = 8UL << 20U;  // requests without a reply [bytes]
 
 /// The only client of the engine. It writes replies on the engine's thread, since it can block no
 /// other client.

@@ -26,21 +26,20 @@ namespace http = boost::beast::http;
 namespace websocket = boost::beast::websocket;
 using tcp = asio::ip::tcp;
 
-constexpr std::size_t kMaxMessageBytes = 80UL
-                                         << 20U;  // of a WebSocket; ours refuses less than that
-constexpr std::size_t kPieceBytes = 65536;        // that is sent at a time [bytes]
+constexpr std::size_t kMaxMessageBytes = 80UL << 20U;  // message; above RpcLimits::bytes
+constexpr std::size_t kPieceBytes = 65536;  // piece that is read or sent at a time [bytes]
 // Limits of a page. Beyond those of pending requests its input is not read, beyond that of unsent
 // texts its connection is closed.
-constexpr std::size_t kMaxPendingPageRequests = 256;      // requests
-constexpr std::size_t kMaxPendingPageBytes = 1UL << 20U;  // [bytes]
-constexpr std::size_t kMaxUnsentTextBytes = 64UL << 20U;  // texts that it does not take [bytes]
-constexpr std::size_t kMaxTotalUnsentReplyBytes = 128UL << 20U;  // replies, of all pages [bytes]
-constexpr std::chrono::seconds kLongMessageTime{60};             // that a longer message may take
-constexpr std::size_t kMaxFileConnections = 64;                  // that ask for files
-constexpr std::chrono::seconds kRequestTime{10};  // that a request may take to arrive
-constexpr std::chrono::milliseconds kClosingTimeOfPages{
-    300};                                  // that texts have to leave at the end
-constexpr std::size_t kFirstBytes = 1024;  // that shows whether HTTP is spoken [bytes]
+constexpr std::size_t kMaxPendingPageRequests = 256;      // requests without a reply
+constexpr std::size_t kMaxPendingPageBytes = 1UL << 20U;  // requests without a reply [bytes]
+constexpr std::size_t kMaxUnsentTextBytes = 64UL << 20U;  // texts that are not sent [bytes]
+// Limits of all pages together, of times and of connections.
+constexpr std::size_t kMaxTotalUnsentReplies = 128UL << 20U;  // replies that are not sent [bytes]
+constexpr std::size_t kMaxFileConnections = 64;               // HTTP connections
+constexpr std::chrono::seconds kLongMessageTime{60};          // time for a long message to arrive
+constexpr std::chrono::seconds kRequestTime{10};              // time for an HTTP request to arrive
+constexpr std::chrono::milliseconds kFinishTime{300};         // time for pending texts at the end
+constexpr std::size_t kFirstBytes = 1024;  // bytes in which an HTTP method must be found
 
 using Request = http::request<http::string_body>;
 using Response = http::response<http::span_body<const char>>;
@@ -247,7 +246,7 @@ class WebClient final : public EngineClient,
     texts_.push_back(std::move(next));
     // Close the connection of a page that does not read.
     if (unsent_ > kMaxUnsentTextBytes) return drop();
-    if (web()->unsent_replies > kMaxTotalUnsentReplyBytes) drop_slowest();
+    if (web()->unsent_replies > kMaxTotalUnsentReplies) drop_slowest();
     write();
   }
 
@@ -449,7 +448,7 @@ class WebServer::Network {
       retry_timer_.cancel();
       for (const auto& peer : web_->peers.connected()) peer->finish();
       // Close the remaining connections after a while; then the thread ends.
-      deadline.expires_after(kClosingTimeOfPages);
+      deadline.expires_after(kFinishTime);
       deadline.async_wait([this](beast::error_code) { drop_all(); });
     });
     thread_.join();

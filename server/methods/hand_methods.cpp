@@ -1,4 +1,4 @@
-// hand.*: joints, and what a hand does: open, approach, close, grasp.
+// hand.*: joints, and the actions open, approach, close and grasp.
 
 #include <nlohmann/json.hpp>
 
@@ -20,21 +20,21 @@ OrderedJson closing_json(const LiveWorld& live, const LivePair& pair, const Hand
   const GraspResult standing = current_grasp(live, pair);
   for (const JointRow& row : joint_rows(standing))
     stopped.push_back({{"joint", row.name}, {"by", row.stopped_by}, {"why", row.why}});
-  Grasp told{};
-  told.outcome = closing.outcome;
-  told.approached = closing.approached;
-  told.closed = closing.closed;
-  told.contacts = standing.grasp.contacts;
-  told.quality = standing.grasp.quality;
+  Grasp closed{};
+  closed.outcome = closing.outcome;
+  closed.approached = closing.approached;
+  closed.closed = closing.closed;
+  closed.contacts = standing.grasp.contacts;
+  closed.quality = standing.grasp.quality;
   return {{"outcome", name_of(closing.outcome)},
-          {"explanation", outcome_words(told)},
+          {"explanation", outcome_words(closed)},
           {"stopped", stopped}};
 }
 
 OrderedJson joint_list(const LiveWorld& live, std::size_t index) {
   const StateHand& hand = live.state().hands[index];
   const HandLayout& layout = hand.built->model().layout();
-  // Tell turning from sliding, as units of values depend on it.
+  // Find the sliding joints: the units of values depend on it.
   std::vector<bool> slides(layout.coordinates.size(), false);
   for (const HandJoint& joint : hand.built->joints) slides[joint.coordinate] = joint.slides;
   OrderedJson list = OrderedJson::array();

@@ -1,4 +1,4 @@
-// ask.* and job.*: every question of the table, at once or beside the session.
+// ask.* and job.*: all questions, answered at once or as background jobs.
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,9 +11,9 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::size_t kMaxPosturesAtOnce = 200;  // Postures of a grid that is answered at once
+constexpr std::size_t kMaxPosturesAtOnce = 200;  // largest grid that is answered at once
 
-/// Refuses a grid of postures that would keep other clients waiting.
+/// @throws InputError for a grid of postures that would keep other clients waiting
 void require_short(const Json& params) {
   double postures = 1;
   for (const char* const key : {"vary_deg", "vary_rad"})
@@ -59,12 +59,14 @@ OrderedJson state_json(const JobState& state) {
 
 OrderedJson start_job(Session& session, const Json& params, const Progress& /*progress*/) {
   const Question& question = question_named(params["question"].get<std::string>());
+  // Refuse parameters that only local programs may set.
   const Json& request = params["request"];
   for (const auto& [key, value] : request.items())
     for (const Param& param : question.params)
       require_field("request", param.scope == ParamScope::kAnywhere || param.member.name != key,
                     "'{}' is for programs of the server's own machine", key);
-  (void)request_in_si(question.params, request);  // refuses it before it waits
+  // Check the request before it is queued.
+  (void)request_in_si(question.params, request);
   return {{"job", session.jobs().start(question, request, session.folders().data)}};
 }
 

@@ -1,4 +1,4 @@
-// session.*, catalogue.* and picture.*: the session itself, names, and what is shown as data.
+// session.*, catalogue.* and picture.*: the session, names, and the picture as data.
 
 #include <nlohmann/json.hpp>
 
@@ -15,7 +15,7 @@
 namespace thenar::internal {
 namespace {
 
-constexpr int kProtocol = 1;  // goes up where a client of before would fail
+constexpr int kProtocol = 1;  // version of the protocol; increases with incompatible changes
 
 OrderedJson hello(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
   OrderedJson mode;
@@ -40,12 +40,12 @@ OrderedJson methods(Session& /*session*/, const Json& /*params*/, const Progress
   return list;
 }
 
-/// In a batch, behind other requests, nothing runs that it could stop.
+/// Handles session.stop in a batch; the engine handles all others. Nothing else is running then.
 OrderedJson stop(Session& /*session*/, const Json& /*params*/, const Progress& /*progress*/) {
   return {{"asked", false}};
 }
 
-/// Behind other requests of its client nothing runs by the time of its turn.
+/// Handles session.status behind other requests of its client. Nothing else is running then.
 OrderedJson status(Session& /*session*/, const Json& /*params*/, const Progress& /*progress*/) {
   return status_json("", 0, 0, "", 0);
 }

@@ -9,7 +9,7 @@
 namespace thenar::internal {
 namespace {
 
-/// Values of the 64 letters; -1: none of them.
+/// Returns the value of each character in base64; -1: not in the alphabet.
 std::array<int, 256> letter_values() {
   std::array<int, 256> values{};
   values.fill(-1);
@@ -87,13 +87,13 @@ std::string from_base64(const std::string& text) {
   static const std::array<int, 256> values = letter_values();
   require(text.size() % 4 == 0, "wanted base64, whose length is a multiple of 4, got {} letters",
           text.size());
-  // One or two signs of padding end the text.
+  // Count the padding.
   std::size_t padding = 0;
   while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=') ++padding;
   std::string bytes;
   bytes.reserve(3 * (text.size() / 4));
   unsigned gathered = 0;
-  // Four letters of 6 bits make three bytes.
+  // Decode: four characters of 6 bits make three bytes.
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool pads = i >= text.size() - padding;
     const int value = pads ? 0 : values[static_cast<unsigned char>(text[i])];
