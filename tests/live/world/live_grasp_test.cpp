@@ -56,8 +56,8 @@ TEST(LiveGrasp, GraspsAndMeasuresAsTheCommandDoes) {
     EXPECT_EQ(closing.outcome, told.grasp.outcome);
     // The same posture to the bit, and one step to undo.
     const HandPlacement& placement = live->state().hands[0].placement;
-    EXPECT_EQ(stand.q, told.grasp.closed.q);
-    EXPECT_EQ(stand.X_WH.p, told.grasp.approached.X_WH.p);
+    EXPECT_EQ(placement.q, told.grasp.closed.q);
+    EXPECT_EQ(placement.X_WH.p, told.grasp.approached.X_WH.p);
     const GraspResult found = measured_grasp(*live, {});
     expect_same_epsilon(found.grasp.quality, told.grasp.quality);
     ASSERT_EQ(found.grasp.contacts.size(), told.grasp.contacts.size());

@@ -293,10 +293,10 @@ TEST(LiveWorld, CoupledJointsFollowTheirLeader) {
   const std::vector<std::string>& names = hand.model().layout().coordinates;
   int pairs = 0;
   for (std::size_t f = 0; f < names.size(); ++f) {
-    if (hand.leads[f].leader < 0) continue;
-    const std::string leader = names[static_cast<std::size_t>(hand.leads[f].leader)];
+    if (hand.couplings[f].leader < 0) continue;
+    const std::string leader = names[static_cast<std::size_t>(hand.couplings[f].leader)];
     const JointChange set = set_joints(live, "", {{leader, 0.9}});
-    EXPECT_NEAR(set.joints.at(names[f]), 0.9 * hand.leads[f].ratio, 1e-15);
+    EXPECT_NEAR(set.joints.at(names[f]), 0.9 * hand.couplings[f].ratio, 1e-15);
     EXPECT_TRUE(set.parted.empty());
     // A posture in which the clutch is open can be set as a whole, and is told.
     const JointChange open = set_joints(live, "", {{leader, 0.9}, {names[f], 0.5}});
@@ -307,7 +307,7 @@ TEST(LiveWorld, CoupledJointsFollowTheirLeader) {
     // One motor moves both: the follower alone takes its leader along.
     const JointChange led = set_joints(live, "", {{names[f], 0.25}});
     EXPECT_EQ(led.joints.at(names[f]), 0.25);
-    EXPECT_NEAR(led.joints.at(leader), 0.25 / hand.leads[f].ratio, 1e-15);
+    EXPECT_NEAR(led.joints.at(leader), 0.25 / hand.couplings[f].ratio, 1e-15);
     EXPECT_TRUE(led.parted.empty());
     // Beyond its limit both stop where the drive does.
     const JointChange limited = set_joints(live, "", {{names[f], 5}});
