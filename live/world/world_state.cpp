@@ -48,7 +48,7 @@ void share_posture(const StateHand& from, StateHand& to) {
       if (to.parts[i] != from.parts[k]) continue;
       const std::vector<int>&target = to.built->hand.places[i],
             &source = from.built->hand.places[k];
-      for (std::size_t c = 0; c < there.size(); ++c)
+      for (std::size_t c = 0; c < target.size(); ++c)
         to.placement.q[target[c]] = from.placement.q[source[c]];
     }
 }
