@@ -52,8 +52,8 @@ struct LineNet {
   net::io_context context{1};
   PeerSet<LineClient> clients;
   std::list<LineClient*> strangers;  // the oldest first; each takes itself out
-  std::size_t pending = 0;           // of all clients [bytes]
-  std::size_t unsent = 0;            // of all clients [bytes]
+  std::size_t pending = 0;           // requests of all clients without a reply [bytes]
+  std::size_t unsent = 0;            // unsent replies of all clients [bytes]
 };
 
 /// Connected program. Only the server's thread uses the members; functions that the engine calls
@@ -267,10 +267,11 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
   net::steady_timer greeting_timer_;
   std::array<char, 65536> input_{};
   LineSplitter lines_{kMaxLineBytes};
-  int number_ = 0;                                            // of the engine; -1: gone
-  std::deque<std::size_t> pending_;                           // bytes of each request
-  std::size_t pending_bytes_ = 0, unsent_ = 0;                // [bytes]
-  std::optional<std::list<LineClient*>::iterator> stranger_;  // among them; until it is greeted
+  int number_ = 0;                              // number of the client in the engine; -1: closed
+  std::deque<std::size_t> pending_;             // length of each request without a reply [bytes]
+  std::size_t pending_bytes_ = 0, unsent_ = 0;  // [bytes]
+  std::optional<std::list<LineClient*>::iterator>
+      stranger_;  // entry of the strangers, if it is one
   bool is_json_ = false, input_ended_ = false, reading_ = false, writing_ = false;
   std::deque<std::string> replies_;
 };

@@ -76,7 +76,7 @@ class StreamClient final : public EngineClient {
   std::mutex mutex_, writing_;
   std::condition_variable answered_;
   std::size_t pending_ = 0, bytes_ = 0;  // requests without a reply; bytes since there were none
-  std::atomic<int> error_{0};            // of writing
+  std::atomic<int> error_{0};            // errno of a failed write; 0: none
   std::atomic<bool> gave_up_{false};
 };
 

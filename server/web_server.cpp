@@ -58,14 +58,13 @@ struct Web {
   ServerAccess access;
   asio::io_context context{1};
   int port = 0;
-  std::string one_time_target;  // the target that shows the page without the token, once; empty:
-                                // none any more
+  std::string one_time_target;  // target that replaces the token, once; empty: none or used
   PeerSet<WebPeer> peers;
   std::list<WebConnection*> files;  // connections that ask for files, the oldest first
   // Only one message of more than kMaxPendingPageBytes is read at a time.
   std::weak_ptr<WebClient> long_message;
   std::deque<std::weak_ptr<WebClient>> long_message_queue;
-  std::size_t unsent_replies = 0;  // replies that pages do not take [bytes]
+  std::size_t unsent_replies = 0;  // unsent replies of all pages [bytes]
 };
 
 /// Connection of a server.
@@ -304,8 +303,8 @@ class WebClient final : public EngineClient,
 
   websocket::stream<tcp::socket> stream_;
   beast::flat_buffer buffer_;
-  int number_ = 0;                         // of the engine; -1: gone
-  asio::steady_timer long_message_timer_;  // with a long message
+  int number_ = 0;                         // number of the client in the engine; -1: closed
+  asio::steady_timer long_message_timer_;  // limits the time of a long message
   std::size_t pending_ = 0, pending_bytes_ = 0, unsent_ = 0, unsent_replies_ = 0;
   bool paused_ = false, writing_ = false, finishing_ = false;
   std::deque<QueuedText> texts_;
