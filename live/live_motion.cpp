@@ -168,7 +168,7 @@ LiveTime LiveMotion::live_time() const {
   return out;
 }
 
-// What is shown.
+// State of the instant that is shown.
 
 std::vector<ContactSample> LiveMotion::contacts() const {
   const PastInstant& past = history_.instant(shown_);

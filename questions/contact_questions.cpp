@@ -1,4 +1,4 @@
-// What contacts and grasps withstand: contact sets, grasps in worlds, hands compared.
+// Questions about contacts: contact sets, grasps in worlds, comparisons of hands.
 
 #include "api/compare.h"
 #include "api/grasp.h"

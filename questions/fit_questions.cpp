@@ -46,7 +46,7 @@ RequestTable<FitSources> source_params() {
       .add("subject", text_schema(), &FitSources::subject,
            "Subject to start from: its name, or its file (TOML).")
       .member.required = true;
-  // Which parameters move, and from which priors.
+  // Select the free parameters and their priors.
   table.add("settings", text_schema(), &FitSources::settings,
             "Which parameters move: name or file; built in for the digit if left out.");
   // A net replaces the fractions of the hood.
@@ -98,7 +98,7 @@ RequestTable<InferNetRequest> infer_params() {
   table.add("propose", integer_schema(0, 1e9), &Request::propose, "Tests to propose, at most.");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
             "Seed of the search, and of the draws that `free` asks for.");
-  // With free parameters bands compete with other explanations, and get probabilities.
+  // Free parameters are alternatives to bands; bands then get probabilities.
   table.add("free", names_schema(), &Request::free,
             "Explanations of the forces in place of a band: slack, paths, stiffness or globs of "
             "parameters; bands then get probabilities.");
@@ -137,7 +137,7 @@ PosteriorResult sample(const SampleRequest& request, const Progress& progress) {
 RequestTable<FitRequest> fit_params() {
   using Request = FitRequest;
   RequestTable<Request> table;
-  // The same inputs as those of a posterior.
+  // Add the inputs, the same as for a posterior.
   table.include(source_params(), &Request::sources);
   table.add_word("method", kLeastSquaresMethodNames, &Request::method,
                  "Method of the fit: ceres, ipopt: by derivatives; nlopt, nlopt-global: without.");
@@ -172,7 +172,7 @@ RequestTable<FitRequest> fit_params() {
 RequestTable<SampleRequest> posterior_params() {
   using Request = SampleRequest;
   RequestTable<Request> table;
-  // The same inputs as those of a fit.
+  // Add the inputs, the same as for a fit.
   table.include(source_params(), &Request::sources);
   table.add_word("method", kSamplingMethodNames, &Request::method, "Sampler.", "sampler");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Seed of the chains.");

@@ -274,7 +274,7 @@ OrderedJson json_schema(const Schema& schema) {
     case Schema::Kind::kText:
       out["type"] = "string";
       if (schema.words.empty())
-        add_lengths(schema, "Length", out);
+        add_size_bounds(schema, "Length", out);
       else
         out["enum"] = schema.words;
       break;
@@ -284,12 +284,12 @@ OrderedJson json_schema(const Schema& schema) {
     case Schema::Kind::kList:
       out["type"] = "array";
       out["items"] = json_schema(*schema.element);
-      add_lengths(schema, "Items", out);
+      add_size_bounds(schema, "Items", out);
       break;
     case Schema::Kind::kMap:
       out["type"] = "object";
       out["additionalProperties"] = json_schema(*schema.element);
-      add_lengths(schema, "Properties", out);
+      add_size_bounds(schema, "Properties", out);
       break;
     case Schema::Kind::kObject: {
       out["type"] = "object";
