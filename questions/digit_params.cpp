@@ -10,12 +10,12 @@ RequestTable<DigitRequest> subject_params() {
   table.add_argument("subject", &DigitRequest::subject, "A subject: its name, or its file (TOML).");
   table.add("digit", text_schema(), &DigitRequest::digit,
             "Digit: thumb, index, middle, ring or little; the only one if left out.");
-  // The posture, in degrees or radians; frozen joints are no coordinates of the digit any more.
+  // Add the posture; frozen joints are not coordinates of the digit.
   add_posture(table, "posture", &DigitRequest::posture,
               "Angles by joint, or in the order of the joints; others stay at 0.");
   add_posture(table, "frozen", &DigitRequest::frozen, "Joints to weld, and their angles.");
   add_vary(table, &DigitRequest::vary, &DigitRequest::posture);
-  // Rungs of the model: paths of tendons and passive moments.
+  // Add the fidelity of the model: paths of tendons and passive moments.
   add_path(table, &DigitRequest::path);
   table.add_word("passive", kPassiveNames, &DigitRequest::passive,
                  "Passive moments of human joints, where the subject states some.");

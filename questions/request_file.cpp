@@ -19,7 +19,7 @@ Json json_from(const TomlNode& node, const std::string& path) {
     case TomlKind::kText:
       return node.text;
     case TomlKind::kNumber:
-      // Whole numbers stay whole.
+      // Keep integers as integers.
       if (node.number == std::floor(node.number) && std::abs(node.number) < 1e15)
         return static_cast<long>(node.number);
       return value_json(node.number);
@@ -66,7 +66,7 @@ Answer RequestFile::ask(const Progress& progress) const {
   try {
     return question->ask(request, "", progress);
   } catch (const InputError& error) {
-    // The line of the key that sets the field, whatever its unit.
+    // Report the line of the key that sets the field, in either unit.
     for (const Param& param : question->params)
       for (const UnitSystem system : {UnitSystem::kSi, UnitSystem::kPrinted})
         if (const auto line = lines.find(param.key_in(system));
@@ -82,7 +82,7 @@ RequestFile read_request(const std::string& path) {
 }
 
 RequestFile parse_request(const std::string& text, const std::string& path) {
-  // The name of the question decides which keys the file may have.
+  // Read the name of the question.
   const TomlNode root = parse_toml(text, path);
   const TomlNode* const name = root.find(kQuestionKey);
   if (name == nullptr || name->kind != TomlKind::kText)
@@ -113,12 +113,12 @@ std::string request_text(const std::string& question, const OrderedJson& request
 }
 
 std::string request_template(const Question& question) {
-  // Write each parameter with its usual value as a comment, so that the file runs as it is.
+  // Write each parameter, with its default value as a comment, so that the file is valid.
   std::string text =
       fmt::format("# {}\n{} = {}\n", question.about, kQuestionKey, toml_quoted(question.name));
   const Json example = Json::parse(question.example);
   for (const Param& param : question.params) {
-    // Keys in printed units, as people edit the file.
+    // Use keys in printed units, because users edit the file.
     if (param.is_twin) continue;
     const std::string key = param.key_in(UnitSystem::kPrinted);
     const Schema schema = param.schema_in(UnitSystem::kPrinted);
