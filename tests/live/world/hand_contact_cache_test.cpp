@@ -1,4 +1,4 @@
-// Tests for live/world/hand_touch.cpp: contacts are found where bodies are near, and not elsewhere.
+// Tests for live/world/hand_contact_cache.cpp: contacts are found where bodies are near, and not elsewhere.
 
 #include "live/world/hand_contact_cache.h"
 

@@ -1,4 +1,4 @@
-// Tests for live/live_grasp.cpp, live_quality.cpp and hand_touch.cpp.
+// Tests for live/live_grasp.cpp, live_quality.cpp and hand_contact_cache.cpp.
 
 #include "live/world/live_grasp.h"
 
