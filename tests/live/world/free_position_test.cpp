@@ -1,4 +1,4 @@
-// Tests for live/world/free_place.cpp.
+// Tests for live/world/free_position.cpp.
 
 #include "live/world/free_position.h"
 
