@@ -34,7 +34,7 @@ double parse_number(const std::string& text, const std::string& what) {
 
 /// A number that may be infinite, as "free" and "inf" are.
 Json typed_number(const Schema& schema, const std::string& text, const std::string& what) {
-  if (schema.endless) {
+  if (schema.accepts_infinity) {
     if (text == "free" || text == "inf" || text == "-inf") return text == "-inf" ? text : "inf";
     if (text == "zero") return 0.0;
   }
@@ -55,21 +55,22 @@ std::string what_is(const Schema& schema) {
 /// @param form  of a pair: "MUSCLE=newton"
 Json typed_map(const Schema& schema, const std::string& form,
                const std::vector<std::string>& texts) {
-  // Distinguish a list of plain values from pairs by its first entry.
-  const bool named = !schema.unnamed || texts.empty() || texts[0].find('=') != std::string::npos;
+  // A list of plain values is told from pairs by its first entry.
+  const bool named =
+      !schema.accepts_list || texts.empty() || texts[0].find('=') != std::string::npos;
   Json json = named ? Json::object() : Json::array();
   for (const std::string& text : texts) {
     const std::size_t sign = text.find('=');
     if (!named) {
-      json.push_back(typed_number(*schema.each, text, what_is(*schema.each)));
+      json.push_back(typed_number(*schema.element, text, what_is(*schema.element)));
       continue;
     }
     // Each name once, with a number in the unit of the option.
     require(sign != std::string::npos && sign > 0, "wanted {}, got '{}'", form, text);
     const std::string name = text.substr(0, sign);
     require(!json.contains(name), "'{}' is given twice", name);
-    json[name] =
-        typed_number(*schema.each, text.substr(sign + 1), fmt::format("{} for '{}'", form, name));
+    json[name] = typed_number(*schema.element, text.substr(sign + 1),
+                              fmt::format("{} for '{}'", form, name));
   }
   return json;
 }
@@ -108,20 +109,20 @@ Json typed_ranges(const Schema& each, const std::vector<std::string>& texts) {
 }
 
 Json typed_list(const Schema& schema, const std::vector<std::string>& texts) {
-  if (schema.each->kind == Kind::kObject) return typed_ranges(*schema.each, texts);
+  if (schema.element->kind == Kind::kObject) return typed_ranges(*schema.element, texts);
   Json list = Json::array();
   for (const std::string& text : texts) {
-    if (schema.each->kind == Kind::kText)
+    if (schema.element->kind == Kind::kText)
       list.push_back(text);
     else
-      list.push_back(typed_number(*schema.each, text, what_is(*schema.each)));
+      list.push_back(typed_number(*schema.element, text, what_is(*schema.element)));
   }
   return list;
 }
 
 /// The default as the help shows it.
 std::string shown_default(const Param& param) {
-  const Json& usual = param.member.usual;
+  const Json& usual = param.member.default_value;
   if (usual.is_null() || param.member.required) return "";
   if (usual.is_string()) return usual.get<std::string>();
   if (usual.is_number_float())
@@ -138,7 +139,7 @@ std::string without_stop(std::string text) {
 /// Returns a help sentence, without its full stop, with the form of the argument and its unit.
 std::string help_of(const Param& param, const Schema& schema) {
   std::string text = without_stop(param.member.about);
-  const std::string& unit = schema.each ? schema.each->unit : schema.unit;
+  const std::string& unit = schema.element ? schema.element->unit : schema.unit;
   if (!unit.empty()) text += fmt::format(" [{}]", unit);
   if (schema.words.empty()) return text;
   return fmt::format("{}: {}", fmt::join(schema.words, "|"), text);
@@ -161,8 +162,8 @@ std::string type_of(const Param& param, const Schema& schema) {
   if (schema.kind == Kind::kNumber) return "NUMBER";
   if (schema.kind == Kind::kInteger) return "INTEGER";
   if (schema.kind == Kind::kMap) return param.form;
-  if (schema.kind == Kind::kList && schema.each->kind == Kind::kObject)
-    return range_form(*schema.each);
+  if (schema.kind == Kind::kList && schema.element->kind == Kind::kObject)
+    return range_form(*schema.element);
   return "TEXT";
 }
 
@@ -197,8 +198,8 @@ void add_option(CLI::App& command, const Param& param, Json& request) {
                                                    : typed_list(schema, texts);
         },
         help);
-    if (schema.kind == Kind::kList && schema.least == schema.most)
-      option->expected(static_cast<int>(schema.most));
+    if (schema.kind == Kind::kList && schema.min_size == schema.max_size)
+      option->expected(static_cast<int>(schema.max_size));
   } else {
     option = command.add_option_function<std::string>(
         spec,

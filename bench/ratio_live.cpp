@@ -19,15 +19,15 @@ const std::string kLiveData = THENAR_DATA_DIR;
 /// A request as a line holds it, and its answer as one.
 std::string asked(Session& session, const MethodTable& table, const std::string& method,
                   const std::string& params) {
-  const RpcMethod& row = table.at(method);
-  return json_text(row.handler(session, checked(row.params, Json::parse(params), "params"), {}),
+  const RpcMethod& row = table.method_named(method);
+  return json_text(row.handler(session, validated(row.params, Json::parse(params), "params"), {}),
                    -1);
 }
 
 }  // namespace
 
 Row ratio_closed_loop() {
-  SessionPlaces places;
+  SessionFolders places;
   places.data = kLiveData;
   Session session(places);
   const MethodTable table = method_table();

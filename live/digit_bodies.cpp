@@ -15,12 +15,12 @@
 namespace thenar {
 namespace {
 
-constexpr int kSkinTriangles = 1500;    // of a phalanx: it looks smooth
-constexpr double kBoneRadius = 2.5e-3;  // of capsules [m]
-constexpr double kAxisLength = 0.03;    // of an arrow along an axis [m]
-constexpr double kNoLength = 1e-6;      // of a bone that is none [m]
+constexpr int kSkinTriangles = 1500;       // triangles of a phalanx's skin; enough to look smooth
+constexpr double kBoneRadius = 2.5e-3;     // radius of capsules [m]
+constexpr double kAxisArrowLength = 0.03;  // length of an arrow along an axis [m]
+constexpr double kMinBoneLength = 1e-6;    // distance of axes below which they share a point [m]
 
-/// Bodies as they are found, without those of links that have none.
+/// Bodies of a digit, in order of addition, and their links.
 class BodyList {
  public:
   explicit BodyList(std::string digit) : digit_(std::move(digit)) {}
@@ -38,7 +38,7 @@ class BodyList {
     links_.push_back(link);
   }
   [[nodiscard]] int body_of(int link) const { return place_in(links_, link); }
-  void take_into(DigitBodies& out) {
+  void move_into(DigitBodies& out) {
     out.bodies = std::move(bodies_);
     out.links = std::move(links_);
   }
@@ -49,9 +49,9 @@ class BodyList {
   std::vector<int> links_;
 };
 
-/// The rotation that lays the digit along x with its dorsal side up.
-Pose<double> upright(const TendonDigit& digit) {
-  // Axes of the tip: proximal, dorsal, radial. Take the part of distal that is level.
+/// Returns the rotation that lays the digit along x with its dorsal side up.
+Pose<double> upright_frame(const TendonDigit& digit) {
+  // Columns of tip_axes: proximal, dorsal, radial. Project the distal direction onto the plane.
   const Eigen::Vector3d up = digit.model.tip_axes.col(1).normalized();
   const Eigen::Vector3d distal = -digit.model.tip_axes.col(0);
   const Eigen::Vector3d along = (distal - distal.dot(up) * up).normalized();
@@ -67,31 +67,32 @@ void add_bones(const Subject& subject, const TendonDigit& digit, BodyList& list)
     list.add(bone.name + " bone", LiveRole::kBone, bone.link, picture_of_solid(bone.solid));
 }
 
-/// Skin of the digit's own bones; that of the palm would hide where its tendons come from.
+/// Adds the skin of the digit's own bones; the skin of the palm would hide the tendons.
 void add_skin(const HandAnatomy& hand, const std::string& name, const TendonDigit& digit,
               BodyList& list) {
   const DigitAnatomy* anatomy = digit_named(hand, name);
   if (anatomy == nullptr) return;
-  // Draw each bone's skin at the reference posture; the link carries it from there.
+  // Mesh the skin of each bone in the reference posture.
   const std::map<std::string, ImplicitBody> skins = skin_bodies(hand);
   for (const DigitBone& bone : anatomy->bones) {
     const auto skin = skins.find(bone.segment);
     const auto link = digit.skeleton.link_of_segment.find(bone.segment);
     if (skin == skins.end() || link == digit.skeleton.link_of_segment.end()) continue;
-    // In the frame of the link, which frozen joints may have displaced.
-    const Pose<double>& at = digit.skeleton.segment_at.at(bone.segment);
+    // Transform it to the link's frame, which frozen joints may have displaced.
+    const Pose<double>& X = digit.skeleton.segment_at.at(bone.segment);
     TriangleMesh mesh = skin_mesh(skin->second, kSkinTriangles);
-    mesh.vertices = ((at.R * mesh.vertices).colwise() + at.p).eval();
+    mesh.vertices = ((X.R * mesh.vertices).colwise() + X.p).eval();
     list.add(bone.segment + " skin", LiveRole::kLink, link->second,
              std::make_shared<const TriangleMesh>(std::move(mesh)));
   }
 }
 
+/// Builds the mesh of a capsule between two points.
 std::shared_ptr<const TriangleMesh> capsule_mesh(const Eigen::Vector3d& a,
                                                  const Eigen::Vector3d& b) {
   ShapeSpec shape;
   shape.kind = ShapeKind::kCapsule;
-  // A capsule lies along z of its own frame, about its middle.
+  // Turn z, the axis of a capsule, onto the segment, and centre the capsule on it.
   shape.size = {kBoneRadius, (b - a).norm(), 0};
   const Eigen::Vector3d along = (b - a).normalized();
   const Tangents across = tangents(along);
@@ -100,23 +101,23 @@ std::shared_ptr<const TriangleMesh> capsule_mesh(const Eigen::Vector3d& a,
   return std::make_shared<const TriangleMesh>(build_solid({shape}).visual);
 }
 
-/// Capsules from axis to axis to the tip.
+/// Adds capsules from axis to axis to the tip.
 void add_capsules(const TendonDigit& digit, BodyList& list) {
   const TendonModel<double>& model = digit.model;
   const TreeState<double> state =
       pose_tree(model.tree, Eigen::VectorXd::Zero(model.coordinates).eval());
   std::vector<Eigen::Vector3d> ends = axis_points(model, state);
   ends.push_back(moved(state, model.tip_link, model.tip));
-  // Skip axes that cross in one point, as at a universal joint.
+  // Draw one capsule for each pair of neighbours; skip axes that intersect (universal joints).
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    if ((ends[i + 1] - ends[i]).norm() < kNoLength) continue;
+    if ((ends[i + 1] - ends[i]).norm() < kMinBoneLength) continue;
     const Pose<double> X = state[i].X.inverse();
     list.add(digit.names.hinges[i] + " bone", LiveRole::kBone, static_cast<int>(i),
              capsule_mesh(X * ends[i], X * ends[i + 1]));
   }
 }
 
-/// The joints, each at the point of its axis that a bone would cross.
+/// Returns the joints, each at the point where the bone crosses its axis.
 std::vector<LiveJoint> joints_of(const std::string& name, const TendonDigit& digit,
                                  const BodyList& list) {
   const TendonModel<double>& model = digit.model;
@@ -135,7 +136,7 @@ std::vector<LiveJoint> joints_of(const std::string& name, const TendonDigit& dig
     joint.body = list.body_of(static_cast<int>(i));
     joint.axis = hinge.direction;
     joint.point = state[i].X.inverse() * points[i];
-    // Limits of the joint by those of its coordinate, in order also where it turns the other way.
+    // Map the limits of the coordinate to the hinge; a negative ratio swaps them.
     const double a = hinge.ratio * limits.lower + hinge.offset;
     const double b = hinge.ratio * limits.upper + hinge.offset;
     joint.lower = std::min(a, b);
@@ -151,9 +152,9 @@ std::vector<LiveJoint> joints_of(const std::string& name, const TendonDigit& dig
 DigitBodies digit_bodies(const Subject& subject, const std::string& name, const TendonDigit& digit,
                          DigitLook look) {
   DigitBodies out;
-  out.X_WS = upright(digit);
+  out.X_WS = upright_frame(digit);
   BodyList list(name);
-  // Bones and skin; a subject without anatomy is drawn by capsules, with a warning.
+  // Look up the anatomy; a subject without one is drawn as capsules, with a warning.
   std::optional<HandAnatomy> hand;
   if (look == DigitLook::kAnatomy) try {
       hand = find_anatomy(subject);
@@ -166,12 +167,12 @@ DigitBodies digit_bodies(const Subject& subject, const std::string& name, const 
   } else {
     add_capsules(digit, list);
   }
-  // Links of universal joints have no flesh, but a joint wants a body.
+  // Give every remaining link (of a universal joint) a body without a mesh, for its joint.
   for (int link = 0; link < static_cast<int>(digit.model.tree.size()); ++link)
     if (list.body_of(link) < 0)
       list.add(digit.names.hinges[link] + " link", LiveRole::kBone, link, nullptr);
   out.joints = joints_of(name, digit, list);
-  list.take_into(out);
+  list.move_into(out);
   return out;
 }
 
@@ -199,21 +200,21 @@ std::vector<LiveVector> axis_vectors(const DigitBodies& bodies, const TendonMode
   std::vector<LiveVector> arrows;
   arrows.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // Draw each axis to both sides of the point where the bone crosses it.
-    const Eigen::Vector3d way = kAxisLength * (bodies.X_WS.R * state[i].axis);
-    arrows.push_back({bodies.X_WS * points[i] - way / 2, way});
+    // Centre each arrow on the point where the bone crosses the axis.
+    const Eigen::Vector3d arrow = kAxisArrowLength * (bodies.X_WS.R * state[i].axis);
+    arrows.push_back({bodies.X_WS * points[i] - arrow / 2, arrow});
   }
   return arrows;
 }
 
 void aim_at_digit(const DigitBodies& bodies, const TendonModel<double>& model,
                   const TreeState<double>& state, LiveShape& shape) {
-  // Frame all joints and the tip, seen from one side and a little from above.
+  // Compute the bounding box of all joints and the tip.
   std::vector<Eigen::Vector3d> points = axis_points(model, state);
   points.push_back(moved(state, model.tip_link, model.tip));
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : points) box.extend(bodies.X_WS * p);
-  // Far enough for a field of view of 40 degrees.
+  // Look at its centre, from far enough for a field of view of 40 degrees: 1.8 diagonals and 5 cm.
   shape.target = box.center();
   shape.eye = box.center() +
               (1.8 * box.diagonal().norm() + 0.05) * Eigen::Vector3d(0.25, -1, 0.35).normalized();

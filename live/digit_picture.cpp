@@ -20,7 +20,7 @@ DigitPicture::DigitPicture(const Subject& subject, const std::string& name,
 
 LiveInstant DigitPicture::instant(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                   const NetEquilibrium& rest) const {
-  // Pose the tree once: bodies, lines and arrows all follow from it.
+  // Compute the link poses once; bodies, lines and arrows follow from them.
   const TendonModel<double>& model = tendons_->digit().model;
   const TreeState<double> state = pose_tree(model.tree, q);
   LiveInstant instant;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// One digit with its tendons as a live picture: bones, skin, axes of joints, lines.
+/// Live picture of one digit with its tendons: bones, skin, joint axes, tendon lines.
 
 #include <memory>
 #include <string>
@@ -11,32 +11,36 @@
 
 namespace thenar {
 
-/// The picture of a digit, whatever decides on its posture and its tensions.
+/// Picture of a digit. The caller supplies postures and tensions: a live digit, a fit, or a
+/// recording.
 class DigitPicture {
  public:
-  /// @param tendons  of that digit of the subject; it is shared
-  /// @param q        posture that the camera aims at [rad] (coordinates)
-  /// @param look     whether bones and skin are those of the subject
+  /// @param name     name of the digit
+  /// @param tendons  tendons of that digit; ownership is shared
+  /// @param q        posture that the camera frames [rad] (coordinates)
+  /// @param look     shapes of the bones: the subject's anatomy, or capsules
   DigitPicture(const Subject& subject, const std::string& name,
                std::shared_ptr<const DigitTendons> tendons, const Eigen::VectorXd& q,
                DigitLook look = DigitLook::kAnatomy);
 
-  /// Returns the constant parts of the picture; its arrows are the axes of the joints alone.
+  /// Returns the constant parts of the picture; its only arrows are the joint axes.
   [[nodiscard]] const LiveShape& shape() const { return shape_; }
   [[nodiscard]] const DigitTendons& tendons() const { return *tendons_; }
   [[nodiscard]] const DigitBodies& bodies() const { return bodies_; }
-  /// The subject's frame in the picture.
-  [[nodiscard]] const Pose<double>& placed() const { return bodies_.X_WS; }
-  /// Returns warnings about bones that are drawn as capsules.
+  /// Returns the pose of the subject's frame in the picture.
+  [[nodiscard]] const Pose<double>& subject_pose() const { return bodies_.X_WS; }
+  /// Returns the reasons why bones are drawn as capsules.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return bodies_.warnings; }
 
-  /// @param q     [rad] (coordinates);  @param t  of each muscle [N] (muscles)
-  /// @param rest  of the net there; of tendons without a net it is not read
+  /// Returns the moving parts of the picture at a posture.
+  /// @param q     posture [rad] (coordinates)
+  /// @param t     tensions of the muscles [N] (muscles)
+  /// @param rest  equilibrium of the net at that posture; ignored without a net
   [[nodiscard]] LiveInstant instant(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                     const NetEquilibrium& rest) const;
 
  private:
-  std::shared_ptr<const DigitTendons> tendons_;  // shared with whoever asks them for torques
+  std::shared_ptr<const DigitTendons> tendons_;  // shared with the caller
   DigitBodies bodies_;
   DigitLines lines_;
   LiveShape shape_;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tensions that the excited muscles of a digit hold at rest.
+/// Steady-state tensions of the excited muscles of a digit.
 
 #include <memory>
 #include <string>
@@ -14,36 +14,37 @@
 
 namespace thenar {
 
-/// Muscles in steady state: activation equals excitation, fibres are still, tendons rigid.
+/// Muscles in steady state: activation equals excitation, fibre velocity is zero, tendons are
+/// rigid.
 ///   tension = rigid_tendon_tension(excitation, length at optimum + lengthening, 0),
-/// where the lengthening of a muscle is that of its whole tendon since all joints were at 0, there
-/// every fibre has its optimal length. Without a fibre length: excitation times F0.
+/// where the lengthening is the length of the whole tendon minus its length with all joints at 0.
+/// Every fibre is assumed to have its optimal length with all joints at 0. A muscle without a known
+/// fibre length pulls with excitation times F0.
 class ExcitedMuscles {
  public:
-  /// @param tendons  of that subject's digit; a net counts as the whole tendons beneath it
+  /// @param tendons  tendons of a digit of that subject; a net is replaced by its linear tendons
   ExcitedMuscles(const Subject& subject, std::shared_ptr<const DigitTendons> tendons);
 
-  /// @param excitation  0..1; NaN: none (muscles) [1]
-  /// @param t           tensions of muscles without excitation (muscles) [N]
-  /// @param q           posture (coordinates) [rad]
-  /// @return tension of every muscle (muscles) [N]
-  /// @throws InputError for an excitation outside of 0..1, or of a muscle without F0.
+  /// Computes the tension of every muscle [N] (muscles).
+  /// @param excitation  0..1; NaN: the muscle has a given tension [1] (muscles)
+  /// @param t           tensions of muscles without excitation [N] (muscles)
+  /// @param q           posture [rad] (coordinates)
+  /// @throws InputError for an excitation outside 0..1, or if F0 of an excited muscle is unknown
   [[nodiscard]] Eigen::VectorXd tensions(const Eigen::VectorXd& excitation,
                                          const Eigen::VectorXd& t, const Eigen::VectorXd& q) const;
 
-  /// Returns assumptions about the excited muscles, and postures where their tensions are
-  /// unreliable.
+  /// Returns assumptions about the excited muscles, and reasons why their tensions are unreliable.
   [[nodiscard]] std::vector<std::string> warnings(const Eigen::VectorXd& excitation) const;
 
-  /// Lengths of whole tendons, longer than with all joints at 0 [m] (muscles).
+  /// Returns the lengths of the whole tendons minus those with all joints at 0 [m] (muscles).
   [[nodiscard]] Eigen::VectorXd lengthening(const Eigen::VectorXd& q) const;
 
  private:
-  std::shared_ptr<const DigitTendons> tendons_;  // shared with the digit that they pull
-  const DigitTendons* whole_;                    // the same without a net
-  std::vector<Musculotendon> muscles_;           // F0 infinite: unknown; no fibre: 0
-  Eigen::VectorXd at_zero_;                      // lengths with all joints at 0 [m] (muscles)
-  std::string trouble_at_zero_;                  // why not to trust them; empty: they are sound
+  std::shared_ptr<const DigitTendons> tendons_;  // shared with the caller
+  const DigitTendons* whole_tendons_;            // tendons_, or the linear tendons of their net
+  std::vector<Musculotendon> muscles_;           // unknown F0: infinite; unknown fibre length: 0
+  Eigen::VectorXd length_at_zero_;               // lengths with all joints at 0 [m] (muscles)
+  std::string zero_warning_;  // reason why length_at_zero_ is unreliable; empty: it is reliable
 };
 
 }  // namespace thenar

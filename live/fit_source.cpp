@@ -15,7 +15,7 @@
 namespace thenar {
 namespace {
 
-FitSource fit_at(const std::string& path) {
+FitSource source_of_fit(const std::string& path) {
   const Fit fit = read_fit(path);
   FitSource source{path,
                    "fit",
@@ -24,10 +24,10 @@ FitSource fit_at(const std::string& path) {
                    {},
                    predict_own(fit),
                    checksum_warnings(path)};
-  // Show fits that did not converge as well, but say so.
+  // Accept a fit that did not converge, with a warning.
   if (fit.solution.status != Status::kSolved)
     source.warnings.push_back("the fit did not converge: " + convergence_word(fit.solution));
-  // Each specimen has its own parameters, and no draws.
+  // Collect the fitted parameters of each specimen.
   for (std::size_t s = 0; s < fit.problem.specimens().size(); ++s)
     source.specimens.push_back(
         {parameter_values<double>(
@@ -38,10 +38,10 @@ FitSource fit_at(const std::string& path) {
   return source;
 }
 
-/// Returns the axes of one specimen, if the specimen moves them.
+/// Selects the axes of one specimen.
 std::vector<PosteriorAxes> axes_of(const std::vector<PosteriorAxes>& all, const FitProblem& problem,
                                    std::size_t specimen) {
-  // The only specimen has no name there, where there are several that is the population.
+  // A single specimen has no name here; with several specimens, no name means the population.
   const std::vector<std::string>& names = problem.specimens();
   const std::string whose = names.size() > 1 ? names[specimen] : "";
   std::vector<PosteriorAxes> own;
@@ -50,7 +50,7 @@ std::vector<PosteriorAxes> axes_of(const std::vector<PosteriorAxes>& all, const 
   return own;
 }
 
-FitSource posterior_at(const std::string& path) {
+FitSource source_of_posterior(const std::string& path) {
   const PosteriorRun run = read_posterior(path);
   const HandPosterior& posterior = *run.posterior;
   const FitProblem& problem = posterior.problem();
@@ -62,21 +62,21 @@ FitSource posterior_at(const std::string& path) {
                    {},
                    checksum_warnings(path)};
   for (const std::string& warning : run.convergence.warnings) source.warnings.push_back(warning);
-  // Means of all draws, and some of them evenly spread.
+  // Collect the means of all draws, and at most kMaxShownDraws draws at equal intervals.
   const PosteriorValues values = posterior.values(pooled(run.draws));
   const std::vector<int> moving = posterior.moving_parameters();
   const std::vector<PosteriorAxes> axes = posterior_axes(run);
-  for (const Eigen::MatrixXd& of : values.specimens) {
-    SpecimenValues specimen{values_with(problem.parameters(), moving, of.rowwise().mean()),
+  for (const Eigen::MatrixXd& draws : values.specimens) {
+    SpecimenValues specimen{values_with(problem.parameters(), moving, draws.rowwise().mean()),
                             {},
                             axes_of(axes, problem, source.specimens.size())};
-    const Eigen::Index shown = std::min<Eigen::Index>(of.cols(), kShownDraws);
+    const Eigen::Index shown = std::min<Eigen::Index>(draws.cols(), kMaxShownDraws);
     for (Eigen::Index k = 0; k < shown; ++k)
-      specimen.drawn.push_back(
-          values_with(problem.parameters(), moving, of.col(k * of.cols() / shown)));
+      specimen.draws.push_back(
+          values_with(problem.parameters(), moving, draws.col(k * draws.cols() / shown)));
     source.specimens.push_back(std::move(specimen));
   }
-  // As predict_by_draws() does.
+  // Predict the forces of all experiments, as predict_by_draws() does.
   for (const Experiment& experiment : problem.experiments())
     source.predictions.push_back(
         summarise(predict_draws(run, experiment, find_specimen(problem, experiment.specimen),
@@ -88,7 +88,7 @@ FitSource posterior_at(const std::string& path) {
 
 FitSource read_fit_source(const std::string& path) {
   require_kind(path, {"fit", "posterior"});
-  return contents_of(path).kind == "posterior" ? posterior_at(path) : fit_at(path);
+  return contents_of(path).kind == "posterior" ? source_of_posterior(path) : source_of_fit(path);
 }
 
 }  // namespace thenar

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Data of a fit, or of draws from a posterior, for a live view: parameters of every specimen, and
-/// forces measured and predicted.
+/// Data of a fit, or of draws from a posterior, for a live view: parameters of every specimen,
+/// measured and predicted forces.
 
 #include <string>
 #include <vector>
@@ -13,27 +13,29 @@ namespace thenar {
 
 /// Values of all parameters of one specimen.
 struct SpecimenValues {
-  std::vector<double> estimate;            // fitted, or the means of draws [SI] (all)
-  std::vector<std::vector<double>> drawn;  // of some draws; none of a fit [SI] (draws) of (all)
-  std::vector<PosteriorAxes> axes;         // of all draws; only pairs of which an axis moves
+  std::vector<double> estimate;            // fitted values, or means of the draws [SI] (parameters)
+  std::vector<std::vector<double>> draws;  // values of at most kMaxShownDraws draws; empty for a
+                                           // fit [SI] (draws, parameters)
+  std::vector<PosteriorAxes> axes;         // offsets of neighbouring axes over all draws, for the
+                                           // pairs that the parameters move
 };
 
-/// A fit or a posterior, read.
+/// Content of the file of a fit or a posterior.
 struct FitSource {
-  std::string file, kind;                 // "fit" or "posterior"
-  Subject subject;                        // that it started from
+  std::string file, kind;                 // path; "fit" or "posterior"
+  Subject subject;                        // subject that the fit started from
   FitProblem problem;                     // experiments, digit, parameters
   std::vector<SpecimenValues> specimens;  // in the order of problem.specimens()
-  std::vector<Prediction> predictions;    // of each experiment, with predictive sds
-  std::vector<std::string> warnings;      // to read before either is trusted
+  std::vector<Prediction> predictions;    // one for each experiment, with predictive sds
+  std::vector<std::string> warnings;      // reasons to doubt the fit or the draws
 };
 
-/// Most draws of which axes are shown.
-inline constexpr int kShownDraws = 200;
+/// Largest number of draws whose joint axes are shown.
+inline constexpr int kMaxShownDraws = 200;
 
-/// Reads a result of a fit (.h5) or a posterior (.nc). Forces are those that fit_digit() and
-/// predict_by_draws() predict of what was fitted.
-/// @throws InputError if it is something else; DataError if it is damaged.
+/// Reads the result of a fit (.h5) or a posterior (.nc) and predicts the forces of its own
+/// experiments, as fit_digit() and predict_by_draws() do.
+/// @throws InputError for another kind of file; DataError for a damaged one
 [[nodiscard]] FitSource read_fit_source(const std::string& path);
 
 }  // namespace thenar

@@ -1,7 +1,7 @@
 #pragma once
 
-/// A digit of a subject with its tendons that a person moves: postures, tensions and excitations
-/// in; torques, bands of the hood and the force of the tip out, at once.
+/// Interactive digit with tendons: given a posture, tensions and excitations, it returns the joint
+/// torques, the tensions of the extensor hood and the force of the fingertip.
 
 #include <map>
 #include <memory>
@@ -17,67 +17,68 @@
 
 namespace thenar {
 
-/// Changes of a digit; inputs that are not named stay.
+/// Changes of a digit's inputs; inputs that are not named keep their values.
 struct DigitInputs {
   std::map<std::string, double> posture;     // joint -> angle [rad]
-  std::map<std::string, double> tension;     // muscle -> tension [N]; it is no longer excited
-  std::map<std::string, double> excitation;  // muscle -> 0..1; its tension follows from that [1]
+  std::map<std::string, double> tension;     // muscle -> tension; ends its excitation [N]
+  std::map<std::string, double> excitation;  // muscle -> excitation 0..1, sets its tension [1]
 };
 
-/// A digit at one posture under its tensions.
-struct DigitNow {
-  Eigen::VectorXd excitation;  // 0..1; NaN of muscles whose tension is given [1] (muscles)
-  Eigen::VectorXd tension;     // [N] (muscles)
-  Eigen::VectorXd length;      // of each muscle's line, longer than with all joints at 0 under the
-                               // same tensions; NaN where that is not to be trusted, and of a slack
-                               // muscle of a net [m] (muscles)
-  DigitPoint point;            // read point.pull.status first: trusted()
-  Eigen::MatrixXd arms;  // moment arms, flexion and radial +; NaN where not to be trusted, and
-                         // of muscles of a net that are slack, or whose torque has a corner there
-                         // [m/rad] (muscles, coordinates)
-  std::vector<std::string> warnings;  // of this posture and these tensions
+/// Solution of a digit at one posture under its tensions.
+struct DigitState {
+  Eigen::VectorXd excitation;  // 0..1; NaN: the muscle has a given tension [1] (muscles)
+  Eigen::VectorXd tension;     // tensions of the muscles [N] (muscles)
+  Eigen::VectorXd length;      // lengths of the muscles' lines minus those with all joints at 0
+                               // under the same tensions; NaN if unreliable, and for slack muscles
+                               // of a net [m] (muscles)
+  DigitPoint point;            // tendon solution; valid if trusted(point.pull.status)
+  Eigen::MatrixXd arms;  // moment arms, flexion and radial positive; NaN if unreliable, for slack
+                         // muscles of a net, and where the torque is not differentiable [m/rad]
+                         // (muscles, coordinates)
+  std::vector<std::string> warnings;  // warnings about this posture and these tensions
 };
 
-/// Moment arms and lengths of all muscles over one joint; NaN where there is no answer.
+/// Moment arms and lengths of all muscles over one joint; NaN where there is no solution.
 struct DigitCurves {
-  std::string joint;
-  Eigen::VectorXd angle;    // [rad] (postures)
-  Eigen::MatrixXd arms;     // about the joint, flexion and radial + [m/rad] (muscles, postures)
-  Eigen::MatrixXd lengths;  // longer than with all joints at 0; of a net as it lengthens under the
-                            // present tensions [m] (muscles, postures)
+  std::string joint;        // joint that varies
+  Eigen::VectorXd angle;    // angles of the joint [rad] (postures)
+  Eigen::MatrixXd arms;     // moment arms, flexion and radial positive [m/rad] (muscles, postures)
+  Eigen::MatrixXd lengths;  // lengths minus those with all joints at 0, for a net under the current
+                            // tensions [m] (muscles, postures)
   std::vector<std::string> warnings;
 };
 
-/// A live digit. Whatever it is told, its answer depends on its present inputs alone: a net comes
-/// to every posture from the straight finger under the present tensions, as in solve_tendons().
-///
-/// An excited muscle pulls with what it holds in the end, see ExcitedMuscles.
+/// Live digit. Its solution depends only on the current inputs, not on their history: a net is
+/// followed from the straight finger to every posture under the current tensions, as in
+/// solve_tendons(). Excited muscles pull with their steady-state tension, see ExcitedMuscles.
 class LiveDigit final : public LiveModel {
  public:
-  /// @param request  its posture is the first one; `vary` and `map` must be empty. Without hood and
-  ///                 net: a floating net where the digit can carry one, else fixed fractions where
-  ///                 the subject has them, with a warning
-  /// @throws InputError or DataError saying what is unknown or missing.
+  /// @param request  digit and initial posture; `vary` and `map` must be empty. If it names neither
+  ///                 hood nor net, the digit gets a floating net if it can have one, else the
+  ///                 subject's fixed fractions and a warning
+  /// @throws InputError, DataError for unknown or missing parts of the subject
   explicit LiveDigit(const DigitRequest& request);
 
-  /// Changes inputs and solves the digit. Angles end at the limits of their joints.
-  /// @returns the joints whose angles were limited
-  /// @throws InputError for what is unknown or out of range; the digit then is as it was.
+  /// Changes inputs and solves the digit. Angles are clamped to the limits of their joints.
+  /// @return names of the joints whose angles were clamped
+  /// @throws InputError for unknown names or values out of range; the digit is then unchanged
   std::vector<std::string> set(const DigitInputs& inputs);
 
-  /// Moment arms and lengths over the whole range of a joint, the others as they stand: those of
-  /// compute_moment_arms(); of a net those of sweep_tendons() under the present tensions.
-  /// @param count  postures, 2 .. 1000
-  /// @throws InputError for an unknown joint.
+  /// Computes moment arms and lengths over the whole range of a joint, with all other joints in
+  /// their current posture. Uses compute_moment_arms(), or for a net sweep_tendons() under the
+  /// current tensions.
+  /// @param count  number of postures, 2 to 1000
+  /// @throws InputError for an unknown joint
   [[nodiscard]] DigitCurves sweep(const std::string& joint, int count,
                                   const Progress& progress = {}) const;
 
-  [[nodiscard]] const DigitCase& about() const { return case_; }
-  [[nodiscard]] const DigitNow& now() const { return now_; }
+  [[nodiscard]] const DigitCase& digit_case() const { return case_; }
+  [[nodiscard]] const DigitState& state() const { return state_; }
   /// Returns the warnings from building the digit.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
-  /// The subject's frame in the picture; everything but the picture is in the subject's frame.
-  [[nodiscard]] const Pose<double>& placed() const { return picture_->placed(); }
+  /// Returns the pose of the subject's frame in the picture. All other results of this class are in
+  /// the subject's frame.
+  [[nodiscard]] const Pose<double>& subject_pose() const { return picture_->subject_pose(); }
 
   [[nodiscard]] const LiveShape& shape() const override { return shape_; }
   [[nodiscard]] LiveInstant instant() const override;
@@ -85,25 +86,27 @@ class LiveDigit final : public LiveModel {
   [[nodiscard]] unsigned long changes() const override { return changes_; }
 
  private:
-  /// Results that tensions alone decide, so that a posture is solved without finding them again.
-  struct UnderTension {
-    Eigen::VectorXd tension;       // empty: none yet [N] (muscles)
-    NetEquilibrium straight_rest;  // of a net in the straight finger
-    Eigen::VectorXd zero_length;   // of lines with all joints at 0; NaN: see DigitNow::length [m]
+  /// Results that depend on the tensions alone, cached for all postures under these tensions.
+  struct TensionBaseline {
+    Eigen::VectorXd tension;       // tensions; empty: nothing is cached [N] (muscles)
+    NetEquilibrium straight_rest;  // equilibrium of a net in the straight finger
+    Eigen::VectorXd zero_length;   // lengths of the muscles' lines with all joints at 0; NaN as in
+                                   // DigitState::length [m] (muscles)
   };
 
   void build_shape();
-  [[nodiscard]] Eigen::VectorXd with_angles(const std::map<std::string, double>& posture,
-                                            std::vector<std::string>& limited) const;
-  [[nodiscard]] Eigen::VectorXd with_excitations(const DigitInputs& inputs) const;
-  /// Finds the answer at a posture; where that fails, the present one stays whole.
+  [[nodiscard]] Eigen::VectorXd limited_posture(const std::map<std::string, double>& posture,
+                                                std::vector<std::string>& limited) const;
+  [[nodiscard]] Eigen::VectorXd merged_excitations(const DigitInputs& inputs) const;
+  /// Solves the digit and replaces state_; leaves it unchanged if this throws.
   void solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation, const Eigen::VectorXd& t);
-  [[nodiscard]] UnderTension under(const Eigen::VectorXd& t) const;
-  [[nodiscard]] DigitPoint point_at(const Eigen::VectorXd& q, const UnderTension& under) const;
+  [[nodiscard]] TensionBaseline baseline_at(const Eigen::VectorXd& t) const;
+  [[nodiscard]] DigitPoint point_at(const Eigen::VectorXd& q,
+                                    const TensionBaseline& baseline) const;
   [[nodiscard]] Eigen::MatrixXd arms_at(const DigitPoint& point, const Eigen::VectorXd& t) const;
   [[nodiscard]] Eigen::VectorXd lengths_at(const DigitPoint& point, const Eigen::VectorXd& t) const;
-  /// Returns the reason why a point of a net is doubtful; "" if it is not.
-  [[nodiscard]] std::string doubt_at(const DigitPoint& point) const;
+  /// Returns the reason why a point of a net is unreliable; "" if it is reliable.
+  [[nodiscard]] std::string reliability_warning(const DigitPoint& point) const;
   [[nodiscard]] DigitCurves net_curves(const std::string& joint, const PostureGrid& grid,
                                        const Progress& progress) const;
 
@@ -112,8 +115,8 @@ class LiveDigit final : public LiveModel {
   std::unique_ptr<DigitPicture> picture_;
   std::unique_ptr<ExcitedMuscles> muscles_;
   LiveShape shape_;
-  DigitNow now_;
-  UnderTension under_;
+  DigitState state_;
+  TensionBaseline baseline_;
   unsigned long changes_ = 0;
 };
 

@@ -13,27 +13,28 @@
 namespace thenar {
 namespace {
 
-constexpr double kDrawnAxis = 0.03;  // length of an axis of a draw [m]
-constexpr double kSameAxis = 1e-9;   // from draw to draw [m]
+constexpr double kDrawnAxisLength = 0.03;  // length of the line of a drawn axis [m]
+constexpr double kAxisTolerance = 1e-9;    // distance below which the axes of two draws agree [m]
 
-/// Tendons of a fitted digit: through the points of its model, with a net if it has one.
+/// Builds the tendons of a fitted digit: straight between its points, with a net if it has one.
 std::shared_ptr<const DigitTendons> tendons_of_fit(const TendonDigit& digit) {
   std::shared_ptr<const DigitTendons> linear = straight_tendons(digit);
   if (!digit.net) return linear;
   return std::make_shared<NetTendons>(std::move(linear), *digit.net);
 }
 
-/// Axes of draws, from end to end about where the bone of the fitted digit crosses them, on the
-/// link that carries each hinge.
-std::vector<LiveCloud> axis_clouds(const std::vector<TendonModel<double>>& drawn,
+/// Builds one cloud for each hinge: the axes of all draws, as lines on the parent link of the
+/// hinge, centred near the point where the bone of the fitted digit crosses the axis.
+std::vector<LiveCloud> axis_clouds(const std::vector<TendonModel<double>>& draws,
                                    const TendonDigit& digit, const DigitBodies& bodies) {
-  // Middles on the axes of the fitted digit keep the drawn lines side by side.
+  // Find the points where the bone of the fitted digit crosses its axes.
   const std::vector<std::string>& hinges = digit.names.hinges;
   const std::vector<Eigen::Vector3d> middles = axis_points(
       digit.model,
       pose_tree(digit.model.tree, Eigen::VectorXd::Zero(digit.model.coordinates).eval()));
+  // Add the axes of each draw, centred at the projections of these points.
   std::vector<LiveCloud> clouds(hinges.size());
-  for (const TendonModel<double>& model : drawn) {
+  for (const TendonModel<double>& model : draws) {
     const TreeState<double> state =
         pose_tree(model.tree, Eigen::VectorXd::Zero(model.coordinates).eval());
     for (std::size_t i = 0; i < hinges.size(); ++i) {
@@ -41,41 +42,40 @@ std::vector<LiveCloud> axis_clouds(const std::vector<TendonModel<double>>& drawn
       const Eigen::Vector3d middle =
           hinge.point + hinge.axis * hinge.axis.dot(middles[i] - hinge.point);
       const int parent = model.tree[i].parent;
-      // The base may have no body: then it is the world that carries them.
+      // Transform to the frame of the parent's body, or to the world if the base has no body.
       clouds[i].body = place_in(bodies.links, parent);
       const Pose<double> X = parent >= 0          ? state[parent].X.inverse()
                              : clouds[i].body < 0 ? bodies.X_WS
                                                   : Pose<double>();
       for (const double side : {-0.5, 0.5})
-        clouds[i].segments.emplace_back(X *
-                                        Eigen::Vector3d(middle + side * kDrawnAxis * hinge.axis));
+        clouds[i].segments.emplace_back(
+            X * Eigen::Vector3d(middle + side * kDrawnAxisLength * hinge.axis));
     }
   }
   for (std::size_t i = 0; i < hinges.size(); ++i) clouds[i].name = hinges[i];
-  // Axes that no draw has moved are no clouds.
+  // Remove clouds whose axis is equal in all draws.
   const auto still = [](const LiveCloud& cloud) {
     for (std::size_t k = 2; k < cloud.segments.size(); ++k)
-      if ((cloud.segments[k] - cloud.segments[k % 2]).norm() > kSameAxis) return false;
+      if ((cloud.segments[k] - cloud.segments[k % 2]).norm() > kAxisTolerance) return false;
     return true;
   };
   clouds.erase(std::remove_if(clouds.begin(), clouds.end(), still), clouds.end());
   return clouds;
 }
 
-/// Offsets of neighbouring axes: means and quantiles of all draws where they move, else of the
-/// model.
-std::vector<LiveAxisPair> pairs_of(const TendonDigit& digit, const SpecimenValues& values) {
+/// Computes the offsets of neighbouring axes: means and quantiles over the draws if parameters move
+/// them, else the fitted offset.
+std::vector<LiveAxisPair> axis_pairs_of(const TendonDigit& digit, const SpecimenValues& values) {
   std::vector<LiveAxisPair> pairs;
-  // Neighbouring axes may cross or miss each other; their angle and distance are what anatomists
-  // measure.
   for (const NeighbouringAxes& axes : neighbouring_axes(digit)) {
     const AxisOffset fitted = axis_offset(digit.model, axes);
     LiveAxisPair pair{axes, fitted, fitted, fitted};
     for (const PosteriorAxes& drawn : values.axes) {
       if (drawn.axes.name != axes.name) continue;
-      const auto offset = [&](double Estimate::*of) {
-        return AxisOffset{radians(drawn.angle.*of), 1e-3 * (drawn.distance.*of),
-                          1e-3 * (drawn.beyond.*of)};
+      // PosteriorAxes are in degrees and millimetres.
+      const auto offset = [&](double Estimate::*number) {
+        return AxisOffset{radians(drawn.angle.*number), 1e-3 * (drawn.distance.*number),
+                          1e-3 * (drawn.beyond.*number)};
       };
       pair = {axes, offset(&Estimate::mean), offset(&Estimate::q05), offset(&Estimate::q95)};
     }
@@ -87,49 +87,49 @@ std::vector<LiveAxisPair> pairs_of(const TendonDigit& digit, const SpecimenValue
 }  // namespace
 
 LiveFit::LiveFit(const std::string& path) : source_(read_fit_source(path)) {
-  // List all trials of all experiments, each with the specimen that it belongs to.
+  // List the trials of all experiments with their specimens.
   const FitProblem& problem = source_.problem;
   for (std::size_t e = 0; e < problem.experiments().size(); ++e)
     for (std::size_t i = 0; i < problem.experiments()[e].trials.size(); ++i)
       trials_.push_back(
           {static_cast<int>(e), static_cast<int>(i), problem.specimen_of(static_cast<int>(e))});
   require(!trials_.empty(), "'{}' was fitted to no trials, only to activations", path);
-  // Build one picture for each specimen, whose geometry the fit may have changed.
+  // Build one picture for each specimen, and show the first trial.
   for (std::size_t s = 0; s < source_.specimens.size(); ++s)
-    looks_.push_back(look_of(static_cast<int>(s)));
-  for (const std::string& warning : looks_.front().picture->warnings())
+    pictures_.push_back(draw_specimen(static_cast<int>(s)));
+  for (const std::string& warning : pictures_.front().picture->warnings())
     source_.warnings.push_back(warning);
-  show(0);
+  show_trial(0);
   shape_changes_ = changes_ = 0;
 }
 
-LiveFit::Look LiveFit::look_of(int specimen) const {
+LiveFit::SpecimenPicture LiveFit::draw_specimen(int specimen) const {
   const FitProblem& problem = source_.problem;
-  // Start from the digit before the fit, which parameters shift.
   const TendonDigit& before = problem.digit_of(specimen);
   const SpecimenValues& values = source_.specimens[specimen];
   const std::string& name = problem.experiments().front().digit;
-  // The fitted digit, with bones of the subject where it has its size.
-  Look look;
-  look.model = specimen_model<double>(before, problem.parameters(), values.estimate);
-  const TendonDigit digit = specimen_digit(before, look.model);
-  look.picture = std::make_unique<DigitPicture>(
+  // Build the fitted digit and its picture; capsules if it does not have the subject's size.
+  SpecimenPicture drawn;
+  drawn.model = specimen_model<double>(before, problem.parameters(), values.estimate);
+  const TendonDigit digit = specimen_digit(before, drawn.model);
+  drawn.picture = std::make_unique<DigitPicture>(
       source_.subject, name, tendons_of_fit(digit), Eigen::VectorXd::Zero(digit.model.coordinates),
       problem.scaling() == Scaling::kSubject ? DigitLook::kAnatomy : DigitLook::kCapsules);
-  // Axes of some draws.
-  std::vector<TendonModel<double>> drawn;
-  for (const std::vector<double>& draw : values.drawn)
-    drawn.push_back(specimen_model<double>(before, problem.parameters(), draw).digit);
-  look.pairs = pairs_of(digit, values);
-  look.shape = look.picture->shape();
-  look.shape.arrows.push_back({"measured", LiveArrowKind::kMeasured});
-  look.shape.arrows.push_back({"predicted", LiveArrowKind::kPredicted});
-  if (!drawn.empty()) look.shape.clouds = axis_clouds(drawn, digit, look.picture->bodies());
-  return look;
+  // Build the digits of the draws.
+  std::vector<TendonModel<double>> draws;
+  for (const std::vector<double>& draw : values.draws)
+    draws.push_back(specimen_model<double>(before, problem.parameters(), draw).digit);
+  // Add axis offsets, force arrows and axis clouds.
+  drawn.pairs = axis_pairs_of(digit, values);
+  drawn.shape = drawn.picture->shape();
+  drawn.shape.arrows.push_back({"measured", LiveArrowKind::kMeasured});
+  drawn.shape.arrows.push_back({"predicted", LiveArrowKind::kPredicted});
+  if (!draws.empty()) drawn.shape.clouds = axis_clouds(draws, digit, drawn.picture->bodies());
+  return drawn;
 }
 
 const ExperimentPlan& LiveFit::plan() const {
-  const LiveTrial& at = trials_[shown_];
+  const LiveTrial& at = trials_[shown_trial_];
   return source_.problem.plans()[at.experiment];
 }
 
@@ -140,38 +140,39 @@ const PredictedTrial& LiveFit::predicted(int trial) const {
   return source_.predictions[at.experiment].trials[at.trial];
 }
 
-void LiveFit::show(int trial) {
-  (void)predicted(trial);  // refuses one that is not there
-  // Another specimen has other bones, so the viewer has to rebuild its shapes.
+void LiveFit::show_trial(int trial) {
+  (void)predicted(trial);  // throws if there is no such trial
   const std::size_t before = specimen();
-  shown_ = trial;
-  const Look& look = looks_[specimen()];
+  shown_trial_ = trial;
+  const SpecimenPicture& drawn = pictures_[specimen()];
   const auto i = static_cast<std::size_t>(trials_[trial].trial);
-  // The posture with its errors, and the tensions that arrive.
-  posed_ = pose_specimen(look.model, plan(), static_cast<std::size_t>(plan().posture_of_trial[i]));
-  tension_ = look.model.gain.cwiseProduct(plan().tension[i]);
-  // A net at rest under them.
+  // Pose the specimen with its fitted errors of angles, and scale the tensions by the fitted gains.
+  posed_ = pose_specimen(drawn.model, plan(), static_cast<std::size_t>(plan().posture_of_trial[i]));
+  tension_ = drawn.model.gain.cwiseProduct(plan().tension[i]);
+  // Find the equilibrium of the net.
   rest_ = {};
-  net_trouble_.clear();
-  if (const auto* net = dynamic_cast<const NetTendons*>(&look.picture->tendons())) {
+  net_warning_.clear();
+  if (const auto* net = dynamic_cast<const NetTendons*>(&drawn.picture->tendons())) {
     rest_ = follow_from_straight(*net, posed_.angles, tension_).rest;
-    net_trouble_ = net_warning(net->net().net, posed_.state, rest_);
+    net_warning_ = net_warning(net->net().net, posed_.state, rest_);
   }
+  // Another specimen has another shape.
   ++changes_;
   if (specimen() != before) ++shape_changes_;
 }
 
-LiveFit::ForcePlace LiveFit::force_place() const {
-  const LiveTrial& at = trials_[shown_];
+LiveFit::ForceFrame LiveFit::force_frame() const {
+  const LiveTrial& at = trials_[shown_trial_];
   const TendonModel<double>& model = digit().model;
   const auto axes = [&](int link) -> Eigen::Matrix3d {
     return link < 0 ? model.tip_axes : Eigen::Matrix3d(posed_.state[link].X.R * model.tip_axes);
   };
-  // At the tip, on a segment that is held in its place, or on the mount.
+  // The force acts at the tip unless the trial measured another site.
   const int other = site_of(plan(), static_cast<std::size_t>(at.trial));
   if (other < 0)
     return {moved(posed_.state, model.tip_link, model.tip),
             axes(model.tip_link) * posed_.cell.transpose()};
+  // The other site is a point of a segment, or the first axis for the mount.
   const PlannedSite& site = plan().sites[other];
   const Eigen::Vector3d from = site.link >= 0 ? moved(posed_.state, site.link, site.point)
                                               : axis_points(model, posed_.state).front();
@@ -180,16 +181,16 @@ LiveFit::ForcePlace LiveFit::force_place() const {
 
 std::vector<std::string> LiveFit::warnings() const {
   std::vector<std::string> all = source_.warnings;
-  if (!net_trouble_.empty()) all.push_back("in this trial: " + net_trouble_);
+  if (!net_warning_.empty()) all.push_back("in this trial: " + net_warning_);
   return all;
 }
 
 LiveInstant LiveFit::instant() const {
-  LiveInstant instant = looks_[specimen()].picture->instant(posed_.angles, tension_, rest_);
-  const ForcePlace place = force_place();
-  const PredictedTrial& trial = predicted(shown_);
+  LiveInstant instant = pictures_[specimen()].picture->instant(posed_.angles, tension_, rest_);
+  const ForceFrame frame = force_frame();
+  const PredictedTrial& trial = predicted(shown_trial_);
   for (const Eigen::Vector3d* force : {&trial.measured, &trial.predicted})
-    instant.arrows.push_back({placed() * place.from, placed().R * (place.to_frame * *force)});
+    instant.arrows.push_back({subject_pose() * frame.point, subject_pose().R * (frame.R * *force)});
   return instant;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// A fit, or draws from a posterior, as a picture: the fitted digit in the postures of the trials,
-/// its joint axes, and measured against predicted forces.
+/// Live view of a fit, or of draws from a posterior: the fitted digit in the postures of the
+/// trials, its joint axes, measured and predicted forces.
 
 #include <memory>
 #include <string>
@@ -17,83 +17,86 @@ namespace thenar {
 
 /// One trial of an experiment that was fitted.
 struct LiveTrial {
-  int experiment = 0;  // in FitSource::problem
-  int trial = 0;       // of the experiment
-  int specimen = 0;
+  int experiment = 0;  // entry of the experiments of FitSource::problem
+  int trial = 0;       // entry of the experiment's trials
+  int specimen = 0;    // entry of FitSource::specimens
 };
 
-/// Relative position of two neighbouring axes, and the range of 90 % of the draws.
+/// Relative position of two neighbouring axes, with the interval that holds 90 % of the draws.
 struct LiveAxisPair {
   NeighbouringAxes axes;
-  AxisOffset estimate;   // of a fit, or means of the draws, each number by itself [rad], [m]
-  AxisOffset low, high;  // 5 and 95 % of the draws; the estimate of a fit
+  AxisOffset estimate;   // fitted offset, or the mean of each number over the draws [rad], [m]
+  AxisOffset low, high;  // 5 % and 95 % quantiles of the draws; for a fit, the estimate
 };
 
-/// A live fit. It shows one trial: the digit of its specimen with the fitted axes and tendons, in
-/// the trial's posture with its fitted errors, under the trial's tensions. Forces are drawn where
-/// they were measured; components that were not measured are left out of both. Axes of draws are
-/// clouds on the bone proximal of each joint.
+/// Live fit. It shows one trial: the digit of its specimen with the fitted axes and tendons, in the
+/// trial's posture with the fitted errors of angles, under the trial's tensions. Forces are drawn
+/// at the points of measurement; components that were not measured are left out of both arrows. The
+/// axes of the draws are clouds on the bone proximal of each joint.
 class LiveFit final : public LiveModel {
  public:
-  /// @param path  of a result of a fit (.h5) or a posterior (.nc)
-  /// @throws InputError if it is something else; DataError if it is damaged.
+  /// @param path  result of a fit (.h5) or posterior (.nc)
+  /// @throws InputError for another kind of file or one without trials; DataError for a damaged one
   explicit LiveFit(const std::string& path);
 
-  /// Shows another trial. @throws InputError if there is none of that number.
-  void show(int trial);
+  /// Shows a trial. @param trial  entry of trials(), from 0  @throws InputError if it is out of
+  /// range
+  void show_trial(int trial);
 
   [[nodiscard]] const FitSource& source() const { return source_; }
   [[nodiscard]] const std::vector<LiveTrial>& trials() const { return trials_; }
-  [[nodiscard]] int shown() const { return shown_; }
+  [[nodiscard]] int shown_trial() const { return shown_trial_; }
   [[nodiscard]] const PredictedTrial& predicted(int trial) const;
-  /// The digit of the specimen that is shown, as fitted.
+  /// Returns the fitted digit of the specimen that is shown.
   [[nodiscard]] const TendonDigit& digit() const {
-    return looks_[specimen()].picture->tendons().digit();
+    return pictures_[specimen()].picture->tendons().digit();
   }
   /// Returns the digit's posture with the fitted errors of angles [rad] (coordinates).
   [[nodiscard]] Eigen::VectorXd posture() const { return posed_.angles; }
   [[nodiscard]] const std::vector<LiveAxisPair>& axis_pairs() const {
-    return looks_[specimen()].pairs;
+    return pictures_[specimen()].pairs;
   }
-  /// The subject's frame in the picture; everything but the picture is in the subject's frame.
-  [[nodiscard]] const Pose<double>& placed() const { return looks_[specimen()].picture->placed(); }
-  /// Returns warnings about the file, and about a net that is not at rest in the trial.
+  /// Returns the pose of the subject's frame in the picture. All other results of this class are in
+  /// the subject's frame.
+  [[nodiscard]] const Pose<double>& subject_pose() const {
+    return pictures_[specimen()].picture->subject_pose();
+  }
+  /// Returns warnings about the file, and about a net without equilibrium in the trial.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
-  [[nodiscard]] const LiveShape& shape() const override { return looks_[specimen()].shape; }
+  [[nodiscard]] const LiveShape& shape() const override { return pictures_[specimen()].shape; }
   [[nodiscard]] LiveInstant instant() const override;
   [[nodiscard]] unsigned long shape_changes() const override { return shape_changes_; }
   [[nodiscard]] unsigned long changes() const override { return changes_; }
 
  private:
-  /// One specimen as it is drawn.
-  struct Look {
+  /// Fitted specimen and its picture.
+  struct SpecimenPicture {
     SpecimenModel<double> model;
-    std::unique_ptr<DigitPicture> picture;  // of the fitted tendons
+    std::unique_ptr<DigitPicture> picture;  // picture of the digit with its fitted tendons
     std::vector<LiveAxisPair> pairs;
-    LiveShape shape;  // that of the picture, with forces and draws
+    LiveShape shape;  // shape of the picture with force arrows and axis clouds added
   };
-  [[nodiscard]] Look look_of(int specimen) const;
+  [[nodiscard]] SpecimenPicture draw_specimen(int specimen) const;
   [[nodiscard]] std::size_t specimen() const {
-    return static_cast<std::size_t>(trials_[shown_].specimen);
+    return static_cast<std::size_t>(trials_[shown_trial_].specimen);
   }
   [[nodiscard]] const ExperimentPlan& plan() const;
-  /// Point where the force of the trial was measured, and the rotation of its components into the
-  /// subject's frame.
-  struct ForcePlace {
-    Eigen::Vector3d from;      // [m] (3)
-    Eigen::Matrix3d to_frame;  // from components of the experiment (3, 3)
+  /// Frame in which the force of a trial was measured, seen from the subject's frame.
+  struct ForceFrame {
+    Eigen::Vector3d point;  // point of measurement [m] (3)
+    Eigen::Matrix3d R;  // rotation of the experiment's components into the subject's frame (3, 3)
   };
-  [[nodiscard]] ForcePlace force_place() const;
+  [[nodiscard]] ForceFrame force_frame() const;
 
   FitSource source_;
   std::vector<LiveTrial> trials_;
-  std::vector<Look> looks_;  // of each specimen
-  int shown_ = 0;
-  PosedSpecimen<double> posed_;  // in the trial that is shown
-  Eigen::VectorXd tension_;      // at the digit in that trial [N] (muscles)
-  NetEquilibrium rest_;          // of the net there; without nodes where there is none
-  std::string net_trouble_;      // why it is not to be trusted; empty: it is
+  std::vector<SpecimenPicture> pictures_;  // one for each specimen
+  int shown_trial_ = 0;
+  PosedSpecimen<double> posed_;  // specimen in the posture of the trial that is shown
+  Eigen::VectorXd tension_;      // tensions at the digit in that trial [N] (muscles)
+  NetEquilibrium rest_;          // equilibrium of the net; empty without a net
+  std::string net_warning_;      // reason why rest_ is unreliable; empty: it is reliable
   unsigned long shape_changes_ = 0, changes_ = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A scene that moves while somebody watches, pushes and turns back.
+/// Interactive simulation of a scene: stepping, inputs, and seeking in its history.
 
 #include <memory>
 #include <string>
@@ -14,9 +14,9 @@
 
 namespace thenar {
 
-/// A moving scene, its inputs and its past. What is shown is the newest instant or one that was
-/// sought; steps go on from what is shown, and forget what came behind it. Not for use by several
-/// threads at once.
+/// Moving scene with its inputs and its history. It shows the newest instant or one selected by
+/// seek(). step() continues from the instant that is shown and erases all later ones. Not
+/// thread-safe.
 class LiveMotion final : public LiveTimeline {
  public:
   /// @throws InputError as SceneStepper
@@ -32,36 +32,36 @@ class LiveMotion final : public LiveTimeline {
   [[nodiscard]] const MovingScene& scene() const { return source_.built->scene; }
   [[nodiscard]] std::vector<std::string> warnings() const override { return source_.warnings; }
 
-  /// Steps with the inputs that are set.
-  ///
-  /// Play pauses once where the time of the scene ends, after the step that comes there.
-  /// A step that is divided tells and asks between its parts; stopped there, it is not made.
-  /// @throws InputError if the state is not finite any more: the motion then stands where it was
-  ///         good last.
+  /// Advances the simulation with the current inputs. Playback pauses after the step that reaches
+  /// the duration of the scene. A step that is divided into parts reports progress and checks for a
+  /// stop between them; a step that is stopped in this way is discarded.
+  /// @throws InputError if the state is no longer finite; the last finite instant is then shown
   MotionQuality step(long count, const Progress& progress) override;
-  /// Sets inputs, all or, where one is refused, none.
-  /// @throws InputError with the nearest name of what is not there, or where a value is impossible
-  ///         or beyond the largest inputs above.
+  /// Sets inputs; sets none if any is invalid. @throws InputError as MotionInputTable::set()
   void set(const MotionInputs& inputs) { inputs_.set(inputs, stepper_); }
   [[nodiscard]] std::vector<MotionInput> inputs() const { return inputs_.list(stepper_); }
 
   double seek(double t) override;
-  /// Returns to the start, and removes all inputs and the history.
+  /// Returns to the start, and clears all inputs and the history.
   void reset() override;
   [[nodiscard]] TimelineState state(const MotionParts& parts) const override;
 
-  [[nodiscard]] const SceneInstant& shown() const { return history_.at(shown_).at; }
+  [[nodiscard]] const SceneInstant& shown_instant() const { return history_.instant(shown_).scene; }
   [[nodiscard]] bool is_newest() const { return shown_ + 1 == history_.size(); }
   [[nodiscard]] const MotionHistory& history() const { return history_; }
   [[nodiscard]] MotionQuality quality() const override;
 
  private:
-  void keep();
-  [[nodiscard]] bool passes_end() const;  // of the scene, by the step that was made last
-  void take_quality(MotionQuality& of);   // of the steps since it was taken last
-  void add_account(const Eigen::VectorXd& beyond, MotionQuality& of) const;
-  void begin();
-  void stand_still();  // at the last good instant, after a step that failed
+  void record_instant();
+  /// Returns true if the last step passed the duration of the scene.
+  [[nodiscard]] bool passed_end() const;
+  /// Sets the quality of the steps since the last call, and adds it to quality_.
+  void collect_quality(MotionQuality& quality);
+  /// Adds the energy balance and the limits that were exceeded. @param excess  SceneCost::beyond
+  void add_balance(const Eigen::VectorXd& excess, MotionQuality& quality) const;
+  void start_history();
+  /// Returns to the instant that is shown, after a step that failed.
+  void restore_shown_instant();
   [[nodiscard]] std::vector<ContactSample> contacts() const;
   [[nodiscard]] std::vector<Pose<double>> poses() const;
   [[nodiscard]] std::vector<ElementValue> muscles() const;
@@ -72,17 +72,17 @@ class LiveMotion final : public LiveTimeline {
 
   MotionSource source_;
   ScenePicture picture_;
-  mutable SceneStepper stepper_;  // asked for poses and energies, it uses its room
-  MotionSwitches inputs_;
+  mutable SceneStepper stepper_;  // mutable: queries of poses and energies use its workspace
+  MotionInputTable inputs_;
   MotionHistory history_;
-  PastInstant newest_;     // its room
-  std::size_t shown_ = 0;  // of the history
-  SceneSample start_;
-  MotionQuality quality_;                // counts alone
-  Eigen::VectorXd beyond_;               // of joints, as SceneCost::beyond
-  std::vector<ElementValue> readings_;   // at the start: their names and units
-  std::vector<std::size_t> tension_at_;  // of the picture's muscles: entry of readings_
-  std::vector<std::size_t> moving_;      // bodies: moving_bodies()
+  PastInstant new_record_;  // newest instant, a member to reuse its memory
+  std::size_t shown_ = 0;   // entry of history_ that is shown
+  SceneSample start_sample_;
+  MotionQuality quality_;               // counts and maxima since the start
+  Eigen::VectorXd limit_excess_;        // SceneCost::beyond since the start (joints)
+  std::vector<ElementValue> readings_;  // names, units and initial values of all readings
+  std::vector<std::size_t> tension_index_;
+  std::vector<std::size_t> moving_bodies_;  // bodies: moving_bodies()
   unsigned long changes_ = 0;
 };
 

@@ -14,7 +14,7 @@ void require_count(std::size_t got, std::size_t wanted, const char* what) {
 }
 
 bool is_finite(const LiveInstant& instant) {
-  // Test every kind of number of an instant: one NaN would blank the whole picture.
+  // Check every number except tensions: a single NaN would blank the whole picture.
   const auto poses = [](const Pose<double>& X) { return X.R.allFinite() && X.p.allFinite(); };
   const auto points = [](const Eigen::Vector3d& p) { return p.allFinite(); };
   const auto values = [](double value) { return std::isfinite(value); };
@@ -42,7 +42,7 @@ double crease_of(const std::string& material) {
 }
 
 void check_instant(const LiveShape& shape, const LiveInstant& instant) {
-  // As many of everything.
+  // Compare the numbers of entries.
   const auto points = static_cast<std::size_t>(
       std::accumulate(shape.lines.begin(), shape.lines.end(), 0,
                       [](int sum, const LiveLine& line) { return sum + line.points; }));
@@ -51,7 +51,7 @@ void check_instant(const LiveShape& shape, const LiveInstant& instant) {
   require_count(instant.line_points.size(), points, "points of lines");
   require_count(instant.tensions.size(), shape.lines.size(), "tensions of lines");
   require_count(instant.arrows.size(), shape.arrows.size(), "arrows");
-  // Contacts of bodies that are there.
+  // Check the body indices of contacts, and that all numbers are finite.
   const int bodies = static_cast<int>(shape.bodies.size());
   for (const LiveContact& contact : instant.contacts)
     require(contact.a < bodies && contact.b < bodies && contact.a >= -1 && contact.b >= -1,

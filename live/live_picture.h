@@ -1,12 +1,11 @@
 #pragma once
 
-/// Picture of a live view at an instant: bodies, joints, lines, contacts, arrows; no words, no
-/// pixels.
+/// Picture of a live view as data: bodies, joints, lines, contacts, arrows.
 ///
-/// Every kind of model (a world, a moving scene, a digit with tendons, a fit) fills in the same
-/// picture, and whoever draws it need not know which one it is. What never changes while a model
-/// stays the same (meshes, names, limits) stands in LiveShape; what moves stands in LiveInstant, in
-/// the same order, so that an instant is small enough to be sent at every frame.
+/// All kinds of models (a world, a moving scene, a digit with tendons, a fit) produce this picture,
+/// so that a viewer does not depend on the kind of model. LiveShape holds the constant parts
+/// (meshes, names, limits), LiveInstant the parts that move, in the same order, so that an instant
+/// is small enough to be sent in every frame.
 
 #include <array>
 #include <memory>
@@ -21,7 +20,7 @@
 
 namespace thenar {
 
-/// Role of a body, which determines its colour and the actions on it.
+/// Role of a body, which sets its colour and the actions on it.
 enum class LiveRole { kLink, kNail, kBone, kObject, kObstacle };
 inline constexpr std::array kLiveRoleNames{
     EnumName{LiveRole::kLink, "link"}, EnumName{LiveRole::kNail, "nail"},
@@ -31,33 +30,33 @@ inline constexpr std::array kLiveRoleNames{
 /// A rigid body with its surface.
 struct LiveBody {
   std::string name;   // "barrett/finger 1 distal", "mug"
-  std::string owner;  // hand that it is part of, or the body itself
+  std::string owner;  // name of its hand; for other bodies, their own name
   std::string digit;  // "index"; empty: palm, arm, or no part of a hand
   std::string material;
   LiveRole role = LiveRole::kObject;
-  bool movable = false;                      // whether its owner can be placed by hand
-  std::shared_ptr<const TriangleMesh> mesh;  // body's frame [m]; null: nothing to see
-  double crease = -1;  // edges sharper than this look sharp [deg]; negative: all are smooth
+  bool movable = false;                      // true: the user can place its owner
+  std::shared_ptr<const TriangleMesh> mesh;  // surface in the body's frame [m]; null: none
+  double crease = -1;  // smallest angle of an edge that is shaded sharp [deg]; negative: none is
 };
 
-/// A joint that can be dragged: a disc about its axis, or an arrow along it.
+/// Joint that the user can drag: drawn as a disc about its axis, or an arrow along it.
 struct LiveJoint {
-  std::string name;                // as requests name it
-  std::string hand;                // or moving body whose joint it is
-  int body = -1;                   // entry of LiveShape::bodies whose frame holds the axis
-  Eigen::Vector3d axis{0, 0, 1};   // unit, that body's frame (3)
-  Eigen::Vector3d point{0, 0, 0};  // on the axis, that body's frame [m] (3)
-  bool slides = false;             // false: it turns
-  double lower = 0, upper = 0;     // [rad] or [m]
-  std::string led_by;              // joint that drives it; empty: it can be dragged by itself
+  std::string name;                // name in requests
+  std::string hand;                // hand or moving body that has the joint
+  int body = -1;                   // entry of LiveShape::bodies in whose frame the axis is given
+  Eigen::Vector3d axis{0, 0, 1};   // unit vector along the axis, that body's frame (3)
+  Eigen::Vector3d point{0, 0, 0};  // point on the axis, that body's frame [m] (3)
+  bool slides = false;             // true: prismatic, false: revolute
+  double lower = 0, upper = 0;     // limits [rad] or [m]
+  std::string led_by;              // joint that it follows; empty: it can be dragged
 };
 
-/// A path of a tendon, a band of a net, or any other line with a tension.
+/// Line with a tension: path of a tendon, or band of a net.
 struct LiveLine {
   std::string name;   // "FDP", "central slip"
-  std::string owner;  // digit
-  bool band = false;  // of an extensor net
-  int points = 0;     // of every instant
+  std::string owner;  // name of its digit
+  bool band = false;  // true: band of an extensor net
+  int points = 0;     // number of points in every instant
 };
 
 /// Quantity that an arrow shows.
@@ -70,76 +69,77 @@ inline constexpr std::array kLiveArrowKindNames{
     EnumName{LiveArrowKind::kPredicted, "predicted"},
     EnumName{LiveArrowKind::kDisturbance, "disturbance"}};
 
-/// An arrow that is there at every instant; without length it is not drawn.
+/// Arrow of a picture; it is not drawn at instants where its length is zero.
 struct LiveArrow {
   std::string name;
   LiveArrowKind kind = LiveArrowKind::kForce;
 };
 
-/// Many short lines that never move against a body, as the joint axes of many draws.
+/// Many short lines that are fixed to a body, such as the joint axes of posterior draws.
 struct LiveCloud {
   std::string name;
-  int body = -1;                          // -1: the world
-  std::vector<Eigen::Vector3d> segments;  // from each even entry to the next one [m]
+  int body = -1;                          // body that carries the lines; -1: the world
+  std::vector<Eigen::Vector3d> segments;  // start and end of each line, in turn, body frame [m]
 };
 
-/// Parts of a picture that stay as long as the model does.
+/// Constant parts of a picture.
 struct LiveShape {
   std::vector<LiveBody> bodies;
   std::vector<LiveJoint> joints;
   std::vector<LiveLine> lines;
   std::vector<LiveArrow> arrows;
   std::vector<LiveCloud> clouds;
-  Eigen::Vector3d eye{0.4, -0.4, 0.3}, target{0, 0, 0};  // of the camera at first [m] (3)
+  Eigen::Vector3d eye{0.4, -0.4, 0.3}, target{0, 0, 0};  // initial camera [m] (3)
 };
 
-/// A contact as it is drawn: a friction cone, and the force through it where that is known.
+/// Contact, drawn as a friction cone and the contact force.
 struct LiveContact {
-  int a = -1, b = -1;               // entries of LiveShape::bodies; a is pushed along the normal
-  Eigen::Vector3d point{0, 0, 0};   // world [m] (3)
-  Eigen::Vector3d normal{0, 0, 1};  // unit, outward of b (3)
-  Eigen::Vector3d force{0, 0, 0};   // on a [N] (3); zero: not known, or none
-  double friction = 0;              // Coulomb's coefficient [1]
+  int a = -1, b = -1;               // entries of LiveShape::bodies; the normal points from b to a
+  Eigen::Vector3d point{0, 0, 0};   // contact point, world [m] (3)
+  Eigen::Vector3d normal{0, 0, 1};  // unit outward normal of b, world (3)
+  Eigen::Vector3d force{0, 0, 0};   // force on a, world; zero: unknown or none [N] (3)
+  double friction = 0;              // coefficient of Coulomb friction [1]
 };
 
-/// An arrow at an instant.
+/// Arrow at an instant.
 struct LiveVector {
-  Eigen::Vector3d from{0, 0, 0};    // [m] (3)
-  Eigen::Vector3d vector{0, 0, 0};  // [N], [N m], or without unit (3)
+  Eigen::Vector3d from{0, 0, 0};    // start, world [m] (3)
+  Eigen::Vector3d vector{0, 0, 0};  // force [N], moment [N m] or displacement, world (3)
 };
 
-/// Parts of a picture that move.
+/// Moving parts of a picture.
 struct LiveInstant {
-  double time = 0;                           // of a scene that moves [s]; else 0
-  std::vector<Pose<double>> bodies;          // X_WB, as LiveShape::bodies
-  std::vector<double> joints;                // [rad] or [m], as LiveShape::joints
-  std::vector<Eigen::Vector3d> line_points;  // of all lines, one after the other, world [m]
-  std::vector<double> tensions;              // of lines [N]; NaN: unknown, 0: slack
-  std::vector<LiveVector> arrows;            // as LiveShape::arrows
-  std::vector<LiveContact> contacts;         // as many as there are
+  double time = 0;                           // time of a moving scene, else 0 [s]
+  std::vector<Pose<double>> bodies;          // poses X_WB, in the order of LiveShape::bodies
+  std::vector<double> joints;                // values in the order of LiveShape::joints [rad], [m]
+  std::vector<Eigen::Vector3d> line_points;  // points of all lines, line after line, world [m]
+  std::vector<double> tensions;              // tensions of lines; NaN: unknown, 0: slack [N]
+  std::vector<LiveVector> arrows;            // in the order of LiveShape::arrows
+  std::vector<LiveContact> contacts;         // contacts at this instant, in any number
 };
 
-/// The mesh of a solid that others own, without a copy.
+/// Returns the mesh of a solid, sharing ownership of the solid.
 [[nodiscard]] std::shared_ptr<const TriangleMesh> picture_of_solid(
     const std::shared_ptr<const Solid>& solid);
 
-/// LiveBody::crease of a material: skin and bones are smooth, other edges sharper than 35 deg are
-/// not.
+/// Returns LiveBody::crease of a material: -1 (smooth) for skin, fingertips and bones, else 35 deg.
 [[nodiscard]] double crease_of(const std::string& material);
 
-/// Throws InputError, saying what is off, unless an instant has as many entries as its shape, its
-/// contacts are of bodies that are there, and all but tensions is finite.
+/// Checks an instant against its shape.
+/// @throws InputError if the numbers of entries differ, if a contact names no body of the shape, or
+///         if a number other than a tension is not finite
 void check_instant(const LiveShape& shape, const LiveInstant& instant);
 
-/// A model that a live view shows.
+/// Model that a live view shows.
 class LiveModel {
  public:
   virtual ~LiveModel() = default;
-  /// Returns the constant parts of the picture; they stay until shape_changes() increases.
+  /// Returns the constant parts of the picture; they are valid until shape_changes() increases.
   [[nodiscard]] virtual const LiveShape& shape() const = 0;
   [[nodiscard]] virtual LiveInstant instant() const = 0;
-  /// Counts changes of the shape; changes() counts changes of anything that an instant shows.
+  /// Returns the number of changes of shape().
   [[nodiscard]] virtual unsigned long shape_changes() const = 0;
+  /// Returns the number of changes of instant().
   [[nodiscard]] virtual unsigned long changes() const = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The past of a motion, in a bounded room.
+/// History of a motion with bounded memory.
 
 #include <deque>
 
@@ -8,35 +8,35 @@
 
 namespace thenar {
 
-/// An instant of the past.
+/// Instant of the history.
 struct PastInstant {
-  SceneInstant at;
-  std::vector<ContactSample> pads;  // contacts that elements stood for then
-  std::vector<double> readings;     // what elements said of themselves then (readings)
-  std::vector<double> efforts;      // of drives, by the inputs of then [N m], [N] (coordinates)
+  SceneInstant scene;
+  std::vector<ContactSample> pads;  // contacts that force elements (soft pads) stood for
+  std::vector<double> readings;     // readings of the force elements (readings)
+  std::vector<double> efforts;      // efforts of the drives or inputs [N m], [N] (coordinates)
 };
 
-/// Limits of the history; older instants are removed.
+/// Limits of the history; the oldest instants are removed first.
 struct HistoryLimits {
-  std::size_t instants = 20000;               // at most
-  std::size_t bytes = std::size_t{64} << 20;  // the same
+  std::size_t instants = 20000;               // largest number of instants
+  std::size_t bytes = std::size_t{64} << 20;  // largest memory of all instants [bytes]
 };
 
-/// Instants of a motion by rising time, the newest last. Room of forgotten ones is used again, so
-/// that memory stays as it is once the limits are reached.
+/// Instants of a motion in order of time, the newest last. The memory of removed instants is
+/// reused, so that it stays constant once a limit is reached.
 class MotionHistory {
  public:
   explicit MotionHistory(const HistoryLimits& limits = {}) : limits_(limits) {}
 
   void add(const PastInstant& instant);
   void clear();
-  /// Forgets all instants behind one.
-  void cut_behind(std::size_t index);
+  /// Removes all instants after the one at `index`.
+  void erase_after(std::size_t index);
 
   [[nodiscard]] std::size_t size() const { return past_.size(); }
-  [[nodiscard]] const PastInstant& at(std::size_t index) const { return past_.at(index); }
-  /// The instant whose time is nearest to t. @throws InputError if there is none
-  [[nodiscard]] std::size_t nearest(double t) const;
+  [[nodiscard]] const PastInstant& instant(std::size_t index) const { return past_.at(index); }
+  /// Returns the index of the instant nearest to time t [s]. @throws InputError if there is none
+  [[nodiscard]] std::size_t nearest_index(double t) const;
   /// Returns the memory of all instants [bytes].
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 

@@ -11,57 +11,58 @@
 
 namespace thenar {
 
-/// Largest inputs of a motion: beyond them is a mistake, and steps take longer than anybody waits.
-inline constexpr double kLargestEffort = 1e4;   // [N m], of sliding coordinates [N]
-inline constexpr double kFarthestTarget = 1e3;  // either way from zero [rad] or [m]
-inline constexpr double kLargestTension = 5e3;  // [N]
+/// Largest inputs of a motion. Larger values are mistakes, and would make steps very slow.
+inline constexpr double kMaxMotionEffort = 1e4;   // largest magnitude of an effort [N m] or [N]
+inline constexpr double kMaxMotionTarget = 1e3;   // largest magnitude of a target [rad] or [m]
+inline constexpr double kMaxMotionTension = 5e3;  // largest tension of a muscle [N]
 
-/// Inputs that drive a scene from now on, by names; inputs that are not named keep their values.
+/// Changes of a scene's inputs by name; inputs that are not named keep their values.
 struct MotionInputs {
-  std::map<std::string, double> efforts;      // of coordinates, in place of drives [N m] or [N]
-  std::map<std::string, double> targets;      // of drives [rad] or [m]
-  std::map<std::string, double> tensions;     // of muscles: "human/index/FDP2" [N]
-  std::map<std::string, double> excitations;  // of muscles, 0..1 [1]
-  std::vector<std::string> release;           // coordinates that go back to the scene's drives
+  std::map<std::string, double> efforts;      // coordinate -> effort, replaces drives [N m] or [N]
+  std::map<std::string, double> targets;      // coordinate -> target of its drive [rad] or [m]
+  std::map<std::string, double> tensions;     // muscle, "human/index/FDP2" -> tension [N]
+  std::map<std::string, double> excitations;  // muscle -> excitation 0..1 [1]
+  std::vector<std::string> release;           // coordinates to return to the scene's own drives
 };
 
-/// Input of a motion that may be set.
+/// Input of a motion that can be set, and its current value.
 struct MotionInput {
   std::string name;
   std::string kind;             // "effort", "target", "tension", "excitation"
   std::string unit;             // "N m", "N", "rad", "m", "1"
-  double lower = 0, upper = 0;  // of the thing itself; infinite: no limit is known
-  std::optional<double> set;    // absent: it is as the scene has it
+  double lower = 0, upper = 0;  // limits of the drive, joint or muscle; infinite: unknown
+  std::optional<double> set;    // value that was set; absent: the scene's own
 };
 
-/// The inputs of one scene, and what they are set to. Steppers are those of this scene.
-class MotionSwitches {
+/// Inputs of one scene and the values that are set. All steppers passed to a table must be
+/// steppers of that scene.
+class MotionInputTable {
  public:
-  explicit MotionSwitches(const SceneStepper& stepper);
+  explicit MotionInputTable(const SceneStepper& stepper);
 
-  /// Names of the scene's coordinates, in their order.
+  /// Returns the names of the scene's coordinates, in their order.
   [[nodiscard]] const std::vector<std::string>& coordinates() const { return coordinates_; }
 
-  /// Sets inputs of a stepper, all or, where one is refused, none.
-  /// @throws InputError with the nearest name of what is not there, or where a value is impossible
-  ///         or beyond the largest inputs above.
+  /// Sets inputs of a stepper; sets none if any is invalid.
+  /// @throws InputError for an unknown name (with the nearest one), or a value out of range or
+  ///         above the largest inputs
   void set(const MotionInputs& inputs, SceneStepper& stepper);
-  /// Returns every input, and what it is set to.
+  /// Returns all inputs with their current values.
   [[nodiscard]] std::vector<MotionInput> list(const SceneStepper& stepper) const;
-  /// Forgets efforts and targets, as a stepper does that is reset.
+  /// Clears efforts and targets, as SceneStepper::reset() does.
   void clear();
 
  private:
-  [[nodiscard]] int coordinate_named(const std::string& name) const;
+  [[nodiscard]] int coordinate_index(const std::string& name) const;
   [[nodiscard]] const ElementControl& control_named(const std::string& name,
                                                     const std::string& unit) const;
   void check_controls(const std::map<std::string, double>& values, const std::string& unit) const;
-  void check(const MotionInputs& inputs, const SceneStepper& stepper) const;
+  void check_inputs(const MotionInputs& inputs, const SceneStepper& stepper) const;
 
   std::vector<std::string> coordinates_;
-  std::map<int, double> efforts_, targets_;         // that are set, by coordinate
-  std::map<std::string, int> index_of_;             // of coordinates
-  std::map<std::string, ElementControl> controls_;  // what each may be set to
+  std::map<int, double> efforts_, targets_;         // values that are set, by coordinate
+  std::map<std::string, int> coordinate_indices_;   // index of each coordinate, by name
+  std::map<std::string, ElementControl> controls_;  // unit and range of each control, by name
 };
 
 }  // namespace thenar

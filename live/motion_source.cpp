@@ -9,19 +9,21 @@
 namespace thenar {
 namespace {
 
-constexpr double kMostParts = 256;  // of a step: what moves too fast for more is let through
+constexpr double kMaxStepParts = 256;  // largest number of parts that a step is divided into
 
-/// Bounds the time that one step takes, however fast things move.
-void bound_steps(SceneOptions& options) {
-  options.shortest = std::max(options.shortest, options.step / kMostParts);
+/// Bounds the computing time of a step; bodies that need more parts may pass through each other.
+void bound_step_division(SceneOptions& options) {
+  options.shortest = std::max(options.shortest, options.step / kMaxStepParts);
 }
 
-/// Makes every step as long as was asked for, to the last digits, though the scene's time may be no
-/// whole number of such steps.
-void step_by(double step, SceneOptions& options) {
+/// Sets the step size exactly, even if the scene's duration is not a multiple of it.
+void set_step_length(double step, SceneOptions& options) {
+  // SceneStepper fits the step size to the duration: if that changes it, make the duration one
+  // step.
   options.step = step;
   const double adjusted = options.seconds / static_cast<double>(fixed_steps(options));
-  if (std::abs(adjusted - step) > 1e-12 * step) options.seconds = step;
+  constexpr double kStepTolerance = 1e-12;  // relative difference of equal step sizes [1]
+  if (std::abs(adjusted - step) > kStepTolerance * step) options.seconds = step;
 }
 
 bool has_pads_of_elements(const SceneSpec& spec, const SceneRequest& request) {
@@ -33,8 +35,7 @@ bool has_pads_of_elements(const SceneSpec& spec, const SceneRequest& request) {
 }  // namespace
 
 MotionSource scene_motion(const SceneRequest& request) {
-  // Read the scene as the command does, then replace its method by steps that keep pace with the
-  // clock.
+  // Read the scene as the command does.
   RequestedScene read = open_requested_scene(request);
   MotionSource out;
   out.name = read.spec.name;
@@ -42,6 +43,7 @@ MotionSource scene_motion(const SceneRequest& request) {
   out.warnings = read.open.built.warnings;
   SceneOptions& options = read.open.built.options;
   out.duration = options.seconds;
+  // Warn about settings that differ in a live motion.
   if (options.method != SteppingMethod::kTimeStepping)
     out.warnings.push_back(fmt::format(
         "the scene asks for '{}': live it takes steps of {:g} ms, in which nothing bounces",
@@ -50,19 +52,20 @@ MotionSource scene_motion(const SceneRequest& request) {
     out.warnings.emplace_back(
         "pads of finite elements: where they touch, single steps take tenths of a second; other "
         "rungs of pads are faster");
+  // Use time stepping with the requested step size.
   options.method = SteppingMethod::kTimeStepping;
-  if (request.step) step_by(*request.step, options);
-  bound_steps(options);
+  if (request.step) set_step_length(*request.step, options);
+  bound_step_division(options);
   out.built = std::make_shared<const BuiltScene>(std::move(read.open.built));
   return out;
 }
 
 MotionSource world_motion(const WorldSpec& world, const std::string& data, WorldDrives drives,
                           std::optional<double> step) {
-  // A world has neither a duration nor a method; steps are bounded all the same.
+  // Build the scene; a world has neither a duration nor a stepping method.
   BuiltScene built = build_world_scene(world, data, drives);
-  if (step) step_by(*step, built.options);
-  bound_steps(built.options);
+  if (step) set_step_length(*step, built.options);
+  bound_step_division(built.options);
   MotionSource out;
   out.name = world.name;
   out.camera = world.camera;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Sources of live motions: scenes of files, and worlds in their present state.
+/// Sources of live motions: scenes from files, and worlds in their current state.
 
 #include <memory>
 #include <optional>
@@ -14,19 +14,20 @@ namespace thenar {
 
 /// Scene that a live motion moves.
 struct MotionSource {
-  std::string name;                         // of the scene or world
+  std::string name;                         // name of the scene or world
   std::shared_ptr<const BuiltScene> built;  // never null
   std::optional<Camera> camera;
-  std::vector<std::string> warnings;  // what was assumed
-  std::optional<double> duration;     // of the scene; none: it has no end [s]
+  std::vector<std::string> warnings;  // assumptions of the scene
+  std::optional<double> duration;     // duration of the scene; absent: no end [s]
 };
 
-/// A scene of a file. Whatever its method, it is stepped by a fixed length: that of the request, of
-/// the file, or 1 ms.
+/// Opens a scene from a file. It is always simulated by time stepping with a fixed step size: that
+/// of the request, else that of the file, else 1 ms.
 /// @throws as open_requested_scene()
 [[nodiscard]] MotionSource scene_motion(const SceneRequest& request);
 
-/// A world as it stands: build_world_scene(). @param step  [s]; absent: 1 ms
+/// Builds a scene from a world in its current state, by build_world_scene().
+/// @param data  folder with robots/, objects/ ..  @param step  step size; absent: 1 ms [s]
 /// @throws as build_world_scene()
 [[nodiscard]] MotionSource world_motion(const WorldSpec& world, const std::string& data,
                                         WorldDrives drives, std::optional<double> step = {});

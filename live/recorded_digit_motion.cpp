@@ -16,28 +16,27 @@ RecordedDigitMotion::RecordedDigitMotion(RecordedDigit run)
 }
 
 LiveInstant RecordedDigitMotion::instant() const {
-  const Eigen::VectorXd q = straight(run_.angle), t = straight(run_.tension);
+  const Eigen::VectorXd q = interpolated(run_.angle), t = interpolated(run_.tension);
   NetEquilibrium rest;
   if (const auto* net = dynamic_cast<const NetTendons*>(run_.tendons.get()))
     rest = follow_from_straight(*net, q, t).rest;
   LiveInstant instant = picture_.instant(q, t, rest);
-  instant.time = shown();
+  instant.time = shown_time();
   return instant;
 }
 
 MotionEnergy RecordedDigitMotion::energy() const {
-  // Interpolate the recorded energies between their instants.
-  const auto now = [&](const auto& all) {
-    return straight_number([&](std::size_t i) { return all[i]; });
+  const auto interpolated_energy = [&](const auto& all) {
+    return interpolated_number([&](std::size_t i) { return all[i]; });
   };
   MotionEnergy out;
-  // Only the total is recorded; its balance counts from the first instant: E_0 - E + work -
-  // dissipated.
+  // Interpolate the total energy; its parts are not recorded.
   out.kinetic = out.weight = out.springs = kNaN;
-  out.total = now(run_.energy);
+  out.total = interpolated_energy(run_.energy);
+  // Balance it from the first instant: error = E_0 - E + work - dissipated.
   FlowBalance balance;
-  balance.work = now(run_.work);
-  balance.yielding = now(run_.dissipated);
+  balance.work = interpolated_energy(run_.work);
+  balance.yielding = interpolated_energy(run_.dissipated);
   balance.error = run_.energy[0] - out.total + (balance.work - run_.work[0]) -
                   (balance.yielding - run_.dissipated[0]);
   out.balance = balance;
@@ -46,11 +45,12 @@ MotionEnergy RecordedDigitMotion::energy() const {
 
 TimelineState RecordedDigitMotion::state(const MotionParts& parts) const {
   const TendonNames& names = run_.tendons->digit().names;
-  // Interpolate all states at the time shown.
-  const Eigen::VectorXd q = straight(run_.angle), q_dot = straight(run_.speed);
-  const Eigen::VectorXd t = straight(run_.tension), a = straight(run_.activation);
+  // Interpolate all recorded quantities at the time that is shown.
+  const Eigen::VectorXd q = interpolated(run_.angle), q_dot = interpolated(run_.speed);
+  const Eigen::VectorXd t = interpolated(run_.tension), a = interpolated(run_.activation);
+  // Fill the selected parts.
   TimelineState out;
-  out.t = shown();
+  out.t = shown_time();
   if (parts.joints)
     for (std::size_t c = 0; c < names.coordinates.size(); ++c) {
       const auto i = static_cast<Eigen::Index>(c);

@@ -14,21 +14,22 @@ std::vector<double> times_of(const std::vector<SceneSample>& samples) {
   return transformed(samples, [&](const SceneSample& sample) { return sample.t; });
 }
 
-/// The positions a share of the way from one instant to the next.
+/// Interpolates the positions between two instants. @param fraction  0: from, 1: to
 Eigen::VectorXd positions_between(const Mechanism& mechanism, const MechanismLayout& layout,
                                   const Eigen::VectorXd& from, const Eigen::VectorXd& to,
-                                  double share) {
-  // Interpolate linearly, but turn quaternions along the shorter great circle.
-  Eigen::VectorXd q = from + share * (to - from);
+                                  double fraction) {
+  // Interpolate all positions linearly.
+  Eigen::VectorXd q = from + fraction * (to - from);
+  // Replace the quaternions of ball and free joints by slerp.
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const JointKind kind = mechanism.joints[i].kind;
     if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
-    const int at = layout.first_q[i];
-    const auto turn = [&](const Eigen::VectorXd& of) {
-      return Eigen::Quaterniond(of[at], of[at + 1], of[at + 2], of[at + 3]).normalized();
+    const int k = layout.first_q[i];
+    const auto rotation = [&](const Eigen::VectorXd& p) {
+      return Eigen::Quaterniond(p[k], p[k + 1], p[k + 2], p[k + 3]).normalized();
     };
-    const Eigen::Quaterniond mean = turn(from).slerp(share, turn(to));
-    q.segment<4>(at) << mean.w(), mean.x(), mean.y(), mean.z();
+    const Eigen::Quaterniond between = rotation(from).slerp(fraction, rotation(to));
+    q.segment<4>(k) << between.w(), between.x(), between.y(), between.z();
   }
   return q;
 }
@@ -40,7 +41,7 @@ RecordedMotion::RecordedMotion(RecordedScene run)
       run_(std::move(run)),
       picture_(scene_picture(run_.built, run_.camera)),
       model_(tree_model(run_.built.scene.mechanism)) {
-  // Match the muscles that are drawn with those that were recorded; -1 marks an unknown tension.
+  // Find the recorded tension of each drawn muscle; -1: not recorded.
   for (const std::string& muscle : picture_.tendons.muscles()) {
     tension_of_.push_back(place_in(run_.muscles, muscle));
   }
@@ -50,32 +51,35 @@ Eigen::VectorXd RecordedMotion::tension() const {
   Eigen::VectorXd out =
       Eigen::VectorXd::Constant(static_cast<Eigen::Index>(tension_of_.size()), kNaN);
   if (run_.muscles.empty()) return out;
-  const Eigen::VectorXd recorded = straight(run_.tension);
+  const Eigen::VectorXd recorded = interpolated(run_.tension);
   for (std::size_t m = 0; m < tension_of_.size(); ++m)
     if (tension_of_[m] >= 0) out[m] = recorded[tension_of_[m]];
   return out;
 }
 
 Eigen::VectorXd RecordedMotion::positions() const {
-  const Between at = between();
+  const Interpolation at = interpolation();
   const Eigen::VectorXd& from = run_.samples[at.from].q;
   if (at.from == at.to) return from;
   return positions_between(run_.built.scene.mechanism, model_.layout, from, run_.samples[at.to].q,
-                           at.share);
+                           at.fraction);
 }
 
 Eigen::VectorXd RecordedMotion::speeds() const {
-  const Between at = between();
+  const Interpolation at = interpolation();
   const Eigen::VectorXd& from = run_.samples[at.from].v;
-  return at.from == at.to ? from : from + at.share * (run_.samples[at.to].v - from);
+  return at.from == at.to ? from : from + at.fraction * (run_.samples[at.to].v - from);
 }
 
 MotionEnergy RecordedMotion::energy() const {
   using Energy = decltype(SceneSample::energy);
-  const auto now = [&](double Energy::*part) {
-    return straight_number([&](std::size_t i) { return run_.samples[i].energy.*part; });
+  const auto energy_part = [&](double Energy::*part) {
+    return interpolated_number([&](std::size_t i) { return run_.samples[i].energy.*part; });
   };
-  MotionEnergy out{now(&Energy::kinetic), now(&Energy::weight), now(&Energy::springs), {}, 0};
+  MotionEnergy out;
+  out.kinetic = energy_part(&Energy::kinetic);
+  out.weight = energy_part(&Energy::weight);
+  out.springs = energy_part(&Energy::springs);
   out.total = out.kinetic + out.weight + out.springs;
   return out;
 }
@@ -93,15 +97,15 @@ LiveInstant RecordedMotion::instant() const {
   const Eigen::VectorXd q = positions();
   const std::vector<Pose<double>> X_WB = poses(q);
   return scene_instant(picture_, run_.built.scene, model_.layout,
-                       {shown(), q, X_WB, nearest_sample().contacts, tension()});
+                       {shown_time(), q, X_WB, nearest_sample().contacts, tension()});
 }
 
 TimelineState RecordedMotion::state(const MotionParts& parts) const {
   const Mechanism& mechanism = run_.built.scene.mechanism;
   const Eigen::VectorXd q = positions(), v = speeds();
   TimelineState out;
-  out.t = shown();
-  // Positions and speeds between samples; recorded efforts are not known.
+  out.t = shown_time();
+  // Fill joints and bodies from interpolated positions and speeds; efforts are not recorded.
   if (parts.joints)
     for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
       out.joints.push_back({mechanism.coordinates[c].name, q[model_.layout.coordinate_q[c]],
@@ -112,14 +116,14 @@ TimelineState RecordedMotion::state(const MotionParts& parts) const {
     for (const std::size_t i : moving_bodies(mechanism, model_))
       out.bodies.push_back({mechanism.bodies[i].name, X_WB[i], velocities[i]});
   }
-  // Contacts of the nearest sample, tensions on the straight line between two.
+  // Fill the contacts of the nearest instant, and interpolated energies and tensions.
   if (parts.contacts) {
     out.contacts = nearest_sample().contacts;
     for (const MechanismBody& body : mechanism.bodies) out.body_names.push_back(body.name);
   }
   if (parts.energy) out.energy = energy();
   if (parts.muscles && !run_.muscles.empty()) {
-    const Eigen::VectorXd tensions = straight(run_.tension);
+    const Eigen::VectorXd tensions = interpolated(run_.tension);
     for (std::size_t m = 0; m < run_.muscles.size(); ++m)
       out.muscles.push_back({run_.muscles[m], "N", tensions[m]});
   }

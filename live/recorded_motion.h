@@ -1,6 +1,6 @@
 #pragma once
 
-/// A run of a scene that was recorded, shown again.
+/// Playback of a recorded run of a scene.
 
 #include "api/scenes/read_scene_run.h"
 #include "dynamics/mechanism/tree_motion.h"
@@ -9,9 +9,9 @@
 
 namespace thenar {
 
-/// A recorded run on its line of time. Between two instants that it kept, positions, speeds,
-/// energies and tensions go straight and bodies turn evenly; contacts are those of the nearer
-/// instant.
+/// Recorded run of a scene. Between recorded instants, positions, speeds, energies and tensions are
+/// interpolated linearly and orientations of free bodies by slerp; contacts are those of the
+/// nearest instant.
 class RecordedMotion final : public RecordedTimeline {
  public:
   explicit RecordedMotion(RecordedScene run);
@@ -19,14 +19,16 @@ class RecordedMotion final : public RecordedTimeline {
   [[nodiscard]] const LiveShape& shape() const override { return picture_.shape; }
   [[nodiscard]] LiveInstant instant() const override;
 
-  /// Efforts and the balance of energy were not recorded.
+  /// Returns the selected parts, without efforts and energy balance, which are not recorded.
   [[nodiscard]] TimelineState state(const MotionParts& parts) const override;
   [[nodiscard]] MotionQuality quality() const override;
   [[nodiscard]] std::vector<std::string> warnings() const override { return run_.warnings; }
   [[nodiscard]] const std::string& name() const override { return run_.name; }
 
  private:
-  [[nodiscard]] const SceneSample& nearest_sample() const { return run_.samples[nearest()]; }
+  [[nodiscard]] const SceneSample& nearest_sample() const {
+    return run_.samples[nearest_instant()];
+  }
   [[nodiscard]] Eigen::VectorXd positions() const;
   [[nodiscard]] Eigen::VectorXd speeds() const;
   [[nodiscard]] MotionEnergy energy() const;
@@ -36,7 +38,7 @@ class RecordedMotion final : public RecordedTimeline {
   RecordedScene run_;
   ScenePicture picture_;
   TreeModel model_;
-  std::vector<Eigen::Index> tension_of_;  // of the picture's muscles: column; -1: not recorded
+  std::vector<Eigen::Index> tension_of_;  // column of each drawn muscle; -1: not recorded
 };
 
 }  // namespace thenar

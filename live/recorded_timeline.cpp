@@ -6,7 +6,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kShownStep = 1.0 / 240;  // of play [s]
+constexpr double kPlaybackStep = 1.0 / 240;  // step size of playback [s]
 
 }  // namespace
 
@@ -18,7 +18,7 @@ RecordedTimeline::RecordedTimeline(std::vector<double> times) : times_(std::move
 LiveTime RecordedTimeline::live_time() const {
   LiveTime out;
   out.t = t_;
-  out.step = kShownStep;
+  out.step = kPlaybackStep;
   out.playing = playing_;
   out.speed = speed_;
   out.duration = times_.back();
@@ -27,7 +27,7 @@ LiveTime RecordedTimeline::live_time() const {
 }
 
 MotionQuality RecordedTimeline::step(long count, const Progress& /*progress*/) {
-  (void)seek(t_ + kShownStep * static_cast<double>(count));
+  (void)seek(t_ + kPlaybackStep * static_cast<double>(count));
   if (t_ >= times_.back()) playing_ = false;
   MotionQuality out;
   out.steps = count;
@@ -36,8 +36,8 @@ MotionQuality RecordedTimeline::step(long count, const Progress& /*progress*/) {
 
 double RecordedTimeline::seek(double t) {
   t_ = std::clamp(t, times_.front(), times_.back());
-  const auto behind = std::lower_bound(times_.begin(), times_.end(), t_);
-  nearest_ = static_cast<std::size_t>(behind - times_.begin());
+  const auto next = std::lower_bound(times_.begin(), times_.end(), t_);
+  nearest_ = static_cast<std::size_t>(next - times_.begin());
   if (nearest_ > 0 && t_ - times_[nearest_ - 1] < times_[nearest_] - t_) --nearest_;
   ++changes_;
   return t_;
@@ -48,18 +48,18 @@ void RecordedTimeline::reset() {
   (void)seek(times_.front());
 }
 
-RecordedTimeline::Between RecordedTimeline::between() const {
+RecordedTimeline::Interpolation RecordedTimeline::interpolation() const {
   const bool before = times_[nearest_] <= t_;
-  const std::size_t other = before ? nearest_ + 1 : nearest_ - 1;  // on the other side of t
+  const std::size_t other = before ? nearest_ + 1 : nearest_ - 1;  // instant on the other side of t
   if (times_[nearest_] == t_ || other >= times_.size()) return {nearest_, nearest_, 0};
   const std::size_t from = std::min(nearest_, other), to = from + 1;
   return {from, to, (t_ - times_[from]) / (times_[to] - times_[from])};
 }
 
-Eigen::VectorXd RecordedTimeline::straight(const Eigen::MatrixXd& rows) const {
-  const Between at = between();
-  const auto from = static_cast<Eigen::Index>(at.from), to = static_cast<Eigen::Index>(at.to);
-  return rows.row(from) + at.share * (rows.row(to) - rows.row(from));
+Eigen::VectorXd RecordedTimeline::interpolated(const Eigen::MatrixXd& rows) const {
+  const Interpolation t = interpolation();
+  const auto from = static_cast<Eigen::Index>(t.from), to = static_cast<Eigen::Index>(t.to);
+  return rows.row(from) + t.fraction * (rows.row(to) - rows.row(from));
 }
 
 }  // namespace thenar

@@ -9,8 +9,8 @@
 namespace thenar {
 namespace {
 
-/// The joint by which people turn a coordinate: the first that turns as it does, else the first.
-int leader_of(const Mechanism& mechanism, int coordinate) {
+/// Returns the joint that represents a coordinate: the first with ratio 1, else the first.
+int leading_joint(const Mechanism& mechanism, int coordinate) {
   int first = -1;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const MechanismJoint& joint = mechanism.joints[i];
@@ -22,25 +22,27 @@ int leader_of(const Mechanism& mechanism, int coordinate) {
 }
 
 /// Returns true if a body is fixed to the world through all bodies that carry it.
-bool stands_still(const Mechanism& mechanism, std::size_t body) {
+bool is_fixed_to_world(const Mechanism& mechanism, std::size_t body) {
   for (int at = static_cast<int>(body); at >= 0; at = mechanism.joints[at].parent)
     if (mechanism.joints[at].kind != JointKind::kWeld) return false;
   return true;
 }
 
+/// Builds the drawn body of a body of the mechanism.
 LiveBody body_of_picture(const BuiltScene& built, std::size_t i) {
   const MechanismBody& body = built.scene.mechanism.bodies[i];
-  // Copy names and material, by which the viewer picks colours.
+  // Copy the names and the material, which sets the colour.
   LiveBody out;
   out.name = body.name;
   out.owner = built.owner[i];
   out.digit = body.digit;
   out.material = body.material;
-  // Links are called after their hand; anything else is its own owner.
+  // Set the role: links and bones have a hand as owner, other bodies own themselves.
   if (body.name != built.owner[i])
     out.role = body.material == "bone" ? LiveRole::kBone : LiveRole::kLink;
-  else if (stands_still(built.scene.mechanism, i))
+  else if (is_fixed_to_world(built.scene.mechanism, i))
     out.role = LiveRole::kObstacle;
+  // Set the surface.
   out.crease = crease_of(body.material);
   if (body.solid && !body.solid->visual.empty()) out.mesh = picture_of_solid(body.solid);
   return out;
@@ -48,12 +50,12 @@ LiveBody body_of_picture(const BuiltScene& built, std::size_t i) {
 
 void add_bodies(const BuiltScene& built, ScenePicture& out) {
   const Mechanism& mechanism = built.scene.mechanism;
-  out.shown_as.assign(mechanism.bodies.size(), -1);
+  out.shape_body_of.assign(mechanism.bodies.size(), -1);
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    // Bodies without a surface are left out, unless a joint turns them.
+    // Skip bodies without a surface, unless a joint moves them.
     const std::shared_ptr<const Solid>& solid = mechanism.bodies[i].solid;
     if ((!solid || solid->visual.empty()) && !is_scalar(mechanism.joints[i].kind)) continue;
-    out.shown_as[i] = static_cast<int>(out.body_of.size());
+    out.shape_body_of[i] = static_cast<int>(out.body_of.size());
     out.body_of.push_back(static_cast<int>(i));
     out.shape.bodies.push_back(body_of_picture(built, i));
   }
@@ -66,17 +68,18 @@ void add_joints(const BuiltScene& built, ScenePicture& out) {
     const MechanismJoint& joint = mechanism.joints[i];
     if (!is_scalar(joint.kind)) continue;
     const auto c = static_cast<std::size_t>(joint.coordinate);
-    const bool leads = leader_of(mechanism, joint.coordinate) == static_cast<int>(i);
+    const bool leads = leading_joint(mechanism, joint.coordinate) == static_cast<int>(i);
     const std::string& coordinate = mechanism.coordinates[c].name;
-    // The leading joint has the coordinate's name and range, joints that follow their own limits.
+    // Name the leading joint after the coordinate.
     LiveJoint shown;
     shown.name = leads ? coordinate : joint.name;
     shown.hand = built.owner[i];
-    shown.body = out.shown_as[i];
-    // The joint's axis is z of its frame on the body.
+    shown.body = out.shape_body_of[i];
+    // The axis is z of the joint's frame on the body.
     shown.axis = joint.X_BM.R.col(2);
     shown.point = joint.X_BM.p;
     shown.slides = joint.kind == JointKind::kSlide;
+    // The leading joint has the coordinate's range, the others have their own limits.
     const CoordinateRange range = ranges[c];
     shown.lower = leads ? range.lower : std::max(joint.lower, -2 * kPi);
     shown.upper = leads ? range.upper : std::min(joint.upper, 2 * kPi);
@@ -87,9 +90,9 @@ void add_joints(const BuiltScene& built, ScenePicture& out) {
   }
 }
 
-/// Narrows the range of a coordinate to where a joint is within its limits. Curved couplings are
-/// taken for the straight ones that they begin as.
-void narrow(const MechanismJoint& joint, CoordinateRange& range) {
+/// Narrows the range of a coordinate to the limits of one of its joints. Nonlinear couplings are
+/// approximated by their linear part.
+void narrow_range(const MechanismJoint& joint, CoordinateRange& range) {
   if (joint.ratio == 0) return;
   double lower = (joint.lower - joint.offset) / joint.ratio;
   double upper = (joint.upper - joint.offset) / joint.ratio;
@@ -98,8 +101,8 @@ void narrow(const MechanismJoint& joint, CoordinateRange& range) {
   range.upper = std::min(range.upper, upper);
 }
 
-/// Stops of human hands, which are elements.
-void narrow_by_stops(const MovingScene& scene, std::vector<CoordinateRange>& ranges) {
+/// Sets the ranges of coordinates with joint stops, which are force elements of human hands.
+void set_stop_ranges(const MovingScene& scene, std::vector<CoordinateRange>& ranges) {
   const MechanismLayout layout = layout_of(scene.mechanism);
   for (const std::shared_ptr<const ForceElement>& element : scene.elements) {
     const auto* stops = dynamic_cast<const JointStops*>(element.get());
@@ -115,33 +118,33 @@ void narrow_by_stops(const MovingScene& scene, std::vector<CoordinateRange>& ran
 
 std::vector<CoordinateRange> coordinate_ranges(const MovingScene& scene) {
   const Mechanism& mechanism = scene.mechanism;
-  // Start from unbounded coordinates.
+  // Start from unlimited coordinates.
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::vector<CoordinateRange> ranges(mechanism.coordinates.size(), {-kNone, kNone});
-  // Ranges by limits of joints and stops of hands.
+  // Narrow the ranges to the limits of joints, and apply the joint stops of human hands.
   std::vector<bool> slides(ranges.size(), false);
   for (const MechanismJoint& joint : mechanism.joints) {
     if (!is_scalar(joint.kind)) continue;
     const auto c = static_cast<std::size_t>(joint.coordinate);
     slides[c] = slides[c] || joint.kind == JointKind::kSlide;
-    narrow(joint, ranges[c]);
+    narrow_range(joint, ranges[c]);
   }
-  narrow_by_stops(scene, ranges);
-  // Default range of an unbounded coordinate: half a turn or a metre either way.
+  set_stop_ranges(scene, ranges);
+  // Give unlimited coordinates half a turn or a metre to either side.
   for (std::size_t c = 0; c < ranges.size(); ++c) {
-    const double far = slides[c] ? 1 : kPi;
-    if (ranges[c].lower == -kNone) ranges[c].lower = -far;
-    if (ranges[c].upper == kNone) ranges[c].upper = far;
+    const double limit = slides[c] ? 1 : kPi;
+    if (ranges[c].lower == -kNone) ranges[c].lower = -limit;
+    if (ranges[c].upper == kNone) ranges[c].upper = limit;
   }
   return ranges;
 }
 
 ScenePicture scene_picture(const BuiltScene& built, const std::optional<Camera>& camera) {
   ScenePicture out;
-  // Bodies first, because joints and contacts refer to their indices.
+  // Add bodies first, because joints and contacts refer to their indices.
   add_bodies(built, out);
   add_joints(built, out);
-  // Forces and moments as arrows, tendons as lines.
+  // Add forces and moments as arrows, tendons as lines.
   for (std::size_t i = 0; i < built.scene.forces.size(); ++i) {
     const bool is_moment = built.scene.forces[i].force.isZero(0);
     const std::string& name = i < built.force_names.size() ? built.force_names[i] : "";
@@ -162,7 +165,7 @@ LiveInstant scene_instant(const ScenePicture& picture, const MovingScene& scene,
                           const MechanismLayout& layout, const SceneView& view) {
   LiveInstant out;
   out.time = view.t;
-  // Bodies and joints; a joint that follows is shown at its own value.
+  // Set poses and joint values; a joint that follows a coordinate has its own value.
   const auto pose = [&](int body) { return view.X_WB[body]; };
   for (const int body : picture.body_of) out.bodies.push_back(pose(body));
   for (std::size_t k = 0; k < picture.joint_of.size(); ++k) {
@@ -172,18 +175,18 @@ LiveInstant scene_instant(const ScenePicture& picture, const MovingScene& scene,
   }
   out.line_points = picture.tendons.points(view.q, view.X_WB);
   out.tensions = picture.tendons.tensions(view.q, view.tension);
-  // Arrows of forces that do not act now have no length.
+  // Set the arrows; forces that are not active at this time have zero length.
   for (std::size_t k = 0; k < scene.forces.size(); ++k) {
     const SceneForce& force = scene.forces[k];
     const Eigen::Vector3d at = pose(force.body) * force.point;
     const Eigen::Vector3d vector = picture.is_moment[k] ? force.moment : force.force;
     out.arrows.push_back({at, force.when.holds(view.t) ? vector : Eigen::Vector3d(0, 0, 0)});
   }
-  // Contacts refer to bodies as they are drawn; friction sets the width of the cone.
+  // Convert the contacts to the bodies of the shape; friction sets the angle of the cone.
   for (const ContactSample& contact : view.contacts) {
     LiveContact shown;
-    shown.a = picture.shown_as[contact.a];
-    shown.b = picture.shown_as[contact.b];
+    shown.a = picture.shape_body_of[contact.a];
+    shown.b = picture.shape_body_of[contact.b];
     shown.point = contact.point;
     shown.normal = contact.normal;
     shown.force = contact.force;

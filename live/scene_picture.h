@@ -1,6 +1,6 @@
 #pragma once
 
-/// Moving scenes as live pictures: bodies, joints, tendons, forces that act, contacts.
+/// Live pictures of moving scenes: bodies, joints, tendons, applied forces, contacts.
 
 #include <optional>
 #include <vector>
@@ -14,40 +14,41 @@ namespace thenar {
 /// Correspondence between the parts of a scene and those of its picture.
 struct ScenePicture {
   LiveShape shape;
-  std::vector<int> body_of;     // of shape's bodies: body of the mechanism
-  std::vector<int> shown_as;    // of the mechanism's bodies: body of the shape; -1: not shown
-  std::vector<int> joint_of;    // of shape's joints: joint of the mechanism
-  std::vector<bool> leads;      // of shape's joints: it is called after its coordinate
-  std::vector<bool> is_moment;  // of shape's arrows, one of each force of the scene
-  SceneTendons tendons;         // shape's lines
+  std::vector<int> body_of;        // body of the mechanism (bodies of the shape)
+  std::vector<int> shape_body_of;  // body of the shape; -1: not shown (bodies of the mechanism)
+  std::vector<int> joint_of;       // joint of the mechanism (joints of the shape)
+  std::vector<bool> leads;      // true: has the coordinate's name and value (joints of the shape)
+  std::vector<bool> is_moment;  // true: a moment, false: a force (arrows of the shape)
+  SceneTendons tendons;         // tendons behind the lines of the shape
 };
 
-/// The picture of a scene. Bodies without a surface are left out, but for those that carry a joint.
-/// The first joint that a coordinate moves is called after it, and its value is the coordinate's;
-/// other joints of that coordinate are led by it. Joints that no coordinate moves (balls, free
-/// bodies) are none. Forces of the scene are arrows, tendons that are pulled are lines.
+/// Builds the picture of a scene. Bodies without a surface are left out, unless a joint moves them.
+/// One joint of each coordinate has the coordinate's name and value: the first that moves with
+/// ratio 1, else the first. The other joints of the coordinate are led by it. Ball and free joints
+/// are left out. Forces of the scene become arrows, loaded tendons become lines.
 [[nodiscard]] ScenePicture scene_picture(const BuiltScene& built,
                                          const std::optional<Camera>& camera);
 
-/// State of a scene at an instant, as far as a picture shows it.
+/// State of a scene at an instant, as needed for a picture.
 struct SceneView {
-  double t = 0;                                // [s]
+  double t = 0;                                // time [s]
   const Eigen::VectorXd& q;                    // positions (q)
-  const std::vector<Pose<double>>& X_WB;       // (bodies of the mechanism)
-  const std::vector<ContactSample>& contacts;  //
-  const Eigen::VectorXd& tension;              // of SceneTendons::muscles() [N] (muscles)
+  const std::vector<Pose<double>>& X_WB;       // poses (bodies of the mechanism)
+  const std::vector<ContactSample>& contacts;  // contacts at this instant
+  const Eigen::VectorXd& tension;              // tensions of SceneTendons::muscles() [N] (muscles)
 };
 
-/// The instant of a picture.
+/// Computes the moving parts of a picture.
 [[nodiscard]] LiveInstant scene_instant(const ScenePicture& picture, const MovingScene& scene,
                                         const MechanismLayout& layout, const SceneView& view);
 
-/// Ranges of all coordinates: of human hands those of their stops, of all others those in which
-/// every joint that they move is within its limits; where there are none, half a turn either way,
-/// or 1 m. [rad] or [m] (coordinates)
+/// Range of a coordinate [rad] or [m].
 struct CoordinateRange {
   double lower, upper;
 };
+/// Returns the ranges of all coordinates (coordinates): those of the joint stops of human hands,
+/// else those in which every joint of the coordinate is within its limits. Unlimited coordinates
+/// get half a turn, or 1 m, to either side.
 [[nodiscard]] std::vector<CoordinateRange> coordinate_ranges(const MovingScene& scene);
 
 }  // namespace thenar

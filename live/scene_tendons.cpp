@@ -9,8 +9,9 @@
 namespace thenar {
 namespace {
 
-/// The body whose frame is that of the hand with a coordinate: its first one.
-int base_of(const BuiltScene& built, int place) {
+/// Returns the first body of the hand that has a coordinate: its frame is the hand's frame.
+/// @param place  entry of the scene's q
+int hand_base_body(const BuiltScene& built, int place) {
   const Mechanism& mechanism = built.scene.mechanism;
   const MechanismLayout layout = layout_of(mechanism);
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i)
@@ -21,16 +22,17 @@ int base_of(const BuiltScene& built, int place) {
   throw InputError("wanted a joint for every coordinate that tendons move");
 }
 
-/// Tension of every strand [N] (strands). @param t  of muscles, NaN: unknown [N] (muscles)
+/// Computes the tension of every strand [N] (strands).
+/// @param t  tensions of muscles; NaN: unknown [N] (muscles)
 Eigen::VectorXd strand_tensions_of(const TendonDigit& digit, const Eigen::VectorXd& q,
                                    const Eigen::VectorXd& t) {
-  // S distributes muscle tensions over strands, as the hood does: t_strand = S t.
+  // t_strand = S t, where S distributes the muscle tensions over strands as the hood does.
   const Eigen::MatrixXd S = strand_matrix(digit.model, q);
   Eigen::VectorXd out = Eigen::VectorXd::Zero(S.rows());
   for (Eigen::Index s = 0; s < S.rows(); ++s) {
     const bool pulled = !S.row(s).isZero(0);
     if (!pulled && digit.net != nullptr) out[s] = kNaN;
-    // A muscle that has no part in a strand may be unknown.
+    // Skip zeros of S: muscles that do not pull on this strand may be unknown.
     for (Eigen::Index m = 0; m < S.cols(); ++m)
       if (S(s, m) != 0) out[s] += S(s, m) * t[m];
   }
@@ -41,21 +43,21 @@ Eigen::VectorXd strand_tensions_of(const TendonDigit& digit, const Eigen::Vector
 
 SceneTendons::SceneTendons(const BuiltScene& built) {
   for (const std::shared_ptr<const ForceElement>& element : built.scene.elements)
-    if (const auto* pull = dynamic_cast<const DigitPull*>(element.get())) add(built, *pull);
+    if (const auto* pull = dynamic_cast<const DigitPull*>(element.get())) add_digits(built, *pull);
 }
 
-void SceneTendons::add(const BuiltScene& built, const DigitPull& pull) {
-  // Muscles of all hands stand in one list; remember where those of this hand begin.
+void SceneTendons::add_digits(const BuiltScene& built, const DigitPull& pull) {
+  // Append the muscles of this hand to the list of all hands.
   const DigitPullModel& model = pull.model();
   const auto first = static_cast<Eigen::Index>(muscles_.size());
   for (const std::string& muscle : pull.muscles()) muscles_.push_back(pull.name() + "/" + muscle);
-  // Each digit has its own tendons, whose coordinates are some of the scene's.
+  // Add each digit with its coordinates, muscles and lines.
   for (const TendonGroup::Digit& digit : model.tendons->digits()) {
-    Part part{digit.tendons, 0, {}, {}, strand_paths(digit.tendons->digit())};
+    DigitPart part{digit.tendons, 0, {}, {}, strand_paths(digit.tendons->digit())};
     for (const int c : digit.coordinates) part.q.push_back(model.indices.q[c]);
     for (const int m : digit.muscles) part.muscle.push_back(first + m);
     if (part.q.empty()) continue;
-    part.base = base_of(built, part.q.front());
+    part.base = hand_base_body(built, part.q.front());
     const std::string& hand = built.owner[part.base];
     for (const StrandPath& path : part.paths)
       lines_.push_back({path.name, hand + "/" + digit_name(digit.tendons->digit()), false,
@@ -67,8 +69,8 @@ void SceneTendons::add(const BuiltScene& built, const DigitPull& pull) {
 std::vector<Eigen::Vector3d> SceneTendons::points(const Eigen::VectorXd& q,
                                                   const std::vector<Pose<double>>& X_WB) const {
   std::vector<Eigen::Vector3d> points;
-  // Points are stated in the frame of the hand, which may move with an arm.
-  for (const Part& part : parts_) {
+  // Compute the points in the hand's frame, and transform them to the world.
+  for (const DigitPart& part : parts_) {
     const Eigen::VectorXd own = q(part.q);
     const TreeState<double> state = pose_tree(part.tendons->digit().model.tree, own);
     const Pose<double>& X_WH = X_WB[part.base];
@@ -82,7 +84,7 @@ std::vector<Eigen::Vector3d> SceneTendons::points(const Eigen::VectorXd& q,
 std::vector<double> SceneTendons::tensions(const Eigen::VectorXd& q,
                                            const Eigen::VectorXd& t) const {
   std::vector<double> tensions;
-  for (const Part& part : parts_) {
+  for (const DigitPart& part : parts_) {
     const Eigen::VectorXd strands =
         strand_tensions_of(part.tendons->digit(), q(part.q), t(part.muscle));
     for (const StrandPath& path : part.paths) tensions.push_back(strands[path.strand]);

@@ -13,43 +13,43 @@
 
 namespace thenar {
 
-/// The tendons of all digits that a [[tendon]] or [[muscle]] of a scene pulls: strand_paths() on
-/// the moving bones. Others have no tension and are not drawn.
+/// Tendons of all digits that a [[tendon]] or [[muscle]] of a scene pulls, drawn as strand_paths()
+/// on the moving bones. Other digits have no tensions and are not drawn.
 class SceneTendons {
  public:
   SceneTendons() = default;
   explicit SceneTendons(const BuiltScene& built);
 
   [[nodiscard]] const std::vector<LiveLine>& lines() const { return lines_; }
-  /// Returns the names of the muscles whose tensions are needed: "human:skewed/index/FDP2", as in
-  /// readings and runs.
+  /// Returns the names of the muscles that tensions() takes, "human:skewed/index/FDP2", as in
+  /// readings and recorded runs.
   [[nodiscard]] const std::vector<std::string>& muscles() const { return muscles_; }
 
-  /// Points of all lines, one after the other, world [m] (3 each).
+  /// Returns the points of all lines, line after line, in the world [m] (3 each).
   /// @param q     positions of the scene (q)
-  /// @param X_WB  of all bodies of the mechanism
+  /// @param X_WB  poses of all bodies of the mechanism
   [[nodiscard]] std::vector<Eigen::Vector3d> points(const Eigen::VectorXd& q,
                                                     const std::vector<Pose<double>>& X_WB) const;
 
-  /// Tension of every line before friction in sheaths. Of a digit with a net a strand has what its
-  /// muscle gives; what the net makes of it in strands that no muscle pulls is NaN, unknown.
-  /// @param t  of muscles(); NaN: unknown [N] (muscles)
-  /// @return [N] (lines)
+  /// Returns the tension of every line before friction in sheaths [N] (lines). In a digit with a
+  /// net, strands that no muscle pulls directly get NaN (unknown).
+  /// @param q  positions of the scene (q)
+  /// @param t  tensions of muscles(); NaN: unknown [N] (muscles)
   [[nodiscard]] std::vector<double> tensions(const Eigen::VectorXd& q,
                                              const Eigen::VectorXd& t) const;
 
  private:
-  /// One digit with what is drawn of it.
-  struct Part {
+  /// Drawn tendons of one digit.
+  struct DigitPart {
     std::shared_ptr<const DigitTendons> tendons;
-    int base = 0;                      // body whose frame is the hand's
-    std::vector<int> q;                // places of its coordinates (coordinates)
-    std::vector<Eigen::Index> muscle;  // of muscles() (muscles)
+    int base = 0;                      // body whose frame is the hand's frame
+    std::vector<int> q;                // entries of the scene's q (coordinates of the digit)
+    std::vector<Eigen::Index> muscle;  // entries of muscles() (muscles of the digit)
     std::vector<StrandPath> paths;
   };
-  void add(const BuiltScene& built, const DigitPull& pull);
+  void add_digits(const BuiltScene& built, const DigitPull& pull);
 
-  std::vector<Part> parts_;
+  std::vector<DigitPart> parts_;
   std::vector<LiveLine> lines_;
   std::vector<std::string> muscles_;
 };

@@ -6,7 +6,7 @@
 namespace thenar {
 namespace {
 
-/// Nodes up to the first one that stands still.
+/// Returns the nodes up to the first one on the base.
 TendonPath<double> moving_part(const TendonPath<double>& path) {
   TendonPath<double> part;
   for (const PathNode<double>& node : path) {
@@ -16,13 +16,13 @@ TendonPath<double> moving_part(const TendonPath<double>& path) {
   return part;
 }
 
-/// Returns a path with both ends, and nodes evenly between them.
+/// Reduces a path to kMaxStrandPoints nodes: both ends, and nodes at equal index steps between.
 TendonPath<double> thinned(const TendonPath<double>& path) {
-  if (path.size() <= kLinePoints) return path;
+  if (path.size() <= kMaxStrandPoints) return path;
   TendonPath<double> thin;
-  for (int i = 0; i < kLinePoints; ++i)
+  for (int i = 0; i < kMaxStrandPoints; ++i)
     thin.push_back(path[static_cast<std::size_t>(
-        std::lround(i * static_cast<double>(path.size() - 1) / (kLinePoints - 1)))]);
+        std::lround(i * static_cast<double>(path.size() - 1) / (kMaxStrandPoints - 1)))]);
   return thin;
 }
 

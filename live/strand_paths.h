@@ -1,6 +1,6 @@
 #pragma once
 
-/// Ways of a digit's tendons, thinned so that they can be drawn in every frame.
+/// Paths of a digit's tendons, with few enough points to be drawn in every frame.
 
 #include <string>
 #include <vector>
@@ -9,22 +9,22 @@
 
 namespace thenar {
 
-/// Most points of a tendon that is drawn in a hand, so that a frame stays small.
-inline constexpr int kLinePoints = 8;
+/// Largest number of points of a tendon that is drawn in a hand; keeps frames small.
+inline constexpr int kMaxStrandPoints = 8;
 
-/// The path of one strand of a digit, from its end on the bone towards the muscle.
+/// Path of one strand of a digit, from its insertion towards the muscle.
 struct StrandPath {
-  int strand = 0;  // of the digit
+  int strand = 0;  // index of the strand in the digit
   std::string name;
-  TendonPath<double> nodes;  // 2 to kLinePoints of its via points, links of the digit's own tree
+  TendonPath<double> nodes;  // 2 to kMaxStrandPoints via points on links of the digit's tree
 };
 
-/// "index": the name of a digit; empty if its skeleton has no tip.
+/// Returns the name of a digit, "index"; empty if its skeleton has no tip.
 [[nodiscard]] std::string digit_name(const TendonDigit& digit);
 
-/// Paths of all strands of a digit. The muscle's way up the forearm ends at the first point that no
-/// joint of the digit moves. Strands without a path are left out; on the rungs `fitted` and
-/// `wrapped` lines run straight through via points, too.
+/// Returns the paths of all strands of a digit. A path ends at the first point that no joint of the
+/// digit moves. Strands without a path are left out. Lines are straight between via points, also
+/// for fitted and wrapped tendon paths.
 [[nodiscard]] std::vector<StrandPath> strand_paths(const TendonDigit& digit);
 
 }  // namespace thenar

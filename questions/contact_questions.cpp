@@ -1,4 +1,4 @@
-// What contacts and grasps withstand: contact sets, grasps in worlds, hands compared.
+// Questions about contacts: contact sets, grasps in worlds, comparisons of hands.
 
 #include "api/compare.h"
 #include "api/grasp.h"
@@ -41,7 +41,7 @@ RequestTable<ContactQualityRequest> contact_params() {
       "Soft fingers get double pyramids with poles at their torsion.");
   table.add("first_edge", units::kDegree, number_schema(""), &Request::first_edge,
             "Angle of the pyramids' first edges about the normals.");
-  // Limits of the forces, and the accuracy of epsilon and volume.
+  // Add the limits of the forces, and the accuracy of epsilon and volume.
   table.add_word("norm", kForceNormNames, &Request::norm,
                  "Limit of contact forces: l1: normal forces sum up to 1; linf: those of each "
                  "patch sum up to 1 at most.");
@@ -49,21 +49,20 @@ RequestTable<ContactQualityRequest> contact_params() {
             "Largest certified upper - lower of epsilon, in units of normal force.");
   table
       .add("volume", flag_schema(), &Request::volume,
-           "Compute the volume, which takes 80 to 5,000 times as long as epsilon.",
-           "!no-volume")
+           "Compute the volume, which takes 80 to 5,000 times as long as epsilon.", "!no-volume")
       .off_about = "Skip the volume, which takes 80 to 5,000 times as long as epsilon.";
   add_data(table, &Request::data);
   return table;
 }
 
 RequestTable<WorldRequest> world_params() {
-  // The world alone is required; it may hold several hands and objects.
+  // Add the world, which may have several hands and objects.
   RequestTable<WorldRequest> table;
   table.add_argument("world", &WorldRequest::world, "A world: its name, or its file (TOML).");
   table.add("hand", text_schema(), &WorldRequest::hand, "Hand to use, where there are several.");
   table.add("object", text_schema(), &WorldRequest::object,
             "Object to grasp, where there are several.");
-  // Options of human hands, which robots ignore.
+  // Add options of human hands, which robots ignore.
   table.add_word("passive", kPassiveNames, &WorldRequest::passive,
                  "Passive moments of human joints, where the subject states some.");
   add_path(table, &WorldRequest::path);
@@ -89,12 +88,12 @@ RequestTable<GraspRequest> grasp_params() {
             "random");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
             "Seed of random starts and of robustness.");
-  // Robustness repeats the grasp with friction, contacts and pose drawn at random.
+  // Add robustness: repeated grasps with random friction, contacts and pose.
   RequestTable<RobustnessRequest> robustness;
   robustness.add("robustness", integer_schema(0, 1e9), &RobustnessRequest::draws,
                  "Draws of uncertain friction, contacts and pose of the object; 0: none.");
   table.include(robustness, &Request::robustness);
-  // Quality: the limit of contact forces, and the certified gap of epsilon.
+  // Add the norm of the contact forces, and the certified gap of epsilon.
   table.add_word("norm", kForceNormNames, &Request::limit,
                  "Limit of contact forces: l1 their sum, linf each of them.");
   table.add("tolerance", number_schema(""), &Request::tolerance,
@@ -113,7 +112,7 @@ RequestTable<CompareRequest> compare_params() {
   using Request = CompareRequest;
   const Schema names = list_schema(text_schema(), 1, 100);
   RequestTable<Request> table;
-  // Every hand meets every object; every pair is measured by all tasks.
+  // Add the hands and objects, all of which are combined, and the tasks.
   table.add(
       "hands", names, &Request::hands,
       "Hands: human:orthogonal, human:skewed, human:soft, human:tendons; names of robots/; or "
@@ -121,7 +120,7 @@ RequestTable<CompareRequest> compare_params() {
   table.add("objects", names, &Request::objects, "Objects: names of objects/, or files.");
   table.add("tasks", names, &Request::tasks,
             "Tasks: some of force-closure, hold-weight, pull, turn.");
-  // Effort and randomness: more approaches find better grasps.
+  // Add the effort of the search, and its seed.
   table.add("approaches", integer_schema(1, 1e9), &Request::approaches,
             "Random approaches of each hand to each object.");
   table.add("best", integer_schema(0, 1e9), &Request::best,
@@ -134,7 +133,7 @@ RequestTable<CompareRequest> compare_params() {
       "number.");
   table.add("normalise_size", flag_schema(), &Request::normalise_size,
             "Scale objects by each hand's digit reach relative to the first hand's.");
-  // Models behind the comparison: paths of tendons, materials and friction.
+  // Add the models: paths of tendons, materials and friction.
   add_path(table, &Request::path);
   table.add("materials", text_schema(), &Request::materials,
             "File of materials and friction of your own (TOML), over the built-in table.");

@@ -10,12 +10,12 @@ RequestTable<DigitRequest> subject_params() {
   table.add_argument("subject", &DigitRequest::subject, "A subject: its name, or its file (TOML).");
   table.add("digit", text_schema(), &DigitRequest::digit,
             "Digit: thumb, index, middle, ring or little; the only one if left out.");
-  // The posture, in degrees or radians; frozen joints are no coordinates of the digit any more.
+  // Add the posture; frozen joints are not coordinates of the digit.
   add_posture(table, "posture", &DigitRequest::posture,
               "Angles by joint, or in the order of the joints; others stay at 0.");
   add_posture(table, "frozen", &DigitRequest::frozen, "Joints to weld, and their angles.");
   add_vary(table, &DigitRequest::vary, &DigitRequest::posture);
-  // Rungs of the model: paths of tendons and passive moments.
+  // Add the fidelity of the model: paths of tendons and passive moments.
   add_path(table, &DigitRequest::path);
   table.add_word("passive", kPassiveNames, &DigitRequest::passive,
                  "Passive moments of human joints, where the subject states some.");
@@ -54,7 +54,7 @@ Schema vary_schema() {
                      0, 100);
 }
 
-PostureRequest posture_from(const Json& json, PostureUnit unit) {
+PostureRequest posture_from_json(const Json& json, PostureUnit unit) {
   PostureRequest posture;
   posture.unit = unit;
   if (json.is_array())
@@ -64,12 +64,12 @@ PostureRequest posture_from(const Json& json, PostureUnit unit) {
   return posture;
 }
 
-Json posture_to(const PostureRequest& posture, PostureUnit unit) {
+Json posture_to_json(const PostureRequest& posture, PostureUnit unit) {
   if (posture.empty() || posture.unit != unit) return {};
   return posture.named.empty() ? Json(posture.in_order) : Json(posture.named);
 }
 
-std::vector<Vary> vary_from(const Json& json) {
+std::vector<Vary> vary_from_json(const Json& json) {
   std::vector<Vary> all;
   for (const Json& each : json)
     all.push_back({each["joint"].get<std::string>(), each["from"].get<double>(),
@@ -77,7 +77,7 @@ std::vector<Vary> vary_from(const Json& json) {
   return all;
 }
 
-Json vary_to(const std::vector<Vary>& vary) {
+Json vary_to_json(const std::vector<Vary>& vary) {
   Json list;
   for (const Vary& each : vary)
     list.push_back(

@@ -8,45 +8,45 @@
 
 namespace thenar {
 
-/// A posture, "posture_deg" or "posture_rad": angles by joint, or a list in the order of the
-/// joints.
-/// @param about  what is done with joints that are not named
+/// Adds a posture as KEY_deg and KEY_rad: angles by joint, or a list in the order of the joints.
+/// @param about  description of the parameter
 template <typename Request>
 void add_posture(RequestTable<Request>& table, const std::string& key,
                  PostureRequest Request::*member, const std::string& about);
 
-/// Joints that vary over a grid, in the unit of the posture: "vary_deg" or "vary_rad".
+/// Adds joints that vary over a grid as "vary_deg" and "vary_rad", in the unit of the posture.
 template <typename Request>
 void add_vary(RequestTable<Request>& table, std::vector<Vary> Request::*member,
               PostureRequest Request::*posture);
 
-/// Folder with data of one's own.
+/// Adds the folder of the user's own data, "data".
 template <typename Request>
 void add_data(RequestTable<Request>& table, std::string Request::*member);
 
-/// Tendon paths of digits that state none.
+/// Adds the kind of tendon paths, "path".
 template <typename Request>
 void add_path(RequestTable<Request>& table, std::optional<Path> Request::*member);
 
-/// Subject, digit, posture, frozen joints, paths, passive moments, map, data: linear tendons, or a
-/// tip map.
+/// Returns the parameters of a digit with linear tendons or a tip map: subject, digit, posture,
+/// frozen joints, paths, passive moments, data, map.
 [[nodiscard]] RequestTable<DigitRequest> linear_digit_params();
-/// The same with a hood and a net in place of a map. @param hood  of the question if left out
+/// Returns the parameters of a digit with an extensor hood or net instead of a map.
+/// @param hood  hood of the question by default, for the description
 [[nodiscard]] RequestTable<DigitRequest> tendon_params(const std::string& hood);
 
 namespace internal {
 [[nodiscard]] Schema posture_schema();
 [[nodiscard]] Schema vary_schema();
-[[nodiscard]] PostureRequest posture_from(const Json& json, PostureUnit unit);
-[[nodiscard]] Json posture_to(const PostureRequest& posture, PostureUnit unit);
-[[nodiscard]] std::vector<Vary> vary_from(const Json& json);
-[[nodiscard]] Json vary_to(const std::vector<Vary>& vary);
+[[nodiscard]] PostureRequest posture_from_json(const Json& json, PostureUnit unit);
+[[nodiscard]] Json posture_to_json(const PostureRequest& posture, PostureUnit unit);
+[[nodiscard]] std::vector<Vary> vary_from_json(const Json& json);
+[[nodiscard]] Json vary_to_json(const std::vector<Vary>& vary);
 }  // namespace internal
 
 template <typename Request>
 void add_posture(RequestTable<Request>& table, const std::string& key,
                  PostureRequest Request::*member, const std::string& about) {
-  // Two keys set the same member: one in degrees for people, one in radians for programs.
+  // Add two keys for the same member: degrees for users, radians for programs.
   for (const PostureUnit unit : {PostureUnit::kTyped, PostureUnit::kSI}) {
     const bool typed = unit == PostureUnit::kTyped;
     Param& param = table.add(
@@ -54,10 +54,10 @@ void add_posture(RequestTable<Request>& table, const std::string& key,
           typed ? about : "The same in radians, slides in metres."},
          units::kOne},
         [=](Request& request, const Json& value) {
-          request.*member = internal::posture_from(value, unit);
+          request.*member = internal::posture_from_json(value, unit);
         },
-        [=](const Request& request) { return internal::posture_to(request.*member, unit); });
-    // Only the key in degrees is an option of the command.
+        [=](const Request& request) { return internal::posture_to_json(request.*member, unit); });
+    // Make only the key in degrees an option of the command.
     param.option = typed ? key : "";
     param.form = "JOINT=degrees";
     param.is_twin = !typed;
@@ -67,7 +67,7 @@ void add_posture(RequestTable<Request>& table, const std::string& key,
 template <typename Request>
 void add_vary(RequestTable<Request>& table, std::vector<Vary> Request::*member,
               PostureRequest Request::*posture) {
-  // A posture and its sweep share one unit, so that a grid never mixes degrees with radians.
+  // Add two keys; the grid must have the unit of the posture.
   for (const PostureUnit unit : {PostureUnit::kTyped, PostureUnit::kSI}) {
     const bool typed = unit == PostureUnit::kTyped;
     Param& param = table.add(
@@ -79,10 +79,10 @@ void add_vary(RequestTable<Request>& table, std::vector<Vary> Request::*member,
           require_field("vary", (request.*posture).empty() || (request.*posture).unit == unit,
                         "wanted a posture and what varies in one unit");
           (request.*posture).unit = unit;
-          request.*member = internal::vary_from(value);
+          request.*member = internal::vary_from_json(value);
         },
         [=](const Request& request) {
-          return (request.*posture).unit == unit ? internal::vary_to(request.*member) : Json();
+          return (request.*posture).unit == unit ? internal::vary_to_json(request.*member) : Json();
         });
     param.option = typed ? "vary" : "";
     param.is_twin = !typed;

@@ -1,5 +1,4 @@
-// Where digits stand and what their tendons do: poses, moment arms, forces of its tip, bands of its
-// hood.
+// Questions about a digit: poses, moment arms, fingertip forces, tensions of its hood.
 
 #include "api/feasible_force.h"
 #include "api/moment_arms.h"
@@ -50,22 +49,22 @@ RequestTable<TipForceRequest> tip_force_params() {
   return table;
 }
 
-/// Loads beside the one that is asked for, which are of the other kind.
+/// Adds the bound of the loads of the other kind.
 void add_other_load(RequestTable<FeasibleForceRequest>& table, TipLoad load, const std::string& key,
                     const FieldUnit& unit, const std::string& about) {
   // A force may come with moments and a moment with forces; each has its own key, as their units
   // differ.
   table.add(
-      {{key, endless_schema("", 0), about}, unit},
+      {{key, infinite_number_schema("", 0), about}, unit},
       [=](FeasibleForceRequest& request, const Json& value) {
         require_field(key.c_str(), request.load == load,
                       "{} are asked for beside {} alone, and {} is wanted", key,
                       load == TipLoad::kForce ? "a force" : "a moment",
                       load == TipLoad::kForce ? "a moment" : "a force");
-        take(value, request.most_other);
+        read_value(value, request.most_other);
       },
       [=](const FeasibleForceRequest& request) {
-        return request.load == load ? give(request.most_other) : Json();
+        return request.load == load ? value_json(request.most_other) : Json();
       });
 }
 
@@ -104,7 +103,8 @@ RequestTable<FeasibleForceRequest> feasible_force_params() {
                  "Wrist: held: welded; free: it moves and bears the load, with the muscles across "
                  "it; pinch: it moves, and the load ends within the hand.");
   Param& stops = table.add(
-      "stops", units::kNewtonMetre, map_schema(endless_schema("", -kInfinity)), &Request::stops,
+      "stops", units::kNewtonMetre, map_schema(infinite_number_schema("", -kInfinity)),
+      &Request::stops,
       "Joints at the end of their range, whose ligaments give at most this torque; positive "
       "flexes, inf: any.");
   stops.option = "stop";

@@ -1,4 +1,4 @@
-// What measured forces say of a digit: fits, predictions, posteriors, bands of a hood.
+// Questions about measured forces: fits, predictions, posteriors, bands of a hood.
 
 #include "api/fit.h"
 #include "api/posterior.h"
@@ -26,7 +26,7 @@ constexpr std::size_t kMaxNames = 1000;  // Entries of a list of names in a requ
 
 Schema names_schema() { return list_schema(text_schema(), 0, kMaxNames); }
 
-/// Tendon paths of a fit: via, straight between via points; its force model has no others.
+/// Adds the tendon paths of a fit; its force model supports only straight paths between via points.
 template <typename Request>
 void add_fit_path(RequestTable<Request>& table, std::optional<Path> Request::*member) {
   table.add_word("path", kPathNames, member,
@@ -46,7 +46,7 @@ RequestTable<FitSources> source_params() {
       .add("subject", text_schema(), &FitSources::subject,
            "Subject to start from: its name, or its file (TOML).")
       .member.required = true;
-  // Which parameters move, and from which priors.
+  // Select the free parameters and their priors.
   table.add("settings", text_schema(), &FitSources::settings,
             "Which parameters move: name or file; built in for the digit if left out.");
   // A net replaces the fractions of the hood.
@@ -98,7 +98,7 @@ RequestTable<InferNetRequest> infer_params() {
   table.add("propose", integer_schema(0, 1e9), &Request::propose, "Tests to propose, at most.");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed,
             "Seed of the search, and of the draws that `free` asks for.");
-  // With free parameters bands compete with other explanations, and get probabilities.
+  // Free parameters are alternatives to bands; bands then get probabilities.
   table.add("free", names_schema(), &Request::free,
             "Explanations of the forces in place of a band: slack, paths, stiffness or globs of "
             "parameters; bands then get probabilities.");
@@ -118,7 +118,7 @@ PredictResult predict(const PredictRequest& request, const Progress& /*progress*
   return predict_forces(request);
 }
 
-/// Infers, and refuses what is no answer.
+/// Infers a net. @throws InputError if there is no answer
 InferNetResult infer(const InferNetRequest& request, const Progress& progress) {
   InferNetResult result = infer_net(request, progress);
   const std::string refusal = refusal_of(result);
@@ -126,7 +126,7 @@ InferNetResult infer(const InferNetRequest& request, const Progress& progress) {
   return result;
 }
 
-/// One process asks: it has the answer.
+/// Samples a posterior; a single process always has the result.
 PosteriorResult sample(const SampleRequest& request, const Progress& progress) {
   require_field("output", !request.output.empty(), "wanted a file for the draws (.nc), got none");
   return sample_fit(request, progress).value();
@@ -137,7 +137,7 @@ PosteriorResult sample(const SampleRequest& request, const Progress& progress) {
 RequestTable<FitRequest> fit_params() {
   using Request = FitRequest;
   RequestTable<Request> table;
-  // The same inputs as those of a posterior.
+  // Add the inputs, the same as for a posterior.
   table.include(source_params(), &Request::sources);
   table.add_word("method", kLeastSquaresMethodNames, &Request::method,
                  "Method of the fit: ceres, ipopt: by derivatives; nlopt, nlopt-global: without.");
@@ -172,7 +172,7 @@ RequestTable<FitRequest> fit_params() {
 RequestTable<SampleRequest> posterior_params() {
   using Request = SampleRequest;
   RequestTable<Request> table;
-  // The same inputs as those of a fit.
+  // Add the inputs, the same as for a fit.
   table.include(source_params(), &Request::sources);
   table.add_word("method", kSamplingMethodNames, &Request::method, "Sampler.", "sampler");
   table.add("seed", integer_schema(0, 4294967295.0), &Request::seed, "Seed of the chains.");

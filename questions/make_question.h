@@ -1,7 +1,7 @@
 #pragma once
 
-/// Questions made of a table of parameters and a function that answers: what report/ has of the
-/// result, its answer has.
+/// Construction of questions from a table of parameters and a function. The answer has all forms
+/// for which report/ has an overload for the type of the result.
 
 #include <memory>
 #include <string>
@@ -15,7 +15,7 @@
 namespace thenar {
 
 namespace internal {
-// Whether report/ has something of a result.
+// Defines a trait that is true if report/ has an overload of a function for a result.
 #define THENAR_HAS(name, function)                                                    \
   template <typename Result, typename = void>                                         \
   struct name : std::false_type {};                                                   \
@@ -35,12 +35,12 @@ template <typename Request>
 struct HasRun<Request, std::void_t<decltype(std::declval<Request&>().run)>> : std::true_type {};
 }  // namespace internal
 
-/// An answer with what the overloads of report/ make of a result: fields_of (or json_of) and
-/// text_of, and table_of, page_of, files_of and refusal_of where they exist.
-/// @param kept  lives as long as the answer
+/// Makes an answer from a result by the overloads of report/: fields_of (or json_of) and text_of,
+/// and table_of, page_of, files_of and refusal_of if they exist.
+/// @param kept  result; the answer shares it
 template <typename Result>
 [[nodiscard]] Answer answer_of(const std::shared_ptr<const Result>& kept, Outcome outcome) {
-  // The result is shared by all forms of the answer, each made when it is asked for.
+  // All forms share the result; each is computed when it is requested.
   Answer answer;
   answer.outcome = std::move(outcome);
   if constexpr (internal::HasFields<Result>::value)
@@ -48,7 +48,7 @@ template <typename Result>
   else
     answer.json = [kept](UnitSystem) { return OrderedJson(json_of(*kept)); };
   answer.text = [kept] { return text_of(*kept); };
-  // Optional forms exist where the result has a function for them.
+  // Add the optional forms that exist for this result.
   if constexpr (internal::HasTable<Result>::value)
     answer.table = [kept] { return table_of(*kept); };
   if constexpr (internal::HasPage<Result>::value) answer.page = [kept] { return page_of(*kept); };
@@ -58,8 +58,7 @@ template <typename Result>
   return answer;
 }
 
-/// An answer that keeps a result, whose `outcome` says how it ended; of several kinds the one it
-/// is.
+/// Makes an answer that owns a result with its `outcome`.
 template <typename Result>
 [[nodiscard]] Answer answer_of(Result result) {
   const auto kept = std::make_shared<const Result>(std::move(result));
@@ -70,8 +69,11 @@ template <typename... Results>
   return std::visit([](auto& each) { return answer_of(std::move(each)); }, result);
 }
 
-/// Adds a question of a request and a result, which answer_of() takes.
+/// Adds a question with a request and a result; answer_of() makes its answer.
+/// @param table    parameters of the request
+/// @param ask      function that computes the result
 /// @param example  a request as JSON
+/// @param command  command that asks the question
 template <typename Request, typename Result>
 void add_question(std::vector<Question>& all, const std::string& name, std::string about,
                   const RequestTable<Request>& table,
@@ -83,7 +85,7 @@ void add_question(std::vector<Question>& all, const std::string& name, std::stri
                    if (!data.empty() && !json.contains("data")) json["data"] = data;
                    Request request = table.read(json);
                    const OrderedJson record = table.write(request);
-                   // Files that it writes record a run that no command line began.
+                   // Record the request as the run in files that the question writes.
                    if constexpr (internal::HasRun<Request>::value) {
                      request.run = record_of_run({});
                      request.run.request = request_record(name, record);

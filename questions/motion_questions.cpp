@@ -1,5 +1,5 @@
-// What moves and gives way: a digit whose muscles are excited, scenes of bodies and hands, pads
-// under objects.
+// Questions about motion and deformation: digits with excited muscles, scenes of bodies and hands,
+// pads under objects.
 
 #include "api/pads/press_pad.h"
 #include "api/scenes/simulate_scene.h"
@@ -21,7 +21,7 @@ namespace {
 
 RequestTable<PressRequest> press_params() {
   using Request = PressRequest;
-  // The object that presses: a shape of its own, or a mesh.
+  // Add the pressing object: a shape, or a mesh.
   RequestTable<PressObjectRequest> object;
   object.add("object", text_schema(), &PressObjectRequest::name,
              "Object that presses: " + listed(press_object_names()) + ", or a mesh file.");
@@ -30,7 +30,7 @@ RequestTable<PressRequest> press_params() {
       "Radius of a sphere or cylinder (10 mm if left out), or of an edge's rounding (0.5 mm).");
   object.add("scale", number_schema("", 0), &PressObjectRequest::scale,
              "Scale of a mesh: metres per unit of its file.");
-  // The pad, and laws of its tissues in place of those of its file.
+  // Add the pad, and tissue laws in place of those of its file.
   RequestTable<PadRequest> pad;
   pad.add("pad", text_schema(), &PadRequest::pad, "A pad: its name, or its file (TOML).");
   pad.add("law", text_schema(), &PadRequest::law,
@@ -43,12 +43,12 @@ RequestTable<PressRequest> press_params() {
   add_data(pad, &PadRequest::data);
   RequestTable<Request> table;
   table.include(object, &Request::object);
-  // The end of the press: a force or a depth, of which one has to be given.
+  // Add the end of the press: either a force or a depth.
   table.add("force", units::kNewton, number_schema(""), &Request::force,
             "Force at which the press ends.");
   table.add("depth", units::kMillimetre, number_schema(""), &Request::depth,
             "Depth at which the press ends, measured from first touch.");
-  // The way of the object: its orientation, its rate, and how long it stands still.
+  // Add the motion of the object: orientation, rate and holding time.
   table.add(
       "angle", units::kDegree, number_schema(""), &Request::angle,
       "Angle of the pad to the object, with the finger's proximal end lifted, -60 to 60 deg.");
@@ -75,7 +75,7 @@ RequestTable<PressRequest> press_params() {
   return table;
 }
 
-/// One process asks: it has the answer.
+/// Simulates a sweep of scenes; a single process always has the result.
 SceneSweepResult sweep(const SceneRequest& request, const Progress& progress) {
   return sweep_scene(request, progress).value();
 }
@@ -90,14 +90,14 @@ RequestTable<DigitMotionRequest> digit_motion_params() {
   using Request = DigitMotionRequest;
   RequestTable<Request> table;
   table.include(tendon_params("fractions"), &Request::digit);
-  // Muscles are driven by constants or by a table over time.
+  // Add the excitations: constants, or a table over time.
   table
       .add("excitation", map_schema(number_schema("")), &Request::excitation,
            "Excitations of muscles, 0 to 1, from the start on; others are 0.")
       .form = "MUSCLE=0..1";
   table.add("excitation_file", text_schema(), &Request::excitation_file,
             "CSV time_s,MUSCLE,...: straight lines between its rows.");
-  // The model of muscles; only elastic tendons need slack lengths.
+  // Add the model of muscles; only elastic tendons need slack lengths.
   table.add_word("muscle", kMuscleNames, &Request::muscle,
                  "Muscles: rigid-tendon if left out, bounds where the subject states no fibre "
                  "lengths.");
@@ -105,14 +105,14 @@ RequestTable<DigitMotionRequest> digit_motion_params() {
       .add("tendon_slack", units::kMillimetre, map_schema(number_schema("")),
            &Request::tendon_slack, "Slack lengths of tendons, for elastic ones.")
       .form = "MUSCLE=mm";
-  // Damping stands for soft tissue; the blend smooths the kink where a band becomes taut.
+  // Add the damping of soft tissue, and the smoothing of bands at the onset of tension.
   table.add("damping", units::kJointDamping, number_schema("", 0), &Request::damping,
             "Damping of joints whose subject gives none.");
   table.add("blend", number_schema("", 0), &Request::blend,
             "Strain over which the bands of a net go from slack to taut.");
   table.add("gravity", units::kMetrePerSquareSecond, vector_schema(""), &Request::gravity,
             "Gravitational acceleration, in the subject's frame.");
-  // Duration, sampling and the tolerance of the integrator.
+  // Add duration, sampling and the tolerance of the integrator.
   table.add("seconds", number_schema("", 0), &Request::seconds, "Duration.");
   table.add("sample", units::kMillisecond, number_schema("", 0), &Request::sample,
             "Time between the instants kept.", "sample-ms");
@@ -148,7 +148,7 @@ RequestTable<SceneRequest> scene_params() {
 
 RequestTable<SceneRequest> scene_sweep_params() {
   using Request = SceneRequest;
-  // A sweep takes the same options as a scene.
+  // Add the parameters of a scene.
   RequestTable<Request> table = scene_params();
   const Schema range = object_schema({{"name", text_schema(), "Which number.", true},
                                       {"from", number_schema(""), "First value.", true},
@@ -159,7 +159,7 @@ RequestTable<SceneRequest> scene_sweep_params() {
               "drive/NAME [N, N m], step [s], longest [s], tolerance; a run for each combination."},
              units::kOne};
   vary.member.required = true;
-  // Every combination of the values is one run.
+  // Add the values that vary; every combination is one run.
   table.add(
       vary,
       [](Request& request, const Json& value) {

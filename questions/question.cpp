@@ -9,7 +9,7 @@ namespace thenar {
 const std::vector<Question>& questions() {
   static const std::vector<Question> kAll = [] {
     std::vector<Question> all;
-    // In the order in which they are listed: digits, fits, contacts, motions.
+    // Add the groups in the order of the documentation.
     internal::add_digit_questions(all);
     internal::add_fit_questions(all);
     internal::add_contact_questions(all);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Every question that thenar answers, by name: what is asked, how it is answered, and what the
-/// answer holds. Commands, files of requests and clients of servers ask by this table.
+/// Table of all questions that thenar answers: parameters, function, and forms of the answer.
+/// Commands, request files and clients of servers use this table.
 
 #include <functional>
 #include <string>
@@ -15,48 +15,48 @@
 
 namespace thenar {
 
-/// Answer to any question. What is not there for a question is empty.
+/// Answer to a question. Forms that a question does not have are empty.
 struct Answer {
-  OrderedJson request;  // that was answered, in SI
+  OrderedJson request;  // request with default values, in SI
   Outcome outcome;
-  std::string refusal;  // why it must not be used, though it is there; empty: it may
+  std::string refusal;  // reason why the answer must not be used; empty: none
   std::function<OrderedJson(UnitSystem)> json;
-  std::function<std::string()> text;  // for people
-  std::function<Table()> table;       // as CSV
-  std::function<Json()> page;
-  std::function<FileDigests()> files;  // that it came from
+  std::function<std::string()> text;   // text for users
+  std::function<Table()> table;        // rows for CSV
+  std::function<Json()> page;          // data of the HTML report
+  std::function<FileDigests()> files;  // input files with their digests
 };
 
-/// How long a question takes at most.
+/// Computing time of a question.
 enum class QuestionPace {
-  kAtOnce,  // one posture, one set of contacts: some milliseconds
+  kAtOnce,  // milliseconds: one posture, one set of contacts
   kLasts    // seconds to hours
 };
 
-/// A question.
+/// Question with its parameters and the function that answers it.
 struct Question {
   std::string name;           // "tip_force"
-  std::string about;          // one sentence
-  std::vector<Param> params;  // of the request
-  std::string example;        // a request as JSON, which tests ask
-  std::string command;        // that asks it: "tip-force"
+  std::string about;          // description, one sentence
+  std::vector<Param> params;  // parameters of the request
+  std::string example;        // a valid request as JSON; tests ask it
+  std::string command;        // command that asks the question: "tip-force"
   QuestionPace pace = QuestionPace::kAtOnce;
-  /// @param request  keys bear units
-  /// @param data  folder of data where the request names none; empty: the usual ones
+  /// @param request  parameters by keys with units
+  /// @param data     data folder if the request names none; empty: the default folders
   /// @throws InputError with the field, DataError, Stopped
   std::function<Answer(const Json& request, const std::string& data, const Progress& progress)> ask;
 };
 
-/// All questions, in the order in which they are documented.
+/// Returns all questions, in the order of the documentation.
 [[nodiscard]] const std::vector<Question>& questions();
 
-/// Their names, in that order.
+/// Returns the names of all questions, in that order.
 [[nodiscard]] std::vector<std::string> question_names();
 
-/// What was asked, as files record it: {"question": "tip_force", ..} as text.
+/// Returns a request as files record it: {"question": "tip_force", ..} as text.
 [[nodiscard]] std::string request_record(const std::string& question, const OrderedJson& request);
 
-/// The question of a name. @throws InputError with the nearest name.
+/// Finds a question by name. @throws InputError with the nearest name if there is none
 [[nodiscard]] const Question& question_named(const std::string& name);
 
 }  // namespace thenar

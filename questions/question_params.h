@@ -1,7 +1,6 @@
 #pragma once
 
-/// Parameters of the questions whose commands do more than ask: they write files, or take several
-/// questions.
+/// Parameters of questions whose commands also write files or combine several questions.
 
 #include "api/compare.h"
 #include "api/fit.h"
@@ -22,7 +21,7 @@ namespace thenar {
 [[nodiscard]] RequestTable<SampleRequest> posterior_params();
 [[nodiscard]] RequestTable<DigitMotionRequest> digit_motion_params();
 [[nodiscard]] RequestTable<SceneRequest> scene_params();
-/// scene_params() with the numbers that vary.
+/// Returns scene_params() and the parameters of a sweep.
 [[nodiscard]] RequestTable<SceneRequest> scene_sweep_params();
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Rows of the table of questions; each group stands in a file of its name.
+/// Rows of the table of questions, one source file for each group.
 
 #include <vector>
 
@@ -8,13 +8,13 @@
 
 namespace thenar::internal {
 
-/// Moment arms, forces of fingertips, tendons of hoods.
+/// Adds poses, moment arms, fingertip forces and tendon solutions.
 void add_digit_questions(std::vector<Question>& all);
-/// Fits, predictions, posteriors, bands of hoods.
+/// Adds fits, predictions, posteriors and the inference of hood bands.
 void add_fit_questions(std::vector<Question>& all);
-/// Contact sets, grasps, hands compared.
+/// Adds contact sets, grasps and comparisons of hands.
 void add_contact_questions(std::vector<Question>& all);
-/// Motions of digits and scenes, presses of pads.
+/// Adds motions of digits and scenes, and presses of pads.
 void add_motion_questions(std::vector<Question>& all);
 
 }  // namespace thenar::internal

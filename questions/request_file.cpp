@@ -19,10 +19,10 @@ Json json_from(const TomlNode& node, const std::string& path) {
     case TomlKind::kText:
       return node.text;
     case TomlKind::kNumber:
-      // Whole numbers stay whole.
+      // Keep integers as integers.
       if (node.number == std::floor(node.number) && std::abs(node.number) < 1e15)
         return static_cast<long>(node.number);
-      return give(node.number);
+      return value_json(node.number);
     case TomlKind::kFlag:
       return node.flag;
     case TomlKind::kDate:
@@ -41,7 +41,7 @@ Json json_from(const TomlNode& node, const std::string& path) {
   throw DataError(path, node.line, "no parameter is a date");
 }
 
-/// A key as TOML has it: bare where it may be.
+/// Writes a TOML key, bare if possible.
 std::string toml_key(const std::string& key) {
   const char* const bare = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
   const bool is_bare = !key.empty() && key.find_first_not_of(bare) == std::string::npos;
@@ -66,7 +66,7 @@ Answer RequestFile::ask(const Progress& progress) const {
   try {
     return question->ask(request, "", progress);
   } catch (const InputError& error) {
-    // The line of the key that sets the field, whatever its unit.
+    // Report the line of the key that sets the field, in either unit.
     for (const Param& param : question->params)
       for (const UnitSystem system : {UnitSystem::kSi, UnitSystem::kPrinted})
         if (const auto line = lines.find(param.key_in(system));
@@ -82,7 +82,7 @@ RequestFile read_request(const std::string& path) {
 }
 
 RequestFile parse_request(const std::string& text, const std::string& path) {
-  // The name of the question decides which keys the file may have.
+  // Read the name of the question.
   const TomlNode root = parse_toml(text, path);
   const TomlNode* const name = root.find(kQuestionKey);
   if (name == nullptr || name->kind != TomlKind::kText)
@@ -113,12 +113,12 @@ std::string request_text(const std::string& question, const OrderedJson& request
 }
 
 std::string request_template(const Question& question) {
-  // Write each parameter with its usual value as a comment, so that the file runs as it is.
+  // Write each parameter, with its default value as a comment, so that the file is valid.
   std::string text =
       fmt::format("# {}\n{} = {}\n", question.about, kQuestionKey, toml_quoted(question.name));
   const Json example = Json::parse(question.example);
   for (const Param& param : question.params) {
-    // Keys in printed units, as people edit the file.
+    // Use keys in printed units, because users edit the file.
     if (param.is_twin) continue;
     const std::string key = param.key_in(UnitSystem::kPrinted);
     const Schema schema = param.schema_in(UnitSystem::kPrinted);
@@ -126,9 +126,10 @@ std::string request_template(const Question& question) {
     if (!schema.words.empty()) text += fmt::format("# One of {}.\n", listed(schema.words));
     if (example.contains(key))
       text += fmt::format("{} = {}\n", toml_key(key), toml_of(example[key]));
-    else if (!param.member.usual.is_null())
-      text += fmt::format("# {} = {}\n", toml_key(key),
-                          toml_of(value_in(param.member.usual, param.unit, UnitSystem::kPrinted)));
+    else if (!param.member.default_value.is_null())
+      text += fmt::format(
+          "# {} = {}\n", toml_key(key),
+          toml_of(value_in(param.member.default_value, param.unit, UnitSystem::kPrinted)));
     else
       text += fmt::format("# {} =\n", toml_key(key));
   }

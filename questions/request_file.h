@@ -1,6 +1,6 @@
 #pragma once
 
-/// Requests as files (TOML): the name of a question and its parameters, units in the keys.
+/// Request files (TOML): the name of a question and its parameters, with units in the keys.
 ///
 ///     question = "tip_force"
 ///     subject = "synek2019_middle"
@@ -14,25 +14,26 @@
 
 namespace thenar {
 
-/// A request that was read.
+/// Content of a request file.
 struct RequestFile {
   const Question* question = nullptr;
   Json request;                      // parameters by key
-  std::map<std::string, int> lines;  // of each key
+  std::map<std::string, int> lines;  // line of each key
 
   std::string path;
-  /// Asks. @throws DataError at the line of a parameter that is wrong, and as Question::ask
+  /// Asks the question. @throws DataError with the line of an invalid parameter, and as
+  /// Question::ask
   [[nodiscard]] Answer ask(const Progress& progress) const;
 };
 
-/// Reads a request. @throws DataError at the line of what is wrong
+/// Reads a request file. @throws DataError with the line of the first error
 [[nodiscard]] RequestFile read_request(const std::string& path);
 [[nodiscard]] RequestFile parse_request(const std::string& text, const std::string& path);
 
-/// A request as text that read_request() reads back to the bit.
+/// Writes a request as text; read_request() restores all numbers exactly.
 [[nodiscard]] std::string request_text(const std::string& question, const OrderedJson& request);
 
-/// A request of a question to fill in: every parameter with what it is, its unit and usual value.
+/// Writes a template of a request: every parameter with its description, unit and default value.
 [[nodiscard]] std::string request_template(const Question& question);
 
 }  // namespace thenar

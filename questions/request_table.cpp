@@ -13,13 +13,13 @@
 namespace thenar {
 namespace {
 
-/// A number of JSON: "inf" and "-inf" are infinite.
+/// Converts a JSON number, or the texts "inf" and "-inf".
 double number_of(const Json& json) {
   if (!json.is_string()) return json.get<double>();
   return json == "-inf" ? -kInfinity : kInfinity;
 }
 
-/// Numbers in printed units as numbers in SI.
+/// Converts all numbers of a value from printed units to SI.
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the value
 Json from_printed(const Json& value, const FieldUnit& unit) {
   if (value.is_number()) return value.get<double>() * unit.denominator / unit.numerator;
@@ -29,22 +29,23 @@ Json from_printed(const Json& value, const FieldUnit& unit) {
   return out;
 }
 
-/// "N_m_per_rad" as "N m/rad".
+/// Converts the unit of a key to text: "N_m_per_rad" to "N m/rad".
 std::string unit_words(std::string key) {
   if (const std::size_t per = key.find("_per_"); per != std::string::npos) key.replace(per, 5, "/");
   std::replace(key.begin(), key.end(), '_', ' ');
   return key;
 }
 
+/// Returns a schema in SI with the unit and bounds of a system of units.
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
 Schema with_unit(Schema schema, const FieldUnit& unit, UnitSystem system) {
   if (*unit.printed == '\0') return schema;
-  // Lists and maps carry the unit of their entries.
-  if (schema.each) {
-    schema.each = std::make_shared<Schema>(with_unit(*schema.each, unit, system));
+  // Set the unit of numbers, also those of lists and maps.
+  if (schema.element) {
+    schema.element = std::make_shared<Schema>(with_unit(*schema.element, unit, system));
   } else if (schema.kind == Schema::Kind::kNumber) {
     schema.unit = unit_words(system == UnitSystem::kSi ? unit.si : unit.printed);
-    // Bounds are stated in SI, and printed in the unit of the key.
+    // Convert the bounds, which are in SI.
     if (system == UnitSystem::kPrinted)
       for (double* bound : {&schema.lower, &schema.upper})
         *bound = *bound * unit.numerator / unit.denominator;
@@ -52,6 +53,7 @@ Schema with_unit(Schema schema, const FieldUnit& unit, UnitSystem system) {
   return schema;
 }
 
+/// Returns all valid keys, in SI and in printed units.
 std::vector<std::string> keys_of(const std::vector<Param>& params) {
   std::vector<std::string> keys;
   for (const Param& param : params) {
@@ -62,13 +64,14 @@ std::vector<std::string> keys_of(const std::vector<Param>& params) {
   return keys;
 }
 
-/// Parameter of a key, and the units in which the key has it.
+/// Finds the parameter of a key, and the system of units of the key. @throws InputError if none
 std::pair<const Param*, UnitSystem> param_of(const std::vector<Param>& params,
                                              const std::string& key) {
-  // A key in SI and the same in printed units name one parameter.
+  // Compare the key with those of all parameters in both systems.
   for (const UnitSystem system : {UnitSystem::kSi, UnitSystem::kPrinted})
     for (const Param& param : params)
       if (param.key_in(system) == key) return {&param, system};
+  // Report an unknown key, cut to a readable length.
   const std::vector<std::string> keys = keys_of(params);
   throw InputError(fmt::format("no parameter '{}'{} there are {}", key.substr(0, 40),
                                hint_before_list(key.substr(0, 40), keys), listed(keys)),
@@ -91,13 +94,13 @@ Json request_in_si(const std::vector<Param>& params, const Json& request) {
     const std::string& name = param->member.name;
     try {
       require(!si.contains(name), "'{}' is given twice, in two units", name);
-      const Json fits = checked(param->schema_in(system), value, key);
+      const Json fits = validated(param->schema_in(system), value, key);
       si[name] = system == UnitSystem::kSi ? fits : from_printed(fits, param->unit);
     } catch (const InputError& error) {
       throw InputError(error.what(), name);
     }
   }
-  // Required parameters may be given in either unit.
+  // Check that all required parameters are there, in either unit.
   for (const Param& param : params)
     if (param.member.required && !si.contains(param.member.name))
       throw InputError(
@@ -113,37 +116,39 @@ Schema schema_of(const std::vector<Param>& params, ParamScope scope) {
     SchemaMember member = param.member;
     member.name = param.key_in(UnitSystem::kSi);
     member.schema = param.schema_in(UnitSystem::kSi);
-    if (member.required) member.usual = nullptr;
+    if (member.required) member.default_value = nullptr;
     members.push_back(std::move(member));
   }
   return object_schema(std::move(members));
 }
 
-void take(const Json& json, double& value) { value = number_of(json); }
+void read_value(const Json& json, double& value) { value = number_of(json); }
 
-void take(const Json& json, Eigen::Vector3d& value) {
+void read_value(const Json& json, Eigen::Vector3d& value) {
   for (int i = 0; i < 3; ++i) value[i] = json[static_cast<std::size_t>(i)].get<double>();
 }
 
-void take(const Json& json, std::map<std::string, double>& value) {
+void read_value(const Json& json, std::map<std::string, double>& value) {
   value.clear();
   for (const auto& [name, number] : json.items()) value[name] = number_of(number);
 }
 
-Json give(double value) {
+Json value_json(double value) {
   if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
   return number_or_null(value);
 }
 
-Json give(const std::string& value) { return value.empty() ? Json() : Json(value); }
+Json value_json(const std::string& value) { return value.empty() ? Json() : Json(value); }
 
-Json give(const std::vector<std::string>& value) { return value.empty() ? Json() : Json(value); }
+Json value_json(const std::vector<std::string>& value) {
+  return value.empty() ? Json() : Json(value);
+}
 
-Json give(const Eigen::Vector3d& value) { return to_json(value); }
+Json value_json(const Eigen::Vector3d& value) { return to_json(value); }
 
-Json give(const std::map<std::string, double>& value) {
+Json value_json(const std::map<std::string, double>& value) {
   Json json;
-  for (const auto& [name, number] : value) json[name] = give(number);
+  for (const auto& [name, number] : value) json[name] = value_json(number);
   return json;
 }
 

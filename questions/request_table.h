@@ -1,7 +1,7 @@
 #pragma once
 
-/// Parameters of a request by name, unit and range: one table from which requests are read and
-/// written as JSON and TOML, options of commands are made, and methods of servers are documented.
+/// Table of the parameters of a request: names, units, ranges. Reading and writing of JSON and
+/// TOML, command options, and the documentation of server methods are generated from it.
 
 #include <functional>
 #include <map>
@@ -19,105 +19,107 @@
 
 namespace thenar {
 
-/// Who may set a parameter.
+/// Clients that may set a parameter.
 enum class ParamScope {
   kAnywhere,  // commands, files and clients of a server
-  kLocal      // not clients of a server: folders of data, files that are written
+  kLocal      // commands and files only: data folders, files that are written
 };
 
 /// Description of one parameter.
 struct Param {
-  SchemaMember member;  // its key without a unit, its values in SI
-  FieldUnit unit;       // of all its numbers
-  // Names of options of commands, with commas between, "!" before those that say the opposite of a
-  // flag: "approach,!no-approach"; "": none; absent: by its key.
+  SchemaMember member;  // key without unit, schema in SI
+  FieldUnit unit;       // unit of all numbers
+  // Names of command options, separated by commas; a "!" marks an option that clears a flag:
+  // "approach,!no-approach". Empty: no option; absent: an option named after the key.
   std::optional<std::string> option = {};
-  std::string form = "NAME=number";  // how a number by name is typed: "MUSCLE=newton"
+  std::string form = "NAME=number";  // syntax of a number by name: "MUSCLE=newton"
   ParamScope scope = ParamScope::kAnywhere;
-  bool is_positional = false;  // of commands: a plain argument
-  bool is_twin = false;        // of the parameter before it, in another unit
-  std::string off_about = {};  // one sentence: help of the options that turn a flag off
+  bool is_positional = false;  // true: a positional argument of commands
+  bool is_twin = false;        // true: the previous parameter in another unit
+  std::string off_about = {};  // help of the options that clear a flag, one sentence
 
-  /// "hold_length_m", "hold_length_mm"
+  /// Returns the key with its unit: "hold_length_m", "hold_length_mm".
   [[nodiscard]] std::string key_in(UnitSystem system) const;
-  /// The schema of its value in either system of units.
+  /// Returns the schema of its value in a system of units.
   [[nodiscard]] Schema schema_in(UnitSystem system) const;
 };
 
-/// The key of a parameter that a request has, in SI: values checked, names resolved.
-/// @param request  an object whose keys bear SI or printed units
-/// @throws InputError with the field, for a key that is unknown or given in two units, a value of
-/// another type or out of range, or a parameter that is missing
+/// Checks a request, and converts it to SI with keys without units.
+/// @param request  object whose keys have SI or printed units
+/// @throws InputError with the field, for an unknown key, a key given in two units, an invalid
+/// value
+///         or a missing parameter
 [[nodiscard]] Json request_in_si(const std::vector<Param>& params, const Json& request);
 
-/// Schema of an object whose members bear units in SI.
+/// Returns the schema of a request whose keys have SI units.
+/// @param scope  kAnywhere: without local parameters
 [[nodiscard]] Schema schema_of(const std::vector<Param>& params, ParamScope scope);
 
-// Members of requests from and to JSON, in SI. What is absent is null.
+// Conversion of the members of requests from and to JSON, in SI. An empty value is null.
 template <typename Value>
-void take(const Json& json, Value& value) {
+void read_value(const Json& json, Value& value) {
   value = json.get<Value>();
 }
-void take(const Json& json, double& value);
-void take(const Json& json, Eigen::Vector3d& value);
-void take(const Json& json, std::map<std::string, double>& value);
+void read_value(const Json& json, double& value);
+void read_value(const Json& json, Eigen::Vector3d& value);
+void read_value(const Json& json, std::map<std::string, double>& value);
 template <typename Value>
-void take(const Json& json, std::optional<Value>& value) {
-  take(json, value.emplace());
+void read_value(const Json& json, std::optional<Value>& value) {
+  read_value(json, value.emplace());
 }
 template <typename Value>
-[[nodiscard]] Json give(const Value& value) {
+[[nodiscard]] Json value_json(const Value& value) {
   return value;
 }
-[[nodiscard]] Json give(double value);
-[[nodiscard]] Json give(const std::string& value);
-[[nodiscard]] Json give(const std::vector<std::string>& value);
-[[nodiscard]] Json give(const Eigen::Vector3d& value);
-[[nodiscard]] Json give(const std::map<std::string, double>& value);
+[[nodiscard]] Json value_json(double value);
+[[nodiscard]] Json value_json(const std::string& value);
+[[nodiscard]] Json value_json(const std::vector<std::string>& value);
+[[nodiscard]] Json value_json(const Eigen::Vector3d& value);
+[[nodiscard]] Json value_json(const std::map<std::string, double>& value);
 template <typename Value>
-[[nodiscard]] Json give(const std::optional<Value>& value) {
-  return value ? give(*value) : Json();
+[[nodiscard]] Json value_json(const std::optional<Value>& value) {
+  return value ? value_json(*value) : Json();
 }
 
-/// The parameters of one kind of request, and how each is set and got.
+/// Parameters of one kind of request, with a setter and a getter for each.
 template <typename Request>
 class RequestTable {
  public:
   using Setter = std::function<void(Request& request, const Json& value)>;
   using Getter = std::function<Json(const Request& request)>;
 
-  /// Adds a parameter. @param get  its value in SI; null: left out
+  /// Adds a parameter. @param get  getter of its value in SI; null: the value is missing
   Param& add(Param param, Setter set, Getter get) {
     if (!param.option) param.option = option_of(param.member.name);
-    param.member.usual = get(Request());
+    param.member.default_value = get(Request());
     params_.push_back(std::move(param));
     setters_.push_back(std::move(set));
     getters_.push_back(std::move(get));
     return params_.back();
   }
-  /// Adds a member of the request. @param option  as Param::option
+  /// Adds a member of the request as a parameter. @param option  as Param::option
   template <typename Value>
   Param& add(const std::string& key, const FieldUnit& unit, Schema schema, Value Request::*member,
              const std::string& about, const std::optional<std::string>& option = {}) {
     return add(
         {{key, std::move(schema), about}, unit, option},
-        [member](Request& request, const Json& value) { take(value, request.*member); },
-        [member](const Request& request) { return give(request.*member); });
+        [member](Request& request, const Json& value) { read_value(value, request.*member); },
+        [member](const Request& request) { return value_json(request.*member); });
   }
-  /// Adds a member that has no unit.
+  /// Adds a member without a unit.
   template <typename Value>
   Param& add(const std::string& key, Schema schema, Value Request::*member,
              const std::string& about, const std::optional<std::string>& option = {}) {
     return add(key, units::kOne, std::move(schema), member, about, option);
   }
-  /// Adds a name or a file, or several, that are needed: a plain argument of commands.
+  /// Adds a required name or file, or a list of them: a positional argument of commands.
   template <typename Value>
   void add_argument(const std::string& key, Value Request::*member, const std::string& about,
                     Schema schema = text_schema()) {
     Param& param = add(key, std::move(schema), member, about);
     param.is_positional = param.member.required = true;
   }
-  /// Adds a word of an enumeration, or of one that may be left out.
+  /// Adds a member of an enumeration type, or an optional one.
   template <typename Enum, std::size_t size, typename Value>
   Param& add_word(const std::string& key, const std::array<EnumName<Enum>, size>& names,
                   Value Request::*member, const std::string& about,
@@ -132,7 +134,7 @@ class RequestTable {
           return value ? Json(name_in(names, *value)) : Json();
         });
   }
-  /// Adds the parameters of a part of the request.
+  /// Adds the parameters of a nested part of the request.
   template <typename Part>
   void include(const RequestTable<Part>& table, Part Request::*part) {
     for (std::size_t i = 0; i < table.params().size(); ++i)
@@ -150,7 +152,7 @@ class RequestTable {
     return getters_[i](request);
   }
 
-  /// A request from an object. @throws InputError as request_in_si()
+  /// Reads a request from JSON. @throws InputError as request_in_si()
   [[nodiscard]] Request read(const Json& json) const {
     const Json si = request_in_si(params_, json);
     Request request;
@@ -158,7 +160,7 @@ class RequestTable {
       if (si.contains(params_[i].member.name)) set(i, request, si[params_[i].member.name]);
     return request;
   }
-  /// The request as an object in SI, usual values included; what is left out stays out.
+  /// Writes a request as JSON in SI, with default values; missing values are left out.
   [[nodiscard]] OrderedJson write(const Request& request) const {
     OrderedJson json = OrderedJson::object();
     for (std::size_t i = 0; i < params_.size(); ++i) {

@@ -15,17 +15,17 @@
 namespace thenar {
 namespace {
 
-constexpr double kUnitTolerance = 1e-3;  // of the length of a quaternion
+constexpr double kUnitTolerance = 1e-3;  // deviation of a quaternion's length from 1 [1]
 
-/// "a number [m]", "a text of at most 80 bytes": what a schema wants, for messages.
-std::string wish(const Schema& schema) {
+/// Describes the values that a schema accepts, for messages: "a number [m]".
+std::string description(const Schema& schema) {
   const std::string unit = schema.unit.empty() ? "" : fmt::format(" [{}]", schema.unit);
-  // Numbers state their bounds, texts their words or length, lists and maps their size.
+  // State the bounds of numbers, the words or lengths of texts, the sizes of lists and maps.
   switch (schema.kind) {
     case Schema::Kind::kNumber:
     case Schema::Kind::kInteger: {
       const char* const what = schema.kind == Schema::Kind::kNumber ? "a number" : "a whole number";
-      if (schema.endless) return fmt::format("{}{} or \"inf\"", what, unit);
+      if (schema.accepts_infinity) return fmt::format("{}{} or \"inf\"", what, unit);
       const bool low = std::isfinite(schema.lower), high = std::isfinite(schema.upper);
       if (low && high)
         return fmt::format("{} from {} to {}{}", what, schema.lower, schema.upper, unit);
@@ -35,42 +35,43 @@ std::string wish(const Schema& schema) {
     }
     case Schema::Kind::kText:
       if (!schema.words.empty()) return "one of " + listed(schema.words);
-      return fmt::format("a text of {} to {} bytes", schema.least, schema.most);
+      return fmt::format("a text of {} to {} bytes", schema.min_size, schema.max_size);
     case Schema::Kind::kFlag:
       return "true or false";
     case Schema::Kind::kList:
-      if (schema.least == schema.most) return fmt::format("a list of {}", schema.least);
-      return fmt::format("a list of {} to {} entries", schema.least, schema.most);
+      if (schema.min_size == schema.max_size) return fmt::format("a list of {}", schema.min_size);
+      return fmt::format("a list of {} to {} entries", schema.min_size, schema.max_size);
     case Schema::Kind::kMap:
-      return fmt::format("an object of at most {} members{}", schema.most,
-                         schema.unnamed ? ", or a list" : "");
+      return fmt::format("an object of at most {} members{}", schema.max_size,
+                         schema.accepts_list ? ", or a list" : "");
     case Schema::Kind::kObject:
       break;
   }
   return "an object";
 }
 
-/// Returns a short text of a received value: numbers as they are, texts by their kind, so that no
-/// message is long.
-std::string seen(const Json& value) {
+/// Describes a received value in few words: numbers and short texts as they are, others by kind.
+std::string brief(const Json& value) {
+  constexpr std::size_t kMaxQuoted = 40;  // longest text that is quoted [bytes]
   if (value.is_number() || value.is_boolean() || value.is_null()) return json_text(value, -1);
   if (value.is_string()) {
     const std::string text = json_text(value, -1);
-    return text.size() <= 40 ? text : fmt::format("a text of {} bytes", text.size() - 2);
+    return text.size() <= kMaxQuoted ? text : fmt::format("a text of {} bytes", text.size() - 2);
   }
   return value.is_array() ? fmt::format("a list of {}", value.size()) : "an object";
 }
 
 [[noreturn]] void refuse(const Schema& schema, const Json& value, const std::string& where) {
-  throw InputError(fmt::format("{}: wanted {}, got {}", where, wish(schema), seen(value)));
+  throw InputError(fmt::format("{}: wanted {}, got {}", where, description(schema), brief(value)));
 }
 
 bool is_within(const Schema& schema, std::size_t size) {
-  return size >= schema.least && size <= schema.most;
+  return size >= schema.min_size && size <= schema.max_size;
 }
 
 bool fits_number(const Schema& schema, const Json& value) {
-  if (schema.endless && (value == "inf" || (value == "-inf" && schema.lower < 0))) return true;
+  if (schema.accepts_infinity && (value == "inf" || (value == "-inf" && schema.lower < 0)))
+    return true;
   if (!value.is_number()) return false;
   const double number = value.get<double>();
   if (schema.kind == Schema::Kind::kInteger && number != std::floor(number)) return false;
@@ -84,14 +85,14 @@ bool fits_text(const Schema& schema, const Json& value) {
   return std::find(schema.words.begin(), schema.words.end(), text) != schema.words.end();
 }
 
-/// @throws InputError for a name or path that nothing may be called by
+/// @throws InputError for a text that is no valid name or path
 void require_name(const std::string& text, OutsideUse use, const std::string& where) {
   const std::optional<std::string> fault = outside_fault(text, use);
   require(!fault, "{}: wanted a name or a path{}, got one with {}", where,
           use == OutsideUse::kInside ? " within the working folder" : "", fault.value_or(""));
 }
 
-/// Checks that a quaternion has length 1; values of other units pass. @throws InputError otherwise
+/// Checks that a quaternion has length 1; ignores values of other units. @throws InputError
 void require_unit(const Schema& schema, const Json& value, const std::string& where) {
   if (schema.unit != "quaternion") return;
   double square = 0;
@@ -106,7 +107,7 @@ Json checked_list(const Schema& schema, const Json& value, const std::string& wh
   if (!value.is_array() || !is_within(schema, value.size())) refuse(schema, value, where);
   Json out = Json::array();
   for (std::size_t i = 0; i < value.size(); ++i)
-    out.push_back(checked(*schema.each, value[i], fmt::format("{}.{}", where, i)));
+    out.push_back(validated(*schema.element, value[i], fmt::format("{}.{}", where, i)));
   require_unit(schema, value, where);
   return out;
 }
@@ -117,7 +118,7 @@ Json checked_map(const Schema& schema, const Json& value, const std::string& whe
   Json out = Json::object();
   for (const auto& [name, entry] : value.items()) {
     require_name(name, OutsideUse::kRead, where);
-    out[name] = checked(*schema.each, entry, where + "." + name);
+    out[name] = validated(*schema.element, entry, where + "." + name);
   }
   return out;
 }
@@ -125,37 +126,38 @@ Json checked_map(const Schema& schema, const Json& value, const std::string& whe
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
 Json checked_object(const Schema& schema, const Json& value, const std::string& where) {
   if (!value.is_object()) refuse(schema, value, where);
-  if (schema.open) return value;
-  // Members that nobody knows are refused: they are misspelt ones.
+  if (schema.accepts_any_member) return value;
+  // Refuse unknown members, which are usually misspelt.
   std::vector<std::string> names;
   for (const SchemaMember& member : schema.members) names.push_back(member.name);
   for (const auto& [name, entry] : value.items())
     require(std::find(names.begin(), names.end(), name) != names.end(),
             "{}: no member '{}'{} there are {}", where, name.substr(0, 40),
             hint_before_list(name.substr(0, 40), names), listed(names));
-  // Known ones are checked, or take their usual value.
+  // Check the known members, or set their default values.
   Json out = Json::object();
   for (const SchemaMember& member : schema.members) {
     if (value.contains(member.name))
-      out[member.name] = checked(member.schema, value[member.name], where + "." + member.name);
-    else if (!member.usual.is_null())
-      out[member.name] = member.usual;
+      out[member.name] = validated(member.schema, value[member.name], where + "." + member.name);
+    else if (!member.default_value.is_null())
+      out[member.name] = member.default_value;
     else
       require(!member.required, "{}: '{}' is missing, wanted {}", where, member.name,
-              wish(member.schema));
+              description(member.schema));
   }
   return out;
 }
 
-/// Adds what limits a length, in the words of JSON Schema: minItems, maxItems.
-void add_lengths(const Schema& schema, const std::string& of, OrderedJson& out) {
-  if (schema.least > 0) out["min" + of] = schema.least;
-  out["max" + of] = schema.most;
+/// Adds the bounds of a size in terms of JSON Schema: minItems, maxItems.
+void add_size_bounds(const Schema& schema, const std::string& counted, OrderedJson& out) {
+  if (schema.min_size > 0) out["min" + counted] = schema.min_size;
+  out["max" + counted] = schema.max_size;
 }
 
-Schema sized_schema(Schema::Kind kind, std::size_t least, std::size_t most,
-                    std::shared_ptr<const Schema> each = nullptr) {
-  return {kind, "", -kInfinity, kInfinity, least, most, std::move(each)};
+/// Returns a schema with bounds on its size.
+Schema sized_schema(Schema::Kind kind, std::size_t min_size, std::size_t max_size,
+                    std::shared_ptr<const Schema> element = nullptr) {
+  return {kind, "", -kInfinity, kInfinity, min_size, max_size, std::move(element)};
 }
 
 }  // namespace
@@ -164,9 +166,9 @@ Schema number_schema(const std::string& unit, double lower, double upper) {
   return {Schema::Kind::kNumber, unit, lower, upper};
 }
 
-Schema endless_schema(const std::string& unit, double lower) {
+Schema infinite_number_schema(const std::string& unit, double lower) {
   Schema schema = number_schema(unit, lower);
-  schema.endless = true;
+  schema.accepts_infinity = true;
   return schema;
 }
 
@@ -174,7 +176,9 @@ Schema integer_schema(double lower, double upper) {
   return {Schema::Kind::kInteger, "", lower, upper};
 }
 
-Schema text_schema(std::size_t most) { return sized_schema(Schema::Kind::kText, 0, most); }
+Schema text_schema(std::size_t max_bytes) {
+  return sized_schema(Schema::Kind::kText, 0, max_bytes);
+}
 
 Schema saved_file_schema() {
   Schema schema = text_schema(kMaxOutsidePath);
@@ -182,8 +186,8 @@ Schema saved_file_schema() {
   return schema;
 }
 
-Schema content_schema(std::size_t most) {
-  Schema schema = text_schema(most);
+Schema content_schema(std::size_t max_bytes) {
+  Schema schema = text_schema(max_bytes);
   schema.use.reset();
   return schema;
 }
@@ -196,17 +200,17 @@ Schema word_schema(std::vector<std::string> words) {
 
 Schema flag_schema() { return {Schema::Kind::kFlag}; }
 
-Schema list_schema(const Schema& each, std::size_t least, std::size_t most) {
-  return sized_schema(Schema::Kind::kList, least, most, std::make_shared<Schema>(each));
+Schema list_schema(const Schema& element, std::size_t min_size, std::size_t max_size) {
+  return sized_schema(Schema::Kind::kList, min_size, max_size, std::make_shared<Schema>(element));
 }
 
-Schema map_schema(const Schema& each, std::size_t most) {
-  return sized_schema(Schema::Kind::kMap, 0, most, std::make_shared<Schema>(each));
+Schema map_schema(const Schema& element, std::size_t max_size) {
+  return sized_schema(Schema::Kind::kMap, 0, max_size, std::make_shared<Schema>(element));
 }
 
-Schema map_or_list_schema(const Schema& each) {
-  Schema schema = map_schema(each);
-  schema.unnamed = true;
+Schema map_or_list_schema(const Schema& element) {
+  Schema schema = map_schema(element);
+  schema.accepts_list = true;
   return schema;
 }
 
@@ -218,7 +222,7 @@ Schema object_schema(std::vector<SchemaMember> members) {
 
 Schema any_object_schema() {
   Schema schema;
-  schema.open = true;
+  schema.accepts_any_member = true;
   return schema;
 }
 
@@ -231,8 +235,8 @@ Schema rotation_schema() {
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
-Json checked(const Schema& schema, const Json& value, const std::string& where) {
-  // Each kind checks its own bounds; lists, maps and objects check what they contain.
+Json validated(const Schema& schema, const Json& value, const std::string& where) {
+  // Check the bounds of the kind; lists, maps and objects check their contents.
   switch (schema.kind) {
     case Schema::Kind::kNumber:
     case Schema::Kind::kInteger:
@@ -248,8 +252,8 @@ Json checked(const Schema& schema, const Json& value, const std::string& where) 
     case Schema::Kind::kList:
       return checked_list(schema, value, where);
     case Schema::Kind::kMap:
-      return schema.unnamed && value.is_array() ? checked_list(schema, value, where)
-                                                : checked_map(schema, value, where);
+      return schema.accepts_list && value.is_array() ? checked_list(schema, value, where)
+                                                     : checked_map(schema, value, where);
     case Schema::Kind::kObject:
       break;
   }
@@ -259,7 +263,7 @@ Json checked(const Schema& schema, const Json& value, const std::string& where) 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
 OrderedJson json_schema(const Schema& schema) {
   OrderedJson out;
-  // Translate into JSON Schema, whose names for bounds differ from kind to kind.
+  // Convert the kind and its bounds.
   switch (schema.kind) {
     case Schema::Kind::kNumber:
     case Schema::Kind::kInteger:
@@ -270,7 +274,7 @@ OrderedJson json_schema(const Schema& schema) {
     case Schema::Kind::kText:
       out["type"] = "string";
       if (schema.words.empty())
-        add_lengths(schema, "Length", out);
+        add_size_bounds(schema, "Length", out);
       else
         out["enum"] = schema.words;
       break;
@@ -279,32 +283,32 @@ OrderedJson json_schema(const Schema& schema) {
       break;
     case Schema::Kind::kList:
       out["type"] = "array";
-      out["items"] = json_schema(*schema.each);
-      add_lengths(schema, "Items", out);
+      out["items"] = json_schema(*schema.element);
+      add_size_bounds(schema, "Items", out);
       break;
     case Schema::Kind::kMap:
       out["type"] = "object";
-      out["additionalProperties"] = json_schema(*schema.each);
-      add_lengths(schema, "Properties", out);
+      out["additionalProperties"] = json_schema(*schema.element);
+      add_size_bounds(schema, "Properties", out);
       break;
     case Schema::Kind::kObject: {
       out["type"] = "object";
       out["properties"] = OrderedJson::object();
-      // Members with their descriptions and defaults; unknown members are refused.
-      OrderedJson wanted = OrderedJson::array();
+      // Add the members with descriptions and default values; unknown members are invalid.
+      OrderedJson required = OrderedJson::array();
       for (const SchemaMember& member : schema.members) {
-        OrderedJson of = json_schema(member.schema);
-        of["description"] = member.about;
-        if (!member.usual.is_null()) of["default"] = member.usual;
-        out["properties"][member.name] = std::move(of);
-        if (member.required) wanted.push_back(member.name);
+        OrderedJson property = json_schema(member.schema);
+        property["description"] = member.about;
+        if (!member.default_value.is_null()) property["default"] = member.default_value;
+        out["properties"][member.name] = std::move(property);
+        if (member.required) required.push_back(member.name);
       }
-      if (!wanted.empty()) out["required"] = std::move(wanted);
+      if (!required.empty()) out["required"] = std::move(required);
       out["additionalProperties"] = false;
       break;
     }
   }
-  // JSON Schema has no units, so they go into an extension.
+  // Add the unit as an extension.
   if (!schema.unit.empty()) out["x-unit"] = schema.unit;
   return out;
 }

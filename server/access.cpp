@@ -12,17 +12,17 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kLeastToken = 16;  // characters
+constexpr std::size_t kMinTokenLength = 16;  // smallest length of a token [characters]
 
-/// IPv6 addresses stand in brackets where a port follows.
+/// Returns an address as part of a URL: IPv6 addresses get brackets.
 std::string in_url(const std::string& address) {
   return address.find(':') == std::string::npos ? address : "[" + address + "]";
 }
 
 bool is_everywhere(const std::string& address) { return address == "0.0.0.0" || address == "::"; }
 
-/// Returns true if a name consists of digits and dots, or is in brackets, so that DNS is not asked
-/// for it.
+/// Returns true if a name is a numeric address, which DNS does not resolve: digits and dots, or
+/// text in brackets.
 bool is_numeric(const std::string& name) {
   if (name.size() > 2 && name.front() == '[' && name.back() == ']') return true;
   return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
@@ -30,7 +30,7 @@ bool is_numeric(const std::string& name) {
   });
 }
 
-/// "[::1]" of "[::1]:80"; as it is where no port follows.
+/// Removes the port of a host: "[::1]:80" becomes "[::1]".
 std::string without_port(const std::string& host) {
   const std::size_t colon = host.rfind(':');
   if (colon == std::string::npos || host.find(']', colon) != std::string::npos) return host;
@@ -50,8 +50,8 @@ void require_safe(const ServerAccess& access) {
           "--bind {} lets other machines in: wanted --token TEXT or --token auto as well",
           access.address);
   if (access.token.empty()) return;
-  require(access.token.size() >= kLeastToken, "--token: wanted at least {} characters, got {}",
-          kLeastToken, access.token.size());
+  require(access.token.size() >= kMinTokenLength, "--token: wanted at least {} characters, got {}",
+          kMinTokenLength, access.token.size());
   require(std::all_of(access.token.begin(), access.token.end(),
                       [](unsigned char c) {
                         return (std::isalnum(c) != 0 && c < 0x80) || c == '-' || c == '_';
@@ -69,7 +69,7 @@ std::string random_token() {
 }
 
 bool same_token(const std::string& a, const std::string& b) {
-  // All of b is looked at, whatever a is.
+  // Compare all characters of b, whatever a is.
   unsigned char differ = a.size() == b.size() ? 0 : 1;
   for (std::size_t i = 0; i < b.size(); ++i)
     differ |= static_cast<unsigned char>(a.empty() ? 1 : a[i % a.size()] ^ b[i]);

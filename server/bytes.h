@@ -1,6 +1,6 @@
 #pragma once
 
-/// Numbers as little-endian bytes, as browsers read them.
+/// Writing of numbers as little-endian bytes, the order that browsers read.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,12 +11,12 @@ namespace thenar {
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "bytes are written as they lie in memory");
 
-/// Bytes that grow number by number.
-class LittleEndian {
+/// Buffer of little-endian numbers.
+class LittleEndianWriter {
  public:
-  explicit LittleEndian(std::size_t expected) { bytes_.reserve(expected); }
+  explicit LittleEndianWriter(std::size_t expected) { bytes_.reserve(expected); }
 
-  /// Appends a number in the type that is named: `writer.add<float>(x)`, [m] or whatever x is in.
+  /// Appends a value, converted to the given type: `writer.add<float>(x)`.
   template <typename Number, typename Value>
   void add(Value value) {
     static_assert(std::is_arithmetic_v<Number>);

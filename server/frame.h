@@ -1,8 +1,8 @@
 #pragma once
 
-/// An instant of a live model as the bytes that a page draws from.
+/// Binary encoding of an instant of a live model, for pages.
 ///
-/// Little-endian, version 1:
+/// Format, little-endian, version 1:
 ///      0  char[4] "THF1"    4 u32 revision of the scene    8 u32 sequence    12 u32 0
 ///     16  f64 time [s]
 ///     24  u16 bodies, joints, lines, contacts, arrows, line points of all lines
@@ -25,15 +25,16 @@
 
 namespace thenar {
 
-/// The quaternion w, x, y, z of a rotation, w >= 0.
+/// Returns the quaternion w, x, y, z of a rotation, with w >= 0.
 [[nodiscard]] Eigen::Vector4d quaternion_of(const Eigen::Matrix3d& R);
 
-/// The bytes of an instant that check_instant() has let through.
-/// @throws InputError if it has more than 65535 of anything.
+/// Encodes an instant that has passed check_instant().
+/// @param revision  revision of the scene;  @param sequence  number of the frame
+/// @throws InputError if it has more than 65535 entries of a kind, or lines that are too long
 [[nodiscard]] std::string encode_frame(const LiveInstant& instant, std::uint32_t revision,
                                        std::uint32_t sequence);
 
-/// Encodes an instant as JSON, in full precision.
+/// Encodes an instant as JSON, with full precision.
 [[nodiscard]] OrderedJson frame_json(const LiveShape& shape, const LiveInstant& instant,
                                      unsigned long revision);
 

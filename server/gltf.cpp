@@ -16,13 +16,13 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kMostBytes = 1UL << 30U;
+constexpr std::size_t kMaxGltfBytes = 1UL << 30U;  // largest size of the buffer [bytes]
 
-// Numbers of the format.
+// Constants of the format.
 constexpr int kFloat = 5126, kUnsigned = 5125;          // component types
 constexpr int kVertices = 34962, kIndices = 34963;      // targets of buffer views
 constexpr int kLineStrip = 3;                           // mode of a primitive
-constexpr std::array<std::array<double, 3>, 6> kColors{{// of roles, and of lines [1]
+constexpr std::array<std::array<double, 3>, 6> kColors{{// RGB colours of roles, and of lines [1]
                                                         {0.87, 0.68, 0.55},
                                                         {0.93, 0.80, 0.74},
                                                         {0.92, 0.89, 0.80},
@@ -31,7 +31,7 @@ constexpr std::array<std::array<double, 3>, 6> kColors{{// of roles, and of line
                                                         {0.75, 0.10, 0.10}}};
 constexpr int kLineColor = 5;
 
-/// A file that grows: what is in its buffer, and what refers to it.
+/// glTF file under construction.
 class GltfFile {
  public:
   GltfFile() : json_{{"asset", {{"version", "2.0"}, {"generator", "thenar"}}}, {"scene", 0}} {
@@ -42,22 +42,23 @@ class GltfFile {
            {"doubleSided", true}});
   }
 
-  /// @returns the accessor of points [m]
+  /// Adds points [m]. @return their accessor
   std::size_t add_points(const Eigen::Matrix3Xd& points) {
-    LittleEndian out(static_cast<std::size_t>(12 * points.cols()));
+    LittleEndianWriter out(static_cast<std::size_t>(12 * points.cols()));
     const Eigen::Matrix3Xf rounded = points.cast<float>();
     for (const float coordinate : rounded.reshaped()) out.add<float>(coordinate);
-    const Eigen::Vector3f least = rounded.rowwise().minCoeff(), most = rounded.rowwise().maxCoeff();
+    // State the bounds, which the format requires of positions.
+    const Eigen::Vector3f min = rounded.rowwise().minCoeff(), max = rounded.rowwise().maxCoeff();
     OrderedJson accessor{{"componentType", kFloat}, {"count", points.cols()}, {"type", "VEC3"}};
-    accessor["min"] = {least.x(), least.y(), least.z()};
-    accessor["max"] = {most.x(), most.y(), most.z()};
+    accessor["min"] = {min.x(), min.y(), min.z()};
+    accessor["max"] = {max.x(), max.y(), max.z()};
     return add_accessor(out.take(), kVertices, std::move(accessor));
   }
 
-  /// @returns a mesh of triangles
+  /// Adds a mesh of triangles. @return its index
   std::size_t add_mesh(const TriangleMesh& mesh, int material) {
     const std::size_t points = add_points(mesh.vertices);
-    LittleEndian out(static_cast<std::size_t>(12 * mesh.triangles.cols()));
+    LittleEndianWriter out(static_cast<std::size_t>(12 * mesh.triangles.cols()));
     for (const int corner : mesh.triangles.reshaped()) out.add<std::uint32_t>(corner);
     const std::size_t corners = add_accessor(
         out.take(), kIndices,
@@ -66,7 +67,7 @@ class GltfFile {
         {{"attributes", {{"POSITION", points}}}, {"indices", corners}, {"material", material}});
   }
 
-  /// @returns a mesh that is a line through points
+  /// Adds a line through points. @return index of its mesh
   std::size_t add_line(const Eigen::Matrix3Xd& points) {
     return add_primitive({{"attributes", {{"POSITION", add_points(points)}}},
                           {"mode", kLineStrip},
@@ -75,14 +76,16 @@ class GltfFile {
 
   void add_node(OrderedJson node) { nodes_.push_back(append("nodes", std::move(node))); }
 
-  /// The file, with a root above all nodes.
+  /// Returns the file, with a root node above all nodes.
   [[nodiscard]] std::string text() {
-    const double half = std::sqrt(0.5);  // a quarter of a turn about x, back: z becomes y
+    // Add the root, which rotates by -90 degrees about x: z becomes y.
+    const double half = std::sqrt(0.5);
     OrderedJson root{{"name", "z up"}, {"rotation", {-half, 0, 0, half}}};
     if (!nodes_.empty()) root["children"] = nodes_;
     OrderedJson scene;
     scene["nodes"].push_back(append("nodes", std::move(root)));
     json_["scenes"].push_back(std::move(scene));
+    // Embed the buffer.
     if (buffer_.empty()) return json_text(json_, -1);
     const auto* bytes = reinterpret_cast<const unsigned char*>(buffer_.data());
     json_["buffers"].push_back(
@@ -97,7 +100,7 @@ class GltfFile {
     return json_[list].size() - 1;
   }
 
-  /// A mesh of one primitive.
+  /// Adds a mesh with one primitive. @return its index
   std::size_t add_primitive(OrderedJson primitive) {
     OrderedJson mesh;
     mesh["primitives"].push_back(std::move(primitive));
@@ -105,7 +108,7 @@ class GltfFile {
   }
 
   std::size_t add_accessor(const std::string& bytes, int target, OrderedJson accessor) {
-    require(buffer_.size() + bytes.size() <= kMostBytes, "the picture is too large for glTF");
+    require(buffer_.size() + bytes.size() <= kMaxGltfBytes, "the picture is too large for glTF");
     accessor["bufferView"] = append("bufferViews", {{"buffer", 0},
                                                     {"byteOffset", buffer_.size()},
                                                     {"byteLength", bytes.size()},
@@ -120,7 +123,7 @@ class GltfFile {
 };
 
 OrderedJson node_of(const LiveBody& body, const Pose<double>& X, std::size_t mesh) {
-  const Eigen::Vector4d q = quaternion_of(X.R);  // glTF has x, y, z, w
+  const Eigen::Vector4d q = quaternion_of(X.R);  // w, x, y, z; glTF has x, y, z, w
   return {{"name", body.name},
           {"mesh", mesh},
           {"translation", to_json(X.p)},
@@ -131,7 +134,7 @@ OrderedJson node_of(const LiveBody& body, const Pose<double>& X, std::size_t mes
 
 std::string gltf_text(const LiveShape& shape, const LiveInstant& instant) {
   GltfFile file;
-  // Bodies that share a mesh and a role share it in the file.
+  // Add the bodies; those with the same mesh and role share one mesh of the file.
   std::map<std::pair<const TriangleMesh*, int>, std::size_t> meshes;
   for (std::size_t i = 0; i < shape.bodies.size(); ++i) {
     const LiveBody& body = shape.bodies[i];
@@ -143,7 +146,7 @@ std::string gltf_text(const LiveShape& shape, const LiveInstant& instant) {
                                  : (meshes[key] = file.add_mesh(*body.mesh, key.second));
     file.add_node(node_of(body, instant.bodies[i], mesh));
   }
-  // Points of all lines stand one after the other.
+  // Add the lines.
   std::size_t point = 0;
   for (const LiveLine& line : shape.lines) {
     Eigen::Matrix3Xd points(3, line.points);

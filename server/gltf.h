@@ -1,6 +1,6 @@
 #pragma once
 
-/// A live picture as glTF 2.0, with its buffer inside.
+/// Export of a live picture as glTF 2.0 with an embedded buffer.
 /// Source: glTF 2.0 Specification, Khronos Group, registry.khronos.org/glTF.
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace thenar {
 
-/// Bodies with meshes, and lines as strips, at an instant. A root turns z up into y up, as glTF has
-/// it; lengths are in m, angles none. Joints, contacts and arrows are left out.
+/// Writes bodies with meshes, and lines as line strips, at an instant. A root node rotates z up to
+/// the y up of glTF; lengths are in m. Joints, contacts and arrows are left out.
 /// @throws InputError if the buffers exceed 1 GB.
 [[nodiscard]] std::string gltf_text(const LiveShape& shape, const LiveInstant& instant);
 

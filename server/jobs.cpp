@@ -20,14 +20,14 @@ namespace {
 
 using JobClock = std::chrono::steady_clock;
 
-constexpr int kJobNice = 10;  // Priority of jobs behind the session's thread
-constexpr std::size_t kMaxResultBytes = 32UL << 20U;  // of JSON, as a reply holds
+constexpr int kJobNice = 10;  // nice value of job threads, below the session's thread
+constexpr std::size_t kMaxResultBytes = 32UL << 20U;  // largest result as JSON [bytes]
 
 bool has_ended(JobStage stage) {
   return stage != JobStage::kWaiting && stage != JobStage::kRunning;
 }
 
-/// Puts this thread, and those that it starts, behind the threads that serve clients.
+/// Lowers the priority of this thread, and of threads that it starts.
 void yield_to_clients() { (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kJobNice); }
 
 }  // namespace
@@ -38,8 +38,8 @@ struct Jobs::Job {
   Json request;
   std::string data;
   std::atomic<bool> stop{false};
-  std::atomic<long> asked{0}, stopped_at{-1};
-  // Behind the mutex of the jobs.
+  std::atomic<long> stop_checks{0}, stopped_at{-1};
+  // Protected by Jobs::mutex_.
   JobStage stage = JobStage::kWaiting;
   double fraction = 0;
   std::string text;
@@ -47,7 +47,7 @@ struct Jobs::Job {
   OrderedJson result;
 };
 
-void Jobs::end() {
+void Jobs::stop_all() {
   std::unique_lock<std::mutex> lock(mutex_);
   ending_ = true;
   for (const auto& [id, job] : jobs_) job->stop = true;
@@ -56,13 +56,14 @@ void Jobs::end() {
 
 int Jobs::start(const Question& question, const Json& request, const std::string& data) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  // Results that nobody fetched make room, the oldest first.
+  // If there are too many jobs, remove the oldest that has ended.
   if (jobs_.size() >= kMaxJobs) {
     const auto oldest = std::find_if(
         jobs_.begin(), jobs_.end(), [](const auto& each) { return has_ended(each.second->stage); });
     require(oldest != jobs_.end(), "{} jobs have not ended, the most there may be", kMaxJobs);
     jobs_.erase(oldest);
   }
+  // Queue the job.
   auto job = std::make_shared<Job>();
   job->id = ++last_;
   job->question = &question;
@@ -73,10 +74,10 @@ int Jobs::start(const Question& question, const Json& request, const std::string
   return job->id;
 }
 
-/// Starts jobs that wait, in their order, while there is room; the mutex is held.
+/// Starts waiting jobs in order, up to kMaxRunningJobs. The caller holds the mutex.
 void Jobs::start_waiting() {
   for (const auto& [id, job] : jobs_) {
-    if (held_ || ending_ || running_ >= kMaxRunningJobs) return;
+    if (deferred_ || ending_ || running_ >= kMaxRunningJobs) return;
     if (job->stage != JobStage::kWaiting) continue;
     job->stage = JobStage::kRunning;
     job->begin = JobClock::now();
@@ -88,26 +89,27 @@ void Jobs::start_waiting() {
 void Jobs::run(const std::shared_ptr<Job>& job) {
   yield_to_clients();
   answer(*job, [&](long) { return job->stop.load(); });
-  // Told before it counts as ended, so that nobody is told of jobs whose session is gone.
-  std::function<void(int)> told;
+  // Call the callback before running_ decreases: stop_all() waits for that, so the session exists.
+  std::function<void(int)> callback;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!ending_) told = told_;
+    if (!ending_) callback = end_callback_;
   }
-  if (told) told(job->id);
+  if (callback) callback(job->id);
+  // Start the next job.
   const std::lock_guard<std::mutex> lock(mutex_);
   --running_;
   start_waiting();
   ended_.notify_all();
 }
 
-/// Answers the question of a job, and keeps the result or why there is none.
-/// @param stop  whether to stop, at a question "am I to stop?" of this number
+/// Answers the question of a job, and stores the result or the error.
+/// @param stop  returns true if the stop check of a number is to request the stop
 void Jobs::answer(Job& job, const std::function<bool(long)>& stop) {
+  // Count the stop checks: a replay stops at the same one.
   Progress progress;
-  // Count the questions whether to stop: a replay stops at the same one.
   progress.stop_requested = [&] {
-    const long number = job.asked++;
+    const long number = job.stop_checks++;
     if (!stop(number)) return false;
     long none = -1;
     job.stopped_at.compare_exchange_strong(none, number);
@@ -118,10 +120,10 @@ void Jobs::answer(Job& job, const std::function<bool(long)>& stop) {
     job.fraction = fraction;
     job.text = text;
   };
+  // Answer the question; refuse results that are too large for a reply.
   JobStage stage = JobStage::kFailed;
   OrderedJson result;
   std::string text;
-  // Answer, and refuse results that are too large for a reply.
   try {
     const StopScope scope(progress);
     const Answer answer = job.question->ask(job.request, job.data, progress);
@@ -142,21 +144,22 @@ void Jobs::answer(Job& job, const std::function<bool(long)>& stop) {
   } catch (const std::exception& error) {
     text = error.what();
   }
-  // The hash is of what a client can be told.
-  OrderedJson told = result;
-  if (stage == JobStage::kFailed || result.is_null()) told = {{"failed", text}};
-  EndedJob ended{job.id, reply_hash(told), std::nullopt};
+  // Compute the hash of the result or the error.
+  OrderedJson reply = result;
+  if (stage == JobStage::kFailed || result.is_null()) reply = {{"failed", text}};
+  EndedJob ended{job.id, reply_hash(reply), std::nullopt};
   if (job.stopped_at >= 0) ended.stopped_at = job.stopped_at;
+  // Store the final state.
   const std::lock_guard<std::mutex> lock(mutex_);
   job.stage = stage;
   job.end = JobClock::now();
   if (!text.empty() || stage == JobStage::kDone) job.text = text;
   if (stage == JobStage::kDone) job.fraction = 1;
   job.result = std::move(result);
-  untold_.push_back(ended);
+  ended_jobs_.push_back(ended);
 }
 
-std::shared_ptr<Jobs::Job> Jobs::job(int id) {
+std::shared_ptr<Jobs::Job> Jobs::find_job(int id) {
   const auto found = jobs_.find(id);
   require_field("job", found != jobs_.end(), "there is no job {}", id);
   return found->second;
@@ -173,10 +176,10 @@ JobState Jobs::state_of(const Job& job) {
 
 JobState Jobs::state(int id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return state_of(*job(id));
+  return state_of(*find_job(id));
 }
 
-std::vector<JobState> Jobs::all() {
+std::vector<JobState> Jobs::states() {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<JobState> states;
   for (const auto& [id, job] : jobs_) states.push_back(state_of(*job));
@@ -185,7 +188,7 @@ std::vector<JobState> Jobs::all() {
 
 bool Jobs::stop(int id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::shared_ptr<Job> job = this->job(id);
+  const std::shared_ptr<Job> job = find_job(id);
   if (has_ended(job->stage)) return false;
   job->stop = true;
   return true;
@@ -193,38 +196,38 @@ bool Jobs::stop(int id) {
 
 OrderedJson Jobs::result(int id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::shared_ptr<Job> job = this->job(id);
+  const std::shared_ptr<Job> job = find_job(id);
   require(has_ended(job->stage), "job {} has not ended: it is {}", id, name_of(job->stage));
   require(!job->result.is_null(), "job {} has no result: {}", id, job->text);
   return job->result;
 }
 
-std::vector<EndedJob> Jobs::take_ended() {
+std::vector<EndedJob> Jobs::take_ended_jobs() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return std::exchange(untold_, {});
+  return std::exchange(ended_jobs_, {});
 }
 
-void Jobs::on_end(std::function<void(int id)> told) {
+void Jobs::set_end_callback(std::function<void(int id)> callback) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  told_ = std::move(told);
+  end_callback_ = std::move(callback);
 }
 
-bool Jobs::writes(int id) {
+bool Jobs::writes_file(int id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return job(id)->request.contains("output");
+  return find_job(id)->request.contains("output");
 }
 
-EndedJob Jobs::run_held(int id, const std::optional<long>& stopped_at) {
+EndedJob Jobs::run_deferred(int id, const std::optional<long>& stopped_at) {
   std::shared_ptr<Job> job;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    job = this->job(id);
+    job = find_job(id);
     require(job->stage == JobStage::kWaiting, "job {} has run already", id);
     job->stage = JobStage::kRunning;
     job->begin = JobClock::now();
   }
   answer(*job, [&](long number) { return stopped_at && number >= *stopped_at; });
-  return take_ended().back();
+  return take_ended_jobs().back();
 }
 
 }  // namespace thenar

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Questions that are answered beside the session: each runs on a thread of its own, after those
-/// before it, while the session serves its clients.
+/// Background jobs of a session: questions that run on their own threads, in order, while the
+/// session serves its clients.
 
 #include <array>
 #include <condition_variable>
@@ -30,64 +30,65 @@ inline constexpr std::array kJobStageNames{
     EnumName{JobStage::kFailed, "failed"}};
 [[nodiscard]] inline std::string name_of(JobStage stage) { return name_in(kJobStageNames, stage); }
 
-/// What a client hears of a job.
+/// State of a job, for clients.
 struct JobState {
   int id = 0;
   std::string question;
   JobStage stage = JobStage::kWaiting;
-  double fraction = 0;  // as it told last
-  std::string text;     // what it does, or why it failed
-  double seconds = 0;   // since it began, or that it took
+  double fraction = 0;  // last reported progress [1]
+  std::string text;     // last reported activity, or the error
+  double seconds = 0;   // elapsed time since its start, until its end [s]
 };
 
-/// A job that has ended, for the log of the session.
+/// Job that has ended, for the log of the session.
 struct EndedJob {
   int id = 0;
   std::string reply;               // SHA-256 of its result or its error
-  std::optional<long> stopped_at;  // which question "am I to stop?" was the first to be told yes
+  std::optional<long> stopped_at;  // number of the stop check that requested the stop, from 0
 };
 
-/// Most jobs that are kept, and of them that run at a time.
+/// Largest number of jobs that are kept, and of jobs that run at a time.
 inline constexpr std::size_t kMaxJobs = 100;
 inline constexpr std::size_t kMaxRunningJobs = 2;
 
-/// The jobs of a session. All functions may be called from any thread.
+/// Jobs of a session. All functions are thread-safe.
 class Jobs {
  public:
   Jobs() = default;
-  ~Jobs() { end(); }
+  ~Jobs() { stop_all(); }
   Jobs(const Jobs&) = delete;
   Jobs& operator=(const Jobs&) = delete;
 
-  /// Begins a job, or lets it wait for those before it.
-  /// @param request  checked;  @param data  as of Question::ask
-  /// @return its id, from 1  @throws InputError if there are kMaxJobs that have not ended
+  /// Queues a job, and starts it when fewer than kMaxRunningJobs are running.
+  /// @param request  checked request;  @param data  as for Question::ask
+  /// @return id of the job, from 1
+  /// @throws InputError if kMaxJobs jobs have not ended
   int start(const Question& question, const Json& request, const std::string& data);
-  /// @throws InputError if there is no such job, here and below
+  /// Returns the state of a job. @throws InputError if there is no such job, as all functions below
   [[nodiscard]] JobState state(int id);
-  [[nodiscard]] std::vector<JobState> all();
-  /// Asks a job to stop and keep its best so far. @return whether it had not ended
+  [[nodiscard]] std::vector<JobState> states();
+  /// Asks a job to stop and keep its best result so far. @return false if it had already ended
   bool stop(int id);
-  /// The answer of a job that has ended, as JSON in SI. @throws InputError if it has not, or failed
+  /// Returns the answer of a job as JSON in SI. @throws InputError if it has not ended, or failed
   [[nodiscard]] OrderedJson result(int id);
-  /// Jobs that have ended since the last call.
-  [[nodiscard]] std::vector<EndedJob> take_ended();
+  /// Returns the jobs that have ended since the last call.
+  [[nodiscard]] std::vector<EndedJob> take_ended_jobs();
 
-  /// Is told, on the thread of a job, that it has ended.
-  void on_end(std::function<void(int id)> told);
-  /// Asks all jobs to stop, and waits for them; none begins any more.
-  void end();
-  /// Lets jobs wait until run_held() runs them, as a replay does.
-  void hold() { held_ = true; }
-  /// Returns whether a job writes a file.
-  [[nodiscard]] bool writes(int id);
-  /// Runs a job that waits, on this thread. @param stopped_at  as of EndedJob
-  EndedJob run_held(int id, const std::optional<long>& stopped_at);
+  /// Sets a function that is called on the thread of a job when it ends.
+  void set_end_callback(std::function<void(int id)> callback);
+  /// Asks all jobs to stop, and waits for them; no other job starts.
+  void stop_all();
+  /// Makes new jobs wait for run_deferred(), as in a replay.
+  void defer() { deferred_ = true; }
+  /// Returns true if the request of a job names an output file.
+  [[nodiscard]] bool writes_file(int id);
+  /// Runs a waiting job on this thread. @param stopped_at  as EndedJob::stopped_at
+  EndedJob run_deferred(int id, const std::optional<long>& stopped_at);
 
  private:
   struct Job;
 
-  [[nodiscard]] std::shared_ptr<Job> job(int id);
+  [[nodiscard]] std::shared_ptr<Job> find_job(int id);
   [[nodiscard]] static JobState state_of(const Job& job);
   void start_waiting();
   void run(const std::shared_ptr<Job>& job);
@@ -96,11 +97,11 @@ class Jobs {
   std::mutex mutex_;
   std::condition_variable ended_;
   std::map<int, std::shared_ptr<Job>> jobs_;
-  std::function<void(int id)> told_;
-  std::vector<EndedJob> untold_;
+  std::function<void(int id)> end_callback_;
+  std::vector<EndedJob> ended_jobs_;
   std::size_t running_ = 0;
   int last_ = 0;
-  bool held_ = false, ending_ = false;
+  bool deferred_ = false, ending_ = false;
 };
 
 }  // namespace thenar

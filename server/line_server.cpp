@@ -23,26 +23,26 @@ namespace {
 namespace net = boost::asio;
 using net::ip::tcp;
 
-// Of what a client has asked without a reply so far, and of replies that it has not taken: beyond
-// these it is read no further. Replies that nobody takes end its connection.
-constexpr std::size_t kMostUnanswered = 256;           // requests
-constexpr std::size_t kMostAskedBytes = kLongestLine;  // [bytes]
-constexpr std::size_t kMostUnread = 64UL << 20U;       // [bytes]
-// Of all clients together; then only those are read that have no request without a reply.
-constexpr std::size_t kMostAskedOfAll = 32UL << 20U;    // [bytes]
-constexpr std::size_t kMostUnreadOfAll = 128UL << 20U;  // [bytes]
-// Of connections that have not asked for anything, where a token is wanted.
-constexpr std::size_t kMostStrangers = 64;         // also where none is wanted
-constexpr std::size_t kLongestGreeting = 4096;     // [bytes]
-constexpr std::chrono::seconds kGreetingTime{10};  // until the token is shown
-constexpr std::chrono::milliseconds kLastWords{300};
+// Limits of a client. Beyond those of pending requests its input is not read, beyond that of unsent
+// replies its connection is closed.
+constexpr std::size_t kMaxPendingRequests = 256;         // requests without a reply
+constexpr std::size_t kMaxPendingBytes = kMaxLineBytes;  // requests without a reply [bytes]
+constexpr std::size_t kMaxUnsentBytes = 64UL << 20U;     // replies that are not sent [bytes]
+// Limits of all clients together. Beyond them only clients without pending requests are read.
+constexpr std::size_t kMaxTotalPendingBytes = 32UL << 20U;  // requests without a reply [bytes]
+constexpr std::size_t kMaxTotalUnsentBytes = 128UL << 20U;  // replies that are not sent [bytes]
+// Limits of strangers: connections that have not sent a valid first line.
+constexpr std::size_t kMaxStrangers = 64;               // strangers, also without a token
+constexpr std::size_t kMaxGreetingBytes = 4096;         // length of the first line [bytes]
+constexpr std::chrono::seconds kGreetingTime{10};       // time until the token must arrive
+constexpr std::chrono::milliseconds kClosingTime{300};  // time for pending replies at the end
 
-const std::string kNoGreeting = "wanted session.hello with the token first";
+const std::string kGreetingError = "wanted session.hello with the token first";
 
 class LineClient;
 
-/// State that all connections of a server share. It holds the context on which they run, so that a
-/// connection that the engine still knows does not outlive the context.
+/// State that all connections of a server share. Connections share ownership of it, so that none
+/// outlives the context on which it runs.
 struct LineNet {
   LineNet(Engine& the_engine, ServerAccess the_access)
       : engine(the_engine), access(std::move(the_access)) {}
@@ -52,18 +52,18 @@ struct LineNet {
   net::io_context context{1};
   PeerSet<LineClient> clients;
   std::list<LineClient*> strangers;  // the oldest first; each takes itself out
-  std::size_t asked = 0;             // of all clients [bytes]
-  std::size_t unread = 0;            // of all clients [bytes]
+  std::size_t pending = 0;           // requests of all clients without a reply [bytes]
+  std::size_t unsent = 0;            // unsent replies of all clients [bytes]
 };
 
-/// A program that is connected. The server's thread uses all members; what the engine calls hands
-/// over to it.
+/// Connected program. Only the server's thread uses the members; functions that the engine calls
+/// post to it.
 class LineClient final : public EngineClient, public std::enable_shared_from_this<LineClient> {
  public:
   LineClient(tcp::socket socket, std::shared_ptr<LineNet> shared)
-      : net_(std::move(shared)), socket_(std::move(socket)), greeting_(net_->context) {}
+      : net_(std::move(shared)), socket_(std::move(socket)), greeting_timer_(net_->context) {}
   ~LineClient() override {
-    end_waiting();
+    leave_strangers();
     net_->clients.remove(this);
   }
   LineClient(const LineClient&) = delete;
@@ -73,56 +73,57 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
     boost::system::error_code ignored;
     socket_.set_option(tcp::no_delay(true), ignored);
     socket_.set_option(net::socket_base::keep_alive(true), ignored);
-    // Strangers take no place of a client, nor of who comes after them.
-    if (net_->strangers.size() >= kMostStrangers) {
+    // Close the oldest stranger if there are too many.
+    if (net_->strangers.size() >= kMaxStrangers) {
       const auto oldest = net_->strangers.front()->shared_from_this();
       oldest->drop();
     }
+    // Read, and close the connection if the token is not sent in time.
     stranger_ = net_->strangers.insert(net_->strangers.end(), this);
     read();
     if (net_->access.token.empty()) return;
-    greeting_.expires_after(kGreetingTime);
-    greeting_.async_wait([self = shared_from_this()](boost::system::error_code stopped) {
+    greeting_timer_.expires_after(kGreetingTime);
+    greeting_timer_.async_wait([self = shared_from_this()](boost::system::error_code stopped) {
       if (!stopped && self->stranger_) self->drop();
     });
   }
 
   void reply(std::string text) override {
     net::post(socket_.get_executor(), [self = shared_from_this(), text = std::move(text)] {
-      self->end_asking();
-      if (!text.empty()) self->put(text);
-      self->go_on();
+      self->remove_pending();
+      if (!text.empty()) self->queue_reply(text);
+      self->continue_or_close();
     });
   }
-  void tell(std::shared_ptr<const std::string> /*text*/) override {}
-  void show(std::shared_ptr<const std::string> /*frame*/) override {}
-  [[nodiscard]] bool watches() const override { return false; }
+  void notify(std::shared_ptr<const std::string> /*text*/) override {}
+  void send_frame(std::shared_ptr<const std::string> /*frame*/) override {}
+  [[nodiscard]] bool is_watching() const override { return false; }
 
-  /// Ends when all is sent.
+  /// Closes the connection after all replies are sent.
   void finish() {
-    ended_ = true;
-    go_on();
+    input_ended_ = true;
+    continue_or_close();
   }
-  /// Ends now.
+  /// Closes the connection at once.
   void drop() {
     boost::system::error_code ignored;
     socket_.close(ignored);
-    end_waiting();
-    if (number_ > 0) net_->engine.leave(number_);
+    leave_strangers();
+    if (number_ > 0) net_->engine.remove_client(number_);
     number_ = -1;
-    // Whoever is gone holds nothing.
-    while (!asked_.empty()) end_asking();
-    texts_.clear();
-    count_unread(-static_cast<std::ptrdiff_t>(unread_));
+    // Release what counts against the limits.
+    while (!pending_.empty()) remove_pending();
+    replies_.clear();
+    count_unsent(-static_cast<std::ptrdiff_t>(unsent_));
   }
-  [[nodiscard]] std::size_t unread() const { return unread_; }
+  [[nodiscard]] std::size_t unsent() const { return unsent_; }
 
  private:
-  /// Becomes a client of the engine. @returns whether there was room
-  bool join() {
-    end_waiting();
+  /// Becomes a client of the engine. @return false if there are too many clients
+  bool join_engine() {
+    leave_strangers();
     try {
-      number_ = net_->engine.join(shared_from_this());
+      number_ = net_->engine.add_client(shared_from_this());
       return true;
     } catch (const InputError& error) {
       refuse(error.what());
@@ -130,16 +131,16 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
     }
   }
   /// Removes the connection from the strangers.
-  void end_waiting() {
+  void leave_strangers() {
     if (!stranger_) return;
     net_->strangers.erase(*std::exchange(stranger_, std::nullopt));
-    greeting_.cancel();
+    greeting_timer_.cancel();
   }
 
   void read() {
     reading_ = true;
     socket_.async_read_some(
-        net::buffer(piece_),
+        net::buffer(input_),
         [self = shared_from_this()](boost::system::error_code error, std::size_t count) {
           self->reading_ = false;
           if (self->number_ < 0) return;
@@ -150,38 +151,38 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
   }
 
   void on_bytes(std::size_t count) {
-    if (!begun_) {
-      const StreamStart start = stream_start({piece_.data(), count});
+    if (!is_json_) {
+      const StreamStart start = stream_start({input_.data(), count});
       if (start == StreamStart::kOther) return drop();
-      begun_ = start == StreamStart::kRequest;
+      is_json_ = start == StreamStart::kRequest;
     }
-    lines_.add(piece_.data(), count);
-    while (const auto line = lines_.next())
-      if (!take(*line)) return;
-    if (stranger_ && !net_->access.token.empty() && lines_.held() > kLongestGreeting)
-      return refuse(kNoGreeting);
-    go_on();
+    lines_.add(input_.data(), count);
+    while (const auto line = lines_.next_line())
+      if (!handle_line(*line)) return;
+    if (stranger_ && !net_->access.token.empty() && lines_.pending_bytes() > kMaxGreetingBytes)
+      return refuse(kGreetingError);
+    continue_or_close();
   }
 
-  /// Whoever sends no more may still wait for replies.
+  /// Handles the end of the input; the client may still wait for replies.
   void on_end() {
-    if (const auto line = lines_.rest())
-      if (!take(*line)) return;
-    ended_ = true;
-    go_on();
+    if (const auto line = lines_.take_rest())
+      if (!handle_line(*line)) return;
+    input_ended_ = true;
+    continue_or_close();
   }
 
-  /// @returns whether the client stays
-  bool take(const SplitLine& line) {
+  /// Handles a line of the input. @return false if the connection is refused
+  bool handle_line(const SplitLine& line) {
     const std::string& token = net_->access.token;
-    if (stranger_ && !token.empty() && !greets_with(line.text, token)) {
-      refuse(kNoGreeting);
+    if (stranger_ && !token.empty() && !is_hello_with_token(line.text, token)) {
+      refuse(kGreetingError);
       return false;
     }
-    if (stranger_ && !join()) return false;
-    asked_.push_back(line.text.size());
-    asked_bytes_ += line.text.size();
-    net_->asked += line.text.size();
+    if (stranger_ && !join_engine()) return false;
+    pending_.push_back(line.text.size());
+    pending_bytes_ += line.text.size();
+    net_->pending += line.text.size();
     if (line.too_long)
       reply(too_long_reply());
     else
@@ -189,64 +190,65 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
     return true;
   }
 
-  /// The request that was asked first has its reply.
-  void end_asking() {
-    if (asked_.empty()) return;
-    asked_bytes_ -= asked_.front();
-    net_->asked -= asked_.front();
-    asked_.pop_front();
+  /// Removes the oldest pending request, which has its reply.
+  void remove_pending() {
+    if (pending_.empty()) return;
+    pending_bytes_ -= pending_.front();
+    net_->pending -= pending_.front();
+    pending_.pop_front();
   }
 
-  /// Sends the reason of a refusal, and ends.
+  /// Sends the reason of a refusal, and closes the connection.
   void refuse(const std::string& why) {
-    put(json_text(rpc_reply(nullptr, {{}, RpcFailure{RpcCode::kRefused, why}}), -1));
+    queue_reply(json_text(rpc_reply(nullptr, {{}, RpcFailure{RpcCode::kRefused, why}}), -1));
     finish();
   }
 
-  /// Reads on where few requests wait; ends where nothing is left to do.
-  void go_on() {
+  /// Reads further input if the limits allow it; closes the connection if nothing is left to do.
+  void continue_or_close() {
     if (number_ < 0) return;
-    if (!ended_ && !reading_ && has_room()) return read();
-    if (ended_ && asked_.empty() && texts_.empty() && !writing_) drop();
+    if (!input_ended_ && !reading_ && can_read()) return read();
+    if (input_ended_ && pending_.empty() && replies_.empty() && !writing_) drop();
   }
 
-  /// Returns true if more requests may be read before replies are made and taken by the client.
-  [[nodiscard]] bool has_room() const {
-    if (unread_ >= kMostAskedBytes) return false;
-    return asked_.empty() || (asked_.size() < kMostUnanswered && asked_bytes_ < kMostAskedBytes &&
-                              net_->asked < kMostAskedOfAll);
+  /// Returns true if the limits of pending requests and unsent replies allow to read more.
+  [[nodiscard]] bool can_read() const {
+    if (unsent_ >= kMaxPendingBytes) return false;
+    return pending_.empty() ||
+           (pending_.size() < kMaxPendingRequests && pending_bytes_ < kMaxPendingBytes &&
+            net_->pending < kMaxTotalPendingBytes);
   }
 
-  void put(const std::string& text) {
+  void queue_reply(const std::string& text) {
     if (number_ < 0) return;
-    texts_.push_back(text + "\n");
-    count_unread(static_cast<std::ptrdiff_t>(texts_.back().size()));
-    if (unread_ > kMostUnread) return drop();
-    if (net_->unread > kMostUnreadOfAll) drop_worst();
+    replies_.push_back(text + "\n");
+    count_unsent(static_cast<std::ptrdiff_t>(replies_.back().size()));
+    if (unsent_ > kMaxUnsentBytes) return drop();
+    if (net_->unsent > kMaxTotalUnsentBytes) drop_slowest();
     write();
   }
 
-  void count_unread(std::ptrdiff_t bytes) {
-    unread_ += static_cast<std::size_t>(bytes);
-    net_->unread += static_cast<std::size_t>(bytes);
+  void count_unsent(std::ptrdiff_t bytes) {
+    unsent_ += static_cast<std::size_t>(bytes);
+    net_->unsent += static_cast<std::size_t>(bytes);
   }
 
-  /// Ends the connection with the most replies that nobody takes.
-  void drop_worst() {
-    std::shared_ptr<LineClient> worst;
-    for (const auto& client : net_->clients.all())
-      if (worst == nullptr || client->unread() > worst->unread()) worst = client;
-    if (worst != nullptr) worst->drop();
+  /// Closes the connection with the most unsent replies.
+  void drop_slowest() {
+    std::shared_ptr<LineClient> slowest;
+    for (const auto& client : net_->clients.connected())
+      if (slowest == nullptr || client->unsent() > slowest->unsent()) slowest = client;
+    if (slowest != nullptr) slowest->drop();
   }
 
   void write() {
-    if (writing_ || texts_.empty() || number_ < 0) return;
+    if (writing_ || replies_.empty() || number_ < 0) return;
     writing_ = true;
-    // A short reply goes out with those that wait beside it.
+    // Send short replies together.
     auto out = std::make_shared<std::string>();
-    while (!texts_.empty() && (out->empty() || out->size() + texts_.front().size() < 65536)) {
-      *out += texts_.front();
-      texts_.pop_front();
+    while (!replies_.empty() && (out->empty() || out->size() + replies_.front().size() < 65536)) {
+      *out += replies_.front();
+      replies_.pop_front();
     }
     net::async_write(
         socket_, net::buffer(*out),
@@ -254,28 +256,29 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
           self->writing_ = false;
           if (self->number_ < 0) return;
           if (error) return self->drop();
-          self->count_unread(-static_cast<std::ptrdiff_t>(out->size()));
+          self->count_unsent(-static_cast<std::ptrdiff_t>(out->size()));
           self->write();
-          self->go_on();
+          self->continue_or_close();
         });
   }
 
   std::shared_ptr<LineNet> net_;
   tcp::socket socket_;
-  net::steady_timer greeting_;
-  std::array<char, 65536> piece_{};
-  LineSplitter lines_{kLongestLine};
-  int number_ = 0;                                            // of the engine; -1: gone
-  std::deque<std::size_t> asked_;                             // bytes of each request
-  std::size_t asked_bytes_ = 0, unread_ = 0;                  // [bytes]
-  std::optional<std::list<LineClient*>::iterator> stranger_;  // among them; until it is greeted
-  bool begun_ = false, ended_ = false, reading_ = false, writing_ = false;
-  std::deque<std::string> texts_;
+  net::steady_timer greeting_timer_;
+  std::array<char, 65536> input_{};
+  LineSplitter lines_{kMaxLineBytes};
+  int number_ = 0;                              // number of the client in the engine; -1: closed
+  std::deque<std::size_t> pending_;             // length of each request without a reply [bytes]
+  std::size_t pending_bytes_ = 0, unsent_ = 0;  // [bytes]
+  std::optional<std::list<LineClient*>::iterator>
+      stranger_;  // entry of the strangers, if it is one
+  bool is_json_ = false, input_ended_ = false, reading_ = false, writing_ = false;
+  std::deque<std::string> replies_;
 };
 
 }  // namespace
 
-bool greets_with(const std::string& line, const std::string& token) {
+bool is_hello_with_token(const std::string& line, const std::string& token) {
   const auto request = short_request(line, "session.hello");
   if (!request || request->failure) return false;
   const auto shown = request->params.find("token");
@@ -285,7 +288,7 @@ bool greets_with(const std::string& line, const std::string& token) {
 
 std::string too_long_reply() {
   const RpcFailure failure{RpcCode::kTooLarge,
-                           fmt::format("a line of more than {} bytes", kLongestLine)};
+                           fmt::format("a line of more than {} bytes", kMaxLineBytes)};
   return json_text(rpc_reply(nullptr, {{}, failure}), -1);
 }
 
@@ -294,7 +297,7 @@ class LineServer::Network {
   Network(Engine& engine, const ServerAccess& access)
       : net_(std::make_shared<LineNet>(engine, access)),
         acceptor_(net_->context),
-        pause_(net_->context) {
+        retry_timer_(net_->context) {
     try {
       const tcp::endpoint end(net::ip::make_address(access.address),
                               static_cast<unsigned short>(access.port));
@@ -312,15 +315,15 @@ class LineServer::Network {
   }
 
   ~Network() {
-    net::steady_timer patience(net_->context);
+    net::steady_timer deadline(net_->context);
     net::post(net_->context, [&] {
       boost::system::error_code ignored;
       acceptor_.close(ignored);
-      pause_.cancel();
-      for (const auto& client : net_->clients.all()) client->finish();
-      patience.expires_after(kLastWords);
-      patience.async_wait([this](boost::system::error_code) {
-        for (const auto& client : net_->clients.all()) client->drop();
+      retry_timer_.cancel();
+      for (const auto& client : net_->clients.connected()) client->finish();
+      deadline.expires_after(kClosingTime);
+      deadline.async_wait([this](boost::system::error_code) {
+        for (const auto& client : net_->clients.connected()) client->drop();
       });
     });
     thread_.join();
@@ -341,9 +344,9 @@ class LineServer::Network {
         client->begin();
         return accept();
       }
-      // No file is left for a connection: it is tried again in a while.
-      pause_.expires_after(std::chrono::milliseconds(50));
-      pause_.async_wait([this](boost::system::error_code stopped) {
+      // Accepting fails if no file descriptor is left: try again later.
+      retry_timer_.expires_after(std::chrono::milliseconds(50));
+      retry_timer_.async_wait([this](boost::system::error_code stopped) {
         if (!stopped) accept();
       });
     });
@@ -351,7 +354,7 @@ class LineServer::Network {
 
   std::shared_ptr<LineNet> net_;
   tcp::acceptor acceptor_;
-  net::steady_timer pause_;
+  net::steady_timer retry_timer_;
   int port_ = 0;
   std::thread thread_;
 };

@@ -1,10 +1,10 @@
 #pragma once
 
-/// JSON-RPC as lines of text, for programs: over TCP, or through standard input and output.
+/// JSON-RPC as lines of text over TCP, for programs.
 ///
-/// A line is a message, of at most 1 MB; a reply is a line. There are no notifications. What begins
-/// with anything but '{', '[' or white space is hung up on, so that no page of a browser, and
-/// nobody else who means another server, reaches a server of lines.
+/// A message is a line of at most 1 MB, and so is a reply. There are no notifications. A connection
+/// whose first character is not '{', '[' or white space is closed, so that pages of a browser and
+/// clients of other protocols are refused.
 
 #include <functional>
 #include <memory>
@@ -14,17 +14,17 @@
 
 namespace thenar {
 
-/// Serves programs over TCP from a thread of its own for as long as it lives.
+/// TCP server on its own thread, for the lifetime of the object.
 class LineServer {
  public:
-  /// @throws InputError if the address is none of this machine, or its port is taken.
+  /// @throws InputError if the server cannot listen at the address and port
   LineServer(Engine& engine, const ServerAccess& access);
-  /// Sends what waits for at most 0.3 s, and closes all connections.
+  /// Sends pending replies for at most 0.3 s, and closes all connections.
   ~LineServer();
   LineServer(const LineServer&) = delete;
   LineServer& operator=(const LineServer&) = delete;
 
-  /// That it listens at.
+  /// Returns the port at which the server listens.
   [[nodiscard]] int port() const;
 
  private:
@@ -32,14 +32,14 @@ class LineServer {
   std::unique_ptr<Network> network_;
 };
 
-/// Returns true if a line is session.hello with the token of a server. Connections to a server with
-/// a token begin with this line.
-[[nodiscard]] bool greets_with(const std::string& line, const std::string& token);
+/// Returns true if a line is session.hello with the server's token, the required first line of a
+/// connection to a server with a token.
+[[nodiscard]] bool is_hello_with_token(const std::string& line, const std::string& token);
 
-/// The reply to a line that is too long.
+/// Returns the reply to a line that is too long.
 [[nodiscard]] std::string too_long_reply();
 
-/// Longest line [bytes].
-inline constexpr std::size_t kLongestLine = 1UL << 20U;
+/// Largest length of a line [bytes].
+inline constexpr std::size_t kMaxLineBytes = 1UL << 20U;
 
 }  // namespace thenar

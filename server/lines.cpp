@@ -14,39 +14,41 @@ bool is_blank(const std::string& text) {
 }  // namespace
 
 void LineSplitter::add(const char* bytes, std::size_t count) {
-  // Drop lines that were given out, now and then rather than one by one.
+  // Remove the lines that were returned.
   if (begin_ > 0) {
     bytes_.erase(0, begin_);
-    looked_ -= begin_;
+    searched_ -= begin_;
     begin_ = 0;
   }
   bytes_.append(bytes, count);
 }
 
-std::optional<SplitLine> LineSplitter::next() {
+std::optional<SplitLine> LineSplitter::next_line() {
   while (true) {
-    const std::size_t end = bytes_.find('\n', looked_);
+    // Without a newline, wait for more bytes, up to the limit.
+    const std::size_t end = bytes_.find('\n', searched_);
     if (end == std::string::npos) {
-      looked_ = bytes_.size();
-      if (!dropping_ && looked_ - begin_ <= most_) return std::nullopt;
-      // The line goes on, and none of it is wanted.
+      searched_ = bytes_.size();
+      if (!dropping_ && searched_ - begin_ <= max_bytes_) return std::nullopt;
+      // The line is too long: discard it, and report it once.
       bytes_ = std::string();
-      begin_ = looked_ = 0;
+      begin_ = searched_ = 0;
       if (std::exchange(dropping_, true)) return std::nullopt;
       return SplitLine{"", true};
     }
-    SplitLine line{"", end - begin_ > most_};
+    // Return the line unless it is blank.
+    SplitLine line{"", end - begin_ > max_bytes_};
     if (!line.too_long) line.text = bytes_.substr(begin_, end - begin_);
-    begin_ = looked_ = end + 1;
-    if (std::exchange(dropping_, false)) continue;  // it was told before
+    begin_ = searched_ = end + 1;
+    if (std::exchange(dropping_, false)) continue;  // end of a line that was reported before
     if (line.too_long || !is_blank(line.text)) return line;
   }
 }
 
-std::optional<SplitLine> LineSplitter::rest() {
+std::optional<SplitLine> LineSplitter::take_rest() {
   SplitLine line{bytes_.substr(begin_), false};
   bytes_.clear();
-  begin_ = looked_ = 0;
+  begin_ = searched_ = 0;
   if (std::exchange(dropping_, false) || is_blank(line.text)) return std::nullopt;
   return line;
 }

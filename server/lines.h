@@ -1,6 +1,6 @@
 #pragma once
 
-/// Messages that stand on a line each, in bytes that come in pieces.
+/// Splitting of a byte stream into lines, one message each.
 
 #include <cstddef>
 #include <optional>
@@ -9,37 +9,39 @@
 
 namespace thenar {
 
-/// A line without its end; of one that is too long nothing is kept.
+/// Line without its newline; empty if it was too long.
 struct SplitLine {
   std::string text;
   bool too_long = false;
 };
 
-/// Cuts bytes into lines. Memory is bounded by the longest line that is let through.
+/// Splits bytes into lines. Memory is bounded by the largest length of a line.
 class LineSplitter {
  public:
-  /// @param most  bytes of a line
-  explicit LineSplitter(std::size_t most) : most_(most) {}
+  /// @param max_bytes  largest length of a line [bytes]
+  explicit LineSplitter(std::size_t max_bytes) : max_bytes_(max_bytes) {}
 
   void add(const char* bytes, std::size_t count);
-  /// The next whole line that is not blank; nothing if more bytes are needed. A line that is too
-  /// long is told as soon as that shows, and what follows up to its end is dropped.
-  [[nodiscard]] std::optional<SplitLine> next();
-  /// Bytes of lines that were not given out yet.
-  [[nodiscard]] std::size_t held() const { return bytes_.size() - begin_; }
-  /// Returns the bytes behind the last end of a line: the last line of a stream that has ended.
-  [[nodiscard]] std::optional<SplitLine> rest();
+  /// Returns the next complete line that is not blank; nothing if more bytes are needed. A line
+  /// that is too long is reported as soon as it exceeds the limit, and its remainder is discarded.
+  [[nodiscard]] std::optional<SplitLine> next_line();
+  /// Returns the number of bytes that were added but not returned [bytes].
+  [[nodiscard]] std::size_t pending_bytes() const { return bytes_.size() - begin_; }
+  /// Returns the bytes after the last newline: the last line of a stream that has ended.
+  [[nodiscard]] std::optional<SplitLine> take_rest();
 
  private:
-  std::size_t most_;
+  std::size_t max_bytes_;
   std::string bytes_;
-  std::size_t begin_ = 0, looked_ = 0;  // of the next line; how far no end was found
-  bool dropping_ = false;
+  std::size_t begin_ = 0;     // start of the next line in bytes_
+  std::size_t searched_ = 0;  // position in bytes_ before which the next line has no newline
+  bool dropping_ = false;     // true: the remainder of a long line is being discarded
 };
 
-/// Beginning of a stream: white space so far, a request of JSON-RPC ('{' or '['), or anything else:
-/// a browser that was sent here by a page of somebody else, TLS, mail.
+/// Kind of the first characters of a stream: white space, a JSON-RPC request ('{' or '['), or
+/// another protocol such as HTTP or TLS.
 enum class StreamStart { kBlank, kRequest, kOther };
+/// Classifies the first characters of a stream.
 [[nodiscard]] StreamStart stream_start(std::string_view begin);
 
 }  // namespace thenar

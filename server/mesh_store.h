@@ -1,6 +1,6 @@
 #pragma once
 
-/// Meshes that clients fetch by the hash of their content, so that each travels once.
+/// Meshes that clients fetch by the hash of their content, so that each is sent once.
 
 #include <map>
 #include <memory>
@@ -11,30 +11,30 @@
 
 namespace thenar {
 
-/// A mesh as clients read it, little-endian: u32 vertices, u32 triangles, then of every vertex f32
-/// x, y, z [m], then of every triangle three numbers that count vertices from 0: u16 where there
-/// are up to 65536 vertices, else u32.
-/// @throws InputError if there are more than 2^32 - 1 of either.
+/// Encodes a mesh for clients, little-endian: u32 number of vertices, u32 number of triangles, f32
+/// x, y, z of every vertex [m], three vertex indices of every triangle from 0: u16 for up to 65536
+/// vertices, else u32.
+/// @throws InputError if there are more than 2^32 - 1 vertices or triangles
 [[nodiscard]] std::string mesh_bytes(const TriangleMesh& mesh);
 
-/// Encoded meshes of the scenes that were shown last. Several threads may use it at once.
+/// Encoded meshes of the scenes that were shown last. Thread-safe.
 class MeshStore {
  public:
-  /// Keeps a mesh. A mesh that has been added as the same object is not encoded again.
-  /// @returns its id: 32 hexadecimal digits
+  /// Adds a mesh to the current scene; encodes it unless the same object was added before.
+  /// @return its id: 32 hexadecimal digits
   std::string add(const std::shared_ptr<const TriangleMesh>& mesh);
-  /// Begins a scene: meshes that none of the last eight scenes has added are let go.
+  /// Begins a scene: removes meshes that none of the last eight scenes has added.
   void begin_scene();
-  /// The bytes of a mesh; null if none has that id.
+  /// Returns the bytes of a mesh; null if the id is unknown.
   [[nodiscard]] std::shared_ptr<const std::string> bytes(const std::string& id) const;
 
  private:
   struct Entry {
     std::shared_ptr<const std::string> bytes;
-    unsigned long scene = 0;  // that used it last
+    unsigned long scene = 0;  // last scene that added it
   };
   struct Known {
-    std::weak_ptr<const TriangleMesh> mesh;  // tells whether the address is still its own
+    std::weak_ptr<const TriangleMesh> mesh;  // expired: the address may belong to another mesh
     std::string id;
   };
 

@@ -20,15 +20,15 @@ std::map<std::string, double> named_numbers(const Json& params, const std::strin
 }
 
 void MethodTable::add(RpcMethod method) {
-  require(!has(method.name), "there are two methods '{}'", method.name);
+  require(!has_method(method.name), "there are two methods '{}'", method.name);
   methods_.push_back(std::move(method));
 }
 
-bool MethodTable::has(const std::string& name) const {
+bool MethodTable::has_method(const std::string& name) const {
   return find_named(methods_, name) != nullptr;
 }
 
-const RpcMethod& MethodTable::at(const std::string& name) const {
+const RpcMethod& MethodTable::method_named(const std::string& name) const {
   if (const RpcMethod* found = find_named(methods_, name)) return *found;
   const auto names = transformed(methods_, [](const RpcMethod& method) { return method.name; });
   throw InputError(fmt::format("no method '{}'{} session.methods lists all", name,

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Methods that a page, a script or a robot calls: one table says what each is named, what it takes
-/// and what it does. Validation, the list that clients are given, and docs/remote.md come from it.
+/// Table of the methods that clients call. Validation, the list for clients and docs/remote.md are
+/// generated from it.
 
 #include <functional>
 #include <map>
@@ -16,41 +16,41 @@ namespace thenar {
 
 class Session;
 
-/// Files that a method writes. The folder of files dropped into a session is removed with the
-/// session.
+/// Files that a method writes, apart from temporary files of the session.
 enum class MethodWrites { kNothing, kFiles };
 
-/// One method of JSON-RPC.
+/// Method of JSON-RPC.
 struct RpcMethod {
-  /// @param params    validated, defaults filled in
-  /// @param progress  heard by the client that asked, and where it is asked to stop
-  /// @returns the result
-  /// @throws Error with what the client is told; Stopped
+  /// Executes the method, and returns its result.
+  /// @param params    validated parameters with default values
+  /// @param progress  reports progress to the client, and passes on stop requests
+  /// @throws Error with the message for the client; Stopped
   using Handler =
       std::function<OrderedJson(Session& session, const Json& params, const Progress& progress)>;
 
   std::string name;     // "hand.close"
-  std::string about;    // one sentence: what it does
-  Schema params;        // an object
-  std::string returns;  // what the result holds, with units
-  std::string example;  // params as JSON, which tests send
+  std::string about;    // description, one sentence
+  Schema params;        // schema of the parameters, an object
+  std::string returns;  // description of the result, with units
+  std::string example;  // valid parameters as JSON; tests send them
   Handler handler;
   MethodWrites writes = MethodWrites::kNothing;
 };
 
-/// A member of names and numbers; empty if it was left out. @param params  validated
+/// Returns a member that maps names to numbers; empty if it is missing.
+/// @param params  validated parameters
 [[nodiscard]] std::map<std::string, double> named_numbers(const Json& params,
                                                           const std::string& member);
 
-/// A table of methods by name, in the order in which they are documented.
+/// Table of methods by name, in the order of the documentation.
 class MethodTable {
  public:
-  /// @throws InputError if there is one of that name already.
+  /// Adds a method. @throws InputError if there is already one of that name
   void add(RpcMethod method);
-  /// The method of that name. @throws InputError with the nearest name if there is none.
-  [[nodiscard]] const RpcMethod& at(const std::string& name) const;
-  [[nodiscard]] bool has(const std::string& name) const;
-  [[nodiscard]] const std::vector<RpcMethod>& all() const { return methods_; }
+  /// Finds a method by name. @throws InputError with the nearest name if there is none
+  [[nodiscard]] const RpcMethod& method_named(const std::string& name) const;
+  [[nodiscard]] bool has_method(const std::string& name) const;
+  [[nodiscard]] const std::vector<RpcMethod>& methods() const { return methods_; }
 
  private:
   std::vector<RpcMethod> methods_;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The connections of a server that are alive, whichever thread lets go of them last.
+/// Set of the live connections of a server; thread-safe.
 
 #include <cstddef>
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// Knows connections without keeping them: each takes itself out when it goes.
+/// Set of weak references to connections; each connection removes itself in its destructor.
 template <typename Peer>
 class PeerSet {
  public:
@@ -22,8 +22,8 @@ class PeerSet {
     const std::lock_guard<std::mutex> lock(mutex_);
     peers_.erase(peer);
   }
-  /// Returns the peers that are connected now.
-  [[nodiscard]] std::vector<std::shared_ptr<Peer>> all() const {
+  /// Returns all peers that are currently connected.
+  [[nodiscard]] std::vector<std::shared_ptr<Peer>> connected() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::vector<std::shared_ptr<Peer>> found;
     for (const auto& [key, peer] : peers_)

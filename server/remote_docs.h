@@ -1,6 +1,6 @@
 #pragma once
 
-/// The table of methods as a document, for docs/remote.md and `thenar serve --methods`.
+/// Documentation of the table of methods, for docs/remote.md and `thenar serve --methods`.
 
 #include <string>
 
@@ -8,9 +8,9 @@
 
 namespace thenar {
 
-/// A section for each group of methods, in the order of the table, with what every method takes
-/// (types, units, ranges, usual values) and gives, and an example. Lines end at column 140, but for
-/// rows of tables.
+/// Writes a section for each group of methods, in the order of the table: parameters (types, units,
+/// ranges, default values), result and example of every method. Lines of prose have at most 118
+/// columns.
 [[nodiscard]] std::string methods_markdown(const MethodTable& table);
 
 }  // namespace thenar

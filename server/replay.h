@@ -1,6 +1,6 @@
 #pragma once
 
-/// Requests executed so that they can be repeated, and the repetition of a log.
+/// Reproducible execution of requests, and replay of a log.
 
 #include <optional>
 #include <string>
@@ -14,36 +14,36 @@
 
 namespace thenar {
 
-/// A request that was executed.
+/// Result of an executed request.
 struct Execution {
   RpcAnswer answer;
-  std::optional<long> stopped_at;  // which question "am I to stop?" was the first to be told yes
+  std::optional<long> stopped_at;  // number of the stop check that requested the stop, from 0
 };
 
-/// Executes a request, and counts how often it asks whether it is to stop.
+/// Executes a request, and counts its stop checks.
 [[nodiscard]] Execution execute(const RpcRequest& request, const MethodTable& table,
                                 Session& session, const Progress& progress);
 
-/// Returns the log entry of an executed request. @param client  number of the client that asked
-[[nodiscard]] LoggedRequest logged(int client, const RpcRequest& request,
-                                   const Execution& execution);
+/// Returns the log entry of an executed request. @param client  number of the client
+[[nodiscard]] LoggedRequest log_entry(int client, const RpcRequest& request,
+                                      const Execution& execution);
 
 /// Returns the log entry of a job that has ended.
-[[nodiscard]] LoggedRequest logged(const EndedJob& job);
+[[nodiscard]] LoggedRequest log_entry(const EndedJob& job);
 
-/// Handling of requests that write files in a replay: a log may be a stranger's.
+/// Treatment of requests that write files in a replay; a log may come from an untrusted source.
 enum class ReplayWrites { kSkipped, kDone };
 
 /// Result of a replay.
 struct ReplayResult {
-  std::size_t requests = 0;            // repeated
-  std::size_t skipped = 0;             // that write files
-  std::optional<std::size_t> differs;  // line of the log, from 1, whose reply is another one now
+  std::size_t requests = 0;                     // number of repeated requests
+  std::size_t skipped = 0;                      // number of skipped requests, which write files
+  std::optional<std::size_t> first_difference;  // line of the log, from 1, with another reply
 };
 
-/// Executes the requests of a log in order, up to the first whose reply is another one now; one
-/// that was stopped is stopped at the same question. Jobs run where they ended.
-/// @throws Stopped if progress says so
+/// Executes the requests of a log in order, up to the first with another reply. A request that was
+/// stopped is stopped at the same stop check. Jobs run at the line where they ended.
+/// @throws Stopped
 [[nodiscard]] ReplayResult replay(const std::vector<LoggedRequest>& log, const MethodTable& table,
                                   Session& session, ReplayWrites writes,
                                   const Progress& progress = {});

@@ -12,14 +12,14 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kShortRequest = 512;  // [bytes]
+constexpr std::size_t kMaxShortRequest = 512;  // largest message for short_request() [bytes]
 
-/// Returns the reason why a text is too large to be read; counts brackets and commas outside of its
-/// strings.
-std::optional<std::string> excess(const std::string& text, const RpcLimits& limits) {
+/// Returns the reason why a text is too large to be parsed; counts brackets and commas outside of
+/// its strings.
+std::optional<std::string> size_error(const std::string& text, const RpcLimits& limits) {
   if (text.size() > limits.bytes)
     return fmt::format("a message of {} bytes, at most {} are read", text.size(), limits.bytes);
-  // Scan without parsing: a deep or long text must not reach the parser.
+  // Scan the text without parsing: deep or long texts must not reach the parser.
   std::size_t depth = 0, values = 0;
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -50,7 +50,7 @@ RpcMessage refusal(RpcCode code, std::string text) {
 }
 
 /// Returns a message about wrong members of a request; nothing if all are valid.
-std::optional<std::string> fault_of(const Json& value) {
+std::optional<std::string> request_error(const Json& value) {
   if (!value.is_object()) return "wanted a request, an object";
   if (value.value("jsonrpc", Json()) != "2.0") return "wanted \"jsonrpc\": \"2.0\"";
   if (!value.contains("method") || !value["method"].is_string()) return "wanted \"method\", a text";
@@ -64,7 +64,7 @@ std::optional<std::string> fault_of(const Json& value) {
 
 RpcRequest request_of(Json value) {
   RpcRequest request;
-  // An error is told with the id wherever that can be made out.
+  // Read the id first, so that errors are reported with it.
   const bool has_id = value.is_object() && value.contains("id");
   if (has_id) {
     request.id = value["id"];
@@ -74,8 +74,9 @@ RpcRequest request_of(Json value) {
       return request;
     }
   }
-  if (const auto fault = fault_of(value)) {
-    request.failure = {RpcCode::kInvalidRequest, *fault};
+  // Check the members, and copy them.
+  if (const auto error = request_error(value)) {
+    request.failure = {RpcCode::kInvalidRequest, *error};
     return request;
   }
   request.notification = !has_id;
@@ -87,22 +88,23 @@ RpcRequest request_of(Json value) {
 }  // namespace
 
 RpcMessage read_rpc(const std::string& text, const RpcLimits& limits) {
-  if (const auto too_much = excess(text, limits)) return refusal(RpcCode::kTooLarge, *too_much);
-  // Numbers beyond doubles and bytes that are not UTF-8 are no JSON to the parser.
+  if (const auto error = size_error(text, limits)) return refusal(RpcCode::kTooLarge, *error);
+  // Parse; the parser refuses numbers beyond the range of doubles and invalid UTF-8.
   Json value;
   try {
     value = Json::parse(text);
   } catch (const Json::exception& error) {
-    // The parser's words follow the name of its exception.
-    const std::string said = error.what();
-    return refusal(RpcCode::kParse, "wanted JSON: " + said.substr(said.find(']') + 2));
+    // Remove the name of the exception from the message.
+    const std::string message = error.what();
+    return refusal(RpcCode::kParse, "wanted JSON: " + message.substr(message.find(']') + 2));
   }
-  // A single request, or a batch of them.
+  // Convert a single request.
   RpcMessage message;
   if (!value.is_array()) {
     message.requests.push_back(request_of(std::move(value)));
     return message;
   }
+  // Convert a batch.
   if (value.empty()) return refusal(RpcCode::kInvalidRequest, "a batch without requests");
   if (value.size() > limits.requests)
     return refusal(RpcCode::kTooLarge, fmt::format("a batch of {} requests, at most {} are read",
@@ -115,11 +117,11 @@ RpcMessage read_rpc(const std::string& text, const RpcLimits& limits) {
 RpcAnswer answer_request(const RpcRequest& request, const MethodTable& table, Session& session,
                          const Progress& progress) {
   if (request.failure) return {{}, request.failure};
-  RpcCode code = RpcCode::kNoMethod;  // of what is thrown next
+  RpcCode code = RpcCode::kNoMethod;  // error code of the next exception
   try {
-    const RpcMethod& method = table.at(request.method);
+    const RpcMethod& method = table.method_named(request.method);
     code = RpcCode::kInvalidParams;
-    const Json params = checked(method.params, request.params, "params");
+    const Json params = validated(method.params, request.params, "params");
     code = RpcCode::kRefused;
     const StopScope scope(progress);
     return {method.handler(session, params, progress), std::nullopt};
@@ -162,7 +164,7 @@ std::string rpc_notification(const std::string& method, const OrderedJson& param
 }
 
 std::optional<RpcRequest> short_request(const std::string& text, const std::string& method) {
-  if (text.size() > kShortRequest || text.find(method) == std::string::npos) return std::nullopt;
+  if (text.size() > kMaxShortRequest || text.find(method) == std::string::npos) return std::nullopt;
   RpcMessage message = read_rpc(text, {});
   if (message.batch || message.requests.front().method != method) return std::nullopt;
   return message.requests.front();

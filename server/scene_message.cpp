@@ -45,7 +45,7 @@ OrderedJson cloud_json(const LiveCloud& cloud) {
 }
 
 OrderedJson motion_json(const Session& session) {
-  const auto* clock = session.find<LiveClock>(LiveMode::kMotion);
+  const auto* clock = session.find_model<LiveClock>(LiveMode::kMotion);
   if (clock == nullptr) return nullptr;
   const LiveTime now = clock->live_time();
   return {{"t", now.t},
@@ -85,13 +85,13 @@ OrderedJson scene_message(const LiveShape& shape, unsigned long revision, const 
 }
 
 OrderedJson scene_message(Session& session) {
-  const LiveModel* model = session.shown();
+  const LiveModel* model = session.shown_model();
   return scene_message(model == nullptr ? LiveShape() : model->shape(), session.revision(),
                        session.mode_name(), session.meshes());
 }
 
 OrderedJson state_message(const Session& session, std::size_t clients) {
-  const auto* edits = session.find<LiveEdits>(LiveMode::kWorld);
+  const auto* edits = session.find_model<LiveEdits>(LiveMode::kWorld);
   const LiveEditState edited = edits == nullptr ? LiveEditState() : edits->edit_state();
   return {{"mode", session.mode_name()},
           {"world", {{"name", edited.name}, {"file", edited.file}, {"unsaved", edited.unsaved}}},

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Messages to watching clients: the scene that frames move, and the state of the session.
+/// Messages to watching clients: the scene that frames refer to, and the state of the session.
 
 #include <cstddef>
 #include <string>
@@ -12,20 +12,21 @@
 
 namespace thenar {
 
-/// All of a shape that never moves: {"revision", "mode", "up", "eye", "target" [m], "bodies",
-/// "joints", "lines", "arrows", "clouds"}, entries in the order of frames. Meshes are named by
-/// their ids.
-/// @param mode    "world"
-/// @param meshes  that the shape's meshes are added to
+/// Returns the constant parts of a picture: {"revision", "mode", "up", "eye", "target" [m],
+/// "bodies", "joints", "lines", "arrows", "clouds"}, with entries in the order of frames. Meshes
+/// are given by their ids.
+/// @param mode    name of the mode: "world"
+/// @param meshes  store to which the meshes are added
 [[nodiscard]] OrderedJson scene_message(const LiveShape& shape, unsigned long revision,
                                         const std::string& mode, MeshStore& meshes);
 
-/// Returns the message of the scene that is shown now; an empty scene if nothing is shown.
+/// Returns the message of the scene that is shown; an empty scene if nothing is shown.
 [[nodiscard]] OrderedJson scene_message(Session& session);
 
-/// {"mode", "world": {"name", "file", "unsaved"}, "undo", "redo", "motion": null or {"t" [s],
-/// "playing", "speed" [1], "duration" [s], "recorded"}, "busy", "clients"}.
-/// @param clients  how many there are
+/// Returns the state of a session: {"mode", "world": {"name", "file", "unsaved"}, "undo", "redo",
+/// "motion": null or {"t" [s], "playing", "speed" [1], "duration" [s], "recorded", "shown"},
+/// "busy", "clients"}.
+/// @param clients  number of connected clients
 [[nodiscard]] OrderedJson state_message(const Session& session, std::size_t clients);
 
 }  // namespace thenar

@@ -6,14 +6,14 @@
 
 namespace thenar {
 
-std::string Session::what_is(LiveMode mode) {
+std::string Session::model_noun(LiveMode mode) {
   constexpr std::array kThings{
       EnumName{LiveMode::kWorld, "world"}, EnumName{LiveMode::kMotion, "scene that moves"},
       EnumName{LiveMode::kTendons, "digit"}, EnumName{LiveMode::kFit, "fit"}};
   return name_in(kThings, mode);
 }
 
-std::string Session::opener_of(LiveMode mode) {
+std::string Session::opening_methods(LiveMode mode) {
   constexpr std::array kOpeners{EnumName{LiveMode::kWorld, "world.new or world.load"},
                                 EnumName{LiveMode::kMotion, "motion.open or motion.record"},
                                 EnumName{LiveMode::kTendons, "tendons.open"},
@@ -22,24 +22,24 @@ std::string Session::opener_of(LiveMode mode) {
 }
 
 unsigned long Session::revision() const {
-  const LiveModel* model = shown();
+  const LiveModel* model = shown_model();
   return switches_ + (model != nullptr ? model->shape_changes() : 0);
 }
 
 void Session::open(LiveMode mode, std::shared_ptr<LiveModel> model) {
   const unsigned long seen = revision();
-  auto* clock = dynamic_cast<LiveClock*>(models_[place_of(mode_)].get());
+  auto* clock = dynamic_cast<LiveClock*>(models_[index_of(mode_)].get());
   if (mode != mode_ && clock != nullptr) clock->pause();
-  models_[place_of(mode)] = std::move(model);
+  models_[index_of(mode)] = std::move(model);
   mode_ = mode;
   switches_ = 0;
   switches_ = seen + 1 - revision();  // revision() is seen + 1 now; unsigned numbers wrap
 }
 
 void Session::show(LiveMode mode) {
-  require(has(mode), "no {} is open: call {}", what_is(mode), opener_of(mode));
+  require(has_model(mode), "no {} is open: call {}", model_noun(mode), opening_methods(mode));
   if (mode == mode_) return;
-  open(mode, models_[place_of(mode)]);
+  open(mode, models_[index_of(mode)]);
 }
 
 }  // namespace thenar

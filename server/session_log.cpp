@@ -19,8 +19,7 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kLongestText = 32UL
-                                     << 20U;  // of a log in a reply, and without a name [bytes]
+constexpr std::size_t kMaxTextBytes = 32UL << 20U;  // largest log in a reply [bytes]
 
 std::string line_of(const LoggedRequest& request) {
   OrderedJson line{{"client", request.client},
@@ -30,7 +29,7 @@ std::string line_of(const LoggedRequest& request) {
   return json_text(line, -1) + "\n";
 }
 
-/// Throws where a line lacks something, or has something else in its place.
+/// Parses a line. @throws Json::exception for an invalid line
 LoggedRequest request_of_line(const std::string& text) {
   const Json line = Json::parse(text);
   LoggedRequest request;
@@ -55,7 +54,7 @@ bool is_logged(const std::string& method) {
 }
 
 std::vector<LoggedRequest> read_log(const std::string& path) {
-  std::istringstream lines(read_file(outside_path(path, OutsideUse::kRead), kLongestLog));
+  std::istringstream lines(read_file(outside_path(path, OutsideUse::kRead), kMaxLogBytes));
   std::vector<LoggedRequest> requests;
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -70,12 +69,13 @@ std::vector<LoggedRequest> read_log(const std::string& path) {
 }
 
 void SessionLog::open(const std::string& path) {
-  const std::string before = all();
-  // A link that leads nowhere yet may lead anywhere.
+  const std::string before = read_all();
+  // Refuse a dangling link, whose target is unknown.
   std::error_code none;
   const bool dangles = std::filesystem::is_symlink(outside_path(path, OutsideUse::kRead), none) &&
                        !std::filesystem::exists(path, none);
   require(!dangles, "cannot write {}: it is a link to a file that is not there", path);
+  // Create the file, and copy the previous lines.
   require_writable(path);
   std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "w+"));
   require(file != nullptr, "cannot write {}: {}", path, std::strerror(errno));
@@ -90,30 +90,33 @@ bool SessionLog::write(std::FILE& file, const std::string& lines) {
 }
 
 void SessionLog::add(const LoggedRequest& request) {
-  if (lost_) return;
+  if (is_incomplete_) return;
   const std::string line = line_of(request);
   if (!path_.empty()) {
-    // Refuse a line that does not fit, so that the log so far can be repeated.
-    lost_ = bytes_ + line.size() > most_;
-    require(!lost_, "the log {} is full ({} bytes): this request and those after it are not in it",
-            path_, bytes_);
-    // Who named the file may read it at any time.
-    lost_ = !write(*file_, line) || std::fflush(file_.get()) != 0;
-    require(!lost_, "cannot write {}: {}; nothing more is logged", path_, std::strerror(errno));
+    // Refuse a line that does not fit, so that the log can be replayed up to here.
+    is_incomplete_ = bytes_ + line.size() > max_bytes_;
+    require(!is_incomplete_,
+            "the log {} is full ({} bytes): this request and those after it are not in it", path_,
+            bytes_);
+    // Flush each line, so that the file can be read at any time.
+    is_incomplete_ = !write(*file_, line) || std::fflush(file_.get()) != 0;
+    require(!is_incomplete_, "cannot write {}: {}; nothing more is logged", path_,
+            std::strerror(errno));
   } else {
-    // Nobody asked for this one: without room for it the session goes on.
+    // Discard a temporary log that is too long or cannot be written; this is no error.
     if (file_ == nullptr) file_.reset(std::tmpfile());
-    lost_ = file_ == nullptr || bytes_ + line.size() > kLongestText || !write(*file_, line);
-    if (lost_) file_ = nullptr;
+    is_incomplete_ =
+        file_ == nullptr || bytes_ + line.size() > kMaxTextBytes || !write(*file_, line);
+    if (is_incomplete_) file_ = nullptr;
   }
   bytes_ += line.size();
 }
 
-std::string SessionLog::all() const {
-  require(!lost_ || !path_.empty(),
+std::string SessionLog::read_all() const {
+  require(!is_incomplete_ || !path_.empty(),
           "the log became longer than {} MB, or there was no room for it: start with --log FILE to "
           "have it",
-          kLongestText >> 20U);
+          kMaxTextBytes >> 20U);
   if (file_ == nullptr) return "";
   std::string text(bytes_, '\0');
   std::rewind(file_.get());
@@ -124,9 +127,9 @@ std::string SessionLog::all() const {
 }
 
 std::string SessionLog::text() const {
-  require(path_.empty() || bytes_ <= kLongestText, "the log is longer than {} MB: it is in {}",
-          kLongestText >> 20U, path_);
-  return all();
+  require(path_.empty() || bytes_ <= kMaxTextBytes, "the log is longer than {} MB: it is in {}",
+          kMaxTextBytes >> 20U, path_);
+  return read_all();
 }
 
 }  // namespace thenar

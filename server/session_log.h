@@ -1,14 +1,14 @@
 #pragma once
 
-/// The requests of a session in the order in which they were executed, one JSON line each, from
-/// which it can be repeated and held against what it was.
+/// Log of the requests of a session, in order of execution, one line of JSON each. A replay repeats
+/// them and compares the replies.
 ///
 /// A line is {"client": 2, "request": {..}, "reply": SHA-256 of the result or the error}. Client 0
-/// is the program itself, as it plays a motion. Of a request that was asked to stop, "stopped_at"
-/// counts how often it had asked before. A job stands in it twice: where it was started, and as
-/// "job.end" of client 0, with its id and the hash of its result, where it ended. Not in a log:
-/// session.hello, session.stop, session.status, session.log, job.state, job.list, job.stop and
-/// job.result, which change nothing or depend on time.
+/// is the program itself, which plays motions. "stopped_at" of a stopped request is the number of
+/// stop checks before the one that stopped it. A job has two lines: its start, and "job.end" of
+/// client 0 with its id and the hash of its result. Not logged are session.hello, session.stop,
+/// session.status, session.log, job.state, job.list, job.stop and job.result, which change nothing
+/// or depend on time.
 
 #include <cstddef>
 #include <cstdio>
@@ -21,50 +21,49 @@
 
 namespace thenar {
 
-/// Longest log that is written or read [bytes].
-inline constexpr std::size_t kLongestLog = 1UL << 30U;
+/// Largest log that is written or read [bytes].
+inline constexpr std::size_t kMaxLogBytes = 1UL << 30U;
 
-/// A line of a log.
+/// Line of a log.
 struct LoggedRequest {
   int client = 0;
   std::string method;
-  Json params;                     // as the client sent them
-  std::string reply;               // SHA-256, hexadecimal
-  std::optional<long> stopped_at;  // which question "am I to stop?" was the first to be told yes
+  Json params;                     // parameters as the client sent them
+  std::string reply;               // SHA-256 of the result or the error, hexadecimal
+  std::optional<long> stopped_at;  // number of the stop check that requested the stop, from 0
 };
 
-/// Method of the line of a job that has ended.
+/// Method name in the line of a job that has ended.
 inline constexpr const char* kJobEnd = "job.end";
 
 /// Computes the hash of a reply for the log, from its result or its error.
 [[nodiscard]] std::string reply_hash(const OrderedJson& result_or_error);
 
-/// Returns true if logs hold requests of this method.
+/// Returns true if requests of a method are logged.
 [[nodiscard]] bool is_logged(const std::string& method);
 
-/// A log as text. @throws DataError `path:line: ..` if a line is none of a log.
+/// Reads a log. @throws DataError `path:line: ..` for an invalid line
 [[nodiscard]] std::vector<LoggedRequest> read_log(const std::string& path);
 
-/// The requests so far, in a file: a session that plays for a day writes a gigabyte, which is the
-/// most that is kept. Where none was named it is a temporary one without a name, which goes with
-/// the program, and holds no more than a reply does.
+/// Log of a session in a file. The default size holds about a day of playback. Without open() the
+/// log is an unnamed temporary file of at most 32 MB, the limit of a reply.
 class SessionLog {
  public:
-  /// @param most  that a named file holds [bytes]
-  explicit SessionLog(std::size_t most = kLongestLog) : most_(most) {}
+  /// @param max_bytes  largest size of a named file [bytes]
+  explicit SessionLog(std::size_t max_bytes = kMaxLogBytes) : max_bytes_(max_bytes) {}
 
-  /// Writes what was added so far and all that follows to a file, each line at once.
-  /// @throws InputError if it cannot be written.
+  /// Writes all previous and future lines to a file; each line is flushed.
+  /// @throws InputError if the file cannot be written
   void open(const std::string& path);
-  /// @throws InputError once, where a named file has become full, or its disk has: it then ends
-  /// with the request before this one.
+  /// Adds a line. @throws InputError once, when a named file or its disk becomes full; the log then
+  /// ends with the previous request
   void add(const LoggedRequest& request);
-  /// All lines. @throws InputError if there are or were more than 32 MB, which no reply holds, or
-  /// there was no room for them.
+  /// Returns all lines. @throws InputError if the log exceeds or exceeded 32 MB, or could not be
+  /// stored
   [[nodiscard]] std::string text() const;
 
  private:
-  [[nodiscard]] std::string all() const;
+  [[nodiscard]] std::string read_all() const;
 
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
@@ -72,10 +71,10 @@ class SessionLog {
 
   static bool write(std::FILE& file, const std::string& lines);
 
-  std::size_t most_;  // [bytes]
-  std::string path_;  // "" of a temporary file
-  std::size_t bytes_ = 0;
-  bool lost_ = false;                       // it had become too long, or there was no room
+  std::size_t max_bytes_;                   // largest size of a named file [bytes]
+  std::string path_;                        // path of a named file; "": temporary file
+  std::size_t bytes_ = 0;                   // size of the log [bytes]
+  bool is_incomplete_ = false;              // true: lines were lost, nothing more is logged
   std::unique_ptr<std::FILE, Close> file_;  // null: nothing was added
 };
 

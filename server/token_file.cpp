@@ -17,9 +17,9 @@
 namespace thenar {
 namespace {
 
-/// Writes a new file that nobody else may read. @returns what fstat() says of it
-struct stat write_own(const std::string& path, const std::string& text) {
-  (void)unlink(path.c_str());  // of a process of this number that was killed
+/// Writes a new file that only the user can read. @return its status by fstat()
+struct stat write_private(const std::string& path, const std::string& text) {
+  (void)unlink(path.c_str());  // left over by a killed process with the same id
   const int file =
       open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, S_IRUSR | S_IWUSR);
   require(file >= 0, "'{}' cannot be written: {}", path, std::strerror(errno));
@@ -32,8 +32,8 @@ struct stat write_own(const std::string& path, const std::string& text) {
   return about;
 }
 
-/// Returns the folders for tokens, of which the first that can be made is used:
-/// $XDG_RUNTIME_DIR/thenar, $XDG_CACHE_HOME/thenar or ~/.cache/thenar.
+/// Returns the possible folders for tokens, in order of preference: $XDG_RUNTIME_DIR/thenar,
+/// $XDG_CACHE_HOME/thenar, ~/.cache/thenar.
 std::vector<std::string> token_folders() {
   std::vector<std::string> folders;
   const auto add = [&](const char* variable, const char* below) {
@@ -49,28 +49,28 @@ std::vector<std::string> token_folders() {
 }  // namespace
 
 TokenFile::TokenFile(int port, const std::string& token) {
-  std::string why = "none of XDG_RUNTIME_DIR, XDG_CACHE_HOME and HOME is set";
-  // Try one folder after the other until one can be closed to others.
+  std::string reason = "none of XDG_RUNTIME_DIR, XDG_CACHE_HOME and HOME is set";
+  // Use the first folder that can be made private.
   for (const std::string& folder : token_folders()) {
     try {
       make_private_folder(folder, ExistingFolder::kIsClosed);
       const std::string path = fmt::format("{}/{}.token", folder, port);
-      const std::string fresh = fmt::format("{}.{}", path, getpid());
-      const struct stat about = write_own(fresh, token + "\n");
-      // Whoever reads sees the old file or the new one, and all of it.
-      const bool renamed = std::rename(fresh.c_str(), path.c_str()) == 0;
+      const std::string temporary = fmt::format("{}.{}", path, getpid());
+      const struct stat about = write_private(temporary, token + "\n");
+      // Replace the file atomically.
+      const bool renamed = std::rename(temporary.c_str(), path.c_str()) == 0;
       const int error = errno;
-      if (!renamed) (void)unlink(fresh.c_str());
+      if (!renamed) (void)unlink(temporary.c_str());
       require(renamed, "'{}' cannot be written: {}", path, std::strerror(error));
       path_ = path;
       device_ = about.st_dev;
       number_ = about.st_ino;
       return;
     } catch (const InputError& error) {
-      why = error.what();
+      reason = error.what();
     }
   }
-  throw InputError("the token is kept in no file: " + why);
+  throw InputError("the token is kept in no file: " + reason);
 }
 
 TokenFile::~TokenFile() {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The token of a server in a file of the user's own, from which programs of this machine take it.
+/// Token of a server in a private file of the user, where programs of this machine find it.
 
 #include <cstdint>
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace thenar {
 
-/// FOLDER/PORT.token, which holds the token and the end of a line, for as long as it lives. The
-/// folder is of mode 700, the file of mode 600 from its beginning.
+/// File FOLDER/PORT.token with the token and a newline, which exists for the lifetime of the
+/// object. The folder has mode 700, the file is created with mode 600.
 class TokenFile {
  public:
-  /// A file that a server left behind at the same port is replaced.
-  /// @throws InputError if it can be written to no folder.
+  /// Writes the file; replaces one that another server left behind.
+  /// @throws InputError if it cannot be written to any folder
   TokenFile(int port, const std::string& token);
-  /// Removes it, unless another server has put its own there.
+  /// Removes the file, unless another server has replaced it.
   ~TokenFile();
   TokenFile(const TokenFile&) = delete;
   TokenFile& operator=(const TokenFile&) = delete;
@@ -24,7 +24,7 @@ class TokenFile {
 
  private:
   std::string path_;
-  std::uint64_t device_ = 0, number_ = 0;  // of the file, by which it is known again
+  std::uint64_t device_ = 0, number_ = 0;  // device and inode of the file
 };
 
 }  // namespace thenar

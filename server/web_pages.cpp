@@ -15,19 +15,18 @@ constexpr const char* kPlain = "text/plain; charset=utf-8";
 
 std::string cookie_name(int port) { return fmt::format("thenar_{}", port); }
 
-bool has_token(const ServerAccess& access, int port, const WebQuestion& question) {
+bool has_token(const ServerAccess& access, int port, const HttpRequest& request) {
   if (access.token.empty()) return true;
-  const std::size_t mark = question.target.find('?');
-  const std::string query = mark == std::string::npos ? "" : question.target.substr(mark + 1);
+  const std::size_t mark = request.target.find('?');
+  const std::string query = mark == std::string::npos ? "" : request.target.substr(mark + 1);
   const bool by_query = same_token(value_in(query, '&', "token"), access.token);
-  const bool by_cookie =
-      same_token(value_in(question.cookie, ';', cookie_name(port)), access.token);
+  const bool by_cookie = same_token(value_in(request.cookie, ';', cookie_name(port)), access.token);
   return by_query || by_cookie;
 }
 
-/// Headers of every answer: nothing but the server's own is loaded, framed or told to others.
-WebAnswer protected_answer(int status, const std::string& type, std::string body,
-                           const std::string& host) {
+/// Returns a response whose headers allow content of this server only, no frames and no referrers.
+HttpResponse protected_response(int status, const std::string& type, std::string body,
+                                const std::string& host) {
   return {status,
           {{"Content-Type", type},
            {"Content-Security-Policy",
@@ -42,8 +41,8 @@ WebAnswer protected_answer(int status, const std::string& type, std::string body
           nullptr};
 }
 
-WebAnswer refusal(int status, const std::string& why) {
-  WebAnswer answer = protected_answer(status, kPlain, "thenar: " + why + "\n", "");
+HttpResponse refused_response(int status, const std::string& why) {
+  HttpResponse answer = protected_response(status, kPlain, "thenar: " + why + "\n", "");
   answer.headers.emplace_back("Cache-Control", "no-store");
   return answer;
 }
@@ -65,50 +64,53 @@ HttpStart http_start(std::string_view begin) {
   return found;
 }
 
-std::string path_of(const WebQuestion& question) {
-  return question.target.substr(0, question.target.find('?'));
+std::string path_of(const HttpRequest& request) {
+  return request.target.substr(0, request.target.find('?'));
 }
 
-std::optional<WebAnswer> refusal_of(const ServerAccess& access, int port,
-                                    const WebQuestion& question) {
-  if (!is_host_ours(access, question.host)) return refusal(403, "this server has another name");
-  if (!has_token(access, port, question))
-    return refusal(401, "wanted ?token=.., as it was printed where the server was started");
-  if (question.method != "GET" && question.method != "HEAD") return refusal(405, "wanted GET");
+std::optional<HttpResponse> refusal_of(const ServerAccess& access, int port,
+                                       const HttpRequest& request) {
+  if (!is_host_ours(access, request.host))
+    return refused_response(403, "this server has another name");
+  if (!has_token(access, port, request))
+    return refused_response(401,
+                            "wanted ?token=.., as it was printed where the server was started");
+  if (request.method != "GET" && request.method != "HEAD")
+    return refused_response(405, "wanted GET");
   return std::nullopt;
 }
 
-std::optional<WebAnswer> socket_refusal_of(const ServerAccess& access, int port,
-                                           const WebQuestion& question) {
-  // Browsers open WebSockets to anybody: it is for the server to look where they come from.
-  if (!is_origin_ours(question.origin, question.host))
-    return refusal(403, "this page comes from somewhere else");
-  return refusal_of(access, port, question);
+std::optional<HttpResponse> socket_refusal_of(const ServerAccess& access, int port,
+                                              const HttpRequest& request) {
+  // Browsers let any page open a WebSocket, so the server must check the origin.
+  if (!is_origin_ours(request.origin, request.host))
+    return refused_response(403, "this page comes from somewhere else");
+  return refusal_of(access, port, request);
 }
 
-WebAnswer answer_to(const ServerAccess& access, int port, const WebQuestion& question,
-                    const MeshSource& meshes) {
-  if (auto refused = refusal_of(access, port, question)) return *std::move(refused);
-  const std::string path = path_of(question);
-  // Meshes never change: their names are hashes of them.
+HttpResponse respond_to(const ServerAccess& access, int port, const HttpRequest& request,
+                        const MeshSource& meshes) {
+  if (auto refused = refusal_of(access, port, request)) return *std::move(refused);
+  const std::string path = path_of(request);
+  // Return a mesh; browsers may cache it forever, because its id is a hash.
   if (path.rfind("/mesh/", 0) == 0) {
     const auto bytes = meshes(path.substr(6));
-    if (bytes == nullptr) return refusal(404, "no such mesh is shown");
-    WebAnswer answer = protected_answer(200, "application/octet-stream", "", question.host);
+    if (bytes == nullptr) return refused_response(404, "no such mesh is shown");
+    HttpResponse answer = protected_response(200, "application/octet-stream", "", request.host);
     answer.mesh = bytes;
     answer.headers.emplace_back("Cache-Control", "private, max-age=31536000, immutable");
     return answer;
   }
-  // Pages of the viewer are built into the program; all other paths are refused.
-  if (path == "/favicon.ico") return protected_answer(204, "image/x-icon", "", question.host);
+  // Find the file among those that are built into the program.
+  if (path == "/favicon.ico") return protected_response(204, "image/x-icon", "", request.host);
   const std::string file = path == "/" ? "live.html" : path.substr(path.empty() ? 0 : 1);
   const auto& files = internal::live_bundle();
   const auto found = files.find(file);
-  if (found == files.end()) return refusal(404, "there is no such page");
-  WebAnswer answer =
-      protected_answer(200, type_of(file), std::string(found->second), question.host);
+  if (found == files.end()) return refused_response(404, "there is no such page");
+  HttpResponse answer =
+      protected_response(200, type_of(file), std::string(found->second), request.host);
   answer.headers.emplace_back("Cache-Control", "no-store");
-  // The page's own requests show the token, too.
+  // Set the cookie with the token for the page's own requests.
   if (file == "live.html" && !access.token.empty())
     answer.headers.emplace_back(
         "Set-Cookie",

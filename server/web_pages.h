@@ -1,6 +1,6 @@
 #pragma once
 
-/// Answers to requests of HTTP: the page, its script, meshes, or the reason of a refusal.
+/// Responses to HTTP requests: the page, its script, meshes, or the reason of a refusal.
 
 #include <functional>
 #include <memory>
@@ -14,43 +14,43 @@
 
 namespace thenar {
 
-/// A request, as far as answers depend on it.
-struct WebQuestion {
+/// Parts of an HTTP request that responses depend on.
+struct HttpRequest {
   std::string method;                // "GET"
   std::string target;                // "/mesh/0123?token=.."
-  std::string host, origin, cookie;  // headers; empty: not there
+  std::string host, origin, cookie;  // headers; empty: missing
 };
 
-/// An answer. The length of the body follows from it.
-struct WebAnswer {
+/// HTTP response.
+struct HttpResponse {
   int status = 200;
   std::vector<std::pair<std::string, std::string>> headers;
   std::string body;
-  std::shared_ptr<const std::string> mesh;  // in the place of the body; it is not copied
+  std::shared_ptr<const std::string> mesh;  // shared content in place of the body; null: none
 };
 
-/// Gives the bytes of a mesh; null if there is none.
+/// Function that returns the bytes of a mesh; null if the id is unknown.
 using MeshSource = std::function<std::shared_ptr<const std::string>(const std::string& id)>;
 
-/// Result of http_start(), whether bytes begin with a method of HTTP and a space: not yet, yes, or
-/// never.
+/// Kind of the first bytes of a stream: prefix of an HTTP method, HTTP method, or another protocol.
 enum class HttpStart { kOpen, kMethod, kOther };
+/// Classifies the first bytes of a stream.
 [[nodiscard]] HttpStart http_start(std::string_view begin);
 
-/// "/mesh/0123": a target without what follows '?'.
-[[nodiscard]] std::string path_of(const WebQuestion& question);
+/// Returns the path of a target, without the query: "/mesh/0123".
+[[nodiscard]] std::string path_of(const HttpRequest& request);
 
-/// Returns the refusal of a question; nothing if it may be answered.
-/// @param port  that the server listens at
-[[nodiscard]] std::optional<WebAnswer> refusal_of(const ServerAccess& access, int port,
-                                                  const WebQuestion& question);
-/// Returns the refusal of a WebSocket that is to be opened; nothing if it may be opened.
-[[nodiscard]] std::optional<WebAnswer> socket_refusal_of(const ServerAccess& access, int port,
-                                                         const WebQuestion& question);
+/// Returns the refusal of a request; nothing if the request is allowed.
+/// @param port  port at which the server listens
+[[nodiscard]] std::optional<HttpResponse> refusal_of(const ServerAccess& access, int port,
+                                                     const HttpRequest& request);
+/// Returns the refusal of a request to open a WebSocket; nothing if it is allowed.
+[[nodiscard]] std::optional<HttpResponse> socket_refusal_of(const ServerAccess& access, int port,
+                                                            const HttpRequest& request);
 
-/// The file or mesh that is asked for, with headers that let a page load nothing but what this
-/// server sends.
-[[nodiscard]] WebAnswer answer_to(const ServerAccess& access, int port, const WebQuestion& question,
-                                  const MeshSource& meshes);
+/// Returns the requested file or mesh, or a refusal. Its headers allow a page to load content from
+/// this server only.
+[[nodiscard]] HttpResponse respond_to(const ServerAccess& access, int port,
+                                      const HttpRequest& request, const MeshSource& meshes);
 
 }  // namespace thenar

@@ -26,19 +26,20 @@ namespace http = boost::beast::http;
 namespace websocket = boost::beast::websocket;
 using tcp = asio::ip::tcp;
 
-constexpr std::size_t kLongestMessage = 80UL << 20U;  // of a WebSocket; ours refuses less than that
-constexpr std::size_t kWritePiece = 65536;            // that is sent at a time [bytes]
-// Of what a page has asked without a reply so far: beyond these it is read no further. Texts that
-// it does not take end its connection.
-constexpr std::size_t kMostAsked = 256;                  // requests
-constexpr std::size_t kMostAskedTogether = 1UL << 20U;   // [bytes]
-constexpr std::size_t kMostWaiting = 64UL << 20U;        // texts that it does not take [bytes]
-constexpr std::size_t kMostWaitingOfAll = 128UL << 20U;  // replies, of all pages [bytes]
-constexpr std::chrono::seconds kLongMessageTime{60};     // that a longer message may take
-constexpr std::size_t kMostFileConnections = 64;         // that ask for files
-constexpr std::chrono::seconds kRequestTime{10};         // that a request may take to arrive
-constexpr std::chrono::milliseconds kFarewell{300};      // that texts have to leave at the end
-constexpr std::size_t kFirstPiece = 1024;  // that shows whether HTTP is spoken [bytes]
+constexpr std::size_t kMaxMessageBytes = 80UL << 20U;  // message; above RpcLimits::bytes
+constexpr std::size_t kPieceBytes = 65536;  // piece that is read or sent at a time [bytes]
+// Limits of a page. Beyond those of pending requests its input is not read, beyond that of unsent
+// texts its connection is closed.
+constexpr std::size_t kMaxPendingPageRequests = 256;      // requests without a reply
+constexpr std::size_t kMaxPendingPageBytes = 1UL << 20U;  // requests without a reply [bytes]
+constexpr std::size_t kMaxUnsentTextBytes = 64UL << 20U;  // texts that are not sent [bytes]
+// Limits of all pages together, of times and of connections.
+constexpr std::size_t kMaxTotalUnsentReplies = 128UL << 20U;  // replies that are not sent [bytes]
+constexpr std::size_t kMaxFileConnections = 64;               // HTTP connections
+constexpr std::chrono::seconds kLongMessageTime{60};          // time for a long message to arrive
+constexpr std::chrono::seconds kRequestTime{10};              // time for an HTTP request to arrive
+constexpr std::chrono::milliseconds kFinishTime{300};         // time for pending texts at the end
+constexpr std::size_t kFirstBytes = 1024;  // bytes in which an HTTP method must be found
 
 using Request = http::request<http::string_body>;
 using Response = http::response<http::span_body<const char>>;
@@ -47,8 +48,8 @@ class WebPeer;
 class WebClient;
 class WebConnection;
 
-/// State that all connections of a server share. It holds the context on which they run, so that a
-/// connection that the engine still knows does not outlive the context.
+/// State that all connections of a server share. Connections share ownership of it, so that none
+/// outlives the context on which it runs.
 struct Web {
   Web(Engine& the_engine, ServerAccess the_access)
       : engine(the_engine), access(std::move(the_access)) {}
@@ -57,16 +58,16 @@ struct Web {
   ServerAccess access;
   asio::io_context context{1};
   int port = 0;
-  std::string once;  // the target that shows the page without the token, once; empty: none any more
+  std::string one_time_target;  // target that replaces the token, once; empty: none or used
   PeerSet<WebPeer> peers;
   std::list<WebConnection*> files;  // connections that ask for files, the oldest first
-  // Messages of more than kMostAskedTogether come one after the other.
+  // Only one message of more than kMaxPendingPageBytes is read at a time.
   std::weak_ptr<WebClient> long_message;
-  std::deque<std::weak_ptr<WebClient>> want_long_message;
-  std::size_t waiting = 0;  // replies that pages do not take [bytes]
+  std::deque<std::weak_ptr<WebClient>> long_message_queue;
+  std::size_t unsent_replies = 0;  // unsent replies of all pages [bytes]
 };
 
-/// A connection, known to its server for as long as it lives.
+/// Connection of a server.
 class WebPeer {
  public:
   explicit WebPeer(std::shared_ptr<Web> web) : web_(std::move(web)) {}
@@ -74,9 +75,9 @@ class WebPeer {
   WebPeer(const WebPeer&) = delete;
   WebPeer& operator=(const WebPeer&) = delete;
 
-  /// Ends when all is sent.
+  /// Closes the connection after all texts are sent.
   virtual void finish() = 0;
-  /// Ends now.
+  /// Closes the connection at once.
   virtual void drop() = 0;
   [[nodiscard]] const std::shared_ptr<Web>& web() const { return web_; }
 
@@ -89,7 +90,7 @@ std::string header_of(const Request& request, http::field field) {
   return {text.data(), text.size()};
 }
 
-WebQuestion question_of(const Request& request) {
+HttpRequest http_request_of(const Request& request) {
   return {{request.method_string().data(), request.method_string().size()},
           {request.target().data(), request.target().size()},
           header_of(request, http::field::host),
@@ -97,22 +98,24 @@ WebQuestion question_of(const Request& request) {
           header_of(request, http::field::cookie)};
 }
 
-// A page that is connected. All members are used by the server's thread; what the engine calls
-// hands over to it.
+/// Connected page. Only the server's thread uses the members; functions that the engine calls post
+/// to it.
 class WebClient final : public EngineClient,
                         public WebPeer,
                         public std::enable_shared_from_this<WebClient> {
  public:
   WebClient(tcp::socket socket, std::shared_ptr<Web> its_web)
-      : WebPeer(std::move(its_web)), stream_(std::move(socket)), patience_(web()->context) {}
+      : WebPeer(std::move(its_web)),
+        stream_(std::move(socket)),
+        long_message_timer_(web()->context) {}
 
   void accept(const Request& request) {
-    // A page may be quiet for days; the system finds out whether its machine is gone.
+    // Set no idle timeout: a page may be idle for days. TCP keep-alive detects a lost machine.
     websocket::stream_base::timeout times{kRequestTime, websocket::stream_base::none(), false};
     stream_.set_option(times);
-    stream_.read_message_max(kLongestMessage);
+    stream_.read_message_max(kMaxMessageBytes);
     stream_.auto_fragment(false);
-    stream_.write_buffer_bytes(kWritePiece);
+    stream_.write_buffer_bytes(kPieceBytes);
     beast::error_code ignored;
     stream_.next_layer().set_option(asio::socket_base::keep_alive(true), ignored);
     auto kept = std::make_shared<Request>(request);
@@ -124,21 +127,21 @@ class WebClient final : public EngineClient,
   void reply(std::string text) override {
     asio::post(stream_.get_executor(), [self = shared_from_this(), text = std::move(text)] {
       self->on_answered();
-      if (!text.empty()) self->put({std::make_shared<const std::string>(text), text.size()});
+      if (!text.empty()) self->queue_text({std::make_shared<const std::string>(text), text.size()});
     });
   }
-  void tell(std::shared_ptr<const std::string> text) override {
+  void notify(std::shared_ptr<const std::string> text) override {
     asio::post(stream_.get_executor(), [self = shared_from_this(), text = std::move(text)] {
-      self->put({text, 0});
+      self->queue_text({text, 0});
     });
   }
-  void show(std::shared_ptr<const std::string> frame) override {
+  void send_frame(std::shared_ptr<const std::string> frame) override {
     asio::post(stream_.get_executor(), [self = shared_from_this(), frame = std::move(frame)] {
       self->frame_ = frame;
       self->write();
     });
   }
-  [[nodiscard]] bool watches() const override { return true; }
+  [[nodiscard]] bool is_watching() const override { return true; }
 
   void finish() override {
     finishing_ = true;
@@ -147,7 +150,7 @@ class WebClient final : public EngineClient,
   void drop() override {
     beast::error_code ignored;
     stream_.next_layer().close(ignored);
-    leave();
+    leave_engine();
   }
 
  private:
@@ -155,7 +158,7 @@ class WebClient final : public EngineClient,
     beast::error_code ignored;
     stream_.next_layer().set_option(tcp::no_delay(true), ignored);
     try {
-      number_ = web()->engine.join(shared_from_this());
+      number_ = web()->engine.add_client(shared_from_this());
     } catch (const InputError& error) {
       stream_.async_close({websocket::close_code::try_again_later, error.what()},
                           [self = shared_from_this()](beast::error_code) {});
@@ -164,106 +167,109 @@ class WebClient final : public EngineClient,
     read();
   }
 
-  /// A text that waits. What all are told is one memory, and counts as nobody's.
-  struct Waiting {
+  /// Text in the queue. Notifications are shared by all pages, so only replies count as memory.
+  struct QueuedText {
     std::shared_ptr<const std::string> text;
-    std::size_t own = 0;  // [bytes]
+    std::size_t reply_bytes = 0;  // [bytes]
   };
 
   void read() {
-    stream_.async_read_some(buffer_, kWritePiece,
-                            [self = shared_from_this()](beast::error_code error, std::size_t) {
-                              if (error) return self->leave();
-                              if (self->number_ < 0) return;
-                              if (self->stream_.is_message_done()) return self->on_message();
-                              if (self->buffer_.size() <= kMostAskedTogether || self->may_be_long())
-                                self->read();
-                            });
+    stream_.async_read_some(
+        buffer_, kPieceBytes, [self = shared_from_this()](beast::error_code error, std::size_t) {
+          if (error) return self->leave_engine();
+          if (self->number_ < 0) return;
+          if (self->stream_.is_message_done()) return self->on_message();
+          if (self->buffer_.size() <= kMaxPendingPageBytes || self->claim_long_message())
+            self->read();
+        });
   }
 
-  /// Returns true if this message may exceed the common limit of all messages; otherwise the
-  /// connection waits for its turn to read on.
-  bool may_be_long() {
+  /// Claims the right to read a long message. Returns false if another page has it; this page then
+  /// waits for its turn.
+  bool claim_long_message() {
     const auto other = web()->long_message.lock();
     if (other != nullptr && other.get() != this) {
-      web()->want_long_message.push_back(weak_from_this());
+      web()->long_message_queue.push_back(weak_from_this());
       return false;
     }
     if (other != nullptr) return true;
     web()->long_message = weak_from_this();
-    patience_.expires_after(kLongMessageTime);
-    patience_.async_wait([self = shared_from_this()](beast::error_code stopped) {
+    long_message_timer_.expires_after(kLongMessageTime);
+    long_message_timer_.async_wait([self = shared_from_this()](beast::error_code stopped) {
       if (!stopped) self->drop();
     });
     return true;
   }
 
-  /// The long message has its reply, or is not wanted any more: the next one may come.
+  /// Releases the right to read a long message, and passes it to the next page.
   void end_long_message() {
     if (web()->long_message.lock().get() != this) return;
     web()->long_message.reset();
-    patience_.cancel();
-    while (!web()->want_long_message.empty()) {
-      const auto next = web()->want_long_message.front().lock();
-      web()->want_long_message.pop_front();
-      if (next != nullptr && next->number_ > 0 && next->may_be_long()) return next->read();
+    long_message_timer_.cancel();
+    while (!web()->long_message_queue.empty()) {
+      const auto next = web()->long_message_queue.front().lock();
+      web()->long_message_queue.pop_front();
+      if (next != nullptr && next->number_ > 0 && next->claim_long_message()) return next->read();
     }
   }
 
   void on_message() {
-    patience_.cancel();
+    long_message_timer_.cancel();
     std::string message = beast::buffers_to_string(buffer_.data());
-    buffer_ = {};  // a long message does not keep its memory
-    ++asked_;
-    asked_bytes_ += message.size();
+    buffer_ = {};  // release the memory of a long message
+    ++pending_;
+    pending_bytes_ += message.size();
     web()->engine.receive(number_, std::move(message));
-    if (asked_ < kMostAsked && asked_bytes_ < kMostAskedTogether) return read();
+    if (pending_ < kMaxPendingPageRequests && pending_bytes_ < kMaxPendingPageBytes) return read();
     paused_ = true;
   }
 
   void on_answered() {
-    --asked_;
-    if (asked_ == 0) {
-      asked_bytes_ = 0;
+    --pending_;
+    if (pending_ == 0) {
+      pending_bytes_ = 0;
       end_long_message();
     }
-    if (!paused_ || asked_ > kMostAsked / 2 || asked_bytes_ >= kMostAskedTogether) return;
+    if (!paused_ || pending_ > kMaxPendingPageRequests / 2 ||
+        pending_bytes_ >= kMaxPendingPageBytes)
+      return;
     paused_ = false;
     if (number_ > 0) read();
   }
 
-  void put(Waiting next) {
+  void queue_text(QueuedText next) {
     if (number_ < 0) return;
-    waiting_ += next.text->size();
-    own_ += next.own;
-    web()->waiting += next.own;
+    unsent_ += next.text->size();
+    unsent_replies_ += next.reply_bytes;
+    web()->unsent_replies += next.reply_bytes;
     texts_.push_back(std::move(next));
-    // Nobody reads at the other end.
-    if (waiting_ > kMostWaiting) return drop();
-    if (web()->waiting > kMostWaitingOfAll) drop_worst();
+    // Close the connection of a page that does not read.
+    if (unsent_ > kMaxUnsentTextBytes) return drop();
+    if (web()->unsent_replies > kMaxTotalUnsentReplies) drop_slowest();
     write();
   }
 
-  /// Ends the connection with the most replies that nobody takes.
-  void drop_worst() {
-    std::shared_ptr<WebClient> worst;
-    for (const auto& peer : web()->peers.all())
+  /// Closes the connection with the most unsent replies.
+  void drop_slowest() {
+    std::shared_ptr<WebClient> slowest;
+    for (const auto& peer : web()->peers.connected())
       if (const auto client = std::dynamic_pointer_cast<WebClient>(peer))
-        if (worst == nullptr || client->own_ > worst->own_) worst = client;
-    if (worst != nullptr) worst->drop();
+        if (slowest == nullptr || client->unsent_replies_ > slowest->unsent_replies_)
+          slowest = client;
+    if (slowest != nullptr) slowest->drop();
   }
 
   void write() {
     if (writing_ || number_ <= 0) return;
-    // Texts go first, then the newest frame, then the close.
+    // Send texts first, then the newest frame, then the close.
     std::shared_ptr<const std::string> next;
     if (!texts_.empty()) {
       next = std::move(texts_.front().text);
-      const std::size_t own = texts_.front().own;
+      const std::size_t reply_bytes = texts_.front().reply_bytes;
       texts_.pop_front();
-      waiting_ -= next->size();
-      own_ -= own;
-      web()->waiting -= own;
+      unsent_ -= next->size();
+      unsent_replies_ -= reply_bytes;
+      web()->unsent_replies -= reply_bytes;
       stream_.text(true);
     } else if (frame_ != nullptr) {
       next = std::exchange(frame_, nullptr);
@@ -280,16 +286,16 @@ class WebClient final : public EngineClient,
     stream_.async_write(asio::buffer(*next),
                         [self = shared_from_this(), next](beast::error_code error, std::size_t) {
                           self->writing_ = false;
-                          if (error) return self->leave();
+                          if (error) return self->leave_engine();
                           self->write();
                         });
   }
 
-  void leave() {
+  void leave_engine() {
     if (number_ < 0) return;
-    web()->engine.leave(number_);
+    web()->engine.remove_client(number_);
     number_ = -1;
-    web()->waiting -= std::exchange(own_, 0);
+    web()->unsent_replies -= std::exchange(unsent_replies_, 0);
     texts_.clear();
     frame_.reset();
     end_long_message();
@@ -297,36 +303,36 @@ class WebClient final : public EngineClient,
 
   websocket::stream<tcp::socket> stream_;
   beast::flat_buffer buffer_;
-  int number_ = 0;               // of the engine; -1: gone
-  asio::steady_timer patience_;  // with a long message
-  std::size_t asked_ = 0, asked_bytes_ = 0, waiting_ = 0, own_ = 0;
+  int number_ = 0;                         // number of the client in the engine; -1: closed
+  asio::steady_timer long_message_timer_;  // limits the time of a long message
+  std::size_t pending_ = 0, pending_bytes_ = 0, unsent_ = 0, unsent_replies_ = 0;
   bool paused_ = false, writing_ = false, finishing_ = false;
-  std::deque<Waiting> texts_;
+  std::deque<QueuedText> texts_;
   std::shared_ptr<const std::string> frame_;  // the latest
 };
 
-/// A connection that asks for files, until it becomes a WebSocket.
+/// HTTP connection, which may become a WebSocket.
 class WebConnection final : public WebPeer, public std::enable_shared_from_this<WebConnection> {
  public:
-  /// Drops the oldest connection if there are too many: it may never send a request.
+  /// Closes the oldest connection if there are too many.
   WebConnection(tcp::socket socket, std::shared_ptr<Web> its_web)
       : WebPeer(std::move(its_web)), stream_(std::move(socket)) {
-    if (web()->files.size() >= kMostFileConnections) web()->files.front()->drop();
-    place_ = web()->files.insert(web()->files.end(), this);
+    if (web()->files.size() >= kMaxFileConnections) web()->files.front()->drop();
+    file_entry_ = web()->files.insert(web()->files.end(), this);
   }
-  ~WebConnection() override { leave_place(); }
+  ~WebConnection() override { leave_files(); }
 
   void finish() override { drop(); }
   void drop() override {
     stream_.close();
-    leave_place();
+    leave_files();
   }
 
-  /// Reads until it is clear that HTTP is spoken; whoever speaks anything else is hung up on.
+  /// Reads until the bytes begin with an HTTP method; closes the connection for other protocols.
   void begin() {
     stream_.expires_after(kRequestTime);
     stream_.async_read_some(
-        buffer_.prepare(kFirstPiece),
+        buffer_.prepare(kFirstBytes),
         [self = shared_from_this()](beast::error_code error, std::size_t count) {
           if (error) return;
           self->buffer_.commit(count);
@@ -351,27 +357,29 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
   void on_request() {
     const Request& request = parser_->get();
     if (request.method() == http::verb::unknown) return drop();
-    WebQuestion question = question_of(request);
-    // The browser that the program has opened shows its code once, in place of the token.
-    if (!web()->once.empty() && same_token(question.target, web()->once)) {
+    HttpRequest question = http_request_of(request);
+    // Replace the one-time target of the browser that the program opened by the token.
+    if (!web()->one_time_target.empty() && same_token(question.target, web()->one_time_target)) {
       question.target = "/?token=" + web()->access.token;
-      web()->once.clear();
+      web()->one_time_target.clear();
     }
+    // Respond to requests other than a WebSocket, and refuse a foreign one.
     const ServerAccess& access = web()->access;
     if (path_of(question) != "/ws" || !websocket::is_upgrade(request))
-      return write(answer_to(access, web()->port, question,
-                             [this](const std::string& id) { return web()->engine.mesh(id); }));
+      return write(respond_to(access, web()->port, question,
+                              [this](const std::string& id) { return web()->engine.mesh(id); }));
     if (auto refused = socket_refusal_of(access, web()->port, question))
       return write(*std::move(refused));
+    // Become a WebSocket.
     stream_.expires_never();
-    leave_place();
+    leave_files();
     const auto client = std::make_shared<WebClient>(stream_.release_socket(), web());
     web()->peers.add(client);
     client->accept(request);
   }
 
-  void write(WebAnswer answer) {
-    // The body is kept alive until it is written.
+  void write(HttpResponse answer) {
+    // Build the response; `body` and `kept` keep it alive until it is written.
     const Request& request = parser_->get();
     Response response(static_cast<http::status>(answer.status), 11);
     for (const auto& [name, value] : answer.headers) response.set(name, value);
@@ -382,7 +390,7 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
     response.body() = {body->data(), body->size()};
     response.keep_alive(request.keep_alive());
     response.prepare_payload();
-    // HEAD is told the length, and nothing else.
+    // A response to HEAD has no body.
     if (request.method() == http::verb::head) response.body() = {};
     auto kept = std::make_shared<Response>(std::move(response));
     stream_.expires_after(kRequestTime);
@@ -395,13 +403,13 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
         });
   }
 
-  void leave_place() {
-    if (place_) web()->files.erase(*std::exchange(place_, std::nullopt));
+  void leave_files() {
+    if (file_entry_) web()->files.erase(*std::exchange(file_entry_, std::nullopt));
   }
 
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_;
-  std::optional<std::list<WebConnection*>::iterator> place_;
+  std::optional<std::list<WebConnection*>::iterator> file_entry_;
   std::optional<http::request_parser<http::string_body>> parser_;
 };
 
@@ -412,7 +420,7 @@ class WebServer::Network {
   Network(Engine& engine, const ServerAccess& access)
       : web_(std::make_shared<Web>(engine, access)),
         acceptor_(web_->context),
-        pause_(web_->context) {
+        retry_timer_(web_->context) {
     try {
       const tcp::endpoint end(asio::ip::make_address(access.address),
                               static_cast<unsigned short>(access.port));
@@ -425,22 +433,22 @@ class WebServer::Network {
       throw InputError(fmt::format("cannot listen at {}, port {}: {}; --port 0 takes a free one",
                                    access.address, access.port, error.code().message()));
     }
-    opening_ = access.token.empty() ? "/" : "/?once=" + random_token();
-    if (!access.token.empty()) web_->once = opening_;
+    opening_target_ = access.token.empty() ? "/" : "/?once=" + random_token();
+    if (!access.token.empty()) web_->one_time_target = opening_target_;
     accept();
     thread_ = std::thread([this] { web_->context.run(); });
   }
 
   ~Network() {
-    asio::steady_timer patience(web_->context);
+    asio::steady_timer deadline(web_->context);
     asio::post(web_->context, [&] {
       beast::error_code ignored;
       acceptor_.close(ignored);
-      pause_.cancel();
-      for (const auto& peer : web_->peers.all()) peer->finish();
-      // Connections that have not ended by then are cut off, and the thread has nothing left to do.
-      patience.expires_after(kFarewell);
-      patience.async_wait([this](beast::error_code) { drop_all(); });
+      retry_timer_.cancel();
+      for (const auto& peer : web_->peers.connected()) peer->finish();
+      // Close the remaining connections after a while; then the thread ends.
+      deadline.expires_after(kFinishTime);
+      deadline.async_wait([this](beast::error_code) { drop_all(); });
     });
     thread_.join();
   }
@@ -449,11 +457,11 @@ class WebServer::Network {
   Network& operator=(const Network&) = delete;
 
   [[nodiscard]] int port() const { return web_->port; }
-  [[nodiscard]] const std::string& opening() const { return opening_; }
+  [[nodiscard]] const std::string& opening_target() const { return opening_target_; }
 
  private:
   void drop_all() {
-    for (const auto& peer : web_->peers.all()) peer->drop();
+    for (const auto& peer : web_->peers.connected()) peer->drop();
   }
 
   void accept() {
@@ -465,18 +473,18 @@ class WebServer::Network {
         connection->begin();
       }
       if (!error) return accept();
-      // No file is left for a connection: it is tried again in a while.
-      pause_.expires_after(std::chrono::milliseconds(50));
-      pause_.async_wait([this](beast::error_code stopped) {
+      // Accepting fails if no file descriptor is left: try again later.
+      retry_timer_.expires_after(std::chrono::milliseconds(50));
+      retry_timer_.async_wait([this](beast::error_code stopped) {
         if (!stopped) accept();
       });
     });
   }
 
   std::shared_ptr<Web> web_;
-  std::string opening_;
+  std::string opening_target_;
   tcp::acceptor acceptor_;
-  asio::steady_timer pause_;
+  asio::steady_timer retry_timer_;
   std::thread thread_;
 };
 
@@ -487,6 +495,6 @@ WebServer::~WebServer() = default;
 
 int WebServer::port() const { return network_->port(); }
 
-std::string WebServer::opening() const { return network_->opening(); }
+std::string WebServer::opening_target() const { return network_->opening_target(); }
 
 }  // namespace thenar

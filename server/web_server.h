@@ -1,11 +1,11 @@
 #pragma once
 
-/// The page of a live view and the WebSocket behind it, on one port.
+/// HTTP server for the page of a live view and its WebSocket, on one port.
 ///
-/// GET / is the page, /live.js and /live.css belong to it, /mesh/ID is a mesh of the scene
-/// (mesh_store.h), /ws the WebSocket: JSON-RPC as text in both directions, frames (frame.h) as
-/// binary messages to the client. A token comes as ?token=, or as the cookie that the page was sent
-/// with. What does not begin with a method of HTTP is hung up on.
+/// GET / is the page with /live.js and /live.css, /mesh/ID a mesh of the scene (mesh_store.h), and
+/// /ws the WebSocket: JSON-RPC as text in both directions, frames (frame.h) as binary messages to
+/// the client. The token is given as ?token=, or in the cookie of the page. Connections that do not
+/// begin with an HTTP method are closed.
 
 #include <memory>
 #include <string>
@@ -15,21 +15,21 @@
 
 namespace thenar {
 
-/// Serves pages from a thread of its own for as long as it lives.
+/// HTTP server on its own thread, for the lifetime of the object.
 class WebServer {
  public:
-  /// @throws InputError if the address is none of this machine, or its port is taken.
+  /// @throws InputError if the server cannot listen at the address and port
   WebServer(Engine& engine, const ServerAccess& access);
-  /// Sends what waits for at most 0.3 s, and closes all connections.
+  /// Sends pending texts for at most 0.3 s, and closes all connections.
   ~WebServer();
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
 
-  /// That it listens at.
+  /// Returns the port at which the server listens.
   [[nodiscard]] int port() const;
-  /// The target of the page for the browser that is opened here: it counts once, so that the list
-  /// of processes tells nobody the token. "/" where none is wanted.
-  [[nodiscard]] std::string opening() const;
+  /// Returns the target of the page for the browser that the program opens. It is valid once, so
+  /// that the command line of the browser does not reveal the token. "/" without a token.
+  [[nodiscard]] std::string opening_target() const;
 
  private:
   class Network;

@@ -103,17 +103,17 @@ std::unique_ptr<TokenFile> keep_token(const ServerAccess& access, int port) {
 std::unique_ptr<Engine> open_engine(const LiveArguments& arguments, const Progress& progress) {
   EngineOptions options;
   options.log = arguments.log;
-  options.on_trouble = [](const std::string& text) { print_warnings({text}); };
-  SessionPlaces places;
+  options.on_error = [](const std::string& text) { print_warnings({text}); };
+  SessionFolders places;
   places.data = arguments.data;
   // Begin with an empty world if nothing is named; otherwise open the files one after the other.
   MethodTable table = method_table();
-  const bool begins_empty = arguments.files.empty() && table.has("world.new");
+  const bool begins_empty = arguments.files.empty() && table.has_method("world.new");
   auto engine = std::make_unique<Engine>(std::move(table), std::move(places), std::move(options));
-  if (begins_empty) (void)engine->ask("world.new", Json::object());
+  if (begins_empty) (void)engine->call("world.new", Json::object());
   for (const std::string& file : arguments.files) {
     const OpeningRequest request = opening_request(file, arguments.data);
-    const OrderedJson result = engine->ask(request.method, request.params, progress);
+    const OrderedJson result = engine->call(request.method, request.params, progress);
     if (!result.is_object() || !result.contains("warnings")) continue;
     print_warnings(result["warnings"].get<std::vector<std::string>>());
   }

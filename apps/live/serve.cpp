@@ -37,7 +37,7 @@ struct ServeArguments {
 /// Repeats a log. A different reply means that something that it depends on has changed.
 void run_replay(const ServeArguments& options) {
   // Requests that write files are left out unless a folder is given for them.
-  SessionPlaces places;
+  SessionFolders places;
   places.data = options.live.data;
   if (!options.replay_writes.empty()) places.folder = options.replay_writes;
   Session session(std::move(places));
@@ -53,13 +53,13 @@ void run_replay(const ServeArguments& options) {
                                 "lets them write there)",
                                 result.skipped);
   // A reply that differs ends the replay, since all later ones depend on it.
-  if (!result.differs) {
+  if (!result.first_difference) {
     print_answer(fmt::format("{} requests repeated, all replies are as they were{}\n",
                              result.requests, skipped));
     return;
   }
   print_answer(fmt::format("{} requests repeated, the last reply differs: {}:{}{}\n",
-                           result.requests, options.replay, *result.differs, skipped));
+                           result.requests, options.replay, *result.first_difference, skipped));
   throw CLI::RuntimeError(1);
 }
 
@@ -77,7 +77,7 @@ void run_port(const ServeArguments& options) {
   if (access.token != options.live.access.token) print_answer("token " + access.token + "\n");
   std::fflush(stdout);
   wait_for_end();
-  engine->end("thenar was stopped");
+  engine->shut_down("thenar was stopped");
 }
 
 void run_serve(const ServeArguments& options) {

@@ -74,9 +74,9 @@ void run_view(const ViewArguments& options) {
   print_answer(address + (access.token.empty() ? "/" : "/?token=" + access.token) + "\n");
   if (remote) print_answer(fmt::format("programs: {}:{}\n", access.address, remote->port()));
   std::fflush(stdout);
-  if (!options.closed) open_browser(address + server.opening());
+  if (!options.closed) open_browser(address + server.opening_target());
   wait_for_end();
-  engine->end("thenar was stopped");
+  engine->shut_down("thenar was stopped");
 }
 
 }  // namespace

@@ -7,7 +7,8 @@
 namespace thenar {
 namespace {
 
-/// A muscle that two digits share runs through both: each strand is drawn once.
+/// Returns true if a list has a strand of the same name and digit: digits share tendons of the
+/// wrist.
 bool is_drawn(const std::vector<HandTendon>& tendons, const HandTendon& tendon) {
   for (const HandTendon& each : tendons)
     if (each.name == tendon.name && each.digit == tendon.digit) return true;
@@ -20,7 +21,7 @@ std::vector<HandTendon> hand_tendons(const Hand& hand) {
   std::vector<HandTendon> tendons;
   const auto* pulled = dynamic_cast<const TendonHand*>(&hand);
   if (pulled == nullptr) return tendons;
-  // Draw each strand once, though digits share tendons of the wrist.
+  // Collect the strands of all digits, each once.
   for (std::size_t d = 0; d < pulled->digits().size(); ++d) {
     const TendonDigit& digit = pulled->digits()[d]->digit();
     const std::string name = digit_name(digit);
@@ -37,15 +38,16 @@ std::vector<Eigen::Vector3d> tendon_points(const Hand& hand, const std::vector<H
   std::vector<Eigen::Vector3d> points;
   const auto* pulled = dynamic_cast<const TendonHand*>(&hand);
   if (pulled == nullptr) return points;
-  // Poses of every digit's own links, once.
+  // Compute the link poses of every digit.
   std::vector<TreeState<double>> poses;
   for (std::size_t d = 0; d < pulled->digits().size(); ++d) {
     const Eigen::VectorXd own = q(pulled->places()[d].coordinates);
     poses.push_back(pose_tree(pulled->digits()[d]->digit().model.tree, own));
   }
+  // Transform the nodes of every tendon.
   for (const HandTendon& tendon : tendons)
     for (const PathNode<double>& node : tendon.nodes)
-      points.push_back(moved(poses[tendon.of], node.link, node.p));
+      points.push_back(moved(poses[tendon.digit_index], node.link, node.p));
   return points;
 }
 

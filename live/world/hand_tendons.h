@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tendons of a hand in a world, as lines to look at.
+/// Tendons of a hand in a world, drawn as lines.
 
 #include <string>
 #include <vector>
@@ -12,19 +12,19 @@
 
 namespace thenar {
 
-/// The path of one strand of a digit.
+/// Path of one strand of a digit.
 struct HandTendon {
-  std::string name;  // of the strand
-  std::string digit;
-  std::size_t of = 0;        // entry of TendonHand::digits()
-  TendonPath<double> nodes;  // as StrandPath::nodes
+  std::string name;             // name of the strand
+  std::string digit;            // name of the digit
+  std::size_t digit_index = 0;  // entry of TendonHand::digits()
+  TendonPath<double> nodes;     // nodes of StrandPath
 };
 
-/// Tendons of a hand that tendons move, none of others: strand_paths() of its digits.
+/// Returns strand_paths() of all digits of a tendon-driven hand; empty for other hands.
 [[nodiscard]] std::vector<HandTendon> hand_tendons(const Hand& hand);
 
-/// Points of all lines in a posture, one line after the other, in the hand's frame [m].
-/// @param q  (coordinates)
+/// Computes the points of all lines in a posture, line after line, in the hand's frame [m].
+/// @param q  posture (coordinates)
 [[nodiscard]] std::vector<Eigen::Vector3d> tendon_points(const Hand& hand,
                                                          const std::vector<HandTendon>& tendons,
                                                          const Eigen::VectorXd& q);

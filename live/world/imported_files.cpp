@@ -7,18 +7,18 @@ namespace thenar {
 
 namespace fs = std::filesystem;
 
-std::string imported_file(const LiveWorld& live, const PlacedHand& hand) {
+std::string imported_hand_file(const LiveWorld& live, const PlacedHand& hand) {
   if (hand.file.empty()) return "";
   const fs::path file = fs::path(live.state().header->folder) / hand.file;
-  return live.in_own_folder(fs::absolute(file).lexically_normal().string());
+  return live.path_in_own_folder(fs::absolute(file).lexically_normal().string());
 }
 
 std::vector<std::string> imported_folders(const LiveWorld& live) {
   std::vector<std::string> folders;
   for (const PlacedHand& hand : live.state().placed) {
-    const fs::path inside = imported_file(live, hand);
+    const fs::path inside = imported_hand_file(live, hand);
     if (inside.empty()) continue;
-    // OWN/3/robot.urdf stands in OWN/3.
+    // Go up as many levels as the file has below its folder: FOLDER/3/a/robot.urdf is in FOLDER/3.
     fs::path folder =
         fs::absolute(fs::path(live.state().header->folder) / hand.file).lexically_normal();
     for (auto part = std::next(inside.begin()); part != inside.end(); ++part)

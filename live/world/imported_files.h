@@ -1,6 +1,6 @@
 #pragma once
 
-/// Files of hands that were dropped into a world, in the session's own folder.
+/// Files of hands that were imported into a world, in the world's temporary folder.
 
 #include <string>
 #include <vector>
@@ -9,15 +9,15 @@
 
 namespace thenar {
 
-/// The file of a hand that was dropped into the world, as seen from the world's own folder:
-/// "1/hand/robot.urdf"; "" of others.
-[[nodiscard]] std::string imported_file(const LiveWorld& live, const PlacedHand& hand);
+/// Returns the file of an imported hand relative to the world's temporary folder,
+/// "1/hand/robot.urdf"; "" for other hands.
+[[nodiscard]] std::string imported_hand_file(const LiveWorld& live, const PlacedHand& hand);
 
-/// The folders of dropped hands of the world, OWN/1, OWN/3: each goes as a whole where the world is
-/// saved.
+/// Returns the folders of the world's imported hands, "FOLDER/1", "FOLDER/3"; saving the world
+/// copies each of them as a whole.
 [[nodiscard]] std::vector<std::string> imported_folders(const LiveWorld& live);
 
-/// A file as worlds in a folder name it. @param file  relative to where the program runs
+/// Returns the path of a file relative to a folder. @param file  relative to the current directory
 [[nodiscard]] std::string file_seen_from(const std::string& folder, const std::string& file);
 
 }  // namespace thenar

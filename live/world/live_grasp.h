@@ -1,6 +1,7 @@
 #pragma once
 
-/// Actions of a hand in a live world: open, approach, close, grasp.
+/// Actions of a hand in a live world: open, approach, close, grasp. Each that moves the hand is one
+/// edit of the world.
 
 #include <string>
 #include <vector>
@@ -15,37 +16,40 @@ struct LivePair {
   std::string hand, object;
 };
 
-/// Such a pair as it stands, and the collision model of the hand.
-struct LiveMeeting {
-  std::size_t hand, object;  // of WorldState
-  const StateHand& stands;
+/// A hand and an object in their current poses, and the models for closing the hand.
+struct LivePairSetup {
+  std::size_t hand, object;  // entries of WorldState::hands and ::bodies
+  const StateHand& state_hand;
   const CollisionHand& collision;
   GraspSetup setup;
 };
 
+/// Finds a hand and an object by name.
 /// @throws InputError if there is no such hand or object, or the hand has no surface
-[[nodiscard]] LiveMeeting meeting_of(const LiveWorld& live, const LivePair& pair);
+[[nodiscard]] LivePairSetup pair_setup(const LiveWorld& live, const LivePair& pair);
 
-/// Opens a hand: its coordinates go where closing begins; what carries it stays. One edit.
+/// Opens a hand: sets its coordinates to the posture in which closing begins. Its carrier stays.
 /// @throws InputError if there is no such hand
 void open_hand(LiveWorld& live, const std::string& hand);
 
-/// Moves a free hand along its palm's direction until it meets the object or an obstacle, digits
-/// giving way, as `thenar grasp` does. A hand that meets nothing, or begins in something, stays.
-/// @param distance  longest way [m], > 0
-/// @return  what it met
+/// Moves a free hand along its palm's direction until it touches the object or an obstacle, by
+/// yielding_approach(), as `thenar grasp` does. A hand that touches nothing, or starts in an
+/// overlap, stays.
+/// @param distance  longest path, > 0 [m]
+/// @return the contact that ended the approach
 /// @throws InputError for a mounted hand, or if there is no such hand or object; Stopped
 ApproachResult approach_object(LiveWorld& live, const LivePair& pair, double distance,
                                const Progress& progress = {});
 
-/// Closes a hand where it stands, as `thenar close` does.
-/// @return  outcome, and what stopped each joint; a hand that begins in something stays
+/// Closes a hand in its current pose, as `thenar close` does. A hand that starts in an overlap
+/// stays.
+/// @return outcome, and the cause that stopped each joint
 /// @throws InputError if there is no such hand or object; Stopped
 HandClosing close_on_object(LiveWorld& live, const LivePair& pair, const Progress& progress = {});
 
-/// Approaches and closes, as `thenar grasp` does: an object between jaws of which one touches first
-/// makes the hand give way. A mounted hand closes where it is. One that misses, or begins in
-/// something, stays.
+/// Approaches the object and closes the hand, by attempt_grasp(), as `thenar grasp` does. A mounted
+/// hand closes without an approach. A hand that misses, or starts in an overlap, stays.
+/// @param distance  longest path of the approach, > 0 [m]
 /// @throws InputError, Stopped as approach_object()
 HandClosing grasp_object(LiveWorld& live, const LivePair& pair, double distance = 1,
                          const Progress& progress = {});

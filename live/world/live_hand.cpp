@@ -17,8 +17,9 @@
 namespace thenar {
 namespace {
 
-constexpr int kSmoothSkin = 2500;  // triangles of a link that look smooth
+constexpr int kSmoothSkinTriangles = 2500;  // triangles of a link's skin; enough to look smooth
 
+/// Builds the drawn body of a surface.
 HandBody body_of_surface(const LinkSurface& surface, LiveRole role, const std::string& name) {
   HandBody body;
   body.look.name = name;
@@ -41,9 +42,9 @@ void add_surface_bodies(LiveHand& hand) {
   }
 }
 
-/// Nails of fingertips whose skin is drawn.
+/// Adds the nails of fingertips with drawn skin.
 void add_nails(LiveHand& hand) {
-  // Cut each nail from the skin of its fingertip, along the outline of the patch.
+  // Cut each nail out of the skin of its fingertip.
   for (const SkinPatch& patch : hand.hand.named.patches) {
     if (patch.kind != PatchKind::kNail) continue;
     for (const LinkSurface& surface : hand.model().surfaces()) {
@@ -59,7 +60,7 @@ void add_nails(LiveHand& hand) {
   }
 }
 
-/// Bones within the skin of a human hand; a hand of bare bones has them as surfaces.
+/// Adds the bones under the skin of a human hand; in a hand without skin they are the surfaces.
 void add_bones(LiveHand& hand) {
   const NamedHand& named = hand.hand.named;
   const std::vector<LinkSurface>& surfaces = hand.model().surfaces();
@@ -69,10 +70,11 @@ void add_bones(LiveHand& hand) {
     hand.bodies.push_back(body_of_surface(bone, LiveRole::kBone, bone.name + " bone"));
 }
 
-/// Joints, and bodies without a surface where a joint's link has none: universal joints.
+/// Adds the joints, and bodies without a mesh for links without a surface (of universal joints).
 void add_joints(LiveHand& hand) {
   hand.joints = hand_joints(hand.model());
-  hand.leads = joint_leads(hand.model());
+  hand.couplings = joint_couplings(hand.model());
+  // Find the body that holds each axis, or add one.
   for (const HandJoint& joint : hand.joints) {
     const auto holder = std::find_if(hand.bodies.begin(), hand.bodies.end(),
                                      [&](const HandBody& body) { return body.link == joint.link; });
@@ -100,17 +102,17 @@ std::shared_ptr<const LiveHand> build_live_hand(const WorldSpec& world, const st
                                                 const std::vector<std::string>& data,
                                                 const Progress& progress) {
   report_or_stop(progress, 0, "building hand '" + name + "'");
-  // Build the hand by itself, with a smooth skin.
+  // Use a smooth skin.
   HumanHandOptions human;
-  human.skin.drawn = kSmoothSkin;
+  human.skin.drawn = kSmoothSkinTriangles;
   human.skin.progress = progress;
   auto hand = std::make_shared<LiveHand>();
-  // Bodies without material are told of where a grasp is measured, not of the hand.
+  // Build the hand without the bodies of the world, whose warnings do not concern it.
   WorldSpec hands_alone = world;
   hands_alone.bodies.clear();
   hand->hand = hand_of_world(hands_alone, name, path, data, human);
   require_materials(hand->hand.named, world.materials);
-  // Collect all that is drawn.
+  // Add everything that is drawn.
   add_surface_bodies(*hand);
   add_nails(*hand);
   add_bones(*hand);
@@ -121,21 +123,20 @@ std::shared_ptr<const LiveHand> build_live_hand(const WorldSpec& world, const st
 
 std::string live_hand_key(const WorldSpec& world, std::size_t hand,
                           const std::vector<std::string>& data) {
-  // The key holds all that the robot is built from: hand, files, mounts and carriers up to the
-  // foot.
+  // Walk from the hand over its carriers to the root, and add all that the robot is built from.
   std::string key;
   const auto file_of = [&](const PlacedHand& placed) {
     return placed.file.empty()
                ? robot_file(placed.name, data)
                : (std::filesystem::path(world.folder) / placed.file).lexically_normal().string();
   };
-  // The loop is bounded, because a faulty world may carry itself.
+  // The number of steps is bounded because the carriers of an invalid world may form a cycle.
   for (std::size_t steps = 0; steps <= world.hands.size(); ++steps) {
     const PlacedHand& placed = world.hands[hand];
     key += fmt::format("{}\n{}\n{}\n", current_hand_name(placed.name), file_of(placed),
                        placed.carrier_link);
     if (placed.carrier.empty()) return key;
-    // A mount is part of the robot.
+    // Add the mount, and continue with the carrier.
     for (const double each : placed.X_WH.R.reshaped()) key += fmt::format("{} ", each);
     for (const double each : placed.X_WH.p) key += fmt::format("{} ", each);
     const auto carrier =
@@ -149,20 +150,20 @@ std::string live_hand_key(const WorldSpec& world, std::size_t hand,
 }
 
 bool is_up_to_date(const LiveHand& hand) {
-  // A file that has changed since makes the built hand outdated.
+  // Compare the digests of all files with those at the time of building.
   const FileDigests& files = hand.hand.named.files;
   std::vector<std::string> paths;
   for (const auto& [path, digest] : files) paths.push_back(path);
   try {
     return digests_of(paths) == files;
   } catch (const DataError&) {
-    return false;  // one is gone
+    return false;  // a file is missing
   }
 }
 
 void add_hand_shape(const LiveHand& hand, const std::string& name, const std::string& root,
                     LiveShape& shape) {
-  // Bodies; carried ones belong to the root and move with it.
+  // Add the bodies; those of carriers belong to the root and move with it.
   const int first = static_cast<int>(shape.bodies.size());
   for (const HandBody& body : hand.bodies) {
     LiveBody look = body.look;
@@ -171,7 +172,7 @@ void add_hand_shape(const LiveHand& hand, const std::string& name, const std::st
     look.movable = body.carried || root == name;
     shape.bodies.push_back(std::move(look));
   }
-  // Joints with their coordinates, then tendons as lines.
+  // Add the joints with the names and limits of their coordinates.
   const HandLayout& layout = hand.model().layout();
   for (std::size_t j = 0; j < hand.joints.size(); ++j) {
     const HandJoint& joint = hand.joints[j];
@@ -185,23 +186,25 @@ void add_hand_shape(const LiveHand& hand, const std::string& name, const std::st
     out.slides = joint.slides;
     out.lower = layout.lower[joint.coordinate];
     out.upper = layout.upper[joint.coordinate];
-    if (hand.leads[c].leader >= 0) out.led_by = layout.coordinates[hand.leads[c].leader];
+    if (hand.couplings[c].leader >= 0) out.led_by = layout.coordinates[hand.couplings[c].leader];
     shape.joints.push_back(std::move(out));
   }
+  // Add the tendons as lines.
   for (const HandTendon& tendon : hand.tendons)
     shape.lines.push_back(
         {tendon.name, tendon.digit, false, static_cast<int>(tendon.nodes.size())});
 }
 
-void add_hand_instant(const LiveHand& hand, const HandStand& stand, LiveInstant& instant) {
-  // Pose the links once, in the frame of the hand, then move all with its base.
-  const std::vector<Pose<double>> links = hand.model().pose(stand.q);
+void add_hand_instant(const LiveHand& hand, const HandPlacement& placement, LiveInstant& instant) {
+  // Compute the link poses in the hand's frame, and transform bodies to the world.
+  const std::vector<Pose<double>> links = hand.model().pose(placement.q);
   for (const HandBody& body : hand.bodies)
-    instant.bodies.push_back(body.link < 0 ? stand.X_WH : stand.X_WH * links[body.link]);
-  for (const HandJoint& joint : hand.joints) instant.joints.push_back(stand.q[joint.coordinate]);
-  // Nobody says what tendons pull in a world: their tensions are unknown.
-  for (const Eigen::Vector3d& p : tendon_points(hand.model(), hand.tendons, stand.q))
-    instant.line_points.push_back(stand.X_WH * p);
+    instant.bodies.push_back(body.link < 0 ? placement.X_WH : placement.X_WH * links[body.link]);
+  for (const HandJoint& joint : hand.joints)
+    instant.joints.push_back(placement.q[joint.coordinate]);
+  // Add the lines; tensions of tendons are unknown in a world.
+  for (const Eigen::Vector3d& p : tendon_points(hand.model(), hand.tendons, placement.q))
+    instant.line_points.push_back(placement.X_WH * p);
   instant.tensions.insert(instant.tensions.end(), hand.tendons.size(),
                           std::numeric_limits<double>::quiet_NaN());
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Soft pads of a hand on an object in a live world: pressure over each patch, and the part of it
-/// that sticks.
+/// Soft pads of a hand on an object in a live world: pressure over each contact patch, and its
+/// sticking part.
 
 #include <string>
 #include <vector>
@@ -12,54 +12,39 @@
 
 namespace thenar {
 
-/// A piece of skin that presses.
+/// Spring of a pad that is in contact.
 struct PadPoint {
-  Eigen::Vector3d p{0, 0, 0};  // world [m] (3)
-  double pressure = 0;         // [Pa]
+  Eigen::Vector3d p{0, 0, 0};  // position of its piece of skin, world [m] (3)
+  double pressure = 0;         // contact pressure [Pa]
   bool sticks = true;          // false: it slips on the object
 };
 
-/// A pad on an object.
-struct PadOnObject {
+/// Pad that is pressed against an object.
+struct LoadedPad {
   std::string link;  // surface of the hand
   std::string material;
-  double force = 0;       // normal [N]
-  double tangential = 0;  // that the pad bears of the object's weight [N]
-  double depth = 0;       // by which the pad is pressed beyond where it stands [m]
-  double area = 0;        // [m^2]
-  double stick = 1;       // share of the normal force on what sticks [1]
+  double force = 0;       // normal force [N]
+  double tangential = 0;  // part of the object's weight that the pad carries by friction [N]
+  double depth = 0;       // depth of the press beyond the current pose [m]
+  double area = 0;        // contact area [m^2]
+  double stick = 1;       // normal force on sticking springs over the normal force [1]
   std::vector<PadPoint> points;
 };
 
-/// Springs of a patch that bear a load across it.
-struct ShearShares {
-  std::vector<bool> sticks;  // (springs)
-  double borne = 0;          // the load, or all that friction bears [N]
-};
-
-/// Shares a load across a patch among its springs, which all go the same way d across:
-///   sum of min(stiffness_i d, friction normal_i) = load.
-/// Those at the limit slip, as in Cattaneo's and Mindlin's contact: a paraboloid of pressure of
-/// radius a sticks within  a (1 - load / (friction N))^(1/4)  on even springs.
-/// @param normal     forces, >= 0 [N] (springs);  @param stiffness  across, > 0 [N/m] (springs)
-/// @param load       >= 0 [N]
-[[nodiscard]] ShearShares share_shear(const Eigen::VectorXd& normal,
-                                      const Eigen::VectorXd& stiffness, double friction,
-                                      double load);
-
 /// All pads of a hand on an object.
 struct LivePads {
-  std::vector<PadOnObject> pads;
-  std::vector<std::string> reasons;  // why a patch has no pad, or no load across it
+  std::vector<LoadedPad> pads;
+  std::vector<std::string> reasons;  // reasons why a patch has no pad or no tangential load
 };
 
-/// Presses every patch that touches by one force, on a bed of springs over the skin of its link
-/// (FoundationBed): Material::bed, or plain springs of its young modulus and thickness, with a
-/// third of that modulus across. Each pad bears its part of the object's weight across, in the
-/// shares of the least forces that hold it by friction (minimum_grasp_force()): share_shear() tells
-/// what slips. The hand is not moved, and pads do not feel each other.
-/// @param force  normal, on each patch, > 0 [N]
-/// @throws InputError as contacts_of(), or for a force that is not positive
+/// Presses every contact patch with the same normal force, on a bed of springs under the skin of
+/// its link (FoundationBed). The springs are those of Material::bed, or follow from Young's modulus
+/// and the layer thickness, with a third of that modulus as shear modulus. The object's weight
+/// loads the pads tangentially, distributed as the minimum contact forces that hold it by friction
+/// (minimum_grasp_force()); share_shear() finds the springs that slip. The hand does not move, and
+/// pads do not interact.
+/// @param force  normal force on each patch, > 0 [N]
+/// @throws InputError as current_contacts(), or for a force that is not positive
 [[nodiscard]] LivePads press_pads(const LiveWorld& live, const LivePair& pair, double force);
 
 }  // namespace thenar

@@ -13,113 +13,118 @@
 namespace thenar {
 namespace {
 
-PosedCollisionHand posed(const LiveMeeting& meeting) {
-  return {meeting.collision, meeting.stands.stand.X_WH,
-          meeting.stands.built->model().pose(meeting.stands.stand.q)};
+/// Returns the collision model of the hand in its current pose and posture.
+PosedCollisionHand posed(const LivePairSetup& current) {
+  return {current.collision, current.state_hand.placement.X_WH,
+          current.state_hand.built->model().pose(current.state_hand.placement.q)};
 }
 
-std::vector<HandContact> contacts_at(const LiveWorld& live, const LiveMeeting& meeting) {
+std::vector<HandContact> contacts_at(const LiveWorld& live, const LivePairSetup& current) {
   const double within = ContactPatchOptions{}.tolerance;
-  if (!may_touch(meeting.stands, live.state().bodies[meeting.object], within)) return {};
+  if (!may_touch(current.state_hand, live.state().bodies[current.object], within)) return {};
   PadOptions pads;
-  pads.contact = meeting.stands.built->hand.named.contact;
-  return find_contacts(posed(meeting), meeting.setup, {}, pads);
+  pads.contact = current.state_hand.built->hand.named.contact;
+  return find_contacts(posed(current), current.setup, {}, pads);
 }
 
-std::vector<std::string> deep_overlaps(const LiveMeeting& meeting) {
-  // Soft layers may overlap by their thickness; only deeper overlaps are errors.
+std::vector<std::string> deep_overlaps(const LivePairSetup& current) {
+  // Report overlaps that exceed the thickness of the soft layer.
   std::vector<std::string> warnings;
-  for (const Overlap& overlap : find_overlaps(posed(meeting), meeting.setup, 1e-5)) {
+  for (const Overlap& overlap : find_overlaps(posed(current), current.setup, 1e-5)) {
     const double soft =
-        soft_layer_depth(*find_named(meeting.stands.built->model().surfaces(), overlap.surface),
-                         meeting.setup.materials);
-    if (overlap.depth > std::max(kDeepOverlap, soft))
+        soft_layer_depth(*find_named(current.state_hand.built->model().surfaces(), overlap.surface),
+                   current.setup.materials);
+    if (overlap.depth > std::max(kReportedOverlap, soft))
       warnings.push_back(fmt::format("{} is {:.1f} mm deep in {}", overlap.surface,
                                      1000 * overlap.depth, overlap.other));
   }
   return warnings;
 }
 
-/// The world as measure_grasp() has it.
-WorldCase case_of(const LiveWorld& live, const LiveMeeting& meeting) {
-  // Describe the world as a file would, with the hand where it stands now.
+/// Builds the world case of measure_grasp() for the current state.
+WorldCase case_of(const LiveWorld& live, const LivePairSetup& current) {
+  // Convert the state to the content of a world file.
   const WorldState& state = live.state();
   WorldCase setting;
   setting.path = state.file.empty() ? state.header->name : state.file;
-  setting.data = live.data();
-  setting.world = spec_of(state);
-  setting.hand = meeting.stands.built->hand;
-  setting.hand.parts = meeting.stands.parts;
-  setting.hand.X_WH = meeting.stands.stand.X_WH;
-  setting.hand.q = meeting.stands.stand.q;
-  setting.hand.named.name = name_of(state, meeting.stands);
+  setting.data = live.data_folders();
+  setting.world = world_spec(state);
+  // Set the hand in its current pose and posture.
+  setting.hand = current.state_hand.built->hand;
+  setting.hand.parts = current.state_hand.parts;
+  setting.hand.X_WH = current.state_hand.placement.X_WH;
+  setting.hand.q = current.state_hand.placement.q;
+  setting.hand.named.name = hand_name(state, current.state_hand);
+  // Add warnings and files of the world to those of the hand.
   append_all(setting.hand.named.warnings, missing_material_warnings(setting.world));
   setting.files = setting.world.files;
   setting.files.insert(setting.hand.named.files.begin(), setting.hand.named.files.end());
   return setting;
 }
 
-/// Sets the approach and closing of a grasp, if they are known of this very posture and object.
-void tell_closing(const LiveWorld& live, const LiveMeeting& meeting, Grasp& grasp) {
-  // A hand that was moved since it closed is known by its pose and posture alone.
-  grasp.approached.X_WH = meeting.stands.stand.X_WH;
-  grasp.closed.q = meeting.stands.stand.q;
+/// Sets the approach and closing of a grasp: the last closing of the hand if it led to this state,
+/// else pose and posture alone.
+void set_closing(const LiveWorld& live, const LivePairSetup& current, Grasp& grasp) {
+  // Set pose and posture.
+  grasp.approached.X_WH = current.state_hand.placement.X_WH;
+  grasp.closed.q = current.state_hand.placement.q;
   const std::optional<HandClosing>& closing = live.closing();
-  if (!closing || closing->hand != meeting.hand || closing->object != meeting.object) return;
+  if (!closing || closing->hand != current.hand || closing->object != current.object) return;
   if (closing->closed.q != grasp.closed.q || closing->outcome == GraspOutcome::kOverlaps ||
       closing->outcome == GraspOutcome::kMissed)
     return;
+  // The closing belongs to this pair and posture: use it.
   grasp.approached = closing->approached;
   grasp.closed = closing->closed;
 }
 
 }  // namespace
 
-LiveContacts contacts_of(const LiveWorld& live, const LivePair& pair) {
-  // Find contacts within the tolerance, without moving the hand.
-  const LiveMeeting meeting = meeting_of(live, pair);
+LiveContacts current_contacts(const LiveWorld& live, const LivePair& pair) {
+  const LivePairSetup current = pair_setup(live, pair);
   LiveContacts out;
-  out.contacts = contacts_at(live, meeting);
-  out.X_WO = meeting.setup.object.X_WB;
+  out.contacts = contacts_at(live, current);
+  out.X_WO = current.setup.object.X_WB;
   for (const HandContact& contact : out.contacts)
-    out.links.push_back(meeting.stands.built->model().surfaces()[contact.surface].name);
-  out.warnings = deep_overlaps(meeting);
+    out.links.push_back(current.state_hand.built->model().surfaces()[contact.surface].name);
+  out.warnings = deep_overlaps(current);
   return out;
 }
 
-GraspResult standing_grasp(const LiveWorld& live, const LivePair& pair,
-                           const LiveQualityRequest& request) {
+GraspResult current_grasp(const LiveWorld& live, const LivePair& pair,
+                          const LiveQualityRequest& request) {
   require(request.tolerance > 0, "wanted a tolerance of epsilon above 0, got {}",
           request.tolerance);
-  const LiveMeeting meeting = meeting_of(live, pair);
-  // Setting of the request, without an approach.
+  const LivePairSetup current = pair_setup(live, pair);
+  // Set the request and the world, without an approach.
   GraspResult result{};
   result.request.approach = false;
   result.request.limit = request.norm;
   result.request.tolerance = request.tolerance;
-  result.setting = case_of(live, meeting);
-  result.setting.setup = meeting.setup;
-  result.collision_hand = meeting.collision;
-  // Contacts and their quality, about the centre of mass.
+  result.setting = case_of(live, current);
+  result.setting.setup = current.setup;
+  result.collision_hand = current.collision;
+  // Find the contacts and their wrenches about the centre of mass.
   Grasp& grasp = result.grasp;
-  tell_closing(live, meeting, grasp);
-  grasp.contacts = contacts_at(live, meeting);
+  set_closing(live, current, grasp);
+  grasp.contacts = contacts_at(live, current);
   grasp.outcome = grasp.contacts.empty() ? GraspOutcome::kEmpty : GraspOutcome::kGrasped;
-  const GraspBody& object = meeting.setup.object;
+  const GraspBody& object = current.setup.object;
   result.wrenches =
       wrench_set(contacts_without_hand(grasp.contacts), object.com, object.torque_scale);
+  // Compute epsilon, and collect the warnings.
   EpsilonOptions options;
   options.limit = request.norm;
   options.gap = request.tolerance;
   if (!grasp.contacts.empty()) grasp.quality = epsilon(result.wrenches, options);
   result.start = {grasp.approached.X_WH, grasp.closed.q, 0};
   result.outcome.warnings = grasp_warnings(result);
-  result.outcome.warn(deep_overlaps(meeting));
+  result.outcome.warn(deep_overlaps(current));
   return result;
 }
 
 GraspResult show_quality(LiveWorld& live, const LivePair& pair, const LiveQualityRequest& request) {
-  GraspResult result = standing_grasp(live, pair, request);
+  GraspResult result = current_grasp(live, pair, request);
   if (result.grasp.outcome == GraspOutcome::kGrasped)
     live.set_disturbance({object_index(live.state(), pair.object),
                           unscaled_wrench(result.grasp.quality.worst_wrench,
@@ -130,14 +135,14 @@ GraspResult show_quality(LiveWorld& live, const LivePair& pair, const LiveQualit
 WrenchSetMesh live_wrench_set(const LiveWorld& live, const LivePair& pair,
                               const std::array<int, 3>& axes, PictureKind kind, WrenchLimits limits,
                               int pieces) {
-  const GraspResult result = standing_grasp(live, pair);
+  const GraspResult result = current_grasp(live, pair);
   require(result.grasp.outcome == GraspOutcome::kGrasped,
           "hand '{}' does not touch '{}': there is no wrench set", result.setting.hand.named.name,
           result.setting.setup.object.name);
-  // Geometric limits need the contacts alone, those of the hand its actuation.
+  // Geometric limits need only the contacts.
   if (limits == WrenchLimits::kGeometric)
     return wrench_set_mesh(unit_forces(result.wrenches, ForceNorm::kL1), axes, kind, pieces);
-  // Limits of the hand need the efforts of its motors or muscles at this posture.
+  // Limits of the hand need the efforts of its motors or muscles in this posture.
   const GraspBody& object = result.setting.setup.object;
   const HeldObject held{*result.collision_hand.hand, result.grasp.closed.q, result.grasp.contacts,
                         result.grasp.approached.X_WH.inverse() * object.X_WB};
@@ -149,7 +154,7 @@ WrenchSetMesh live_wrench_set(const LiveWorld& live, const LivePair& pair,
 
 GraspResult measured_grasp(const LiveWorld& live, const LivePair& pair,
                            const LiveQualityRequest& request, const Progress& progress) {
-  GraspResult result = standing_grasp(live, pair, request);
+  GraspResult result = current_grasp(live, pair, request);
   if (result.grasp.outcome == GraspOutcome::kGrasped)
     result.measures = grasp_measures_of(result, progress);
   return result;

@@ -10,9 +10,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kSamePlace = 1e-8;  // corners of a nail closer than this are one [m]
+constexpr double kCornerTolerance = 1e-8;  // distance below which two corners are merged [m]
 
-/// Vertices and triangles that grow.
+/// Mesh under construction.
 struct GrowingMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<Eigen::Vector3i> triangles;
@@ -23,7 +23,7 @@ struct GrowingMesh {
   }
 };
 
-/// Cuts a surface along the outline of a patch and keeps what lies on it.
+/// Cuts a surface along the outline of a patch, and keeps the part on the patch.
 class PatchCutter {
  public:
   PatchCutter(const TriangleMesh& skin, const SkinPatch& patch) : skin_(skin), patch_(patch) {}
@@ -38,36 +38,39 @@ class PatchCutter {
     return on_patch(patch_, skin_.vertices.col(vertex));
   }
 
-  int kept(int vertex) {
-    const auto [at, fresh] = corners_.emplace(vertex, 0);
-    if (fresh) at->second = mesh_.add(skin_.vertices.col(vertex));
-    return at->second;
+  /// Returns the vertex of the mesh for a vertex of the skin; adds it on first use.
+  int mesh_vertex(int vertex) {
+    const auto [entry, is_new] = corners_.emplace(vertex, 0);
+    if (is_new) entry->second = mesh_.add(skin_.vertices.col(vertex));
+    return entry->second;
   }
 
   /// Finds the point where the outline crosses the edge from a vertex on the patch to one off it.
   int crossing(int on, int off) {
-    // Triangles share edges, so each crossing is computed once.
-    const auto [at, fresh] = crossings_.emplace(std::pair(on, off), 0);
-    if (!fresh) return at->second;
+    // Triangles share edges: compute each crossing once.
+    const auto [entry, is_new] = crossings_.emplace(std::pair(on, off), 0);
+    if (!is_new) return entry->second;
+    // Bisect the edge.
     Eigen::Vector3d inside = skin_.vertices.col(on), outside = skin_.vertices.col(off);
-    constexpr int kHalvings = 20;
-    for (int i = 0; i < kHalvings; ++i) {
+    constexpr int kOutlineBisections = 20;  // resolves 1e-6 of the edge
+    for (int i = 0; i < kOutlineBisections; ++i) {
       const Eigen::Vector3d middle = (inside + outside) / 2;
       (on_patch(patch_, middle) ? inside : outside) = middle;
     }
-    // The outline may run through the vertex itself.
+    // Use the vertex itself if the outline runs through it.
     const Eigen::Vector3d corner = skin_.vertices.col(on);
-    at->second = (inside - corner).norm() < kSamePlace ? kept(on) : mesh_.add(inside);
-    return at->second;
+    entry->second =
+        (inside - corner).norm() < kCornerTolerance ? mesh_vertex(on) : mesh_.add(inside);
+    return entry->second;
   }
 
-  /// The part on the patch is a polygon of up to four corners.
+  /// Adds the part of a triangle on the patch, a polygon of up to four corners.
   void cut_triangle(const Eigen::Vector3i& triangle) {
-    // Walk round the triangle, and add a vertex on the patch or a crossing of its outline.
+    // Walk around the triangle, and add vertices on the patch and crossings of its outline.
     std::vector<int> polygon;
     for (int i = 0; i < 3; ++i) {
       const int a = triangle[i], b = triangle[(i + 1) % 3];
-      if (is_on(a)) polygon.push_back(kept(a));
+      if (is_on(a)) polygon.push_back(mesh_vertex(a));
       if (is_on(a) != is_on(b)) polygon.push_back(is_on(a) ? crossing(a, b) : crossing(b, a));
     }
     polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
@@ -80,12 +83,13 @@ class PatchCutter {
   const TriangleMesh& skin_;
   const SkinPatch& patch_;
   GrowingMesh mesh_;
-  std::map<int, int> corners_;                    // vertex of the skin -> of the mesh
+  std::map<int, int> corners_;                    // vertex of the skin -> vertex of the mesh
   std::map<std::pair<int, int>, int> crossings_;  // edge of the skin -> vertex of the mesh
 };
 
+/// Computes the unit normals of all vertices.
 std::vector<Eigen::Vector3d> vertex_normals(const GrowingMesh& mesh) {
-  // Sum the normals of triangles weighted by their area, so that slivers hardly count.
+  // Sum the normals of the triangles, weighted by area so that slivers hardly count.
   std::vector<Eigen::Vector3d> normals(mesh.vertices.size(), Eigen::Vector3d::Zero());
   for (const Eigen::Vector3i& t : mesh.triangles) {
     const auto corner = [&](int i) { return mesh.vertices[t[i]]; };
@@ -97,6 +101,7 @@ std::vector<Eigen::Vector3d> vertex_normals(const GrowingMesh& mesh) {
   return normals;
 }
 
+/// Converts to a TriangleMesh.
 TriangleMesh packed(const GrowingMesh& mesh) {
   TriangleMesh out;
   out.vertices.resize(3, static_cast<Eigen::Index>(mesh.vertices.size()));
@@ -106,16 +111,17 @@ TriangleMesh packed(const GrowingMesh& mesh) {
   return out;
 }
 
-/// Walls from the raised outline down to the skin: two triangles at each edge of one triangle.
+/// Adds walls from the raised outline down to the skin: two triangles for each boundary edge.
+/// @param below  positions of the vertices on the skin [m]
 void add_rim(GrowingMesh& mesh, const std::vector<Eigen::Vector3d>& below) {
-  // An edge of one triangle alone is part of the outline.
   const std::vector<MeshSide> sides = sides_by_edge(packed(mesh));
-  std::map<int, int> feet;  // raised vertex -> its foot on the skin
+  std::map<int, int> feet;  // raised vertex -> vertex below it on the skin
   const auto foot_of = [&](int vertex) {
-    const auto [at, fresh] = feet.emplace(vertex, 0);
-    if (fresh) at->second = mesh.add(below[vertex]);
-    return at->second;
+    const auto [entry, is_new] = feet.emplace(vertex, 0);
+    if (is_new) entry->second = mesh.add(below[vertex]);
+    return entry->second;
   };
+  // An edge with a single side is part of the outline.
   for_each_edge(sides, [&](const MeshSide* first, const MeshSide* last) {
     if (last - first != 1) return;
     const int from = first->upwards ? first->low : first->high;
@@ -130,7 +136,7 @@ void add_rim(GrowingMesh& mesh, const std::vector<Eigen::Vector3d>& below) {
 
 TriangleMesh nail_mesh(const TriangleMesh& skin, const SkinPatch& patch) {
   GrowingMesh mesh = PatchCutter(skin, patch).cut();
-  // Raise it; what it was cut from is where its rim ends.
+  // Raise the cut part along its normals, and close the gap to the skin by a rim.
   const std::vector<Eigen::Vector3d> below = mesh.vertices, normals = vertex_normals(mesh);
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     mesh.vertices[i] += kNailHeight * normals[i];

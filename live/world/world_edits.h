@@ -1,8 +1,8 @@
 #pragma once
 
-/// Edits of a live world: what is added, removed, placed, and how joints are set. Each can be
-/// undone; one that throws leaves the world as it was. Moves of one thing that name the same
-/// gesture, one right after the other, are undone together: a drag, a slider, a key that is held.
+/// Edits of a live world: adding, removing and placing things, setting joints. Each edit can be
+/// undone; an edit that throws leaves the world unchanged. Consecutive moves of one thing with the
+/// same gesture (a drag, a slider, a held key) are undone together.
 
 #include <map>
 #include <optional>
@@ -13,65 +13,69 @@
 
 namespace thenar {
 
-/// Thing that was added.
+/// Object, obstacle or hand that was added to a world.
 struct AddedThing {
-  std::string name;                   // as other requests name it
-  std::vector<std::string> warnings;  // what was assumed, mended or left out
+  std::string name;                   // name in the world
+  std::vector<std::string> warnings;  // assumptions, repairs and omissions
 };
 
-/// Pose at which a thing is to be added.
-struct WantedPlace {
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // of its frame (3, 3)
-  std::optional<Eigen::Vector3d> position = {};     // absent: the origin, or beside what is there,
-                                                    // see free_place() [m] (3)
+/// Pose that is requested for a new thing.
+struct RequestedPose {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // rotation of its frame (3, 3)
+  std::optional<Eigen::Vector3d> position = {};     // absent: free_position() [m] (3)
 };
 
 /// Adds an object, or an obstacle that never moves.
-/// @param object  a file (TOML, GraspIt! XML, or a mesh, which is written into the world), or the
-///                name of one of objects/
-/// @throws InputError, DataError where it is not to be found or wrong, or of unknown material
+/// @param object   name in objects/, or a file: TOML, GraspIt! XML, or a mesh, which is embedded in
+///                 the world
+/// @param dynamic  false: an obstacle
+/// @throws InputError, DataError if it is not found, invalid, or of unknown material
 AddedThing add_object(LiveWorld& live, const std::string& object, bool dynamic,
-                      const WantedPlace& place);
+                      const RequestedPose& place);
 
-/// Adds a body that was read. @param placed  its name and pose may change
-AddedThing add_body(LiveWorld& live, PlacedBody placed, const WantedPlace& place);
+/// Adds a body. @param placed  body; gets a free name and the requested pose
+AddedThing add_body(LiveWorld& live, PlacedBody placed, const RequestedPose& place);
 
-/// Adds a hand, open, by a name or a file as hand_by_name() takes it. A robot that is there already
-/// gets a number after its name; the built-in human hand can be there once in each version.
+/// Adds an open hand. A second robot of the same name gets a number after its name; the built-in
+/// human hand can be added once in each version.
+/// @param hand  name or file, as for hand_by_name()
 /// @throws InputError, DataError as build_live_hand()
-AddedThing add_hand(LiveWorld& live, const std::string& hand, const WantedPlace& place,
+AddedThing add_hand(LiveWorld& live, const std::string& hand, const RequestedPose& place,
                     const Progress& progress = {});
 
-/// Removes an object, an obstacle or a hand, which must not carry another.
-/// @throws InputError if there is none of that name
+/// Removes an object, an obstacle or a hand that carries no other hand.
+/// @throws InputError if there is no such thing, or the hand carries another
 void remove_thing(LiveWorld& live, const std::string& name);
 
-/// Puts an object, an obstacle, a free hand, or what carries hands, somewhere else.
-/// @param position  stays where it is if left out [m] (3);  @param R  the same (3, 3)
-/// @param gesture   of which the move is a part; empty: it stands alone
-/// @throws InputError if there is none of that name, or it is mounted, saying on what
+/// Moves an object, an obstacle, a free hand or a carrier of hands.
+/// @param position  new position; absent: unchanged [m] (3)
+/// @param R         new rotation; absent: unchanged (3, 3)
+/// @param gesture   gesture that the move belongs to; empty: none
+/// @throws InputError if there is no such thing, or if it is a mounted hand
 void place_thing(LiveWorld& live, const std::string& name,
                  const std::optional<Eigen::Vector3d>& position,
                  const std::optional<Eigen::Matrix3d>& R, const std::string& gesture = "");
 
-/// Result of setting joints.
-struct SetJoints {
-  std::map<std::string, double> joints;  // all of the hand [rad] or [m]
-  std::vector<std::string> limited;      // those that came to rest at a limit before their target
-  std::vector<std::string> parted;       // of the hand: not where the leader of their drive takes
-                                         // them, as where a clutch has opened
+/// Result of set_joints().
+struct JointChange {
+  std::map<std::string, double> joints;  // all joints of the hand [rad] or [m]
+  std::vector<std::string> limited;      // joints that stopped at a limit before their target
+  std::vector<std::string> parted;  // joints away from the position that their coupling implies,
+                                    // as after a clutch has opened
 };
 
-/// Sets joints of a hand, within their limits. A joint that is named alone of its drive moves all
-/// joints of the drive, in the ratio of their gears; several that are named stand where they are
-/// told to, and the others go with the first of the drive if that is among them.
-/// @param hand     name; empty: the only one
-/// @param gesture  of which the move is a part; empty: it stands alone
-/// @throws InputError for a joint that the hand has not, with the nearest name
-SetJoints set_joints(LiveWorld& live, const std::string& hand,
-                     const std::map<std::string, double>& joints, const std::string& gesture = "");
+/// Sets joints of a hand, within their limits. If one joint of a drive is named, all joints of the
+/// drive follow with the ratio of their gears. If several are named, each takes its own value, and
+/// the unnamed ones follow the leading joint if that is named.
+/// @param hand     name of the hand; empty: the only one
+/// @param joints   joint -> value [rad] or [m]
+/// @param gesture  gesture that the change belongs to; empty: none
+/// @throws InputError for an unknown joint, with the nearest name
+JointChange set_joints(LiveWorld& live, const std::string& hand,
+                       const std::map<std::string, double>& joints,
+                       const std::string& gesture = "");
 
-/// All joints of a hand. @param hand  of WorldState::hands
+/// Returns all joints of a hand [rad] or [m]. @param hand  entry of WorldState::hands
 [[nodiscard]] std::map<std::string, double> joints_of(const WorldState& state, std::size_t hand);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Live worlds from and to files.
+/// Loading and saving of live worlds.
 
 #include <string>
 #include <vector>
@@ -10,43 +10,44 @@
 
 namespace thenar {
 
-/// Begins an empty world. It is an edit: undo() brings the world before back.
+/// Replaces the world by an empty one; undo() restores it.
 void new_world(LiveWorld& live);
 
-/// Loads a world by its name, or from a file.
-/// @return what was assumed: materials of bodies, what is missing of robots
-/// @throws InputError, DataError where it is not to be found or wrong, and the world stays as it
-/// was
+/// Loads a world by name or from a file. If this throws, the current world is unchanged.
+/// @return assumptions: materials of bodies, missing parts of robots
+/// @throws InputError, DataError if it is not found or invalid
 std::vector<std::string> load_world(LiveWorld& live, const std::string& world,
                                     const Progress& progress = {});
 
-/// Loads a world from the text of its file, whose files are relative to the working folder.
-/// @param name  for messages, and that it is saved by: "my_world"
+/// Loads a world from the text of its file; paths in it are relative to the working folder.
+/// @param name  name for messages, "my_world"
 /// @return, @throws  as load_world()
 std::vector<std::string> load_world_text(LiveWorld& live, const std::string& text,
                                          const std::string& name, const Progress& progress = {});
 
-/// The world as the text of a file in the working folder.
-/// @throws InputError if files of a hand were imported: a text does not hold them, and they go with
+/// Returns the world as the text of a file in the working folder.
+/// @throws InputError if a hand was imported: the text cannot hold its files, which are removed
+/// with
 ///         the session
 [[nodiscard]] std::string world_text(const LiveWorld& live);
 
-/// Files that saving may replace, besides the file of the world itself.
-enum class SaveOver { kNothing, kAnything };
+/// Files that saving may overwrite, besides the world's own file.
+enum class Overwrite { kNothing, kAnything };
 
-/// Saves the world so that it can be moved, as portable_world(): things that come with thenar by
-/// their names, files of hands and objects from elsewhere in a folder "NAME_files" beside it. Files
-/// that were there before stay, whatever `over` says.
-/// @param file  a name in the working folder as OutsideUse::kInside, ".toml"
-/// @param over  kNothing: a file that the world was neither loaded from nor saved to stays
-/// @return the path that was written
-/// @throws InputError if it is elsewhere or behind a link, would replace what `over` lets stay, or
+/// Saves the world as a portable_world(): things that are shipped with thenar by name, copies of
+/// the files of other hands and objects in a folder "NAME_files" beside it. Existing files in that
+/// folder are never overwritten.
+/// @param file  path in the working folder as for OutsideUse::kInside, ending in ".toml"
+/// @param over  kNothing: only the file that the world was loaded from or saved to is overwritten
+/// @return path of the file
+/// @throws InputError if the file is outside the folder or behind a link, must not be overwritten,
+/// or
 ///         cannot be written
 std::string save_live_world(LiveWorld& live, const std::string& file,
-                            SaveOver over = SaveOver::kNothing);
+                            Overwrite over = Overwrite::kNothing);
 
-/// The state of a world that was read: its hands built, or taken where they were built before.
-/// @param path  for messages
+/// Builds the state of a world; hands that were built before are reused.
+/// @param path  file of the world, for messages
 [[nodiscard]] WorldState state_of_world(LiveWorld& live, const WorldSpec& world,
                                         const std::string& path, const Progress& progress = {});
 

@@ -19,25 +19,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFiles = 1000;            // of one drop
-constexpr std::size_t kLongestName = 300;           // of a dropped file [bytes]
-constexpr std::uintmax_t kMostKept = 256UL << 20U;  // of all hands that a world keeps [bytes]
+constexpr std::size_t kMaxDroppedFiles = 1000;              // largest number of files of a drop
+constexpr std::size_t kMaxFileNameBytes = 300;              // largest length of a file name [bytes]
+constexpr std::uintmax_t kMaxImportedBytes = 256UL << 20U;  // largest size of all imports [bytes]
 
-/// The path of a dropped file within its folder. @throws InputError if it leads out of it
+/// Checks the name of a dropped file. @return its path within the folder of the drop
+/// @throws InputError if the name is too long or leads out of the folder
 fs::path checked_name(const std::string& name) {
-  require(name.size() <= kLongestName, "wanted names of dropped files of at most {} bytes, got {}",
-          kLongestName, name.size());
+  require(name.size() <= kMaxFileNameBytes,
+          "wanted names of dropped files of at most {} bytes, got {}", kMaxFileNameBytes,
+          name.size());
   return outside_path(name, OutsideUse::kInside);
 }
 
-/// Returns true if a file holds data of an operating system: ".DS_Store", "__MACOSX/._tip.stl".
+/// Returns true if the name of a file begins with a dot: ".DS_Store", "__MACOSX/._tip.stl".
 bool is_hidden(const std::string& name) {
   const std::string last = name.substr(name.rfind('/') + 1);
   return last.size() > 1 && last.front() == '.' && last != "..";
 }
 
-/// Lower case, as endings are compared.
-std::string ending_of(const fs::path& path) {
+/// Returns the extension of a path in lower case, ".stl".
+std::string lower_case_extension(const fs::path& path) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -46,16 +48,16 @@ std::string ending_of(const fs::path& path) {
 
 bool describes_robot(const fs::path& path) {
   static const std::set<std::string> endings{".urdf", ".xml", ".mjcf", ".toml"};
-  return endings.count(ending_of(path)) > 0;
+  return endings.count(lower_case_extension(path)) > 0;
 }
 
 bool describes_body(const fs::path& path) {
-  return ending_of(path) == ".toml" || ending_of(path) == ".xml";
+  return lower_case_extension(path) == ".toml" || lower_case_extension(path) == ".xml";
 }
 
-/// The file that is the thing, of those that were dropped together.
+/// Finds the main file of a drop. @throws InputError if there is none
 fs::path main_file(const std::vector<fs::path>& files, DroppedAs as) {
-  // A description beats a mesh, since it refers to the meshes beside it.
+  // Prefer a description to a mesh, because it refers to the meshes beside it.
   const auto first = [&](const auto& test) {
     return std::find_if(files.begin(), files.end(), test);
   };
@@ -69,11 +71,11 @@ fs::path main_file(const std::vector<fs::path>& files, DroppedAs as) {
   return *found;
 }
 
-/// A folder that is removed unless it is kept.
+/// New folder of a drop; removed by the destructor unless keep() was called.
 class DropFolder {
  public:
   explicit DropFolder(const std::string& parent) {
-    // The lowest number that is free: the same drops have the same names.
+    // Take the lowest free number, so that equal sessions have equal names.
     for (int number = 1; path_.empty(); ++number)
       if (const fs::path next = fs::path(parent) / std::to_string(number); !fs::exists(next))
         path_ = next;
@@ -82,7 +84,7 @@ class DropFolder {
     require(!failed, "'{}' cannot be made: {}", path_.string(), failed.message());
   }
   ~DropFolder() {
-    std::error_code ignored;  // the whole is removed at the end anyway
+    std::error_code ignored;  // the world removes the parent folder at the end
     if (!kept_) fs::remove_all(path_, ignored);
   }
   DropFolder(const DropFolder&) = delete;
@@ -95,7 +97,7 @@ class DropFolder {
   bool kept_ = false;
 };
 
-/// Bytes of all files in a folder and below it.
+/// Returns the size of all files in a folder and below it [bytes].
 std::uintmax_t bytes_below(const fs::path& folder) {
   std::uintmax_t sum = 0;
   std::error_code none;
@@ -104,23 +106,23 @@ std::uintmax_t bytes_below(const fs::path& folder) {
   return sum;
 }
 
-/// Refuses files for which a world has no room beside the hands that it keeps for undone steps.
-void require_room(const std::string& folder, const std::vector<DroppedFile>& files) {
+/// @throws InputError if files and the imports that the world keeps exceed kMaxImportedBytes
+void require_capacity(const std::string& folder, const std::vector<DroppedFile>& files) {
   std::uintmax_t sum = 0;
   for (const DroppedFile& file : files) sum += file.bytes.size();
   const std::uintmax_t kept = bytes_below(folder);
-  require(kept + sum <= kMostKept,
+  require(kept + sum <= kMaxImportedBytes,
           "wanted files of at most {} MB in all, got {:.3g} MB beside {:.3g} MB of hands that were "
           "imported before: save the world and load it in a new session",
-          kMostKept >> 20U, static_cast<double>(sum) / (1UL << 20U),
+          kMaxImportedBytes >> 20U, static_cast<double>(sum) / (1UL << 20U),
           static_cast<double>(kept) / (1UL << 20U));
 }
 
-/// Writes files into a folder, but for hidden ones. @returns their paths there in the order given
-std::vector<fs::path> written(const fs::path& folder, const std::vector<DroppedFile>& files) {
-  require(!files.empty() && files.size() <= kMostFiles, "wanted 1 to {} files, got {}", kMostFiles,
-          files.size());
-  // Write only below the folder, whatever the names say.
+/// Writes files into a folder, except for hidden ones. @return their paths in the folder, in order
+std::vector<fs::path> store_files(const fs::path& folder, const std::vector<DroppedFile>& files) {
+  require(!files.empty() && files.size() <= kMaxDroppedFiles, "wanted 1 to {} files, got {}",
+          kMaxDroppedFiles, files.size());
+  // InsideFolder refuses to write outside of the folder.
   const InsideFolder inside(folder.string());
   std::vector<fs::path> paths;
   for (const DroppedFile& file : files) {
@@ -134,20 +136,20 @@ std::vector<fs::path> written(const fs::path& folder, const std::vector<DroppedF
   return paths;
 }
 
-/// A text with some words in place of others, wherever they stand.
-std::string with_words(std::string text, const std::string& old, const std::string& words) {
-  for (std::size_t at = text.find(old); at != std::string::npos;
-       at = text.find(old, at + words.size()))
-    text.replace(at, old.size(), words);
+/// Replaces all occurrences of a text by another.
+std::string replace_all(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
   return text;
 }
 
-/// Adds the thing of files that were written to a folder.
+/// Adds the object, obstacle or hand whose files were written to a folder.
 AddedThing add_written(LiveWorld& live, const fs::path& folder, const std::vector<fs::path>& files,
                        DroppedAs as, const Progress& progress, const std::string& units) {
   const std::string file = (folder / main_file(files, as)).string();
   if (as == DroppedAs::kHand) return add_hand(live, file, {}, progress);
-  ImportedBody imported = imported_body(file, is_mesh_file(file) ? units : "");
+  ImportedBody imported = read_imported_body(file, is_mesh_file(file) ? units : "");
   AddedThing added =
       add_body(live, {std::move(imported.body), "", {}, as == DroppedAs::kObject}, {});
   added.warnings.insert(added.warnings.begin(), imported.warnings.begin(), imported.warnings.end());
@@ -156,8 +158,9 @@ AddedThing add_written(LiveWorld& live, const fs::path& folder, const std::vecto
 
 }  // namespace
 
-ImportedBody imported_body(const std::string& file, const std::string& units) {
-  // Repair the surface, and give meshes a material, without which they have no mass.
+ImportedBody read_imported_body(const std::string& file, const std::string& units) {
+  // Import the file; repair the surface, and give meshes a material, without which they have no
+  // mass.
   ImportRequest request;
   request.file = file;
   request.repair = true;
@@ -172,7 +175,7 @@ ImportedBody imported_body(const std::string& file, const std::string& units) {
   else
     throw InputError(fmt::format("'{}' is a {} and no object", fs::path(file).filename().string(),
                                  imported.kind));
-  // Its triangles stay, where they came from goes.
+  // Keep the triangles, and clear the references to files.
   out.body.files.clear();
   for (ShapeSpec& shape : out.body.shapes) {
     shape.mesh_file.clear();
@@ -183,30 +186,31 @@ ImportedBody imported_body(const std::string& file, const std::string& units) {
 
 AddedThing import_dropped(LiveWorld& live, const std::vector<DroppedFile>& files, DroppedAs as,
                           const Progress& progress, const std::string& units) {
-  require_room(live.own_folder(), files);
-  // The folder goes away unless the hand is kept.
+  require_capacity(live.own_folder(), files);
   DropFolder folder(live.own_folder());
-  const auto told = [&](const std::string& text) {
-    // The folder means nothing to who reads it.
-    return with_words(with_words(text, folder.path().string() + "/", ""), "numbers millimetres?",
-                      "numbers millimetres? Then import it with units of mm");
+  // Messages do not name the temporary folder, and say how to state units.
+  const auto without_folder = [&](const std::string& text) {
+    return replace_all(replace_all(text, folder.path().string() + "/", ""), "numbers millimetres?",
+                       "numbers millimetres? Then import it with units of mm");
   };
+  // Write the files, and add the thing.
   try {
     AddedThing added =
-        add_written(live, folder.path(), written(folder.path(), files), as, progress, units);
-    for (std::string& warning : added.warnings) warning = told(warning);
+        add_written(live, folder.path(), store_files(folder.path(), files), as, progress, units);
+    for (std::string& warning : added.warnings) warning = without_folder(warning);
+    // Report hidden files.
     const auto hidden = std::count_if(files.begin(), files.end(),
                                       [](const DroppedFile& file) { return is_hidden(file.name); });
     if (hidden > 0)
       added.warnings.push_back(
           fmt::format("{} hidden files, whose names begin with a dot, were left out", hidden));
-    // A hand is built again from there when undone steps come back, and saved from there.
+    // Keep the files of a hand: undo and redo may rebuild it, and saving the world copies them.
     if (as == DroppedAs::kHand) folder.keep();
     return added;
   } catch (const Stopped&) {
     throw;
   } catch (const Error& error) {
-    throw InputError(told(error.what()));
+    throw InputError(without_folder(error.what()));
   }
 }
 

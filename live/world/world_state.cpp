@@ -12,40 +12,44 @@
 namespace thenar {
 namespace {
 
-/// The entry of a name, or the only one. @param kind  "hand";  @param member  of requests: "hand"
+/// Returns the entry of a name, or the only entry. @param kind  kind of thing for messages: "hand"
+/// @throws InputError if there is no such entry, or no only one
 std::size_t entry_named(const std::vector<std::string>& names, const std::string& name,
                         const std::string& kind) {
-  // A name has to exist; without a name there must be exactly one entry.
+  // Find the name.
   if (!name.empty()) {
     const auto found = std::find(names.begin(), names.end(), name);
     require(found != names.end(), "the world has no {} '{}'{} it has {}", kind, name,
             hint_before_list(name, names), listed(names));
     return static_cast<std::size_t>(found - names.begin());
   }
+  // Without a name there must be exactly one entry.
   require(!names.empty(), "the world has no {}", kind);
   require(names.size() == 1, "the world has the {}s {}; choose one with '{}'", kind, listed(names),
           kind);
   return 0;
 }
 
-/// Writes a posture to the parts of a hand, as with_hand_at() does.
+/// Writes the posture of a hand to its parts in `placed`.
 void write_posture(WorldState& state, const StateHand& hand) {
   const WorldHand& built = hand.built->hand;
   for (std::size_t i = 0; i < hand.parts.size(); ++i) {
     PlacedHand& placed = state.placed[hand.parts[i]];
     placed.posture.clear();
     for (std::size_t c = 0; c < built.names[i].size(); ++c)
-      placed.posture[built.names[i][c]] = hand.stand.q[built.places[i][c]];
+      placed.posture[built.names[i][c]] = hand.placement.q[built.places[i][c]];
   }
 }
 
-/// Copies coordinates of parts that another hand has as well.
+/// Copies the coordinates of parts (carriers) that two hands share.
 void share_posture(const StateHand& from, StateHand& to) {
   for (std::size_t i = 0; i < to.parts.size(); ++i)
     for (std::size_t k = 0; k < from.parts.size(); ++k) {
       if (to.parts[i] != from.parts[k]) continue;
-      const std::vector<int>&there = to.built->hand.places[i], &here = from.built->hand.places[k];
-      for (std::size_t c = 0; c < there.size(); ++c) to.stand.q[there[c]] = from.stand.q[here[c]];
+      const std::vector<int>&target = to.built->hand.places[i],
+            &source = from.built->hand.places[k];
+      for (std::size_t c = 0; c < target.size(); ++c)
+        to.placement.q[target[c]] = from.placement.q[source[c]];
     }
 }
 
@@ -60,7 +64,7 @@ WorldState empty_world(const std::string& name, const std::string& folder) {
   return state;
 }
 
-WorldSpec spec_of(const WorldState& state) {
+WorldSpec world_spec(const WorldState& state) {
   WorldSpec world = *state.header;
   world.hands = state.placed;
   for (const StateBody& body : state.bodies) {
@@ -70,16 +74,16 @@ WorldSpec spec_of(const WorldState& state) {
   return world;
 }
 
-const std::string& name_of(const WorldState& state, const StateHand& hand) {
+const std::string& hand_name(const WorldState& state, const StateHand& hand) {
   return state.placed[hand.parts.front()].name;
 }
 
-const std::string& root_of(const WorldState& state, const StateHand& hand) {
+const std::string& root_name(const WorldState& state, const StateHand& hand) {
   return state.placed[hand.parts.back()].name;
 }
 
 std::vector<std::string> hand_names(const WorldState& state) {
-  return transformed(state.hands, [&](const StateHand& hand) { return name_of(state, hand); });
+  return transformed(state.hands, [&](const StateHand& hand) { return hand_name(state, hand); });
 }
 
 std::vector<std::string> object_names(const WorldState& state) {
@@ -95,7 +99,7 @@ std::vector<std::string> body_names(const WorldState& state) {
 }
 
 std::size_t hand_index(const WorldState& state, const std::string& name) {
-  // Old names of versions of the human hand count as well.
+  // Accept old names of versions of the human hand.
   const std::vector<std::string> names = hand_names(state);
   return entry_named(names, contains(names, name) ? name : current_hand_name(name), "hand");
 }
@@ -118,7 +122,7 @@ std::string free_name(const WorldState& state, const std::string& wanted) {
 }
 
 WorldState with_posture(WorldState state, std::size_t hand, const Eigen::VectorXd& q) {
-  state.hands[hand].stand.q = q;
+  state.hands[hand].placement.q = q;
   for (std::size_t other = 0; other < state.hands.size(); ++other)
     if (other != hand) share_posture(state.hands[hand], state.hands[other]);
   write_posture(state, state.hands[hand]);
@@ -126,15 +130,15 @@ WorldState with_posture(WorldState state, std::size_t hand, const Eigen::VectorX
 }
 
 WorldState with_hand_placed(WorldState state, std::size_t hand, const Pose<double>& X_WH) {
-  // Everything that stands on the same root moves with it.
+  // Move all hands on the same root.
   const std::size_t root = state.hands[hand].parts.back();
   for (StateHand& each : state.hands)
-    if (each.parts.back() == root) each.stand.X_WH = X_WH;
+    if (each.parts.back() == root) each.placement.X_WH = X_WH;
   state.placed[root].X_WH = X_WH;
   return state;
 }
 
-StateBody built_body(const PlacedBody& placed) {
+StateBody build_state_body(const PlacedBody& placed) {
   auto built = std::make_shared<BuiltBody>();
   built->placed = placed;
   built->body = build_body(placed);
@@ -143,8 +147,8 @@ StateBody built_body(const PlacedBody& placed) {
   return {std::move(built), placed.X_WB};
 }
 
-GraspSetup setup_of(const WorldState& state, std::size_t object) {
-  // The object is grasped, and all other bodies are obstacles.
+GraspSetup grasp_setup(const WorldState& state, std::size_t object) {
+  // Copy the bodies with their current poses: one is the object, the others are obstacles.
   GraspSetup setup;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     GraspBody body = state.bodies[b].built->body;

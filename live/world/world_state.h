@@ -1,7 +1,7 @@
 #pragma once
 
-/// A world that is being edited, as a value: copies are cheap, so that every step of an edit can be
-/// kept.
+/// State of a world under edit, as a value: copies are cheap, so that the states before all edits
+/// can be kept.
 
 #include <memory>
 #include <string>
@@ -12,74 +12,78 @@
 
 namespace thenar {
 
-/// A body of a live world, built; constant. Where it stands is said in StateBody.
+/// Geometry of a body of a live world; constant. StateBody holds its pose.
 struct BuiltBody {
   PlacedBody placed;
   GraspBody body;
   std::shared_ptr<const TriangleMesh> picture;
-  Ball ball;  // around the picture, body frame [m]
+  Ball ball;  // ball that encloses the picture, body frame [m]
 };
 
+/// Body of a world state.
 struct StateBody {
-  std::shared_ptr<const BuiltBody> built;  // shared by the steps of an edit
+  std::shared_ptr<const BuiltBody> built;  // shared by all states
   Pose<double> X_WB;
 };
 
-/// A hand, or an arm without one, with all that carries it.
+/// Hand of a world state, or an arm without a hand, with its carriers.
 struct StateHand {
-  std::shared_ptr<const LiveHand> built;  // shared by the steps of an edit
-  std::vector<std::size_t> parts;         // of WorldState::placed: the hand, what carries it, ..
-  HandStand stand;                        // of the last of these parts
+  std::shared_ptr<const LiveHand> built;  // shared by all states
+  std::vector<std::size_t> parts;         // entries of WorldState::placed: hand, its carrier, ..
+  HandPlacement placement;                // pose of the last carrier, posture of all parts
 };
 
-/// Content of a world file, and the things built from it.
+/// Content of a world file, and the models built from it.
 struct WorldState {
   std::shared_ptr<const WorldSpec> header;  // name, sources, materials, camera, folder; no things
-  std::string file;                         // that it was read from or saved to; empty: none
-  std::vector<PlacedHand> placed;           // as world files have them
+  std::string file;                         // file it was read from or saved to; empty: none
+  std::vector<PlacedHand> placed;           // hands and carriers as in world files
   std::vector<StateHand> hands;
   std::vector<StateBody> bodies;
 };
 
-/// A world without anything in it. @param folder  to which its files are relative
+/// Creates a world without hands and bodies. @param folder  folder that its paths are relative to
 [[nodiscard]] WorldState empty_world(const std::string& name, const std::string& folder);
 
-/// The world as its file says it, files relative to its folder.
-[[nodiscard]] WorldSpec spec_of(const WorldState& state);
+/// Returns the world as its file states it, with paths relative to its folder.
+[[nodiscard]] WorldSpec world_spec(const WorldState& state);
 
-/// Name of a hand of the state; of a mounted one, of the hand itself.
-[[nodiscard]] const std::string& name_of(const WorldState& state, const StateHand& hand);
-/// Name of what the whole chain of a mounted hand stands on; of a free hand its own.
-[[nodiscard]] const std::string& root_of(const WorldState& state, const StateHand& hand);
+/// Returns the name of a hand; for a mounted hand, that of the hand and not of its carriers.
+[[nodiscard]] const std::string& hand_name(const WorldState& state, const StateHand& hand);
+/// Returns the name of the carrier at the root of a mounted hand; for a free hand, its own name.
+[[nodiscard]] const std::string& root_name(const WorldState& state, const StateHand& hand);
 
 [[nodiscard]] std::vector<std::string> hand_names(const WorldState& state);
 [[nodiscard]] std::vector<std::string> object_names(const WorldState& state);  // obstacles left out
 [[nodiscard]] std::vector<std::string> body_names(const WorldState& state);
 
-/// Entry of WorldState::hands. @param name  empty: the only one
-/// @throws InputError naming those that there are
+/// Returns the entry of WorldState::hands of a name. @param name  empty: the only hand
+/// @throws InputError with the names of all hands if there is no such hand, or no only one
 [[nodiscard]] std::size_t hand_index(const WorldState& state, const std::string& name);
-/// Entry of WorldState::bodies of an object. @param name  empty: the only one
-/// @throws InputError naming those that there are, or if it is an obstacle
+/// Returns the entry of WorldState::bodies of an object. @param name  empty: the only object
+/// @throws InputError with the names of all objects if there is no such object, or no only one, or
+///         if it is an obstacle
 [[nodiscard]] std::size_t object_index(const WorldState& state, const std::string& name);
 
-/// The name of a new thing: "mug", or where that is taken "mug 2", "mug 3" ..
+/// Returns a name that is not in use: "mug", or if that is taken "mug 2", "mug 3" ..
 [[nodiscard]] std::string free_name(const WorldState& state, const std::string& wanted);
 
-/// The state with a hand in another posture, which is written out in full from then on. Hands that
-/// share an arm move together.
-/// @param hand  of WorldState::hands;  @param q  within limits (coordinates)
+/// Returns the state with a hand in another posture, and all joints of that hand stated in
+/// `placed`. Other hands on the same arm move with it.
+/// @param hand  entry of WorldState::hands
+/// @param q     posture within the limits [rad] or [m] (coordinates)
 [[nodiscard]] WorldState with_posture(WorldState state, std::size_t hand, const Eigen::VectorXd& q);
 
-/// The state with a hand, or what carries it, elsewhere.
+/// Returns the state with a free hand, or the root carrier of a mounted hand, in another pose.
+/// @param hand  entry of WorldState::hands
 [[nodiscard]] WorldState with_hand_placed(WorldState state, std::size_t hand,
                                           const Pose<double>& X_WH);
 
-/// A body, its solid built. @throws InputError as build_body()
-[[nodiscard]] StateBody built_body(const PlacedBody& placed);
+/// Builds the geometry of a body. @throws InputError as build_body()
+[[nodiscard]] StateBody build_state_body(const PlacedBody& placed);
 
-/// The hand and its obstacles as closing asks for them: obstacles are all other bodies.
-/// @param object  of WorldState::bodies
-[[nodiscard]] GraspSetup setup_of(const WorldState& state, std::size_t object);
+/// Returns the setup for grasping an object; all other bodies are obstacles.
+/// @param object  entry of WorldState::bodies
+[[nodiscard]] GraspSetup grasp_setup(const WorldState& state, std::size_t object);
 
 }  // namespace thenar

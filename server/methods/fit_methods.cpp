@@ -9,7 +9,7 @@ namespace {
 
 OrderedJson vector_json(const Eigen::Vector3d& v) { return OrderedJson(to_json(v)); }
 
-/// Components of a force; null where they were not measured, which their infinite sd tells.
+/// Returns the components of a force; null for those that were not measured.
 OrderedJson components_json(const Eigen::Vector3d& force, const PredictedTrial& trial) {
   OrderedJson list = OrderedJson::array();
   for (int i = 0; i < 3; ++i)
@@ -35,7 +35,7 @@ OrderedJson trial_json(const LiveFit& fit, int index) {
   return json;
 }
 
-/// A number with the interval that holds 90 % of the draws; of a fit both ends are the number.
+/// Returns a number with the interval that holds 90 % of the draws; for a fit, of length zero.
 OrderedJson interval_json(const LiveAxisPair& pair, double AxisOffset::*number) {
   return {
       {"value", pair.estimate.*number}, {"lower", pair.low.*number}, {"upper", pair.high.*number}};
@@ -65,8 +65,8 @@ OrderedJson fit_state_json(const LiveFit& fit) {
   OrderedJson json{{"kind", fit.source().kind},
                    {"subject", fit.source().subject.name},
                    {"digit", fit.source().problem.experiments().front().digit},
-                   {"rotation", to_json(quaternion_of(fit.placed().R))},
-                   {"trial", fit.shown()},
+                   {"rotation", to_json(quaternion_of(fit.subject_pose().R))},
+                   {"trial", fit.shown_trial()},
                    {"trials", OrderedJson::array()}};
   for (int i = 0; i < static_cast<int>(fit.trials().size()); ++i)
     json["trials"].push_back(trial_json(fit, i));
@@ -86,8 +86,8 @@ OrderedJson open_fit(Session& session, const Json& params, const Progress& progr
 
 OrderedJson show_trial(Session& session, const Json& params, const Progress& /*progress*/) {
   auto& fit = session.model<LiveFit>(LiveMode::kFit);
-  fit.show(params["trial"].get<int>());
-  OrderedJson json = trial_json(fit, fit.shown());
+  fit.show_trial(params["trial"].get<int>());
+  OrderedJson json = trial_json(fit, fit.shown_trial());
   json["posture_angles"] = to_json(fit.digit().names.coordinates, fit.posture());
   json["warnings"] = fit.warnings();
   return json;
@@ -103,7 +103,7 @@ constexpr const char* kFitWords =
     "distal of the first [m], each value (of a posterior the mean of its draws), lower and upper "
     "(90 % of its draws lie between); warnings";
 
-constexpr int kMostTrials = 1000000;
+constexpr int kMaxTrials = 1000000;  // upper bound of the schema; LiveFit checks the number
 
 }  // namespace
 
@@ -119,7 +119,7 @@ void add_fit_methods(MethodTable& table) {
                return fit_state_json(session.model<LiveFit>(LiveMode::kFit));
              }});
   table.add({"fit.trial", "Shows a trial: its posture, tensions and forces.",
-             object_schema({{"trial", integer_schema(0, kMostTrials), "Counted from 0.", true}}),
+             object_schema({{"trial", integer_schema(0, kMaxTrials), "Counted from 0.", true}}),
              "The entry of trials of fit.state; posture_angles with their fitted errors [rad]; "
              "warnings.",
              R"({"trial": 0})", show_trial});

@@ -1,4 +1,4 @@
-// grasp.*: what is asked of a grasp as it stands.
+// grasp.*: contacts, quality and pads of the current grasp.
 
 #include <nlohmann/json.hpp>
 
@@ -15,7 +15,7 @@ namespace thenar::internal {
 namespace {
 
 OrderedJson contacts(Session& session, const Json& params, const Progress& /*progress*/) {
-  const LiveContacts found = contacts_of(live_world(session), pair_param(params));
+  const LiveContacts found = current_contacts(live_world(session), pair_param(params));
   OrderedJson list = OrderedJson::array();
   for (std::size_t i = 0; i < found.contacts.size(); ++i) {
     const HandContact& each = found.contacts[i];
@@ -43,7 +43,7 @@ OrderedJson volume_json(const GraspResult& result, const Progress& progress) {
   options.limit = result.request.limit;
   options.progress = progress;
   const Volume found = volume(result.wrenches, options);
-  // A volume that was stopped has no bounds worth telling.
+  // The bounds of a volume that was stopped are too wide to be useful.
   if (progress.stop()) throw Stopped("the volume was stopped");
   return {{"lower", found.lower},
           {"upper", number_or_null(found.upper)},
@@ -63,7 +63,7 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
                   {"hand", result.setting.hand.named.name},
                   {"object", object.name},
                   {"contacts", result.grasp.contacts.size()}};
-  // Without contacts there is no quality, and the reason is told.
+  // Without contacts return the reason, and null for all measures.
   if (result.grasp.contacts.empty()) {
     out.update({{"reason", "the hand does not touch the object"},
                 {"epsilon", nullptr},
@@ -75,7 +75,7 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
                 {"worst_wrench_words", nullptr},
                 {"volume", nullptr}});
   } else {
-    // Epsilon with its bounds, and the direction that limits it.
+    // Return epsilon with its bounds and the direction that limits it, and the volume.
     const Epsilon& e = result.grasp.quality;
     const bool missing = e.has_missing_direction;
     out.update(
@@ -97,7 +97,7 @@ OrderedJson quality(Session& session, const Json& params, const Progress& progre
 }
 
 OrderedJson wrenches(Session& session, const Json& params, const Progress& /*progress*/) {
-  // Unlimited contacts give wrenches per newton of normal force, limits of the hand newtons.
+  // Read the axes and limits, and compute the mesh.
   const Json& axes = params["axes"];
   const auto limits = value_in(kWrenchLimitsNames, params["limits"].get<std::string>(), "limits");
   const WrenchSetMesh found =
@@ -111,7 +111,7 @@ OrderedJson wrenches(Session& session, const Json& params, const Progress& /*pro
           {"failed", found.failed}};
 }
 
-/// The answer of the command, without how long it took.
+/// Returns the answer of `thenar grasp`, without its computing time.
 OrderedJson measure(Session& session, const Json& params, const Progress& progress) {
   OrderedJson out = json_of(
       measured_grasp(live_world(session), pair_param(params), quality_param(params), progress));
@@ -123,8 +123,8 @@ OrderedJson pads(Session& session, const Json& params, const Progress& /*progres
   const LivePads found =
       press_pads(live_world(session), pair_param(params), params["force"].get<double>());
   OrderedJson list = OrderedJson::array();
-  // Tell every spring of each pad: its place, its pressure and whether it sticks.
-  for (const PadOnObject& pad : found.pads) {
+  // List the springs of each pad: position, pressure, and whether it sticks.
+  for (const LoadedPad& pad : found.pads) {
     OrderedJson points = OrderedJson::array();
     for (const PadPoint& point : pad.points)
       points.push_back(

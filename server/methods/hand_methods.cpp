@@ -1,4 +1,4 @@
-// hand.*: joints, and what a hand does: open, approach, close, grasp.
+// hand.*: joints, and the actions open, approach, close and grasp.
 
 #include <nlohmann/json.hpp>
 
@@ -17,33 +17,33 @@ namespace {
 /// Returns the outcome of a closing, and the reason why each joint stopped, as JSON.
 OrderedJson closing_json(const LiveWorld& live, const LivePair& pair, const HandClosing& closing) {
   OrderedJson stopped = OrderedJson::array();
-  const GraspResult standing = standing_grasp(live, pair);
+  const GraspResult standing = current_grasp(live, pair);
   for (const JointRow& row : joint_rows(standing))
     stopped.push_back({{"joint", row.name}, {"by", row.stopped_by}, {"why", row.reason}});
-  Grasp told{};
-  told.outcome = closing.outcome;
-  told.approached = closing.approached;
-  told.closed = closing.closed;
-  told.contacts = standing.grasp.contacts;
-  told.quality = standing.grasp.quality;
+  Grasp closed{};
+  closed.outcome = closing.outcome;
+  closed.approached = closing.approached;
+  closed.closed = closing.closed;
+  closed.contacts = standing.grasp.contacts;
+  closed.quality = standing.grasp.quality;
   return {{"outcome", name_of(closing.outcome)},
-          {"explanation", outcome_words(told)},
+          {"explanation", outcome_words(closed)},
           {"stopped", stopped}};
 }
 
 OrderedJson joint_list(const LiveWorld& live, std::size_t index) {
   const StateHand& hand = live.state().hands[index];
   const HandLayout& layout = hand.built->model().layout();
-  // Tell turning from sliding, as units of values depend on it.
+  // Find the sliding joints: the units of values depend on it.
   std::vector<bool> slides(layout.coordinates.size(), false);
   for (const HandJoint& joint : hand.built->joints) slides[joint.coordinate] = joint.slides;
   OrderedJson list = OrderedJson::array();
   for (std::size_t c = 0; c < layout.coordinates.size(); ++c) {
     const auto i = static_cast<Eigen::Index>(c);
-    const int leader = hand.built->leads[c].leader;
+    const int leader = hand.built->couplings[c].leader;
     list.push_back({{"name", layout.coordinates[c]},
                     {"field", field_name(layout.coordinates[c])},
-                    {"value", hand.stand.q[i]},
+                    {"value", hand.placement.q[i]},
                     {"lower", number_or_null(layout.lower[i])},
                     {"upper", number_or_null(layout.upper[i])},
                     {"slides", bool(slides[c])},
@@ -55,13 +55,14 @@ OrderedJson joint_list(const LiveWorld& live, std::size_t index) {
 OrderedJson get_joints(Session& session, const Json& params, const Progress& /*progress*/) {
   const LiveWorld& live = live_world(session);
   const std::size_t hand = hand_index(live.state(), text_param(params, "hand"));
-  return {{"hand", name_of(live.state(), live.state().hands[hand])},
+  return {{"hand", hand_name(live.state(), live.state().hands[hand])},
           {"joints", joint_list(live, hand)}};
 }
 
 OrderedJson put_joints(Session& session, const Json& params, const Progress& /*progress*/) {
-  const SetJoints set = set_joints(live_world(session), text_param(params, "hand"),
-                                   named_numbers(params, "joints"), text_param(params, "gesture"));
+  const JointChange set =
+      set_joints(live_world(session), text_param(params, "hand"), named_numbers(params, "joints"),
+                 text_param(params, "gesture"));
   return {{"joints", set.joints}, {"limited", set.limited}, {"parted", set.parted}};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// All methods that a server offers. Each group stands in a file of its name and adds its rows.
+/// Table of all methods of a server. Each group has its own source file, which adds its rows.
 
 #include "server/method.h"
 #include "server/session.h"
@@ -9,26 +9,26 @@ namespace thenar {
 
 namespace internal {
 
-/// session.*, catalogue.* and picture.*
+/// Adds session.*, catalogue.* and picture.*.
 void add_session_methods(MethodTable& table);
-/// world.*, then hand.*
+/// Adds world.*, then hand.*.
 void add_world_methods(MethodTable& table);
-/// hand.*
+/// Adds hand.*.
 void add_hand_methods(MethodTable& table);
-/// grasp.*
+/// Adds grasp.*.
 void add_grasp_methods(MethodTable& table);
-/// motion.*
+/// Adds motion.*.
 void add_motion_methods(MethodTable& table);
-/// tendons.*
+/// Adds tendons.*.
 void add_tendon_methods(MethodTable& table);
-/// fit.*
+/// Adds fit.*.
 void add_fit_methods(MethodTable& table);
-/// ask.* and job.*
+/// Adds ask.* and job.*.
 void add_question_methods(MethodTable& table);
 
 }  // namespace internal
 
-/// The whole table, in the order in which it is documented.
+/// Returns the table of all methods, in the order of the documentation.
 [[nodiscard]] MethodTable method_table();
 
 }  // namespace thenar

@@ -16,13 +16,13 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kMostSteps = 1e6;  // of one request
+constexpr double kMaxStepsOfRequest = 1e6;  // largest number of steps of one request
 
 // Parameters.
 
-/// @param least, most  in the unit
-Schema numbers_by_name(const std::string& unit, double least, double most) {
-  return map_schema(number_schema(unit, least, most));
+/// Returns the schema of numbers by name. @param lower, upper  bounds in the unit
+Schema numbers_by_name(const std::string& unit, double lower, double upper) {
+  return map_schema(number_schema(unit, lower, upper));
 }
 
 SchemaMember step_member() {
@@ -31,22 +31,22 @@ SchemaMember step_member() {
 }
 
 std::vector<SchemaMember> input_members() {
-  return {{"efforts", numbers_by_name("N m or N", -kLargestEffort, kLargestEffort),
+  return {{"efforts", numbers_by_name("N m or N", -kMaxMotionEffort, kMaxMotionEffort),
            "Coordinate -> effort, in place of its drives, cut to their largest."},
-          {"targets", numbers_by_name("rad or m", -kFarthestTarget, kFarthestTarget),
+          {"targets", numbers_by_name("rad or m", -kMaxMotionTarget, kMaxMotionTarget),
            "Coordinate -> target of its drive, which must have stiffness; one beyond the limits of "
            "a joint presses against its stop."},
-          {"tensions", numbers_by_name("N", 0, kLargestTension),
+          {"tensions", numbers_by_name("N", 0, kMaxMotionTension),
            "Muscle -> tension: human:skewed/index/FDP2."},
           {"excitations", numbers_by_name("1", 0, 1), "Muscle that contracts -> excitation."},
           {"release", list_schema(text_schema(), 0, 1000),
            "Coordinates that go back to the drives of the scene."}};
 }
 
-SchemaMember want_member(const Json& usual) {
+SchemaMember want_member(const Json& default_value) {
   return {"want",
           list_schema(word_schema({"joints", "bodies", "contacts", "energy", "muscles"}), 0, 5),
-          "Which parts of the state the reply holds.", false, usual};
+          "Which parts of the state the reply holds.", false, default_value};
 }
 
 MotionParts wanted_parts(const Json& params) {
@@ -57,7 +57,7 @@ MotionParts wanted_parts(const Json& params) {
 }
 
 MotionInputs inputs_of(const Json& params) {
-  // Each kind of input is a map from names to numbers.
+  // Read the maps from names to numbers, and the list of names to release.
   MotionInputs inputs{named_numbers(params, "efforts"),
                       named_numbers(params, "targets"),
                       named_numbers(params, "tensions"),
@@ -77,7 +77,7 @@ bool has_inputs(const Json& params) {
 // Replies.
 
 OrderedJson contact_json(const ContactSample& contact, const std::vector<std::string>& names) {
-  // Contacts are stated in the world: the normal points out of b, and the force acts on a.
+  // All vectors are in the world frame; the normal points out of b, and the force acts on a.
   OrderedJson out;
   out["a"] = names[contact.a];
   out["b"] = names[contact.b];
@@ -91,7 +91,7 @@ OrderedJson contact_json(const ContactSample& contact, const std::vector<std::st
 }
 
 OrderedJson energy_json(const MotionEnergy& energy) {
-  // Parts that a recorded motion does not hold are null.
+  // Parts that a recording does not hold are null.
   OrderedJson out;
   out["kinetic"] = number_or_null(energy.kinetic);
   out["weight"] = number_or_null(energy.weight);
@@ -104,11 +104,11 @@ OrderedJson energy_json(const MotionEnergy& energy) {
   return out;
 }
 
-/// Adds the parts of a state that are wanted.
+/// Adds the selected parts of the state.
 void add_state(const LiveTimeline& motion, const MotionParts& parts, OrderedJson& out) {
   const TimelineState state = motion.state(parts);
   out["t"] = state.t;
-  // Only parts that were asked for are sent, since contacts and bodies are many.
+  // Add joints, bodies and contacts.
   if (parts.joints) {
     OrderedJson& joints = out["joints"] = OrderedJson::object();
     for (const CoordinateState& each : state.joints)
@@ -128,7 +128,7 @@ void add_state(const LiveTimeline& motion, const MotionParts& parts, OrderedJson
     for (const ContactSample& each : state.contacts)
       contacts.push_back(contact_json(each, state.body_names));
   }
-  // Energy and readings of muscles.
+  // Add energy and the readings of muscles.
   if (state.energy) out["energy"] = energy_json(*state.energy);
   if (parts.muscles) {
     OrderedJson& muscles = out["muscles"] = OrderedJson::object();
@@ -143,7 +143,7 @@ OrderedJson quality_json(const MotionQuality& quality) {
   out["worst_residual"] = number_or_null(quality.worst_residual);
   out["deepest"] = quality.deepest;
   out["leaps"] = quality.leaps;
-  // Energy is judged only where the method keeps account of it.
+  // Add the energy balance, null if it is not recorded.
   const std::optional<FlowBalance>& balance = quality.balance;
   out["energy_error"] = balance ? number_or_null(balance->error) : Json();
   out["energy_turned_over"] = balance ? number_or_null(balance->turned_over) : Json();
@@ -165,7 +165,7 @@ LiveMotion& motion_of(const Session& session) {
   return session.model<LiveMotion>(LiveMode::kMotion);
 }
 
-/// Returns the description of a motion that was opened, as JSON.
+/// Returns the description of an opened motion.
 OrderedJson opened_json(const LiveTimeline& motion) {
   const LiveTime time = motion.live_time();
   OrderedJson out;
@@ -184,19 +184,19 @@ OrderedJson play_json(const LiveTimeline& motion) {
 // Handlers.
 
 MotionSource source_of(const Session& session, const Json& params) {
-  // Without a scene the world is moved as it stands; drives hold its hands.
-  const std::string& data = session.places().data;
+  // Without a scene, use the open world in its current state.
+  const std::string& data = session.folders().data;
   std::optional<double> step;
   if (params.contains("step")) step = params.at("step").get<double>();
   if (!params.contains("scene")) {
     require(!params.contains("pads"), "a world has no pads that deform: open a scene with [[pad]]");
     const std::string drives = params.value("drives", "hold");
     const auto& world = session.model<LiveWorld>(LiveMode::kWorld);
-    return world_motion(spec_of(world.state()), data, value_in(kWorldDrivesNames, drives, "drives"),
-                        step);
+    return world_motion(world_spec(world.state()), data,
+                        value_in(kWorldDrivesNames, drives, "drives"), step);
   }
   require(!params.contains("drives"), "'drives' are of a world: a scene has its own");
-  // A scene is read as the command reads it.
+  // Read the scene as the command does.
   SceneRequest request;
   request.scene = params.at("scene").get<std::string>();
   request.data = data;
@@ -205,7 +205,7 @@ MotionSource source_of(const Session& session, const Json& params) {
   return scene_motion(request);
 }
 
-/// Shows a motion from now on. @return what is told of it
+/// Opens and shows a motion. @return its description
 OrderedJson show_motion(Session& session, std::shared_ptr<LiveTimeline> motion) {
   OrderedJson reply = opened_json(*motion);
   session.open(LiveMode::kMotion, std::move(motion));
@@ -221,8 +221,8 @@ OrderedJson open_record(Session& session, const Json& params, const Progress& /*
   require_kind(file, {"scene run", "motion"});
   if (contents_of(file).kind == "motion")
     return show_motion(session, std::make_shared<RecordedDigitMotion>(read_motion(file)));
-  return show_motion(session,
-                     std::make_shared<RecordedMotion>(read_scene_run(file, session.places().data)));
+  return show_motion(
+      session, std::make_shared<RecordedMotion>(read_scene_run(file, session.folders().data)));
 }
 
 OrderedJson step_motion(Session& session, const Json& params, const Progress& progress) {
@@ -308,7 +308,7 @@ std::string with_quality(const std::string& of) {
 }
 
 void add_opening_methods(MethodTable& table) {
-  // A motion is opened live, or read from a file.
+  // Add the methods that open a simulation or a recording.
   const std::string opened = "name, step [s], duration [s] or null, warnings";
   table.add({"motion.open", "Opens a scene, or the world as it stands, to be moved step by step.",
              object_schema({{"scene", text_schema(),
@@ -328,9 +328,9 @@ void add_opening_methods(MethodTable& table) {
 }
 
 void add_stepping_methods(MethodTable& table) {
-  // Stepping sets inputs first, then moves, then tells the state.
+  // A step takes the inputs of motion.set and the parts of motion.state.
   std::vector<SchemaMember> members{
-      {"steps", integer_schema(0, kMostSteps), "How many steps.", false, 1}};
+      {"steps", integer_schema(0, kMaxStepsOfRequest), "How many steps.", false, 1}};
   for (const SchemaMember& input : input_members()) members.push_back(input);
   members.push_back(want_member({"joints"}));
   table.add({"motion.step",
@@ -351,7 +351,7 @@ void add_stepping_methods(MethodTable& table) {
 }
 
 void add_playing_methods(MethodTable& table) {
-  // Play runs in real time on the engine's own thread.
+  // Playback is executed by the engine.
   table.add(
       {"motion.play", "Shows the motion, and lets time go on by itself.",
        object_schema({{"speed", number_schema("1", 1e-3, 100), "Times real time.", false, 1}}),

@@ -1,4 +1,4 @@
-// ask.* and job.*: every question of the table, at once or beside the session.
+// ask.* and job.*: all questions, answered at once or as background jobs.
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,9 +11,9 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::size_t kMaxPosturesAtOnce = 200;  // Postures of a grid that is answered at once
+constexpr std::size_t kMaxPosturesAtOnce = 200;  // largest grid that is answered at once
 
-/// Refuses a grid of postures that would keep other clients waiting.
+/// @throws InputError for a grid of postures that would keep other clients waiting
 void require_short(const Json& params) {
   double postures = 1;
   for (const char* const key : {"vary_deg", "vary_rad"})
@@ -35,7 +35,7 @@ OrderedJson reply_of(const Answer& answer) {
 RpcMethod ask_method(const Question& question) {
   const auto handler = [&question](Session& session, const Json& params, const Progress& progress) {
     require_short(params);
-    const Answer answer = question.ask(params, session.places().data, progress);
+    const Answer answer = question.ask(params, session.folders().data, progress);
     if (answer.outcome.status == Status::kStopped) throw Stopped("stopped");
     return reply_of(answer);
   };
@@ -59,13 +59,15 @@ OrderedJson state_json(const JobState& state) {
 
 OrderedJson start_job(Session& session, const Json& params, const Progress& /*progress*/) {
   const Question& question = question_named(params["question"].get<std::string>());
+  // Refuse parameters that only local programs may set.
   const Json& request = params["request"];
   for (const auto& [key, value] : request.items())
     for (const Param& param : question.params)
       require_field("request", param.scope == ParamScope::kAnywhere || param.member.name != key,
                     "'{}' is for programs of the server's own machine", key);
-  (void)request_in_si(question.params, request);  // refuses it before it waits
-  return {{"job", session.jobs().start(question, request, session.places().data)}};
+  // Check the request before it is queued.
+  (void)request_in_si(question.params, request);
+  return {{"job", session.jobs().start(question, request, session.folders().data)}};
 }
 
 Schema job_schema() {
@@ -100,7 +102,8 @@ void add_question_methods(MethodTable& table) {
              "jobs: a list of what job.state gives", "{}",
              [](Session& session, const Json&, const Progress&) {
                OrderedJson list = OrderedJson::array();
-               for (const JobState& state : session.jobs().all()) list.push_back(state_json(state));
+               for (const JobState& state : session.jobs().states())
+                 list.push_back(state_json(state));
                return OrderedJson{{"jobs", list}};
              }});
   table.add({"job.stop", "Asks a job to stop and keep its best so far.", job_schema(),

@@ -1,4 +1,4 @@
-// session.*, catalogue.* and picture.*: the session itself, names, and what is shown as data.
+// session.*, catalogue.* and picture.*: the session, names, and the picture as data.
 
 #include <nlohmann/json.hpp>
 
@@ -15,12 +15,12 @@
 namespace thenar::internal {
 namespace {
 
-constexpr int kProtocol = 1;  // goes up where a client of before would fail
+constexpr int kProtocol = 1;  // version of the protocol; increases with incompatible changes
 
 OrderedJson hello(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
   OrderedJson mode;
-  if (session.shown() != nullptr) mode = session.mode_name();
-  const auto* edits = session.find<LiveEdits>(LiveMode::kWorld);
+  if (session.shown_model() != nullptr) mode = session.mode_name();
+  const auto* edits = session.find_model<LiveEdits>(LiveMode::kWorld);
   return {{"program", "thenar"},
           {"version", versions().at("thenar")},
           {"protocol", kProtocol},
@@ -31,7 +31,7 @@ OrderedJson hello(Session& session, const Json& /*params*/, const Progress& /*pr
 OrderedJson methods(Session& /*session*/, const Json& /*params*/, const Progress& /*progress*/) {
   OrderedJson list = OrderedJson::array();
   const MethodTable table = method_table();
-  for (const RpcMethod& method : table.all())
+  for (const RpcMethod& method : table.methods())
     list.push_back({{"name", method.name},
                     {"about", method.about},
                     {"params", json_schema(method.params)},
@@ -40,12 +40,12 @@ OrderedJson methods(Session& /*session*/, const Json& /*params*/, const Progress
   return list;
 }
 
-/// In a batch, behind other requests, nothing runs that it could stop.
+/// Handles session.stop in a batch; the engine handles all others. Nothing else is running then.
 OrderedJson stop(Session& /*session*/, const Json& /*params*/, const Progress& /*progress*/) {
   return {{"asked", false}};
 }
 
-/// Behind other requests of its client nothing runs by the time of its turn.
+/// Handles session.status behind other requests of its client. Nothing else is running then.
 OrderedJson status(Session& /*session*/, const Json& /*params*/, const Progress& /*progress*/) {
   return status_json("", 0, 0, "", 0);
 }
@@ -73,16 +73,16 @@ OrderedJson catalogue(Session& session, const Json& params, const Progress& /*pr
   CatalogueRequest request;
   request.what = params.value("what", "");
   request.of = params.value("of", "");
-  request.data = session.places().data;
+  request.data = session.folders().data;
   const Catalogue found = list_names(request);
   return {{"entries", json_of(found)}, {"warnings", found.warnings}};
 }
 
 const LiveModel& shown(const Session& session) {
   require(
-      session.shown() != nullptr,
+      session.shown_model() != nullptr,
       "nothing is shown yet: call world.new, world.load, motion.open, tendons.open or fit.open");
-  return *session.shown();
+  return *session.shown_model();
 }
 
 OrderedJson picture_scene(Session& session, const Json& /*params*/, const Progress& /*progress*/) {

@@ -14,9 +14,9 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kFullTurn = 6.3;  // no joint turns further [rad]
+constexpr double kMaxAngle = 6.3;  // bound of joint angles, above a full turn [rad]
 
-/// Numbers as a list; those that are not known as null.
+/// Returns numbers as a list, with null for unknown ones.
 Json list_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
   Json list = Json::array();
   for (const double value : values) list.push_back(number_or_null(value));
@@ -24,8 +24,9 @@ Json list_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
 }
 
 OrderedJson joints_json(const LiveDigit& digit) {
-  // Joints that follow another one are told with their leader.
-  const std::vector<double> angles = hinge_angles(digit.about().bones().model, digit.now().point.q);
+  // List all hinges with their angles and limits; followers name their leader.
+  const std::vector<double> angles =
+      hinge_angles(digit.digit_case().bones().model, digit.state().point.q);
   OrderedJson joints = OrderedJson::array();
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const LiveJoint& joint = digit.shape().joints[i];
@@ -41,9 +42,9 @@ OrderedJson joints_json(const LiveDigit& digit) {
 }
 
 OrderedJson muscles_json(const LiveDigit& digit) {
-  // NaN means unknown, and is sent as null.
-  const DigitNow& now = digit.now();
-  const TendonDigit& bones = digit.about().bones();
+  // List the muscles; unknown numbers (NaN) become null.
+  const DigitState& now = digit.state();
+  const TendonDigit& bones = digit.digit_case().bones();
   OrderedJson muscles = OrderedJson::array();
   for (std::size_t m = 0; m < bones.names.muscles.size(); ++m) {
     const auto row = static_cast<Eigen::Index>(m);
@@ -61,7 +62,7 @@ OrderedJson muscles_json(const LiveDigit& digit) {
   return muscles;
 }
 
-/// Bands of a net, or strands of a hood of fixed fractions.
+/// Returns the bands of a net; empty without a net.
 OrderedJson bands_json(const LiveDigit& digit) {
   const LiveInstant instant = digit.instant();
   OrderedJson bands = OrderedJson::array();
@@ -75,15 +76,16 @@ OrderedJson bands_json(const LiveDigit& digit) {
   return bands;
 }
 
-/// Force of the tip in the subject's frame and along its own directions; null where not to be
-/// trusted.
+/// Adds the tip force in the subject's frame and in the tip's axes, and the torques; null if the
+/// solution is unreliable.
 void add_tip(const LiveDigit& digit, OrderedJson& json) {
-  // A tip force without balance would mislead, so it is null.
-  const DigitPoint& point = digit.now().point;
-  const TendonModel<double>& model = digit.about().bones().model;
+  // Add the force in the subject's frame.
+  const DigitPoint& point = digit.state().point;
+  const TendonModel<double>& model = digit.digit_case().bones().model;
   const bool sound = trusted(point.pull.status);
   json["tip_force"] = sound ? OrderedJson(to_json(point.tip.f_W)) : OrderedJson();
   json["tip_force_axes"] = OrderedJson();
+  // Add the force in the tip's axes.
   if (sound) {
     Eigen::Matrix3d axes = model.tip_axes;
     const TreeState<double> state = pose_tree(model.tree, point.q);
@@ -91,10 +93,10 @@ void add_tip(const LiveDigit& digit, OrderedJson& json) {
     json["tip_force_axes"] =
         to_json({"proximal", "dorsal", "radial"}, axes.transpose() * point.tip.f_W);
   }
-  const std::vector<std::string>& joints = digit.about().bones().names.coordinates;
-  // Passive torques depend on the posture alone, so they are told in any case.
+  const std::vector<std::string>& joints = digit.digit_case().bones().names.coordinates;
+  // Add passive torques, which depend on the posture alone, and the torques of the tendons.
   Fields passive;
-  add_passive(digit.about().bones().skeleton, point.q, passive);
+  add_passive(digit.digit_case().bones().skeleton, point.q, passive);
   json.update(json_of(passive, UnitSystem::kPrinted));
   json["torques"] = sound ? to_json(joints, point.pull.tau) : OrderedJson();
   json["unbalanced_torques"] = sound ? to_json(joints, point.tip.tau_residual) : OrderedJson();
@@ -103,7 +105,7 @@ void add_tip(const LiveDigit& digit, OrderedJson& json) {
 
 std::vector<std::string> warnings_of(const LiveDigit& digit) {
   std::vector<std::string> warnings = digit.warnings();
-  const DigitNow& now = digit.now();
+  const DigitState& now = digit.state();
   warnings.insert(warnings.end(), now.warnings.begin(), now.warnings.end());
   const std::string note = tip_note(now.point.tip);
   if (!note.empty() && now.tension.maxCoeff() > 0) warnings.push_back(note);
@@ -111,19 +113,19 @@ std::vector<std::string> warnings_of(const LiveDigit& digit) {
 }
 
 OrderedJson state_json(const LiveDigit& digit) {
-  const DigitCase& about = digit.about();
-  // Tell first what was built, as it may be less than what was asked for.
-  const DigitNow& now = digit.now();
+  const DigitCase& about = digit.digit_case();
+  // Describe the digit as it was built.
+  const DigitState& now = digit.state();
   OrderedJson json{
       {"subject", about.subject.name},
       {"digit", about.digit},
       {"built", describe(about.bones().fidelity)},
       {"net", about.net != nullptr ? OrderedJson(about.net->net().net.name) : OrderedJson()},
-      {"rotation", to_json(quaternion_of(digit.placed().R))}};
+      {"rotation", to_json(quaternion_of(digit.subject_pose().R))}};
   json["joints"] = joints_json(digit);
   json["muscles"] = muscles_json(digit);
   json["bands"] = bands_json(digit);
-  // Slips of the extensor hood, and the force of the tip.
+  // Add the slips of the extensor hood, and the force of the tip.
   const SlipTension& slips = now.point.pull.slips;
   json["slips"] = {{"central", slips.central},
                    {"radial", slips.radial},
@@ -137,15 +139,16 @@ OrderedJson state_json(const LiveDigit& digit) {
 }
 
 OrderedJson open_digit_of(Session& session, const Json& params, const Progress& progress) {
-  // Rungs that are left out are chosen by the digit.
+  // Read the request; hood and path are optional.
   DigitRequest request;
-  request.data = session.places().data;
+  request.data = session.folders().data;
   request.subject = params["subject"].get<std::string>();
   request.digit = params.value("digit", "");
   request.net = params.value("net", "");
   if (params.contains("hood")) request.hood = hood_named(params["hood"].get<std::string>());
   if (params.contains("path")) request.path = path_named(params["path"].get<std::string>());
   request.passive = passive_named(params.value("passive", "on"));
+  // Build and show the digit.
   progress(0, "building the digit");
   const auto digit = std::make_shared<LiveDigit>(request);
   session.open(LiveMode::kTendons, digit);
@@ -164,18 +167,19 @@ OrderedJson set_digit(Session& session, const Json& params, const Progress& /*pr
 
 OrderedJson sweep_digit_of(Session& session, const Json& params, const Progress& progress) {
   const auto& digit = session.model<LiveDigit>(LiveMode::kTendons);
-  // The other joints stay where they stand.
+  // Compute the curves; all other joints keep their angles.
   const DigitCurves curves =
       digit.sweep(params["joint"].get<std::string>(), params["count"].get<int>(), progress);
   if (progress.stop()) throw Stopped("stopped");
+  // Return the selected curves of all muscles.
   OrderedJson json{{"joint", curves.joint}, {"x", list_of(curves.angle)}};
-  const std::vector<std::string>& muscles = digit.about().bones().names.muscles;
+  const std::vector<std::string>& muscles = digit.digit_case().bones().names.muscles;
   for (const Json& what : params["what"]) {
     const std::string name = what.get<std::string>();
-    const Eigen::MatrixXd& of = name == "arms" ? curves.arms : curves.lengths;
+    const Eigen::MatrixXd& values = name == "arms" ? curves.arms : curves.lengths;
     json[name] = OrderedJson::object();
     for (std::size_t m = 0; m < muscles.size(); ++m)
-      json[name][muscles[m]] = list_of(of.row(static_cast<Eigen::Index>(m)).transpose());
+      json[name][muscles[m]] = list_of(values.row(static_cast<Eigen::Index>(m)).transpose());
   }
   json["warnings"] = curves.warnings;
   return json;
@@ -198,7 +202,7 @@ Schema open_params() {
 
 Schema set_params() {
   return object_schema(
-      {{"posture", map_schema(number_schema("rad", -kFullTurn, kFullTurn)),
+      {{"posture", map_schema(number_schema("rad", -kMaxAngle, kMaxAngle)),
         "Joint -> angle; others stay. Angles end at the limits of their joints."},
        {"tensions", map_schema(number_schema("N", 0, kMaxTension)),
         "Muscle -> tension; others stay."},
@@ -228,7 +232,7 @@ constexpr const char* kStateWords =
 }  // namespace
 
 void add_tendon_methods(MethodTable& table) {
-  // A digit is opened, changed and looked at; each change solves its tendons again.
+  // Add the methods that open, change and query the digit.
   table.add({"tendons.open", "Opens a digit of a subject with its tendons, and shows it.",
              open_params(), std::string("As tendons.state: ") + kStateWords,
              R"({"subject": "synek2019_middle"})", open_digit_of});
@@ -242,7 +246,7 @@ void add_tendon_methods(MethodTable& table) {
              [](Session& session, const Json&, const Progress&) {
                return state_json(session.model<LiveDigit>(LiveMode::kTendons));
              }});
-  // A sweep changes nothing of what is shown.
+  // Add the sweep, which does not change the digit.
   table.add({"tendons.sweep",
              "Moment arms and lengths of every muscle over one joint, the others as they stand.",
              sweep_params(),

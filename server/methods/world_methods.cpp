@@ -1,4 +1,4 @@
-// world.*: what stands in the world, from and to files, and how it is edited.
+// world.*: content of the world, loading, saving and editing.
 
 #include <nlohmann/json.hpp>
 
@@ -14,9 +14,10 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::size_t kWorldText = 1'000'000;     // of a world as text [bytes]
-constexpr std::size_t kDroppedText = 90'000'000;  // of a file in base64; messages end at 64 MB
-constexpr std::size_t kDroppedFiles = 1000;
+constexpr std::size_t kMaxWorldBytes = 1'000'000;  // largest world as text [bytes]
+constexpr std::size_t kMaxFileText =
+    90'000'000;  // largest file in base64 [bytes]; RpcLimits::bytes is lower
+constexpr std::size_t kMaxFilesOfImport = 1000;  // largest number of files of an import
 
 OrderedJson added_json(const AddedThing& added) {
   return {{"name", added.name}, {"warnings", added.warnings}};
@@ -47,14 +48,14 @@ OrderedJson save(Session& session, const Json& params, const Progress& /*progres
   LiveWorld& live = live_world(session);
   const std::string file = params["file"].get<std::string>();
   const bool overwrites = params["overwrite"].get<bool>();
-  (void)save_live_world(live, file, overwrites ? SaveOver::kAnything : SaveOver::kNothing);
+  (void)save_live_world(live, file, overwrites ? Overwrite::kAnything : Overwrite::kNothing);
   return {{"file", file}};
 }
 
 OrderedJson hand_json(const LiveWorld& live, const PlacedHand& placed) {
   const WorldState& state = live.state();
-  // The folder of imported files has another name every time.
-  const std::string imported = imported_file(live, placed);
+  // Do not reveal the temporary folder of imported files, whose name is random.
+  const std::string imported = imported_hand_file(live, placed);
   OrderedJson out{{"name", placed.name},
                   {"file", imported.empty() ? placed.file : "imported/" + imported},
                   {"position", to_json(placed.X_WH.p)},
@@ -62,13 +63,13 @@ OrderedJson hand_json(const LiveWorld& live, const PlacedHand& placed) {
                   {"carrier", placed.carrier},
                   {"carrier_link", placed.carrier_link},
                   {"joints", OrderedJson::object()}};
-  // Its own coordinates, as world files name them.
+  // Add the coordinates of the hand or carrier itself, with the names of world files.
   for (const StateHand& hand : state.hands) {
     const WorldHand& built = hand.built->hand;
     for (std::size_t part = 0; part < hand.parts.size(); ++part) {
       if (&state.placed[hand.parts[part]] != &placed) continue;
       for (std::size_t c = 0; c < built.names[part].size(); ++c)
-        out["joints"][built.names[part][c]] = hand.stand.q[built.places[part][c]];
+        out["joints"][built.names[part][c]] = hand.placement.q[built.places[part][c]];
     }
   }
   return out;
@@ -99,12 +100,12 @@ OrderedJson get(Session& session, const Json& /*params*/, const Progress& /*prog
 
 OrderedJson put_object(Session& session, const Json& params, const Progress& /*progress*/) {
   return added_json(add_object(open_live_world(session), params["object"].get<std::string>(),
-                               params["dynamic"].get<bool>(), place_param(params)));
+                               params["dynamic"].get<bool>(), pose_param(params)));
 }
 
 OrderedJson put_hand(Session& session, const Json& params, const Progress& progress) {
   return added_json(add_hand(open_live_world(session), params["hand"].get<std::string>(),
-                             place_param(params), progress));
+                             pose_param(params), progress));
 }
 
 OrderedJson import(Session& session, const Json& params, const Progress& progress) {
@@ -137,9 +138,9 @@ void add_file_rows(MethodTable& table) {
   table.add(
       {"world.load", "Loads a world by name or file, or from the text of a file.",
        object_schema(
-           {{"world", text_schema(kPathLength), "Name of a world, or path of its file."},
-            {"text", content_schema(kWorldText), "The world itself as TOML."},
-            {"name", text_schema(kNameLength), "How messages call the text.", false, "text"}}),
+           {{"world", text_schema(kMaxPathLength), "Name of a world, or path of its file."},
+            {"text", content_schema(kMaxWorldBytes), "The world itself as TOML."},
+            {"name", text_schema(kMaxNameLength), "How messages call the text.", false, "text"}}),
        "name: of the world; warnings: what was assumed", R"({"world": "jaw_box"})", load});
   table.add(
       {"world.text",
@@ -162,7 +163,7 @@ void add_file_rows(MethodTable& table) {
 
 void add_thing_rows(MethodTable& table) {
   // Paths may be longer than names.
-  const Schema path = text_schema(kPathLength), name = text_schema(kNameLength);
+  const Schema path = text_schema(kMaxPathLength), name = text_schema(kMaxNameLength);
   table.add(
       {"world.add_object",
        "Adds an object, or an obstacle that never moves; without a position at the origin, or "
@@ -182,12 +183,12 @@ void add_thing_rows(MethodTable& table) {
              R"({"hand": "barrett", "position": [0, 0.5, 0.3]})", put_hand});
   const Schema file =
       object_schema({{"name", name, "Path within what was dropped.", true},
-                     {"data", content_schema(kDroppedText), "Its bytes in base64.", true}});
+                     {"data", content_schema(kMaxFileText), "Its bytes in base64.", true}});
   table.add(
       {"world.import",
        "Adds what was dropped, at the origin or beside what stands there: a robot with its meshes, "
        "an object, a mesh.",
-       object_schema({{"files", list_schema(file, 1, kDroppedFiles), "All files.", true},
+       object_schema({{"files", list_schema(file, 1, kMaxFilesOfImport), "All files.", true},
                       {"as", word_schema(names_in(kDroppedAsNames)), "What it is.", true},
                       {"units", word_schema({"m", "cm", "mm", "in"}),
                        "Of the numbers of a mesh; m if left out."}}),

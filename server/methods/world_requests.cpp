@@ -9,7 +9,7 @@
 namespace thenar::internal {
 namespace {
 
-/// Values of the 64 letters; -1: none of them.
+/// Returns the value of each character in base64; -1: not in the alphabet.
 std::array<int, 256> letter_values() {
   std::array<int, 256> values{};
   values.fill(-1);
@@ -24,9 +24,9 @@ std::array<int, 256> letter_values() {
 LiveWorld& live_world(Session& session) { return session.model<LiveWorld>(LiveMode::kWorld); }
 
 LiveWorld& open_live_world(Session& session) {
-  if (!session.has(LiveMode::kWorld))
-    session.open(LiveMode::kWorld, std::make_shared<LiveWorld>(LiveWorldPlaces{
-                                       session.places().data, session.places().folder}));
+  if (!session.has_model(LiveMode::kWorld))
+    session.open(LiveMode::kWorld, std::make_shared<LiveWorld>(LiveWorldFolders{
+                                       session.folders().data, session.folders().folder}));
   session.show(LiveMode::kWorld);
   return live_world(session);
 }
@@ -36,7 +36,7 @@ LivePair pair_param(const Json& params) {
 }
 
 SchemaMember position_member() {
-  return {"position", list_schema(number_schema("m", -kFarthest, kFarthest), 3, 3),
+  return {"position", list_schema(number_schema("m", -kMaxCoordinate, kMaxCoordinate), 3, 3),
           "Where its frame is to be, x, y, z of the world."};
 }
 
@@ -45,16 +45,17 @@ SchemaMember rotation_member() {
 }
 
 SchemaMember hand_member() {
-  return {"hand", text_schema(kNameLength), "Which hand; may be left out where there is one."};
+  return {"hand", text_schema(kMaxNameLength), "Which hand; may be left out where there is one."};
 }
 
 SchemaMember object_member() {
-  return {"object", text_schema(kNameLength), "Which object; may be left out where there is one."};
+  return {"object", text_schema(kMaxNameLength),
+          "Which object; may be left out where there is one."};
 }
 
 SchemaMember gesture_member() {
   return {
-      "gesture", text_schema(kNameLength),
+      "gesture", text_schema(kMaxNameLength),
       "A name of your own: moves of one thing that follow each other with the same one, as of a "
       "drag, are undone as one. Without it each is undone by itself."};
 }
@@ -78,7 +79,7 @@ std::optional<Eigen::Matrix3d> rotation_param(const Json& params) {
       .toRotationMatrix();
 }
 
-WantedPlace place_param(const Json& params) {
+RequestedPose pose_param(const Json& params) {
   return {rotation_param(params).value_or(Eigen::Matrix3d::Identity()), position_param(params)};
 }
 
@@ -86,13 +87,13 @@ std::string from_base64(const std::string& text) {
   static const std::array<int, 256> values = letter_values();
   require(text.size() % 4 == 0, "wanted base64, whose length is a multiple of 4, got {} letters",
           text.size());
-  // One or two signs of padding end the text.
+  // Count the padding.
   std::size_t padding = 0;
   while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=') ++padding;
   std::string bytes;
   bytes.reserve(3 * (text.size() / 4));
   unsigned gathered = 0;
-  // Four letters of 6 bits make three bytes.
+  // Decode: four characters of 6 bits make three bytes.
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool pads = i >= text.size() - padding;
     const int value = pads ? 0 : values[static_cast<unsigned char>(text[i])];

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Common parts of requests about worlds: the world of the session, places, names, bytes.
+/// Common parts of requests about worlds: the world of the session, poses, names, bytes.
 
 #include <optional>
 #include <string>
@@ -14,35 +14,38 @@
 
 namespace thenar::internal {
 
-/// The world that is open. @throws InputError if none is, saying what opens one
+/// Returns the open world. @throws InputError naming the methods that open one, if there is none
 [[nodiscard]] LiveWorld& live_world(Session& session);
-/// The world that is open, or else an empty one, opened; it is shown.
+/// Returns the open world, or opens an empty one, and shows it.
 LiveWorld& open_live_world(Session& session);
 
-/// Most characters of a name, and of a path.
-inline constexpr std::size_t kNameLength = 300, kPathLength = kMaxOutsidePath;
-inline constexpr double kFarthest = 1000;  // of a position [m]
+/// Largest lengths of a name and of a path [bytes].
+inline constexpr std::size_t kMaxNameLength = 300, kMaxPathLength = kMaxOutsidePath;
+/// Largest magnitude of a coordinate of a position [m].
+inline constexpr double kMaxCoordinate = 1000;
 
-/// Returns the schema of a place: "position" and "rotation" of a request; each may be left out.
+/// Returns the optional members "position" and "rotation" of a request.
 [[nodiscard]] SchemaMember position_member();
 [[nodiscard]] SchemaMember rotation_member();
-/// "hand" and "object": names, which may be left out where there is only one.
+/// Returns the members "hand" and "object", names that are optional if there is only one.
 [[nodiscard]] SchemaMember hand_member();
 [[nodiscard]] SchemaMember object_member();
-/// "gesture": moves of one thing that name the same one are undone together.
+/// Returns the member "gesture": consecutive moves of one thing with one gesture are undone
+/// together.
 [[nodiscard]] SchemaMember gesture_member();
 
-/// Returns "hand" and "object" of a request.
+/// Reads "hand" and "object".
 [[nodiscard]] LivePair pair_param(const Json& params);
-/// A text; "" where it is left out.
+/// Reads a text; "" if it is missing.
 [[nodiscard]] std::string text_param(const Json& params, const std::string& name);
-/// A position [m] (3), or a rotation, made exact (3, 3); nothing where it is left out.
+/// Reads "position" [m] (3); empty if it is missing.
 [[nodiscard]] std::optional<Eigen::Vector3d> position_param(const Json& params);
+/// Reads "rotation", normalised (3, 3); empty if it is missing.
 [[nodiscard]] std::optional<Eigen::Matrix3d> rotation_param(const Json& params);
-/// Returns the position and rotation of a thing that is added.
-[[nodiscard]] WantedPlace place_param(const Json& params);
+/// Reads "position" and "rotation" of a new thing.
+[[nodiscard]] RequestedPose pose_param(const Json& params);
 
-/// Bytes of a text in base64 (RFC 4648, padded). @throws InputError where it is none
+/// Decodes base64 (RFC 4648, padded). @throws InputError for invalid text
 [[nodiscard]] std::string from_base64(const std::string& text);
 
 }  // namespace thenar::internal

@@ -48,7 +48,7 @@ TEST(LiveDigit, AnswersAsTheQuestionDoesToTheBit) {
   for (const Hood hood : {Hood::kSeparate, Hood::kFractions, Hood::kFloatingNet}) {
     LiveDigit digit(middle(hood));
     EXPECT_THAT(digit.set({kBent, kPull, {}}), IsEmpty());
-    const DigitPoint& here = digit.now().point;
+    const DigitPoint& here = digit.state().point;
     const DigitPoint there = solved(hood).point;
     EXPECT_EQ(here.q, there.q);
     EXPECT_EQ(here.pull.tau, there.pull.tau);
@@ -74,8 +74,8 @@ TEST(LiveDigit, ForgetsHowItCameToAPosture) {
     straight.set({kBent, kPull, {}});
     wandered.set({{{"MCP3_AA", 0}}, {{"RI", 0}}, {}});
     wandered.set({kBent, kPull, {}});
-    EXPECT_EQ(wandered.now().point.rest.tension, straight.now().point.rest.tension) << net;
-    EXPECT_EQ(wandered.now().point.tip.f_W, straight.now().point.tip.f_W) << net;
+    EXPECT_EQ(wandered.state().point.rest.tension, straight.state().point.rest.tension) << net;
+    EXPECT_EQ(wandered.state().point.tip.f_W, straight.state().point.tip.f_W) << net;
   }
 }
 
@@ -83,7 +83,7 @@ TEST(LiveDigit, KeepsWhatIsNotNamed) {
   LiveDigit digit(middle(Hood::kSeparate));
   digit.set({kBent, {}, {}});
   digit.set({{}, kPull, {}});
-  EXPECT_EQ(digit.now().point.tip.f_W, solved(Hood::kSeparate).point.tip.f_W);
+  EXPECT_EQ(digit.state().point.tip.f_W, solved(Hood::kSeparate).point.tip.f_W);
   EXPECT_EQ(digit.changes(), 2U);
   EXPECT_EQ(digit.shape_changes(), 0U);
 }
@@ -91,17 +91,18 @@ TEST(LiveDigit, KeepsWhatIsNotNamed) {
 TEST(LiveDigit, EndsAtItsLimitsAndSaysWhere) {
   LiveDigit digit(middle(Hood::kSeparate));
   EXPECT_THAT(digit.set({{{"PIP3", 6}, {"DIP3", 0.1}}, {}, {}}), ElementsAre("PIP3"));
-  const TendonDigit& bones = digit.about().bones();
+  const TendonDigit& bones = digit.digit_case().bones();
   for (std::size_t i = 0; i < bones.names.coordinates.size(); ++i)
     if (bones.names.coordinates[i] == "PIP3") {
-      EXPECT_EQ(digit.now().point.q[static_cast<Eigen::Index>(i)], bones.skeleton.limits[i].upper);
+      EXPECT_EQ(digit.state().point.q[static_cast<Eigen::Index>(i)],
+                bones.skeleton.limits[i].upper);
     }
 }
 
 TEST(LiveDigit, RefusesWhatIsWrongAndStaysAsItWas) {
   LiveDigit digit(middle(Hood::kFloatingNet));
   digit.set({kBent, kPull, {}});
-  const Eigen::VectorXd before = digit.now().point.rest.tension;
+  const Eigen::VectorXd before = digit.state().point.rest.tension;
   const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
   for (const DigitInputs& wrong : std::vector<DigitInputs>{{{{"PIP4", 0}}, {}, {}},
                                                            {{{"PIP3", nan}}, {}, {}},
@@ -117,7 +118,7 @@ TEST(LiveDigit, RefusesWhatIsWrongAndStaysAsItWas) {
     all.posture.emplace("DIP3", 0.9);
     EXPECT_THROW(digit.set(all), InputError);
   }
-  EXPECT_EQ(digit.now().point.rest.tension, before);
+  EXPECT_EQ(digit.state().point.rest.tension, before);
   EXPECT_EQ(digit.changes(), 1U);
 }
 
@@ -125,8 +126,8 @@ TEST(LiveDigit, RefusesWhatIsWrongAndStaysAsItWas) {
 TEST(LiveDigit, BalancesTheTip) {
   LiveDigit digit(middle(Hood::kFloatingNet));
   digit.set({kBent, kPull, {}});
-  const DigitPoint& point = digit.now().point;
-  const TendonDigit& bones = digit.about().bones();
+  const DigitPoint& point = digit.state().point;
+  const TendonDigit& bones = digit.digit_case().bones();
   const TipStatics statics = tip_statics(bones, point.q);
   EXPECT_TRUE(matrix_near(statics.J.transpose() * point.tip.f_W + point.tip.tau_residual,
                           point.pull.tau, 1e-12));
@@ -145,12 +146,12 @@ DigitRequest index_with_fibres() {
 TEST(LiveDigit, ExcitedMusclesHoldWhatTheirLengthAllows) {
   LiveDigit digit(index_with_fibres());
   digit.set({{{"PIP2", 0.3}}, {}, {{"FDP", 0.6}, {"EDC", 0}}});
-  const DigitCase& about = digit.about();
-  const Eigen::VectorXd& q = digit.now().point.q;
+  const DigitCase& about = digit.digit_case();
+  const Eigen::VectorXd& q = digit.state().point.q;
   const auto contraction = build_contraction(
       musculotendons(about.subject, about.bones(), Muscle::kRigidTendon), Muscle::kRigidTendon);
   const Excursion way = excursion(*about.tendons, Eigen::VectorXd::Zero(q.size()), q,
-                                  Eigen::VectorXd::Zero(digit.now().tension.size()));
+                                  Eigen::VectorXd::Zero(digit.state().tension.size()));
   for (std::size_t m = 0; m < about.bones().names.muscles.size(); ++m) {
     const std::string& name = about.bones().names.muscles[m];
     const double a = name == "FDP" ? 0.6 : 0;
@@ -160,34 +161,35 @@ TEST(LiveDigit, ExcitedMusclesHoldWhatTheirLengthAllows) {
                                 ? contraction->tension(static_cast<int>(m), {a, length, 0, 0})
                                 : 0;
     // Gauss's rule leaves 1e-9 m, and a muscle has less than 1e5 N/m.
-    EXPECT_NEAR(digit.now().tension[static_cast<Eigen::Index>(m)], expected, 1e-4) << name;
+    EXPECT_NEAR(digit.state().tension[static_cast<Eigen::Index>(m)], expected, 1e-4) << name;
   }
-  EXPECT_GT(digit.now().tension.maxCoeff(), 10);
+  EXPECT_GT(digit.state().tension.maxCoeff(), 10);
 }
 
 TEST(LiveDigit, AnExcitationFollowsThePostureAndATensionEndsIt) {
   LiveDigit digit(index_with_fibres());
-  const auto& names = digit.about().bones().names.muscles;
+  const auto& names = digit.digit_case().bones().names.muscles;
   const Eigen::Index fdp = std::find(names.begin(), names.end(), "FDP") - names.begin();
   // 66 mm fibres that are 12.1 degrees oblique hold F0 cos 12.1 in the posture of their length.
   digit.set({{}, {}, {{"FDP", 1}}});
-  const double straight = digit.now().tension[fdp];
+  const double straight = digit.state().tension[fdp];
   EXPECT_NEAR(straight, 4.79 * 30 * std::cos(radians(12.1)), 1e-2 * straight);
   digit.set({{{"PIP2", 0.6}}, {}, {}});
-  EXPECT_LT(digit.now().tension[fdp], 0.99 * straight);
-  EXPECT_EQ(digit.now().excitation[fdp], 1);
+  EXPECT_LT(digit.state().tension[fdp], 0.99 * straight);
+  EXPECT_EQ(digit.state().excitation[fdp], 1);
   digit.set({{}, {{"FDP", 7}}, {}});
-  EXPECT_EQ(digit.now().tension[fdp], 7);
-  EXPECT_TRUE(std::isnan(digit.now().excitation[fdp]));
+  EXPECT_EQ(digit.state().tension[fdp], 7);
+  EXPECT_TRUE(std::isnan(digit.state().excitation[fdp]));
 }
 
 TEST(LiveDigit, SaysWhatItAssumesOfMusclesWithoutFibres) {
   LiveDigit digit(middle(Hood::kFloatingNet));
   digit.set({{}, {}, {{"FDP", 0.25}}});
-  const auto& names = digit.about().bones().names.muscles;
+  const auto& names = digit.digit_case().bones().names.muscles;
   const Eigen::Index fdp = std::find(names.begin(), names.end(), "FDP") - names.begin();
-  EXPECT_EQ(digit.now().tension[fdp], 0.25 * digit.about().bones().max_tension[fdp]);
-  EXPECT_THAT(digit.now().warnings, testing::Contains(HasSubstr("fibre length of FDP is unknown")));
+  EXPECT_EQ(digit.state().tension[fdp], 0.25 * digit.digit_case().bones().max_tension[fdp]);
+  EXPECT_THAT(digit.state().warnings,
+              testing::Contains(HasSubstr("fibre length of FDP is unknown")));
 }
 
 // Curves.
@@ -240,12 +242,12 @@ TEST(LiveDigit, StandsOnItsCurves) {
     const DigitCurves curves = digit.sweep("PIP3", 21);
     digit.set({{{"PIP3", curves.angle[7]}}, {}, {}});
     const auto pip = static_cast<Eigen::Index>(2);
-    ASSERT_EQ(digit.about().bones().names.coordinates[2], "PIP3");
+    ASSERT_EQ(digit.digit_case().bones().names.coordinates[2], "PIP3");
     for (Eigen::Index m = 0; m < curves.lengths.rows(); ++m) {
       EXPECT_EQ(std::isnan(curves.arms(m, 7)), std::isnan(curves.lengths(m, 7))) << m;
       if (std::isnan(curves.lengths(m, 7))) continue;
-      EXPECT_NEAR(digit.now().point.pull.R(m, pip), curves.arms(m, 7), 1e-9) << m;
-      EXPECT_NEAR(digit.now().length[m], curves.lengths(m, 7), 1e-9) << m;
+      EXPECT_NEAR(digit.state().point.pull.R(m, pip), curves.arms(m, 7), 1e-9) << m;
+      EXPECT_NEAR(digit.state().length[m], curves.lengths(m, 7), 1e-9) << m;
     }
   }
 }
@@ -261,8 +263,8 @@ TEST(LiveDigit, ArmsOfANetAreSlopesOfTorqueOrUnknown) {
   int known = 0;
   for (const double pip : {-0.5, 0.1, 0.6, 1.1}) {
     digit.set({{{"PIP2", pip}}, {{"EDC2", 4}, {"FDP2", 6}}, {}});
-    const DigitNow now = digit.now();
-    const auto& names = digit.about().bones().names.muscles;
+    const DigitState now = digit.state();
+    const auto& names = digit.digit_case().bones().names.muscles;
     for (const char* name : {"EDC2", "FDP2"}) {
       const Eigen::Index m = std::find(names.begin(), names.end(), name) - names.begin();
       if (now.arms.row(m).array().isNaN().any()) {
@@ -272,9 +274,9 @@ TEST(LiveDigit, ArmsOfANetAreSlopesOfTorqueOrUnknown) {
       ++known;
       constexpr double kStep = 1e-3;  // [N]
       digit.set({{}, {{name, now.tension[m] + kStep}}, {}});
-      const Eigen::VectorXd more = digit.now().point.pull.tau;
+      const Eigen::VectorXd more = digit.state().point.pull.tau;
       digit.set({{}, {{name, now.tension[m] - kStep}}, {}});
-      const Eigen::VectorXd less = digit.now().point.pull.tau;
+      const Eigen::VectorXd less = digit.state().point.pull.tau;
       digit.set({{}, {{name, now.tension[m]}}, {}});
       // 1e-9 N of the search for rest at arms of 1e-2 m, over the step.
       EXPECT_TRUE(matrix_near(now.arms.row(m).transpose(), (more - less) / (2 * kStep), 1e-6))
@@ -288,13 +290,13 @@ TEST(LiveDigit, ArmsOfANetAreSlopesOfTorqueOrUnknown) {
 // millimetres.
 TEST(LiveDigit, AMuscleThatIsSlackInANetHasNoArm) {
   LiveDigit digit(middle(Hood::kFloatingNet));
-  const auto& names = digit.about().bones().names.muscles;
+  const auto& names = digit.digit_case().bones().names.muscles;
   const Eigen::Index edc = std::find(names.begin(), names.end(), "EDC") - names.begin();
   digit.set({kBent, {{"EDC", 0}, {"FDP", 5}}, {}});
-  EXPECT_TRUE(digit.now().arms.row(edc).array().isNaN().all());
+  EXPECT_TRUE(digit.state().arms.row(edc).array().isNaN().all());
   EXPECT_TRUE(digit.sweep("PIP3", 5).arms.row(edc).array().isNaN().all());
   digit.set({kBent, {{"EDC", 1e-3}, {"FDP", 5}}, {}});
-  EXPECT_LT(digit.now().arms(edc, 0), -1e-3);
+  EXPECT_LT(digit.state().arms(edc, 0), -1e-3);
 }
 
 TEST(LiveDigit, SweepsNoJointThatIsNotThere) {
@@ -318,7 +320,7 @@ TEST(LiveDigit, HasAPictureThatFitsItsShape) {
       check_instant(digit.shape(), digit.instant());
       digit.set({{{"PIP2", 1}, {"DIP2", 0.6}}, {{"FDP2", 10}, {"EDC2", 4}}, {}});
       check_instant(digit.shape(), digit.instant());
-      EXPECT_GE(digit.shape().lines.size(), digit.about().bones().names.muscles.size());
+      EXPECT_GE(digit.shape().lines.size(), digit.digit_case().bones().names.muscles.size());
     }
 }
 
@@ -349,8 +351,8 @@ TEST(LiveDigit, DrawsTheAxesAboutWhichBodiesTurn) {
 // Its dorsal side is up and its distal direction along x, whatever frame the subject has.
 TEST(LiveDigit, LiesFlatAndPointsAlongX) {
   const LiveDigit digit(middle(Hood::kSeparate));
-  const Eigen::Matrix3d& axes = digit.about().bones().model.tip_axes;
-  const Eigen::Matrix3d& R = digit.placed().R;
+  const Eigen::Matrix3d& axes = digit.digit_case().bones().model.tip_axes;
+  const Eigen::Matrix3d& R = digit.subject_pose().R;
   EXPECT_TRUE(matrix_near(R * axes.col(1), Eigen::Vector3d(0, 0, 1), 1e-9));
   EXPECT_GT((R * axes.col(0)).dot(Eigen::Vector3d(-1, 0, 0)), 1 - 1e-9);
   EXPECT_TRUE(matrix_near(R * R.transpose(), Eigen::Matrix3d::Identity(), 1e-12));
@@ -361,11 +363,11 @@ TEST(LiveDigit, DrawsTheForceOfTheTipWhereTheTipIs) {
   LiveDigit digit(middle(Hood::kFractions));
   digit.set({kBent, kPull, {}});
   const LiveVector force = digit.instant().arrows.back();
-  const DigitPoint& point = digit.now().point;
-  const TendonModel<double>& model = digit.about().bones().model;
+  const DigitPoint& point = digit.state().point;
+  const TendonModel<double>& model = digit.digit_case().bones().model;
   EXPECT_NEAR(force.vector.norm(), point.tip.f_W.norm(), 1e-12);
-  EXPECT_TRUE(matrix_near(digit.placed().R.transpose() * force.vector, point.tip.f_W, 1e-12));
-  EXPECT_TRUE(matrix_near(digit.placed().inverse() * force.from,
+  EXPECT_TRUE(matrix_near(digit.subject_pose().R.transpose() * force.vector, point.tip.f_W, 1e-12));
+  EXPECT_TRUE(matrix_near(digit.subject_pose().inverse() * force.from,
                           moved(pose_tree(model.tree, point.q), model.tip_link, model.tip), 1e-12));
 }
 
@@ -374,9 +376,9 @@ TEST(LiveDigit, ColoursLinesByTheTensionOfTheirStrands) {
   LiveDigit digit(middle(Hood::kFractions));
   digit.set({kBent, kPull, {}});
   const LiveInstant instant = digit.instant();
-  const TendonDigit& bones = digit.about().bones();
+  const TendonDigit& bones = digit.digit_case().bones();
   const Eigen::VectorXd strands =
-      strand_matrix(bones.model, digit.now().point.q) * digit.now().tension;
+      strand_matrix(bones.model, digit.state().point.q) * digit.state().tension;
   for (std::size_t i = 0; i < instant.tensions.size(); ++i) {
     const auto& names = bones.names.strands;
     const auto s = std::find(names.begin(), names.end(), digit.shape().lines[i].name);
@@ -405,12 +407,12 @@ TEST(LiveDigit, FitsIntoASmallFrame) {
 
 TEST(LiveDigit, TakesANetWhereItCan) {
   const LiveDigit finger(middle({}));
-  EXPECT_NE(finger.about().net, nullptr);
+  EXPECT_NE(finger.digit_case().net, nullptr);
   DigitRequest request;
   request.subject = kData + "/subjects/human_hand.toml";
   request.digit = "thumb";
   const LiveDigit thumb(request);
-  EXPECT_EQ(thumb.about().net, nullptr);
+  EXPECT_EQ(thumb.digit_case().net, nullptr);
   EXPECT_THAT(thumb.warnings().front(), HasSubstr("tendons without a net"));
 }
 
@@ -434,14 +436,14 @@ TEST(LiveDigit, OpensEveryDigitOrSaysWhyNot) {
           try {
             LiveDigit live(request);
             DigitInputs inputs;
-            const TendonDigit& bones = live.about().bones();
+            const TendonDigit& bones = live.digit_case().bones();
             for (std::size_t i = 0; i < bones.names.coordinates.size(); ++i)
               inputs.posture[bones.names.coordinates[i]] =
                   0.7 * bones.skeleton.limits[i].lower + 0.3 * bones.skeleton.limits[i].upper;
             for (const std::string& muscle : bones.names.muscles) inputs.tension[muscle] = 3;
             EXPECT_THAT(live.set(inputs), IsEmpty());
             check_instant(live.shape(), live.instant());
-            EXPECT_TRUE(trusted(live.now().point.pull.status) || !live.now().warnings.empty());
+            EXPECT_TRUE(trusted(live.state().point.pull.status) || !live.state().warnings.empty());
             ++opened;
           } catch (const Error& error) {
             // No net on a thumb, no muscle at a digit.

@@ -76,7 +76,7 @@ TEST_F(LiveFitFile, DrawsForcesAtTheTipAlongItsAxes) {
   (void)fitted({"synek2019_H01"});
   LiveFit live(path("fit.h5"));
   for (int i = 0; i < static_cast<int>(live.trials().size()); i += 7) {
-    live.show(i);
+    live.show_trial(i);
     const LiveInstant instant = live.instant();
     check_instant(live.shape(), instant);
     const LiveVector measured = instant.arrows[instant.arrows.size() - 2];
@@ -90,8 +90,8 @@ TEST_F(LiveFitFile, DrawsForcesAtTheTipAlongItsAxes) {
         state[static_cast<std::size_t>(model.tip_link)].X.R * model.tip_axes;
     const Eigen::Vector3d by_hand =
         axes * experiment.axes_of_digit.cast<double>().transpose() * live.predicted(i).measured;
-    EXPECT_TRUE(matrix_near(live.placed().R.transpose() * measured.vector, by_hand, 1e-12));
-    EXPECT_TRUE(matrix_near(live.placed().inverse() * measured.from,
+    EXPECT_TRUE(matrix_near(live.subject_pose().R.transpose() * measured.vector, by_hand, 1e-12));
+    EXPECT_TRUE(matrix_near(live.subject_pose().inverse() * measured.from,
                             moved(state, model.tip_link, model.tip), 1e-12));
   }
 }
@@ -102,7 +102,7 @@ TEST_F(LiveFitFile, MovesToThePostureOfTheTrial) {
   const Experiment& experiment = live.source().problem.experiments().front();
   const auto& joints = live.digit().names.coordinates;
   for (int i = 0; i < static_cast<int>(live.trials().size()); ++i) {
-    live.show(i);
+    live.show_trial(i);
     for (const PostureRecord& posture : experiment.postures) {
       if (posture.name != live.predicted(i).posture) continue;
       for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -121,10 +121,11 @@ TEST_F(LiveFitFile, ShowsTheAxesOfTheSpecimenOfTheTrial) {
   LiveFit live(path("fit.h5"));
   for (const int specimen : {0, 1, 0}) {
     const unsigned long before = live.shape_changes();
-    const bool other = live.trials()[static_cast<std::size_t>(live.shown())].specimen != specimen;
+    const bool other =
+        live.trials()[static_cast<std::size_t>(live.shown_trial())].specimen != specimen;
     const auto first = std::find_if(live.trials().begin(), live.trials().end(),
                                     [&](const LiveTrial& t) { return t.specimen == specimen; });
-    live.show(static_cast<int>(first - live.trials().begin()));
+    live.show_trial(static_cast<int>(first - live.trials().begin()));
     EXPECT_EQ(live.shape_changes(), before + (other ? 1 : 0));
     const TendonDigit expected = fitted_digit(fit.fit, specimen);
     for (std::size_t i = 0; i < expected.model.tree.size(); ++i)
@@ -135,9 +136,9 @@ TEST_F(LiveFitFile, ShowsTheAxesOfTheSpecimenOfTheTrial) {
 TEST_F(LiveFitFile, RefusesWhatIsNotThere) {
   (void)fitted({"synek2019_H01"});
   LiveFit live(path("fit.h5"));
-  EXPECT_THAT(message_of([&] { live.show(-1); }), HasSubstr("counted from 0"));
-  EXPECT_THROW(live.show(static_cast<int>(live.trials().size())), InputError);
-  EXPECT_EQ(live.shown(), 0);
+  EXPECT_THAT(message_of([&] { live.show_trial(-1); }), HasSubstr("counted from 0"));
+  EXPECT_THROW(live.show_trial(static_cast<int>(live.trials().size())), InputError);
+  EXPECT_EQ(live.shown_trial(), 0);
   EXPECT_THROW(LiveFit(path("none.h5")), InputError);
   EXPECT_THROW(LiveFit(kData + "/subjects/human_hand.toml"), InputError);
 }
@@ -165,7 +166,7 @@ TEST_F(LiveFitFile, DrawsTheAxesOfAPosteriorAsClouds) {
   EXPECT_EQ(live.shape().clouds[0].name, "PIP3");
   EXPECT_EQ(live.shape().clouds[1].name, "DIP3");
   for (const LiveCloud& cloud : live.shape().clouds) {
-    EXPECT_EQ(cloud.segments.size(), 2U * kShownDraws);
+    EXPECT_EQ(cloud.segments.size(), 2U * kMaxShownDraws);
     for (std::size_t k = 0; k < cloud.segments.size(); k += 2)
       EXPECT_NEAR((cloud.segments[k + 1] - cloud.segments[k]).norm(), 0.03, 1e-12);
   }
@@ -173,7 +174,7 @@ TEST_F(LiveFitFile, DrawsTheAxesOfAPosteriorAsClouds) {
   const LiveCloud& tilted = live.shape().clouds[0];
   Eigen::Vector3d mean(0, 0, 0);
   for (std::size_t k = 0; k < tilted.segments.size(); k += 2)
-    mean += (tilted.segments[k + 1] - tilted.segments[k]) / 0.03 / kShownDraws;
+    mean += (tilted.segments[k + 1] - tilted.segments[k]) / 0.03 / kMaxShownDraws;
   const auto& names = live.digit().names.hinges;
   const auto pip = std::find(names.begin(), names.end(), "PIP3") - names.begin();
   const Hinge<double>& hinge = live.digit().model.tree[static_cast<std::size_t>(pip)];

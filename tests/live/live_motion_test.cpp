@@ -115,13 +115,13 @@ TEST(LiveMotion, JointsTurnAboutTheirDrawnAxes) {
 TEST(LiveMotion, ShowsThePastAndGoesOnFromThere) {
   LiveMotion motion(scene_called("pinch"));
   motion.step(100, {});
-  const Eigen::VectorXd end = motion.shown().state.q;
+  const Eigen::VectorXd end = motion.shown_instant().state.q;
   EXPECT_NEAR(motion.seek(0.0403), 0.040, 1e-12);
   EXPECT_FALSE(motion.is_newest());
   EXPECT_NEAR(motion.instant().time, 0.040, 1e-12);
   // Looking forgets nothing.
   EXPECT_NEAR(motion.seek(5), 0.1, 1e-12);
-  EXPECT_EQ(motion.shown().state.q, end);
+  EXPECT_EQ(motion.shown_instant().state.q, end);
   // Stepping does.
   (void)motion.seek(0.04);
   motion.step(10, {});
@@ -142,8 +142,8 @@ TEST(LiveMotion, LookingChangesNothing) {
     (void)asked.state({true, true, true, true, true});
     left.step(2, {});
   }
-  EXPECT_EQ(asked.shown().state.q, left.shown().state.q);
-  EXPECT_EQ(asked.shown().state.v, left.shown().state.v);
+  EXPECT_EQ(asked.shown_instant().state.q, left.shown_instant().state.q);
+  EXPECT_EQ(asked.shown_instant().state.v, left.shown_instant().state.v);
 }
 
 TEST(LiveMotion, MemoryOfThePastIsBounded) {
@@ -187,7 +187,7 @@ TEST(LiveMotion, InfiniteEffortsStopAtTheLastGoodInstant) {
   motion.play(1);
   EXPECT_THAT(message_of([&] { (void)motion.step(5000, {}); }), HasSubstr("finite"));
   EXPECT_FALSE(motion.live_time().playing);
-  EXPECT_TRUE(motion.shown().state.q.allFinite());
+  EXPECT_TRUE(motion.shown_instant().state.q.allFinite());
   EXPECT_NO_THROW(check_instant(motion.shape(), motion.instant()));
   motion.reset();
   EXPECT_EQ(motion.step(10, {}).steps, 10);
@@ -353,8 +353,8 @@ TEST(LiveMotion, StepsAreThoseOfSimulatedScenes) {
     request.seconds = 0.2;
     const SceneResult wanted = simulate_scene(request);
     const MotionQuality quality = motion.step(std::lround(0.2 / motion.live_time().step), {});
-    EXPECT_EQ(motion.shown().state.q, wanted.run.samples.back().q);
-    EXPECT_EQ(motion.shown().state.v, wanted.run.samples.back().v);
+    EXPECT_EQ(motion.shown_instant().state.q, wanted.run.samples.back().q);
+    EXPECT_EQ(motion.shown_instant().state.v, wanted.run.samples.back().v);
     EXPECT_EQ(quality.leaps, 0);
     EXPECT_EQ(quality.worst_residual, wanted.run.cost.worst_residual);
     ASSERT_TRUE(quality.balance.has_value());

@@ -12,9 +12,9 @@ namespace {
 
 PastInstant instant_at(double t, Eigen::Index numbers = 2) {
   PastInstant past;
-  past.at.state.t = t;
-  past.at.state.q = Eigen::VectorXd::Constant(numbers, t);
-  past.at.state.v = Eigen::VectorXd::Zero(numbers);
+  past.scene.state.t = t;
+  past.scene.state.q = Eigen::VectorXd::Constant(numbers, t);
+  past.scene.state.v = Eigen::VectorXd::Zero(numbers);
   return past;
 }
 
@@ -29,9 +29,9 @@ TEST(MotionHistory, ForgetsTheOldestFirst) {
   limits.instants = 3;
   const MotionHistory history = history_of({0, 1, 2, 3, 4}, limits);
   ASSERT_EQ(history.size(), 3U);
-  EXPECT_EQ(history.at(0).at.state.t, 2);
-  EXPECT_EQ(history.at(2).at.state.t, 4);
-  EXPECT_EQ(history.at(2).at.state.q, Eigen::Vector2d(4, 4));
+  EXPECT_EQ(history.instant(0).scene.state.t, 2);
+  EXPECT_EQ(history.instant(2).scene.state.t, 4);
+  EXPECT_EQ(history.instant(2).scene.state.q, Eigen::Vector2d(4, 4));
 }
 
 // Memory grows with the numbers that are kept, and stays at its limit: one instant beyond at most.
@@ -46,7 +46,7 @@ TEST(MotionHistory, KeepsToItsMemory) {
   for (int i = 0; i < 50; ++i) history.add(instant_at(i));
   EXPECT_EQ(history.bytes(), 4 * one);
   EXPECT_EQ(history.size(), 4U);
-  EXPECT_EQ(history.at(3).at.state.t, 49);
+  EXPECT_EQ(history.instant(3).scene.state.t, 49);
 }
 
 // Halfway between two instants the earlier one is taken; beyond the ends the ends.
@@ -54,20 +54,20 @@ TEST(MotionHistory, FindsTheNearestInstant) {
   const MotionHistory history = history_of({0, 1, 3});
   const double asked[] = {-5, 0, 0.4, 0.5, 0.6, 2.1, 3, 9};
   const std::size_t wanted[] = {0, 0, 0, 0, 1, 2, 2, 2};
-  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(history.nearest(asked[i]), wanted[i]) << asked[i];
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(history.nearest_index(asked[i]), wanted[i]) << asked[i];
 }
 
 TEST(MotionHistory, CutsBehindAnInstant) {
   MotionHistory history = history_of({0, 1, 2, 3});
-  history.cut_behind(1);
+  history.erase_after(1);
   EXPECT_EQ(history.size(), 2U);
   EXPECT_EQ(history.bytes(), history_of({0, 1}).bytes());
   history.add(instant_at(1.5));
-  EXPECT_EQ(history.at(2).at.state.t, 1.5);
+  EXPECT_EQ(history.instant(2).scene.state.t, 1.5);
   history.clear();
   EXPECT_EQ(history.size(), 0U);
   EXPECT_EQ(history.bytes(), 0U);
-  EXPECT_EQ(message_of([&] { (void)history.nearest(0); }), "no instant is kept");
+  EXPECT_EQ(message_of([&] { (void)history.nearest_index(0); }), "no instant is kept");
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ namespace {
 class TimesAlone final : public RecordedTimeline {
  public:
   explicit TimesAlone(std::vector<double> times) : RecordedTimeline(std::move(times)) {}
+  using RecordedTimeline::interpolated_number;
   using RecordedTimeline::nearest;
   using RecordedTimeline::straight;
-  using RecordedTimeline::straight_number;
 
   [[nodiscard]] const LiveShape& shape() const override { return shape_; }
   [[nodiscard]] LiveInstant instant() const override { return {}; }
@@ -54,7 +54,8 @@ TEST(RecordedTimeline, GoesStraightBetweenInstants) {
     (void)motion.seek(t);
     EXPECT_NEAR(motion.straight(rows)[0], 3 * t - 1, 1e-14) << t;
     EXPECT_NEAR(motion.straight(rows)[1], -t, 1e-14) << t;
-    EXPECT_NEAR(motion.straight_number([&](std::size_t i) { return 2 * times[i]; }), 2 * t, 1e-14);
+    EXPECT_NEAR(motion.interpolated_number([&](std::size_t i) { return 2 * times[i]; }), 2 * t,
+                1e-14);
   }
 }
 

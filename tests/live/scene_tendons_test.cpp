@@ -104,7 +104,7 @@ TEST(SceneTendons, LinesHaveTheirPointsAndNamesOnce) {
   EXPECT_GE(shape.lines.size(), 30u);
   std::set<std::string> names;
   for (const LiveLine& line : shape.lines) {
-    EXPECT_LE(line.points, kLinePoints);
+    EXPECT_LE(line.points, kMaxStrandPoints);
     EXPECT_GE(line.points, 2);
     EXPECT_TRUE(names.insert(line.owner + " " + line.name).second) << line.owner << line.name;
   }

@@ -16,14 +16,14 @@
 namespace thenar {
 namespace {
 
-OrderedJson answer_to(const std::string& question, const Json& request) {
+OrderedJson respond_to(const std::string& question, const Json& request) {
   return question_named(question).ask(request, THENAR_DATA_DIR, {}).json(UnitSystem::kSi);
 }
 
 std::vector<double> tip_force(const std::map<std::string, double>& tension) {
-  return answer_to("tip_force", {{"subject", "synek2019_middle"},
-                                 {"posture_deg", {{"MCP3_FE", 40}, {"PIP3", 55}}},
-                                 {"tension_N", tension}})["force_N"];
+  return respond_to("tip_force", {{"subject", "synek2019_middle"},
+                                  {"posture_deg", {{"MCP3_FE", 40}, {"PIP3", 55}}},
+                                  {"tension_N", tension}})["force_N"];
 }
 
 // Without a net tendons are linear: forces of muscles add up, and grow with them.
@@ -38,7 +38,7 @@ TEST(DigitQuestions, TipForcesOfTendonsAddUp) {
 TEST(DigitQuestions, ArmsAreSlopesOfLengths) {
   const std::map<std::string, double> posture{{"MCP3_FE", 0.4}, {"MCP3_AA", 0.05}, {"PIP3", 0.6}};
   const auto arms_at = [](const std::map<std::string, double>& q) {
-    return answer_to("moment_arms", {{"subject", "synek2019_middle"}, {"posture_rad", q}});
+    return respond_to("moment_arms", {{"subject", "synek2019_middle"}, {"posture_rad", q}});
   };
   const OrderedJson here = arms_at(posture);
   const double step = 1e-5;
@@ -60,7 +60,7 @@ TEST(DigitQuestions, ArmsAreSlopesOfLengths) {
 TEST(DigitQuestions, FlexionsOfAPoseAddUp) {
   const auto proximal = [](const Json& posture) {
     const OrderedJson tip =
-        answer_to("pose", {{"model", "synek2019_middle"}, {"posture_deg", posture}})["tips"][0];
+        respond_to("pose", {{"model", "synek2019_middle"}, {"posture_deg", posture}})["tips"][0];
     return tip["proximal"].get<std::vector<double>>();
   };
   const std::vector<double> straight = proximal(Json::object()),
@@ -72,14 +72,14 @@ TEST(DigitQuestions, FlexionsOfAPoseAddUp) {
 
 TEST(DigitQuestions, SaysWhichJointOrMuscleThereIsNot) {
   const std::string joint = message_of([] {
-    (void)answer_to("pose", {{"model", "synek2019_middle"}, {"posture_deg", {{"PIP4", 1}}}});
+    (void)respond_to("pose", {{"model", "synek2019_middle"}, {"posture_deg", {{"PIP4", 1}}}});
   });
   EXPECT_NE(joint.find("PIP4"), std::string::npos) << joint;
   EXPECT_NE(joint.find("PIP3"), std::string::npos) << joint;
   const std::string muscle = message_of([] { (void)tip_force({{"FDPP", 1}}); });
   EXPECT_NE(muscle.find("'FDPP'"), std::string::npos) << muscle;
   EXPECT_EQ(message_of([] {
-              (void)answer_to("tip_force", {{"subject", "synek2019_middle"}});
+              (void)respond_to("tip_force", {{"subject", "synek2019_middle"}});
             }),
             "'tension_N' is missing: Tensions of muscles; others are slack.");
 }

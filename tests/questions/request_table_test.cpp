@@ -28,7 +28,7 @@ RequestTable<Squeeze> squeeze_table() {
   table.add_word("grip", kGripNames, &Squeeze::grip, "How.");
   table.add("width", units::kMillimetre, number_schema("", 0, 0.1), &Squeeze::width, "How wide.");
   table.add("angle", units::kDegree, number_schema(""), &Squeeze::angle, "From where.");
-  table.add("force", units::kNewton, map_schema(endless_schema("", 0)), &Squeeze::force,
+  table.add("force", units::kNewton, map_schema(infinite_number_schema("", 0)), &Squeeze::force,
             "Of whom.");
   table.add("count", integer_schema(1, 9), &Squeeze::count, "How often.");
   table.add("twice", flag_schema(), &Squeeze::twice, "Whether.");

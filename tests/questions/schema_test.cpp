@@ -23,7 +23,7 @@ Schema place() {
 /// What a value is refused with; "" if it is not.
 std::string refusal(const Json& value) {
   try {
-    (void)checked(place(), value, "params");
+    (void)validated(place(), value, "params");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -32,7 +32,7 @@ std::string refusal(const Json& value) {
 
 TEST(Schema, FillsInWhatIsLeftOut) {
   const Json out =
-      checked(place(), Json::parse(R"({"name": "mug", "position": [1, 2.5, 0]})"), "params");
+      validated(place(), Json::parse(R"({"name": "mug", "position": [1, 2.5, 0]})"), "params");
   EXPECT_EQ(out, Json::parse(R"({"name": "mug", "position": [1, 2.5, 0],
                                  "rotation": [1, 0, 0, 0], "norm": "l1"})"));
 }
@@ -49,9 +49,9 @@ TEST(Schema, TakesNoControlCharactersInNames) {
   EXPECT_EQ(refusal(given), "");
   given["joints"] = {{"a\nb", 1}};
   EXPECT_THAT(refusal(given), HasSubstr("params.joints: "));
-  EXPECT_NO_THROW((void)checked(content_schema(10), "a\nb", "params"));
+  EXPECT_NO_THROW((void)validated(content_schema(10), "a\nb", "params"));
   for (const char* file : {"../x", "/x", ".x", "a/.x/y", "a/", ""})
-    EXPECT_THROW((void)checked(saved_file_schema(), file, "params"), InputError) << file;
+    EXPECT_THROW((void)validated(saved_file_schema(), file, "params"), InputError) << file;
 }
 
 TEST(Schema, SaysWhereWhatWasWantedAndWhatCame) {
@@ -80,9 +80,9 @@ TEST(Schema, LetsNoNumberThroughThatIsNone) {
   const Schema schema = number_schema("N");
   for (const Json& value : {Json(nullptr), Json("1"), Json(true), Json::array({1}),
                             Json(std::numeric_limits<double>::infinity())})
-    EXPECT_THROW((void)checked(schema, value, "x"), InputError) << value;
-  EXPECT_THROW((void)checked(integer_schema(0, 9), 1.5, "x"), InputError);
-  EXPECT_EQ(checked(integer_schema(0, 9), 2.0, "x"), Json(2.0));
+    EXPECT_THROW((void)validated(schema, value, "x"), InputError) << value;
+  EXPECT_THROW((void)validated(integer_schema(0, 9), 1.5, "x"), InputError);
+  EXPECT_EQ(validated(integer_schema(0, 9), 2.0, "x"), Json(2.0));
 }
 
 TEST(Schema, IsWrittenAsJsonSchema) {

@@ -32,13 +32,13 @@ class Listener final : public EngineClient {
   void reply(std::string text) override {
     keep([&] { replies_.push_back(text.empty() ? Json() : Json::parse(text)); });
   }
-  void tell(std::shared_ptr<const std::string> text) override {
+  void notify(std::shared_ptr<const std::string> text) override {
     keep([&] { told_.push_back(Json::parse(*text)); });
   }
-  void show(std::shared_ptr<const std::string> frame) override {
+  void send_frame(std::shared_ptr<const std::string> frame) override {
     keep([&] { frames_.push_back(*frame); });
   }
-  [[nodiscard]] bool watches() const override { return watching_; }
+  [[nodiscard]] bool is_watching() const override { return watching_; }
 
   /// The reply of this number, from 0, when it has come.
   Json reply_of(std::size_t number) {
@@ -85,8 +85,7 @@ class Listener final : public EngineClient {
   template <typename Ready, typename Get>
   std::invoke_result_t<Get> wait(const Ready& ready, const Get& get) {
     std::unique_lock<std::mutex> lock(mutex_);
-    if (!changed_.wait_for(lock, kHang, ready))
-      throw std::runtime_error("waited too long");
+    if (!changed_.wait_for(lock, kHang, ready)) throw std::runtime_error("waited too long");
     return get();
   }
 
@@ -104,7 +103,7 @@ std::string request(const std::string& method, const Json& params = Json::object
 TEST(Engine, AnswersAndShowsWhatHasChanged) {
   Engine engine(small_table(), {});
   const auto watcher = std::make_shared<Listener>(true);
-  const int number = engine.join(watcher);
+  const int number = engine.add_client(watcher);
   EXPECT_TRUE(watcher->notification("scene")["bodies"].empty());
   engine.receive(number, request("small.open"));
   EXPECT_EQ(watcher->reply_of(0)["result"], Json::object());
@@ -126,12 +125,12 @@ TEST(Engine, AnswersAndShowsWhatHasChanged) {
 TEST(Engine, TellsTheStateBeforeTheSceneThatItIsOf) {
   Engine engine(small_table(), {});
   const auto watcher = std::make_shared<Listener>(true), late = std::make_shared<Listener>(true);
-  const int number = engine.join(watcher);
+  const int number = engine.add_client(watcher);
   EXPECT_TRUE(watcher->notification("state")["motion"].is_null());
   engine.receive(number, request("small.open"));
   // Both who was there and who comes later.
   for (const auto& one : {watcher, late}) {
-    if (one == late) (void)engine.join(late);
+    if (one == late) (void)engine.add_client(late);
     const Json state = one->state_before_bodies();
     ASSERT_TRUE(state.is_object());
     EXPECT_EQ(state["mode"], "motion");
@@ -143,7 +142,7 @@ TEST(Engine, TellsTheStateBeforeTheSceneThatItIsOf) {
 TEST(Engine, SendsTheLatestFrameAndFewOfThem) {
   Engine engine(small_table(), {});
   const auto watcher = std::make_shared<Listener>(true);
-  const int number = engine.join(watcher);
+  const int number = engine.add_client(watcher);
   engine.receive(number, request("small.open"));
   const auto begin = std::chrono::steady_clock::now();
   for (int i = 0; i < 2000; ++i)
@@ -161,7 +160,7 @@ TEST(Engine, SendsTheLatestFrameAndFewOfThem) {
 TEST(Engine, StopsWhatRunsAndOnlyThat) {
   Engine engine(small_table(), {});
   const auto one = std::make_shared<Listener>(true), other = std::make_shared<Listener>(false);
-  const int first = engine.join(one), second = engine.join(other);
+  const int first = engine.add_client(one), second = engine.add_client(other);
   engine.receive(second, request("session.stop"));
   EXPECT_EQ(other->reply_of(0)["result"]["asked"], false);
   engine.receive(first, request("small.wait", Json::object(), 5));
@@ -183,7 +182,7 @@ MethodTable greeting_table() {
   for (const char* name : {"session.hello", "session.status"})
     table.add({name, "Says.", object_schema({}), "something", "{}",
                [](Session& session, const Json&, const Progress&) -> OrderedJson {
-                 return {{"mode", session.shown() == nullptr ? "" : session.mode_name()}};
+                 return {{"mode", session.shown_model() == nullptr ? "" : session.mode_name()}};
                }});
   return table;
 }
@@ -192,7 +191,7 @@ MethodTable greeting_table() {
 TEST(Engine, SaysWhatRunsWhileItRuns) {
   Engine engine(greeting_table(), {});
   const auto one = std::make_shared<Listener>(true), other = std::make_shared<Listener>(false);
-  const int first = engine.join(one), second = engine.join(other);
+  const int first = engine.add_client(one), second = engine.add_client(other);
   engine.receive(first, request("small.open"));
   EXPECT_EQ(one->reply_of(0)["result"], Json::object());
   engine.receive(first, request("small.wait", Json::object(), 5));
@@ -224,7 +223,7 @@ TEST(Engine, BoundsTheRepliesOfABatch) {
              }});
   Engine engine(std::move(table), {});
   const auto client = std::make_shared<Listener>(false);
-  const int number = engine.join(client);
+  const int number = engine.add_client(client);
   Json batch = Json::array();
   for (int i = 0; i < 100; ++i)
     batch.push_back({{"jsonrpc", "2.0"}, {"id", i}, {"method", "small.tell"}});
@@ -240,12 +239,12 @@ TEST(Engine, BoundsTheRepliesOfABatch) {
 TEST(Engine, ForgetsWhoLeavesAndStopsWhatHeWaitedFor) {
   Engine engine(small_table(), {});
   const auto gone = std::make_shared<Listener>(true), other = std::make_shared<Listener>(false);
-  const int first = engine.join(gone), second = engine.join(other);
+  const int first = engine.add_client(gone), second = engine.add_client(other);
   engine.receive(first, request("small.wait"));
   (void)gone->notification("progress");
   engine.receive(first, request("small.wait"));  // never begun
   engine.receive(second, request("small.open"));
-  engine.leave(first);
+  engine.remove_client(first);
   EXPECT_EQ(other->reply_of(0)["result"], Json::object());
   EXPECT_EQ(gone.use_count(), 1);
 }
@@ -253,7 +252,7 @@ TEST(Engine, ForgetsWhoLeavesAndStopsWhatHeWaitedFor) {
 TEST(Engine, PlaysNoFasterThanTheClock) {
   Engine engine(small_table(), {});
   const auto watcher = std::make_shared<Listener>(true);
-  const int number = engine.join(watcher);
+  const int number = engine.add_client(watcher);
   const auto begin = std::chrono::steady_clock::now();
   engine.receive(number, request("small.open", {{"playing", true}}));
   double played = 0;
@@ -282,7 +281,7 @@ TEST(Engine, StopsAMotionThatPlays) {
   }
   Engine engine(table, {});
   const auto watcher = std::make_shared<Listener>(true);
-  const int number = engine.join(watcher);
+  const int number = engine.add_client(watcher);
   engine.receive(number, request("small.open", {{"playing", true}}));
   (void)watcher->reply_of(0);
   // The first tick comes soon; until then nothing runs that could be stopped.
@@ -300,32 +299,32 @@ TEST(Engine, LetsNoMoreClientsInThanItMay) {
   EngineOptions options;
   options.clients = 2;
   Engine engine(small_table(), {}, options);
-  const int first = engine.join(std::make_shared<Listener>(false));
-  (void)engine.join(std::make_shared<Listener>(false));
-  EXPECT_THROW((void)engine.join(std::make_shared<Listener>(false)), InputError);
-  engine.leave(first);
-  EXPECT_NO_THROW((void)engine.join(std::make_shared<Listener>(false)));
+  const int first = engine.add_client(std::make_shared<Listener>(false));
+  (void)engine.add_client(std::make_shared<Listener>(false));
+  EXPECT_THROW((void)engine.add_client(std::make_shared<Listener>(false)), InputError);
+  engine.remove_client(first);
+  EXPECT_NO_THROW((void)engine.add_client(std::make_shared<Listener>(false)));
 }
 
 TEST(Engine, AsksInItsOwnName) {
   Engine engine(small_table(), {});
-  EXPECT_EQ(engine.ask("small.open", Json::object()), OrderedJson::object());
-  EXPECT_THROW((void)engine.ask("small.lift", {{"height", 3}}), InputError);
-  EXPECT_THROW((void)engine.ask("small.lif", {{"height", 0.1}}), InputError);
+  EXPECT_EQ(engine.call("small.open", Json::object()), OrderedJson::object());
+  EXPECT_THROW((void)engine.call("small.lift", {{"height", 3}}), InputError);
+  EXPECT_THROW((void)engine.call("small.lif", {{"height", 0.1}}), InputError);
   Progress progress;
   progress.stop_requested = [] { return true; };
-  EXPECT_EQ(engine.ask("small.wait", Json::object(), progress)["asked"], 1);
-  engine.end("it is over");
-  EXPECT_THROW((void)engine.ask("small.open", Json::object()), Stopped);
+  EXPECT_EQ(engine.call("small.wait", Json::object(), progress)["asked"], 1);
+  engine.shut_down("it is over");
+  EXPECT_THROW((void)engine.call("small.open", Json::object()), Stopped);
 }
 
 TEST(Engine, TellsItsEndAndEndsWhatRuns) {
   Engine engine(small_table(), {});
   const auto watcher = std::make_shared<Listener>(true);
-  const int number = engine.join(watcher);
+  const int number = engine.add_client(watcher);
   engine.receive(number, request("small.wait"));
   (void)watcher->notification("progress");
-  engine.end("it is over");
+  engine.shut_down("it is over");
   EXPECT_EQ(watcher->notification("ended")["reason"], "it is over");
 }
 
@@ -340,7 +339,7 @@ TEST_F(Replay, GivesTheSameRepliesAndFindsThoseThatDiffer) {
     options.log = file;
     Engine engine(small_table(), {}, options);
     const auto client = std::make_shared<Listener>(true);
-    const int number = engine.join(client);
+    const int number = engine.add_client(client);
     engine.receive(number, request("small.open"));
     engine.receive(number, request("small.lift", {{"height", 0.125}}));
     engine.receive(number, request("small.lift", {{"height", 3}}));  // refused
@@ -358,13 +357,13 @@ TEST_F(Replay, GivesTheSameRepliesAndFindsThoseThatDiffer) {
   const MethodTable table = small_table();
   const ReplayResult same = replay(log, table, again, ReplayWrites::kSkipped);
   EXPECT_EQ(same.requests, 5U);
-  EXPECT_FALSE(same.differs);
+  EXPECT_FALSE(same.first_difference);
   EXPECT_NEAR(again.model<SmallModel>(LiveMode::kMotion).live_time().t, 7e-3, 1e-15);
   EXPECT_EQ(again.log().text(), read_file(file, 1 << 20));
   log[1].params["height"] = 0.25;
   Session other({});
   const ReplayResult another = replay(log, table, other, ReplayWrites::kSkipped);
-  EXPECT_EQ(another.differs, 2U);
+  EXPECT_EQ(another.first_difference, 2U);
   EXPECT_EQ(another.requests, 2U);  // none behind it
 }
 
@@ -383,7 +382,7 @@ TEST_F(Replay, WritesNothingUnlessToldTo) {
   EXPECT_EQ(skipped.skipped, 1U);
   EXPECT_EQ(skipped.requests, 0U);
   EXPECT_EQ(written, 0);
-  EXPECT_FALSE(replay(log, table, session, ReplayWrites::kDone).differs);
+  EXPECT_FALSE(replay(log, table, session, ReplayWrites::kDone).first_difference);
   EXPECT_EQ(written, 1);
 }
 

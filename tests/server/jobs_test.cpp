@@ -91,9 +91,9 @@ TEST(Jobs, KeepTheirBestWhenTheyAreStopped) {
 
 TEST(Jobs, ThatAreStoppedBeforeAnythingWasDoneHaveNoResult) {
   Jobs jobs;
-  jobs.hold();
+  jobs.defer();
   const int id = jobs.start(question_named("tip_force"), Json::parse(kTipForce), THENAR_DATA_DIR);
-  EXPECT_EQ(jobs.run_held(id, 0).stopped_at, 0);
+  EXPECT_EQ(jobs.run_deferred(id, 0).stopped_at, 0);
   EXPECT_EQ(jobs.state(id).stage, JobStage::kStopped);
   EXPECT_EQ(message_of([&] { (void)jobs.result(id); }),
             "job 1 has no result: stopped before the first posture was done");
@@ -131,31 +131,31 @@ TEST(Jobs, MakeRoomOfTheOldestThatHaveEnded) {
   }
   (void)jobs.start(question, Json::object(), "");
   EXPECT_EQ(message_of([&] { (void)jobs.state(1); }), "there is no job 1");
-  EXPECT_EQ(jobs.all().size(), kMaxJobs);
+  EXPECT_EQ(jobs.states().size(), kMaxJobs);
 }
 
 TEST(Jobs, AreRepeatedWhereTheyEnded) {
   const MethodTable table = method_table();
-  const SessionPlaces places{THENAR_DATA_DIR, "."};
+  const SessionFolders places{THENAR_DATA_DIR, "."};
   const Json params{{"question", "tip_force"}, {"request", Json::parse(kTipForce)}};
   // A session in which a job is started, and ends.
   Session session(places);
   RpcRequest start;
   start.method = "job.start";
   start.params = params;
-  std::vector<LoggedRequest> log{logged(1, start, execute(start, table, session, {}))};
+  std::vector<LoggedRequest> log{log_entry(1, start, execute(start, table, session, {}))};
   ASSERT_TRUE(wait_until([&] { return has_ended(session.jobs(), 1); }));
-  const std::vector<EndedJob> ended = session.jobs().take_ended();
+  const std::vector<EndedJob> ended = session.jobs().take_ended_jobs();
   ASSERT_EQ(ended.size(), 1U);
-  log.push_back(logged(ended.front()));
+  log.push_back(log_entry(ended.front()));
   // The same again; then with another result.
   Session again(places);
   const ReplayResult same = replay(log, table, again, ReplayWrites::kSkipped);
   EXPECT_EQ(same.requests, 2U);
-  EXPECT_FALSE(same.differs);
+  EXPECT_FALSE(same.first_difference);
   log.back().reply[0] = log.back().reply[0] == 'a' ? 'b' : 'a';
   Session other(places);
-  EXPECT_EQ(replay(log, table, other, ReplayWrites::kSkipped).differs, 2U);
+  EXPECT_EQ(replay(log, table, other, ReplayWrites::kSkipped).first_difference, 2U);
 }
 
 TEST(Jobs, OfUnknownParametersAreRefusedBeforeTheyWait) {
@@ -169,7 +169,7 @@ TEST(Jobs, OfUnknownParametersAreRefusedBeforeTheyWait) {
   };
   EXPECT_EQ(refusal({{"subjekt", "x"}}).substr(0, 23), "no parameter 'subjekt',");
   EXPECT_EQ(refusal({{"data", "/etc"}}), "'data' is for programs of the server's own machine");
-  EXPECT_TRUE(session.jobs().all().empty());
+  EXPECT_TRUE(session.jobs().states().empty());
 }
 
 }  // namespace

@@ -20,9 +20,10 @@ std::vector<std::string> lines_of(const std::string& text, std::size_t most, uns
     const std::size_t count = std::min<std::size_t>(text.size() - at, 1 + rng() % 7);
     splitter.add(text.data() + at, count);
     at += count;
-    while (const auto line = splitter.next()) lines.push_back(line->too_long ? "!" : line->text);
+    while (const auto line = splitter.next_line())
+      lines.push_back(line->too_long ? "!" : line->text);
   }
-  if (const auto line = splitter.rest()) lines.push_back(line->text);
+  if (const auto line = splitter.take_rest()) lines.push_back(line->text);
   return lines;
 }
 

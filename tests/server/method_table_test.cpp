@@ -23,7 +23,7 @@ TEST(AllMethods, StandTogetherByGroup) {
   std::set<std::string> ended;
   std::string group;
   const MethodTable table = method_table();
-  for (const RpcMethod& method : table.all()) {
+  for (const RpcMethod& method : table.methods()) {
     ASSERT_NE(method.name.find('.'), std::string::npos) << method.name;
     if (group_of(method) == group) continue;
     EXPECT_TRUE(ended.insert(group).second) << group;
@@ -35,8 +35,8 @@ TEST(AllMethods, StandTogetherByGroup) {
 // Each example is what its method takes.
 TEST(AllMethods, TakeTheirExamples) {
   const MethodTable table = method_table();
-  for (const RpcMethod& method : table.all()) {
-    EXPECT_NO_THROW((void)checked(method.params, Json::parse(method.example), "params"))
+  for (const RpcMethod& method : table.methods()) {
+    EXPECT_NO_THROW((void)validated(method.params, Json::parse(method.example), "params"))
         << method.name;
     EXPECT_TRUE(method.handler != nullptr) << method.name;
     EXPECT_EQ(method.about.back(), '.') << method.name;
@@ -48,9 +48,9 @@ TEST(AllMethods, TakeTheirExamples) {
 TEST(AllMethods, AskEveryQuestionThatIsAnsweredAtOnce) {
   const MethodTable table = method_table();
   for (const Question& question : questions())
-    EXPECT_EQ(table.has("ask." + question.name), question.pace == QuestionPace::kAtOnce)
+    EXPECT_EQ(table.has_method("ask." + question.name), question.pace == QuestionPace::kAtOnce)
         << question.name;
-  EXPECT_TRUE(table.has("job.start"));
+  EXPECT_TRUE(table.has_method("job.start"));
 }
 
 }  // namespace

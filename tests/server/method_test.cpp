@@ -25,12 +25,12 @@ RpcMethod method_named(const std::string& name) {
 TEST(MethodTable, KeepsTheOrderInWhichMethodsWereAdded) {
   MethodTable table;
   for (const char* name : {"world.new", "hand.close", "a.first"}) table.add(method_named(name));
-  ASSERT_EQ(table.all().size(), 3U);
-  EXPECT_EQ(table.all()[0].name, "world.new");
-  EXPECT_EQ(table.all()[2].name, "a.first");
-  EXPECT_TRUE(table.has("hand.close"));
-  EXPECT_FALSE(table.has("hand"));
-  EXPECT_EQ(table.at("hand.close").name, "hand.close");
+  ASSERT_EQ(table.methods().size(), 3U);
+  EXPECT_EQ(table.methods()[0].name, "world.new");
+  EXPECT_EQ(table.methods()[2].name, "a.first");
+  EXPECT_TRUE(table.has_method("hand.close"));
+  EXPECT_FALSE(table.has_method("hand"));
+  EXPECT_EQ(table.method_named("hand.close").name, "hand.close");
 }
 
 TEST(MethodTable, RefusesASecondMethodOfAName) {
@@ -38,16 +38,16 @@ TEST(MethodTable, RefusesASecondMethodOfAName) {
   table.add(method_named("hand.close"));
   EXPECT_EQ(message_of([&] { table.add(method_named("hand.close")); }),
             "there are two methods 'hand.close'");
-  EXPECT_EQ(table.all().size(), 1U);
+  EXPECT_EQ(table.methods().size(), 1U);
 }
 
 TEST(MethodTable, NamesTheNearestMethod) {
   MethodTable table;
   table.add(method_named("hand.close"));
   table.add(method_named("world.new"));
-  EXPECT_EQ(message_of([&] { (void)table.at("hand.clos"); }),
+  EXPECT_EQ(message_of([&] { (void)table.method_named("hand.clos"); }),
             "no method 'hand.clos', did you mean 'hand.close'? session.methods lists all");
-  EXPECT_EQ(message_of([&] { (void)table.at("quite something else"); }),
+  EXPECT_EQ(message_of([&] { (void)table.method_named("quite something else"); }),
             "no method 'quite something else'; session.methods lists all");
 }
 

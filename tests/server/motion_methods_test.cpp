@@ -25,14 +25,14 @@ class MotionMethods : public testing::Test {
   MotionMethods() {
     internal::add_motion_methods(table_);
     internal::add_world_methods(table_);
-    SessionPlaces places;
+    SessionFolders places;
     places.data = kData;
     session_ = std::make_unique<Session>(places);
   }
 
   OrderedJson call(const std::string& method, const Json& params = Json::object()) {
-    const RpcMethod& row = table_.at(method);
-    return row.handler(*session_, checked(row.params, params, "params"), {});
+    const RpcMethod& row = table_.method_named(method);
+    return row.handler(*session_, validated(row.params, params, "params"), {});
   }
   /// As call(), from text to text, as through a line.
   std::string call_text(const std::string& method, const std::string& params) {
@@ -47,7 +47,7 @@ class MotionMethods : public testing::Test {
 };
 
 TEST_F(MotionMethods, ExamplesAreAnswered) {
-  for (const RpcMethod& row : table_.all()) {
+  for (const RpcMethod& row : table_.methods()) {
     if (row.name == "motion.record" || row.name.rfind("motion.", 0) != 0) continue;
     SCOPED_TRACE(row.name);
     (void)call("motion.open", {{"scene", "pinch"}});
@@ -185,7 +185,7 @@ TEST_F(MotionMethods, NumbersAreWholeDoubles) {
 TEST_F(MotionMethods, FramesOfHandsWithTendonsAreSmall) {
   (void)call("motion.open", {{"scene", "human_cylinder"}, {"step", 0.002}});
   (void)call("motion.step", {{"steps", 20}});
-  const LiveInstant instant = session_->shown()->instant();
+  const LiveInstant instant = session_->shown_model()->instant();
   EXPECT_GT(instant.tensions.size(), 30u);
   EXPECT_LT(encode_frame(instant, 1, 1).size(), 4000u);
 }
@@ -221,8 +221,9 @@ TEST_F(MotionMethods, StopsWithinAStep) {
   int asked = 0;
   Progress progress;
   progress.stop_requested = [&] { return ++asked == 20; };
-  const RpcMethod& row = table_.at("motion.step");
-  const OrderedJson reply = row.handler(*session_, checked(row.params, params, "params"), progress);
+  const RpcMethod& row = table_.method_named("motion.step");
+  const OrderedJson reply =
+      row.handler(*session_, validated(row.params, params, "params"), progress);
   EXPECT_EQ(asked, 20);
   EXPECT_LT(reply["steps"], 5);
   EXPECT_DOUBLE_EQ(reply["t"].get<double>(), 1e-3 * reply["steps"].get<double>());

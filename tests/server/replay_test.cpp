@@ -24,7 +24,7 @@ std::vector<LoggedRequest> lifts(const std::vector<double>& heights) {
   const MethodTable table = small_table();
   std::vector<LoggedRequest> log;
   const auto add = [&](const RpcRequest& request) {
-    log.push_back(logged(1, request, execute(request, table, session, {})));
+    log.push_back(log_entry(1, request, execute(request, table, session, {})));
   };
   add(request_of("small.open", Json::object()));
   for (const double height : heights) add(request_of("small.lift", {{"height", height}}));
@@ -37,16 +37,17 @@ TEST(ReplayedLog, RepeatsALogToTheSameState) {
       replay(lifts({0.1, 0.4, 0.3}), small_table(), session, ReplayWrites::kSkipped);
   EXPECT_EQ(result.requests, 4U);
   EXPECT_EQ(result.skipped, 0U);
-  EXPECT_FALSE(result.differs.has_value());
-  EXPECT_EQ(session.shown()->instant().joints.at(0), 0.3);
+  EXPECT_FALSE(result.first_difference.has_value());
+  EXPECT_EQ(session.shown_model()->instant().joints.at(0), 0.3);
 }
 
 // Refusals are replies as well: the same request is refused again.
 TEST(ReplayedLog, RepeatsRefusals) {
   Session session({});
   const std::vector<LoggedRequest> log = lifts({0.1, 9});  // beyond its range
-  EXPECT_FALSE(replay(log, small_table(), session, ReplayWrites::kSkipped).differs.has_value());
-  EXPECT_EQ(session.shown()->instant().joints.at(0), 0.1);
+  EXPECT_FALSE(
+      replay(log, small_table(), session, ReplayWrites::kSkipped).first_difference.has_value());
+  EXPECT_EQ(session.shown_model()->instant().joints.at(0), 0.1);
 }
 
 // It ends at the first reply that is another one, and does nothing after.
@@ -55,9 +56,9 @@ TEST(ReplayedLog, EndsAtTheFirstReplyThatDiffers) {
   log[2].params["height"] = 0.25;  // the reply is that of 0.2
   Session session({});
   const ReplayResult result = replay(log, small_table(), session, ReplayWrites::kSkipped);
-  EXPECT_EQ(result.differs, 3U);
+  EXPECT_EQ(result.first_difference, 3U);
   EXPECT_EQ(result.requests, 3U);
-  EXPECT_EQ(session.shown()->instant().joints.at(0), 0.25);
+  EXPECT_EQ(session.shown_model()->instant().joints.at(0), 0.25);
 }
 
 // A request that was stopped at its n-th question is stopped there again.
@@ -72,8 +73,9 @@ TEST(ReplayedLog, StopsWhereItWasStopped) {
   EXPECT_EQ(then.stopped_at, 5);
   EXPECT_EQ(then.answer.result["asked"], 6);
   Session again({});
-  const ReplayResult result = replay({logged(1, wait, then)}, table, again, ReplayWrites::kSkipped);
-  EXPECT_FALSE(result.differs.has_value());
+  const ReplayResult result =
+      replay({log_entry(1, wait, then)}, table, again, ReplayWrites::kSkipped);
+  EXPECT_FALSE(result.first_difference.has_value());
 }
 
 // Methods that write files are passed over, unless somebody asks for them.
@@ -94,7 +96,7 @@ TEST(ReplayedLog, WritesFilesOnlyWhereItIsAskedTo) {
   std::vector<LoggedRequest> log = lifts({0.1});
   Session first({});
   const RpcRequest request = request_of("small.save", Json::object());
-  log.push_back(logged(1, request, execute(request, table, first, {})));
+  log.push_back(log_entry(1, request, execute(request, table, first, {})));
   ASSERT_EQ(written, 1);
   Session session({});
   const ReplayResult skipped = replay(log, table, session, ReplayWrites::kSkipped);

@@ -12,9 +12,9 @@ namespace {
 
 TEST(Session, BeginsWithNothingToShow) {
   const Session session({});
-  EXPECT_EQ(session.shown(), nullptr);
+  EXPECT_EQ(session.shown_model(), nullptr);
   EXPECT_EQ(session.mode_name(), "world");
-  EXPECT_FALSE(session.has(LiveMode::kWorld));
+  EXPECT_FALSE(session.has_model(LiveMode::kWorld));
   EXPECT_EQ(session.revision(), 0U);
 }
 
@@ -66,7 +66,7 @@ TEST(Session, SaysWhichMethodOpensWhatIsNotOpen) {
             "no world is open: call world.new or world.load");
   EXPECT_EQ(message_of([&] { (void)session.model<SmallModel>(LiveMode::kFit); }),
             "no fit is open: call fit.open");
-  EXPECT_EQ(session.find<SmallModel>(LiveMode::kMotion), nullptr);
+  EXPECT_EQ(session.find_model<SmallModel>(LiveMode::kMotion), nullptr);
   EXPECT_EQ(message_of([&] { session.show(LiveMode::kMotion); }),
             "no scene that moves is open: call motion.open or motion.record");
 }

@@ -22,8 +22,8 @@ using testing::HasSubstr;
 class LiveClient : public sample::SmallFit {
  protected:
   OrderedJson call(const std::string& method, const Json& params) {
-    const RpcMethod& row = table_.at(method);
-    return row.handler(session_, checked(row.params, params, "params"), {});
+    const RpcMethod& row = table_.method_named(method);
+    return row.handler(session_, validated(row.params, params, "params"), {});
   }
   OrderedJson call(const std::string& method, const char* params) {
     return call(method, Json::parse(params));
@@ -45,7 +45,7 @@ TEST_F(TendonMethods, GiveSlidersTheirNamesLimitsAndValues) {
   open_middle();
   const OrderedJson state = call("tendons.state", "{}");
   const auto& digit = session_.model<LiveDigit>(LiveMode::kTendons);
-  const TendonDigit& bones = digit.about().bones();
+  const TendonDigit& bones = digit.digit_case().bones();
   ASSERT_EQ(state["joints"].size(), bones.names.hinges.size());
   EXPECT_EQ(state["joints"][0]["name"], bones.names.hinges[0]);
   EXPECT_EQ(state["joints"][0]["lower"], bones.skeleton.limits[0].lower);
@@ -105,7 +105,7 @@ TEST_F(TendonMethods, SweepOverTheRangeOfAJoint) {
   EXPECT_FALSE(curves.contains("lengths"));
   const auto& digit = session_.model<LiveDigit>(LiveMode::kTendons);
   const DigitCurves expected = digit.sweep("PIP3", 11);
-  const std::vector<std::string>& muscles = digit.about().bones().names.muscles;
+  const std::vector<std::string>& muscles = digit.digit_case().bones().names.muscles;
   for (std::size_t m = 0; m < muscles.size(); ++m)
     EXPECT_EQ(curves["arms"][muscles[m]][4], expected.arms(static_cast<Eigen::Index>(m), 4));
 }
@@ -133,7 +133,7 @@ TEST_F(TendonMethods, RefuseWhatCannotBe) {
 
 TEST_F(TendonMethods, TakeTheirOwnExamples) {
   for (const char* name : {"tendons.open", "tendons.set", "tendons.state", "tendons.sweep"})
-    EXPECT_FALSE(call(name, table_.at(name).example.c_str()).empty()) << name;
+    EXPECT_FALSE(call(name, table_.method_named(name).example.c_str()).empty()) << name;
 }
 
 using FitMethods = LiveClient;

@@ -15,15 +15,15 @@ using testing::HasSubstr;
 const ServerAccess kFree{"127.0.0.1", 0, ""};
 const ServerAccess kGuarded{"127.0.0.1", 0, "0123456789abcdef"};
 
-WebQuestion get(const std::string& target) { return {"GET", target, "127.0.0.1:80", "", ""}; }
+HttpRequest get(const std::string& target) { return {"GET", target, "127.0.0.1:80", "", ""}; }
 
-WebAnswer ask(const WebQuestion& question, const ServerAccess& access = kFree) {
-  return answer_to(access, 80, question, [](const std::string& id) {
+HttpResponse ask(const HttpRequest& question, const ServerAccess& access = kFree) {
+  return respond_to(access, 80, question, [](const std::string& id) {
     return id == "abc" ? std::make_shared<const std::string>("bytes") : nullptr;
   });
 }
 
-std::string header(const WebAnswer& answer, const std::string& name) {
+std::string header(const HttpResponse& answer, const std::string& name) {
   for (const auto& [key, value] : answer.headers)
     if (key == name) return value;
   return "";
@@ -40,7 +40,7 @@ TEST(HttpStart, WaitsForAMethodAndHangsUpOnAnythingElse) {
 }
 
 TEST(WebPages, GivesThePageWithItsHeaders) {
-  const WebAnswer answer = ask(get("/"));
+  const HttpResponse answer = ask(get("/"));
   EXPECT_EQ(answer.status, 200);
   EXPECT_THAT(answer.body, HasSubstr("live.js"));
   EXPECT_THAT(header(answer, "Content-Security-Policy"), HasSubstr("default-src 'self'"));
@@ -52,7 +52,7 @@ TEST(WebPages, GivesThePageWithItsHeaders) {
 }
 
 TEST(WebPages, GivesMeshesAndNothingElse) {
-  const WebAnswer answer = ask(get("/mesh/abc"));
+  const HttpResponse answer = ask(get("/mesh/abc"));
   EXPECT_EQ(*answer.mesh, "bytes");
   EXPECT_THAT(header(answer, "Cache-Control"), HasSubstr("immutable"));
   for (const char* target :
@@ -61,9 +61,9 @@ TEST(WebPages, GivesMeshesAndNothingElse) {
 }
 
 TEST(WebPages, PutsNothingOfTheQuestionIntoARefusal) {
-  WebQuestion question = get("/");
+  HttpRequest question = get("/");
   question.host = "evil.example\r\nX: y";
-  const WebAnswer answer = ask(question);
+  const HttpResponse answer = ask(question);
   EXPECT_EQ(answer.status, 403);
   for (const auto& [key, value] : answer.headers) EXPECT_EQ(value.find("evil"), std::string::npos);
   EXPECT_EQ(answer.body.find("evil"), std::string::npos);
@@ -72,11 +72,11 @@ TEST(WebPages, PutsNothingOfTheQuestionIntoARefusal) {
 TEST(WebPages, WantsTheTokenForEveryFile) {
   for (const char* target : {"/", "/live.js", "/mesh/abc", "/nothing"})
     EXPECT_EQ(ask(get(target), kGuarded).status, 401) << target;
-  const WebAnswer page = ask(get("/?token=0123456789abcdef"), kGuarded);
+  const HttpResponse page = ask(get("/?token=0123456789abcdef"), kGuarded);
   EXPECT_EQ(page.status, 200);
   EXPECT_THAT(header(page, "Set-Cookie"), HasSubstr("thenar_80=0123456789abcdef; "));
   EXPECT_EQ(header(ask(get("/")), "Set-Cookie"), "");
-  WebQuestion question = get("/live.js");
+  HttpRequest question = get("/live.js");
   question.cookie = "other=1; thenar_80=0123456789abcdef";
   EXPECT_EQ(ask(question, kGuarded).status, 200);
   question.cookie = "thenar_81=0123456789abcdef";  // of a server at another port
@@ -84,7 +84,7 @@ TEST(WebPages, WantsTheTokenForEveryFile) {
 }
 
 TEST(WebPages, TakesNoOtherMethods) {
-  WebQuestion question = get("/");
+  HttpRequest question = get("/");
   for (const char* method : {"POST", "OPTIONS", "PUT", "", "get"}) {
     question.method = method;
     EXPECT_EQ(ask(question).status, 405) << method;
@@ -92,7 +92,7 @@ TEST(WebPages, TakesNoOtherMethods) {
 }
 
 TEST(WebPages, OpensSocketsToItsOwnPages) {
-  WebQuestion question = get("/ws");
+  HttpRequest question = get("/ws");
   EXPECT_FALSE(socket_refusal_of(kFree, 80, question));
   question.origin = "http://127.0.0.1:80";
   EXPECT_FALSE(socket_refusal_of(kFree, 80, question));

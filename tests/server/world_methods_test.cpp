@@ -39,8 +39,8 @@ class Client {
 
   OrderedJson ask(const std::string& name, const Json& params = Json::object()) {
     static const MethodTable table = method_table();
-    const RpcMethod& method = table.at(name);
-    return method.handler(session_, checked(method.params, params, "params"), {});
+    const RpcMethod& method = table.method_named(name);
+    return method.handler(session_, validated(method.params, params, "params"), {});
   }
 
   /// What a request is refused with; "" if it is not.
@@ -82,7 +82,7 @@ TEST(WorldMethods, ExamplesRunOneAfterTheOther) {
   Client client;
   const MethodTable table = method_table();
   int asked = 0;
-  for (const RpcMethod& method : table.all()) {
+  for (const RpcMethod& method : table.methods()) {
     if (!is_ours(method.name)) continue;
     EXPECT_EQ(client.refusal(method.name, Json::parse(method.example)), "") << method.name;
     ++asked;
@@ -237,7 +237,7 @@ TEST(WorldMethods, ImportARobotWithItsMeshesAndSaveItAlong) {
   Client other("other");
   (void)other.ask("world.load", {{"world", client.folder() + "/kept.toml"}});
   EXPECT_EQ(other.ask("hand.get")["joints"].size(), 2U);
-  EXPECT_GE(other.session().shown()->shape().bodies.size(), 3U);
+  EXPECT_GE(other.session().shown_model()->shape().bodies.size(), 3U);
   // What the refusal of a text advises: what was saved is loaded, and has a text.
   EXPECT_THAT(client.refusal("world.text"), HasSubstr("load what was saved"));
   (void)client.ask("hand.set_joints", {{"joints", {{"j_left", 0.02}}}});
@@ -291,7 +291,7 @@ TEST(WorldMethods, ImportAMeshAndForgetWhereItCameFrom) {
   EXPECT_THAT(text["toml"].get<std::string>(), testing::Not(HasSubstr("/tmp")));
   Client other("mesh2");
   (void)other.ask("world.load", {{"text", text["toml"]}});
-  EXPECT_EQ(other.session().shown()->shape().bodies[0].mesh->triangles.cols(), 12);
+  EXPECT_EQ(other.session().shown_model()->shape().bodies[0].mesh->triangles.cols(), 12);
 }
 
 // A world keeps the files of hands for undone steps; they must not fill the disk.
@@ -315,7 +315,7 @@ TEST(WorldMethods, KeepImportedHandsUpToALimit) {
 void add_contents(const Schema& schema, const std::string& where, std::vector<std::string>& found) {
   if (schema.kind == Schema::Kind::kText && schema.words.empty() && !schema.use)
     found.push_back(where);
-  if (schema.each != nullptr) add_contents(*schema.each, where, found);
+  if (schema.element != nullptr) add_contents(*schema.element, where, found);
   for (const SchemaMember& member : schema.members)
     add_contents(member.schema, where + "." + member.name, found);
 }
@@ -324,7 +324,7 @@ void add_contents(const Schema& schema, const std::string& where, std::vector<st
 TEST(WorldMethods, TextsOfAllMethodsAreNamesButForContents) {
   std::vector<std::string> found;
   const MethodTable table = method_table();
-  for (const RpcMethod& method : table.all()) add_contents(method.params, method.name, found);
+  for (const RpcMethod& method : table.methods()) add_contents(method.params, method.name, found);
   EXPECT_THAT(found, testing::ElementsAre("world.load.text", "world.import.files.data",
                                           "ask.contacts.text"));
 }
@@ -387,7 +387,7 @@ TEST(WorldMethods, LeaveHiddenFilesOfADropOut) {
 // Methods that leave files behind say so, or a log of a stranger would write them.
 TEST(WorldMethods, ThoseThatWriteFilesAreMarked) {
   const MethodTable table = method_table();
-  for (const RpcMethod& method : table.all()) {
+  for (const RpcMethod& method : table.methods()) {
     Client client("writes");
     (void)client.ask("world.load", {{"world", "jaw_box"}});
     try {
@@ -478,7 +478,7 @@ TEST(WorldMethods, HostileParamsAreRefusedOrHarmless) {
   std::mt19937 random(11);
   int refused = 0, asked = 0;
   for (int round = 0; round < 60; ++round)
-    for (const RpcMethod& method : table.all()) {
+    for (const RpcMethod& method : table.methods()) {
       if (!is_ours(method.name)) continue;
       // The example with one member replaced, or one more.
       Json params = Json::parse(method.example);
@@ -488,8 +488,9 @@ TEST(WorldMethods, HostileParamsAreRefusedOrHarmless) {
       params[member] = draw_value(random, 3);
       refused += client.refusal(method.name, params).empty() ? 0 : 1;
       ++asked;
-      ASSERT_NE(client.session().shown(), nullptr);
-      check_instant(client.session().shown()->shape(), client.session().shown()->instant());
+      ASSERT_NE(client.session().shown_model(), nullptr);
+      check_instant(client.session().shown_model()->shape(),
+                    client.session().shown_model()->instant());
     }
   EXPECT_GT(refused, asked / 2);
 }

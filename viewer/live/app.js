@@ -1,4 +1,4 @@
-// The page as one thing: what it knows, what it asks of the server, and who is told.
+// The app: state of the page, requests to the server, and distribution of its messages.
 
 import { Vector3 } from "three";
 import { onThemeChange, themeColor } from "../report/theme.js";
@@ -15,7 +15,7 @@ import { jointWords } from "./panels/pose_panel.js";
 import { coveredBoxes } from "./view/covered.js";
 import { makePicture } from "./view/picture.js";
 
-/// The colours of words on the picture; kept, for the browser lays out the page to tell them.
+/// Colours of labels on the picture; cached, because reading them forces a layout.
 function themeColors() {
   let kept = null;
   const theme = () =>
@@ -28,16 +28,16 @@ function themeColors() {
   return theme;
 }
 
-// Methods whose warnings have no place of their own on the page.
+// Methods whose warnings no panel shows.
 const TELLING = /^(world\.|motion\.open|motion\.record|hand\.|fit\.open)/;
 
-/// The address of the server's WebSocket, with the token of the page's own address.
+/// Returns the address of the server's WebSocket, with the token of the page's address.
 function socketAddress() {
   const { protocol, host, search } = location;
   return `${protocol === "https:" ? "wss:" : "ws:"}//${host}/ws${search}`;
 }
 
-/// Requests, with errors told to the reader.
+/// Sends requests, and shows their errors to the user.
 function addRequests(app) {
   app.call = (method, params) => app.link.call(method, params);
   app.ask = async (method, params = {}) => {
@@ -47,7 +47,7 @@ function addRequests(app) {
         app.notices.tell(result.warnings.join("\n"));
       return result;
     } catch (error) {
-      // What was lost with the connection is told by the banner.
+      // The banner reports a lost connection.
       if (error.code !== "lost") app.notices.error(`${method}: ${error.message}`);
       return null;
     }
@@ -86,7 +86,7 @@ function addGestures(app) {
   addEventListener("change", () => held.pointers.size + held.keys.size === 0 && end());
 }
 
-/// Joints and places that follow a hand.
+/// Adds the functions that move joints and things.
 function addMoves(app) {
   const { store } = app;
   const sendJoints = latestWins(({ method, params }) => app.ask(method, params), links.mergeJoints);
@@ -159,7 +159,7 @@ function addSelection(app) {
   };
 }
 
-/// What of the picture is shown.
+/// Adds the settings of what the picture shows.
 function addView(app) {
   const { picture } = app;
   const { stage } = picture;
@@ -206,7 +206,7 @@ function addView(app) {
   stage.covered = () => coveredBoxes(stage, app.legend.box());
 }
 
-/// Words on the picture: arrows, and names of bodies where the reader wants them.
+/// Labels of arrows, and names of bodies if they are switched on.
 function labelsOf(app) {
   const { scene } = app.store;
   if (!scene) return [];
@@ -289,7 +289,7 @@ function addExports(app) {
     if (!exports.saveCharts())
       app.notices.tell("No chart is shown: plot a sweep, or let time pass.");
   };
-  /// Begins or ends a film; promises whether one is being made.
+  /// Starts or stops a recording. Returns a promise of true while recording.
   app.film = async () => {
     if (endFilm) {
       const end = endFilm;

@@ -1,4 +1,4 @@
-// Files that are dropped onto the page or chosen, and worlds that are saved.
+// Import of dropped or chosen files, and saving of worlds.
 
 import { el } from "../report/dom.js";
 import { download } from "../report/save.js";
@@ -7,7 +7,7 @@ import { choice } from "./panels/controls.js";
 
 const CHUNK = 0x8000; // bytes that String.fromCharCode takes at once
 
-/// Bytes as base64.
+/// Encodes bytes as base64.
 export function base64Of(bytes) {
   let text = "";
   for (let at = 0; at < bytes.length; at += CHUNK)
@@ -15,14 +15,14 @@ export function base64Of(bytes) {
   return btoa(text);
 }
 
-/// What files most likely are: robots come as URDF or MJCF.
+/// Guesses the role of files: URDF and MJCF are robots.
 export const guessKind = (names) =>
   names.some((name) => /\.(urdf|xml|mjcf)$/i.test(name)) ? "hand" : "object";
 
-/// Whether files say how long their units are: meshes of most formats do not.
+/// Returns true if files state their units; most mesh formats do not.
 const sayUnits = (names) => names.some((name) => /\.(toml|urdf|xml|mjcf)$/i.test(name));
 
-/// Asks what files are to be; promises { as: "object", "obstacle" or "hand", units? }, or null.
+/// Asks the user for the role of files. Returns a promise of { as: "object", "obstacle" or "hand", units? }, or null.
 async function askKind(names) {
   const as = choice("As", () => {});
   as.set(["object", "obstacle", "hand"], guessKind(names));
@@ -42,14 +42,14 @@ async function askKind(names) {
 
 const promised = (work) => new Promise((done, failed) => work(done, failed));
 
-/// Files below an entry of what was dropped: { path within the drop, file }.
+/// Returns the files below an entry of a drop: { path within the drop, file }.
 async function filesBelow(entry) {
   if (entry.isFile)
     return [{ path: entry.fullPath.replace(/^\//, ""), file: await promised((...f) => entry.file(...f)) }];
   const reader = entry.createReader();
   const found = [];
   for (;;) {
-    // A reader gives some at a time, and none at its end.
+    // Read the entries in batches; an empty batch is the end.
     const some = await promised((...f) => reader.readEntries(...f));
     if (!some.length) return found;
     for (const one of some) found.push(...(await filesBelow(one)));
@@ -128,7 +128,7 @@ export async function saveWorld(app) {
   if (await saveAs(app, wanted.name)) app.notices.tell(`Saved as ${wanted.name}.`);
 }
 
-/// Saves the world on the server; a reader is asked before a file of others is replaced.
+/// Saves the world on the server; asks before another file is overwritten.
 export async function saveAs(app, file, replace = (question) => ask(question, "Replace it")) {
   try {
     return await app.call("world.save", { file });

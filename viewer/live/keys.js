@@ -11,13 +11,13 @@ const MOVE = 1e-3; // [m]
 const TURN = Math.PI / 180; // [rad]
 const TABS = ["pose", "grasp", "tendons", "fit", "time"];
 
-/// Whether a key belongs to what has the focus: text that is typed, a slider, a choice.
+/// Returns true if the focused element uses a key itself: text input, slider, choice.
 const typing = ({ target }) =>
   target.matches?.("input, select, textarea") || document.querySelector("dialog[open]");
 
 const plain = ({ ctrlKey, altKey, metaKey }) => !ctrlKey && !altKey && !metaKey;
 
-/// Keys that hold wherever the focus is.
+/// Keys that work independently of the focus.
 export function pageKeys(app) {
   const click = (id) => document.getElementById(id)?.click();
   const withControl = {

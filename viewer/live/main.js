@@ -62,7 +62,7 @@ function makeSide(app, tree) {
   return { side, home };
 }
 
-/// Leaves the picture the room between the panels.
+/// Sets the insets of the picture to the area between the panels.
 function arrange(app) {
   const room = (selector) => document.querySelector(selector)?.getBoundingClientRect();
   const [bar, side, home] = [room(".bar"), room(".side"), room(".tree-home")];
@@ -96,7 +96,7 @@ function start() {
   watchTheme();
   addEventListener("resize", () => arrange(app));
   arrange(app);
-  // For tests, and for whoever looks at the page from its console.
+  // Expose the app for tests and the console.
   globalThis.thenarLive = app;
 }
 

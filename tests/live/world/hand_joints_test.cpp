@@ -81,17 +81,18 @@ TEST(HandJoints, HumanHandsTurnAboutTheirDrawnAxes) {
 TEST(HandJoints, FollowersOfABarrettFingerTurnByTheRatioOfItsGears) {
   const RobotSpec robot = import_robot(kData + std::string("/robots/barrett.toml"));
   const RobotHand hand(robot);
-  const std::vector<JointLead> leads = joint_leads(hand);
+  const std::vector<JointCoupling> couplings = joint_couplings(hand);
   int followers = 0;
-  for (std::size_t c = 0; c < leads.size(); ++c) {
-    if (leads[c].leader < 0) continue;
+  for (std::size_t c = 0; c < couplings.size(); ++c) {
+    if (couplings[c].leader < 0) continue;
     ++followers;
     // The robot's own answer: where its motors move both.
     for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
       Eigen::VectorXd dofs = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.dofs.size()));
       dofs[static_cast<Eigen::Index>(d)] = 0.5;
       const Eigen::VectorXd q = hand.posture(dofs);
-      EXPECT_NEAR(q[static_cast<Eigen::Index>(c)], leads[c].ratio * q[leads[c].leader], 1e-15);
+      EXPECT_NEAR(q[static_cast<Eigen::Index>(c)], couplings[c].ratio * q[couplings[c].leader],
+                  1e-15);
     }
   }
   EXPECT_EQ(followers, 3);  // the outer joint of each finger
@@ -100,7 +101,7 @@ TEST(HandJoints, FollowersOfABarrettFingerTurnByTheRatioOfItsGears) {
 TEST(HandJoints, NoJointOfAHumanHandFollowsAnother) {
   HumanHandOptions bare;
   bare.cover = Cover::kNone;
-  for (const JointLead& lead : joint_leads(*hand_by_name("human:soft", {kData}, bare).hand))
+  for (const JointCoupling& lead : joint_couplings(*hand_by_name("human:soft", {kData}, bare).hand))
     EXPECT_EQ(lead.leader, -1);
 }
 

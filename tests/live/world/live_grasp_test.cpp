@@ -1,4 +1,4 @@
-// Tests for live/live_grasp.cpp, live_quality.cpp and hand_touch.cpp.
+// Tests for live/live_grasp.cpp, live_quality.cpp and hand_contact_cache.cpp.
 
 #include "live/world/live_grasp.h"
 
@@ -24,7 +24,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 std::unique_ptr<LiveWorld> loaded_world(const std::string& name) {
-  auto live = std::make_unique<LiveWorld>(LiveWorldPlaces{kData, "."});
+  auto live = std::make_unique<LiveWorld>(LiveWorldFolders{kData, "."});
   (void)load_world(*live, name);
   return live;
 }
@@ -55,9 +55,9 @@ TEST(LiveGrasp, GraspsAndMeasuresAsTheCommandDoes) {
     const HandClosing closing = grasp_object(*live, {}, 1);
     EXPECT_EQ(closing.outcome, told.grasp.outcome);
     // The same posture to the bit, and one step to undo.
-    const HandStand& stand = live->state().hands[0].stand;
-    EXPECT_EQ(stand.q, told.grasp.closed.q);
-    EXPECT_EQ(stand.X_WH.p, told.grasp.approached.X_WH.p);
+    const HandPlacement& placement = live->state().hands[0].placement;
+    EXPECT_EQ(placement.q, told.grasp.closed.q);
+    EXPECT_EQ(placement.X_WH.p, told.grasp.approached.X_WH.p);
     const GraspResult found = measured_grasp(*live, {});
     expect_same_epsilon(found.grasp.quality, told.grasp.quality);
     ASSERT_EQ(found.grasp.contacts.size(), told.grasp.contacts.size());
@@ -66,8 +66,8 @@ TEST(LiveGrasp, GraspsAndMeasuresAsTheCommandDoes) {
     EXPECT_EQ(found.measures->hold.value, told.measures->hold.value);
     EXPECT_EQ(found.outcome.warnings, told.outcome.warnings);
     EXPECT_EQ(found.grasp.closed.stopped, told.grasp.closed.stopped);
-    EXPECT_EQ(live->undo(), "grasp with " + name_of(live->state(), live->state().hands[0]));
-    EXPECT_EQ(world_toml(spec_of(live->state())),
+    EXPECT_EQ(live->undo(), "grasp with " + hand_name(live->state(), live->state().hands[0]));
+    EXPECT_EQ(world_toml(world_spec(live->state())),
               world_toml(read_world(kData + "/worlds/" + name + ".toml")));
   }
 }
@@ -82,7 +82,7 @@ TEST(LiveGrasp, ClosesAsTheCommandDoes) {
     const GraspResult told = close_in_world(request).grasp;
     const HandClosing closing = close_on_object(*live, {});
     EXPECT_EQ(closing.outcome, told.grasp.outcome);
-    EXPECT_EQ(live->state().hands[0].stand.q, told.grasp.closed.q);
+    EXPECT_EQ(live->state().hands[0].placement.q, told.grasp.closed.q);
     EXPECT_EQ(closing.closed.stopped, told.grasp.closed.stopped);
   }
 }
@@ -90,21 +90,21 @@ TEST(LiveGrasp, ClosesAsTheCommandDoes) {
 TEST(LiveGrasp, OfASavedGraspHasTheQualityOfThePosture) {
   const auto live = loaded_world("barrett_bobbin");
   (void)grasp_object(*live, {}, 1);
-  const Epsilon before = standing_grasp(*live, {}).grasp.quality;
+  const Epsilon before = current_grasp(*live, {}).grasp.quality;
   // Through the text of the world, which keeps every bit.
   LiveWorld again({kData, "."});
   (void)load_world_text(again, world_text(*live), "grasped");
-  expect_same_epsilon(standing_grasp(again, {}).grasp.quality, before);
+  expect_same_epsilon(current_grasp(again, {}).grasp.quality, before);
 }
 
 // ---- moving
 
 TEST(LiveGrasp, OpensTheHandAndNotItsArm) {
   const auto live = loaded_world("arm_cube");
-  const Eigen::VectorXd before = live->state().hands[0].stand.q;
+  const Eigen::VectorXd before = live->state().hands[0].placement.q;
   (void)close_on_object(*live, {});
   open_hand(*live, "");
-  const Eigen::VectorXd after = live->state().hands[0].stand.q;
+  const Eigen::VectorXd after = live->state().hands[0].placement.q;
   const WorldHand& hand = live->state().hands[0].built->hand;
   for (std::size_t part = 1; part < hand.places.size(); ++part)
     for (const int c : hand.places[part]) EXPECT_EQ(after[c], before[c]);
@@ -123,30 +123,30 @@ TEST(LiveGrasp, ApproachEndsAtTheObject) {
   const ApproachResult met = approach_object(*live, {}, 1);
   EXPECT_TRUE(met.touches);
   EXPECT_EQ(met.body, "bobbin");
-  EXPECT_EQ(live->state().hands[0].stand.X_WH.p, met.X_WH.p);
+  EXPECT_EQ(live->state().hands[0].placement.X_WH.p, met.X_WH.p);
   EXPECT_EQ(live->undo(), "approach with barrett");
 }
 
 TEST(LiveGrasp, AHandThatMissesStaysAndSaysSo) {
   const auto live = loaded_world("barrett_bobbin");
   place_thing(*live, "barrett", Eigen::Vector3d(1, 0, 0.4), {});
-  const std::string before = world_toml(spec_of(live->state()));
+  const std::string before = world_toml(world_spec(live->state()));
   EXPECT_EQ(grasp_object(*live, {}, 0.1).outcome, GraspOutcome::kMissed);
   EXPECT_FALSE(approach_object(*live, {}, 0.1).touches);
-  EXPECT_EQ(world_toml(spec_of(live->state())), before);
+  EXPECT_EQ(world_toml(world_spec(live->state())), before);
   for (const double distance : {0.0, -1.0, std::nan("")})
     EXPECT_THROW((void)grasp_object(*live, {}, distance), InputError);
 }
 
 TEST(LiveGrasp, ThatIsStoppedLeavesTheHandWhereItWas) {
-  auto live = std::make_unique<LiveWorld>(LiveWorldPlaces{kData, "."});
+  auto live = std::make_unique<LiveWorld>(LiveWorldFolders{kData, "."});
   (void)load_world(*live, "human_mug");
-  const std::string before = world_toml(spec_of(live->state()));
+  const std::string before = world_toml(world_spec(live->state()));
   Progress progress;
   progress.stop_requested = [] { return true; };
   EXPECT_THROW((void)grasp_object(*live, {}, 1, progress), Stopped);
   EXPECT_THROW((void)close_on_object(*live, {}, progress), Stopped);
-  EXPECT_EQ(world_toml(spec_of(live->state())), before);
+  EXPECT_EQ(world_toml(world_spec(live->state())), before);
 }
 
 // ---- contacts
@@ -176,12 +176,12 @@ TEST(LiveGrasp, ContactsOfAnInstantLieOnTheObject) {
 TEST(LiveGrasp, DeepOverlapsAreTold) {
   const auto live = loaded_world("jaw_box");
   (void)grasp_object(*live, {}, 1);
-  EXPECT_TRUE(contacts_of(*live, {}).warnings.empty());
+  EXPECT_TRUE(current_contacts(*live, {}).warnings.empty());
   // Moved by 5 mm into one jaw, which was up to 0.1 mm away.
   Eigen::Vector3d p = live->state().bodies[0].X_WB.p;
   const LiveContact contact = live->instant().contacts[0];
   place_thing(*live, "box", p + 5e-3 * contact.normal, {});
-  const LiveContacts found = contacts_of(*live, {});
+  const LiveContacts found = current_contacts(*live, {});
   ASSERT_EQ(found.warnings.size(), 1U);
   EXPECT_THAT(found.warnings[0], testing::ContainsRegex("is (4[.]9|5[.]0) mm deep in box"));
 }
@@ -206,10 +206,10 @@ TEST(LiveGrasp, ShowsTheWorstDisturbanceUntilSomethingMoves) {
 
 TEST(LiveGrasp, OfOneFingerIsNotClosedAndMissesADirection) {
   const auto live = loaded_world("barrett_bobbin");
-  EXPECT_EQ(standing_grasp(*live, {}).grasp.outcome, GraspOutcome::kEmpty);
+  EXPECT_EQ(current_grasp(*live, {}).grasp.outcome, GraspOutcome::kEmpty);
   // The hand comes near and touches from above alone.
   (void)approach_object(*live, {}, 1);
-  const GraspResult found = standing_grasp(*live, {});
+  const GraspResult found = current_grasp(*live, {});
   ASSERT_EQ(found.grasp.outcome, GraspOutcome::kGrasped);
   EXPECT_FALSE(found.grasp.quality.force_closure);
   ASSERT_TRUE(found.grasp.quality.has_missing_direction);
@@ -226,7 +226,7 @@ TEST(LiveGrasp, WrenchSetsHoldTheirForces) {
                                      WrenchLimits::kGeometric, 4),
                InputError);
   (void)grasp_object(*live, {}, 1);
-  const GraspResult found = standing_grasp(*live, {});
+  const GraspResult found = current_grasp(*live, {});
   const WrenchSetMesh mesh =
       live_wrench_set(*live, {}, {0, 1, 2}, PictureKind::kProjection, WrenchLimits::kGeometric, 6);
   EXPECT_EQ(mesh.failed, 0);
@@ -251,7 +251,7 @@ TEST(LiveGrasp, AsksWhichHandWhereThereAreSeveral) {
               ThrowsMessage<InputError>(HasSubstr("did you mean 'barrett'")));
   EXPECT_THAT(
       [&] {
-        (void)contacts_of(*live, {"barrett", "table"});
+        (void)current_contacts(*live, {"barrett", "table"});
       },
       ThrowsMessage<InputError>(HasSubstr("is an obstacle")));
 }

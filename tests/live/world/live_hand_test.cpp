@@ -82,7 +82,7 @@ TEST(LiveHand, TendonsRunAlongTheirDigitsInAnyPosture) {
     const std::vector<Eigen::Vector3d> points = tendon_points(hand->model(), hand->tendons, q);
     std::size_t next = 0;
     for (const HandTendon& tendon : hand->tendons) {
-      EXPECT_LE(tendon.nodes.size(), static_cast<std::size_t>(kLinePoints));
+      EXPECT_LE(tendon.nodes.size(), static_cast<std::size_t>(kMaxStrandPoints));
       // The insertion lies on or in the flesh of its own digit, within 5 mm: points were measured
       // on other hands than skin was made for.
       const Eigen::Vector3d insertion = points[next];

@@ -2,7 +2,6 @@
 
 #include "live/world/live_pads.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -16,7 +15,7 @@ namespace thenar {
 namespace {
 
 std::unique_ptr<LiveWorld> human_on_mug() {
-  auto live = std::make_unique<LiveWorld>(LiveWorldPlaces{kData, "."});
+  auto live = std::make_unique<LiveWorld>(LiveWorldFolders{kData, "."});
   (void)load_world(*live, "human_mug");
   (void)grasp_object(*live, {}, 1);
   return live;
@@ -27,7 +26,7 @@ TEST(LivePads, PressuresAddUpToTheForceOfEveryPad) {
   for (const double force : {0.1, 0.25}) {  // the wall of 4 mm lets no pad sink deeper than 2 mm
     const LivePads found = press_pads(*live, {}, force);
     ASSERT_GE(found.pads.size(), 4U);
-    for (const PadOnObject& pad : found.pads) {
+    for (const LoadedPad& pad : found.pads) {
       EXPECT_NEAR(pad.force, force, 0.03 * force) << pad.link;  // columns come one by one
       EXPECT_GT(pad.area, 0);
       EXPECT_FALSE(pad.points.empty());
@@ -52,40 +51,16 @@ TEST(LivePads, ThatDoNotComeToTheirForceSaySo) {
   EXPECT_THAT(found.reasons, testing::Contains(testing::HasSubstr("reach through mug")));
 }
 
-TEST(LivePads, StickWithinTheRadiusOfTheClosedForm) {
-  // Rings of a paraboloid of pressure, p = 1 - s^2, on even springs.
-  constexpr int kRings = 4000;
-  Eigen::VectorXd normal(kRings), stiffness(kRings);
-  for (int i = 0; i < kRings; ++i) {
-    const double s = (i + 0.5) / kRings, area = 2 * s / kRings;  // of pi a^2
-    normal[i] = (1 - s * s) * area;
-    stiffness[i] = 3 * area;
-  }
-  const double mu = 0.7, all = mu * normal.sum();
-  for (const double part : {0.1, 0.5, 0.9}) {
-    const ShearShares shares = share_shear(normal, stiffness, mu, part * all);
-    EXPECT_NEAR(shares.borne, part * all, 1e-12);
-    const auto sticking = std::count(shares.sticks.begin(), shares.sticks.end(), true);
-    EXPECT_NEAR(static_cast<double>(sticking) / kRings, std::pow(1 - part, 0.25), 1.0 / kRings);
-  }
-  // Beyond friction all slips, and without a load nothing does.
-  const ShearShares over = share_shear(normal, stiffness, mu, 2 * all);
-  EXPECT_NEAR(over.borne, all, 1e-12);
-  EXPECT_EQ(std::count(over.sticks.begin(), over.sticks.end(), true), 0);
-  const ShearShares free = share_shear(normal, stiffness, mu, 0);
-  EXPECT_EQ(std::count(free.sticks.begin(), free.sticks.end(), false), 0);
-}
-
 TEST(LivePads, SlipFirstAtTheRimUnderTheWeight) {
   const auto live = human_on_mug();
   // The mug weighs 3 N: light pads slip in part, firmly pressed ones stick more.
   const LivePads light = press_pads(*live, {}, 0.3), firm = press_pads(*live, {}, 2);
   double slipping = 0, still = 0;
-  for (const PadOnObject& pad : light.pads) slipping += 1 - pad.stick;
-  for (const PadOnObject& pad : firm.pads) still += 1 - pad.stick;
+  for (const LoadedPad& pad : light.pads) slipping += 1 - pad.stick;
+  for (const LoadedPad& pad : firm.pads) still += 1 - pad.stick;
   EXPECT_GT(slipping, still);
   // What slips is pressed less than what sticks, on the whole.
-  for (const PadOnObject& pad : light.pads) {
+  for (const LoadedPad& pad : light.pads) {
     double stick = 0, slip = 0;
     int sticking = 0, sliding = 0;
     for (const PadPoint& point : pad.points) {

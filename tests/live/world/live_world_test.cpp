@@ -39,12 +39,12 @@ std::string working_folder(const std::string& name) {
 }
 
 std::string toml_of_hand(const LiveWorld& live) {
-  WorldSpec world = spec_of(live.state());
+  WorldSpec world = world_spec(live.state());
   world.bodies.clear();
   return world_toml(world);
 }
 
-LiveWorldPlaces places(const std::string& folder = ".") { return {kData, folder}; }
+LiveWorldFolders places(const std::string& folder = ".") { return {kData, folder}; }
 
 const std::vector<std::string>& world_names() {
   static const std::vector<std::string> names{"arm_cube", "barrett_bobbin", "human_mug", "jaw_box"};
@@ -67,7 +67,7 @@ TEST(LiveWorld, LoadsEveryWorldWithoutLoss) {
     (void)load_world(live, name);
     check_instant(live.shape(), live.instant());
     const std::string file = kData + "/worlds/" + name + ".toml";
-    EXPECT_EQ(world_toml(spec_of(live.state())), world_toml(read_world(file))) << name;
+    EXPECT_EQ(world_toml(world_spec(live.state())), world_toml(read_world(file))) << name;
     EXPECT_FALSE(live.edit_state().unsaved);
   }
 }
@@ -95,8 +95,8 @@ TEST(LiveWorld, IsTheSameAfterSavingAndLoadingElsewhere) {
     // Saved once more it is the same text; seen from where it came from, that of the original.
     EXPECT_EQ(read_source(save_live_world(again, "moved/twice.toml")).text, read_source(file).text);
     const std::string home = kData + "/worlds";
-    EXPECT_EQ(world_toml(seen_from_folder(spec_of(again.state()), home)),
-              world_toml(seen_from_folder(spec_of(live.state()), home)));
+    EXPECT_EQ(world_toml(seen_from_folder(world_spec(again.state()), home)),
+              world_toml(seen_from_folder(world_spec(live.state()), home)));
   }
 }
 
@@ -127,7 +127,7 @@ TEST(LiveWorld, SavesNowhereButInItsFolder) {
         std::string(".x.toml"), std::string(".config/x.toml"), std::string(".bashrc\0.toml", 13),
         std::string("x\0.toml", 7), std::string("x\n.toml"), std::string("x.toml/")}) {
     EXPECT_THROW((void)save_live_world(live, file), InputError) << file;
-    EXPECT_THROW((void)save_live_world(live, file, SaveOver::kAnything), InputError) << file;
+    EXPECT_THROW((void)save_live_world(live, file, Overwrite::kAnything), InputError) << file;
   }
   EXPECT_TRUE(fs::is_empty(other));
   std::set<std::string> names;
@@ -168,21 +168,21 @@ TEST(LiveWorld, ReplacesNoFileOfOthersUnlessToldTo) {
   new_world(again);
   EXPECT_THROW((void)save_live_world(again, "new.toml"), InputError);
   EXPECT_EQ(read_world_at(folder + "/new.toml", kData).hands.size(), 1U);
-  (void)save_live_world(again, "new.toml", SaveOver::kAnything);
+  (void)save_live_world(again, "new.toml", Overwrite::kAnything);
   EXPECT_TRUE(read_world(folder + "/new.toml").hands.empty());
 }
 
 TEST(LiveWorld, StaysAsItWasWhereALoadFails) {
   LiveWorld live(places());
   (void)load_world(live, "jaw_box");
-  const std::string before = world_toml(spec_of(live.state()));
+  const std::string before = world_toml(world_spec(live.state()));
   const unsigned long changes = live.changes();
   EXPECT_THROW((void)load_world(live, "jaw_bix"), InputError);
   EXPECT_THROW((void)load_world_text(live, "name = 3", "x"), DataError);
   EXPECT_THROW(
       (void)load_world_text(live, "name = 'x'\nsource = 'Scene'\n[[hand]]\nname = 'nobody'", "x"),
       Error);
-  EXPECT_EQ(world_toml(spec_of(live.state())), before);
+  EXPECT_EQ(world_toml(world_spec(live.state())), before);
   EXPECT_EQ(live.changes(), changes);
 }
 
@@ -275,7 +275,7 @@ TEST(LiveWorld, KeepsJointsWithinTheirLimitsAndTellsWhich) {
   (void)load_world(live, "human_mug");
   const HandLayout& layout = live.state().hands[0].built->model().layout();
   const std::string joint = layout.coordinates[3];
-  const SetJoints set = set_joints(live, "", {{joint, 100}});
+  const JointChange set = set_joints(live, "", {{joint, 100}});
   EXPECT_EQ(set.limited, std::vector<std::string>{joint});
   EXPECT_EQ(set.joints.at(joint), layout.upper[3]);
   EXPECT_THROW((void)set_joints(live, "", {{joint, NAN}}), InputError);
@@ -293,24 +293,24 @@ TEST(LiveWorld, CoupledJointsFollowTheirLeader) {
   const std::vector<std::string>& names = hand.model().layout().coordinates;
   int pairs = 0;
   for (std::size_t f = 0; f < names.size(); ++f) {
-    if (hand.leads[f].leader < 0) continue;
-    const std::string leader = names[static_cast<std::size_t>(hand.leads[f].leader)];
-    const SetJoints set = set_joints(live, "", {{leader, 0.9}});
-    EXPECT_NEAR(set.joints.at(names[f]), 0.9 * hand.leads[f].ratio, 1e-15);
+    if (hand.couplings[f].leader < 0) continue;
+    const std::string leader = names[static_cast<std::size_t>(hand.couplings[f].leader)];
+    const JointChange set = set_joints(live, "", {{leader, 0.9}});
+    EXPECT_NEAR(set.joints.at(names[f]), 0.9 * hand.couplings[f].ratio, 1e-15);
     EXPECT_TRUE(set.parted.empty());
     // A posture in which the clutch is open can be set as a whole, and is told.
-    const SetJoints open = set_joints(live, "", {{leader, 0.9}, {names[f], 0.5}});
+    const JointChange open = set_joints(live, "", {{leader, 0.9}, {names[f], 0.5}});
     EXPECT_EQ(open.joints.at(leader), 0.9);
     EXPECT_EQ(open.joints.at(names[f]), 0.5);
     EXPECT_THAT(open.parted, testing::ElementsAre(names[f]));
     EXPECT_THAT(set_joints(live, "", {{"spread", 0.1}}).parted, testing::ElementsAre(names[f]));
     // One motor moves both: the follower alone takes its leader along.
-    const SetJoints led = set_joints(live, "", {{names[f], 0.25}});
+    const JointChange led = set_joints(live, "", {{names[f], 0.25}});
     EXPECT_EQ(led.joints.at(names[f]), 0.25);
-    EXPECT_NEAR(led.joints.at(leader), 0.25 / hand.leads[f].ratio, 1e-15);
+    EXPECT_NEAR(led.joints.at(leader), 0.25 / hand.couplings[f].ratio, 1e-15);
     EXPECT_TRUE(led.parted.empty());
     // Beyond its limit both stop where the drive does.
-    const SetJoints limited = set_joints(live, "", {{names[f], 5}});
+    const JointChange limited = set_joints(live, "", {{names[f], 5}});
     EXPECT_THAT(limited.limited, testing::UnorderedElementsAre(leader, names[f]));
     EXPECT_TRUE(limited.parted.empty());
     ++pairs;
@@ -346,7 +346,7 @@ TEST(LiveWorld, RemovesAHandAndLeavesItsArm) {
   remove_thing(live, "xr4000");
   EXPECT_TRUE(live.state().hands.empty());
   for (int i = 0; i < 3; ++i) (void)live.undo();
-  EXPECT_EQ(world_toml(spec_of(live.state())),
+  EXPECT_EQ(world_toml(world_spec(live.state())),
             world_toml(read_world(kData + "/worlds/arm_cube.toml")));
 }
 
@@ -457,23 +457,23 @@ void edit_at_random(LiveWorld& live, std::mt19937& random) {
 TEST(LiveWorld, UndoAndRedoOf500EditsGoThroughTheSameWorlds) {
   LiveWorld live(places());
   std::mt19937 random(7);
-  std::vector<std::string> tomls{world_toml(spec_of(live.state()))};
+  std::vector<std::string> tomls{world_toml(world_spec(live.state()))};
   for (int i = 0; i < 500; ++i) {
     const std::optional<std::string> top = live.edit_state().undo;
     const unsigned long before = live.changes();
     edit_at_random(live, random);
     if (live.changes() == before) continue;
-    tomls.push_back(world_toml(spec_of(live.state())));
+    tomls.push_back(world_toml(world_spec(live.state())));
   }
   ASSERT_GT(tomls.size(), 250U);
   // Back, as far as it goes. Merged edits skip worlds, but never their order.
   std::vector<std::string> way{tomls.back()};
   while (live.edit_state().undo) {
     (void)live.undo();
-    way.push_back(world_toml(spec_of(live.state())));
+    way.push_back(world_toml(world_spec(live.state())));
     check_instant(live.shape(), live.instant());
   }
-  EXPECT_EQ(way.size(), LiveWorld::kMostEdits + 1);
+  EXPECT_EQ(way.size(), LiveWorld::kMaxUndoSteps + 1);
   std::size_t at = tomls.size();
   for (const std::string& toml : way) {
     while (at > 0 && tomls[at - 1] != toml) --at;
@@ -482,7 +482,7 @@ TEST(LiveWorld, UndoAndRedoOf500EditsGoThroughTheSameWorlds) {
   // And forth, the same way.
   for (std::size_t i = way.size() - 1; i-- > 0;) {
     (void)live.redo();
-    EXPECT_EQ(world_toml(spec_of(live.state())), way[i]);
+    EXPECT_EQ(world_toml(world_spec(live.state())), way[i]);
   }
   EXPECT_FALSE(live.edit_state().redo);
   EXPECT_THROW((void)live.redo(), InputError);

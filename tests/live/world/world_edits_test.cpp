@@ -64,10 +64,10 @@ TEST_F(WorldEditsTest, PlacesWhatIsGivenAlone) {
 // Joints stop at their limits, which is told of those that came to rest there.
 TEST_F(WorldEditsTest, JointsStopAtTheirLimits) {
   (void)load_world(live_, "jaw_box");
-  const SetJoints within = set_joints(live_, "", {{"opening", 0.02}});
+  const JointChange within = set_joints(live_, "", {{"opening", 0.02}});
   EXPECT_EQ(within.joints.at("opening"), 0.02);
   EXPECT_TRUE(within.limited.empty());
-  const SetJoints beyond = set_joints(live_, "", {{"opening", 5}});
+  const JointChange beyond = set_joints(live_, "", {{"opening", 5}});
   EXPECT_LT(beyond.joints.at("opening"), 5);
   EXPECT_EQ(beyond.limited, std::vector<std::string>{"opening"});
   EXPECT_EQ(joints_of(live_.state(), 0), beyond.joints);

@@ -54,11 +54,11 @@ TEST_F(WorldStateTest, AsksWhichOfSeveral) {
 // A posture is a new value: the state before is as it was.
 TEST_F(WorldStateTest, APostureIsWrittenOutInFull) {
   const WorldState before = loaded("jaw_box");
-  Eigen::VectorXd q = before.hands[0].stand.q;
+  Eigen::VectorXd q = before.hands[0].placement.q;
   q.setConstant(0.01);
   const WorldState after = with_posture(before, 0, q);
-  EXPECT_EQ(after.hands[0].stand.q, q);
-  EXPECT_NE(before.hands[0].stand.q, q);
+  EXPECT_EQ(after.hands[0].placement.q, q);
+  EXPECT_NE(before.hands[0].placement.q, q);
   for (const auto& [joint, value] : after.placed[after.hands[0].parts.front()].posture)
     EXPECT_EQ(value, 0.01) << joint;
 }
@@ -67,12 +67,12 @@ TEST_F(WorldStateTest, APostureIsWrittenOutInFull) {
 TEST_F(WorldStateTest, AMountedHandMovesWithItsRoot) {
   const WorldState before = loaded("arm_cube");
   ASSERT_EQ(before.hands.size(), 1U);
-  EXPECT_EQ(name_of(before, before.hands[0]), "parallel_jaw");
-  EXPECT_EQ(root_of(before, before.hands[0]), "xr4000");
+  EXPECT_EQ(hand_name(before, before.hands[0]), "parallel_jaw");
+  EXPECT_EQ(root_name(before, before.hands[0]), "xr4000");
   Pose<double> X;
   X.p = {1, 2, 3};
   const WorldState after = with_hand_placed(before, 0, X);
-  EXPECT_EQ(after.hands[0].stand.X_WH.p, X.p);
+  EXPECT_EQ(after.hands[0].placement.X_WH.p, X.p);
   for (std::size_t i = 0; i < after.placed.size(); ++i) {
     const bool is_root = after.placed[i].name == "xr4000";
     EXPECT_EQ(after.placed[i].X_WH.p, is_root ? X.p : before.placed[i].X_WH.p);
@@ -83,7 +83,7 @@ TEST_F(WorldStateTest, AMountedHandMovesWithItsRoot) {
 TEST_F(WorldStateTest, OtherBodiesAreObstacles) {
   const WorldState state = loaded("jaw_box");
   const std::size_t box = object_index(state, "box");
-  const GraspSetup setup = setup_of(state, box);
+  const GraspSetup setup = grasp_setup(state, box);
   EXPECT_EQ(setup.obstacles.size(), state.bodies.size() - 1);
   EXPECT_EQ(setup.object.X_WB.p, state.bodies[box].X_WB.p);
 }

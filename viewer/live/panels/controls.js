@@ -1,4 +1,4 @@
-// Parts that panels are made of: rows with a slider and a number, buttons, choices, tabs.
+// Controls of panels: rows with a slider and a number, buttons, choices, tabs.
 
 import { el } from "../../report/dom.js";
 import { clamped, told, typed } from "../link/quantities.js";
@@ -9,7 +9,7 @@ export const freshId = (word) => `${word}-${++names}`;
 export const button = (words, onclick, more = {}) =>
   el("button", { type: "button", onclick, ...more }, words);
 
-/// A button whose work may take a while: it cannot be pressed again until that is done.
+/// Button for slow actions; disabled until the action is done.
 export function slowButton(words, work, more = {}) {
   const made = button(
     words,
@@ -155,7 +155,7 @@ export function sliderRow({ name, title, lower, upper, quantity, note, off }, ch
   const enter = () => {
     const next = typed(number.value, quantity);
     if (next !== null && Math.abs(next - value) > 0.5 * scale * 10 ** -digits) ask(next);
-    // What is beyond a limit came to rest there.
+    // Show the current value, which may be at a limit.
     number.value = (value / scale).toFixed(digits);
   };
   number.addEventListener("change", enter);
@@ -218,7 +218,7 @@ export function tabs(pages, label, changed) {
   return { list, choose, chosen: () => chosen };
 }
 
-/// What was assumed or could not be done: a line where it is one, else to be unfolded.
+/// Warnings: one line for a single warning, else a list to unfold.
 export function warnings(words) {
   if (!words?.length) return [];
   const lines = words.map((text) => el("p", { class: "warning" }, text));

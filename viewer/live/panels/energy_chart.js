@@ -1,4 +1,4 @@
-// Where the energy of a moving scene is, over time, and how far its motion is to be believed.
+// Energies of a moving scene over time, and the accuracy of its simulation.
 
 import { formatNumber } from "../../numbers/format.js";
 import { el } from "../../report/dom.js";
@@ -12,7 +12,7 @@ const MOST = 1500; // points of a chart
 const numbersOf = (object) =>
   Object.fromEntries(Object.entries(object ?? {}).filter(([, value]) => Number.isFinite(value)));
 
-/// Energies over time, which forget what comes after a step back.
+/// Energies over time; a step back removes all later samples.
 export function makeHistory() {
   const history = { t: [], values: new Map() };
   history.add = (t, values) => {
@@ -29,7 +29,7 @@ export function makeHistory() {
     history.t.push(t);
     for (const [name, list] of history.values) list.push(values[name] ?? null);
     if (history.t.length > MOST) {
-      // Every second point of the older half goes: the whole run stays in sight.
+      // Thin out the older half, so that the whole run stays visible.
       const keep = (_, i) => i % 2 === 0 || i > MOST / 2;
       history.t = history.t.filter(keep);
       for (const [name, list] of history.values) history.values.set(name, list.filter(keep));
@@ -58,7 +58,7 @@ const beyond = ({ beyond_rad, beyond_m }) =>
     ? `${formatNumber((beyond_rad * 180) / Math.PI)}\u202f\u00b0`
     : `${formatNumber(beyond_m * 1e3)}\u202fmm`;
 
-/// How far a motion is to be believed, as pairs of a name and words; nothing where that is not known.
+/// Returns the accuracy of a motion as pairs of a name and a text; empty if it is unknown.
 export function accountFacts(state) {
   const rows = [];
   if (Number.isFinite(state.energy_error)) {
@@ -80,7 +80,7 @@ export function accountFacts(state) {
   return rows;
 }
 
-/// What forbids to believe a motion; "" if nothing does.
+/// Returns the reason why a motion is unreliable; "" if there is none.
 export function doubts(state) {
   const words = [];
   if (state.energy_balances === false)
@@ -105,7 +105,7 @@ export function makeEnergyChart(app) {
   let asking = false;
   let redraw = null;
 
-  /// Contact problems that were left with an error, and energy of nothing, are never passed over.
+  /// Shows the accuracy of the motion, with a warning about unsolved contacts and energy errors.
   function warn(state) {
     const words = doubts(state);
     warning.hidden = !words;

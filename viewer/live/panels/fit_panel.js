@@ -22,7 +22,7 @@ function intervalWords({ value, lower, upper }, scale, unit) {
   return `${shown(value)}${between}${unit}`;
 }
 
-/// How two axes stand to each other.
+/// Returns the relative position of two axes as text.
 const pairFacts = ({ angle, distance, beyond }) => [
   ["Angle", intervalWords(angle, DEGREE, "\u00b0")],
   ["Distance", intervalWords(distance, 1e-3, "\u202fmm")],

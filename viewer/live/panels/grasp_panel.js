@@ -1,4 +1,4 @@
-// Grasps: opening and closing a hand, what holds, and how well.
+// Grasp panel: opening and closing a hand, contacts, quality.
 
 import { el } from "../../report/dom.js";
 import { formatNumber } from "../../numbers/format.js";
@@ -41,7 +41,7 @@ export function qualityFacts(quality, rotation = null) {
   return told;
 }
 
-/// What closing did, in a sentence.
+/// Describes the result of a closing in a sentence.
 export function outcomeWords({ outcome, explanation, stopped = [] }) {
   const by = stopped.map(({ joint, by: what }) => `${joint}: ${what}`);
   return [explanation || outcome, by.length ? `Joints stopped by: ${by.join(", ")}` : ""]
@@ -84,7 +84,7 @@ function makeChoices(changed) {
   return { hand, object, named, fill };
 }
 
-/// How good the grasp is: { element, ask(), soon() }, asked for again once what moves has come to rest;
+/// Quality of the grasp: { element, ask(), soon() }, requested again when all motion has stopped;
 /// `of` has named() and possible().
 function makeQuality(app, of) {
   const { store } = app;
@@ -95,7 +95,7 @@ function makeQuality(app, of) {
   let about = "";
 
   const objectBody = (name) => store.scene.bodies.findIndex(({ owner }) => owner === name);
-  /// Where everything stands: an arrow of the quality itself must not ask for it again.
+  /// Poses of all things without the arrows, which the quality itself changes.
   const poses = () => (store.frame ? `${store.frame.revision} ${store.frame.bodies.join()}` : "");
   async function ask() {
     if (!of.possible()) return answer.replaceChildren();

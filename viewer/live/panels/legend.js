@@ -1,4 +1,4 @@
-// What colours and lengths on the picture stand for.
+// Legend of the colours and lengths of the picture.
 
 import { el } from "../../report/dom.js";
 import { formatNumber } from "../../numbers/format.js";
@@ -31,7 +31,7 @@ export function makeLegend() {
   );
   let shown = "";
   let box = null;
-  // Kept, for the browser lays out the page to tell it.
+  // Cached, because measuring forces a layout.
   legend.measure = () => {
     const { left, right, top, bottom } = legend.getBoundingClientRect();
     box = right > left && bottom > top ? { left, right, top, bottom } : null;

@@ -1,4 +1,4 @@
-// A chart whose numbers change while it is looked at.
+// Chart whose data change while it is shown.
 
 import uPlot from "uplot";
 import { el } from "../../report/dom.js";

@@ -1,4 +1,4 @@
-// What a moving scene can be told: efforts, targets of drives, tensions, excitations; one at a time.
+// Inputs of a moving scene: efforts, targets of drives, tensions, excitations; one at a time.
 
 import { el } from "../../report/dom.js";
 import { latestWins } from "../link/latest.js";
@@ -13,7 +13,7 @@ const KINDS = {
   excitation: { param: "excitations", reach: 1 },
 };
 
-/// How a unit of the server is shown.
+/// Returns a unit of the server as it is displayed.
 function quantityOf({ unit }) {
   if (unit === "rad") return QUANTITIES.angle;
   if (unit === "m") return QUANTITIES.length;

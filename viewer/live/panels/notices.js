@@ -1,5 +1,5 @@
-// What the page tells: errors as notes that stay until read, progress with Stop, the connection, and words
-// for screen readers.
+// Notices of the page: errors until they are dismissed, progress with Stop, the connection, and texts for
+// screen readers.
 
 import { el } from "../../report/dom.js";
 import { button } from "./controls.js";

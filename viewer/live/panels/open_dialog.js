@@ -1,9 +1,9 @@
-// What can be opened or added, by name, with a search.
+// Dialog for opening and adding things by name, with a search.
 
 import { el } from "../../report/dom.js";
 import { button, freshId } from "./controls.js";
 
-// What each kind of the catalogue is for: the request that an entry of it makes.
+// Request of an entry, for each kind of the catalogue.
 const KINDS = {
   worlds: { title: "Worlds", verb: "Open", ask: (name) => ["world.load", { world: name }] },
   scenes: {
@@ -16,7 +16,7 @@ const KINDS = {
   objects: { title: "Objects", verb: "Add", ask: (name) => ["world.add_object", { object: name }] },
 };
 
-/// Whether all words of a search are in an entry's texts.
+/// Returns true if an entry contains all words of a search.
 export const matches = (entry, search) => {
   const text = [entry.name, entry.kind, entry.about].join(" ").toLowerCase();
   return search
@@ -51,7 +51,7 @@ function makeCatalogue(search) {
   return list;
 }
 
-/// What the catalogue says of a kind; asked for once.
+/// Returns the catalogue of a kind; requested once.
 function entriesFrom(app) {
   const cache = new Map();
   return async (what) => {

@@ -1,4 +1,4 @@
-// Soft pads of a grasp: how far they are pressed, and where they stick.
+// Soft pads of a grasp: depths, and sticking parts.
 
 import { el } from "../../report/dom.js";
 import { formatNumber } from "../../numbers/format.js";

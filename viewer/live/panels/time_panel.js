@@ -1,4 +1,4 @@
-// Time: play, pause, step, scrub, what forces act, and where the energy is.
+// Time panel: play, pause, step, scrub, contact forces, energies.
 
 import { el } from "../../report/dom.js";
 import { formatNumber } from "../../numbers/format.js";
@@ -42,7 +42,7 @@ function shownMotion(app) {
   return motion?.shown ? motion : null;
 }
 
-/// Whether a scene stands where its time ends, so that play has paused there or would.
+/// Returns true if a scene is at the end of its duration, where playback pauses.
 export function standsAtEnd(motion, time) {
   if (!motion || motion.playing || motion.recorded || motion.duration == null) return false;
   return Math.abs(time - motion.duration) <= SAME_TIME;
@@ -115,7 +115,7 @@ function makePlayer(app, energy) {
   return { element, follow, show, forget, toggle, step };
 }
 
-/// What begins a motion, or shows it again: { hint, buttons, show(here, motion) }.
+/// Buttons that open a motion or show it again: { hint, buttons, show(here, motion) }.
 function makeBeginning(app, energy) {
   const start = () => {
     energy.clear();

@@ -1,4 +1,4 @@
-// Sets of wrenches as small 3D views side by side: what contacts bear, and what the motors can hold.
+// Wrench sets as small 3D views side by side: within friction, and within the limits of the motors.
 
 import { el } from "../../report/dom.js";
 import { themeColor } from "../../report/theme.js";

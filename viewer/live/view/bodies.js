@@ -60,7 +60,7 @@ function fill(group, geometry, look, index) {
   return mesh;
 }
 
-/// How far along a direction the middle of a mesh stands [m].
+/// Returns the coordinate of a mesh's centre along a direction [m].
 function depthOf({ geometry, matrixWorld }, way) {
   geometry.boundingSphere ?? geometry.computeBoundingSphere();
   return geometry.boundingSphere.center.clone().applyMatrix4(matrixWorld).dot(way);
@@ -102,7 +102,7 @@ const groupsOf = (next, { groups, hidden }) =>
     return group;
   });
 
-/// The room that all takes, obstacles apart where there is anything else.
+/// Returns the bounding box of all bodies; without obstacles if there are other bodies.
 function boxOf(scene, meshes) {
   const boxes = { object: new Box3(), obstacle: new Box3() };
   for (const mesh of meshes) {

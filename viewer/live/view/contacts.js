@@ -162,7 +162,7 @@ export function makeContacts(parent) {
   return { pose, show, forget: () => (scale = null) };
 }
 
-/// What an arrow's numbers are, of which all have one scale.
+/// Returns the quantity of an arrow; arrows of one quantity share a scale.
 const unitOf = ({ kind, name }) => {
   const turns = kind === "moment" || /moment/i.test(name);
   if (kind === "disturbance") return turns ? "disturbance moment" : "disturbance";

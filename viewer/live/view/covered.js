@@ -1,4 +1,4 @@
-// Which parts of the picture something else covers. Without the browser; all in CSS pixels.
+// Parts of the picture that panels cover, in CSS pixels. Independent of the browser.
 
 const TRIAD = 84; // width and height of the corner in which the axes are drawn
 const BAR = { width: 110, height: 36 }; // of the scale bar's

@@ -35,7 +35,7 @@ function colorOf(body, digit) {
   return digit;
 }
 
-/// Whether something of the hand stands behind its surface that a reader wants to see.
+/// Returns true if parts inside of the hand must be visible through its surface.
 const hasInside = (scene, owner) =>
   scene.lines.length > 0 || scene.bodies.some((b) => b.owner === owner && b.role === "bone");
 
@@ -47,7 +47,7 @@ const layerOf = (scene, body) => {
     : null;
 };
 
-/// What a layer's surfaces write where they were drawn once; 0 for what is drawn upon them.
+/// Stencil value of a layer's surfaces; 0 for what is drawn on top of them.
 const onceOf = (body, layer) => (body.role === "nail" ? 0 : ({ hands: 1, objects: 2 }[layer] ?? 0));
 
 /// { color, layer, once } of every body of a scene.
@@ -79,7 +79,7 @@ export function layer(mesh, fine, nearness = 0) {
   mesh.renderOrder = through ? 3 + nearness : 0;
 }
 
-/// What is translucent is drawn after all that is solid.
+/// Sets the opacity; translucent surfaces are drawn after all solid ones.
 export function setOpacity(mesh, opacity) {
   const { material } = mesh;
   material.transparent = opacity < 1;

@@ -1,5 +1,5 @@
-// When the picture is drawn, and how finely: with all pixels and shadows at rest, plainly while things move
-// where drawing is slow.
+// Scheduling and quality of rendering: full resolution and shadows at rest, reduced quality during motion on
+// slow machines.
 
 import { PCFShadowMap, WebGLRenderer } from "three";
 
@@ -9,7 +9,7 @@ const REST = 250; // until the picture counts as at rest [ms]
 const GRID = 0.28; // opacity of the grid
 const MOST = 1.5; // pixels of the finest picture to each of the window, along either side
 
-/// Whether the processor draws in place of a graphics card.
+/// Returns true if rendering is done in software.
 export function drawsInSoftware() {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (!gl) return true;

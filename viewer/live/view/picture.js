@@ -12,7 +12,7 @@ import { makePlaceHandle } from "./place_handle.js";
 import { usePointer } from "./pointer.js";
 import { makeStage } from "./stage.js";
 
-/// Whether the reader is shown another thing altogether, to which the camera has to go.
+/// Returns true if the scene shows different things, so that the camera must be fitted again.
 const another = (before, next) =>
   !before ||
   before.mode !== next.mode ||
@@ -25,7 +25,7 @@ const FARTHEST = 4; // sizes of what is seen at first: what flies farther away i
 const roomAround = (box, share) =>
   box.clone().expandByScalar(share * box.getSize(new Vector3()).length());
 
-/// Where a scene wants to be seen from.
+/// Returns the initial viewing direction of a scene.
 const directionOf = ({ eye, target }) => new Vector3(...eye).sub(new Vector3(...target));
 
 /// Fetches a mesh by its id, with the token of the page's address.

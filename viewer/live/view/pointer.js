@@ -1,4 +1,4 @@
-// What a pointer on the picture does: takes hold of a joint's disc, or selects what is clicked.
+// Pointer actions on the picture: dragging a joint's disc, selecting by a click.
 
 import { Raycaster, Vector2 } from "three";
 
@@ -15,7 +15,7 @@ export function usePointer(stage, bodies, { joint, place }, select) {
   let start = null;
   let drag = null;
 
-  // Before the camera's own controls hear of it.
+  // Handle the event before the camera controls.
   const down = (event) => {
     if (event.button !== 0) return;
     start = { x: event.clientX, y: event.clientY };

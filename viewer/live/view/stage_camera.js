@@ -1,11 +1,11 @@
-// Where the camera of the stage stands: so that all is seen between the panels.
+// Camera of the stage, fitted to the part of the window between the panels.
 
 import { Vector3 } from "three";
 import { fitCamera, setAspect } from "../../picture/camera_fit.js";
 
 const SAME = 1e-6; // of what is seen: closer than this nobody moved the camera
 
-/// Shifts the picture into the room between the panels.
+/// Shifts the picture into the area between the panels.
 function aim(stage) {
   const { camera, width, height, insets } = stage;
   const free = {
@@ -42,7 +42,7 @@ export function addCamera(stage) {
     fitted = { position: camera.position.clone(), target: controls.target.clone() };
     stage.draw();
   };
-  /// Whether nobody has turned, shifted or zoomed since.
+  /// Returns true if the user has not moved the camera since.
   stage.isFitted = () =>
     fitted !== null &&
     camera.zoom === 1 &&
@@ -59,7 +59,7 @@ export function addCamera(stage) {
     const y = 1 - (2 * (clientY - room.top)) / room.height;
     return { x, y };
   };
-  /// Where a point of the scene is seen, in CSS pixels of the window.
+  /// Projects a point of the scene to CSS pixels of the window.
   stage.pixel = (point) => {
     const seen = point.clone().project(camera);
     const room = canvas.getBoundingClientRect();

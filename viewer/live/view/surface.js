@@ -1,4 +1,4 @@
-// What three.js needs of a surface beside its triangles, in loops over plain arrays: a hand has 64,000 triangles.
+// Normals and bounds of surfaces for three.js, in loops over plain arrays: a hand has 64,000 triangles.
 
 import { Box3, BufferAttribute, BufferGeometry, Sphere, Vector3 } from "three";
 

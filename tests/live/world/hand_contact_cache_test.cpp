@@ -1,6 +1,6 @@
-// Tests for live/world/hand_touch.cpp: contacts are found where bodies are near, and not elsewhere.
+// Tests for live/world/hand_contact_cache.cpp: contacts are found where bodies are near, and not elsewhere.
 
-#include "live/world/hand_touch.h"
+#include "live/world/hand_contact_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ class HandTouchTest : public TemporaryFolder {
   /// Puts the box around the origin of the hand's own palm, so that they overlap.
   void put_box_into_the_hand() {
     const StateHand& hand = live_.state().hands[0];
-    place_thing(live_, "box", Vector3d(hand.stand.X_WH * hand.built->balls[0].c), {});
+    place_thing(live_, "box", Vector3d(hand.placement.X_WH * hand.built->balls[0].c), {});
   }
   [[nodiscard]] const StateBody& box() const {
     return live_.state().bodies[object_index(live_.state(), "box")];
@@ -39,10 +39,10 @@ TEST_F(HandTouchTest, FarThingsMayNotTouch) {
 }
 
 TEST_F(HandTouchTest, FindsContactsWhereBodiesOverlap) {
-  HandTouch touch;
+  HandContactCache touch;
   EXPECT_TRUE(touch.contacts(live_.state(), 1).empty());  // above the box, open
   put_box_into_the_hand();
-  const std::vector<HandTouches>& found = touch.contacts(live_.state(), 2);
+  const std::vector<HandObjectContacts>& found = touch.contacts(live_.state(), 2);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].hand, 0U);
   EXPECT_EQ(found[0].body, object_index(live_.state(), "box"));
@@ -51,15 +51,15 @@ TEST_F(HandTouchTest, FindsContactsWhereBodiesOverlap) {
 
 // What it remembers changes no answer: the same contacts as one that has seen nothing before.
 TEST_F(HandTouchTest, RemembersWithoutATrace) {
-  HandTouch old;
+  HandContactCache old;
   put_box_into_the_hand();
   const std::size_t first = old.contacts(live_.state(), 1).front().contacts.size();
   place_thing(live_, "box", Vector3d(5, 0, 0), {});
   EXPECT_TRUE(old.contacts(live_.state(), 2).empty());
   put_box_into_the_hand();
-  const std::vector<HandTouches>& again = old.contacts(live_.state(), 3);
-  HandTouch fresh;
-  const std::vector<HandTouches>& anew = fresh.contacts(live_.state(), 1);
+  const std::vector<HandObjectContacts>& again = old.contacts(live_.state(), 3);
+  HandContactCache fresh;
+  const std::vector<HandObjectContacts>& anew = fresh.contacts(live_.state(), 1);
   ASSERT_EQ(again.size(), 1U);
   ASSERT_EQ(anew.size(), 1U);
   EXPECT_EQ(again[0].contacts.size(), first);
@@ -68,7 +68,7 @@ TEST_F(HandTouchTest, RemembersWithoutATrace) {
 
 // The number of changes is what it looks at: with the same one the answer is the same.
 TEST_F(HandTouchTest, LooksAgainOnlyAfterAChange) {
-  HandTouch touch;
+  HandContactCache touch;
   put_box_into_the_hand();
   EXPECT_EQ(touch.contacts(live_.state(), 7).size(), 1U);
   const CollisionHand* model = &touch.collision_of(live_.state(), live_.state().hands[0]);
@@ -80,10 +80,10 @@ TEST_F(HandTouchTest, LooksAgainOnlyAfterAChange) {
 
 // Obstacles are never touched for a grasp.
 TEST_F(HandTouchTest, PassesObstaclesOver) {
-  HandTouch touch;
+  HandContactCache touch;
   place_thing(live_, "box", Vector3d(5, 0, 0), {});
   const StateHand& hand = live_.state().hands[0];
-  place_thing(live_, "table", Vector3d(hand.stand.X_WH * hand.built->balls[0].c), {});
+  place_thing(live_, "table", Vector3d(hand.placement.X_WH * hand.built->balls[0].c), {});
   EXPECT_TRUE(touch.contacts(live_.state(), 1).empty());
 }
 

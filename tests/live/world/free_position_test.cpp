@@ -1,6 +1,6 @@
-// Tests for live/world/free_place.cpp.
+// Tests for live/world/free_position.cpp.
 
-#include "live/world/free_place.h"
+#include "live/world/free_position.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ TEST_F(FreePlace, OfAHandIsClearOfObjects) {
   add_hand(live, "barrett", {});
   const StateHand& hand = live.state().hands[0];
   for (const Ball& ball : hand.built->balls)
-    EXPECT_GE((hand.stand.X_WH * ball.c).x() - ball.r,
+    EXPECT_GE((hand.placement.X_WH * ball.c).x() - ball.r,
               reach_along_x(live.state(), 0).max().x() + 0.02 - 1e-12);
 }
 
