@@ -1,6 +1,7 @@
 #pragma once
 
-/// Exact serialisation of numbers: a sampler restored from its bytes goes on as if never stopped.
+/// Exact serialisation of numbers: a sampler restored from its bytes continues as if never
+/// interrupted.
 
 #include <cstdint>
 #include <string>
@@ -23,12 +24,12 @@ class StateWriter {
   std::string bytes_;
 };
 
-/// Reads numbers in the order in which a StateWriter put them.
+/// Reads numbers in the order in which a StateWriter wrote them.
 class StateReader {
  public:
   explicit StateReader(std::string bytes) : bytes_(std::move(bytes)) {}
 
-  /// @throws InputError if the bytes end too early.
+  /// Return the next item. @throws InputError if the bytes end too early.
   [[nodiscard]] double number();
   [[nodiscard]] std::int64_t integer();
   [[nodiscard]] Eigen::MatrixXd matrix();

@@ -7,10 +7,10 @@
 
 namespace thenar::internal {
 
-/// An open file that is only appended to, or cut to a length known to be good.
+/// Open file that is only appended to, or truncated to a length known to be good.
 class AppendFile {
  public:
-  /// Opens, or makes, a file. @throws InputError if that is not possible.
+  /// Opens or creates a file. @throws InputError on failure.
   explicit AppendFile(std::string path);
   ~AppendFile();
   AppendFile(AppendFile&& other) noexcept;
