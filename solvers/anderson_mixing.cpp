@@ -15,7 +15,7 @@ void AndersonMixing::clear() {
 }
 
 VectorXd AndersonMixing::next(const VectorXd& motion) {
-  // What the last step changed.
+  // Store the last step and the change of the increment along it.
   if (motion_.size() == motion.size()) {
     changes_.emplace_back(motion - motion_);
     steps_.push_back(step_);
@@ -26,7 +26,7 @@ VectorXd AndersonMixing::next(const VectorXd& motion) {
   }
   motion_ = step_ = motion;
   if (changes_.empty()) return step_;
-  // The least combination of motions, and where it is.
+  // Subtract the combination of changes that minimises the increment.
   const auto count = static_cast<Index>(changes_.size());
   MatrixXd change(motion.size(), count), step(motion.size(), count);
   for (Index k = 0; k < count; ++k) {

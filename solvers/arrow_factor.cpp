@@ -13,13 +13,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// All rows of one block (-1: of none), as (own, shared) columns.
+/// Returns all rows of one block (-1: of none), as (own, shared) columns.
 MatrixXd stack(const ArrowLayout& layout, const std::vector<ArrowRows>& rows, int block) {
   const Index own = block < 0 ? 0 : layout.own;
-  // Rows of the block, from all its parts.
+  // Count the rows of the block.
   Index count = 0;
   for (const ArrowRows& part : rows)
     if (part.block == block) count += part.shared.rows();
+  // Copy the rows of all its parts.
   MatrixXd all(count, own + layout.shared);
   Index row = 0;
   for (const ArrowRows& part : rows) {
@@ -31,7 +32,7 @@ MatrixXd stack(const ArrowLayout& layout, const std::vector<ArrowRows>& rows, in
   return all;
 }
 
-/// The triangle of a QR factorisation, as many rows as matter.
+/// Returns the upper triangle of a QR factorisation (min(rows, columns), columns).
 MatrixXd triangle(const MatrixXd& A) {
   if (A.size() == 0) return MatrixXd(0, A.cols());
   const Eigen::HouseholderQR<MatrixXd> qr(A);
@@ -39,6 +40,7 @@ MatrixXd triangle(const MatrixXd& A) {
   return qr.matrixQR().topRows(rows).triangularView<Eigen::Upper>();
 }
 
+/// Stacks two matrices vertically.
 MatrixXd below(const MatrixXd& top, const MatrixXd& bottom) {
   if (top.size() == 0) return bottom;
   MatrixXd all(top.rows() + bottom.rows(), top.cols());
@@ -46,19 +48,21 @@ MatrixXd below(const MatrixXd& top, const MatrixXd& bottom) {
   return all;
 }
 
-/// Singular values that count, and the directions of all others.
+/// Fundamental subspaces of a matrix A, by its singular values.
 struct Split {
-  MatrixXd row_space, null_space;  // orthonormal columns
-  MatrixXd column_space;           // orthonormal columns of A
-  VectorXd inverse_values;         // of the singular values that count
+  MatrixXd row_space,
+      null_space;           // orthonormal columns: directions that A determines, and the others
+  MatrixXd column_space;    // orthonormal basis of the range of A
+  VectorXd inverse_values;  // reciprocals of the nonzero singular values
 };
 
+/// Splits the spaces of A; singular values below the tolerance or rounding count as zero.
 Split split(const MatrixXd& A, double tolerance) {
   const Index n = A.cols();
   // A matrix without entries determines nothing.
   if (A.rows() == 0 || n == 0)
     return {MatrixXd(n, 0), MatrixXd::Identity(n, n), MatrixXd(A.rows(), 0), VectorXd(0)};
-  // Singular values above the tolerance and above rounding.
+  // Count the singular values above the tolerance and above rounding.
   const Eigen::JacobiSVD<MatrixXd, Eigen::FullPivHouseholderQRPreconditioner> svd(
       A, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const VectorXd& sigma = svd.singularValues();
@@ -95,7 +99,7 @@ VectorXd ArrowMatrix::diagonal() const {
 
 ArrowFactor::ArrowFactor(const ArrowLayout& layout, const std::vector<ArrowRows>& rows)
     : layout_(layout) {
-  // Each block leaves rows that hang on the shared coordinates alone.
+  // Eliminate the blocks one by one; the remaining rows depend on shared coordinates only.
   MatrixXd left = stack(layout, rows, -1);
   for (int b = 0; b < layout.blocks; ++b) {
     const MatrixXd R = triangle(stack(layout, rows, b));
@@ -108,7 +112,7 @@ ArrowFactor::ArrowFactor(const ArrowLayout& layout, const std::vector<ArrowRows>
 
 VectorXd ArrowFactor::whiten(const VectorXd& g) const {
   VectorXd y(g.size());
-  // Forward substitution: blocks first, then what they leave of the shared coordinates.
+  // Forward substitution: blocks first, then the shared coordinates.
   VectorXd shared = g.head(layout_.shared);
   for (int b = 0; b < layout_.blocks; ++b) {
     const Block& block = blocks_[b];
@@ -146,11 +150,11 @@ VectorXd ArrowFactor::colour(const VectorXd& v) const {
 ArrowMatrix ArrowFactor::inverse_blocks() const {
   const Index p = layout_.shared, d = layout_.own;
   ArrowMatrix C(layout_);
-  // Shared coordinates first; blocks follow from them.
+  // Covariance of the shared coordinates; that of the blocks follows from it.
   const MatrixXd root = shared_.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(p, p));
   C.shared = root * root.transpose();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    // The own share of a block, and what the shared coordinates hand on.
+    // Variance within the block, plus that transferred from the shared coordinates.
     const auto R = blocks_[b].R.triangularView<Eigen::Upper>();
     const MatrixXd own = R.solve(MatrixXd::Identity(d, d)), carried = R.solve(blocks_[b].S);
     C.cross[b] = -carried * C.shared;
@@ -168,7 +172,7 @@ MatrixXd ArrowFactor::inverse() const {
     const auto i = static_cast<std::size_t>(b);
     C.block(at, 0, d, p) = blocks.cross[i];
     C.block(0, at, p, d) = blocks.cross[i].transpose();
-    // Covariance between blocks through the shared coordinates.
+    // Covariance with other blocks through the shared coordinates.
     const MatrixXd carried = blocks_[i].R.triangularView<Eigen::Upper>().solve(blocks_[i].S);
     C.block(at, at, d, d) = blocks.own[i];
     for (int other = 0; other < b; ++other) {
@@ -210,7 +214,7 @@ MatrixXd dense(const ArrowLayout& layout, const std::vector<ArrowRows>& rows) {
 
 ArrowNullSpace arrow_null_space(const ArrowLayout& layout, const std::vector<ArrowRows>& rows,
                                 double tolerance) {
-  // What a block alone leaves open, and what it asks of the shared coordinates beyond that.
+  // Split the own columns of each block, and collect the conditions on the shared coordinates.
   std::vector<Split> own;
   std::vector<MatrixXd> by_shared;
   MatrixXd asked = stack(layout, rows, -1);
@@ -223,8 +227,8 @@ ArrowNullSpace arrow_null_space(const ArrowLayout& layout, const std::vector<Arr
   }
   const MatrixXd shared = split(triangle(asked), tolerance).null_space;
 
-  // A shared direction is null if every block can answer it; the answer lies in the block's row
-  // space, square to what the block leaves open alone.
+  // A shared direction is null if every block can compensate for it. The compensation lies in the
+  // block's row space, orthogonal to the block's own null space.
   ArrowNullSpace out{MatrixXd(layout.size(), shared.cols()), {}};
   out.together.topRows(layout.shared) = shared;
   for (int b = 0; b < layout.blocks; ++b) {
@@ -234,7 +238,7 @@ ArrowNullSpace arrow_null_space(const ArrowLayout& layout, const std::vector<Arr
                             (block.column_space.transpose() * (by_shared[b] * shared)));
     out.alone.push_back(block.null_space);
   }
-  // Orthonormal columns.
+  // Orthonormalise the columns.
   if (shared.cols() == 0) return out;
   const Eigen::HouseholderQR<MatrixXd> qr(out.together);
   out.together = qr.householderQ() * MatrixXd::Identity(layout.size(), shared.cols());

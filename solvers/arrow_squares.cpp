@@ -11,7 +11,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// All rows in one matrix, columns of coordinates that are not free being zero.
+/// Stacks the rows, and sets the columns of fixed coordinates to zero.
 MatrixXd stack(const std::vector<MatrixXd>& parts, const std::vector<bool>& free, Index columns) {
   Index rows = 0;
   for (const MatrixXd& part : parts) rows += part.rows();
@@ -26,8 +26,8 @@ MatrixXd stack(const std::vector<MatrixXd>& parts, const std::vector<bool>& free
   return all;
 }
 
-/// Returns for each shared coordinate, then for each own coordinate of a block, whether it is free
-/// (shared + own).
+/// Returns, for each shared coordinate and then for each own coordinate of a block, whether it is
+/// free (shared + own).
 std::vector<bool> free_of_block(const ArrowLayout& layout, int block,
                                 const std::vector<bool>& free) {
   std::vector<bool> out(free.begin(), free.begin() + layout.shared);
@@ -36,7 +36,7 @@ std::vector<bool> free_of_block(const ArrowLayout& layout, int block,
   return out;
 }
 
-/// A += factor J J' in the lower triangle.
+/// Computes A += factor J J' in the lower triangle.
 void add_square(MatrixXd& A, const MatrixXd& J, double factor) {
   if (J.size() > 0) A.selfadjointView<Eigen::Lower>().rankUpdate(J, factor);
 }
@@ -50,7 +50,7 @@ ArrowSquares::ArrowSquares(const ArrowLayout& of)
       rows(static_cast<std::size_t>(of.blocks)) {}
 
 void ArrowSquares::add(int block, const MatrixXd& J) {
-  // Rows with one entry each have diagonal squares.
+  // Rows with one entry each only change the diagonal.
   Index entries = 0;
   Eigen::VectorXi in_row = Eigen::VectorXi::Zero(J.rows());
   for (Index j = 0; j < J.cols() && entries <= 1; ++j)
@@ -90,7 +90,7 @@ std::optional<ArrowSquaresFactor::Block> ArrowSquaresFactor::eliminate(
     const ArrowSquares& matrix, int block, const std::vector<bool>& free) {
   const ArrowLayout& layout = matrix.layout;
   const std::vector<bool> here = free_of_block(layout, block, free);
-  // Own columns in units in which D is 1; a held coordinate stands alone.
+  // Scale own columns so that D is 1; fixed coordinates are decoupled.
   Block out;
   out.u = matrix.diagonal.segment(Index{layout.own} * block, layout.own);
   for (Index i = 0; i < out.u.size(); ++i) {
@@ -104,14 +104,14 @@ std::optional<ArrowSquaresFactor::Block> ArrowSquaresFactor::eliminate(
   P.rightCols(layout.own) = P.rightCols(layout.own) * out.u.asDiagonal();
   N.rightCols(layout.own) = N.rightCols(layout.own) * out.u.asDiagonal();
 
-  // What is added:  L^-1 P.
+  // Factorise the added part and compute L^-1 P.
   MatrixXd K = MatrixXd::Identity(P.rows(), P.rows());
   add_square(K, P.rightCols(layout.own), 1);
   const Eigen::LLT<MatrixXd> added(K);
   if (added.info() != Eigen::Success) return {};
   added.matrixL().solveInPlace(P);
 
-  // What is taken away from the rest.
+  // Factorise the subtracted part.
   if (N.rows() > 0) {
     const MatrixXd met = N.rightCols(layout.own) * P.rightCols(layout.own).transpose();
     MatrixXd left = MatrixXd::Identity(N.rows(), N.rows());
@@ -123,7 +123,7 @@ std::optional<ArrowSquaresFactor::Block> ArrowSquaresFactor::eliminate(
     taken.matrixL().solveInPlace(N);
   }
 
-  // Both, below each other.
+  // Stack both parts.
   out.plus = P.rows();
   out.own.resize(P.rows() + N.rows(), layout.own);
   out.own << P.rightCols(layout.own), N.rightCols(layout.own);
@@ -137,7 +137,7 @@ std::optional<ArrowSquaresFactor> ArrowSquaresFactor::factor(const ArrowSquares&
   const ArrowLayout& layout = matrix.layout;
   ArrowSquaresFactor out(layout);
   out.free_ = free;
-  // Blocks first, then what they leave of the shared coordinates.
+  // Eliminate the blocks, then factorise the Schur complement of the shared coordinates.
   MatrixXd shared = matrix.shared;
   for (Index i = 0; i < shared.rows(); ++i) {
     if (free[i]) continue;
@@ -162,12 +162,12 @@ VectorXd ArrowSquaresFactor::solve(const VectorXd& g) const {
   VectorXd x = g;
   for (Index i = 0; i < x.size(); ++i)
     if (!free_[i]) x[i] = 0;
-  // W v, the rows taken away with a minus.
+  // W v: rows of the subtracted part have a negative sign.
   const auto weigh = [](const Block& block, VectorXd v) {
     v.tail(v.size() - block.plus) *= -1;
     return v;
   };
-  // Forward through the blocks, then back from the shared coordinates.
+  // Substitute forward through the blocks, then backward from the shared coordinates.
   auto shared = x.head(layout_.shared);
   for (int b = 0; b < layout_.blocks; ++b) {
     const Block& block = blocks_[b];

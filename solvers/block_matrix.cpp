@@ -9,11 +9,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kMinPivot = 1e-13;  // Least pivot, over the trace of the block [1]
+constexpr double kMinPivot = 1e-13;  // minimum pivot over the trace of its block [1]
 
+/// Neighbours of each row in the graph of nonzero blocks.
 using Neighbours = std::vector<std::set<int>>;
 
-/// Row of least degree that has not been eliminated.
+/// Returns the remaining row with the fewest neighbours.
 int least_degree(const Neighbours& joined, const std::vector<bool>& gone) {
   int best = -1;
   for (int i = 0; i < static_cast<int>(joined.size()); ++i)
@@ -21,11 +22,12 @@ int least_degree(const Neighbours& joined, const std::vector<bool>& gone) {
   return best;
 }
 
-/// Eliminates rows by least degree; leaves in joined[i] the rows that follow i.
+/// Eliminates rows in minimum-degree order; afterwards, joined[i] holds the later rows coupled to
+/// i.
 std::vector<int> eliminate(Neighbours& joined) {
   std::vector<int> order;
   std::vector<bool> gone(joined.size(), false);
-  // The neighbours of an eliminated row become neighbours of each other.
+  // Eliminate a row: its neighbours become neighbours of each other.
   while (order.size() < joined.size()) {
     const int k = least_degree(joined, gone);
     gone[k] = true;
@@ -43,19 +45,19 @@ std::vector<int> eliminate(Neighbours& joined) {
 
 BlockPattern::BlockPattern(int n, const std::vector<std::pair<int, int>>& edges)
     : place_(n), start_(n + 1, 0), update_start_(n + 1, 0) {
-  // Graph of the rows, and its elimination order.
+  // Order the rows of the graph.
   Neighbours joined(n);
   for (const auto& [i, j] : edges)
     if (i != j) joined[i].insert(j), joined[j].insert(i);
   const std::vector<int> order = eliminate(joined);
   for (int k = 0; k < n; ++k) place_[order[k]] = k;
-  // Blocks of each column, fill included.
+  // List the blocks of each column, including fill-in.
   for (int k = 0; k < n; ++k) {
     for (int i : joined[order[k]]) row_.push_back(place_[i]), column_.push_back(k);
     std::sort(row_.begin() + start_[k], row_.end());
     start_[k + 1] = blocks();
   }
-  // Updates that each column makes to later blocks.
+  // List the updates that each column makes to later blocks.
   for (int k = 0; k < n; ++k) {
     for (int left = start_[k]; left < start_[k + 1]; ++left)
       for (int right = start_[k]; right <= left; ++right)
@@ -85,19 +87,19 @@ bool BlockFactor::factorise(const BlockMatrix& A, double absolute, double relati
   std::copy(A.off.begin(), A.off.end(), A_.off.begin());
   bad_block_ = -1;
   std::vector<Matrix3d>& off = A_.off;
-  // Column by column.
+  // Factorise column by column.
   for (int k = 0; k < at.size(); ++k) {
     const Matrix3d& D = A_.diagonal[k];
     const double trace = std::abs(A.diagonal[k].trace()), shift = absolute + relative * trace;
     const double least = kMinPivot * (trace + 3 * shift);
-    // Scalar factor of the diagonal block.
+    // Factorise the diagonal block.
     const double d0 = D(0, 0) + shift, l10 = D(1, 0) / d0, l20 = D(2, 0) / d0;
     const double d1 = D(1, 1) + shift - l10 * D(1, 0), m21 = D(2, 1) - l20 * D(1, 0),
                  l21 = m21 / d1;
     const double d2 = D(2, 2) + shift - l20 * D(2, 0) - l21 * m21;
     l_[k] << l10, l20, l21;
     d_[k] << d0, d1, d2;
-    // A pivot that is not positive ends the factorisation.
+    // Stop at a pivot that is not positive.
     for (int r = 0; r < 3; ++r) {
       if (d_[k](r) > least) continue;
       bad_block_ = k;
@@ -106,7 +108,7 @@ bool BlockFactor::factorise(const BlockMatrix& A, double absolute, double relati
       if (r == 1) l_[k].tail<2>().setZero();
       return false;
     }
-    // W = B l^-T, kept in a copy of the column; V = W / d takes the place of B.
+    // Compute W = B l^-T in a copy of the column, and replace B by V = W / d.
     const int first = at.start_[k], last = at.start_[k + 1];
     for (int s = first; s < last; ++s) {
       Matrix3d& w = W_[s - first];
@@ -117,7 +119,7 @@ bool BlockFactor::factorise(const BlockMatrix& A, double absolute, double relati
       off[s].col(1) = w.col(1) / d1;
       off[s].col(2) = w.col(2) / d2;
     }
-    // Updates of later blocks.
+    // Update later blocks.
     for (int u = at.update_start_[k]; u < at.update_start_[k + 1]; ++u) {
       const BlockPattern::Update& up = at.update_[u];
       Matrix3d& target = up.target < 0 ? A_.diagonal[~up.target] : off[up.target];
@@ -135,7 +137,7 @@ void BlockFactor::solve(std::vector<Vector3d>& y) const {
     y[k](2) -= l_[k](1) * y[k](0) + l_[k](2) * y[k](1);
     for (int s = at.start_[k]; s < at.start_[k + 1]; ++s) y[at.row_[s]] -= A_.off[s] * y[k];
   }
-  // Diagonal and back substitution.
+  // Division by the diagonal and back substitution.
   for (int k = at.size() - 1; k >= 0; --k) {
     y[k] = y[k].cwiseQuotient(d_[k]);
     for (int s = at.start_[k]; s < at.start_[k + 1]; ++s)
@@ -147,7 +149,7 @@ void BlockFactor::solve(std::vector<Vector3d>& y) const {
 
 bool BlockFactor::negative_direction(std::vector<Vector3d>& v) const {
   if (bad_block_ < 0) return false;
-  // L' v = e at the bad pivot: rows after it are zero, rows before follow.
+  // Solve L' v = e for the bad pivot: later rows are zero, earlier rows follow.
   for (Vector3d& row : v) row.setZero();
   Vector3d& bad = v[bad_block_];
   bad(bad_row_) = 1;

@@ -7,21 +7,22 @@
 namespace thenar {
 namespace {
 
-constexpr double kLeastRadius = 1e-9;  // A fit gives up when its trust radius is below this
-constexpr int kMostSweeps = 400;       // Most sweeps of coordinate descent
-// Descent stops when the largest relative move of a sweep is below this [1]
+constexpr double kLeastRadius = 1e-9;  // trust radius below which the fit ends
+constexpr int kMostSweeps = 400;       // maximum number of sweeps of coordinate descent
+// Relative move in a sweep below which coordinate descent has converged [1]
 constexpr double kSettledMove = 1e-9;
 
 // Gap of a linearised problem that further sweeps do not reduce
 constexpr double kGapRounding = 1e-6;
 
-/// Minimum of the linearised problem within `radius` of here, in every unknown; its gap to `now`.
+/// Returns the minimiser of the linearised problem in the trust region, and stores its gap in
+/// `now`.
 Eigen::VectorXd trusted_step(const BoundedFit& fit, BoundedFitResult& now, double radius) {
   // Gauss-Newton Hessian, slightly regularised.
   Eigen::MatrixXd H = now.at.J.transpose() * now.at.J;
   H.diagonal().array() += 1e-9 * H.diagonal().maxCoeff() + 1e-12;
   const Eigen::VectorXd g = 2 * now.at.J.transpose() * now.at.r + fit.price;
-  // Bounds and trust region.
+  // Intersect bounds and trust region.
   const Eigen::VectorXd lower = (fit.lower - now.x).cwiseMax(-radius);
   const Eigen::VectorXd upper = (fit.upper - now.x).cwiseMin(radius);
   Eigen::VectorXd d = bounded_quadratic(H, g, lower, upper);
@@ -29,7 +30,7 @@ Eigen::VectorXd trusted_step(const BoundedFit& fit, BoundedFitResult& now, doubl
   return d;
 }
 
-/// Cost of the linearised problem after a step, less the cost now.
+/// Returns the change of the cost that the linearised problem predicts for a step.
 double foreseen_change(const BoundedFit& fit, const BoundedFitResult& now,
                        const Eigen::VectorXd& d) {
   return (now.at.r + now.at.J * d).squaredNorm() - now.at.r.squaredNorm() + fit.price.dot(d);
@@ -39,7 +40,7 @@ double foreseen_change(const BoundedFit& fit, const BoundedFitResult& now,
 
 Eigen::VectorXd bounded_quadratic(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
                                   const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  // Coordinate descent from the nearest point to zero.
+  // Coordinate descent from the feasible point nearest to zero.
   Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()).cwiseMax(lower).cwiseMin(upper);
   Eigen::VectorXd slope = 2 * H * d + g;
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
@@ -77,20 +78,20 @@ BoundedFitResult bounded_least_squares(const BoundedFit& fit, const Eigen::Vecto
   if (!now.possible) return now;
   now.cost = now.at.r.squaredNorm() + fit.price.dot(now.x);
   double radius = options.radius;
-  // Steps within the trust region.
+  // Take steps within the trust region.
   for (; now.steps < options.max_steps && radius > kLeastRadius; ++now.steps) {
     const Eigen::VectorXd d = trusted_step(fit, now, radius);
-    // Converged if the linearised problem promises too little.
+    // Stop if the linearised problem predicts too little improvement.
     const double foreseen = foreseen_change(fit, now, d);
     const double small = std::max(options.tolerance, options.relative * std::abs(now.cost));
     now.converged = -foreseen < small && now.gap <= std::max(small, kGapRounding);
     if (-foreseen < small) break;
-    // The step as taken, and how much of the promise it keeps.
+    // Evaluate the step, and compare actual and predicted change.
     const Eigen::VectorXd x = (now.x + d).cwiseMax(fit.lower).cwiseMin(fit.upper);
     FitResiduals next = fit.residuals(x, Sensitivities::kWith);
     const double cost = next.possible ? next.r.squaredNorm() + fit.price.dot(x) : 0;
     const double ratio = next.possible ? (cost - now.cost) / foreseen : -1;
-    // Trust region by that ratio; bad steps are not taken.
+    // Adapt the trust region; reject bad steps.
     if (ratio < 0.25) radius = 0.3 * d.cwiseAbs().maxCoeff();
     if (ratio > 0.75) radius = std::min(2 * radius, options.radius);
     if (ratio < 1e-3) continue;

@@ -20,13 +20,13 @@ using Eigen::VectorXd;
 using internal::ConeScaling;
 using Qr = Eigen::ColPivHouseholderQR<MatrixXd>;
 
-constexpr double kRankPivot = 1e-11;  // Pivots below this share of the largest count as zero [1]
-// Relative misfit of dependent equalities that rounding explains [1]
+constexpr double kRankPivot = 1e-11;  // pivot, over the largest, below which it counts as zero [1]
+// Relative residual of dependent equalities that rounding may cause [1]
 constexpr double kConsistencyError = 1e-9;
-constexpr int kStepRefinements = 2;  // Refinements of a Newton step
-// A run stalls after so many iterations without a better iterate or proof
+constexpr int kStepRefinements = 2;  // iterative refinements of a Newton step
+// Iterations without a better iterate or certificate after which a run stalls
 constexpr int kStalledIterations = 12;
-constexpr double kShyOfBoundary = 0.99;  // Share of the way to the boundary that a step takes [1]
+constexpr double kShyOfBoundary = 0.99;  // step length over the distance to the boundary [1]
 
 void check(const ConeProgram& p) {
   const Index n = p.c.size(), m = p.h.size();
@@ -42,16 +42,17 @@ void check(const ConeProgram& p) {
       "the cone programme must be finite");
 }
 
-/// minimise c' v  subject to  h - G v in K, where x = x0 + N v.
+/// Reduced problem:  minimise c' v  subject to  h - G v in K, where x = x0 + N v.
 struct Reduced {
   VectorXd x0, c, h;
   MatrixXd N, G;
 };
 
+/// Result of the elimination of equalities and free directions.
 struct Presolve {
-  std::optional<Reduced> reduced;  // nothing: the equalities contradict each other
-  VectorXd misfit;                 // then A x - b of least length
-  VectorXd falling;                // no cone sees it, the objective falls along it; may be empty
+  std::optional<Reduced> reduced;  // empty: the equalities are inconsistent
+  VectorXd misfit;                 // least-squares residual A x - b
+  VectorXd falling;                // direction of descent that no cone constrains; may be empty
 };
 
 Qr rank_revealing(const MatrixXd& M) {
@@ -61,7 +62,7 @@ Qr rank_revealing(const MatrixXd& M) {
   return qr;
 }
 
-/// Orthonormal bases of the columns of M' and of what M maps to zero.
+/// Orthonormal bases of the row space and the null space of M.
 struct RowSpaces {
   MatrixXd row_space, null_space;
 };
@@ -72,20 +73,20 @@ RowSpaces row_spaces(const MatrixXd& M) {
   return {Q.leftCols(qr.rank()), Q.rightCols(M.cols() - qr.rank())};
 }
 
-/// Removes equalities, then directions that no cone sees.
+/// Eliminates equalities, then directions that no cone constrains.
 Presolve presolve(const ConeProgram& p) {
   Presolve result;
-  // A point that obeys the equalities, to least squares.
+  // Find the least-squares solution of the equalities.
   VectorXd x0 = VectorXd::Zero(p.c.size());
   if (p.A.size() > 0) x0 = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A).solve(p.b);
   if (p.A.rows() > 0) result.misfit = p.A * x0 - p.b;
   if (result.misfit.norm() > kConsistencyError * (1 + p.b.norm())) return result;
-  // Directions within the equalities that cones see.
+  // Find the directions within the equalities that cones constrain.
   MatrixXd N =
       p.A.rows() > 0 ? row_spaces(p.A).null_space : MatrixXd::Identity(p.c.size(), p.c.size());
   const RowSpaces seen = row_spaces(p.G * N);
   const VectorXd c = N.transpose() * p.c;
-  // The objective falls along a direction that no cone sees.
+  // Project the objective on the unconstrained directions.
   const VectorXd unseen = seen.null_space.transpose() * c;
   if (unseen.norm() > kConsistencyError * (1 + c.norm()))
     result.falling = -N * seen.null_space * unseen;
@@ -101,7 +102,7 @@ class KktSolver {
     if (G.cols() > 0) qr_.compute(scaled_G_);
   }
 
-  /// Solves with refinement: near the optimum W is so far from a multiple of 1 that QR alone loses
+  /// Solves with iterative refinement: near the optimum W is so ill-conditioned that QR alone loses
   /// half of the digits.
   void solve(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
     factored(a, b, x, z);
@@ -120,6 +121,7 @@ class KktSolver {
   }
 
  private:
+  /// Solves once with the QR factors.
   void factored(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
     const VectorXd scaled_b = W_.divide(b);
     x = VectorXd::Zero(a.size());
@@ -138,7 +140,8 @@ class KktSolver {
   Eigen::HouseholderQR<MatrixXd> qr_;
 };
 
-/// The homogeneous embedding:  G'z + c tau = 0,  s + G x = h tau,  c'x + h'z + kappa = 0.
+/// Iterate of the homogeneous embedding:  G'z + c tau = 0,  s + G x = h tau,  c'x + h'z + kappa =
+/// 0.
 class Embedding {
  public:
   Embedding(const Reduced& p, const std::vector<int>& cones)
@@ -146,6 +149,7 @@ class Embedding {
     x = VectorXd::Zero(p.c.size());
   }
 
+  /// Takes one predictor-corrector step.
   void step() {
     const ConeScaling W(cones_, s, z);
     const KktSolver kkt(p_.G, W);
@@ -153,13 +157,13 @@ class Embedding {
     const Step toward_h = solve_for(kkt, -p_.c, p_.h);
     const VectorXd pure = -internal::cone_product(cones_, lambda, lambda);
     const Step affine = direction(kkt, W, lambda, toward_h, {1, pure, -kappa * tau});
-    // Centring from the length of the affine step.
+    // Choose the centring parameter from the length of the affine step.
     const double length = step_length(W, lambda, affine, 1);
     const double sigma = std::pow(1 - length, 3);
     const VectorXd corrected =
         pure - internal::cone_product(cones_, W.divide(affine.s), W.times(affine.z)) +
         sigma * gap_per_cone() * e_;
-    // Corrected direction, and a step that stays inside.
+    // Take a step along the corrected direction that stays in the interior.
     const Step full = direction(
         kkt, W, lambda, toward_h,
         {1 - sigma, corrected, -kappa * tau - affine.kappa * affine.tau + sigma * gap_per_cone()});
@@ -175,11 +179,11 @@ class Embedding {
     VectorXd x, s, z;
     double tau = 0, kappa = 0;
   };
-  /// Target of a direction.
+  /// Right-hand side of a Newton direction.
   struct Aim {
-    double share;      // by which it cuts the residuals [1]
-    VectorXd product;  // lambda o (...)
-    double kappa_tau;  // the same of kappa and tau
+    double share;      // fraction of the residuals to be removed [1]
+    VectorXd product;  // right-hand side of lambda o (...)
+    double kappa_tau;  // right-hand side of the equation of kappa and tau
   };
 
   static Step solve_for(const KktSolver& kkt, const VectorXd& a, const VectorXd& b) {
@@ -192,8 +196,8 @@ class Embedding {
     return (s.dot(z) + kappa * tau) / (static_cast<double>(cones_.size()) + 1);
   }
 
-  /// Newton's direction that cuts the residuals by `aim.share` and makes lambda o (...) =
-  /// aim.product.
+  /// Computes the Newton direction that removes the fraction `aim.share` of the residuals and
+  /// satisfies lambda o (...) = aim.product.
   [[nodiscard]] Step direction(const KktSolver& kkt, const ConeScaling& W, const VectorXd& lambda,
                                const Step& toward_h, const Aim& aim) const {
     const double share = aim.share, kappa_tau = aim.kappa_tau;
@@ -206,7 +210,7 @@ class Embedding {
     step.x += step.tau * toward_h.x;
     step.z += step.tau * toward_h.z;
     step.kappa = (kappa_tau - kappa * step.tau) / tau;
-    step.s = p_.h * step.tau - p_.G * step.x - share * primal_residual();  // keeps feasibility
+    step.s = p_.h * step.tau - p_.G * step.x - share * primal_residual();  // preserves feasibility
     return step;
   }
 
@@ -236,6 +240,7 @@ class Embedding {
   double tau = 1, kappa = 1;
 };
 
+/// Errors of an iterate as solution and as certificates.
 struct IterateQuality {
   double solved;      // KKT residual of (x, s, z) / tau
   double infeasible;  // of z as a certificate: |G'z| with h'z = -1
@@ -253,24 +258,25 @@ IterateQuality progress_of(const Reduced& p, const Embedding& e) {
           cx_raw < 0 ? (p.G * e.x + e.s).norm() / -cx_raw : kInfinity};
 }
 
+/// Best iterate and certificates of the reduced problem.
 struct Core {
   Status status = Status::kStalled;
   VectorXd v, z;
   double residual = kInfinity;
-  double infeasible = kInfinity, unbounded = kInfinity;  // the best certificates
-  VectorXd infeasible_z, unbounded_v;                    // what they are made of
-  int iterations = 0, last_better = 0;
+  double infeasible = kInfinity, unbounded = kInfinity;  // errors of the best certificates
+  VectorXd infeasible_z, unbounded_v;                    // best certificates
+  int iterations = 0, last_better = 0;  // iterations done, and the last one with an improvement
 };
 
 void keep_if_better(Core& best, const Embedding& e, const IterateQuality& progress) {
-  // Best certificates so far.
+  // Keep the best certificates.
   if (progress.infeasible < best.infeasible || progress.unbounded < best.unbounded)
     best.last_better = best.iterations;
   if (progress.infeasible < best.infeasible) best.infeasible_z = e.z;
   if (progress.unbounded < best.unbounded) best.unbounded_v = e.x;
   best.infeasible = std::min(best.infeasible, progress.infeasible);
   best.unbounded = std::min(best.unbounded, progress.unbounded);
-  // Best iterate so far.
+  // Keep the best iterate.
   if (!(progress.solved < best.residual)) return;
   best.last_better = best.iterations;
   best.residual = progress.solved;
@@ -286,6 +292,7 @@ Status status_of(const Core& best, double tolerance) {
   return Status::kStalled;
 }
 
+/// Iterates until something is proved, or nothing improves any more.
 Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOptions& options) {
   Embedding embedding(p, cones);
   Core best;
@@ -307,14 +314,13 @@ Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOp
   }
 }
 
-/// Multipliers of the equalities, from  A'y = rest.
+/// Solves A'y = rest for the multipliers of the equalities.
 VectorXd equality_multipliers(const ConeProgram& p, const VectorXd& rest) {
   if (p.A.size() == 0) return VectorXd::Zero(p.b.size());
   return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A.transpose()).solve(rest);
 }
 
-/// Returns the largest distance of the parts of v outside of their cones; negative if all lie
-/// inside.
+/// Returns the largest distance of the parts of v from their cones; negative if all are inside.
 double outside_cones(const VectorXd& v, const std::vector<int>& cones) {
   double worst = 0;
   Index row = 0;
@@ -325,9 +331,9 @@ double outside_cones(const VectorXd& v, const std::vector<int>& cones) {
   return worst;
 }
 
-/// KKT conditions of the programme as it was asked, before anything was removed from it.
+/// Returns the largest KKT residual of the original program.
 double residual_of(const ConeProgram& p, const ConeResult& r) {
-  // Each error over one plus the size of its terms.
+  // Divide each error by one plus the size of its terms.
   const auto over = [](double error, double size) { return error / (1 + size); };
   VectorXd stationary = p.c + p.G.transpose() * r.z;
   double equalities = 0;
@@ -341,8 +347,8 @@ double residual_of(const ConeProgram& p, const ConeResult& r) {
                      over(std::abs(r.objective - r.dual), std::abs(r.objective))});
 }
 
-/// Measures the error of y and z as Farkas' proof of infeasibility: with A'y + G'z = e, z in K and
-/// -(b'y + h'z) = g > 0, no x shorter than g / |e| obeys all.
+/// Returns the error of y and z as a Farkas certificate of infeasibility: with A'y + G'z = e, z in
+/// K and -(b'y + h'z) = g > 0, no x shorter than g / |e| is feasible.
 /// @return the larger of |e| / g and the relative distance of z outside of K, infinite if g <= 0
 double misses_infeasible(const ConeProgram& p, const VectorXd& y, const VectorXd& z) {
   VectorXd e = p.G.transpose() * z;
@@ -353,9 +359,9 @@ double misses_infeasible(const ConeProgram& p, const VectorXd& y, const VectorXd
   return max_or_nan(e.norm() / gain, outside_cones(z, p.cones) / std::max(gain, z.norm()));
 }
 
-/// Measures the error of d as a direction along which the objective falls without end: A d = 0, -G
-/// d in K, c'd < 0.
-/// @return largest violation over -c'd, infinite if the objective does not fall
+/// Returns the error of d as a direction along which the objective decreases without limit: A d =
+/// 0, -G d in K, c'd < 0.
+/// @return largest violation over -c'd; infinite if the objective does not decrease
 double misses_unbounded(const ConeProgram& p, const VectorXd& d) {
   const double gain = -p.c.dot(d);
   if (!(gain > 0)) return kInfinity;
@@ -375,16 +381,16 @@ ConeResult unanswered(const ConeProgram& p) {
           0};
 }
 
-/// Infeasible, if y and z of the result prove it.
+/// Sets kInfeasible if y and z of the result prove it; returns whether they do.
 bool settle_infeasible(const ConeProgram& p, double most, ConeResult& result) {
   result.residual = misses_infeasible(p, result.y, result.z);
   if (result.residual <= most) result.status = Status::kInfeasible;
   return result.status == Status::kInfeasible;
 }
 
-/// Unbounded, if the objective falls along a direction, and there is a point to start from; that
-/// there is none may come out instead.
-// NOLINTNEXTLINE(misc-no-recursion): once, without objective
+/// Sets kUnbounded if the objective decreases along a direction and a feasible point exists; the
+/// search for that point may prove kInfeasible instead. Returns whether the status was decided.
+// NOLINTNEXTLINE(misc-no-recursion): recurses once, without objective
 bool settle_unbounded(const ConeProgram& p, const VectorXd& direction, const ConeOptions& options,
                       double most, ConeResult& result) {
   const double missing = misses_unbounded(p, direction);
@@ -402,25 +408,25 @@ bool settle_unbounded(const ConeProgram& p, const VectorXd& direction, const Con
 
 }  // namespace
 
-// NOLINTNEXTLINE(misc-no-recursion): once, without objective
+// NOLINTNEXTLINE(misc-no-recursion): recurses once, without objective
 ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
   check(program);
   const double most = 10 * options.acceptable;
   const Presolve pre = presolve(program);
   ConeResult result = unanswered(program);
-  // The equalities contradict each other.
+  // Inconsistent equalities prove infeasibility.
   if (!pre.reduced) {
     result.y = pre.misfit;
     (void)settle_infeasible(program, most, result);
     return result;
   }
   const Core core = solve_reduced(*pre.reduced, program.cones, options);
-  // Back to the variables that were asked for.
+  // Return to the original variables.
   const MatrixXd& N = pre.reduced->N;
   result.iterations = core.iterations;
   result.x = pre.reduced->x0 + N * core.v;
 
-  // That there is no point, or no least one, the method does not say on its own word.
+  // Verify claims of infeasibility and unboundedness on the original program.
   if (core.status == Status::kInfeasible) {
     result.z = core.infeasible_z;
     result.y = equality_multipliers(program, -program.G.transpose() * result.z);
@@ -432,7 +438,7 @@ ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
                        result))
     return result;
 
-  // Multipliers and residual of the programme as asked.
+  // Compute multipliers and residual of the original program.
   result.z = core.z;
   result.y = equality_multipliers(program, -program.c - program.G.transpose() * result.z);
   result.objective = program.c.dot(result.x);

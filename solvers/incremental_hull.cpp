@@ -11,11 +11,12 @@ namespace thenar::internal {
 namespace {
 
 constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon();
-constexpr double kPlaneRounding = 32 * kUnitRoundoff;  // Rounding of one n'p - d, over the size [1]
-// A plane with a larger error is checked, over the size [1]
+constexpr double kPlaneRounding =
+    32 * kUnitRoundoff;  // rounding error of n'p - d, over the size [1]
+// Plane error above which the residual is computed, over the size [1]
 constexpr double kErrorToCheck = 1e-13;
 
-/// Scatters numbers over 64 bits (the finaliser of SplitMix64).
+/// Hashes a number to 64 bits (the finaliser of SplitMix64).
 std::uint64_t scatter(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ULL;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
@@ -23,27 +24,29 @@ std::uint64_t scatter(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// Returns the position of vertex j in the facet without vertex i, such that all facets are
-/// oriented alike: in order, but with the first two swapped in every other facet.
+/// Returns the position of vertex j in the facet without vertex i, such that all facets have the
+/// same orientation: in order, but with the first two swapped in every other facet.
 int place_in_simplex(int i, int j) {
   const int place = j < i ? j : j - 1;
   return i % 2 == 1 && place < 2 ? 1 - place : place;
 }
 
+/// Converts to an index of a vector.
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
 Hull::Hull(const std::array<HullPoint, 7>& simplex)
     : bar_(std::numeric_limits<double>::infinity()) {
-  // Seven points, and their mean as an inner point.
+  // Add the seven points; their mean is an inner point.
   for (const HullPoint& p : simplex) {
     inside_ += p / 7;
     size_ = std::max(size_, p.norm());
     code_.push_back(scatter(points_.size()));
     points_.push_back(p);
   }
-  // Each facet lacks one of them; it is across from the facet that lacks the other.
+  // Link the facets: facet i lacks vertex i, and is the neighbour of facet j across the ridge
+  // without j.
   for (int i = 0; i < 7; ++i) (void)new_facet();
   for (int i = 0; i < 7; ++i) {
     Links& links = links_[at(i)];
@@ -60,7 +63,7 @@ Hull::Hull(const std::array<HullPoint, 7>& simplex)
 }
 
 int Hull::new_facet() {
-  // Reuse a facet that is free.
+  // Reuse a free entry.
   ++alive_;
   int facet = static_cast<int>(links_.size());
   if (free_.empty()) {
@@ -92,7 +95,7 @@ int Hull::pop_nearest() {
     queue_.pop_back();
     if (links_[at(next.facet)].birth != next.birth) continue;
     if (next.d < bar_) return next.facet;
-    queue_.clear();  // all others are further off
+    queue_.clear();  // all others are farther away
   }
   return -1;
 }
@@ -105,12 +108,12 @@ bool Hull::insert(const HullPoint& p, int facet) {
   points_.push_back(p);
   code_.push_back(scatter(points_.size()));
 
-  // A table of ridges with room for all.
+  // Enlarge the hash table of ridges.
   std::size_t room = std::max<std::size_t>(table_.size(), 64);
   while (room < 8 * horizon_.size()) room *= 2;
   if (room != table_.size()) table_.assign(room, {0, 0, -1, 0});
 
-  // A new facet over every ridge of the horizon; the visible ones are free again.
+  // Add a new facet over every ridge of the horizon, and free the visible ones.
   for (const Ridge& ridge : horizon_) match_ridges(raise_facet(ridge, point), ridge.place);
   for (const int gone : visible_) {
     links_[at(gone)].birth = 0;
@@ -124,7 +127,7 @@ void Hull::find_visible(const HullPoint& p, int facet) {
   ++stamp_;
   visible_.clear();
   horizon_.clear();
-  // Looks at each facet once an insertion.
+  // Computes the signed distance of each facet once per insertion.
   const auto look = [&](int f) {
     Links& links = links_[at(f)];
     if (links.stamp == stamp_) return links.s > 0;
@@ -135,9 +138,9 @@ void Hull::find_visible(const HullPoint& p, int facet) {
     if (links.s > 0) visible_.push_back(f);
     return links.s > 0;
   };
-  // Breadth-first over neighbours; hidden ones beyond a ridge make the horizon.
+  // Search breadth-first; ridges to hidden neighbours form the horizon.
   look(facet);
-  // NOLINTNEXTLINE(modernize-loop-convert): visible_ grows meanwhile
+  // NOLINTNEXTLINE(modernize-loop-convert): visible_ grows in the loop
   for (std::size_t k = 0; k < visible_.size(); ++k) {
     const int f = visible_[k];
     for (int i = 0; i < 6; ++i)
@@ -153,7 +156,7 @@ int Hull::raise_facet(const Ridge& ridge, int point) {
   const int across = seen.neighbour[place];
   Links& hidden = links_[at(across)];
 
-  // The new facet takes the place of the visible one at the ridge.
+  // Replace the visible facet at the ridge.
   links.vertex = seen.vertex;
   links.vertex[place] = point;
   links.neighbour[place] = across;
@@ -161,7 +164,7 @@ int Hull::raise_facet(const Ridge& ridge, int point) {
   hidden.neighbour[at(seen.back[place])] = facet;
   hidden.back[at(seen.back[place])] = static_cast<std::int8_t>(ridge.place);
 
-  // Its plane lies in the pencil of both.
+  // Its plane is in the pencil of both planes.
   planes_[at(facet)] = pencil(seen, planes_[at(ridge.facet)], hidden, planes_[at(across)]);
   settle(facet);
   queue(facet);
@@ -170,7 +173,7 @@ int Hull::raise_facet(const Ridge& ridge, int point) {
 
 Hull::Plane Hull::pencil(const Links& seen, const Plane& a, const Links& hidden,
                          const Plane& b) const {
-  // A weighted sum, whose weights are not negative.
+  // Weighted sum with nonnegative weights.
   const double wa = -hidden.s, wb = seen.s;
   Plane out{wa * a.n + wb * b.n, wa * a.d + wb * b.d, 0};
   const double scale = 1 / out.n.norm();
@@ -183,7 +186,7 @@ Hull::Plane Hull::pencil(const Links& seen, const Plane& a, const Links& hidden,
 void Hull::settle(int facet) {
   Plane& plane = planes_[at(facet)];
   const Links& links = links_[at(facet)];
-  // A large bound is measured, and if need be the plane is solved for.
+  // If the error bound is large, compute the residual and, if necessary, solve for the plane.
   if (!(plane.error <= kErrorToCheck * size_)) {
     plane.error = residual(plane, links);
     if (!(plane.error <= kErrorToCheck * size_)) {
@@ -203,7 +206,7 @@ double Hull::residual(const Plane& plane, const Links& links) const {
 }
 
 Hull::Plane Hull::solve(const Links& links) const {
-  // Normal to five edges, by QR.
+  // Find the normal to five edges by QR.
   Eigen::Matrix<double, 6, 5> edges;
   const HullPoint& origin = points_[at(links.vertex[5])];
   for (int i = 0; i < 5; ++i) edges.col(i) = points_[at(links.vertex[at(i)])] - origin;
@@ -217,7 +220,7 @@ Hull::Plane Hull::solve(const Links& links) const {
 
 void Hull::match_ridges(int facet, int place_of_point) {
   const Links& links = links_[at(facet)];
-  // Each ridge of the new facet meets one of another new facet: the same five vertices.
+  // Each ridge of the new facet meets one of another new facet with the same five vertices.
   std::uint64_t sum = 0;
   for (const int v : links.vertex) sum += code_[at(v)];
   for (int i = 0; i < 6; ++i)
@@ -226,7 +229,7 @@ void Hull::match_ridges(int facet, int place_of_point) {
 }
 
 void Hull::join(int facet, std::int8_t place, std::uint64_t key) {
-  // Hash table: the first of a pair waits there for the second.
+  // Hash table: the first ridge of a pair is stored until the second one comes.
   const std::size_t mask = table_.size() - 1;
   for (std::size_t i = key & mask;; i = (i + 1) & mask) {
     Slot& slot = table_[i];
@@ -259,7 +262,7 @@ double Hull::volume() const {
     for (int i = 0; i < 6; ++i) edges.col(i) = points_[at(links.vertex[at(i)])] - inside_;
     sum += edges.determinant();
   }
-  return std::abs(sum) / 720;  // 6!; all facets are oriented alike
+  return std::abs(sum) / 720;  // 6!; all facets have the same orientation
 }
 
 }  // namespace thenar::internal

@@ -9,7 +9,7 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Some of the residuals, with their exact Jacobian by the shared coordinates and by one block.
+/// Residuals of one part, with their Jacobian by the shared coordinates and by one block.
 class Cost final : public ceres::CostFunction {
  public:
   Cost(const ResidualPart& part, const ArrowLayout& layout, int rows, int& evaluations)
@@ -21,7 +21,7 @@ class Cost final : public ceres::CostFunction {
 
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
-    // Entries of other blocks are not looked at.
+    // Gather the entries that the part reads.
     const bool own = part_.block >= 0;
     Eigen::VectorXd z = Eigen::VectorXd::Zero(layout_.size());
     z.head(layout_.shared) = Eigen::Map<const Eigen::VectorXd>(parameters[0], layout_.shared);
@@ -31,14 +31,14 @@ class Cost final : public ceres::CostFunction {
     const Residuals out =
         part_.residuals(z, jacobians == nullptr ? WithJacobian::kNo : WithJacobian::kYes);
     ++evaluations_;
-    // Residuals, and the two parts of the Jacobian if asked for.
+    // Return the residuals and, if requested, both parts of the Jacobian.
     Eigen::Map<Eigen::VectorXd>(residuals, out.r.size()) = out.r;
     if (jacobians != nullptr && jacobians[0] != nullptr)
       Eigen::Map<RowMajor>(jacobians[0], out.J.rows(), layout_.shared) =
           out.J.leftCols(layout_.shared);
     if (jacobians != nullptr && own && jacobians[1] != nullptr)
       Eigen::Map<RowMajor>(jacobians[1], out.J.rows(), layout_.own) = out.J.rightCols(layout_.own);
-    return out.r.allFinite();  // a step into nonsense is shortened, not taken
+    return out.r.allFinite();  // Ceres shortens steps to points that are not finite
   }
 
  private:
@@ -47,7 +47,7 @@ class Cost final : public ceres::CostFunction {
   int& evaluations_;
 };
 
-/// Reports every iteration and passes a stop request on.
+/// Reports every iteration, and forwards stop requests.
 class Listener final : public ceres::IterationCallback {
  public:
   Listener(const Progress& progress, int limit) : progress_(progress), limit_(limit) {}
@@ -71,11 +71,12 @@ Status status_of(const ceres::Solver::Summary& summary) {
 
 namespace {
 
-/// Bounds of one parameter block of Ceres; where they leave no room, the coordinate is held.
+/// Sets the bounds of one parameter block of Ceres; coordinates with equal bounds are fixed.
 void bound(const LeastSquares& problem, int first, int count, double* z, ceres::Problem& ceres) {
-  constexpr double kNoRoom = 1e-12;  // Less room between bounds is rounding [prior sds]
+  constexpr double kNoRoom =
+      1e-12;  // distance of the bounds below which they are equal to rounding [prior sds]
   std::vector<int> held;
-  // Coordinates between equal bounds are held.
+  // Set the bounds, and collect fixed coordinates.
   for (int i = 0; i < count; ++i) {
     const double lower = problem.lower[first + i], upper = problem.upper[first + i];
     if (upper - lower <= kNoRoom) {
@@ -100,7 +101,7 @@ Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
   Solution solution;
   solution.z = start;
 
-  // Each part of the residuals sees the shared coordinates and those of its block.
+  // Add each part of the residuals with the parameter blocks that it reads.
   ceres::Problem ceres_problem;
   double* z = solution.z.data();
   int calls = 0;
@@ -114,7 +115,7 @@ Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
   for (int b = 0; b < layout.blocks; ++b)
     bound(problem, layout.first(b), layout.own, z + layout.first(b), ceres_problem);
 
-  // Blocks are eliminated one by one; what is left is as large as what they share.
+  // Eliminate blocks by Schur complements if there are any.
   ceres::Solver::Options settings;
   settings.linear_solver_type =
       layout.blocks > 0 ? ceres::DENSE_SCHUR : ceres::DENSE_NORMAL_CHOLESKY;

@@ -15,19 +15,19 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
-// Largest violation of a row, over max(1, its terms) [1]
+// Maximum violation of a row, over max(1, its terms) [1]
 constexpr double kFeasibilityError = 1e-12;
-constexpr double kPriceError = 1e-11;  // Largest violation of a price, over max(1, its terms) [1]
-constexpr double kGapError = 1e-11;    // Largest duality gap, over max(1, |objective|) [1]
-constexpr int kBasisRefinements = 2;   // Refinements of a linear system; one reaches rounding
+constexpr double kPriceError = 1e-11;  // maximum violation of a dual, over max(1, its terms) [1]
+constexpr double kGapError = 1e-11;    // maximum duality gap, over max(1, |objective|) [1]
+constexpr int kBasisRefinements = 2;   // refinements of a linear system; one reaches rounding
 
-/// Column k of [A, -1].
+/// Returns column k of [A, -1].
 VectorXd column(const LinearProgram& program, Index k) {
   const Index n = program.A.cols();
   return k < n ? VectorXd(program.A.col(k)) : VectorXd(-VectorXd::Unit(program.A.rows(), k - n));
 }
 
-/// S x = b, with residuals in long double.
+/// Solves S x = b with iterative refinement in long double.
 template <typename Solver>
 VectorXd refined(const Solver& solver, const MatrixXd& S, const LongVector& b) {
   LongVector x = LongVector::Zero(b.size());
@@ -38,24 +38,25 @@ VectorXd refined(const Solver& solver, const MatrixXd& S, const LongVector& b) {
   return x.cast<double>();
 }
 
-/// One price and the variable that it pushes to a bound.
+/// Dual of a variable, with the value and the bounds of the variable.
 struct Push {
   long double price;
-  double terms;  // sum of what the price was computed from, absolute
+  double terms;  // sum of the absolute values of the terms of the price
   double value, lower, upper;
 };
 
+/// Adds the contribution of a dual to the certificate.
 void add(const Push& push, LinearCertificate& certificate) {
-  // A zero price proves nothing and costs nothing.
+  // A zero dual does not contribute.
   const auto price = static_cast<double>(std::abs(push.price));
   const double bound = push.price > 0 ? push.upper : push.lower;
   if (price == 0) return;
-  // Price times distance to its bound.
+  // Price times distance to the bound.
   if (std::isfinite(bound)) {
     certificate.gap += price * std::abs(bound - push.value);
     return;
   }
-  // No finite bound pays this price.
+  // The bound to which the price belongs is infinite.
   certificate.dual_violation =
       max_or_nan(certificate.dual_violation, price / std::max(1.0, push.terms));
   certificate.gap += price * std::abs(push.value);
@@ -69,7 +70,7 @@ double violation(double value, double lower, double upper, double terms) {
 
 PrimalDualPoint vertex_of(const LinearProgram& program, const SimplexBasis& basis) {
   const Index n = program.A.cols(), rows = program.A.rows();
-  // Basis matrix and its costs.
+  // Assemble the basis matrix and its costs.
   VectorXd all = basis.at, costs = VectorXd::Zero(n + rows), basic_costs(rows);
   costs.head(n) = program.objective;
   MatrixXd B(rows, rows);
@@ -81,7 +82,7 @@ PrimalDualPoint vertex_of(const LinearProgram& program, const SimplexBasis& basi
   }
   if (rows == 0) return {all.cwiseMax(program.lower).cwiseMin(program.upper), VectorXd(0)};
 
-  // What the others leave for the basic variables, and the duals that make these indifferent.
+  // Solve for the basic variables, and for the duals.
   const LongVector others = all.cast<long double>();
   const LongVector left = others.tail(rows) - program.A.cast<long double>() * others.head(n);
   const Eigen::PartialPivLU<MatrixXd> lu(B);
@@ -90,7 +91,7 @@ PrimalDualPoint vertex_of(const LinearProgram& program, const SimplexBasis& basi
   const Eigen::PartialPivLU<MatrixXd> lu_turned(B_turned);
   const VectorXd duals = refined(lu_turned, B_turned, basic_costs.cast<long double>());
 
-  // The vertex within its bounds.
+  // Project the vertex onto its bounds.
   for (Index k = 0; k < rows; ++k) all(basis.basic[k]) = values(k);
   const VectorXd x = all.head(n);
   if (!x.allFinite()) return {x, duals};
@@ -107,7 +108,7 @@ LinearCertificate certify(const LinearProgram& program, const PrimalDualPoint& p
     certificate.violation = max_or_nan(certificate.violation, value);
   };
 
-  // Columns: what is left of the objective after the rows are paid.
+  // Columns: reduced costs.
   for (Index j = 0; j < x.size(); ++j) {
     long double price = program.objective(j);
     double terms = std::abs(program.objective(j));

@@ -15,20 +15,20 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Least entry of a column that may be a pivot, over its largest [1]
+// Minimum pivot over the largest entry of its column [1]
 constexpr double kPivotTolerance = 1e-11;
-constexpr double kTieTolerance = 1e-12;  // Ratios with a smaller relative difference are equal [1]
-constexpr double kFarkasTolerance = 1e-9;  // Relative rounding in Farkas' proof [1]
-constexpr int kPivotsPerTableau = 60;      // Pivots after which the tableau is rebuilt from M and q
+constexpr double kTieTolerance = 1e-12;    // relative difference below which ratios are equal [1]
+constexpr double kFarkasTolerance = 1e-9;  // relative rounding error of a Farkas certificate [1]
+constexpr int kPivotsPerTableau = 60;      // number of pivots after which the tableau is recomputed
 
 double or_one(double size) { return size > 0 ? size : 1; }
 
-/// Variables 0 .. n-1 are w, n .. 2n-1 are z, 2n is the artificial z0.
+/// Tableau of Lemke's method. Variables 0 .. n-1 are w, n .. 2n-1 are z, 2n is the artificial z0.
 class LemkeTableau {
  public:
   explicit LemkeTableau(const LinearComplementarity& problem)
       : n_(problem.q.size()), all_(n_, 2 * n_ + 2), basis_(static_cast<std::size_t>(n_)) {
-    // w - M z - z0 = q.
+    // Set up w - M z - z0 = q.
     all_.leftCols(n_).setIdentity();
     all_.middleCols(n_, n_) = -problem.M;
     all_.col(2 * n_).setConstant(-1);
@@ -43,8 +43,8 @@ class LemkeTableau {
     return variable < n_ ? variable + n_ : variable - n_;
   }
 
-  /// The row that leaves for a column: the least of (q, B^-1) / entry, lexicographically; -1: none.
-  /// z0 leaves where it may.
+  /// Returns the leaving row for an entering column: the lexicographic minimum of (q, B^-1) /
+  /// entry; -1: none. z0 is preferred among ties.
   [[nodiscard]] Index leaving_row(Index column) const {
     const VectorXd a = table_.col(column);
     const double least = kPivotTolerance * std::max(a.cwiseAbs().maxCoeff(), 1e-3);
@@ -58,7 +58,7 @@ class LemkeTableau {
     return best;
   }
 
-  /// The row of the lexicographically least q, at which z0 comes in.
+  /// Returns the row of the lexicographically smallest q, where z0 enters.
   [[nodiscard]] Index first_row() const {
     const VectorXd ones = VectorXd::Ones(n_);
     Index best = 0;
@@ -67,6 +67,7 @@ class LemkeTableau {
     return best;
   }
 
+  /// Pivots on an entry of the tableau.
   void pivot(Index row, Index column) {
     basis_[row] = column;
     if (++pivots_ % kPivotsPerTableau == 0 && rebuild()) return;
@@ -80,7 +81,7 @@ class LemkeTableau {
     }
   }
 
-  /// Returns whether z0 is zero to rounding: the basis is an answer, though z0 has not left it.
+  /// Returns whether z0 is zero to rounding: the basis is a solution even if z0 is still basic.
   [[nodiscard]] bool is_covered() const {
     for (Index i = 0; i < n_; ++i)
       if (in_row(i) == artificial())
@@ -89,7 +90,7 @@ class LemkeTableau {
     return true;
   }
 
-  /// z of the basis, with z0 left out.
+  /// Returns z of the basis, without z0.
   [[nodiscard]] VectorXd z() const {
     VectorXd out = VectorXd::Zero(n_);
     for (Index i = 0; i < n_; ++i)
@@ -97,7 +98,7 @@ class LemkeTableau {
         out(in_row(i) - n_) = std::max(table_(i, 2 * n_ + 1), 0.0);
     return out;
   }
-  /// Direction in which z goes as `column` grows without limit.
+  /// Returns the direction of z as `column` grows without limit.
   [[nodiscard]] VectorXd ray(Index column) const {
     VectorXd out = VectorXd::Zero(n_);
     if (column >= n_ && column < 2 * n_) out(column - n_) = 1;
@@ -114,7 +115,7 @@ class LemkeTableau {
   }
 
  private:
-  /// Difference of two rows' ratios in a column, 0 within rounding.
+  /// Returns the difference of two rows' ratios in a column, 0 within rounding.
   [[nodiscard]] double ratio_gap(Index i, Index k, const VectorXd& a, Index column) const {
     const double x = table_(i, column) / a(i), y = table_(k, column) / a(k);
     return std::abs(x - y) <= kTieTolerance * std::max({std::abs(x), std::abs(y), 1e-300}) ? 0
@@ -125,7 +126,7 @@ class LemkeTableau {
     for (Index column = 0; gap == 0 && column < n_; ++column) gap = ratio_gap(i, k, a, column);
     return gap < 0;
   }
-  /// The table of this basis from the data; false where the basis is singular.
+  /// Recomputes the tableau of this basis from the data; false if the basis is singular.
   bool rebuild() {
     MatrixXd B(n_, n_);
     for (Index i = 0; i < n_; ++i) B.col(i) = all_.col(in_row(i));
@@ -138,12 +139,12 @@ class LemkeTableau {
   }
 
   Index n_;
-  MatrixXd all_, table_;  // [I, -M, -1, q], and B^-1 times it (n, 2 n + 2)
+  MatrixXd all_, table_;  // [I, -M, -1, q], and its product with B^-1 (n, 2 n + 2)
   std::vector<Index> basis_;
   int pivots_ = 0;
 };
 
-/// z of a basis from M and q alone; the tableau's where that is better.
+/// Returns z of the final basis, solved again from M and q; that of the tableau if it is better.
 VectorXd refined(const LinearComplementarity& problem, const LemkeTableau& tableau) {
   VectorXd rough = tableau.z();
   const std::vector<Index> basic = tableau.basic_z();
@@ -202,7 +203,7 @@ ComplementaritySolution solve_complementarity(const LinearComplementarity& probl
   finish(problem, options.tolerance, &out);
   if (n == 0 || problem.q.minCoeff() >= 0) return out;
 
-  // z0 comes in at the least q, and from then on the complement of what left.
+  // Let z0 enter at the smallest q, then always the complement of the variable that left.
   LemkeTableau tableau(problem);
   Index row = tableau.first_row(), entering = tableau.artificial();
   const Index most = options.max_pivots > 0 ? options.max_pivots : 50 * (n + 1);
@@ -225,6 +226,7 @@ ComplementaritySolution solve_complementarity(const LinearComplementarity& probl
       break;
     }
   }
+  // Solve the final basis again, and check for infeasibility.
   out.z = refined(problem, tableau);
   finish(problem, options.tolerance, &out);
   if (out.status != Status::kSolved && proves_infeasible(problem, out.ray)) {

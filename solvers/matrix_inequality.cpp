@@ -11,21 +11,23 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// Weights of the objective against the barrier: first, largest, and their ratio [1]
 constexpr double kFirstWeight = 1, kMaxWeight = 1e15, kGrowth = 8;
-constexpr int kMaxNewtonSteps = 30;  // Most Newton steps for one weight
-// Full steps converge if the squared decrement is below this [1]
+constexpr int kMaxNewtonSteps = 30;  // maximum number of Newton steps for one weight
+// Squared decrement below which full steps converge [1]
 constexpr double kQuadraticDecrement = 0.06;
-// The weight may grow once the squared decrement is below this [1]
+// Squared decrement below which the weight may grow [1]
 constexpr double kCentredDecrement = 1e-3;
-constexpr double kHessianShift = 1e-14;  // Added to the diagonal of the scaled Hessian [1]
-constexpr int kMaxHalvings = 50;         // Most halvings of a step
+constexpr double kHessianShift = 1e-14;  // addition to the diagonal of the scaled Hessian [1]
+constexpr int kMaxHalvings = 50;         // maximum number of halvings of a step
 
+/// Gradient and Hessian.
 struct Slope {
   VectorXd g;
   MatrixXd H;
 };
 
-/// Computes gradient and Hessian of the barrier alone.
+/// Computes gradient and Hessian of the barrier.
 Slope slope_at(const std::vector<MatrixInequality>& inequalities, const VectorXd& y) {
   Slope out{VectorXd::Zero(y.size()), MatrixXd::Zero(y.size(), y.size())};
   for (const MatrixInequality& each : inequalities) {
@@ -37,7 +39,7 @@ Slope slope_at(const std::vector<MatrixInequality>& inequalities, const VectorXd
       Z.emplace_back(factor.matrixL().solve(half.transpose()));
       out.g(k) -= Z.back().trace();
     }
-    // Second derivatives, symmetric.
+    // Add the symmetric second derivatives.
     for (std::size_t a = 0; a < Z.size(); ++a)
       for (std::size_t b = 0; b <= a; ++b) {
         const double entry = Z[a].cwiseProduct(Z[b]).sum();
@@ -55,7 +57,7 @@ bool holds(const std::vector<MatrixInequality>& inequalities, const VectorXd& y)
   });
 }
 
-/// A Newton step that stays inside. @returns the decrement squared before it; 0: no way on
+/// Takes a feasible Newton step. @return squared decrement before the step; 0: no step was possible
 double step(const std::vector<MatrixInequality>& inequalities, VectorXd& y, int which,
             double weight) {
   // Gradient and Hessian of the weighted objective with the barrier.
@@ -68,7 +70,7 @@ double step(const std::vector<MatrixInequality>& inequalities, VectorXd& y, int 
   const VectorXd way = -D.cwiseProduct(scaled.ldlt().solve(D.cwiseProduct(slope.g)));
   const double decrement = -slope.g.dot(way);
   if (!(decrement > 0) || !way.allFinite()) return 0;
-  // Damped, and halved until it stays inside.
+  // Damp the step, and halve it until it is feasible.
   double length = decrement < kQuadraticDecrement ? 1 : 1 / (1 + std::sqrt(decrement));
   for (int i = 0; i < kMaxHalvings; ++i, length /= 2)
     if (const VectorXd next = y + length * way; holds(inequalities, next)) {
@@ -88,7 +90,7 @@ MatrixXd value_at(const MatrixInequality& inequality, const VectorXd& y) {
 
 MaximisedComponent maximise_component(const std::vector<MatrixInequality>& inequalities, VectorXd y,
                                       int which, double enough) {
-  // Weights grow; each centre bounds how far the unknown can still be raised.
+  // Increase the weight; each centre bounds the remaining increase of the unknown.
   Eigen::Index rows = 0;
   for (const MatrixInequality& each : inequalities) rows += each.C.rows();
   for (double weight = kFirstWeight; weight < kMaxWeight; weight *= kGrowth) {
@@ -97,7 +99,7 @@ MaximisedComponent maximise_component(const std::vector<MatrixInequality>& inequ
       decrement = step(inequalities, y, which, weight);
       if (y(which) > enough) return {y, true};
     }
-    // Twice the way that is left from the centre of the barrier.
+    // Stop if twice the bound of the remaining increase is too small.
     if (decrement <= kCentredDecrement &&
         y(which) + 2 * static_cast<double>(rows) / weight < enough)
       break;

@@ -14,14 +14,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Variables, of order one, with a smaller width are constant [1]
+// Width below which variables, of order one, are fixed [1]
 constexpr double kPinnedWidth = 1e-9;
-// Smaller singular values of the equalities count as zero [1]
+// Singular value of the equalities below which it counts as zero [1]
 constexpr double kDependentValue = 1e-12;
 
-/// Orthonormal basis of { z : E z = 0, z_i = 0 for pinned i }.
+/// Returns an orthonormal basis of { z : E z = 0, z_i = 0 for pinned i }.
 MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& pinned) {
-  // Equalities, and one row for each pinned variable.
+  // Stack the equalities, and one row for each fixed variable.
   MatrixXd rows = MatrixXd::Zero(E.rows() + static_cast<Index>(pinned.size()), E.cols());
   rows.topRows(E.rows()) = E;
   for (std::size_t k = 0; k < pinned.size(); ++k)
@@ -37,19 +37,20 @@ MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& pinned) {
 
 RelativeInterior relative_interior(LinearProgram program) {
   const Index n = program.lower.size();
+  // Find a feasible point.
   program.objective = VectorXd::Zero(n);
   RelativeInterior interior{Status::kSolved, {}, {}, program.lower, program.upper};
   const LinearResult any = solve(program);
   interior.status = any.status;
   if (any.status != Status::kSolved) return interior;
 
-  // A box of one unit about that point keeps every program below bounded, and what is pinned in it
-  // is pinned everywhere, because the set is convex.
+  // Restrict the set to a box of half width one around that point. This keeps the programs below
+  // bounded; variables that are fixed in the box are fixed everywhere, because the set is convex.
   program.lower = program.lower.cwiseMax(any.x - VectorXd::Ones(n));
   program.upper = program.upper.cwiseMin(any.x + VectorXd::Ones(n));
 
-  // The mean of the points that make each variable least and most is inside every bound that any
-  // point is inside of.
+  // Average the points that minimise and maximise each variable: the mean is strictly inside every
+  // bound that is inactive at any point.
   std::vector<Index> pinned;
   interior.z0 = any.x;
   double points = 1;
@@ -59,7 +60,8 @@ RelativeInterior relative_interior(LinearProgram program) {
     for (const int end : {0, 1}) {
       program.objective = (end == 0 ? -1 : 1) * VectorXd::Unit(n, i);
       const LinearResult extreme = solve(program);
-      if (extreme.status != Status::kSolved) {  // the box bounds it and `any` is feasible
+      if (extreme.status !=
+          Status::kSolved) {  // cannot happen: the program is bounded and feasible
         interior.status = Status::kStalled;
         return interior;
       }
@@ -70,6 +72,7 @@ RelativeInterior relative_interior(LinearProgram program) {
     if (reached[1] - reached[0] <= kPinnedWidth) pinned.push_back(i);
   }
   interior.z0 /= points;
+  // Eliminate the fixed variables.
   interior.Z = null_space(program.A, pinned);
   for (const Index i : pinned) {
     interior.lower(i) = -kInfinity;
@@ -79,7 +82,7 @@ RelativeInterior relative_interior(LinearProgram program) {
 }
 
 NonlinearProgram program_over_interior(const RelativeInterior& interior) {
-  // Finite bounds become constraints of y.
+  // Collect the finite bounds, which become constraints of y.
   std::vector<Index> bounded;
   for (Index i = 0; i < interior.z0.size(); ++i)
     if (std::isfinite(interior.lower(i)) || std::isfinite(interior.upper(i))) bounded.push_back(i);

@@ -6,17 +6,17 @@
 
 #include "base/error.h"
 
-// Of OpenMP's runtime library that CHOLMOD is linked with; omp.h comes with compilers, and each
-// compiler has a runtime of its own.
+// Functions of the OpenMP runtime with which CHOLMOD is linked; omp.h belongs to the compiler, and
+// each compiler has its own runtime.
 extern "C" int omp_get_max_active_levels();
 extern "C" void omp_set_max_active_levels(int);
 
 namespace thenar {
 namespace {
 
-/// CHOLMOD starts threads for each of many small parts, and they wait for each other: matrices of
-/// a few thousand rows take longer by them, and far more processor time. While this lives, its
-/// parallel regions run on the thread that comes to them.
+/// Scope in which CHOLMOD's parallel regions run on the calling thread. CHOLMOD starts threads for
+/// many small parts, which wait for each other: matrices of a few thousand rows then take longer,
+/// and much more processor time.
 class OneThread {
  public:
   OneThread() : levels_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
@@ -34,9 +34,9 @@ struct SparseCholesky::Parts {
   explicit Parts(SymmetricPattern p) : pattern(std::move(p)) {
     cholmod_start(&common);
     common.print = 0;
-    // What is not positive definite is told by the status of the factor.
+    // The status of the factor reports that a matrix is not positive definite.
     common.quick_return_if_not_posdef = 1;
-    common.final_ll = 1;  // L D L' would go on with negative D
+    common.final_ll = 1;  // LDL' would accept negative D
     matrix.nrow = matrix.ncol = static_cast<std::size_t>(pattern.size);
     matrix.nzmax = pattern.rows.size();
     matrix.p = pattern.starts.data();
