@@ -110,11 +110,11 @@ std::vector<ArrowRows> prior_rows(const ArrowLayout& layout) {
 /// Length of coordinate i within the null space, squared.
 double null_share(const ArrowLayout& layout, const ArrowNullSpace& null_directions,
                   Eigen::Index i) {
-  const double together = null_directions.together.row(i).squaredNorm();
+  const double together = null_directions.coupled.row(i).squaredNorm();
   if (i < layout.shared) return together;
   const Eigen::Index block = (i - layout.shared) / layout.own;
   return together +
-         null_directions.alone[block].row(i - layout.first(static_cast<int>(block))).squaredNorm();
+         null_directions.own[block].row(i - layout.first(static_cast<int>(block))).squaredNorm();
 }
 
 /// Every null direction by name: those of shared coordinates, then those of each block.
@@ -125,10 +125,10 @@ void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& null_directions
     out.push_back({describe(unit, names), unit});
   };
   // What a block leaves open can be added to a direction of all, until its pivots drop out.
-  Eigen::MatrixXd together = null_directions.together.transpose();
+  Eigen::MatrixXd together = null_directions.coupled.transpose();
   std::vector<PivotedRows> alone;
   for (int b = 0; b < layout.blocks; ++b) {
-    alone.push_back(sparse_basis(null_directions.alone[b].transpose(), layout.own));
+    alone.push_back(sparse_basis(null_directions.own[b].transpose(), layout.own));
     auto own = together.middleCols(layout.first(b), layout.own);
     own -= own(Eigen::all, alone.back().pivots).eval() * alone.back().rows;
   }

@@ -135,7 +135,8 @@ FittedValues fitted_values(const Fit& fit, int specimen) {
       parameters, displacements(fit.problem.coordinates(), fit.solution.z, specimen));
   const Eigen::MatrixXd J =
       displacement_jacobian(fit.problem.coordinates(), fit.solution.z, specimen);
-  Eigen::VectorXd variance = (J * fit.covariance.C.of(specimen)).cwiseProduct(J).rowwise().sum();
+  Eigen::VectorXd variance =
+      (J * fit.covariance.C.block_entries(specimen)).cwiseProduct(J).rowwise().sum();
   // What one specimen alone cannot say of the population stays as wide as the prior has it.
   const Eigen::VectorXd unseen = unseen_variance(fit.problem.coordinates());
   if (specimen < 0)
@@ -328,7 +329,7 @@ void add_covariance(const Fit& fit, ResultFile& file) {
   const auto specimens = fit.problem.specimens().size();
   std::vector<double> values, entries;
   for (int specimen = 0; specimen < static_cast<int>(specimens); ++specimen) {
-    const Eigen::MatrixXd C = fit.covariance.C.of(specimen);
+    const Eigen::MatrixXd C = fit.covariance.C.block_entries(specimen);
     values.insert(values.end(), C.data(), C.data() + C.size());  // symmetric
     const std::vector<int> on = fit.problem.coordinates().entries_of_specimen(specimen);
     append_all(entries, on);

@@ -186,7 +186,7 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
   // Variance of the estimate, of the deviation of an unseen specimen, and of unknown postures.
   const Eigen::MatrixXd J_z = displacement_jacobian(fitted.coordinates(), z, specimen);
   Eigen::MatrixXd V = Eigen::MatrixXd::Zero(all, all);
-  V.topLeftCorner(known, known) = J_z * C.of(specimen) * J_z.transpose();
+  V.topLeftCorner(known, known) = J_z * C.block_entries(specimen) * J_z.transpose();
   if (specimen < 0) V.diagonal().head(known) += unseen_variance(fitted.coordinates());
   for (int c = known; c < all; ++c)
     V(c, c) = std::pow(parameters.all[parameters.leader[c]].between_sd, 2);

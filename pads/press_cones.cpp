@@ -131,7 +131,7 @@ PressOutcome press_by_cones(PressIterate& at) {
     const bool creeps = last.size() > 0 && rest.dx.norm() > kCreepRatio * last.norm();
     last = rest.dx;
     if (at.goal.force || !creeps || left > kMixingShare * at.scale) mixing.clear();
-    dx = mixing.next(rest.dx);
+    dx = mixing.next_step(rest.dx);
     // Pressure and contact forces that the motion predicts.
     at.now.pressure = at.body.pressure_after(u, at.body.spread(dx, {}));
     at.now.x += dx;

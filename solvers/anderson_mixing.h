@@ -20,14 +20,14 @@ class AndersonMixing {
   /// Clears the history: the next step is the plain increment.
   void clear();
   /// Returns the accelerated step, to be added to x by the caller (n).
-  /// @param motion  increment m at the current x (n)
-  [[nodiscard]] Eigen::VectorXd next(const Eigen::VectorXd& motion);
+  /// @param increment  increment m at the current x (n)
+  [[nodiscard]] Eigen::VectorXd next_step(const Eigen::VectorXd& increment);
 
  private:
   std::size_t window_;
   std::vector<Eigen::VectorXd> steps_,
-      changes_;                    // steps in x, and the changes of the increment that they caused
-  Eigen::VectorXd motion_, step_;  // latest increment and step; motion_ is empty without history
+      increment_changes_;  // steps in x, and the changes of the increment that they caused
+  Eigen::VectorXd increment_, step_;  // latest increment and step; empty at first
 };
 
 }  // namespace thenar

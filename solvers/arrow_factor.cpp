@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Returns all rows of one block (-1: of none), as (own, shared) columns.
-MatrixXd stack(const ArrowLayout& layout, const std::vector<ArrowRows>& rows, int block) {
+MatrixXd stack_rows(const ArrowLayout& layout, const std::vector<ArrowRows>& rows, int block) {
   const Index own = block < 0 ? 0 : layout.own;
   // Count the rows of the block.
   Index count = 0;
@@ -41,7 +41,7 @@ MatrixXd triangle(const MatrixXd& A) {
 }
 
 /// Stacks two matrices vertically.
-MatrixXd below(const MatrixXd& top, const MatrixXd& bottom) {
+MatrixXd stack_vertically(const MatrixXd& top, const MatrixXd& bottom) {
   if (top.size() == 0) return bottom;
   MatrixXd all(top.rows() + bottom.rows(), top.cols());
   all << top, bottom;
@@ -49,7 +49,7 @@ MatrixXd below(const MatrixXd& top, const MatrixXd& bottom) {
 }
 
 /// Fundamental subspaces of a matrix A, by its singular values.
-struct Split {
+struct RankSplit {
   MatrixXd row_space,
       null_space;           // orthonormal columns: directions that A determines, and the others
   MatrixXd column_space;    // orthonormal basis of the range of A
@@ -57,7 +57,7 @@ struct Split {
 };
 
 /// Splits the spaces of A; singular values below the tolerance or rounding count as zero.
-Split split(const MatrixXd& A, double tolerance) {
+RankSplit split_by_rank(const MatrixXd& A, double tolerance) {
   const Index n = A.cols();
   // A matrix without entries determines nothing.
   if (A.rows() == 0 || n == 0)
@@ -75,13 +75,13 @@ Split split(const MatrixXd& A, double tolerance) {
 
 }  // namespace
 
-ArrowMatrix::ArrowMatrix(const ArrowLayout& of)
-    : layout(of),
-      shared(MatrixXd::Zero(of.shared, of.shared)),
-      own(static_cast<std::size_t>(of.blocks), MatrixXd::Zero(of.own, of.own)),
-      cross(static_cast<std::size_t>(of.blocks), MatrixXd::Zero(of.own, of.shared)) {}
+ArrowMatrix::ArrowMatrix(const ArrowLayout& arrow)
+    : layout(arrow),
+      shared(MatrixXd::Zero(arrow.shared, arrow.shared)),
+      own(static_cast<std::size_t>(arrow.blocks), MatrixXd::Zero(arrow.own, arrow.own)),
+      cross(static_cast<std::size_t>(arrow.blocks), MatrixXd::Zero(arrow.own, arrow.shared)) {}
 
-MatrixXd ArrowMatrix::of(int block) const {
+MatrixXd ArrowMatrix::block_entries(int block) const {
   if (block < 0 || layout.own == 0) return shared;
   const auto b = static_cast<std::size_t>(block);
   MatrixXd all(layout.shared + layout.own, layout.shared + layout.own);
@@ -100,14 +100,14 @@ VectorXd ArrowMatrix::diagonal() const {
 ArrowFactor::ArrowFactor(const ArrowLayout& layout, const std::vector<ArrowRows>& rows)
     : layout_(layout) {
   // Eliminate the blocks one by one; the remaining rows depend on shared coordinates only.
-  MatrixXd left = stack(layout, rows, -1);
+  MatrixXd remaining = stack_rows(layout, rows, -1);
   for (int b = 0; b < layout.blocks; ++b) {
-    const MatrixXd R = triangle(stack(layout, rows, b));
-    const Index own = layout.own, rest = std::max<Index>(0, R.rows() - own);
+    const MatrixXd R = triangle(stack_rows(layout, rows, b));
+    const Index own = layout.own, remaining_rows = std::max<Index>(0, R.rows() - own);
     blocks_.push_back({R.topLeftCorner(own, own), R.topRightCorner(own, layout.shared)});
-    left = below(left, R.bottomRightCorner(rest, layout.shared));
+    remaining = stack_vertically(remaining, R.bottomRightCorner(remaining_rows, layout.shared));
   }
-  shared_ = triangle(left);
+  shared_ = triangle(remaining);
 }
 
 VectorXd ArrowFactor::whiten(const VectorXd& g) const {
@@ -132,10 +132,10 @@ MatrixXd ArrowFactor::whiten(const ArrowRows& rows) const {
     own = block.R.transpose().triangularView<Eigen::Lower>().solve(rows.own.transpose());
     shared -= block.S.transpose() * own;
   }
-  return below(own, shared_.transpose().triangularView<Eigen::Lower>().solve(shared));
+  return stack_vertically(own, shared_.transpose().triangularView<Eigen::Lower>().solve(shared));
 }
 
-VectorXd ArrowFactor::colour(const VectorXd& v) const {
+VectorXd ArrowFactor::unwhiten(const VectorXd& v) const {
   // Back substitution: shared coordinates first, then the blocks.
   VectorXd x(v.size());
   x.head(layout_.shared) = shared_.triangularView<Eigen::Upper>().solve(v.head(layout_.shared));
@@ -156,9 +156,9 @@ ArrowMatrix ArrowFactor::inverse_blocks() const {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     // Variance within the block, plus that transferred from the shared coordinates.
     const auto R = blocks_[b].R.triangularView<Eigen::Upper>();
-    const MatrixXd own = R.solve(MatrixXd::Identity(d, d)), carried = R.solve(blocks_[b].S);
-    C.cross[b] = -carried * C.shared;
-    C.own[b] = own * own.transpose() - C.cross[b] * carried.transpose();
+    const MatrixXd own = R.solve(MatrixXd::Identity(d, d)), response = R.solve(blocks_[b].S);
+    C.cross[b] = -response * C.shared;
+    C.own[b] = own * own.transpose() - C.cross[b] * response.transpose();
   }
   return C;
 }
@@ -173,11 +173,11 @@ MatrixXd ArrowFactor::inverse() const {
     C.block(at, 0, d, p) = blocks.cross[i];
     C.block(0, at, p, d) = blocks.cross[i].transpose();
     // Covariance with other blocks through the shared coordinates.
-    const MatrixXd carried = blocks_[i].R.triangularView<Eigen::Upper>().solve(blocks_[i].S);
+    const MatrixXd response = blocks_[i].R.triangularView<Eigen::Upper>().solve(blocks_[i].S);
     C.block(at, at, d, d) = blocks.own[i];
     for (int other = 0; other < b; ++other) {
       const Index to = layout_.first(other);
-      C.block(at, to, d, d) = -carried * C.block(0, to, p, d);
+      C.block(at, to, d, d) = -response * C.block(0, to, p, d);
       C.block(to, at, d, d) = C.block(at, to, d, d).transpose();
     }
   }
@@ -199,7 +199,7 @@ double ArrowFactor::squared_norm(const VectorXd& v) const {
   return sum;
 }
 
-MatrixXd dense(const ArrowLayout& layout, const std::vector<ArrowRows>& rows) {
+MatrixXd dense_rows(const ArrowLayout& layout, const std::vector<ArrowRows>& rows) {
   Index count = 0, row = 0;
   for (const ArrowRows& part : rows) count += part.shared.rows();
   MatrixXd J = MatrixXd::Zero(count, layout.size());
@@ -215,33 +215,34 @@ MatrixXd dense(const ArrowLayout& layout, const std::vector<ArrowRows>& rows) {
 ArrowNullSpace arrow_null_space(const ArrowLayout& layout, const std::vector<ArrowRows>& rows,
                                 double tolerance) {
   // Split the own columns of each block, and collect the conditions on the shared coordinates.
-  std::vector<Split> own;
-  std::vector<MatrixXd> by_shared;
-  MatrixXd asked = stack(layout, rows, -1);
+  std::vector<RankSplit> own;
+  std::vector<MatrixXd> shared_columns;
+  MatrixXd conditions = stack_rows(layout, rows, -1);
   for (int b = 0; b < layout.blocks; ++b) {
-    const MatrixXd all = stack(layout, rows, b);
-    own.push_back(split(all.leftCols(layout.own), tolerance));
-    by_shared.emplace_back(all.rightCols(layout.shared));
+    const MatrixXd all = stack_rows(layout, rows, b);
+    own.push_back(split_by_rank(all.leftCols(layout.own), tolerance));
+    shared_columns.emplace_back(all.rightCols(layout.shared));
     const MatrixXd& range = own.back().column_space;
-    asked = below(asked, by_shared.back() - range * (range.transpose() * by_shared.back()));
+    conditions = stack_vertically(
+        conditions, shared_columns.back() - range * (range.transpose() * shared_columns.back()));
   }
-  const MatrixXd shared = split(triangle(asked), tolerance).null_space;
+  const MatrixXd shared = split_by_rank(triangle(conditions), tolerance).null_space;
 
   // A shared direction is null if every block can compensate for it. The compensation lies in the
   // block's row space, orthogonal to the block's own null space.
   ArrowNullSpace out{MatrixXd(layout.size(), shared.cols()), {}};
-  out.together.topRows(layout.shared) = shared;
+  out.coupled.topRows(layout.shared) = shared;
   for (int b = 0; b < layout.blocks; ++b) {
-    const Split& block = own[b];
-    out.together.middleRows(layout.first(b), layout.own) =
+    const RankSplit& block = own[b];
+    out.coupled.middleRows(layout.first(b), layout.own) =
         -block.row_space * (block.inverse_values.asDiagonal() *
-                            (block.column_space.transpose() * (by_shared[b] * shared)));
-    out.alone.push_back(block.null_space);
+                            (block.column_space.transpose() * (shared_columns[b] * shared)));
+    out.own.push_back(block.null_space);
   }
   // Orthonormalise the columns.
   if (shared.cols() == 0) return out;
-  const Eigen::HouseholderQR<MatrixXd> qr(out.together);
-  out.together = qr.householderQ() * MatrixXd::Identity(layout.size(), shared.cols());
+  const Eigen::HouseholderQR<MatrixXd> qr(out.coupled);
+  out.coupled = qr.householderQ() * MatrixXd::Identity(layout.size(), shared.cols());
   return out;
 }
 

@@ -24,12 +24,12 @@ struct ArrowLayout {
 /// needed. Its storage grows in proportion to the number of blocks.
 struct ArrowMatrix {
   ArrowMatrix() = default;
-  explicit ArrowMatrix(const ArrowLayout& of);  // zero matrix
+  explicit ArrowMatrix(const ArrowLayout& arrow);  // zero matrix
 
   /// Returns the entries of the shared coordinates, followed by those of one block
   /// (shared + own, shared + own); only the shared entries for block -1 or if blocks have no
   /// coordinates.
-  [[nodiscard]] Eigen::MatrixXd of(int block) const;
+  [[nodiscard]] Eigen::MatrixXd block_entries(int block) const;
   [[nodiscard]] Eigen::VectorXd diagonal() const;  // (size)
 
   ArrowLayout layout;
@@ -61,7 +61,7 @@ class ArrowFactor {
   /// W'W (own + shared coordinates, rows). If the rows belong to J, no column is longer than 1.
   [[nodiscard]] Eigen::MatrixXd whiten(const ArrowRows& rows) const;
   /// Returns R^-1 v, which has covariance (J'J)^-1 if v is standard normal (size).
-  [[nodiscard]] Eigen::VectorXd colour(const Eigen::VectorXd& v) const;
+  [[nodiscard]] Eigen::VectorXd unwhiten(const Eigen::VectorXd& v) const;
   [[nodiscard]] Eigen::MatrixXd inverse() const;                      // (J'J)^-1 (size, size)
   [[nodiscard]] ArrowMatrix inverse_blocks() const;                   // (J'J)^-1 within blocks
   [[nodiscard]] double log_determinant() const;                       // log det(J'J)
@@ -77,13 +77,14 @@ class ArrowFactor {
 };
 
 /// Returns the rows as one dense matrix (rows, size).
-[[nodiscard]] Eigen::MatrixXd dense(const ArrowLayout& layout, const std::vector<ArrowRows>& rows);
+[[nodiscard]] Eigen::MatrixXd dense_rows(const ArrowLayout& layout,
+                                         const std::vector<ArrowRows>& rows);
 
 /// Orthonormal basis of the directions v, |v| = 1, that the rows do not determine: |J v| <
 /// tolerance. Only directions that involve shared coordinates couple blocks.
 struct ArrowNullSpace {
-  Eigen::MatrixXd together;  // directions that involve shared coordinates, with the response of
-                             // every block (size, k)
+  Eigen::MatrixXd coupled;  // directions that involve shared coordinates, with the response of
+                            // every block (size, k)
   std::vector<Eigen::MatrixXd>
       alone;  // directions within each block, shared coordinates at rest (own, k of the block)
 };

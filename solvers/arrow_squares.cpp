@@ -43,11 +43,11 @@ void add_square(MatrixXd& A, const MatrixXd& J, double factor) {
 
 }  // namespace
 
-ArrowSquares::ArrowSquares(const ArrowLayout& of)
-    : layout(of),
-      shared(MatrixXd::Zero(of.shared, of.shared)),
-      diagonal(VectorXd::Zero(Index{of.own} * of.blocks)),
-      rows(static_cast<std::size_t>(of.blocks)) {}
+ArrowSquares::ArrowSquares(const ArrowLayout& arrow)
+    : layout(arrow),
+      shared(MatrixXd::Zero(arrow.shared, arrow.shared)),
+      diagonal(VectorXd::Zero(Index{arrow.own} * arrow.blocks)),
+      rows(static_cast<std::size_t>(arrow.blocks)) {}
 
 void ArrowSquares::add(int block, const MatrixXd& J) {
   // Rows with one entry each only change the diagonal.
@@ -69,7 +69,7 @@ void ArrowSquares::add(int block, const MatrixXd& J) {
     rows[block].plus.push_back(J);
 }
 
-void ArrowSquares::take(int block, const MatrixXd& J) {
+void ArrowSquares::subtract(int block, const MatrixXd& J) {
   if (block < 0)
     shared -= J.transpose() * J;
   else
@@ -80,27 +80,27 @@ void ArrowSquares::scale(double factor) {
   shared *= factor;
   diagonal *= factor;
   const double root = std::sqrt(factor);
-  for (Rows& of : rows) {
-    for (MatrixXd& J : of.plus) J *= root;
-    for (MatrixXd& J : of.minus) J *= root;
+  for (Rows& block : rows) {
+    for (MatrixXd& J : block.plus) J *= root;
+    for (MatrixXd& J : block.minus) J *= root;
   }
 }
 
 std::optional<ArrowSquaresFactor::Block> ArrowSquaresFactor::eliminate(
     const ArrowSquares& matrix, int block, const std::vector<bool>& free) {
   const ArrowLayout& layout = matrix.layout;
-  const std::vector<bool> here = free_of_block(layout, block, free);
+  const std::vector<bool> block_free = free_of_block(layout, block, free);
   // Scale own columns so that D is 1; fixed coordinates are decoupled.
   Block out;
   out.u = matrix.diagonal.segment(Index{layout.own} * block, layout.own);
   for (Index i = 0; i < out.u.size(); ++i) {
-    if (!here[layout.shared + i]) out.u[i] = 1;
+    if (!block_free[layout.shared + i]) out.u[i] = 1;
     if (!(out.u[i] > 0)) return {};
     out.u[i] = 1 / std::sqrt(out.u[i]);
   }
   const ArrowSquares::Rows& rows = matrix.rows[block];
-  MatrixXd P = stack(rows.plus, here, layout.shared + layout.own);
-  MatrixXd N = stack(rows.minus, here, layout.shared + layout.own);
+  MatrixXd P = stack(rows.plus, block_free, layout.shared + layout.own);
+  MatrixXd N = stack(rows.minus, block_free, layout.shared + layout.own);
   P.rightCols(layout.own) = P.rightCols(layout.own) * out.u.asDiagonal();
   N.rightCols(layout.own) = N.rightCols(layout.own) * out.u.asDiagonal();
 
@@ -113,14 +113,14 @@ std::optional<ArrowSquaresFactor::Block> ArrowSquaresFactor::eliminate(
 
   // Factorise the subtracted part.
   if (N.rows() > 0) {
-    const MatrixXd met = N.rightCols(layout.own) * P.rightCols(layout.own).transpose();
-    MatrixXd left = MatrixXd::Identity(N.rows(), N.rows());
-    add_square(left, N.rightCols(layout.own), -1);
-    add_square(left, met, 1);
-    const Eigen::LLT<MatrixXd> taken(left);
-    if (taken.info() != Eigen::Success) return {};
-    N.noalias() -= met * P;
-    taken.matrixL().solveInPlace(N);
+    const MatrixXd overlap = N.rightCols(layout.own) * P.rightCols(layout.own).transpose();
+    MatrixXd remainder = MatrixXd::Identity(N.rows(), N.rows());
+    add_square(remainder, N.rightCols(layout.own), -1);
+    add_square(remainder, overlap, 1);
+    const Eigen::LLT<MatrixXd> subtracted(remainder);
+    if (subtracted.info() != Eigen::Success) return {};
+    N.noalias() -= overlap * P;
+    subtracted.matrixL().solveInPlace(N);
   }
 
   // Stack both parts.
@@ -163,7 +163,7 @@ VectorXd ArrowSquaresFactor::solve(const VectorXd& g) const {
   for (Index i = 0; i < x.size(); ++i)
     if (!free_[i]) x[i] = 0;
   // W v: rows of the subtracted part have a negative sign.
-  const auto weigh = [](const Block& block, VectorXd v) {
+  const auto apply_signs = [](const Block& block, VectorXd v) {
     v.tail(v.size() - block.plus) *= -1;
     return v;
   };
@@ -173,13 +173,13 @@ VectorXd ArrowSquaresFactor::solve(const VectorXd& g) const {
     const Block& block = blocks_[b];
     auto own = x.segment(layout_.first(b), layout_.own);
     own.array() *= block.u.array();
-    shared -= block.shared.transpose() * weigh(block, block.own * own);
+    shared -= block.shared.transpose() * apply_signs(block, block.own * own);
   }
   shared_.solveInPlace(shared);
   for (int b = 0; b < layout_.blocks; ++b) {
     const Block& block = blocks_[b];
     auto own = x.segment(layout_.first(b), layout_.own);
-    own -= block.own.transpose() * weigh(block, block.own * own + block.shared * shared);
+    own -= block.own.transpose() * apply_signs(block, block.own * own + block.shared * shared);
     own.array() *= block.u.array();
   }
   return x;

@@ -20,14 +20,14 @@ struct ArrowSquares {
     std::vector<Eigen::MatrixXd> plus, minus;
   };
 
-  explicit ArrowSquares(const ArrowLayout& of);  // zero matrix
+  explicit ArrowSquares(const ArrowLayout& arrow);  // zero matrix
 
   /// Adds J'J. The columns of J are the shared coordinates, then those of the block (-1: only
   /// shared coordinates). Rows with a single entry, such as those of priors, only change the
   /// diagonal.
   void add(int block, const Eigen::MatrixXd& J);
   /// Subtracts J'J; arguments as for add().
-  void take(int block, const Eigen::MatrixXd& J);
+  void subtract(int block, const Eigen::MatrixXd& J);
   /// Multiplies the matrix by a factor > 0.
   void scale(double factor);
 

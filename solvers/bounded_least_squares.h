@@ -25,17 +25,17 @@ struct BoundedFit {
 };
 
 struct BoundedFitOptions {
-  double tolerance = 0.01;  // smallest decrease of the cost that still counts [1]
-  double relative = 1e-4;   // smallest decrease that still counts, over the cost [1]
-  double radius = 1;   // half width of the trust region: largest change of an unknown in one step
-  int max_steps = 40;  // maximum number of Gauss-Newton steps
+  double tolerance = 0.01;           // smallest decrease of the cost that still counts [1]
+  double relative_tolerance = 1e-4;  // smallest decrease that still counts, over the cost [1]
+  double max_radius = 1;  // half width of the trust region: largest change of an unknown in a step
+  int max_steps = 40;     // maximum number of Gauss-Newton steps
 };
 
 struct [[nodiscard]] BoundedFitResult {
   bool possible = false;   // the model has a solution at the start
   bool converged = false;  // the decrease that is still possible is below the tolerance
   Eigen::VectorXd x;       // best point found (n)
-  FitResiduals at;         // residuals at x
+  FitResiduals residuals;  // residuals at x
   double cost = 0;         // |r|^2 + price' x
   double gap = 0;          // upper bound of the remaining decrease of the last linearised problem
   int steps = 0;           // Gauss-Newton steps taken

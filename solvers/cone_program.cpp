@@ -26,7 +26,7 @@ constexpr double kConsistencyError = 1e-9;
 constexpr int kStepRefinements = 2;  // iterative refinements of a Newton step
 // Iterations without a better iterate or certificate after which a run stalls
 constexpr int kStalledIterations = 12;
-constexpr double kShyOfBoundary = 0.99;  // step length over the distance to the boundary [1]
+constexpr double kBoundaryFraction = 0.99;  // step length over the distance to the boundary [1]
 
 void check(const ConeProgram& p) {
   const Index n = p.c.size(), m = p.h.size();
@@ -43,16 +43,16 @@ void check(const ConeProgram& p) {
 }
 
 /// Reduced problem:  minimise c' v  subject to  h - G v in K, where x = x0 + N v.
-struct Reduced {
+struct ReducedProgram {
   VectorXd x0, c, h;
   MatrixXd N, G;
 };
 
 /// Result of the elimination of equalities and free directions.
 struct Presolve {
-  std::optional<Reduced> reduced;  // empty: the equalities are inconsistent
-  VectorXd misfit;                 // least-squares residual A x - b
-  VectorXd falling;                // direction of descent that no cone constrains; may be empty
+  std::optional<ReducedProgram> reduced;  // empty: the equalities are inconsistent
+  VectorXd misfit;                        // least-squares residual A x - b
+  VectorXd descent;  // direction of descent that no cone constrains; may be empty
 };
 
 Qr rank_revealing(const MatrixXd& M) {
@@ -84,14 +84,14 @@ Presolve presolve(const ConeProgram& p) {
   // Find the directions within the equalities that cones constrain.
   MatrixXd N =
       p.A.rows() > 0 ? row_spaces(p.A).null_space : MatrixXd::Identity(p.c.size(), p.c.size());
-  const RowSpaces seen = row_spaces(p.G * N);
+  const RowSpaces constrained = row_spaces(p.G * N);
   const VectorXd c = N.transpose() * p.c;
   // Project the objective on the unconstrained directions.
-  const VectorXd unseen = seen.null_space.transpose() * c;
-  if (unseen.norm() > kConsistencyError * (1 + c.norm()))
-    result.falling = -N * seen.null_space * unseen;
-  N = (N * seen.row_space).eval();
-  result.reduced = Reduced{x0, N.transpose() * p.c, p.h - p.G * x0, N, p.G * N};
+  const VectorXd free_gradient = constrained.null_space.transpose() * c;
+  if (free_gradient.norm() > kConsistencyError * (1 + c.norm()))
+    result.descent = -N * constrained.null_space * free_gradient;
+  N = (N * constrained.row_space).eval();
+  result.reduced = ReducedProgram{x0, N.transpose() * p.c, p.h - p.G * x0, N, p.G * N};
   return result;
 }
 
@@ -105,10 +105,10 @@ class KktSolver {
   /// Solves with iterative refinement: near the optimum W is so ill-conditioned that QR alone loses
   /// half of the digits.
   void solve(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
-    factored(a, b, x, z);
+    solve_once(a, b, x, z);
     VectorXd left_a = a - G_.transpose() * z, left_b = b - G_ * x + W_.times(W_.times(z)), dx, dz;
     for (int again = 0; again < kStepRefinements; ++again) {
-      factored(left_a, left_b, dx, dz);
+      solve_once(left_a, left_b, dx, dz);
       const VectorXd next_x = x + dx, next_z = z + dz;
       const VectorXd next_a = a - G_.transpose() * next_z,
                      next_b = b - G_ * next_x + W_.times(W_.times(next_z));
@@ -122,7 +122,7 @@ class KktSolver {
 
  private:
   /// Solves once with the QR factors.
-  void factored(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
+  void solve_once(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
     const VectorXd scaled_b = W_.divide(b);
     x = VectorXd::Zero(a.size());
     if (a.size() > 0) {
@@ -144,7 +144,7 @@ class KktSolver {
 /// 0.
 class Embedding {
  public:
-  Embedding(const Reduced& p, const std::vector<int>& cones)
+  Embedding(const ReducedProgram& p, const std::vector<int>& cones)
       : p_(p), cones_(cones), e_(internal::cone_identity(cones)), s(e_), z(e_) {
     x = VectorXd::Zero(p.c.size());
   }
@@ -154,9 +154,9 @@ class Embedding {
     const ConeScaling W(cones_, s, z);
     const KktSolver kkt(p_.G, W);
     const VectorXd lambda = W.times(z);
-    const Step toward_h = solve_for(kkt, -p_.c, p_.h);
+    const Step h_direction = solve_for(kkt, -p_.c, p_.h);
     const VectorXd pure = -internal::cone_product(cones_, lambda, lambda);
-    const Step affine = direction(kkt, W, lambda, toward_h, {1, pure, -kappa * tau});
+    const Step affine = direction(kkt, W, lambda, h_direction, {1, pure, -kappa * tau});
     // Choose the centring parameter from the length of the affine step.
     const double length = step_length(W, lambda, affine, 1);
     const double sigma = std::pow(1 - length, 3);
@@ -165,9 +165,9 @@ class Embedding {
         sigma * gap_per_cone() * e_;
     // Take a step along the corrected direction that stays in the interior.
     const Step full = direction(
-        kkt, W, lambda, toward_h,
+        kkt, W, lambda, h_direction,
         {1 - sigma, corrected, -kappa * tau - affine.kappa * affine.tau + sigma * gap_per_cone()});
-    advance(full, std::min(1.0, kShyOfBoundary * step_length(W, lambda, full, kInfinity)));
+    advance(full, std::min(1.0, kBoundaryFraction * step_length(W, lambda, full, kInfinity)));
   }
 
   [[nodiscard]] VectorXd dual_residual() const { return p_.G.transpose() * z + p_.c * tau; }
@@ -180,7 +180,7 @@ class Embedding {
     double tau = 0, kappa = 0;
   };
   /// Right-hand side of a Newton direction.
-  struct Aim {
+  struct NewtonTarget {
     double share;      // fraction of the residuals to be removed [1]
     VectorXd product;  // right-hand side of lambda o (...)
     double kappa_tau;  // right-hand side of the equation of kappa and tau
@@ -196,27 +196,27 @@ class Embedding {
     return (s.dot(z) + kappa * tau) / (static_cast<double>(cones_.size()) + 1);
   }
 
-  /// Computes the Newton direction that removes the fraction `aim.share` of the residuals and
+  /// Computes the Newton direction that removes the fraction `target.share` of the residuals and
   /// satisfies lambda o (...) = aim.product.
   [[nodiscard]] Step direction(const KktSolver& kkt, const ConeScaling& W, const VectorXd& lambda,
-                               const Step& toward_h, const Aim& aim) const {
-    const double share = aim.share, kappa_tau = aim.kappa_tau;
-    const VectorXd ratio = internal::cone_quotient(cones_, lambda, aim.product);
+                               const Step& h_direction, const NewtonTarget& target) const {
+    const double share = target.share, kappa_tau = target.kappa_tau;
+    const VectorXd ratio = internal::cone_quotient(cones_, lambda, target.product);
     Step step =
         solve_for(kkt, -share * dual_residual(), -share * primal_residual() - W.times(ratio));
     const double left =
         -share * gap_residual() - kappa_tau / tau - p_.c.dot(step.x) - p_.h.dot(step.z);
-    step.tau = left / (p_.c.dot(toward_h.x) + p_.h.dot(toward_h.z) - kappa / tau);
-    step.x += step.tau * toward_h.x;
-    step.z += step.tau * toward_h.z;
+    step.tau = left / (p_.c.dot(h_direction.x) + p_.h.dot(h_direction.z) - kappa / tau);
+    step.x += step.tau * h_direction.x;
+    step.z += step.tau * h_direction.z;
     step.kappa = (kappa_tau - kappa * step.tau) / tau;
     step.s = p_.h * step.tau - p_.G * step.x - share * primal_residual();  // preserves feasibility
     return step;
   }
 
   [[nodiscard]] double step_length(const ConeScaling& W, const VectorXd& lambda, const Step& step,
-                                   double most) const {
-    double length = internal::step_to_cone(cones_, lambda, W.divide(step.s), most);
+                                   double max_error) const {
+    double length = internal::step_to_cone(cones_, lambda, W.divide(step.s), max_error);
     length = internal::step_to_cone(cones_, lambda, W.times(step.z), length);
     if (step.tau < 0) length = std::min(length, -tau / step.tau);
     if (step.kappa < 0) length = std::min(length, -kappa / step.kappa);
@@ -231,7 +231,7 @@ class Embedding {
     kappa += length * step.kappa;
   }
 
-  const Reduced& p_;
+  const ReducedProgram& p_;
   const std::vector<int>& cones_;
   VectorXd e_;
 
@@ -247,7 +247,7 @@ struct IterateQuality {
   double unbounded;   // of x as a certificate: |G x + s| with c'x = -1
 };
 
-IterateQuality progress_of(const Reduced& p, const Embedding& e) {
+IterateQuality measure_iterate(const ReducedProgram& p, const Embedding& e) {
   const double cx = p.c.dot(e.x) / e.tau, hz = p.h.dot(e.z) / e.tau;
   const double primal = e.primal_residual().norm() / e.tau / (1 + p.h.norm());
   const double dual = e.dual_residual().norm() / e.tau / (1 + p.c.norm());
@@ -259,7 +259,7 @@ IterateQuality progress_of(const Reduced& p, const Embedding& e) {
 }
 
 /// Best iterate and certificates of the reduced problem.
-struct Core {
+struct BestIterate {
   Status status = Status::kStalled;
   VectorXd v, z;
   double residual = kInfinity;
@@ -268,7 +268,7 @@ struct Core {
   int iterations = 0, last_better = 0;  // iterations done, and the last one with an improvement
 };
 
-void keep_if_better(Core& best, const Embedding& e, const IterateQuality& progress) {
+void update_best(BestIterate& best, const Embedding& e, const IterateQuality& progress) {
   // Keep the best certificates.
   if (progress.infeasible < best.infeasible || progress.unbounded < best.unbounded)
     best.last_better = best.iterations;
@@ -285,7 +285,7 @@ void keep_if_better(Core& best, const Embedding& e, const IterateQuality& progre
 }
 
 /// Returns the status that the best iterate and the best certificates prove to a tolerance.
-Status status_of(const Core& best, double tolerance) {
+Status status_of(const BestIterate& best, double tolerance) {
   if (best.residual <= tolerance) return Status::kSolved;
   if (best.infeasible <= tolerance) return Status::kInfeasible;
   if (best.unbounded <= tolerance) return Status::kUnbounded;
@@ -293,19 +293,20 @@ Status status_of(const Core& best, double tolerance) {
 }
 
 /// Iterates until something is proved, or nothing improves any more.
-Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOptions& options) {
+BestIterate solve_reduced(const ReducedProgram& p, const std::vector<int>& cones,
+                          const ConeOptions& options) {
   Embedding embedding(p, cones);
-  Core best;
+  BestIterate best;
   best.v = VectorXd::Zero(p.c.size());
   best.z = VectorXd::Zero(p.h.size());
   for (;; ++best.iterations) {
-    keep_if_better(best, embedding, progress_of(p, embedding));
+    update_best(best, embedding, measure_iterate(p, embedding));
     best.status = status_of(best, options.tolerance);
     if (best.status != Status::kStalled) return best;
     const bool lost = !(embedding.tau > 0) || !embedding.z.allFinite() || !embedding.s.allFinite();
     if (lost || best.iterations == options.max_iterations ||
         best.iterations - best.last_better > kStalledIterations) {
-      best.status = status_of(best, options.acceptable);
+      best.status = status_of(best, options.acceptable_tolerance);
       if (best.status == Status::kStalled && best.iterations == options.max_iterations)
         best.status = Status::kLimit;
       return best;
@@ -334,23 +335,23 @@ double outside_cones(const VectorXd& v, const std::vector<int>& cones) {
 /// Returns the largest KKT residual of the original program.
 double residual_of(const ConeProgram& p, const ConeResult& r) {
   // Divide each error by one plus the size of its terms.
-  const auto over = [](double error, double size) { return error / (1 + size); };
+  const auto relative = [](double error, double size) { return error / (1 + size); };
   VectorXd stationary = p.c + p.G.transpose() * r.z;
   double equalities = 0;
   if (p.A.size() > 0) {
     stationary += p.A.transpose() * r.y;
-    equalities = over((p.A * r.x - p.b).norm(), p.b.norm());
+    equalities = relative((p.A * r.x - p.b).norm(), p.b.norm());
   }
-  return max_or_nan({equalities, over(outside_cones(p.h - p.G * r.x, p.cones), p.h.norm()),
-                     over(stationary.norm(), p.c.norm()),
-                     over(outside_cones(r.z, p.cones), r.z.norm()),
-                     over(std::abs(r.objective - r.dual), std::abs(r.objective))});
+  return max_or_nan({equalities, relative(outside_cones(p.h - p.G * r.x, p.cones), p.h.norm()),
+                     relative(stationary.norm(), p.c.norm()),
+                     relative(outside_cones(r.z, p.cones), r.z.norm()),
+                     relative(std::abs(r.objective - r.dual), std::abs(r.objective))});
 }
 
 /// Returns the error of y and z as a Farkas certificate of infeasibility: with A'y + G'z = e, z in
 /// K and -(b'y + h'z) = g > 0, no x shorter than g / |e| is feasible.
 /// @return the larger of |e| / g and the relative distance of z outside of K, infinite if g <= 0
-double misses_infeasible(const ConeProgram& p, const VectorXd& y, const VectorXd& z) {
+double farkas_error(const ConeProgram& p, const VectorXd& y, const VectorXd& z) {
   VectorXd e = p.G.transpose() * z;
   double gain = -p.h.dot(z);
   if (p.A.size() > 0) e += p.A.transpose() * y;
@@ -362,7 +363,7 @@ double misses_infeasible(const ConeProgram& p, const VectorXd& y, const VectorXd
 /// Returns the error of d as a direction along which the objective decreases without limit: A d =
 /// 0, -G d in K, c'd < 0.
 /// @return largest violation over -c'd; infinite if the objective does not decrease
-double misses_unbounded(const ConeProgram& p, const VectorXd& d) {
+double recession_error(const ConeProgram& p, const VectorXd& d) {
   const double gain = -p.c.dot(d);
   if (!(gain > 0)) return kInfinity;
   const double equalities = p.A.size() > 0 ? (p.A * d).norm() : 0;
@@ -370,7 +371,7 @@ double misses_unbounded(const ConeProgram& p, const VectorXd& d) {
 }
 
 /// Returns a result without an answer, kStalled.
-ConeResult unanswered(const ConeProgram& p) {
+ConeResult stalled_result(const ConeProgram& p) {
   return {Status::kStalled,
           VectorXd::Zero(p.c.size()),
           VectorXd::Zero(p.b.size()),
@@ -382,26 +383,26 @@ ConeResult unanswered(const ConeProgram& p) {
 }
 
 /// Sets kInfeasible if y and z of the result prove it; returns whether they do.
-bool settle_infeasible(const ConeProgram& p, double most, ConeResult& result) {
-  result.residual = misses_infeasible(p, result.y, result.z);
-  if (result.residual <= most) result.status = Status::kInfeasible;
+bool certify_infeasible(const ConeProgram& p, double max_error, ConeResult& result) {
+  result.residual = farkas_error(p, result.y, result.z);
+  if (result.residual <= max_error) result.status = Status::kInfeasible;
   return result.status == Status::kInfeasible;
 }
 
 /// Sets kUnbounded if the objective decreases along a direction and a feasible point exists; the
 /// search for that point may prove kInfeasible instead. Returns whether the status was decided.
 // NOLINTNEXTLINE(misc-no-recursion): recurses once, without objective
-bool settle_unbounded(const ConeProgram& p, const VectorXd& direction, const ConeOptions& options,
-                      double most, ConeResult& result) {
-  const double missing = misses_unbounded(p, direction);
-  if (!(missing <= most)) return false;
+bool certify_unbounded(const ConeProgram& p, const VectorXd& direction, const ConeOptions& options,
+                       double max_error, ConeResult& result) {
+  const double error = recession_error(p, direction);
+  if (!(error <= max_error)) return false;
   ConeProgram without_objective = p;
   without_objective.c.setZero();
   const ConeResult point = solve(without_objective, options);
   if (point.status == Status::kInfeasible) result = point;
   if (point.status != Status::kSolved) return point.status == Status::kInfeasible;
   result.status = Status::kUnbounded;
-  result.residual = missing;
+  result.residual = error;
   result.objective = result.dual = -kInfinity;
   return true;
 }
@@ -411,42 +412,42 @@ bool settle_unbounded(const ConeProgram& p, const VectorXd& direction, const Con
 // NOLINTNEXTLINE(misc-no-recursion): recurses once, without objective
 ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
   check(program);
-  const double most = 10 * options.acceptable;
+  const double max_error = 10 * options.acceptable_tolerance;
   const Presolve pre = presolve(program);
-  ConeResult result = unanswered(program);
+  ConeResult result = stalled_result(program);
   // Inconsistent equalities prove infeasibility.
   if (!pre.reduced) {
     result.y = pre.misfit;
-    (void)settle_infeasible(program, most, result);
+    (void)certify_infeasible(program, max_error, result);
     return result;
   }
-  const Core core = solve_reduced(*pre.reduced, program.cones, options);
+  const BestIterate best = solve_reduced(*pre.reduced, program.cones, options);
   // Return to the original variables.
   const MatrixXd& N = pre.reduced->N;
-  result.iterations = core.iterations;
-  result.x = pre.reduced->x0 + N * core.v;
+  result.iterations = best.iterations;
+  result.x = pre.reduced->x0 + N * best.v;
 
   // Verify claims of infeasibility and unboundedness on the original program.
-  if (core.status == Status::kInfeasible) {
-    result.z = core.infeasible_z;
+  if (best.status == Status::kInfeasible) {
+    result.z = best.infeasible_z;
     result.y = equality_multipliers(program, -program.G.transpose() * result.z);
-    if (settle_infeasible(program, most, result)) return result;
+    if (certify_infeasible(program, max_error, result)) return result;
   }
-  const bool falls = core.status == Status::kSolved && pre.falling.size() > 0;
-  if ((core.status == Status::kUnbounded || falls) &&
-      settle_unbounded(program, falls ? pre.falling : VectorXd(N * core.unbounded_v), options, most,
-                       result))
+  const bool has_descent = best.status == Status::kSolved && pre.descent.size() > 0;
+  if ((best.status == Status::kUnbounded || has_descent) &&
+      certify_unbounded(program, has_descent ? pre.descent : VectorXd(N * best.unbounded_v),
+                        options, max_error, result))
     return result;
 
   // Compute multipliers and residual of the original program.
-  result.z = core.z;
+  result.z = best.z;
   result.y = equality_multipliers(program, -program.c - program.G.transpose() * result.z);
   result.objective = program.c.dot(result.x);
   result.dual = -program.b.dot(result.y) - program.h.dot(result.z);
-  result.residual = max_or_nan(core.residual, residual_of(program, result));
-  if (core.status == Status::kSolved && !falls && result.residual <= most)
+  result.residual = max_or_nan(best.residual, residual_of(program, result));
+  if (best.status == Status::kSolved && !has_descent && result.residual <= max_error)
     result.status = Status::kSolved;
-  else if (core.status == Status::kLimit)
+  else if (best.status == Status::kLimit)
     result.status = Status::kLimit;
   return result;
 }

@@ -24,17 +24,17 @@ struct ConeProgram {
 };
 
 struct ConeOptions {
-  double tolerance = 1e-10;  // scaled residual and gap at which iterations stop [1]
-  double acceptable = 1e-7;  // scaled residual and gap that is accepted when rounding errors
-                             // prevent further progress [1]
-  int max_iterations = 100;  // Newton iterations
+  double tolerance = 1e-10;            // scaled residual and gap at which iterations stop [1]
+  double acceptable_tolerance = 1e-7;  // scaled residual and gap that is accepted when rounding
+                                       // errors prevent further progress [1]
+  int max_iterations = 100;            // Newton iterations
 };
 
 struct [[nodiscard]] ConeResult {
   Status status;  // kSolved: x is optimal within `residual`; kInfeasible: y and z are a Farkas
                   // certificate; kUnbounded: x is feasible and a direction of descent exists, both
-                  // verified to 10 `acceptable`; kLimit, kStalled: nothing was proved, and x is the
-                  // best point found
+                  // verified to 10 `acceptable_tolerance`; kLimit, kStalled: nothing was proved,
+                  // and x is the best point found
   Eigen::VectorXd x;  // (n)
   Eigen::VectorXd y;  // multipliers of A x = b:  c + A' y + G' z = 0 (r)
   Eigen::VectorXd z;  // multipliers of the cones, in K (m)
@@ -42,11 +42,11 @@ struct [[nodiscard]] ConeResult {
   double dual;        // -b' y - h' z: lower bound of the objective within `residual`
   double residual;    // kSolved: largest violation of the KKT conditions of the original program
                       // (feasibility, dual feasibility, gap), each over 1 + the norm of the terms
-                      // compared, recomputed from x, y and z; above 10 `acceptable` the status is
-                      // kStalled [1]. kInfeasible: no x shorter than its inverse satisfies all
-                      // constraints. kUnbounded: violation along the direction over the decrease of
-                      // the objective
-  int iterations;     // Newton iterations
+                      // compared, recomputed from x, y and z; above 10 `acceptable_tolerance` the
+  // status is kStalled [1]. kInfeasible: no x shorter than its inverse satisfies
+  // all constraints. kUnbounded: violation along the direction over the decrease
+  // of the objective
+  int iterations;  // Newton iterations
 };
 
 /// Solves by a primal-dual interior-point method on the homogeneous self-dual embedding with
@@ -54,7 +54,7 @@ struct [[nodiscard]] ConeResult {
 /// eliminated first. Directions on which neither cones nor equalities depend are removed, or prove
 /// unboundedness. Iterative refinement of the Newton steps lets programs with many contacts on one
 /// face reach `tolerance`, too. If 12 iterations bring no improvement, the best iterate is returned
-/// if `acceptable`.
+/// if `acceptable_tolerance`.
 ///
 /// @throws InputError if shapes disagree or an entry is not finite.
 /// Source: [Andersen2003] for the method, [Vandenberghe2010] for its linear algebra.

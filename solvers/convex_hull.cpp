@@ -20,7 +20,7 @@ namespace {
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Largest distance of a point outside a plane, over the extent [1]
-constexpr double kContainedShare = 1e-10;
+constexpr double kContainmentTolerance = 1e-10;
 
 /// File to which Qhull writes its messages.
 class MessageFile {
@@ -98,8 +98,8 @@ void sort_ring(const Eigen::Ref<const Eigen::MatrixXd>& points, HullFacet& facet
   for (const int row : facet.ring) centre += corner(row) / static_cast<double>(facet.ring.size());
   const Tangents axes = tangents(facet.normal);
   const auto angle = [&](int row) {
-    const Eigen::Vector3d arm = corner(row) - centre;
-    return std::atan2(arm.dot(axes.e2), arm.dot(axes.e1));
+    const Eigen::Vector3d offset = corner(row) - centre;
+    return std::atan2(offset.dot(axes.e2), offset.dot(axes.e1));
   };
   std::sort(facet.ring.begin(), facet.ring.end(),
             [&](int a, int b) { return angle(a) < angle(b); });
@@ -129,19 +129,19 @@ bool is_closed(const std::vector<HullFacet>& facets, Eigen::Index d) {
 Eigen::VectorXd volumes(const Eigen::Ref<const Eigen::MatrixXd>& points, const ConvexHull& hull) {
   const Eigen::Index d = points.cols();
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(d);
-  const auto arm = [&](int row) -> Eigen::VectorXd {
+  const auto offset = [&](int row) -> Eigen::VectorXd {
     return (points.row(row) - points.row(0)).transpose();
   };
   // Add each facet's contribution to the surface integral.
   for (const HullFacet& facet : hull.facets) {
-    const Eigen::VectorXd first = arm(facet.ring[0]);
+    const Eigen::VectorXd first = offset(facet.ring[0]);
     if (d == 2) {
-      const Eigen::VectorXd last = arm(facet.ring[1]);
+      const Eigen::VectorXd last = offset(facet.ring[1]);
       sums += (last - first).norm() * facet.normal.cwiseProduct((first + last) / 2);
       continue;
     }
     for (std::size_t k = 2; k < facet.ring.size(); ++k) {
-      const Eigen::Vector3d a = first, b = arm(facet.ring[k - 1]), c = arm(facet.ring[k]);
+      const Eigen::Vector3d a = first, b = offset(facet.ring[k - 1]), c = offset(facet.ring[k]);
       sums += ((b - a).cross(c - a) / 2).cwiseProduct((a + b + c) / 3);
     }
   }
@@ -187,7 +187,7 @@ ConvexHull convex_hull(const Eigen::Ref<const Eigen::MatrixXd>& points) {
   // Verify the result.
   hull.check = check_hull(points, hull);
   const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
-  if (!(hull.check.outside <= kContainedShare * extent))
+  if (!(hull.check.outside <= kContainmentTolerance * extent))
     return {{},
             fmt::format("qhull: a point lies {:.2g} outside the hull", hull.check.outside),
             hull.check};

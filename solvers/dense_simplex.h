@@ -8,7 +8,7 @@
 namespace thenar::internal {
 
 struct SimplexVertex {
-  Status end;          // claim of the method, to be certified by the caller
+  Status claim;        // claim of the method, to be certified by the caller
   SimplexBasis basis;  // final basis
 };
 

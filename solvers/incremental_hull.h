@@ -37,7 +37,7 @@ class Hull {
   explicit Hull(const std::array<HullPoint, 7>& simplex);
 
   /// Sets the offset from which facets are no longer queued. It must never be raised.
-  void set_bar(double bar) { bar_ = bar; }
+  void set_offset_limit(double limit) { offset_limit_ = limit; }
 
   /// Removes the facet with the smallest offset from the queue and returns it; -1 if none is left
   /// below the limit.
@@ -48,7 +48,7 @@ class Hull {
   bool insert(const HullPoint& p, int facet);
 
   [[nodiscard]] const Plane& plane(int facet) const { return planes_[facet]; }
-  [[nodiscard]] int facets() const { return alive_; }
+  [[nodiscard]] int facets() const { return facet_count_; }
   [[nodiscard]] double error() const { return error_; }  // largest plane error so far
   [[nodiscard]] double volume() const;        // sum of signed simplex volumes: folds cancel
   [[nodiscard]] double inner_radius() const;  // minimum distance of a facet from the inner point
@@ -58,18 +58,18 @@ class Hull {
     std::array<int, 6> vertex;
     std::array<int, 6> neighbour;  // facet across the ridge opposite the vertex of the same index
     std::array<std::int8_t, 6> back;  // index of this facet in that neighbour
-    std::uint32_t stamp;              // number of the insertion that visited the facet last
-    std::uint32_t birth;              // serial number of the facet; 0: unused entry
+    std::uint32_t insertion;          // number of the insertion that visited the facet last
+    std::uint32_t serial;             // serial number of the facet; 0: unused entry
     double s;                         // n'p - d of the point of that insertion
   };
   struct Queued {
     double d;
     int facet;
-    std::uint32_t birth;
+    std::uint32_t serial;
   };
   struct Slot {
     std::uint64_t key;
-    std::uint32_t stamp;
+    std::uint32_t insertion;
     int facet;  // -1: matched
     std::int8_t place;
   };
@@ -81,18 +81,18 @@ class Hull {
   int new_facet();
   void queue(int facet);
   void find_visible(const HullPoint& p, int facet);
-  int raise_facet(const Ridge& ridge, int point);
+  int add_facet(const Ridge& ridge, int point);
   void match_ridges(int facet, int place_of_point);
-  void join(int facet, std::int8_t place, std::uint64_t key);
-  [[nodiscard]] Plane pencil(const Links& seen, const Plane& a, const Links& hidden,
-                             const Plane& b) const;
-  void settle(int facet);
+  void match_ridge(int facet, std::int8_t place, std::uint64_t key);
+  [[nodiscard]] Plane pencil_plane(const Links& seen, const Plane& a, const Links& hidden,
+                                   const Plane& b) const;
+  void check_plane(int facet);
   [[nodiscard]] double residual(const Plane& plane, const Links& links) const;
   [[nodiscard]] Plane solve(const Links& links) const;
 
   std::vector<HullPoint> points_;
   std::vector<std::uint64_t>
-      code_;  // random codes of points: a ridge is identified by the sum of its points' codes
+      codes_;  // random codes of points: a ridge is identified by the sum of its points' codes
   std::vector<Plane> planes_;
   std::vector<Links> links_;
   std::vector<int> free_;
@@ -101,9 +101,9 @@ class Hull {
   std::vector<Ridge> horizon_;
   std::vector<Slot> table_;
   HullPoint inside_ = HullPoint::Zero();
-  double bar_, size_ = 0, error_ = 0;
-  std::uint32_t stamp_ = 0, births_ = 0;
-  int alive_ = 0;
+  double offset_limit_, size_ = 0, error_ = 0;
+  std::uint32_t insertion_ = 0, last_serial_ = 0;
+  int facet_count_ = 0;
 };
 
 }  // namespace thenar::internal

@@ -64,8 +64,8 @@ KktResidual kkt_residual(const NonlinearProgram& program, const VectorXd& x, Vec
   return result;
 }
 
-double slope_terms(const NonlinearProgram& program, const VectorXd& x, const VectorXd& rows,
-                   const VectorXd& bounds) {
+double gradient_scale(const NonlinearProgram& program, const VectorXd& x, const VectorXd& rows,
+                      const VectorXd& bounds) {
   VectorXd terms = program.gradient(x).cwiseAbs() + bounds.cwiseAbs();
   if (rows.size() > 0) terms += program.jacobian(x).cwiseAbs().transpose() * rows.cwiseAbs();
   return terms.size() > 0 ? max_or_nan(terms) : 0;

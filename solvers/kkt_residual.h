@@ -22,8 +22,8 @@ namespace thenar {
 
 /// Returns the maximum of  |gradient| + |jacobian|' |rows| + |bounds|:  the scale of rounding
 /// errors in d.
-[[nodiscard]] double slope_terms(const NonlinearProgram& program, const Eigen::VectorXd& x,
-                                 const Eigen::VectorXd& rows, const Eigen::VectorXd& bounds);
+[[nodiscard]] double gradient_scale(const NonlinearProgram& program, const Eigen::VectorXd& x,
+                                    const Eigen::VectorXd& rows, const Eigen::VectorXd& bounds);
 
 /// Returns the largest violation of bounds and rows by x, each over max(1, |its bound|) [1].
 [[nodiscard]] double violation(const NonlinearProgram& program, const Eigen::VectorXd& x);

@@ -12,8 +12,8 @@
 namespace thenar {
 namespace {
 
-Solution dispatch(const LeastSquares& problem, const Eigen::VectorXd& start,
-                  const SolveOptions& options) {
+Solution run_method(const LeastSquares& problem, const Eigen::VectorXd& start,
+                    const SolveOptions& options) {
   if (options.method == LeastSquaresMethod::kCeres)
     return internal::solve_ceres(problem, start, options);
   return options.method == LeastSquaresMethod::kIpopt
@@ -26,51 +26,51 @@ void refute_if_infeasible(const LeastSquares& problem, LeastSquaresMethod method
                           Solution& solution) {
   if (!problem.constraints) return;
   // Maximum violation of scaled constraints, also used by Ipopt [1]
-  constexpr double kConstraintSlack = 1e-6;
+  constexpr double kMaxViolation = 1e-6;
   const Eigen::VectorXd c = problem.constraints(solution.z).c;
   // A NaN counts as a violation.
-  const auto kept = ((c.array() >= problem.c_lower.array() - kConstraintSlack) &&
-                     (c.array() <= problem.c_upper.array() + kConstraintSlack))
-                        .count();
-  if (kept == c.size()) return;
+  const auto satisfied = ((c.array() >= problem.c_lower.array() - kMaxViolation) &&
+                          (c.array() <= problem.c_upper.array() + kMaxViolation))
+                             .count();
+  if (satisfied == c.size()) return;
   if (solution.status == Status::kSolved) solution.status = Status::kStalled;
   solution.message +=
-      fmt::format("; breaks {} of {} constraints{}", c.size() - kept, c.size(),
+      fmt::format("; breaks {} of {} constraints{}", c.size() - satisfied, c.size(),
                   method == LeastSquaresMethod::kIpopt ? "" : ", which only ipopt honours");
 }
 
 /// Returns the coordinates that their bounds do not fix.
-std::vector<int> find_free(const LeastSquares& problem) {
-  constexpr double kLeastRoom =
+std::vector<int> find_free_coordinates(const LeastSquares& problem) {
+  constexpr double kMinWidth =
       1e-12;  // distance of the bounds below which they are equal to rounding [prior sds]
   std::vector<int> free;
   for (Eigen::Index i = 0; i < problem.lower.size(); ++i)
-    if (problem.upper[i] - problem.lower[i] > kLeastRoom || !std::isfinite(problem.lower[i]))
+    if (problem.upper[i] - problem.lower[i] > kMinWidth || !std::isfinite(problem.lower[i]))
       free.push_back(static_cast<int>(i));
   return free;
 }
 
 /// Returns the problem of the free coordinates, with all others fixed as in `at`.
-LeastSquares reduce(const LeastSquares& problem, const std::vector<int>& free,
-                    const Eigen::VectorXd& at) {
-  const auto whole = [free, at](const Eigen::VectorXd& some) {
+LeastSquares reduce_to_free(const LeastSquares& problem, const std::vector<int>& free,
+                            const Eigen::VectorXd& at) {
+  const auto expand = [free, at](const Eigen::VectorXd& free_z) {
     Eigen::VectorXd z = at;
-    z(free) = some;
+    z(free) = free_z;
     return z;
   };
   LeastSquares rest;
   rest.lower = problem.lower(free);
   rest.upper = problem.upper(free);
-  rest.residuals = [&problem, free, whole](const Eigen::VectorXd& some, WithJacobian want) {
-    Residuals out = problem.residuals(whole(some), want);
+  rest.residuals = [&problem, free, expand](const Eigen::VectorXd& free_z, WithJacobian want) {
+    Residuals out = problem.residuals(expand(free_z), want);
     if (want == WithJacobian::kYes) out.J = out.J(Eigen::all, free).eval();
     return out;
   };
   if (!problem.constraints) return rest;
   rest.c_lower = problem.c_lower;
   rest.c_upper = problem.c_upper;
-  rest.constraints = [&problem, free, whole](const Eigen::VectorXd& some) {
-    ConstraintValues out = problem.constraints(whole(some));
+  rest.constraints = [&problem, free, expand](const Eigen::VectorXd& free_z) {
+    ConstraintValues out = problem.constraints(expand(free_z));
     out.C = out.C(Eigen::all, free).eval();
     return out;
   };
@@ -78,7 +78,7 @@ LeastSquares reduce(const LeastSquares& problem, const std::vector<int>& free,
 }
 
 /// Returns the start as the solution of a problem without free coordinates.
-Solution stay(const LeastSquares& problem, const Eigen::VectorXd& start) {
+Solution fixed_solution(const LeastSquares& problem, const Eigen::VectorXd& start) {
   Solution solution;
   solution.z = start;
   solution.cost = 0.5 * problem.residuals(start, WithJacobian::kNo).r.squaredNorm();
@@ -89,35 +89,36 @@ Solution stay(const LeastSquares& problem, const Eigen::VectorXd& start) {
 }
 
 /// Returns the length of the remaining Newton step without constraints.
-double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostDerivatives slopes) {
+double unconstrained_newton_step(const LeastSquares& problem, const Eigen::VectorXd& z,
+                                 CostDerivatives slopes) {
   for (Eigen::Index i = 0; i < z.size(); ++i)
-    if (internal::held(problem, z, slopes.gradient[i], i)) fix_coordinate(slopes, i);
+    if (internal::is_held(problem, z, slopes.gradient[i], i)) fix_coordinate(slopes, i);
   return ArrowFactor(slopes.layout, slopes.rows).whiten(slopes.gradient).norm();
 }
 
 /// Returns the rows of active constraints that oppose the descent direction.
 Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& z,
                             const Eigen::VectorXd& gradient) {
-  constexpr double kOnConstraint =
+  constexpr double kActiveDistance =
       1e-5;  // distance from a bound at which scaled constraints are active [1]
   // Collect constraints at one of their bounds.
   const ConstraintValues at = problem.constraints(z);
   std::vector<Eigen::Index> active;
   for (Eigen::Index k = 0; k < at.c.size(); ++k)
-    if (at.c[k] < problem.c_lower[k] + kOnConstraint ||
-        at.c[k] > problem.c_upper[k] - kOnConstraint)
+    if (at.c[k] < problem.c_lower[k] + kActiveDistance ||
+        at.c[k] > problem.c_upper[k] - kActiveDistance)
       active.push_back(k);
   // Drop constraints with a multiplier of the wrong sign, the largest first.
   while (!active.empty()) {
     Eigen::MatrixXd rows = at.C(active, Eigen::all);
     const Eigen::VectorXd push = rows.transpose().completeOrthogonalDecomposition().solve(gradient);
     Eigen::Index worst = -1;
-    double most = 1e-9 * push.cwiseAbs().maxCoeff();
+    double max_pull = 1e-9 * push.cwiseAbs().maxCoeff();
     for (Eigen::Index k = 0; k < push.size(); ++k) {
-      const bool lower = at.c[active[k]] < problem.c_lower[active[k]] + kOnConstraint;
+      const bool lower = at.c[active[k]] < problem.c_lower[active[k]] + kActiveDistance;
       const double pull = lower ? -push[k] : push[k];
-      if (pull > most) {
-        most = pull;
+      if (pull > max_pull) {
+        max_pull = pull;
         worst = k;
       }
     }
@@ -140,14 +141,14 @@ Eigen::MatrixXd null_basis(const Eigen::MatrixXd& A) {
 
 /// Returns the length of the remaining Newton step in the directions left free by bounds and active
 /// constraints.
-double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
-                        const CostDerivatives& slopes) {
+double constrained_newton_step(const LeastSquares& problem, const Eigen::VectorXd& z,
+                               const CostDerivatives& slopes) {
   // Find the free directions.
   std::vector<Eigen::Index> free;
   for (Eigen::Index i = 0; i < z.size(); ++i)
-    if (!internal::held(problem, z, slopes.gradient[i], i)) free.push_back(i);
+    if (!internal::is_held(problem, z, slopes.gradient[i], i)) free.push_back(i);
   const Eigen::VectorXd gradient = slopes.gradient(free);
-  const Eigen::MatrixXd J = dense(slopes.layout, slopes.rows)(Eigen::all, free);
+  const Eigen::MatrixXd J = dense_rows(slopes.layout, slopes.rows)(Eigen::all, free);
   const Eigen::MatrixXd A = active_rows(problem, z, slopes.gradient)(Eigen::all, free);
   const Eigen::MatrixXd basis = null_basis(A);
   // Newton step within them.
@@ -157,8 +158,8 @@ double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
 }
 
 /// Computes cost, gradient and Jacobian at z; nothing if the residuals have no Jacobian.
-std::optional<CostDerivatives> derivatives_if_any(const LeastSquares& problem,
-                                                  const Eigen::VectorXd& z) {
+std::optional<CostDerivatives> exact_derivatives(const LeastSquares& problem,
+                                                 const Eigen::VectorXd& z) {
   CostDerivatives out;
   out.gradient = Eigen::VectorXd::Zero(z.size());
   if (problem.parts.empty()) {
@@ -191,11 +192,11 @@ std::optional<CostDerivatives> derivatives_if_any(const LeastSquares& problem,
 /// outside the bounds is evaluated.
 CostDerivatives derivatives_by_differences(const LeastSquares& problem, const Eigen::VectorXd& z) {
   // Relative step of central differences: the cube root of the rounding error [1]
-  constexpr double kDifferenceShare = 6e-6;
+  constexpr double kRelativeStep = 6e-6;
   const Eigen::VectorXd r = problem.residuals(z, WithJacobian::kNo).r;
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(r.size(), z.size());
   for (Eigen::Index i = 0; i < z.size(); ++i) {
-    const double step = kDifferenceShare * std::max(1.0, std::abs(z[i]));
+    const double step = kRelativeStep * std::max(1.0, std::abs(z[i]));
     Eigen::VectorXd below = z, above = z;
     below[i] = std::max(z[i] - step, problem.lower[i]);
     above[i] = std::min(z[i] + step, problem.upper[i]);
@@ -214,21 +215,22 @@ CostDerivatives derivatives_by_differences(const LeastSquares& problem, const Ei
 
 /// Certifies z, and updates the status.
 void certify(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
-  if (solution.sides > 1) return;  // certified at a kink
+  if (solution.kink_sides > 1) return;  // certified at a kink
   // Compute the remaining Newton step; NaN if a difference is not finite.
-  std::optional<CostDerivatives> exact = derivatives_if_any(problem, solution.z);
+  std::optional<CostDerivatives> exact = exact_derivatives(problem, solution.z);
   const CostDerivatives slopes =
       exact ? std::move(*exact) : derivatives_by_differences(problem, solution.z);
   solution.newton_step = std::nan("");
   if (slopes.gradient.allFinite()) {
     const bool constrained = problem.constraints && options.method == LeastSquaresMethod::kIpopt;
-    solution.newton_step = constrained ? constrained_step(problem, solution.z, slopes)
-                                       : free_step(problem, solution.z, slopes);
+    solution.newton_step = constrained ? constrained_newton_step(problem, solution.z, slopes)
+                                       : unconstrained_newton_step(problem, solution.z, slopes);
   }
-  constexpr double kDifferenceSd =
+  constexpr double kNegligibleStep =
       0.01;  // step below which differences of a solution are negligible [sd]
   // Compare it with the step that the tolerance allows.
-  const double allowed = std::max(kDifferenceSd, std::sqrt(20 * options.tolerance * solution.cost));
+  const double allowed =
+      std::max(kNegligibleStep, std::sqrt(20 * options.tolerance * solution.cost));
   if (solution.status == Status::kSolved && !(solution.newton_step <= allowed)) {
     solution.status = Status::kStalled;
     solution.message += fmt::format("; but a step of {:.2g} sds is left", solution.newton_step);
@@ -236,7 +238,7 @@ void certify(const LeastSquares& problem, const SolveOptions& options, Solution&
 }
 
 /// Restarts Ceres once where it stalled, with the strictest tolerance.
-void go_on(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
+void restart_ceres(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
   SolveOptions strict = options;
   strict.tolerance = std::min(options.tolerance, 1e-15);
   const Solution first = solution;
@@ -248,14 +250,14 @@ void go_on(const LeastSquares& problem, const SolveOptions& options, Solution& s
 /// Solves for the free coordinates: some solvers fail with equal bounds.
 Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
                     const SolveOptions& options) {
-  const std::vector<int> free = find_free(problem);
-  if (free.empty()) return stay(problem, start);
+  const std::vector<int> free = find_free_coordinates(problem);
+  if (free.empty()) return fixed_solution(problem, start);
   // Ceres handles fixed coordinates of blocks.
   const bool blocks = options.method == LeastSquaresMethod::kCeres && !problem.parts.empty();
   if (static_cast<Eigen::Index>(free.size()) == start.size() || blocks)
-    return dispatch(problem, start, options);
+    return run_method(problem, start, options);
   // Other methods solve a reduced problem.
-  Solution solution = dispatch(reduce(problem, free, start), start(free), options);
+  Solution solution = run_method(reduce_to_free(problem, free, start), start(free), options);
   Eigen::VectorXd z = start;
   z(free) = solution.z;
   solution.z = z;
@@ -268,11 +270,11 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
 /// Ceres. If they fail, too, Ceres continues.
 Solution solve_by_method(const LeastSquares& problem, const Eigen::VectorXd& start,
                          const SolveOptions& options) {
-  constexpr double kNearCost = 1e-3;  // relative tolerance of the rough solution [1]
+  constexpr double kRoughTolerance = 1e-3;  // relative tolerance of the rough solution [1]
   constexpr int kFirstEvaluations = 80, kLastEvaluations = 200;  // limits of secant searches [1]
   // Use other methods, and counted evaluations, as they are.
   if (options.method != LeastSquaresMethod::kCeres || options.max_evaluations > 0 ||
-      options.tolerance >= kNearCost)
+      options.tolerance >= kRoughTolerance)
     return solve_free(problem, start, options);
   // Try secants from the start.
   Solution found;
@@ -281,20 +283,20 @@ Solution solve_by_method(const LeastSquares& problem, const Eigen::VectorXd& sta
       internal::search_by_secants(problem, options, kFirstEvaluations, found))
     return found;
   // Find a rough solution, and refine it by secants.
-  const auto solve_on = [&](double tolerance) {
+  const auto continue_by_method = [&](double tolerance) {
     SolveOptions next = options;
     next.tolerance = tolerance;
     Solution then = solve_free(problem, found.z, next);
     then.evaluations += found.evaluations;
     found = std::move(then);
   };
-  solve_on(kNearCost);
+  continue_by_method(kRoughTolerance);
   if (found.status != Status::kSolved ||
       internal::search_by_secants(problem, options, kLastEvaluations, found))
     return found;
   // Secants fail at kinks; otherwise Ceres continues.
   if (internal::search_at_kink(problem, options, found)) return found;
-  solve_on(options.tolerance);
+  continue_by_method(options.tolerance);
   return found;
 }
 
@@ -334,11 +336,12 @@ void check_values(const LeastSquares& problem, const Eigen::VectorXd& z,
   const bool derivatives =
       method == LeastSquaresMethod::kCeres || method == LeastSquaresMethod::kIpopt;
   const bool blocks = method == LeastSquaresMethod::kCeres && !problem.parts.empty();
-  const Residuals whole =
+  const Residuals expand =
       problem.residuals(z, derivatives && !blocks ? WithJacobian::kYes : WithJacobian::kNo);
-  require(whole.r.allFinite(), "residuals at the start are not finite");
-  const bool has_jacobian = blocks ? derivatives_if_any(problem, z).has_value()
-                                   : whole.J.rows() == whole.r.size() && whole.J.cols() == z.size();
+  require(expand.r.allFinite(), "residuals at the start are not finite");
+  const bool has_jacobian = blocks
+                                ? exact_derivatives(problem, z).has_value()
+                                : expand.J.rows() == expand.r.size() && expand.J.cols() == z.size();
   require(has_jacobian || !derivatives, "{} needs the Jacobian of the residuals by {} coordinates",
           name_of(method), z.size());
   if (!problem.constraints) return;
@@ -369,7 +372,7 @@ void fix_coordinate(CostDerivatives& slopes, Eigen::Index i) {
 }
 
 CostDerivatives cost_derivatives(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  std::optional<CostDerivatives> slopes = derivatives_if_any(problem, z);
+  std::optional<CostDerivatives> slopes = exact_derivatives(problem, z);
   require(slopes.has_value(), "residuals have no Jacobian");
   return std::move(*slopes);
 }
@@ -388,7 +391,7 @@ Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
   certify(problem, options, solution);
   if (solution.status == Status::kStalled && !solution.failed &&
       options.method == LeastSquaresMethod::kCeres)
-    go_on(problem, options, solution);
+    restart_ceres(problem, options, solution);
   refute_if_infeasible(problem, options.method, solution);
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -104,8 +104,8 @@ struct [[nodiscard]] Solution {
   double newton_step =
       0;  // length of the Gauss-Newton step along the directions left free by bounds and active
           // constraints at z, in sds of exp(-cost) [1]; NaN: the residuals near z are not finite
-  int sides = 1;  // number of sides of a kink of the residuals within 1e-3 sds of z, whose averaged
-                  // gradient gives `newton_step`; 1: no kink [1]
+  int kink_sides = 1;  // number of sides of a kink of the residuals within 1e-3 sds of z, whose
+                       // averaged gradient gives `newton_step`; 1: no kink [1]
 
   /// Returns whether the point is certified and the solver did not fail.
   [[nodiscard]] bool converged() const { return status == Status::kSolved && !failed; }
@@ -119,8 +119,9 @@ struct [[nodiscard]] Solution {
 /// the larger of 0.01 and sqrt(20 tolerance cost). J is the Jacobian of the residuals or, if they
 /// have none, computed by central differences within the bounds. If the step is longer, the status
 /// is kStalled; kCeres first restarts once from there with a tolerance of 1e-15. With kCeres and
-/// without constraints, the step may also be that of the averaged gradient at a kink (`sides`).
-/// Constraints are satisfied to 1e-6; a point that violates one is kStalled with every method.
+/// without constraints, the step may also be that of the averaged gradient at a kink
+/// (`kink_sides`). Constraints are satisfied to 1e-6; a point that violates one is kStalled with
+/// every method.
 /// @throws InputError if shapes disagree, bounds are crossed, start or the residuals there are not
 /// finite, kCeres or kIpopt get no Jacobian, or the tolerance is not positive and finite.
 Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
@@ -145,11 +146,12 @@ Solution solve_ipopt_least_squares(const LeastSquares&, const Eigen::VectorXd& s
 /// neglects the curvature of large residuals; secant updates estimate it from the changes of the
 /// Jacobian between steps. The update is done part by part, so that many blocks need no more steps
 /// than one. The cost never rises beyond rounding.
-/// @param most      maximum number of evaluations [1]
+/// @param max_evaluations      maximum number of evaluations [1]
 /// @param solution  initial point on input, best point found on output
 /// @return whether it converged or was stopped; if not, the status is unchanged
 /// Source: [DennisGayWelsch1981], structured secants; [Griewank1982], part by part.
-bool search_by_secants(const LeastSquares&, const SolveOptions&, int most, Solution& solution);
+bool search_by_secants(const LeastSquares&, const SolveOptions&, int max_evaluations,
+                       Solution& solution);
 
 /// Searches for a minimum on a kink, where the residuals' derivatives jump and no gradient
 /// vanishes. With g_i the gradients found within 1e-3 sds of z, the remaining step is that of the
@@ -171,8 +173,8 @@ struct ResidualBlocks {
 [[nodiscard]] ResidualBlocks blocks_of(const LeastSquares&);
 
 /// Returns whether coordinate i lies on a bound that the gradient pushes it against.
-[[nodiscard]] bool held(const LeastSquares&, const Eigen::VectorXd& z, double gradient,
-                        Eigen::Index i);
+[[nodiscard]] bool is_held(const LeastSquares&, const Eigen::VectorXd& z, double gradient,
+                           Eigen::Index i);
 
 /// Returns, for each coordinate, whether no bound holds it against the gradient (n).
 [[nodiscard]] std::vector<bool> free_coordinates(const LeastSquares&, const Eigen::VectorXd& z,

@@ -10,9 +10,9 @@ namespace {
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Residuals of one part, with their Jacobian by the shared coordinates and by one block.
-class Cost final : public ceres::CostFunction {
+class PartCost final : public ceres::CostFunction {
  public:
-  Cost(const ResidualPart& part, const ArrowLayout& layout, int rows, int& evaluations)
+  PartCost(const ResidualPart& part, const ArrowLayout& layout, int rows, int& evaluations)
       : part_(part), layout_(layout), evaluations_(evaluations) {
     set_num_residuals(rows);
     mutable_parameter_block_sizes()->push_back(layout.shared);
@@ -48,9 +48,9 @@ class Cost final : public ceres::CostFunction {
 };
 
 /// Reports every iteration, and forwards stop requests.
-class Listener final : public ceres::IterationCallback {
+class ProgressCallback final : public ceres::IterationCallback {
  public:
-  Listener(const Progress& progress, int limit) : progress_(progress), limit_(limit) {}
+  ProgressCallback(const Progress& progress, int limit) : progress_(progress), limit_(limit) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     progress_(static_cast<double>(summary.iteration) / limit_, "ceres");
     return progress_.stop() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
@@ -72,14 +72,15 @@ Status status_of(const ceres::Solver::Summary& summary) {
 namespace {
 
 /// Sets the bounds of one parameter block of Ceres; coordinates with equal bounds are fixed.
-void bound(const LeastSquares& problem, int first, int count, double* z, ceres::Problem& ceres) {
-  constexpr double kNoRoom =
+void set_bounds(const LeastSquares& problem, int first, int count, double* z,
+                ceres::Problem& ceres) {
+  constexpr double kMinBlockWidth =
       1e-12;  // distance of the bounds below which they are equal to rounding [prior sds]
   std::vector<int> held;
   // Set the bounds, and collect fixed coordinates.
   for (int i = 0; i < count; ++i) {
     const double lower = problem.lower[first + i], upper = problem.upper[first + i];
-    if (upper - lower <= kNoRoom) {
+    if (upper - lower <= kMinBlockWidth) {
       held.push_back(i);
       continue;
     }
@@ -107,13 +108,14 @@ Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
   int calls = 0;
   for (const ResidualPart& part : blocks.parts) {
     const auto rows = static_cast<int>(part.residuals(start, WithJacobian::kNo).r.size());
-    std::vector<double*> of{z};
-    if (part.block >= 0) of.push_back(z + layout.first(part.block));
-    ceres_problem.AddResidualBlock(new Cost(part, layout, rows, calls), nullptr, of);
+    std::vector<double*> block_parameters{z};
+    if (part.block >= 0) block_parameters.push_back(z + layout.first(part.block));
+    ceres_problem.AddResidualBlock(new PartCost(part, layout, rows, calls), nullptr,
+                                   block_parameters);
   }
-  bound(problem, 0, layout.shared, z, ceres_problem);
+  set_bounds(problem, 0, layout.shared, z, ceres_problem);
   for (int b = 0; b < layout.blocks; ++b)
-    bound(problem, layout.first(b), layout.own, z + layout.first(b), ceres_problem);
+    set_bounds(problem, layout.first(b), layout.own, z + layout.first(b), ceres_problem);
 
   // Eliminate blocks by Schur complements if there are any.
   ceres::Solver::Options settings;
@@ -130,8 +132,8 @@ Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
   settings.parameter_tolerance = 1e-12;
   settings.gradient_tolerance = 1e-10;
   settings.logging_type = ceres::SILENT;
-  Listener listener(options.progress, settings.max_num_iterations);
-  settings.callbacks.push_back(&listener);
+  ProgressCallback callback(options.progress, settings.max_num_iterations);
+  settings.callbacks.push_back(&callback);
   ceres::Solver::Summary summary;
   ceres::Solve(settings, &ceres_problem, &summary);
 

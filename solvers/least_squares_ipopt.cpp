@@ -16,7 +16,7 @@ class Evaluator {
   Evaluator(const LeastSquares& problem, const SolveOptions& options, Solution& best)
       : problem_(problem), options_(options), best_(best) {}
 
-  const Residuals& at(const Eigen::VectorXd& z) {
+  const Residuals& evaluate(const Eigen::VectorXd& z) {
     // Return the cached values at the same point.
     if (z_.size() == z.size() && z_ == z) return last_;
     z_ = z;
@@ -32,14 +32,14 @@ class Evaluator {
   /// Stores the feasible point with the lowest cost so far, for a search that is stopped.
   void keep_best() {
     // Maximum violation of scaled constraints at a feasible point [1]
-    constexpr double kIpoptSlack = 1e-6;
+    constexpr double kMaxIpoptViolation = 1e-6;
     // Accept a lower cost if the constraints hold.
     const double cost = 0.5 * last_.r.squaredNorm();
     if (!(best_.evaluations == 1 || cost < best_.cost)) return;
     if (problem_.constraints && best_.evaluations > 1) {
       const Eigen::VectorXd c = problem_.constraints(z_).c;
-      if ((c.array() < problem_.c_lower.array() - kIpoptSlack).any()) return;
-      if ((c.array() > problem_.c_upper.array() + kIpoptSlack).any()) return;
+      if ((c.array() < problem_.c_lower.array() - kMaxIpoptViolation).any()) return;
+      if ((c.array() > problem_.c_upper.array() + kMaxIpoptViolation).any()) return;
     }
     best_.cost = cost;
     best_.z = z_;
@@ -61,16 +61,16 @@ NonlinearProgram program_of(const LeastSquares& problem, Evaluator& evaluator) {
   program.row_lower = problem.c_lower;
   program.row_upper = problem.c_upper;
   program.objective = [&](const Eigen::VectorXd& z) {
-    return 0.5 * evaluator.at(z).r.squaredNorm();
+    return 0.5 * evaluator.evaluate(z).r.squaredNorm();
   };
   program.gradient = [&](const Eigen::VectorXd& z) -> Eigen::VectorXd {
-    const Residuals& now = evaluator.at(z);
-    return now.J.transpose() * now.r;
+    const Residuals& current = evaluator.evaluate(z);
+    return current.J.transpose() * current.r;
   };
   // Gauss-Newton Hessian: the curvature of residuals and constraints is neglected.
   program.hessian = [&](const Eigen::VectorXd& z, double factor, const Eigen::VectorXd&) {
-    const Residuals& now = evaluator.at(z);
-    return Eigen::MatrixXd(factor * now.J.transpose() * now.J);
+    const Residuals& current = evaluator.evaluate(z);
+    return Eigen::MatrixXd(factor * current.J.transpose() * current.J);
   };
   if (problem.constraints) {
     program.constraints = [&](const Eigen::VectorXd& z) { return problem.constraints(z).c; };

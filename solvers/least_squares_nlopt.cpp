@@ -8,7 +8,7 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kFarAway =
+constexpr double kMaxCoordinate =
     8;  // replacement for an infinite bound of a standard normal coordinate [1]
 
 /// State of the C callback. It stores the best point, which NLopt discards after a stop.
@@ -21,7 +21,7 @@ struct Context {
 };
 
 /// Objective function for NLopt.
-double cost(const std::vector<double>& x, std::vector<double>& /*gradient*/, void* data) {
+double evaluate_cost(const std::vector<double>& x, std::vector<double>& /*gradient*/, void* data) {
   auto& context = *static_cast<Context*>(data);
   // Evaluate the cost, and keep the best point.
   const Eigen::VectorXd z =
@@ -40,15 +40,16 @@ double cost(const std::vector<double>& x, std::vector<double>& /*gradient*/, voi
 }
 
 /// Clips bounds or a start to finite values.
-std::vector<double> finite(const Eigen::VectorXd& z) {
-  const Eigen::VectorXd near = z.cwiseMax(-kFarAway).cwiseMin(kFarAway);
+std::vector<double> clip_to_finite(const Eigen::VectorXd& z) {
+  const Eigen::VectorXd near = z.cwiseMax(-kMaxCoordinate).cwiseMin(kMaxCoordinate);
   return {near.data(), near.data() + near.size()};
 }
 
 /// Returns initial steps of half a prior sd, or less if the bounds are close: the first simplex
 /// must fit between them.
-std::vector<double> first_steps(const LeastSquares& problem) {
-  const std::vector<double> lower = finite(problem.lower), upper = finite(problem.upper);
+std::vector<double> initial_steps(const LeastSquares& problem) {
+  const std::vector<double> lower = clip_to_finite(problem.lower),
+                            upper = clip_to_finite(problem.upper);
   std::vector<double> steps;
   for (std::size_t i = 0; i < lower.size(); ++i)
     steps.push_back(std::min(0.5, (upper[i] - lower[i]) / 4));
@@ -56,19 +57,19 @@ std::vector<double> first_steps(const LeastSquares& problem) {
 }
 
 /// Runs one algorithm from best.z, and updates best.
-void run(nlopt::algorithm algorithm, const LeastSquares& problem, const SolveOptions& options,
-         int limit, Solution& best) {
+void run_algorithm(nlopt::algorithm algorithm, const LeastSquares& problem,
+                   const SolveOptions& options, int limit, Solution& best) {
   // Set bounds, tolerances and initial steps.
   nlopt::opt optimiser(algorithm, static_cast<unsigned>(best.z.size()));
   Context context{problem, options, optimiser, limit, best};
-  optimiser.set_min_objective(cost, &context);
-  optimiser.set_lower_bounds(finite(problem.lower));
-  optimiser.set_upper_bounds(finite(problem.upper));
+  optimiser.set_min_objective(evaluate_cost, &context);
+  optimiser.set_lower_bounds(clip_to_finite(problem.lower));
+  optimiser.set_upper_bounds(clip_to_finite(problem.upper));
   optimiser.set_maxeval(limit);
   optimiser.set_ftol_rel(options.tolerance);
-  if (algorithm == nlopt::LN_BOBYQA) optimiser.set_initial_step(first_steps(problem));
+  if (algorithm == nlopt::LN_BOBYQA) optimiser.set_initial_step(initial_steps(problem));
   // Run, and translate the result.
-  std::vector<double> x = finite(best.z);
+  std::vector<double> x = clip_to_finite(best.z);
   double value = 0;
   best.failed = false;
   try {
@@ -100,8 +101,9 @@ Solution solve_nlopt(const LeastSquares& problem, const Eigen::VectorXd& start,
   nlopt::srand(options.seed);
   // Search globally if requested, then by BOBYQA from the best point.
   if (options.method == LeastSquaresMethod::kNloptGlobal)
-    run(nlopt::GN_CRS2_LM, problem, options, limit, best);
-  if (best.status != Status::kStopped) run(nlopt::LN_BOBYQA, problem, options, limit, best);
+    run_algorithm(nlopt::GN_CRS2_LM, problem, options, limit, best);
+  if (best.status != Status::kStopped)
+    run_algorithm(nlopt::LN_BOBYQA, problem, options, limit, best);
   return best;
 }
 

@@ -14,7 +14,7 @@ namespace thenar::internal {
 /// a bound.
 struct SimplexBasis {
   std::vector<Eigen::Index> basic;  // r indices in 0 .. n + r - 1: x first, then z
-  Eigen::VectorXd at;  // values of the nonbasic variables; basic entries are ignored (n + r)
+  Eigen::VectorXd values;  // values of the nonbasic variables; basic entries are ignored (n + r)
 };
 
 /// Point and duals of the rows.
@@ -23,8 +23,8 @@ struct PrimalDualPoint {
   Eigen::VectorXd duals;  // (r)
 };
 
-/// Solves  B v = -N at  and  B' duals = c_B  with residuals in long double, then projects x onto
-/// its bounds. Entries are not finite if B is singular.
+/// Solves  B v = -N values  and  B' duals = c_B  with residuals in long double, then projects x
+/// onto its bounds. Entries are not finite if B is singular.
 [[nodiscard]] PrimalDualPoint vertex_of(const LinearProgram& program, const SimplexBasis& basis);
 
 /// Certifies a point by weak duality. For any duals y, with d = objective - A' y and every feasible
@@ -39,6 +39,6 @@ struct PrimalDualPoint {
 
 /// Returns whether violation <= 1e-12, dual_violation <= 1e-11 and gap <= 1e-11 max(1,
 /// |objective|); false if any is NaN.
-[[nodiscard]] bool holds(const LinearCertificate& certificate, double objective);
+[[nodiscard]] bool is_certified(const LinearCertificate& certificate, double objective);
 
 }  // namespace thenar::internal

@@ -18,9 +18,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using internal::SimplexBasis;
 
-constexpr double kClpTolerance = 1e-12;     // violation of rows that CLP allows
-constexpr double kOptimalityError = 1e-11;  // violation of reduced costs that CLP allows
-constexpr double kBarelyFeasible = 1e-9;    // sum of violations that rounding may cause
+constexpr double kClpTolerance = 1e-12;         // violation of rows that CLP allows
+constexpr double kOptimalityError = 1e-11;      // violation of reduced costs that CLP allows
+constexpr double kMaxRoundingViolation = 1e-9;  // sum of violations that rounding may cause
 
 VectorXd clp_bounds(const VectorXd& bounds) {
   return bounds.cwiseMax(-COIN_DBL_MAX).cwiseMin(COIN_DBL_MAX);
@@ -64,7 +64,7 @@ void load(ClpSimplex& simplex, const LinearProgram& program) {
 
 /// Proposal of a method. It is not trusted: `end` only indicates what to prove.
 struct Proposal {
-  Status end;
+  Status claim;
   std::optional<SimplexBasis> basis;
 };
 
@@ -80,7 +80,7 @@ std::optional<SimplexBasis> basis_of(const ClpSimplex& simplex, const LinearProg
     }
     const bool at_upper = std::abs(value - upper) < std::abs(value - lower);
     const double nearest = at_upper ? upper : lower;
-    basis.at(k) = std::isfinite(nearest) ? nearest : value;
+    basis.values(k) = std::isfinite(nearest) ? nearest : value;
   };
   // Columns, then rows.
   for (Index j = 0; j < n; ++j)
@@ -99,7 +99,7 @@ constexpr Method kLinearMethods[] = {Method::kClpPrimal, Method::kClpDual, Metho
 Proposal propose(const LinearProgram& program, Method method) {
   if (method == Method::kDense) {
     const internal::SimplexVertex vertex = internal::dense_simplex(program);
-    return {vertex.end, vertex.basis};
+    return {vertex.claim, vertex.basis};
   }
   // Run CLP's primal or dual method.
   ClpSimplex simplex;
@@ -107,8 +107,8 @@ Proposal propose(const LinearProgram& program, Method method) {
   method == Method::kClpPrimal ? simplex.primal() : simplex.dual();
   constexpr Status kEnds[] = {Status::kSolved, Status::kInfeasible, Status::kUnbounded};
   const int status = simplex.status();
-  const Status end = status >= 0 && status < 3 ? kEnds[status] : Status::kStalled;
-  return {end, basis_of(simplex, program)};
+  const Status claim = status >= 0 && status < 3 ? kEnds[status] : Status::kStalled;
+  return {claim, basis_of(simplex, program)};
 }
 
 LinearResult unsolved(const LinearProgram& program, Status status) {
@@ -120,25 +120,26 @@ LinearResult unsolved(const LinearProgram& program, Status status) {
 }
 
 /// Returns the vertex of a basis if its certificate holds.
-std::optional<LinearResult> certified(const LinearProgram& program, const Proposal& proposal) {
+std::optional<LinearResult> certified_result(const LinearProgram& program,
+                                             const Proposal& proposal) {
   if (!proposal.basis) return std::nullopt;
   const internal::PrimalDualPoint point = internal::vertex_of(program, *proposal.basis);
   const double objective = program.objective.dot(point.x);
   const LinearCertificate certificate = internal::certify(program, point);
-  if (!internal::holds(certificate, objective)) return std::nullopt;
+  if (!internal::is_certified(certificate, objective)) return std::nullopt;
   return LinearResult{Status::kSolved, point.x, objective, point.duals, certificate};
 }
 
 /// Tries every method until a result is certified; for programs that have an optimum.
-LinearResult optimum(const LinearProgram& program) {
+LinearResult find_optimum(const LinearProgram& program) {
   for (const Method method : kLinearMethods)
-    if (const auto result = certified(program, propose(program, method))) return *result;
+    if (const auto result = certified_result(program, propose(program, method))) return *result;
   return unsolved(program, Status::kStalled);
 }
 
 /// Returns the program  maximise -sum (p + q)  subject to  row_lower <= A x + p - q <= row_upper.
 /// It always has an optimum, and its duals are a Farkas ray if that is not zero.
-LinearProgram elastic(const LinearProgram& program) {
+LinearProgram elastic_program(const LinearProgram& program) {
   const Index n = program.A.cols(), rows = program.A.rows();
   LinearProgram result = program;
   // Add two variables for the violation of each row.
@@ -154,7 +155,7 @@ LinearProgram elastic(const LinearProgram& program) {
 }
 
 /// Returns the program of recession directions, no component longer than one.
-LinearProgram recession(LinearProgram program) {
+LinearProgram recession_program(LinearProgram program) {
   const auto homogeneous = [](double bound) { return std::isfinite(bound) ? 0.0 : bound; };
   program.row_lower = program.row_lower.unaryExpr(homogeneous);
   program.row_upper = program.row_upper.unaryExpr(homogeneous);
@@ -168,9 +169,9 @@ LinearProgram recession(LinearProgram program) {
 /// ray
 Status find_feasible(LinearProgram& program, LinearResult& proof) {
   // Minimise the sum of violations.
-  proof = optimum(elastic(program));
+  proof = find_optimum(elastic_program(program));
   if (proof.status != Status::kSolved) return Status::kStalled;
-  if (-proof.objective > kBarelyFeasible) return Status::kInfeasible;
+  if (-proof.objective > kMaxRoundingViolation) return Status::kInfeasible;
   // Relax the rows by violations due to rounding.
   const Index rows = program.A.rows();
   const VectorXd added = proof.x.segment(proof.x.size() - 2 * rows, rows);
@@ -181,8 +182,8 @@ Status find_feasible(LinearProgram& program, LinearResult& proof) {
 
 /// Handles a program without certified optimum: proves that there is none, or relaxes rows to
 /// rounding.
-LinearResult without_optimum(const LinearProgram& asked) {
-  LinearProgram program = asked;
+LinearResult resolve_without_optimum(const LinearProgram& original) {
+  LinearProgram program = original;
   LinearResult proof;
   const Status feasible = find_feasible(program, proof);
   if (feasible != Status::kSolved) {
@@ -192,8 +193,8 @@ LinearResult without_optimum(const LinearProgram& asked) {
     return result;
   }
   // Find a ray along which the objective improves without limit.
-  const LinearResult ray = optimum(recession(program));
-  if (ray.status == Status::kSolved && ray.objective > kBarelyFeasible) {
+  const LinearResult ray = find_optimum(recession_program(program));
+  if (ray.status == Status::kSolved && ray.objective > kMaxRoundingViolation) {
     LinearResult result = unsolved(program, Status::kUnbounded);
     result.certificate = ray.certificate;
     result.x = proof.x.head(program.A.cols());
@@ -201,9 +202,9 @@ LinearResult without_optimum(const LinearProgram& asked) {
     return result;
   }
   // Solve with relaxed rows, and report the violation of the original ones.
-  LinearResult result = optimum(program);
+  LinearResult result = find_optimum(program);
   if (result.status == Status::kSolved)
-    result.certificate.violation = internal::certify(asked, {result.x, result.duals}).violation;
+    result.certificate.violation = internal::certify(original, {result.x, result.duals}).violation;
   return result;
 }
 
@@ -217,13 +218,13 @@ LinearResult solve_scaled(const LinearProgram& program) {
   // A claim that there is no optimum is proved or refuted at once.
   for (const Method method : kLinearMethods) {
     const Proposal proposal = propose(program, method);
-    if (const auto result = certified(program, proposal)) return *result;
-    if (proposal.end == Status::kInfeasible || proposal.end == Status::kUnbounded) {
-      LinearResult result = without_optimum(program);
+    if (const auto result = certified_result(program, proposal)) return *result;
+    if (proposal.claim == Status::kInfeasible || proposal.claim == Status::kUnbounded) {
+      LinearResult result = resolve_without_optimum(program);
       if (result.status != Status::kStalled) return result;
     }
   }
-  return without_optimum(program);
+  return resolve_without_optimum(program);
 }
 
 }  // namespace

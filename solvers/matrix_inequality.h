@@ -16,7 +16,7 @@ struct MatrixInequality {
 };
 
 /// Returns C + sum of y_k M_k (d, d).
-[[nodiscard]] Eigen::MatrixXd value_at(const MatrixInequality& inequality,
+[[nodiscard]] Eigen::MatrixXd evaluate(const MatrixInequality& inequality,
                                        const Eigen::VectorXd& y);
 
 /// Result of maximising one unknown.
@@ -25,7 +25,7 @@ struct MaximisedComponent {
   bool reached;       // y[which] > enough
 };
 
-/// Raises one unknown subject to inequalities until it exceeds `enough`, or until its maximum is
+/// Raises one unknown subject to inequalities until it exceeds `target`, or until its maximum is
 /// known to be smaller. Applies Newton's method to  -weight y[which] - sum of log det with growing
 /// weight; the minimum is within (rows of all inequalities) / weight of the largest value. The
 /// feasible set must be bounded in the directions that matter. Nothing is certified: the caller
@@ -33,6 +33,6 @@ struct MaximisedComponent {
 /// @param y  strictly feasible initial point
 /// Source: [BoydVandenberghe2004], chapter 11.
 [[nodiscard]] MaximisedComponent maximise_component(
-    const std::vector<MatrixInequality>& inequalities, Eigen::VectorXd y, int which, double enough);
+    const std::vector<MatrixInequality>& inequalities, Eigen::VectorXd y, int index, double target);
 
 }  // namespace thenar::internal

@@ -102,7 +102,7 @@ class DenseTnlp : public Ipopt::TNLP {
               Index* row, Index* column, Number* values) override {
     if (!program_.hessian) return false;
     if (values == nullptr) {
-      each_lower([&](Index k, Index i, Index j) {
+      for_each_lower([&](Index k, Index i, Index j) {
         row[k] = i;
         column[k] = j;
       });
@@ -110,7 +110,7 @@ class DenseTnlp : public Ipopt::TNLP {
     }
     return guarded([&] {
       const Eigen::MatrixXd H = program_.hessian(ConstMap(x, n_), factor, ConstMap(lambda, rows_));
-      each_lower([&](Index k, Index i, Index j) { values[k] = H(i, j); });
+      for_each_lower([&](Index k, Index i, Index j) { values[k] = H(i, j); });
     });
   }
 
@@ -150,7 +150,7 @@ class DenseTnlp : public Ipopt::TNLP {
   }
 
   template <typename Visit>
-  void each_lower(const Visit& visit) const {
+  void for_each_lower(const Visit& visit) const {
     Index k = 0;
     for (Index i = 0; i < n_; ++i)
       for (Index j = 0; j <= i; ++j) visit(k++, i, j);
@@ -247,12 +247,13 @@ Run run(const NonlinearProgram& program, const VectorXd& x0, const NonlinearOpti
   if (IsValid(statistics)) result.iterations = statistics->IterationCount();
   if (!result.x.allFinite()) return run;
   result.kkt_residual = kkt_residual(program, result.x, tnlp->row_prices(), tnlp->bound_prices());
-  run.slope = slope_terms(program, result.x, tnlp->row_prices(), tnlp->bound_prices());
+  run.slope = gradient_scale(program, result.x, tnlp->row_prices(), tnlp->bound_prices());
   return run;
 }
 
 /// Returns whether the KKT residuals support the status. NaN fails.
-bool holds(const NonlinearProgram& program, const VectorXd& x0, const Run& run, double certified) {
+bool supports_status(const NonlinearProgram& program, const VectorXd& x0, const Run& run,
+                     double certified) {
   const NonlinearResult& result = run.result;
   const KktResidual& at = result.kkt_residual;
   switch (result.status) {
@@ -271,7 +272,7 @@ bool holds(const NonlinearProgram& program, const VectorXd& x0, const Run& run, 
 }
 
 /// Returns the result with a message about its KKT residuals, and kStalled.
-NonlinearResult refuted(NonlinearResult result) {
+NonlinearResult refuted_result(NonlinearResult result) {
   if (is_undecided(result.status)) return result;
   const KktResidual& at = result.kkt_residual;
   result.message = fmt::format(
@@ -290,7 +291,7 @@ NonlinearResult solve_ipopt(const NonlinearProgram& program, const VectorXd& x0,
   // Handle programs without variables.
   if (x0.size() == 0) {
     const KktResidual at{violation(program, x0), 0, 0};
-    const bool feasible = at.violation <= options.certified;
+    const bool feasible = at.violation <= options.kkt_tolerance;
     return {feasible ? Status::kSolved : Status::kInfeasible,
             "nothing to vary",
             x0,
@@ -303,24 +304,24 @@ NonlinearResult solve_ipopt(const NonlinearProgram& program, const VectorXd& x0,
   static std::mutex one_at_a_time;
   const std::lock_guard<std::mutex> lock(one_at_a_time);
 
-  const double certified = std::max(options.certified, 10 * options.acceptable_tolerance);
+  const double certified = std::max(options.kkt_tolerance, 10 * options.acceptable_tolerance);
   const Run first = run(program, x0, options, Barrier::kAdaptive);
-  if (holds(program, x0, first, certified)) return first.result;
+  if (supports_status(program, x0, first, certified)) return first.result;
   if (first.result.status == Status::kLimit) return first.result;  // limit of the caller
 
   // Restart with the other barrier rule; iterations are added up.
-  const VectorXd again = first.result.x.allFinite() ? first.result.x : x0;
-  Run second = run(program, again, options, Barrier::kMonotone);
+  const VectorXd restart = first.result.x.allFinite() ? first.result.x : x0;
+  Run second = run(program, restart, options, Barrier::kMonotone);
   second.result.iterations += first.result.iterations;
-  if (holds(program, x0, second, certified)) return second.result;
+  if (supports_status(program, x0, second, certified)) return second.result;
 
   // Accept a point at which the conditions hold even if Ipopt gave up there.
   for (Run stalled : {second, first}) {
     if (!is_undecided(stalled.result.status)) continue;
     stalled.result.status = Status::kSolved;
-    if (holds(program, x0, stalled, certified)) return stalled.result;
+    if (supports_status(program, x0, stalled, certified)) return stalled.result;
   }
-  return refuted(first.result);
+  return refuted_result(first.result);
 }
 
 }  // namespace thenar

@@ -34,9 +34,9 @@ struct NonlinearProgram {
 struct NonlinearOptions {
   double tolerance = 1e-10;  // scaled optimality error at which iterations stop            [1]
   double acceptable_tolerance =
-      1e-7;                  // scaled error accepted if progress ends before `tolerance`   [1]
-  int max_iterations = 500;  // maximum number of Newton steps                              [1]
-  double certified = 1e-6;   // largest KKT residual that counts as solved, at least        [1]
+      1e-7;                     // scaled error accepted if progress ends before `tolerance`   [1]
+  int max_iterations = 500;     // maximum number of Newton steps                              [1]
+  double kkt_tolerance = 1e-6;  // largest KKT residual that counts as solved, at least        [1]
 };
 
 /// Residuals of the first-order conditions at x, computed from the functions of the program.
@@ -67,9 +67,9 @@ struct NonlinearResult {
 ///
 /// The solver's status is verified: kSolved requires that the violation, the stationarity over
 /// max(1, steepest slope at x0 and at x) and the complementarity over max(1, |objective|) are at
-/// most `certified`, or ten times the acceptable tolerance if that is larger. If the check fails, a
-/// second run starts from the best point with the other barrier update rule; if this fails too, the
-/// status is kStalled and the message states the residuals.
+/// most `kkt_tolerance`, or ten times the acceptable tolerance if that is larger. If the check
+/// fails, a second run starts from the best point with the other barrier update rule; if this fails
+/// too, the status is kStalled and the message states the residuals.
 ///
 /// @throws InputError if shapes disagree, a required function is empty, or x0 is not finite.
 /// Source: [Wachter2006].

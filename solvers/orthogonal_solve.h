@@ -14,10 +14,10 @@ namespace thenar {
 /// Decomposition A P = Q U by modified Gram-Schmidt with column pivoting.
 template <typename T>
 struct OrthogonalColumns {
-  MatrixX<T> Q;            // orthogonal columns, not normalised (rows, n)
-  MatrixX<T> U;            // unit upper triangular; entries below the diagonal are unset (n, n)
-  VectorX<T> inverse;      // 1 / squared length of each column of Q (n)
-  std::vector<int> order;  // column of A from which each column of Q was made (n)
+  MatrixX<T> Q;                // orthogonal columns, not normalised (rows, n)
+  MatrixX<T> U;                // unit upper triangular; entries below the diagonal are unset (n, n)
+  VectorX<T> inverse_squares;  // 1 / squared length of each column of Q (n)
+  std::vector<int> order;      // column of A from which each column of Q was made (n)
 };
 
 /// Decomposes a matrix.
@@ -44,9 +44,9 @@ template <typename T>
       std::swap(out.order[k], out.order[longest]);
     }
     // Remove its component from the remaining columns.
-    out.inverse[k] = T(1) / square;
+    out.inverse_squares[k] = T(1) / square;
     for (Eigen::Index l = k + 1; l < n; ++l) {
-      out.U(k, l) = out.Q.col(k).dot(out.Q.col(l)) * out.inverse[k];
+      out.U(k, l) = out.Q.col(k).dot(out.Q.col(l)) * out.inverse_squares[k];
       out.Q.col(l) -= out.U(k, l) * out.Q.col(k);
     }
   }
@@ -65,7 +65,7 @@ template <typename T>
   for (Eigen::Index m = 0; m < B.cols(); ++m) {
     // Components along the columns of Q.
     for (Eigen::Index k = 0; k < n; ++k) {
-      y(k, m) = a.Q.col(k).dot(B.col(m)) * a.inverse[k];
+      y(k, m) = a.Q.col(k).dot(B.col(m)) * a.inverse_squares[k];
       B.col(m) -= y(k, m) * a.Q.col(k);
     }
     // Back substitution.
@@ -94,7 +94,7 @@ template <typename T>
     }
     // Add the columns from last to first, correcting for their loss of orthogonality.
     for (Eigen::Index k = n - 1; k >= 0; --k)
-      x.col(m) += ((c[k] - a.Q.col(k).dot(x.col(m))) * a.inverse[k]) * a.Q.col(k);
+      x.col(m) += ((c[k] - a.Q.col(k).dot(x.col(m))) * a.inverse_squares[k]) * a.Q.col(k);
   }
   return x;
 }

@@ -15,21 +15,21 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Width below which variables, of order one, are fixed [1]
-constexpr double kPinnedWidth = 1e-9;
+constexpr double kFixedWidth = 1e-9;
 // Singular value of the equalities below which it counts as zero [1]
-constexpr double kDependentValue = 1e-12;
+constexpr double kRankTolerance = 1e-12;
 
 /// Returns an orthonormal basis of { z : E z = 0, z_i = 0 for pinned i }.
-MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& pinned) {
+MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& fixed) {
   // Stack the equalities, and one row for each fixed variable.
-  MatrixXd rows = MatrixXd::Zero(E.rows() + static_cast<Index>(pinned.size()), E.cols());
+  MatrixXd rows = MatrixXd::Zero(E.rows() + static_cast<Index>(fixed.size()), E.cols());
   rows.topRows(E.rows()) = E;
-  for (std::size_t k = 0; k < pinned.size(); ++k)
-    rows(E.rows() + static_cast<Index>(k), pinned[k]) = 1;
+  for (std::size_t k = 0; k < fixed.size(); ++k)
+    rows(E.rows() + static_cast<Index>(k), fixed[k]) = 1;
   Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
-  svd.setThreshold(kDependentValue);
+  svd.setThreshold(kRankTolerance);
   MatrixXd Z = svd.matrixV().rightCols(E.cols() - svd.rank());
-  for (const Index i : pinned) Z.row(i).setZero();
+  for (const Index i : fixed) Z.row(i).setZero();
   return Z;
 }
 
@@ -40,23 +40,23 @@ RelativeInterior relative_interior(LinearProgram program) {
   // Find a feasible point.
   program.objective = VectorXd::Zero(n);
   RelativeInterior interior{Status::kSolved, {}, {}, program.lower, program.upper};
-  const LinearResult any = solve(program);
-  interior.status = any.status;
-  if (any.status != Status::kSolved) return interior;
+  const LinearResult feasible = solve(program);
+  interior.status = feasible.status;
+  if (feasible.status != Status::kSolved) return interior;
 
   // Restrict the set to a box of half width one around that point. This keeps the programs below
   // bounded; variables that are fixed in the box are fixed everywhere, because the set is convex.
-  program.lower = program.lower.cwiseMax(any.x - VectorXd::Ones(n));
-  program.upper = program.upper.cwiseMin(any.x + VectorXd::Ones(n));
+  program.lower = program.lower.cwiseMax(feasible.x - VectorXd::Ones(n));
+  program.upper = program.upper.cwiseMin(feasible.x + VectorXd::Ones(n));
 
   // Average the points that minimise and maximise each variable: the mean is strictly inside every
   // bound that is inactive at any point.
-  std::vector<Index> pinned;
-  interior.z0 = any.x;
+  std::vector<Index> fixed;
+  interior.z0 = feasible.x;
   double points = 1;
   for (Index i = 0; i < n; ++i) {
     if (!std::isfinite(interior.lower(i)) && !std::isfinite(interior.upper(i))) continue;
-    double reached[2] = {any.x(i), any.x(i)};
+    double range[2] = {feasible.x(i), feasible.x(i)};
     for (const int end : {0, 1}) {
       program.objective = (end == 0 ? -1 : 1) * VectorXd::Unit(n, i);
       const LinearResult extreme = solve(program);
@@ -65,16 +65,16 @@ RelativeInterior relative_interior(LinearProgram program) {
         interior.status = Status::kStalled;
         return interior;
       }
-      reached[end] = extreme.x(i);
+      range[end] = extreme.x(i);
       interior.z0 += extreme.x;
       ++points;
     }
-    if (reached[1] - reached[0] <= kPinnedWidth) pinned.push_back(i);
+    if (range[1] - range[0] <= kFixedWidth) fixed.push_back(i);
   }
   interior.z0 /= points;
   // Eliminate the fixed variables.
-  interior.Z = null_space(program.A, pinned);
-  for (const Index i : pinned) {
+  interior.Z = null_space(program.A, fixed);
+  for (const Index i : fixed) {
     interior.lower(i) = -kInfinity;
     interior.upper(i) = kInfinity;
   }

@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 
 /// Calls a function with the first row and the number of rows of each cone.
 template <typename Visit>
-void each_cone(const std::vector<int>& cones, const Visit& visit) {
+void for_each_cone(const std::vector<int>& cones, const Visit& visit) {
   Eigen::Index start = 0;
   for (const int rows : cones) {
     visit(start, rows);
@@ -21,7 +21,7 @@ void each_cone(const std::vector<int>& cones, const Visit& visit) {
 }
 
 /// Returns u' J v with J = diag(1, -1, ..., -1).
-double lorentz(const VectorXd& u, const VectorXd& v) {
+double lorentz_product(const VectorXd& u, const VectorXd& v) {
   return u(0) * v(0) - u.tail(u.size() - 1).dot(v.tail(v.size() - 1));
 }
 /// Returns sqrt(u' J u), computed without cancellation.
@@ -50,10 +50,11 @@ double first_positive_root(double a, double b, double c) {
 }
 
 /// Returns the longest step within one cone.
-double step_of_one(const VectorXd& u, const VectorXd& d) {
+double step_in_cone(const VectorXd& u, const VectorXd& d) {
   // Distance to the side of the cone, and to its tip.
   const double norm = lorentz_norm(u),
-               to_side = first_positive_root(lorentz(d, d), lorentz(u, d), norm * norm);
+               to_side =
+                   first_positive_root(lorentz_product(d, d), lorentz_product(u, d), norm * norm);
   if (d(0) >= 0) return to_side;
   return std::min(to_side, -u(0) / d(0));  // rounding may hide the exit through the tip
 }
@@ -62,7 +63,7 @@ double step_of_one(const VectorXd& u, const VectorXd& d) {
 
 VectorXd cone_product(const std::vector<int>& cones, const VectorXd& u, const VectorXd& v) {
   VectorXd result(u.size());
-  each_cone(cones, [&](Eigen::Index i, int n) {
+  for_each_cone(cones, [&](Eigen::Index i, int n) {
     result.segment(i + 1, n - 1) = u(i) * v.segment(i + 1, n - 1) + v(i) * u.segment(i + 1, n - 1);
     result(i) = u.segment(i, n).dot(v.segment(i, n));
   });
@@ -71,7 +72,7 @@ VectorXd cone_product(const std::vector<int>& cones, const VectorXd& u, const Ve
 
 VectorXd cone_quotient(const std::vector<int>& cones, const VectorXd& u, const VectorXd& v) {
   VectorXd result(u.size());
-  each_cone(cones, [&](Eigen::Index i, int n) {
+  for_each_cone(cones, [&](Eigen::Index i, int n) {
     // Multiply by the inverse of the arrow matrix of u.
     const VectorXd u1 = u.segment(i + 1, n - 1), v1 = v.segment(i + 1, n - 1);
     const double norm = lorentz_norm(u.segment(i, n));
@@ -86,21 +87,21 @@ VectorXd cone_identity(const std::vector<int>& cones) {
   Eigen::Index rows = 0;
   for (const int n : cones) rows += n;
   VectorXd e = VectorXd::Zero(rows);
-  each_cone(cones, [&](Eigen::Index i, int) { e(i) = 1; });
+  for_each_cone(cones, [&](Eigen::Index i, int) { e(i) = 1; });
   return e;
 }
 
 double step_to_cone(const std::vector<int>& cones, const VectorXd& u, const VectorXd& d,
-                    double most) {
-  double step = most;
-  each_cone(cones, [&](Eigen::Index i, int n) {
-    step = std::min(step, step_of_one(u.segment(i, n), d.segment(i, n)));
+                    double max_step) {
+  double step = max_step;
+  for_each_cone(cones, [&](Eigen::Index i, int n) {
+    step = std::min(step, step_in_cone(u.segment(i, n), d.segment(i, n)));
   });
   return step;
 }
 
 ConeScaling::ConeScaling(const std::vector<int>& cones, const VectorXd& s, const VectorXd& z) {
-  each_cone(cones, [&](Eigen::Index i, int n) {
+  for_each_cone(cones, [&](Eigen::Index i, int n) {
     // Scaling point of the normalised pair, and its square root as a boost.
     const double s_norm = lorentz_norm(s.segment(i, n)), z_norm = lorentz_norm(z.segment(i, n));
     const VectorXd s_unit = s.segment(i, n) / s_norm, z_unit = z.segment(i, n) / z_norm;

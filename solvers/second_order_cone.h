@@ -19,9 +19,9 @@ namespace thenar::internal {
 /// Returns the identity element (1, 0, ...) of each cone.
 [[nodiscard]] Eigen::VectorXd cone_identity(const std::vector<int>& cones);
 
-/// Returns the largest step a <= `most` for which u + a d stays in the cones; u must be inside.
+/// Returns the largest step a <= `max_step` for which u + a d stays in the cones; u must be inside.
 [[nodiscard]] double step_to_cone(const std::vector<int>& cones, const Eigen::VectorXd& u,
-                                  const Eigen::VectorXd& d, double most);
+                                  const Eigen::VectorXd& d, double max_step);
 
 /// Nesterov-Todd scaling: the symmetric W with  W z = W^-1 s,  one block per cone.
 class ConeScaling {

@@ -72,12 +72,13 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
     values(state) = y;
     values(scratch) = o.absolute;
     // Set tolerances, Jacobian and callbacks.
-    const bool ready = CVodeInit(cvode, &Parts::call, time, state) == CV_SUCCESS &&
-                       CVodeSVtolerances(cvode, o.relative, scratch) == CV_SUCCESS &&
-                       CVodeSetLinearSolver(cvode, solver, matrix) == CV_SUCCESS &&
-                       (!jacobian || CVodeSetJacFn(cvode, &Parts::turn) == CV_SUCCESS) &&
-                       CVodeSetUserData(cvode, this) == CV_SUCCESS &&
-                       CVodeSetErrHandlerFn(cvode, silent, nullptr) == CV_SUCCESS;
+    const bool ready =
+        CVodeInit(cvode, &Parts::evaluate_slope, time, state) == CV_SUCCESS &&
+        CVodeSVtolerances(cvode, o.relative, scratch) == CV_SUCCESS &&
+        CVodeSetLinearSolver(cvode, solver, matrix) == CV_SUCCESS &&
+        (!jacobian || CVodeSetJacFn(cvode, &Parts::evaluate_jacobian) == CV_SUCCESS) &&
+        CVodeSetUserData(cvode, this) == CV_SUCCESS &&
+        CVodeSetErrHandlerFn(cvode, silent, nullptr) == CV_SUCCESS;
     require(ready, "CVODE could not be set up for {} states", y.size());
   }
 
@@ -94,7 +95,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   Parts& operator=(const Parts&) = delete;
 
   /// Evaluates the right-hand side for CVODE. No exception may propagate through its C code.
-  static int call(double t, N_Vector y, N_Vector y_dot, void* user) {
+  static int evaluate_slope(double t, N_Vector y, N_Vector y_dot, void* user) {
     auto& parts = *static_cast<Parts*>(user);
     try {
       const Eigen::VectorXd at = values(y);
@@ -109,8 +110,8 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
 
   /// Evaluates the Jacobian for CVODE; exceptions are handled as in call().
   // NOLINTNEXTLINE(readability-function-size): the signature is CVODE's
-  static int turn(double t, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector,
-                  N_Vector) {
+  static int evaluate_jacobian(double t, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector,
+                               N_Vector, N_Vector) {
     auto& parts = *static_cast<Parts*>(user);
     try {
       const Eigen::VectorXd at = values(y);
@@ -132,8 +133,8 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
     CVodeGetNumJacEvals(cvode, &jacobians);
     CVodeGetNumErrTestFails(cvode, &inaccurate);
     CVodeGetNumStepSolveFails(cvode, &unsolved);
-    return {before.steps + steps, before.slopes + slopes + by_jacobian,
-            before.jacobians + jacobians, before.rejected + inaccurate + unsolved};
+    return {counts_before.steps + steps, counts_before.slopes + slopes + by_jacobian,
+            counts_before.jacobians + jacobians, counts_before.rejected + inaccurate + unsolved};
   }
 
   OdeRightHandSide slope;
@@ -143,7 +144,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   int max_steps;
   double time;
   std::exception_ptr thrown;
-  OdeCounts before;  // counts before the last restart
+  OdeCounts counts_before;  // counts before the last restart
   SUNContext context = nullptr;
   N_Vector state = nullptr;
   N_Vector scratch = nullptr;
@@ -177,14 +178,14 @@ OdeStatus StiffOde::step(double stop) {
   return status_of(flag);
 }
 
-void StiffOde::restart(double looser) {
-  require(looser > 0 && std::isfinite(looser), "errors of steps must be positive, got {} times",
-          looser);
-  parts_->before = parts_->counts();
-  values(parts_->scratch) = looser * parts_->absolute;
+void StiffOde::restart(double tolerance_factor) {
+  require(tolerance_factor > 0 && std::isfinite(tolerance_factor),
+          "errors of steps must be positive, got {} times", tolerance_factor);
+  parts_->counts_before = parts_->counts();
+  values(parts_->scratch) = tolerance_factor * parts_->absolute;
   require(CVodeReInit(parts_->cvode, parts_->time, parts_->state) == CV_SUCCESS &&
-              CVodeSVtolerances(parts_->cvode, looser * parts_->relative, parts_->scratch) ==
-                  CV_SUCCESS,
+              CVodeSVtolerances(parts_->cvode, tolerance_factor * parts_->relative,
+                                parts_->scratch) == CV_SUCCESS,
           "CVODE could not start anew at {} s", parts_->time);
 }
 

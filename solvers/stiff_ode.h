@@ -60,8 +60,9 @@ class StiffOde {
   [[nodiscard]] OdeStatus step(double stop);
 
   /// Restarts the integrator at the current state, e.g. after a jump of f. Step tolerances are
-  /// multiplied by `looser` until the next restart. @throws InputError unless it is positive.
-  void restart(double looser = 1);
+  /// multiplied by `tolerance_factor` until the next restart. @throws InputError unless it is
+  /// positive.
+  void restart(double tolerance_factor = 1);
 
   [[nodiscard]] double time() const;
   [[nodiscard]] Eigen::VectorXd state() const;

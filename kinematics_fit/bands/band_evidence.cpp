@@ -176,7 +176,7 @@ std::vector<std::pair<std::string, SlackRange>> slack_ranges(const FitProblem& p
   const VectorXd u = displacements(coordinates, z, specimen);
   const MatrixXd by_z = displacement_jacobian(coordinates, z, specimen);
   const std::vector<int> entries = coordinates.entries_of_specimen(specimen);
-  const MatrixXd own = laplace_blocks(problem, z).of(specimen);
+  const MatrixXd own = laplace_blocks(problem, z).block_entries(specimen);
   std::vector<std::pair<std::string, SlackRange>> out;
   for (std::size_t p = 0; p < parameters.all.size(); ++p) {
     const Parameter& parameter = parameters.all[p];

@@ -53,7 +53,7 @@ Forecast forecast_of(const FitProblem& problem, const VectorXd& z, const Experim
   const ForceJacobian at = force_jacobian(digit, problem.parameters(), plan,
                                           displacements(problem.coordinates(), z, specimen));
   return {at.force, at.J * displacement_jacobian(problem.coordinates(), z, specimen),
-          laplace_blocks(problem, z).of(specimen),
+          laplace_blocks(problem, z).block_entries(specimen),
           slack_entries(problem, problem.coordinates().entries_of_specimen(specimen))};
 }
 

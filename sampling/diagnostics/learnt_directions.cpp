@@ -13,18 +13,19 @@
 namespace thenar {
 namespace {
 
-constexpr double kMinToldShare = 0.05;  // Smallest share of an entry in the text [1]
-constexpr int kMaxTold = 5;             // Most entries of a direction in the text
+constexpr double kMinToldShare = 0.05;  // minimum share of an entry in the text [1]
+constexpr int kMaxTold = 5;             // maximum number of entries in the text
 
+/// Describes a direction by its largest entries.
 std::string tell(const std::vector<std::string>& names, const LearntDirection& direction) {
-  // Entries by falling share.
+  // Sort entries by falling share.
   std::vector<Eigen::Index> order(names.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
     return direction.share[a] > direction.share[b];
   });
 
-  // The largest entry stands first and positive: a direction has no sign.
+  // The sign of a direction is arbitrary: make the largest entry positive.
   const double sign = direction.v[order[0]] < 0 ? -1 : 1;
   std::string text;
   int told = 0;
@@ -63,7 +64,7 @@ LearntDirections learnt_directions(const std::vector<std::string>& names,
     require(each->allFinite() && P.allFinite(), "covariances must be finite");
   }
 
-  // In prior sds first, so that units of very different size do no harm.
+  // Scale to prior sds, so that units of very different size do no harm.
   const Eigen::VectorXd scale = P.diagonal().cwiseSqrt().cwiseInverse();
   require(scale.allFinite(), "the prior covariance is not positive definite");
   const auto scaled = [&scale](const Eigen::MatrixXd& C) -> Eigen::MatrixXd {
@@ -74,7 +75,7 @@ LearntDirections learnt_directions(const std::vector<std::string>& names,
   require(factor.info() == Eigen::Success, "the prior covariance is not positive definite");
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled(S.first), prior);
 
-  // Directions of one half, as long as one prior sd, with their variances in the other half.
+  // Take directions from one half, scaled to one prior sd, with their variances in the other half.
   LearntDirections of;
   for (Eigen::Index k = 0; k < n; ++k) {
     LearntDirection direction;

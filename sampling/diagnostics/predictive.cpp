@@ -10,10 +10,11 @@
 namespace thenar {
 namespace {
 
-constexpr double kOddP = 0.01;  // A p-value nearer to 0 or 1 than this is odd [1]
-// A coverage is odd if it is off by more than this [standard errors]
+constexpr double kOddP = 0.01;  // distance of a p-value from 0 or 1 below which it is reported [1]
+// Error of a coverage above which it is reported [standard errors]
 constexpr double kOddCoverage = 3;
 
+/// Checks shapes and values.
 void check_shapes(const Eigen::VectorXd& measured, const Replicates& of, int trial_size) {
   const Eigen::Index m = measured.size(), draws = of.expected.cols();
   require(m > 0 && draws > 0, "a check needs measured numbers and draws, got {} and {}", m, draws);
@@ -25,18 +26,18 @@ void check_shapes(const Eigen::VectorXd& measured, const Replicates& of, int tri
           of.replicated.rows(), of.replicated.cols());
   require(of.sd.rows() == m && (of.sd.cols() == draws || of.sd.cols() == 1),
           "noise sds are {} x {}, wanted {} x {} or 1", of.sd.rows(), of.sd.cols(), m, draws);
-  // Numbers that can be compared.
+  // Finite numbers and positive sds.
   require(measured.allFinite() && of.expected.allFinite() && of.replicated.allFinite(),
           "measured, expected and replicated numbers must be finite");
   require(of.sd.allFinite() && of.sd.minCoeff() > 0, "noise sds must be positive");
 }
 
-/// Sums of squared noise over each trial (trials, draws).
+/// Returns the sums of squared standardised residuals over each trial (trials, draws).
 Eigen::MatrixXd chi_squares(const Eigen::MatrixXd& numbers, const Replicates& of, int trial_size) {
   const Eigen::Index trials = numbers.rows() / trial_size;
   Eigen::MatrixXd sums(trials, of.expected.cols());
   for (Eigen::Index s = 0; s < sums.cols(); ++s) {
-    // Measured numbers are the same at all draws.
+    // Measured numbers are equal for all draws.
     const Eigen::VectorXd y = numbers.col(numbers.cols() == 1 ? 0 : s);
     const Eigen::VectorXd sd = of.sd.col(of.sd.cols() == 1 ? 0 : s);
     const Eigen::VectorXd square = ((y - of.expected.col(s)).array() / sd.array()).square();
@@ -45,16 +46,17 @@ Eigen::MatrixXd chi_squares(const Eigen::MatrixXd& numbers, const Replicates& of
   return sums;
 }
 
-/// Share of draws whose replicate is further off than the measurement; ties count half.
+/// Returns the share of draws with a larger replicated than measured statistic; ties count half.
 double exceedance(const Eigen::VectorXd& replicated, const Eigen::VectorXd& measured) {
   const auto off = (replicated - measured).array();
   return ((off > 0).cast<double>() + 0.5 * (off == 0).cast<double>()).mean();
 }
 
+/// Computes the coverage of central intervals.
 Coverage cover(const Eigen::VectorXd& measured, const Eigen::MatrixXd& replicated, double level) {
   long inside = 0;
   for (Eigen::Index i = 0; i < measured.size(); ++i) {
-    // Central interval of the replicates.
+    // Compare with the central interval of the replicates.
     const Eigen::VectorXd rising = sorted(replicated.row(i));
     if (measured[i] >= quantile(rising, (1 - level) / 2) &&
         measured[i] <= quantile(rising, (1 + level) / 2))
@@ -66,13 +68,13 @@ Coverage cover(const Eigen::VectorXd& measured, const Eigen::MatrixXd& replicate
 
 std::vector<std::string> predictive_warnings(const PredictiveCheck& of) {
   std::vector<std::string> warnings;
-  // The whole chi-square.
+  // Total chi-square.
   if (of.p < kOddP || of.p > 1 - kOddP)
     warnings.push_back(
         fmt::format("{:.3g} % of replicated measurements are further from the model "
                     "than the measured ones: the model is too {}",
                     100 * of.p, of.p < 0.5 ? "sure" : "unsure"));
-  // Single trials, with the limit shared among them.
+  // Single trials, with a shared limit.
   for (Eigen::Index t = 0; t < of.trial_p.size(); ++t)
     if (of.trial_p[t] < kOddP / double(of.trial_p.size()))
       warnings.push_back(fmt::format("trial {} is further off than {:.4g} % of its replicates",
@@ -90,14 +92,14 @@ std::vector<std::string> predictive_warnings(const PredictiveCheck& of) {
 PredictiveCheck check_predictive(const Eigen::Ref<const Eigen::VectorXd>& measured,
                                  const Replicates& replicates, int trial_size) {
   check_shapes(measured, replicates, trial_size);
-  // Coverage, and the place of each measurement among its replicates.
+  // Compute coverage, and the rank of each measurement among its replicates.
   PredictiveCheck of;
   for (const double level : {0.5, 0.8, 0.95})
     of.coverage.push_back(cover(measured, replicates.replicated, level));
   of.rank_share =
       ((replicates.replicated.colwise() - measured).array() < 0).cast<double>().rowwise().mean();
 
-  // Chi-squares of measurements and replicates at the same draws.
+  // Compare chi-squares of measurements and replicates for the same draws.
   const Eigen::MatrixXd seen = chi_squares(measured, replicates, trial_size);
   const Eigen::MatrixXd again = chi_squares(replicates.replicated, replicates, trial_size);
   of.trial_p.resize(seen.rows());

@@ -15,14 +15,15 @@ namespace {
 // Purposes of random streams.
 constexpr std::uint32_t kStepStream = 0x68616d00, kTrialStream = 0x68616d01;
 
-/// A place of the chain, and what is known of it.
+/// Position of the chain, with the densities there.
 struct LanePlace {
-  Eigen::VectorXd x, y;   // where it is, and whitened (n)
-  Eigen::VectorXd slope;  // of PhasePoint at y (n)
-  Densities at;           // of this one point
-  double energy = 0;      // with the momentum that led here [1]
+  Eigen::VectorXd x, y;   // position, and whitened position (n)
+  Eigen::VectorXd slope;  // PhasePoint::slope at y (n)
+  Densities at;           // densities at x
+  double energy = 0;      // energy with the momentum that led here [1]
 };
 
+/// Hamiltonian sampler of one chain, with or without fixed trajectory length.
 class Hamiltonian : public Sampler {
  public:
   Hamiltonian(SamplingMethod method, const Eigen::VectorXd& start, const SamplerOptions& options);
@@ -45,7 +46,8 @@ class Hamiltonian : public Sampler {
   void restore(StateReader& from) override;
 
  private:
-  enum class Waits { kForStart, kForTrial, kForPoint };  // for the density of which point
+  /// Point whose density the sampler waits for.
+  enum class Waits { kForStart, kForTrial, kForPoint };
 
   void begin();
   void begin_trial();
@@ -67,28 +69,29 @@ class Hamiltonian : public Sampler {
   WarmUp warm_up_;
   RandomStream random_;
 
-  // The chain. `current_` is the choice among the points of the present trajectory.
+  // State of the chain; `current_` is the selected point of the present trajectory.
   LanePlace current_, candidate_;
-  bool known_ = false;   // density at the place
-  bool usable_ = false;  // it and its gradient are finite
+  bool known_ = false;   // the density at current_ is known
+  bool usable_ = false;  // the density and its gradient are finite
   long steps_ = 0;
   Eigen::MatrixXd positions_;
   std::vector<StepStats> stats_;
 
-  /// What is under way: a trial of a step size, or a trajectory of a step.
+  /// Computation in progress: a trial of a step size, or the trajectory of a step.
   struct UnderWay {
     Waits waits = Waits::kForStart;
     HamiltonianTrajectory* trajectory = nullptr;
     PhasePoint from, trial;
-    PhasePoint* moving = nullptr;         // its leapfrog waits for a gradient
-    double leap = 0;                      // length of that leapfrog, negative: back in time [1]
-    double start_energy = 0, energy = 0;  // at the beginning, and where it is now
-    int evaluations = 0, broken = 0;      // densities asked for, and those that are not finite
+    PhasePoint* moving = nullptr;  // point whose leapfrog step waits for a gradient
+    double leap = 0;               // length of that leapfrog step; negative: backward in time [1]
+    double start_energy = 0, energy = 0;  // energies at the start, and at the moving point
+    int evaluations = 0,
+        broken = 0;  // number of requested densities, and of those that are not finite
   };
   UnderWay now_;
-  Eigen::VectorXd gradient_;  // of the tempered density (n)
-  Eigen::VectorXd asked_;     // (n)
-  Eigen::MatrixXd asks_;      // the same (n, 1)
+  Eigen::VectorXd gradient_;  // gradient of the tempered density (n)
+  Eigen::VectorXd asked_;     // requested point (n)
+  Eigen::MatrixXd asks_;      // requested point (n, 1)
 };
 
 Hamiltonian::Hamiltonian(SamplingMethod method, const Eigen::VectorXd& start,
@@ -107,7 +110,7 @@ Hamiltonian::Hamiltonian(SamplingMethod method, const Eigen::VectorXd& start,
   begin();
 }
 
-// What is asked next: the start, a trial of a step size, or a point of a trajectory.
+// Requests the next density: of the start, a trial of a step size, or a point of a trajectory.
 void Hamiltonian::begin() {
   if (!usable_) {
     now_.waits = Waits::kForStart;
@@ -121,7 +124,7 @@ void Hamiltonian::begin() {
 
 void Hamiltonian::begin_trial() {
   now_.waits = Waits::kForTrial;
-  // A fresh momentum each time, and one leapfrog.
+  // Take one leapfrog step with a new momentum.
   RandomStream random(options_.seed, static_cast<std::uint32_t>(options_.first_chain),
                       stream_step(steps_),
                       kTrialStream + static_cast<std::uint32_t>(warm_up_.tries()));
@@ -136,7 +139,7 @@ void Hamiltonian::begin_trajectory() {
                          stream_step(steps_), kStepStream);
   draw_momentum(random_);
   current_.energy = now_.start_energy;
-  // Until the metric is known a quarter turn in its units leads nowhere; doubling gets there.
+  // Trajectories of fixed length are useless until the metric is known; use doubling before.
   now_.trajectory =
       static_length_ && warm_up_.metric_settled(steps_) ? jittered_.get() : doubling_.get();
   now_.trajectory->start(now_.from, warm_up_.step(), random_);
@@ -144,7 +147,7 @@ void Hamiltonian::begin_trajectory() {
 }
 
 void Hamiltonian::draw_momentum(RandomStream& random) {
-  // Momentum, slope and energy at the chain's position.
+  // Draw the momentum, and compute the energy at the chain's position.
   now_.from.y = current_.y;
   now_.from.slope = current_.slope;
   for (Eigen::Index i = 0; i < now_.from.r.size(); ++i) now_.from.r[i] = random.normal();
@@ -171,7 +174,7 @@ void Hamiltonian::tell(const Densities& at) {
   begin();
 }
 
-// A chain at a place of no density stays, and says so every step.
+// Handles the density at the start. A chain at zero density stays, and reports it at every step.
 void Hamiltonian::learn_start(const Densities& at) {
   const bool stays = known_;
   known_ = true;
@@ -182,7 +185,8 @@ void Hamiltonian::learn_start(const Densities& at) {
   begin();
 }
 
-// Energy error at the end of a leapfrog; +inf where the density is zero or non_finite.
+// Returns the energy error at the end of a leapfrog step; +inf if the density is zero or not
+// finite.
 double Hamiltonian::land(const Densities& at, const TemperedDensity& density) {
   if (density.value == -kInfinity) return kInfinity;
   weigh(at);
@@ -194,7 +198,7 @@ double Hamiltonian::land(const Densities& at, const TemperedDensity& density) {
 }
 
 void Hamiltonian::follow(const Densities& at, double energy_error) {
-  // The candidate, and the choice.
+  // Update the candidate and the selected point.
   const Verdict verdict = now_.trajectory->judge(energy_error, random_);
   if (verdict.take) {
     candidate_.x = asked_;
@@ -204,7 +208,7 @@ void Hamiltonian::follow(const Densities& at, double energy_error) {
     candidate_.energy = now_.energy;
   }
   if (verdict.adopt) std::swap(current_, candidate_);
-  // The next draw, or one leapfrog further.
+  // Complete the step, or take another leapfrog step.
   if (verdict.end)
     complete(now_.trajectory->acceptance(), now_.trajectory->depth(),
              energy_error > kMaxEnergyError);
@@ -213,7 +217,7 @@ void Hamiltonian::follow(const Densities& at, double energy_error) {
 }
 
 void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
-  // Position and statistics of the step.
+  // Record position and statistics.
   ++steps_;
   positions_.col(0) = current_.x;
   stats_[0] = {current_.at.log_prior[0],
@@ -225,7 +229,7 @@ void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
                now_.evaluations,
                now_.broken,
                divergent};
-  // What warm-up learns from it, then the next step.
+  // Adapt during warm-up, then start the next step.
   now_.evaluations = now_.broken = 0;
   if (usable_ && steps_ <= options_.warm_up) {
     weigh(current_.at);
@@ -238,7 +242,7 @@ void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
   begin();
 }
 
-// Sets the gradient of the tempered density.
+// Computes the gradient of the tempered density.
 void Hamiltonian::weigh(const Densities& at) {
   gradient_ = at.prior_gradient.col(0);
   if (options_.beta > 0) gradient_ += options_.beta * at.likelihood_gradient.col(0);
@@ -249,7 +253,7 @@ bool Hamiltonian::usable(const Densities& at) {
   return std::isfinite(tempered(at, 0, options_.beta).value) && gradient_.allFinite();
 }
 
-// Sets the slope at the chain's position.
+// Computes the slope at the chain's position.
 void Hamiltonian::whiten() {
   weigh(current_.at);
   warm_up_.whitening().whiten_gradient(current_.y, gradient_, current_.slope);
@@ -260,7 +264,7 @@ void Hamiltonian::move(int /*chain*/, const Eigen::VectorXd& x, const Densities&
               at.likelihood_gradient.size() == x.size(),
           "chain of {} coordinates cannot move to {}, with gradients of {} and {}",
           current_.x.size(), x.size(), at.prior_gradient.size(), at.likelihood_gradient.size());
-  // The density there is known already.
+  // Store the known density.
   current_.x = x;
   current_.y = warm_up_.whitening().whitened(x);
   current_.at = at;
@@ -292,10 +296,10 @@ void Hamiltonian::save(StateWriter& to) const {
 }
 
 void Hamiltonian::restore(StateReader& from) {
-  // Steps, position and densities.
+  // Restore steps, position and densities.
   steps_ = from.integer();
   known_ = from.integer() != 0;
-  // Before the first density is known there is none.
+  // There is no density before the first one is known.
   const Eigen::Index n = positions_.rows(), one = known_ ? 1 : 0;
   current_.x = saved_vector(from, "position", n);
   current_.y = saved_vector(from, "whitened position", n);
@@ -304,7 +308,7 @@ void Hamiltonian::restore(StateReader& from) {
   current_.at.prior_gradient = saved_matrix(from, "gradient of the log prior", one * n, one);
   current_.at.likelihood_gradient =
       saved_matrix(from, "gradient of the log likelihood", one * n, one);
-  // Metric and step size; all else follows from the position.
+  // Restore metric and step size; everything else follows from the position.
   warm_up_.restore(from);
   positions_.col(0) = current_.x;
   usable_ = known_ && usable(current_.at);

@@ -40,7 +40,7 @@ std::int64_t StateReader::integer() {
 }
 
 Eigen::MatrixXd StateReader::matrix() {
-  // A damaged shape must not ask for more memory than there are bytes.
+  // Check the shape before allocating memory, in case it is damaged.
   const std::int64_t rows = integer(), columns = integer();
   const auto left = static_cast<std::int64_t>((bytes_.size() - at_) / sizeof(double));
   require(rows >= 0 && columns >= 0 && (rows == 0 || columns <= left / rows),

@@ -38,7 +38,7 @@ void StepSearch::start(double step) {
 }
 
 bool StepSearch::learn(double energy_error) {
-  // 2^60 either way: a target without scale does not hold us up for ever.
+  // Limit of 2^60 either way, for targets without scale.
   constexpr int kMaxTries = 60;
   const bool accepted = -energy_error > std::log(0.8);
   if (tries_++ == 0) grow_ = accepted;

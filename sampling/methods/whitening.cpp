@@ -24,10 +24,10 @@ Eigen::VectorXd Bend::bent(const Eigen::VectorXd& y) const {
 
 Eigen::VectorXd Bend::straight(const Eigen::VectorXd& z) const {
   if (drivers == 0) return z;
-  // Drivers in turn: each is bent by those before it alone.
+  // Invert driver by driver: each depends on the previous ones only.
   Eigen::VectorXd y = z;
   for (int k = 1; k < drivers; ++k) y[k] = z[k] - strength.row(k).dot(products(y));
-  // All others at once.
+  // Invert all other entries at once.
   const Eigen::Index rest = z.size() - drivers;
   y.tail(rest) = z.tail(rest) - strength.bottomRows(rest) * products(y);
   return y;
@@ -46,7 +46,7 @@ void Bend::pull_back(const Eigen::VectorXd& y, Eigen::VectorXd& gradient) const 
 Whitening::Whitening(Metric metric, const Eigen::VectorXd& centre,
                      const Eigen::MatrixXd& covariance)
     : metric_(metric), centre_(centre) {
-  // The identity, unless there is a covariance to start from.
+  // Start with the identity unless a covariance is given.
   const Eigen::Index n = centre.size();
   factor_.setOnes(n, 1);
   if (dense()) factor_ = inverse_ = Eigen::MatrixXd::Identity(n, n);

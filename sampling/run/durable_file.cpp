@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names in a folder are on the disk, too. Not every file system can say so.
+/// Syncs the folder's entries to the disk. Not every file system supports it.
 void sync_folder(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   const int id = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -84,12 +84,12 @@ std::string AppendFile::read(std::int64_t from, std::int64_t bytes) const {
 
 // NOLINTNEXTLINE(readability-make-member-function-const): it changes the file on disk
 bool AppendFile::lock() {
-  // A file system without locks has to do without.
+  // Proceed on file systems without locks.
   return ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
 void replace_file(const std::string& path, const std::string& bytes) {
-  // All bytes are on the disk before the name changes.
+  // Write all bytes to the disk first.
   const std::string name = path + ".tmp";
   {
     AppendFile file(name);
@@ -97,7 +97,7 @@ void replace_file(const std::string& path, const std::string& bytes) {
     file.append(bytes);
     file.sync();
   }
-  // The rename is what replaces the older one.
+  // Then replace the old file by a rename.
   std::error_code error;
   fs::rename(name, path, error);
   require(!error, "cannot rename '{}' to '{}': {}", name, path, error.message());

@@ -25,11 +25,12 @@ Eigen::VectorXd gmres(const std::function<Eigen::VectorXd(const Eigen::VectorXd&
     }
     H(k + 1, k) = next.norm();
     // Minimise the residual over the basis.
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(k + 2);
-    right[0] = size;
-    const auto square = H.topLeftCorner(k + 2, k + 1);
-    y = square.householderQr().solve(right);
-    done = H(k + 1, k) <= tolerance * size || (right - square * y).norm() <= tolerance * size;
+    Eigen::VectorXd right_side = Eigen::VectorXd::Zero(k + 2);
+    right_side[0] = size;
+    const auto hessenberg = H.topLeftCorner(k + 2, k + 1);
+    y = hessenberg.householderQr().solve(right_side);
+    done =
+        H(k + 1, k) <= tolerance * size || (right_side - hessenberg * y).norm() <= tolerance * size;
     if (!done) basis.col(k + 1) = next / H(k + 1, k);
   }
   return basis.leftCols(steps) * y;

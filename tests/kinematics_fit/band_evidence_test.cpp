@@ -60,7 +60,7 @@ double log_density(const FitProblem& problem, const Eigen::VectorXd& z) {
 }
 
 double by_quadrature(const FitProblem& problem, const Eigen::VectorXd& mode) {
-  const Eigen::VectorXd sd = laplace_blocks(problem, mode).of(0).diagonal().cwiseSqrt();
+  const Eigen::VectorXd sd = laplace_blocks(problem, mode).block_entries(0).diagonal().cwiseSqrt();
   const Eigen::Vector2d step = 0.5 * sd;
   std::vector<double> logs;
   for (const double first : places(mode[0], sd[0], step[0]))

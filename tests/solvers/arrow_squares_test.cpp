@@ -50,7 +50,7 @@ struct SampleSquares {
       add(b, prior);
       add(b, normal_rows(2, b, rng));
       const MatrixXd J = taken * normal_rows(1, b, rng);
-      arrow.take(b, J);
+      arrow.subtract(b, J);
       const MatrixXd all = spread(b, J);
       dense -= all.transpose() * all;
     }

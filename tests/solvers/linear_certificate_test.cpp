@@ -30,14 +30,14 @@ TEST(LinearCertificate, HoldsAtTheOptimum) {
   EXPECT_EQ(certificate.violation, 0);
   EXPECT_EQ(certificate.dual_violation, 0);
   EXPECT_EQ(certificate.gap, 0);
-  EXPECT_TRUE(holds(certificate, 11));
+  EXPECT_TRUE(is_certified(certificate, 11));
 }
 
 // At (3, 0) the objective is 9: the same duals say that 2 is missing, which is the truth.
 TEST(LinearCertificate, GapIsWhatAnotherVertexMisses) {
   const LinearCertificate certificate = certify(textbook(), {Vector2d(3, 0), Vector2d(2, 0)});
   EXPECT_EQ(certificate.gap, 2);
-  EXPECT_FALSE(holds(certificate, 9));
+  EXPECT_FALSE(is_certified(certificate, 9));
 }
 
 // The objective falls by 1 where y falls to its lower bound, but x rises to where there is none.
@@ -46,7 +46,7 @@ TEST(LinearCertificate, PricesOfTheWrongSignAreUnpriced) {
   program.upper(0) = kInfinity;
   const LinearCertificate certificate = certify(program, {Vector2d(0, 0), Vector2d(0, 0)});
   EXPECT_EQ(certificate.dual_violation, 1);  // 3 of terms that add to 3
-  EXPECT_FALSE(holds(certificate, 0));
+  EXPECT_FALSE(is_certified(certificate, 0));
 }
 
 TEST(LinearCertificate, ViolationsAreSeenInBoundsAndRows) {
@@ -81,7 +81,7 @@ TEST(LinearCertificate, VertexOfABasisIsExact) {
 
 TEST(DenseSimplex, FindsTextbookVertex) {
   const internal::SimplexVertex vertex = dense_simplex(textbook());
-  EXPECT_EQ(vertex.end, Status::kSolved);
+  EXPECT_EQ(vertex.claim, Status::kSolved);
   EXPECT_TRUE(matrix_near(internal::vertex_of(textbook(), vertex.basis).x, Vector2d(3, 1), 1e-15));
 }
 
@@ -106,7 +106,7 @@ TEST(DenseSimplex, EndsWhereSteepestPricesCycle) {
   program.lower = VectorXd::Zero(4);
   program.upper = VectorXd::Constant(4, kInfinity);
   const internal::SimplexVertex vertex = dense_simplex(program);
-  EXPECT_EQ(vertex.end, Status::kSolved);
+  EXPECT_EQ(vertex.claim, Status::kSolved);
   EXPECT_NEAR(program.objective.dot(internal::vertex_of(program, vertex.basis).x), 0.05, 1e-15);
 }
 
@@ -127,7 +127,7 @@ TEST(DenseSimplex, AgreesWithTheProgramsAsked) {
     program.row_upper = program.row_lower;
     if (rows > 1) program.row_lower(0) = -kInfinity;
     const internal::SimplexVertex vertex = dense_simplex(program);
-    ASSERT_EQ(vertex.end, Status::kSolved) << i;
+    ASSERT_EQ(vertex.claim, Status::kSolved) << i;
     const internal::PrimalDualPoint point = internal::vertex_of(program, vertex.basis);
     const double objective = program.objective.dot(point.x);
     ASSERT_TRUE(holds(certify(program, point), objective)) << i;
