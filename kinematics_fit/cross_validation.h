@@ -18,7 +18,7 @@ inline constexpr std::array kLeaveOutNames{EnumName{LeaveOut::kPosture, "posture
                                            EnumName{LeaveOut::kTendon, "tendon"},
                                            EnumName{LeaveOut::kSpecimen, "specimen"}};
 
-/// Returns "posture", "tendon" or "specimen".
+/// Returns "leave one posture out", or the like for tendons and specimens.
 [[nodiscard]] std::string name_of(LeaveOut what);
 
 /// Predictions of all held-out trials, and their folds.

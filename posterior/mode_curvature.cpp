@@ -46,7 +46,7 @@ Eigen::VectorXd ModeCurvature::spread(const Eigen::VectorXd& normal) const {
   // A fixed coordinate has no deviation.
   Eigen::VectorXd out = Eigen::VectorXd::Zero(size_);
   if (blocks_)
-    out(free_) = blocks_->colour(normal)(free_);
+    out(free_) = blocks_->unwhiten(normal)(free_);
   else
     out(free_) = axes_ * lambda_.cwiseSqrt().cwiseInverse().cwiseProduct(normal(free_));
   return out;

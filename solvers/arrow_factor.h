@@ -86,7 +86,7 @@ struct ArrowNullSpace {
   Eigen::MatrixXd coupled;  // directions that involve shared coordinates, with the response of
                             // every block (size, k)
   std::vector<Eigen::MatrixXd>
-      alone;  // directions within each block, shared coordinates at rest (own, k of the block)
+      own;  // directions within each block, shared coordinates at rest (own, k of the block)
 };
 
 /// Computes the null space of the `rows`; all directions of a block without rows belong to it. The
