@@ -21,12 +21,12 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Prediction of all trials by one set of bands. Entries are those of z that move the specimen.
+/// Predictions of all trials by one set of bands. Entries are those of z that move the specimen.
 struct Forecast {
   Eigen::Matrix3Xd force;  // [N] (3, trials)
-  MatrixXd J;              // its slope by the entries [N] (3 trials, entries)
-  MatrixXd C;              // their covariance (entries, entries)
-  std::vector<int> slack;  // those that move slack lengths
+  MatrixXd J;              // Jacobian of the forces by the entries [N] (3 trials, entries)
+  MatrixXd C;              // covariance of the entries (entries, entries)
+  std::vector<int> slack;  // entries that move slack lengths
 };
 
 /// Returns the entries that move free slack lengths.
@@ -57,11 +57,12 @@ Forecast forecast_of(const FitProblem& problem, const VectorXd& z, const Experim
           slack_entries(problem, problem.coordinates().entries_of_specimen(specimen))};
 }
 
-/// Returns half of log2 det V / det V|y of slack lengths: before and after a reading of slope J and
-/// noise S.
+/// Returns the information in a reading of slope J and noise S about slack lengths: log2 det V /
+/// det V|y over 2 [bit].
 double slack_information(const Forecast& at, const MatrixXd& J, const MatrixXd& S) {
   if (at.slack.empty()) return 0;
-  // By the readings' side: det V / det V|y = det(J C J' + S) / det(the same with slack known).
+  // Compute it in the space of readings: det V / det V|y = det(J C J' + S) / det(the same with
+  // slack known).
   const MatrixXd JC = J * at.C;
   const MatrixXd before = JC * J.transpose() + S;
   const MatrixXd V = at.C(at.slack, at.slack);
@@ -73,8 +74,8 @@ double slack_information(const Forecast& at, const MatrixXd& J, const MatrixXd& 
   return 0.5 * (log2_det(before) - log2_det(known));
 }
 
-/// Noise of each component of a trial's force to come, with what the model misses [N^2] (3,
-/// trials).
+/// Returns the variance of each component of a future trial's force: noise and model error [N^2]
+/// (3, trials).
 Eigen::Matrix3Xd noise_variance(const BandProblems& problems, const Experiment& pool,
                                 const Eigen::Matrix3Xd& force) {
   const FitParameters& parameters = problems.all().parameters();
@@ -88,7 +89,7 @@ Eigen::Matrix3Xd noise_variance(const BandProblems& problems, const Experiment& 
   return variance;
 }
 
-/// The questions to a posterior: which set, and of each band whether it exists.
+/// Returns the questions about a posterior: which set, and of each band whether it exists.
 std::vector<HypothesisAnswers> questions_of(const BandPosterior& posterior) {
   std::vector<HypothesisAnswers> questions(1 + posterior.bands.size());
   questions[0].resize(posterior.sets.size());
@@ -103,11 +104,11 @@ std::vector<HypothesisAnswers> questions_of(const BandPosterior& posterior) {
 std::vector<RankedTrial> rank_trials(const BandProblems& problems, const BandPosterior& posterior,
                                      const std::vector<Trial>& trials, const Progress& progress) {
   require(!posterior.sets.empty(), "no set of bands carries the loads: nothing to rank trials by");
-  // All trials as an experiment on the same rig.
+  // Collect all trials in one experiment on the same rig.
   Experiment pool = problems.all().experiments().front();
   pool.trials = trials;
   pool.activations.clear();
-  // What every set expects, and the mean force, which decides the noise.
+  // Predict the trials by every set, and the mean force, which determines the noise.
   std::vector<Forecast> forecasts;
   Eigen::Matrix3Xd mean = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(trials.size()));
   for (std::size_t k = 0; k < posterior.sets.size() && !(k > 0 && progress.stop()); ++k) {
@@ -120,13 +121,14 @@ std::vector<RankedTrial> rank_trials(const BandProblems& problems, const BandPos
   const Eigen::Matrix3Xd noise = noise_variance(problems, pool, mean);
   const std::vector<HypothesisAnswers> questions = questions_of(posterior);
 
-  // Information of each trial.
+  // Compute the information of each trial.
   std::vector<RankedTrial> ranked;
   const Eigen::Index rows = pool.components;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const auto column = static_cast<Eigen::Index>(i);
     const MatrixXd S = noise.col(column).head(rows).asDiagonal();
     RankedTrial out{trials[i], trial_name(problems.all().digit(), trials[i]), 0, 0, {}, 0};
+    // Predict the reading by every set, with the information about slack lengths.
     std::vector<PredictedReading> readings;
     for (std::size_t k = 0; k < forecasts.size(); ++k) {
       const Forecast& at = forecasts[k];
@@ -135,6 +137,7 @@ std::vector<RankedTrial> rank_trials(const BandProblems& problems, const BandPos
       readings.push_back({p, at.force.col(column).head(rows), J * at.C * J.transpose() + S});
       out.slack += p * slack_information(at, J, S);
     }
+    // Find the information about sets, and the band of which the trial tells most.
     const VectorXd bits = expected_information(readings, questions);
     out.information = bits(0);
     Eigen::Index most = 0;
