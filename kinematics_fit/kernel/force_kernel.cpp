@@ -13,7 +13,7 @@ struct ForceKernel::Program : kernel::Program {};
 class ForceKernel::Tape {
  public:
   explicit Tape(kernel::Batch of) : batch(std::move(of)) {}
-  kernel::Batch batch;  // its forces have moved out
+  kernel::Batch batch;  // tapes of the run; its forces were moved out
 };
 
 ForceKernel::ForceKernel(const TendonDigit& digit, const FitParameters& parameters,
@@ -42,7 +42,7 @@ Eigen::MatrixXd ForceKernel::forces(const Eigen::Ref<const Eigen::MatrixXd>& u) 
 ForceKernel::Recorded ForceKernel::record(const Eigen::Ref<const Eigen::MatrixXd>& u) const {
   require(u.rows() == coordinates(), "the digit has {} coordinates, u has {}", coordinates(),
           u.rows());
-  // The tape stays with whoever asks for the adjoint.
+  // Keep the tape for the adjoint.
   auto tape = std::make_shared<Tape>(
       kernel::run_batch(*program_, kernel::simd_backends(), u, kernel::KeepTape::kYes));
   Eigen::MatrixXd forces = std::move(tape->batch.forces);
@@ -61,7 +61,7 @@ ForceKernel::Slopes ForceKernel::slopes(const Eigen::VectorXd& u) const {
   const Eigen::Index rows = 3 * Eigen::Index{trials()}, most = lanes();
   Slopes out{Eigen::VectorXd(rows), Eigen::MatrixXd(rows, coordinates())};
   if (rows == 0) return out;
-  // One run in all lanes, then an adjoint of as many forces as there are lanes, over and over.
+  // Run the point in all lanes, then apply adjoints to as many forces at a time as there are lanes.
   const Recorded recorded = record(u.replicate(1, most));
   out.forces = recorded.forces.col(0);
   for (Eigen::Index first = 0; first < rows; first += most) {
