@@ -266,8 +266,8 @@ Part gather(const std::vector<Eigen::MatrixXd>& x, long most) {
 
 /// Cuts `part`, gives the draws of cluster `label` beyond the plane a new label, and recurses.
 // NOLINTNEXTLINE(misc-no-recursion): depth is limited by min_mass
-void cut(const Part& part, double total, int label, const std::vector<Eigen::MatrixXd>& x,
-         const ClusterOptions& options, Eigen::MatrixXi& labels) {
+void split_part(const Part& part, double total, int label, const std::vector<Eigen::MatrixXd>& x,
+                const ClusterOptions& options, Eigen::MatrixXi& labels) {
   // Stop if the part has too few draws or too little mass.
   const double share = options.min_mass * total / double(part.x.cols());
   if (part.x.cols() < kMinDraws || share >= 0.5) return;
@@ -283,13 +283,13 @@ void cut(const Part& part, double total, int label, const std::vector<Eigen::Mat
   }
   // Cut both sides.
   const Eigen::ArrayXd y = part.x.transpose() * plane.w;
-  cut(part.where(y <= plane.cut), total, label, x, options, labels);
-  cut(part.where(y > plane.cut), total, beyond, x, options, labels);
+  split_part(part.where(y <= plane.cut), total, label, x, options, labels);
+  split_part(part.where(y > plane.cut), total, beyond, x, options, labels);
 }
 
 }  // namespace
 
-Eigen::MatrixXi by_falling_mass(const Eigen::MatrixXi& labels) {
+Eigen::MatrixXi relabel_by_mass(const Eigen::MatrixXi& labels) {
   // Sort labels by falling count, ties by number.
   std::map<int, long> count;
   for (const int label : labels.reshaped()) ++count[label];
@@ -314,8 +314,8 @@ Eigen::MatrixXi find_clusters(const std::vector<Eigen::MatrixXd>& x,
   // Find planes with some draws, and cut all draws.
   const Part part = gather(x, options.draws);
   Eigen::MatrixXi labels = Eigen::MatrixXi::Zero(x[0].cols(), Eigen::Index(x.size()));
-  cut(part, double(part.x.cols()), 0, x, options, labels);
-  return by_falling_mass(labels);
+  split_part(part, double(part.x.cols()), 0, x, options, labels);
+  return relabel_by_mass(labels);
 }
 
 }  // namespace thenar

@@ -56,6 +56,6 @@ struct ClusterOptions {
                                             const ClusterOptions& options = {});
 
 /// Renumbers labels from 0 by falling frequency (shape of labels).
-[[nodiscard]] Eigen::MatrixXi by_falling_mass(const Eigen::MatrixXi& labels);
+[[nodiscard]] Eigen::MatrixXi relabel_by_mass(const Eigen::MatrixXi& labels);
 
 }  // namespace thenar

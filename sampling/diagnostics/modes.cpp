@@ -119,7 +119,7 @@ ModeTable tabulate_modes(const Draws& draws, const std::vector<KnownMode>& known
   // Label draws by known modes, otherwise by clusters.
   const Eigen::MatrixXi clusters = find_clusters(draws.x, options.clusters);
   const Eigen::MatrixXi labels = known.empty() ? clusters : nearest_known(draws, known);
-  table.of_draw = by_falling_mass(labels);
+  table.of_draw = relabel_by_mass(labels);
 
   // Describe the modes with draws, by falling mass.
   const int count = table.of_draw.maxCoeff() + 1;

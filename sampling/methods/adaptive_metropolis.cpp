@@ -70,7 +70,7 @@ class AdaptiveMetropolis final : public Metropolis {
     const double target =
         options().target_acceptance > 0 ? options().target_acceptance : kBestAcceptance;
     for (int k = 0; k < chains(); ++k) {
-      if (!inside(k)) continue;
+      if (!has_density(k)) continue;
       ProposalShape& shape = shapes_[static_cast<std::size_t>(k)];
       // Update mean and covariance of the chain's past.
       const Eigen::VectorXd off = positions().col(k) - shape.mean;

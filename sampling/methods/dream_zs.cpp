@@ -153,7 +153,7 @@ class DreamZs final : public Metropolis {
         (positions().colwise() - mean).rowwise().squaredNorm() / (chains() - 1);
     for (int k = 0; k < chains(); ++k) {
       const int m = crossover_[static_cast<std::size_t>(k)];
-      if (m < 0 || !inside(k)) continue;
+      if (m < 0 || !has_density(k)) continue;
       const Eigen::VectorXd moved = positions().col(k) - before.col(k);
       for (int i = 0; i < size(); ++i)
         if (variance[i] > 0) carried_[m] += moved[i] * moved[i] / variance[i];
@@ -167,7 +167,7 @@ class DreamZs final : public Metropolis {
     // Add every tenth state to the archive.
     if ((steps() + 1) % kArchiveInterval != 0) return;
     for (int k = 0; k < chains(); ++k)
-      if (inside(k)) append(positions().col(k));
+      if (has_density(k)) append(positions().col(k));
   }
 
   void save_learnt(StateWriter& to) const override {

@@ -53,7 +53,7 @@ class Hamiltonian : public Sampler {
   void begin_trial();
   void begin_trajectory();
   void draw_momentum(RandomStream& random);
-  void leap(PhasePoint& point, double step);
+  void start_leapfrog(PhasePoint& point, double step);
 
   void learn_start(const Densities& at);
   double land(const Densities& at, const TemperedDensity& density);
@@ -82,8 +82,8 @@ class Hamiltonian : public Sampler {
     Waits waits = Waits::kForStart;
     HamiltonianTrajectory* trajectory = nullptr;
     PhasePoint from, trial;
-    PhasePoint* moving = nullptr;  // point whose leapfrog step waits for a gradient
-    double leap = 0;               // length of that leapfrog step; negative: backward in time [1]
+    PhasePoint* moving_point = nullptr;  // point whose leapfrog step waits for a gradient
+    double leapfrog_length = 0;  // length of that leapfrog step; negative: backward in time [1]
     double start_energy = 0, energy = 0;  // energies at the start, and at the moving point
     int evaluations = 0,
         broken = 0;  // number of requested densities, and of those that are not finite
@@ -98,14 +98,14 @@ Hamiltonian::Hamiltonian(SamplingMethod method, const Eigen::VectorXd& start,
                          const SamplerOptions& options)
     : options_(options),
       static_length_(method == SamplingMethod::kHmc),
-      doubling_(no_u_turn(static_cast<int>(start.size()), options.max_depth)),
-      jittered_(jittered_length()),
+      doubling_(no_u_turn_trajectory(static_cast<int>(start.size()), options.max_depth)),
+      jittered_(jittered_trajectory()),
       warm_up_(start, target_acceptance_of(options), options),
       random_(options.seed, static_cast<std::uint32_t>(options.first_chain), 0, kStepStream),
       positions_(start),
       stats_(1) {
   current_.x = start;
-  current_.y = warm_up_.whitening().whitened(start);
+  current_.y = warm_up_.whitening().to_whitened(start);
   now_.from.r.resize(start.size());
   begin();
 }
@@ -127,10 +127,10 @@ void Hamiltonian::begin_trial() {
   // Take one leapfrog step with a new momentum.
   RandomStream random(options_.seed, static_cast<std::uint32_t>(options_.first_chain),
                       stream_step(steps_),
-                      kTrialStream + static_cast<std::uint32_t>(warm_up_.tries()));
+                      kTrialStream + static_cast<std::uint32_t>(warm_up_.trial_count()));
   draw_momentum(random);
   now_.trial = now_.from;
-  leap(now_.trial, warm_up_.step());
+  start_leapfrog(now_.trial, warm_up_.step());
 }
 
 void Hamiltonian::begin_trajectory() {
@@ -143,7 +143,7 @@ void Hamiltonian::begin_trajectory() {
   now_.trajectory =
       static_length_ && warm_up_.metric_settled(steps_) ? jittered_.get() : doubling_.get();
   now_.trajectory->start(now_.from, warm_up_.step(), random_);
-  leap(now_.trajectory->moving(), now_.trajectory->leap());
+  start_leapfrog(now_.trajectory->moving_point(), now_.trajectory->leapfrog_length());
 }
 
 void Hamiltonian::draw_momentum(RandomStream& random) {
@@ -152,20 +152,20 @@ void Hamiltonian::draw_momentum(RandomStream& random) {
   now_.from.slope = current_.slope;
   for (Eigen::Index i = 0; i < now_.from.r.size(); ++i) now_.from.r[i] = random.normal();
   now_.start_energy =
-      0.5 * now_.from.r.squaredNorm() - tempered(current_.at, 0, options_.beta).value;
+      0.5 * now_.from.r.squaredNorm() - tempered_density(current_.at, 0, options_.beta).value;
 }
 
-void Hamiltonian::leap(PhasePoint& point, double step) {
-  now_.moving = &point;
-  now_.leap = step;
+void Hamiltonian::start_leapfrog(PhasePoint& point, double step) {
+  now_.moving_point = &point;
+  now_.leapfrog_length = step;
   begin_leapfrog(point, warm_up_.whitening(), step);
-  warm_up_.whitening().place(point.y, asked_);
+  warm_up_.whitening().to_position(point.y, asked_);
   asks_ = asked_;
 }
 
 void Hamiltonian::tell(const Densities& at) {
   ++now_.evaluations;
-  const TemperedDensity density = tempered(at, 0, options_.beta);
+  const TemperedDensity density = tempered_density(at, 0, options_.beta);
   if (density.non_finite) ++now_.broken;
   if (now_.waits == Waits::kForStart) return learn_start(at);
   const double energy_error = land(at, density);
@@ -190,8 +190,8 @@ void Hamiltonian::learn_start(const Densities& at) {
 double Hamiltonian::land(const Densities& at, const TemperedDensity& density) {
   if (density.value == -kInfinity) return kInfinity;
   weigh(at);
-  end_leapfrog(*now_.moving, warm_up_.whitening(), gradient_, now_.leap);
-  now_.energy = 0.5 * now_.moving->r.squaredNorm() - density.value;
+  end_leapfrog(*now_.moving_point, warm_up_.whitening(), gradient_, now_.leapfrog_length);
+  now_.energy = 0.5 * now_.moving_point->r.squaredNorm() - density.value;
   if (std::isfinite(now_.energy)) return now_.energy - now_.start_energy;
   if (!gradient_.allFinite()) ++now_.broken;
   return kInfinity;
@@ -199,21 +199,21 @@ double Hamiltonian::land(const Densities& at, const TemperedDensity& density) {
 
 void Hamiltonian::follow(const Densities& at, double energy_error) {
   // Update the candidate and the selected point.
-  const Verdict verdict = now_.trajectory->judge(energy_error, random_);
-  if (verdict.take) {
+  const Verdict verdict = now_.trajectory->assess_point(energy_error, random_);
+  if (verdict.is_candidate) {
     candidate_.x = asked_;
-    candidate_.y = now_.moving->y;
-    candidate_.slope = now_.moving->slope;
+    candidate_.y = now_.moving_point->y;
+    candidate_.slope = now_.moving_point->slope;
     candidate_.at = at;
     candidate_.energy = now_.energy;
   }
-  if (verdict.adopt) std::swap(current_, candidate_);
+  if (verdict.selects_candidate) std::swap(current_, candidate_);
   // Complete the step, or take another leapfrog step.
-  if (verdict.end)
+  if (verdict.is_complete)
     complete(now_.trajectory->acceptance(), now_.trajectory->depth(),
              energy_error > kMaxEnergyError);
   else
-    leap(now_.trajectory->moving(), now_.trajectory->leap());
+    start_leapfrog(now_.trajectory->moving_point(), now_.trajectory->leapfrog_length());
 }
 
 void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
@@ -234,11 +234,11 @@ void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
   if (usable_ && steps_ <= options_.warm_up) {
     weigh(current_.at);
     if (warm_up_.learn(steps_, current_.x, gradient_, acceptance)) {
-      current_.y = warm_up_.whitening().whitened(current_.x);
+      current_.y = warm_up_.whitening().to_whitened(current_.x);
       whiten();
     }
   }
-  warm_up_.settle(steps_);
+  warm_up_.freeze_after_warm_up(steps_);
   begin();
 }
 
@@ -250,7 +250,7 @@ void Hamiltonian::weigh(const Densities& at) {
 
 bool Hamiltonian::usable(const Densities& at) {
   weigh(at);
-  return std::isfinite(tempered(at, 0, options_.beta).value) && gradient_.allFinite();
+  return std::isfinite(tempered_density(at, 0, options_.beta).value) && gradient_.allFinite();
 }
 
 // Computes the slope at the chain's position.
@@ -266,7 +266,7 @@ void Hamiltonian::move(int /*chain*/, const Eigen::VectorXd& x, const Densities&
           current_.x.size(), x.size(), at.prior_gradient.size(), at.likelihood_gradient.size());
   // Store the known density.
   current_.x = x;
-  current_.y = warm_up_.whitening().whitened(x);
+  current_.y = warm_up_.whitening().to_whitened(x);
   current_.at = at;
   positions_.col(0) = x;
   known_ = true;

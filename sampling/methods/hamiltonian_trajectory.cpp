@@ -9,7 +9,7 @@ namespace thenar::internal {
 
 void begin_leapfrog(PhasePoint& point, const Whitening& whitening, double step) {
   point.r += 0.5 * step * point.slope;
-  if (!whitening.orbits()) {
+  if (!whitening.follows_orbits()) {
     point.y += step * point.r;
     return;
   }
@@ -39,14 +39,14 @@ class JitteredLength : public HamiltonianTrajectory {
     const double length = kPi / 2 * (0.9 + 0.7 * random.uniform());
     left_ = static_cast<int>(std::clamp(std::ceil(length / step), 1.0, kMaxSteps));
     leap_ = std::min(step, length / left_);
-    acceptance_sum_ = told_ = 0;
+    acceptance_sum_ = point_count_ = 0;
   }
 
-  PhasePoint& moving() override { return point_; }
-  [[nodiscard]] double leap() const override { return leap_; }
+  PhasePoint& moving_point() override { return point_; }
+  [[nodiscard]] double leapfrog_length() const override { return leap_; }
 
-  Verdict judge(double energy_error, RandomStream& random) override {
-    ++told_;
+  Verdict assess_point(double energy_error, RandomStream& random) override {
+    ++point_count_;
     // Reject a divergent trajectory.
     if (!(energy_error <= kMaxEnergyError)) return {false, false, true};
     const double acceptance = std::min(1.0, std::exp(-energy_error));
@@ -58,19 +58,19 @@ class JitteredLength : public HamiltonianTrajectory {
 
   // Mean over all points: the end point alone would drive the step size to zero if trajectories hit
   // a wall.
-  [[nodiscard]] double acceptance() const override { return acceptance_sum_ / told_; }
+  [[nodiscard]] double acceptance() const override { return acceptance_sum_ / point_count_; }
   [[nodiscard]] int depth() const override { return 0; }
 
  private:
   PhasePoint point_;
-  int left_ = 0;                          // remaining leapfrog steps [1]
-  double leap_ = 0;                       // length of a leapfrog step [1]
-  double acceptance_sum_ = 0, told_ = 0;  // sum over the points so far, and their number
+  int left_ = 0;                                 // remaining leapfrog steps [1]
+  double leap_ = 0;                              // length of a leapfrog step [1]
+  double acceptance_sum_ = 0, point_count_ = 0;  // sum over the points so far, and their number
 };
 
 }  // namespace
 
-std::unique_ptr<HamiltonianTrajectory> jittered_length() {
+std::unique_ptr<HamiltonianTrajectory> jittered_trajectory() {
   return std::make_unique<JitteredLength>();
 }
 

@@ -23,7 +23,7 @@ struct PhasePoint {
 
 /// First part of a leapfrog step, up to where the next gradient is needed:  r += step / 2 slope,
 /// then
-///   y += step r,   or, if whitening.orbits(),
+///   y += step r,   or, if whitening.follows_orbits(),
 ///   (y, r) = (y cos step + r sin step, r cos step - y sin step),
 /// which is exact for a standard normal density, whose gradient -y is then excluded from `slope`.
 /// Source: [Neal2011, section 2.3]; [Shahbaba2014] and [Casas2022] for orbits.
@@ -35,9 +35,9 @@ void end_leapfrog(PhasePoint& point, const Whitening& whitening, const Eigen::Ve
 /// Decision about the latest point. A trajectory stores no positions: the caller holds a candidate
 /// and a selected point, which is the starting point at first.
 struct Verdict {
-  bool take = false;   // the latest point becomes the candidate
-  bool adopt = false;  // the candidate becomes the selected point (after `take`)
-  bool end = false;    // the trajectory is complete: the selected point is the next draw
+  bool is_candidate = false;       // the latest point becomes the candidate
+  bool selects_candidate = false;  // the candidate, then, becomes the selected point
+  bool is_complete = false;  // the trajectory is complete: the selected point is the next draw
 };
 
 /// Grows one trajectory after another, point by point.
@@ -48,12 +48,12 @@ class HamiltonianTrajectory {
   /// Starts a trajectory. @param step  maximum length of a leapfrog step [1]
   virtual void start(const PhasePoint& from, double step, RandomStream& random) = 0;
   /// Returns the point from which the next leapfrog step starts.
-  [[nodiscard]] virtual PhasePoint& moving() = 0;
+  [[nodiscard]] virtual PhasePoint& moving_point() = 0;
   /// Returns the length of that leapfrog step; negative: backward in time [1].
-  [[nodiscard]] virtual double leap() const = 0;
+  [[nodiscard]] virtual double leapfrog_length() const = 0;
   /// Decides about the point that has moved.
   /// @param energy_error  energy error of that point; +inf if its density is zero or not finite
-  virtual Verdict judge(double energy_error, RandomStream& random) = 0;
+  virtual Verdict assess_point(double energy_error, RandomStream& random) = 0;
 
   /// Returns the mean acceptance probability of the points so far, each taken as a proposal, 0..1
   /// [1].
@@ -64,13 +64,13 @@ class HamiltonianTrajectory {
 /// Creates trajectories with multinomial draws that double until they make a U-turn.
 /// Source: [Hoffman2014], [Betancourt2017, appendix A.4], checks across subtrees as in Stan 2.21+;
 /// [Phan2019] for the iterative form.
-[[nodiscard]] std::unique_ptr<HamiltonianTrajectory> no_u_turn(int n, int max_depth);
+[[nodiscard]] std::unique_ptr<HamiltonianTrajectory> no_u_turn_trajectory(int n, int max_depth);
 
 /// Creates trajectories of whitened length pi / 2 times a factor uniform in 0.9 .. 1.6, in as few
 /// equal leapfrog steps as the step size allows, at most 1000; the end point is accepted or
 /// rejected. A quarter turn decorrelates a normal target, a slightly longer trajectory makes
 /// successive draws alternate, and the jitter avoids periodicity. Source: [Neal2011, section 3.2]
 /// for the jitter.
-[[nodiscard]] std::unique_ptr<HamiltonianTrajectory> jittered_length();
+[[nodiscard]] std::unique_ptr<HamiltonianTrajectory> jittered_trajectory();
 
 }  // namespace thenar::internal

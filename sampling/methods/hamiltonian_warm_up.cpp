@@ -47,15 +47,13 @@ WarmUp::WarmUp(const Eigen::VectorXd& start, double target_acceptance,
   search_.start(1);
 }
 
-double WarmUp::greatest_step() const { return whitening_.orbits() ? kLongestTurn : kInfinity; }
+double WarmUp::max_step() const { return whitening_.follows_orbits() ? kLongestTurn : kInfinity; }
 
-double WarmUp::step() const {
-  return std::min(searching_ ? search_.step() : step_, greatest_step());
-}
+double WarmUp::step() const { return std::min(searching_ ? search_.step() : step_, max_step()); }
 
 void WarmUp::learn_trial(double energy_error) {
   // End the search at the maximum step size.
-  const bool longest = search_.step() >= greatest_step();
+  const bool longest = search_.step() >= max_step();
   if (!search_.learn(energy_error) && !longest) return;
   searching_ = false;
   // In a short warm-up, start cautiously: dual averaging soon tries ten times the step size.
@@ -67,20 +65,20 @@ void WarmUp::learn_trial(double energy_error) {
 bool WarmUp::learn(long step, const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
                    double acceptance) {
   if (step > steps_) return false;
-  averaging_.learn(acceptance, greatest_step());
+  averaging_.learn(acceptance, max_step());
   step_ = averaging_.step();
   // Collect draws within windows, and update the metric at the end of each one.
   if (step > windows_.first && !metric_settled(step - 1)) draws_.add(x, gradient);
   return std::binary_search(windows_.ends.begin(), windows_.ends.end(), step) && learn_metric();
 }
 
-void WarmUp::settle(long step) {
+void WarmUp::freeze_after_warm_up(long step) {
   if (step < steps_) return;
   // End an unfinished search with its next trial; otherwise use the averaged step size.
   if (searching_)
     step_ = search_.step();
   else if (step == steps_)
-    step_ = averaging_.averaged();
+    step_ = averaging_.averaged_step();
   searching_ = false;
 }
 
@@ -92,7 +90,7 @@ bool WarmUp::learn_metric() {
   // Restart the step-size search after a change of the metric.
   const bool learnt = learn_whitening(draws_, whitening_);
   if (learnt) {
-    search_.start(std::min(step_, greatest_step()));
+    search_.start(std::min(step_, max_step()));
     searching_ = true;
   }
   draws_.clear();

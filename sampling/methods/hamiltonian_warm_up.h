@@ -38,7 +38,7 @@ class WarmUp {
   /// the start of warm-up, and after each change of the metric.
   [[nodiscard]] bool searching() const { return searching_; }
   /// Returns the number of trials of the current search.
-  [[nodiscard]] int tries() const { return search_.tries(); }
+  [[nodiscard]] int trial_count() const { return search_.trial_count(); }
   /// Continues the search with the energy error of a trial [1].
   void learn_trial(double energy_error);
 
@@ -52,7 +52,7 @@ class WarmUp {
   /// Fixes metric and step size from the last step of warm-up on. Call after learn(), at every
   /// step, also for chains that cannot learn. An unfinished search for a step size (in a chain that
   /// found no density) ends with the step size that it would have tried next.
-  void settle(long step);
+  void freeze_after_warm_up(long step);
 
   /// Returns whether the metric is final after `steps` steps.
   [[nodiscard]] bool metric_settled(long steps) const;
@@ -61,7 +61,7 @@ class WarmUp {
   void restore(StateReader& from);
 
  private:
-  [[nodiscard]] double greatest_step() const;
+  [[nodiscard]] double max_step() const;
   bool learn_metric();
 
   long steps_;  // length of the warm-up [steps]

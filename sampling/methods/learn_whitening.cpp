@@ -347,9 +347,9 @@ struct Remainder {
 Remainder remainder(const Whitened& in, const TurnedBend& turned) {
   Remainder sum;
   for (Index k = 0; k < in.z.cols(); ++k) {
-    const VectorXd y = turned.bend.straight(turned.turn.transpose() * in.z.col(k));
+    const VectorXd y = turned.bend.invert(turned.turn.transpose() * in.z.col(k));
     VectorXd gradient = turned.turn.transpose() * in.gradient.col(k);
-    turned.bend.pull_back(y, gradient);
+    turned.bend.pull_back_gradient(y, gradient);
     sum.left += (gradient + y).squaredNorm();
     sum.all += gradient.squaredNorm();
   }
@@ -361,11 +361,11 @@ Remainder remainder(const Whitened& in, const TurnedBend& turned) {
 bool learn_whitening(const WindowDraws& draws, Whitening& whitening) {
   if (draws.count() < 2) return false;
   const MatrixXd before = whitening.covariance();
-  if (!whitening.dense()) return whitening.set(shrunk_covariance(draws.x(), before));
+  if (!whitening.is_dense()) return whitening.set_covariance(shrunk_covariance(draws.x(), before));
   const Window window{draws.x(), draws.gradient()};
   const std::optional<Affine> affine =
       window.gradient.allFinite() ? fit_affine(window, whitening) : std::nullopt;
-  if (!affine) return whitening.set(shrunk_covariance(draws.x(), before));
+  if (!affine) return whitening.set_covariance(shrunk_covariance(draws.x(), before));
 
   // Accept a bend only if it reduces the residual on held-out draws.
   constexpr double kLeftByBend = 0.9,
@@ -379,8 +379,8 @@ bool learn_whitening(const WindowDraws& draws, Whitening& whitening) {
   const TurnedBend best = helps ? fit_bend(all) : straight;
   const Remainder remains = remainder(all, best);
   const bool orbits = remains.left < kLeftByOrbit * remains.all;
-  if (!helps) return whitening.set(affine->centre, affine->factor, {}, orbits);
-  return whitening.set(affine->centre, affine->factor * best.turn, best.bend, orbits);
+  if (!helps) return whitening.set_map(affine->centre, affine->factor, {}, orbits);
+  return whitening.set_map(affine->centre, affine->factor * best.turn, best.bend, orbits);
 }
 
 }  // namespace thenar::internal

@@ -48,8 +48,8 @@ class WindowDraws {
 /// covariance of the gradients [Seyboldt2026]. With fewer than 2 n draws, or if the previous F
 /// leaves less on held-out draws, the previous F is kept with rescaled columns. No variance is more
 /// than twice that of the draws. Next, the bend with the smallest residual gradients is adopted if
-/// on held-out draws it leaves less than nine tenths of the residual without it. Finally, orbits()
-/// is set if less than half of the gradients remains.
+/// on held-out draws it leaves less than nine tenths of the residual without it. Finally,
+/// follows_orbits() is set if less than half of the gradients remains.
 bool learn_whitening(const WindowDraws& draws, Whitening& whitening);
 
 }  // namespace thenar::internal

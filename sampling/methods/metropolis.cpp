@@ -37,7 +37,7 @@ Metropolis::Metropolis(const Eigen::MatrixXd& starts, SamplerOptions options)
   proposals_.x = starts;
 }
 
-bool Metropolis::inside(int chain) const { return value_[chain] > kLogZeroDensity; }
+bool Metropolis::has_density(int chain) const { return value_[chain] > kLogZeroDensity; }
 
 RandomStream Metropolis::random(int chain, std::uint32_t purpose) const {
   return {options_.seed, static_cast<std::uint32_t>(options_.first_chain + chain),
@@ -48,13 +48,13 @@ void Metropolis::begin(const Densities& at) {
   begun_ = true;
   prior_ = at.log_prior;
   likelihood_ = at.log_likelihood;
-  for (int k = 0; k < chains(); ++k) value_[k] = tempered(at, k, options_.beta).value;
+  for (int k = 0; k < chains(); ++k) value_[k] = tempered_density(at, k, options_.beta).value;
 }
 
 void Metropolis::decide(const Densities& at, Eigen::Index point) {
   // Evaluate the tempered density at the proposal.
   const int k = proposals_.chain[static_cast<std::size_t>(point)];
-  TemperedDensity there = tempered(at, point, options_.beta);
+  TemperedDensity there = tempered_density(at, point, options_.beta);
   if (!proposals_.x.col(point).allFinite()) there.value = kLogZeroDensity;  // not a valid point
   // Accept or reject.
   StepStats& stats = stats_[static_cast<std::size_t>(k)];
@@ -102,7 +102,7 @@ void Metropolis::move(int chain, const Eigen::VectorXd& x, const Densities& at) 
   before_.col(chain) = x;
   prior_[chain] = at.log_prior[0];
   likelihood_[chain] = at.log_likelihood[0];
-  value_[chain] = tempered(at, 0, options_.beta).value;
+  value_[chain] = tempered_density(at, 0, options_.beta).value;
   // Discard proposals from the previous position.
   if (begun_)
     proposals_ = propose(0);
@@ -114,7 +114,7 @@ void Metropolis::set_beta(double beta) {
   require(round_ == 0, "a sampler can change its temper between steps only");
   options_.beta = beta;
   if (!begun_) return;
-  for (int k = 0; k < chains(); ++k) value_[k] = tempered(density(k), 0, beta).value;
+  for (int k = 0; k < chains(); ++k) value_[k] = tempered_density(density(k), 0, beta).value;
   proposals_ = propose(0);
 }
 

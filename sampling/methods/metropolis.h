@@ -51,7 +51,7 @@ class Metropolis : public Sampler {
 
   [[nodiscard]] const SamplerOptions& options() const { return options_; }
   [[nodiscard]] int size() const { return static_cast<int>(x_.rows()); }
-  [[nodiscard]] bool inside(int chain) const;  // the density is not zero
+  [[nodiscard]] bool has_density(int chain) const;  // the density is not zero
   /// Returns the random stream of a chain's current step.
   [[nodiscard]] RandomStream random(int chain, std::uint32_t purpose) const;
 

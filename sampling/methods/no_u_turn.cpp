@@ -61,32 +61,32 @@ class NoUTurn : public HamiltonianTrajectory {
     ends_[0] = ends_[1] = from;
     tree_.assign(from.r);
     log_weight_ = acceptance_sum_ = 0;
-    depth_ = told_ = 0;
+    depth_ = point_count_ = 0;
     start_doubling(random);
   }
 
-  PhasePoint& moving() override { return ends_[forward_]; }
-  [[nodiscard]] double leap() const override { return forward_ == 1 ? step_ : -step_; }
+  PhasePoint& moving_point() override { return ends_[forward_]; }
+  [[nodiscard]] double leapfrog_length() const override { return forward_ == 1 ? step_ : -step_; }
 
-  Verdict judge(double energy_error, RandomStream& random) override {
-    ++told_;
+  Verdict assess_point(double energy_error, RandomStream& random) override {
+    ++point_count_;
     // A divergent trajectory ends; the point selected so far is the draw.
     if (!(energy_error <= kMaxEnergyError)) return {false, false, true};
     acceptance_sum_ += std::min(1.0, std::exp(-energy_error));
     // Sample the candidate among the new points, and check for U-turns.
     Verdict verdict;
-    verdict.take = weigh(-energy_error, random);
-    verdict.end = !push();
-    if (verdict.end || halves_[0].points < tree_.points) return verdict;
+    verdict.is_candidate = weigh(-energy_error, random);
+    verdict.is_complete = !push();
+    if (verdict.is_complete || halves_[0].points < tree_.points) return verdict;
     // If the new half is complete, select its candidate by weight, and extend the tree.
-    verdict.adopt = std::log(random.uniform()) < new_log_weight_ - log_weight_;
-    verdict.end = !join() || depth_ == max_depth_;
-    if (!verdict.end) start_doubling(random);
+    verdict.selects_candidate = std::log(random.uniform()) < new_log_weight_ - log_weight_;
+    verdict.is_complete = !join() || depth_ == max_depth_;
+    if (!verdict.is_complete) start_doubling(random);
     return verdict;
   }
 
   [[nodiscard]] double acceptance() const override {
-    return acceptance_sum_ / static_cast<double>(told_);
+    return acceptance_sum_ / static_cast<double>(point_count_);
   }
   [[nodiscard]] int depth() const override { return depth_; }
 
@@ -111,7 +111,7 @@ class NoUTurn : public HamiltonianTrajectory {
   /// siblings are stored in `halves_`, longest first. Returns false if two siblings make a U-turn.
   bool push() {
     // Merge subtrees of equal length, like carries of a binary counter.
-    halves_[pending_++].assign(moving().r);
+    halves_[pending_++].assign(moving_point().r);
     while (pending_ > 1 && halves_[pending_ - 2].points == halves_[pending_ - 1].points) {
       TreeSpan &a = halves_[pending_ - 2], &b = halves_[pending_ - 1];
       if (turns(a, b)) return false;
@@ -131,21 +131,21 @@ class NoUTurn : public HamiltonianTrajectory {
   }
 
   int max_depth_;
-  double step_ = 0;                 // length of a leapfrog step [1]
-  std::array<PhasePoint, 2> ends_;  // backward and forward end
-  int forward_ = 1;                 // index of the moving end
-  TreeSpan tree_;                   // accepted points
-  std::vector<TreeSpan> halves_;    // subtrees of the new points (max_depth + 1)
-  std::size_t pending_ = 0;         // number of entries of halves_ in use
-  double log_weight_ = 0;           // log weight of the tree, relative to the start [1]
-  double new_log_weight_ = 0;       // log weight of the new points [1]
-  double acceptance_sum_ = 0;       // sum of acceptance probabilities [1]
-  int depth_ = 0, told_ = 0;        // complete doublings, and points so far
+  double step_ = 0;                  // length of a leapfrog step [1]
+  std::array<PhasePoint, 2> ends_;   // backward and forward end
+  int forward_ = 1;                  // index of the moving end
+  TreeSpan tree_;                    // accepted points
+  std::vector<TreeSpan> halves_;     // subtrees of the new points (max_depth + 1)
+  std::size_t pending_ = 0;          // number of entries of halves_ in use
+  double log_weight_ = 0;            // log weight of the tree, relative to the start [1]
+  double new_log_weight_ = 0;        // log weight of the new points [1]
+  double acceptance_sum_ = 0;        // sum of acceptance probabilities [1]
+  int depth_ = 0, point_count_ = 0;  // complete doublings, and points so far
 };
 
 }  // namespace
 
-std::unique_ptr<HamiltonianTrajectory> no_u_turn(int n, int max_depth) {
+std::unique_ptr<HamiltonianTrajectory> no_u_turn_trajectory(int n, int max_depth) {
   return std::make_unique<NoUTurn>(n, max_depth);
 }
 

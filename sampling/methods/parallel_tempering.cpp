@@ -89,9 +89,9 @@ void SwapCounts::add(const Swaps& swaps) {
   probability += swaps.probability.colwise().sum().matrix().transpose();
 }
 
-Eigen::VectorXd SwapCounts::rate() const { return accepted.cwiseQuotient(tried); }
+Eigen::VectorXd SwapCounts::swap_rate() const { return accepted.cwiseQuotient(tried); }
 
-Eigen::VectorXd SwapCounts::rejected() const {
+Eigen::VectorXd SwapCounts::rejection_rate() const {
   return (1 - probability.cwiseQuotient(tried).array()).matrix();
 }
 

@@ -49,8 +49,8 @@ struct SwapCounts {
   explicit SwapCounts(int temperatures = 1);
 
   void add(const Swaps& swaps);
-  [[nodiscard]] Eigen::VectorXd rate() const;      // accepted / tried; NaN if none (T - 1)
-  [[nodiscard]] Eigen::VectorXd rejected() const;  // mean probability of rejection (T - 1)
+  [[nodiscard]] Eigen::VectorXd swap_rate() const;       // accepted / tried; NaN if none (T - 1)
+  [[nodiscard]] Eigen::VectorXd rejection_rate() const;  // mean probability of rejection (T - 1)
 
   void save(StateWriter& to) const;
   void restore(StateReader& from);

@@ -34,7 +34,7 @@ class StateReader {
   [[nodiscard]] std::int64_t integer();
   [[nodiscard]] Eigen::MatrixXd matrix();
   [[nodiscard]] std::string bytes();
-  [[nodiscard]] bool done() const { return at_ == bytes_.size(); }
+  [[nodiscard]] bool at_end() const { return at_ == bytes_.size(); }
 
  private:
   void take(void* to, std::size_t size);

@@ -21,7 +21,7 @@ void DualAveraging::learn(double acceptance, double most) {
 
 double DualAveraging::step() const { return std::exp(log_step_); }
 
-double DualAveraging::averaged() const { return std::exp(log_averaged_); }
+double DualAveraging::averaged_step() const { return std::exp(log_averaged_); }
 
 void DualAveraging::save(StateWriter& to) const {
   for (const double value : {count_, lean_, error_, log_step_, log_averaged_}) to.put(value);
@@ -34,15 +34,15 @@ void DualAveraging::restore(StateReader& from) {
 
 void StepSearch::start(double step) {
   step_ = step;
-  tries_ = 0;
+  trial_count_ = 0;
 }
 
 bool StepSearch::learn(double energy_error) {
   // Limit of 2^60 either way, for targets without scale.
   constexpr int kMaxTries = 60;
   const bool accepted = -energy_error > std::log(0.8);
-  if (tries_++ == 0) grow_ = accepted;
-  if (accepted != grow_ || tries_ > kMaxTries) return true;
+  if (trial_count_++ == 0) grow_ = accepted;
+  if (accepted != grow_ || trial_count_ > kMaxTries) return true;
   step_ *= grow_ ? 2 : 0.5;
   return false;
 }

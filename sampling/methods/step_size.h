@@ -20,8 +20,8 @@ class DualAveraging {
   /// @param most        maximum step size [1]
   void learn(double acceptance, double most);
 
-  [[nodiscard]] double step() const;      // step size to try next [1]
-  [[nodiscard]] double averaged() const;  // averaged step size, to use after adaptation [1]
+  [[nodiscard]] double step() const;           // step size to try next [1]
+  [[nodiscard]] double averaged_step() const;  // averaged step size, to use after adaptation [1]
 
   void save(StateWriter& to) const;
   void restore(StateReader& from);
@@ -47,12 +47,12 @@ class StepSearch {
   bool learn(double energy_error);
 
   [[nodiscard]] double step() const { return step_; }
-  [[nodiscard]] int tries() const { return tries_; }
+  [[nodiscard]] int trial_count() const { return trial_count_; }
 
  private:
-  double step_ = 1;    // step size to try next [1]
-  int tries_ = 0;      // number of trials so far
-  bool grow_ = false;  // direction of the search: the step size is doubled
+  double step_ = 1;      // step size to try next [1]
+  int trial_count_ = 0;  // number of trials so far
+  bool grow_ = false;    // direction of the search: the step size is doubled
 };
 
 }  // namespace thenar::internal

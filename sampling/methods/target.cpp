@@ -6,7 +6,7 @@
 
 namespace thenar::internal {
 
-TemperedDensity tempered(const Densities& at, Eigen::Index point, double beta) {
+TemperedDensity tempered_density(const Densities& at, Eigen::Index point, double beta) {
   const double prior = at.log_prior[point], likelihood = at.log_likelihood[point];
   // Ignore the likelihood where the prior is zero.
   if (prior == -kInfinity) return {-kInfinity, false};

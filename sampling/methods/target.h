@@ -49,6 +49,7 @@ struct TemperedDensity {
 /// makes the density zero at every beta, including 0: the hottest chain samples the prior only
 /// where the likelihood exists, so that each of its states may be swapped down.
 /// @param point  column of `at`
-[[nodiscard]] TemperedDensity tempered(const Densities& at, Eigen::Index point, double beta);
+[[nodiscard]] TemperedDensity tempered_density(const Densities& at, Eigen::Index point,
+                                               double beta);
 
 }  // namespace thenar::internal

@@ -17,12 +17,12 @@ Bend::Pairs Bend::products(const Eigen::VectorXd& y) const {
   return pairs;
 }
 
-Eigen::VectorXd Bend::bent(const Eigen::VectorXd& y) const {
+Eigen::VectorXd Bend::apply(const Eigen::VectorXd& y) const {
   if (drivers == 0) return y;
   return y + strength * products(y);
 }
 
-Eigen::VectorXd Bend::straight(const Eigen::VectorXd& z) const {
+Eigen::VectorXd Bend::invert(const Eigen::VectorXd& z) const {
   if (drivers == 0) return z;
   // Invert driver by driver: each depends on the previous ones only.
   Eigen::VectorXd y = z;
@@ -33,7 +33,7 @@ Eigen::VectorXd Bend::straight(const Eigen::VectorXd& z) const {
   return y;
 }
 
-void Bend::pull_back(const Eigen::VectorXd& y, Eigen::VectorXd& gradient) const {
+void Bend::pull_back_gradient(const Eigen::VectorXd& y, Eigen::VectorXd& gradient) const {
   if (drivers == 0) return;
   const Pairs by_pair = strength.transpose() * gradient;
   for (int k = 0, pair = 0; k < drivers; ++k)
@@ -49,61 +49,62 @@ Whitening::Whitening(Metric metric, const Eigen::VectorXd& centre,
   // Start with the identity unless a covariance is given.
   const Eigen::Index n = centre.size();
   factor_.setOnes(n, 1);
-  if (dense()) factor_ = inverse_ = Eigen::MatrixXd::Identity(n, n);
+  if (is_dense()) factor_ = inverse_ = Eigen::MatrixXd::Identity(n, n);
   if (covariance.size() == 0) return;
   require(covariance.rows() == n && covariance.cols() == n,
           "covariance must be {} x {}, got {} x {}", n, n, covariance.rows(), covariance.cols());
   require(covariance.allFinite() && covariance.isApprox(covariance.transpose(), 1e-6),
           "covariance must be finite and symmetric");
-  const bool positive = dense() ? set(covariance) : set(covariance.diagonal());
+  const bool positive =
+      is_dense() ? set_covariance(covariance) : set_covariance(covariance.diagonal());
   require(positive, "covariance must be positive definite");
 }
 
-void Whitening::place(const Eigen::VectorXd& y, Eigen::VectorXd& x) const {
+void Whitening::to_position(const Eigen::VectorXd& y, Eigen::VectorXd& x) const {
   x = centre_;
-  if (!dense()) {
+  if (!is_dense()) {
     x += factor_.col(0).cwiseProduct(y);
     return;
   }
   add_product(factor_, shape_, y, x);
-  if (bends()) x.noalias() += bent_ * bend_.products(y);
+  if (is_bent()) x.noalias() += bent_ * bend_.products(y);
 }
 
-Eigen::VectorXd Whitening::whitened(const Eigen::VectorXd& x) const {
-  if (!dense()) return (x - centre_).cwiseQuotient(factor_.col(0));
-  return bend_.straight(inverse_ * (x - centre_));
+Eigen::VectorXd Whitening::to_whitened(const Eigen::VectorXd& x) const {
+  if (!is_dense()) return (x - centre_).cwiseQuotient(factor_.col(0));
+  return bend_.invert(inverse_ * (x - centre_));
 }
 
 void Whitening::whiten_gradient(const Eigen::VectorXd& y, const Eigen::VectorXd& gradient,
                                 Eigen::VectorXd& slope) const {
-  if (!dense()) {
+  if (!is_dense()) {
     slope = factor_.col(0).cwiseProduct(gradient);
     return;
   }
   transposed_product(factor_, shape_, gradient, slope);
-  bend_.pull_back(y, slope);
+  bend_.pull_back_gradient(y, slope);
   if (orbits_) slope += y;
 }
 
 Eigen::MatrixXd Whitening::covariance() const {
-  if (dense()) return factor_ * factor_.transpose();
+  if (is_dense()) return factor_ * factor_.transpose();
   return factor_.cwiseAbs2();
 }
 
-bool Whitening::set(const Eigen::MatrixXd& covariance) {
+bool Whitening::set_covariance(const Eigen::MatrixXd& covariance) {
   if (!covariance.allFinite()) return false;
-  if (dense()) {
+  if (is_dense()) {
     const Eigen::LLT<Eigen::MatrixXd> cholesky(covariance);
     if (cholesky.info() != Eigen::Success) return false;
-    return set(centre_, cholesky.matrixL(), {}, false);
+    return set_map(centre_, cholesky.matrixL(), {}, false);
   }
   if (covariance.minCoeff() <= 0) return false;
   factor_ = covariance.cwiseSqrt();
   return true;
 }
 
-bool Whitening::set(const Eigen::VectorXd& centre, const Eigen::MatrixXd& factor, const Bend& bend,
-                    bool orbits) {
+bool Whitening::set_map(const Eigen::VectorXd& centre, const Eigen::MatrixXd& factor,
+                        const Bend& bend, bool orbits) {
   const Eigen::MatrixXd inverse = factor.partialPivLu().inverse();
   if (!centre.allFinite() || !inverse.allFinite() || !bend.strength.allFinite()) return false;
   centre_ = centre;
@@ -127,7 +128,7 @@ void Whitening::save(StateWriter& to) const {
 void Whitening::restore(StateReader& from) {
   const Eigen::Index n = size();
   const Eigen::VectorXd centre = saved_vector(from, "centre of the metric", n);
-  const Eigen::MatrixXd factor = saved_matrix(from, "metric", n, dense() ? n : 1);
+  const Eigen::MatrixXd factor = saved_matrix(from, "metric", n, is_dense() ? n : 1);
   // A bend has an entry for each pair of its drivers.
   Bend bend;
   const std::int64_t drivers = from.integer(), most = std::min<std::int64_t>(Bend::kMaxDrivers, n);
@@ -137,12 +138,12 @@ void Whitening::restore(StateReader& from) {
   bend.strength =
       drivers == 0 ? from.matrix() : saved_matrix(from, "bend", n, drivers * (drivers + 1) / 2);
   const bool orbits = from.integer() != 0;
-  if (!dense()) {
+  if (!is_dense()) {
     centre_ = centre;
     factor_ = factor;
     return;
   }
-  require(set(centre, factor, bend, orbits), "the saved metric has no inverse");
+  require(set_map(centre, factor, bend, orbits), "the saved metric has no inverse");
 }
 
 }  // namespace thenar::internal

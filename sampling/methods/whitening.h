@@ -23,11 +23,11 @@ struct Bend {
   /// Returns y_j y_k - [j = k] of all pairs of drivers.
   [[nodiscard]] Pairs products(const Eigen::VectorXd& y) const;
   /// Returns z(y).
-  [[nodiscard]] Eigen::VectorXd bent(const Eigen::VectorXd& y) const;
+  [[nodiscard]] Eigen::VectorXd apply(const Eigen::VectorXd& y) const;
   /// Returns y(z).
-  [[nodiscard]] Eigen::VectorXd straight(const Eigen::VectorXd& z) const;
+  [[nodiscard]] Eigen::VectorXd invert(const Eigen::VectorXd& z) const;
   /// Transforms a gradient by z into the gradient by y, in place.
-  void pull_back(const Eigen::VectorXd& y, Eigen::VectorXd& gradient) const;
+  void pull_back_gradient(const Eigen::VectorXd& y, Eigen::VectorXd& gradient) const;
 };
 
 /// Map  x = c + F (y + q(y))  from whitened coordinates y, with constant determinant. The inverse
@@ -41,21 +41,21 @@ class Whitening {
   Whitening(Metric metric, const Eigen::VectorXd& centre, const Eigen::MatrixXd& covariance = {});
 
   [[nodiscard]] int size() const { return static_cast<int>(centre_.size()); }
-  [[nodiscard]] bool dense() const { return metric_ == Metric::kDense; }
-  [[nodiscard]] bool bends() const { return bend_.drivers > 0; }
+  [[nodiscard]] bool is_dense() const { return metric_ == Metric::kDense; }
+  [[nodiscard]] bool is_bent() const { return bend_.drivers > 0; }
   /// Returns whether, between gradients, y follows an orbit of the standard normal density instead
   /// of a straight line.
-  [[nodiscard]] bool orbits() const { return orbits_; }
+  [[nodiscard]] bool follows_orbits() const { return orbits_; }
 
   /// Return F and its inverse; only for a dense metric (n, n).
   [[nodiscard]] const Eigen::MatrixXd& factor() const { return factor_; }
   [[nodiscard]] const Eigen::MatrixXd& inverse() const { return inverse_; }
 
   /// Computes x(y) (n).
-  void place(const Eigen::VectorXd& y, Eigen::VectorXd& x) const;
+  void to_position(const Eigen::VectorXd& y, Eigen::VectorXd& x) const;
   /// Returns y(x) (n).
-  [[nodiscard]] Eigen::VectorXd whitened(const Eigen::VectorXd& x) const;
-  /// Computes the gradient by y (n). If orbits(), the gradient -y of a standard normal is
+  [[nodiscard]] Eigen::VectorXd to_whitened(const Eigen::VectorXd& x) const;
+  /// Computes the gradient by y (n). If follows_orbits(), the gradient -y of a standard normal is
   /// subtracted.
   void whiten_gradient(const Eigen::VectorXd& y, const Eigen::VectorXd& gradient,
                        Eigen::VectorXd& slope) const;
@@ -65,11 +65,11 @@ class Whitening {
 
   /// Sets another Sigma of the same shape, without bend and orbits. Returns false and changes
   /// nothing unless it is finite and positive definite.
-  bool set(const Eigen::MatrixXd& covariance);
+  bool set_covariance(const Eigen::MatrixXd& covariance);
   /// Sets another centre, factor (n, n) and bend. Returns false and changes nothing unless all are
   /// finite and the factor is invertible. Dense metric only.
-  bool set(const Eigen::VectorXd& centre, const Eigen::MatrixXd& factor, const Bend& bend,
-           bool orbits);
+  bool set_map(const Eigen::VectorXd& centre, const Eigen::MatrixXd& factor, const Bend& bend,
+               bool orbits);
 
   void save(StateWriter& to) const;
   void restore(StateReader& from);

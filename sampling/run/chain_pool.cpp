@@ -45,7 +45,7 @@ void ChainSlot::record(long warm_up, int thin) {
   for (int c = 0; c < sampler->chains(); ++c) {
     // Add the counts since the last draw.
     const StepStats& step = sampler->stats()[static_cast<std::size_t>(c)];
-    StepStats& sum = since[static_cast<std::size_t>(c)];
+    StepStats& sum = stats_since_draw[static_cast<std::size_t>(c)];
     divergent += step.divergent ? 1 : 0;
     sum.evaluations += step.evaluations;
     sum.non_finite += step.non_finite;
@@ -61,7 +61,7 @@ void ChainSlot::record(long warm_up, int thin) {
   }
 }
 
-Eigen::MatrixXd ChainSlot::take() {
+Eigen::MatrixXd ChainSlot::take_pending_draws() {
   const Eigen::Index rows = sampler->chains() * rows_of_draw(sampler->positions().rows());
   Eigen::MatrixXd draws = Eigen::Map<const Eigen::MatrixXd>(
       pending.data(), rows, static_cast<Eigen::Index>(pending.size()) / rows);
@@ -86,7 +86,7 @@ void ChainSlot::save(StateWriter& to) const {
   sampler->save(to);
   swap_counts.save(to);
   to.put(std::int64_t{divergent});
-  for (const StepStats& sum : since)
+  for (const StepStats& sum : stats_since_draw)
     for (const int number : {sum.evaluations, sum.non_finite, int(sum.divergent)})
       to.put(std::int64_t{number});
 }
@@ -95,7 +95,7 @@ void ChainSlot::restore(StateReader& from) {
   sampler->restore(from);
   swap_counts.restore(from);
   divergent = from.integer();
-  for (StepStats& sum : since) {
+  for (StepStats& sum : stats_since_draw) {
     sum.evaluations = static_cast<int>(from.integer());
     sum.non_finite = static_cast<int>(from.integer());
     sum.divergent = from.integer() != 0;
@@ -175,7 +175,7 @@ ChainSlot ChainPool::build_slot(int number, const Eigen::MatrixXd& starts) const
   slot.sampler = build_sampler(
       options_.method, starts.middleCols(Eigen::Index{slot.group} * walkers, walkers), options);
   slot.swap_counts = SwapCounts(options_.temperatures);
-  slot.since.resize(static_cast<std::size_t>(walkers));
+  slot.stats_since_draw.resize(static_cast<std::size_t>(walkers));
   return slot;
 }
 
@@ -191,7 +191,7 @@ long ChainPool::next_stop(long from, long step) const {
   return std::min(step, (from / options_.swap_every + 1) * options_.swap_every);
 }
 
-std::size_t ChainPool::share(int worker) const {
+std::size_t ChainPool::first_slot_of(int worker) const {
   return static_cast<std::size_t>(first_of(worker, pool_->size(), static_cast<int>(slots_.size())));
 }
 
@@ -203,9 +203,11 @@ void ChainPool::advance_to(long step) {
     if (split_ranks_ || split_threads_)
       advance_together(stop);
     else
-      pool_->run([&](int worker) { advance_apart(share(worker), share(worker + 1), stop); });
+      pool_->run([&](int worker) {
+        advance_apart(first_slot_of(worker), first_slot_of(worker + 1), stop);
+      });
     step_ = stop;
-    if (stop == tuning) retune();
+    if (stop == tuning) adapt_ladder();
   }
 }
 
@@ -219,7 +221,7 @@ long ChainPool::next_retuning(long from) const {
   return std::numeric_limits<long>::max();
 }
 
-void ChainPool::retune() {
+void ChainPool::adapt_ladder() {
   // Sum the swaps of all groups in order: the sums are equal on every rank.
   const Eigen::Index pairs = beta_.size() - 1;
   Eigen::VectorXd mine(0);
@@ -237,7 +239,7 @@ void ChainPool::retune() {
   // Adapt the ladder once every pair has been tried often enough.
   if (step_ < options_.sampler.warm_up) {
     if ((sum.tried.array() < kSwapsToLearn).any()) return;
-    beta_ = adapted_ladder(beta_, sum.rejected());
+    beta_ = adapted_ladder(beta_, sum.rejection_rate());
   }
   for (ChainSlot& slot : slots_) slot.set_beta(beta_[slot.temperature_index]);
 }
@@ -246,7 +248,8 @@ void ChainPool::advance_together(long step) {
   for (long at = step_; at < step;) {
     // Advance all samplers to the next swap.
     at = next_stop(at, step);
-    pool_->run([&](int worker) { advance_slots(share(worker), share(worker + 1), at); });
+    pool_->run(
+        [&](int worker) { advance_slots(first_slot_of(worker), first_slot_of(worker + 1), at); });
     if (at % options_.swap_every != 0) continue;
     // States of other ranks are needed only if a group is split over ranks.
     if (split_ranks_)
@@ -329,7 +332,7 @@ void ChainPool::swap(std::size_t from, std::size_t to,
 std::vector<Eigen::MatrixXd> ChainPool::take_draws() {
   std::vector<Eigen::MatrixXd> all;
   for (ChainSlot& slot : slots_)
-    if (slot.temperature_index == 0) all.push_back(slot.take());
+    if (slot.temperature_index == 0) all.push_back(slot.take_pending_draws());
   return all;
 }
 
@@ -352,7 +355,7 @@ void ChainPool::restore(long step, const Eigen::VectorXd& beta,
     StateReader reader(all.at(static_cast<std::size_t>(first_) + k));
     slots_[k].set_beta(beta_[slots_[k].temperature_index]);
     slots_[k].restore(reader);
-    require(reader.done() && slots_[k].sampler->steps() == step,
+    require(reader.at_end() && slots_[k].sampler->steps() == step,
             "the checkpoint does not fit sampler {}", static_cast<std::size_t>(first_) + k);
   }
   step_ = step;
@@ -369,7 +372,7 @@ Eigen::VectorXd ChainPool::swap_rates() const {
   for (const ChainSlot& slot : slots_) {
     if (slot.temperature_index != 0) continue;
     rates.conservativeResize(rates.size() + beta_.size() - 1);
-    rates.tail(beta_.size() - 1) = slot.swap_counts.rate();
+    rates.tail(beta_.size() - 1) = slot.swap_counts.swap_rate();
   }
   return rates;
 }

@@ -37,15 +37,15 @@ struct ChainSlot {
       swap_counts;  // swap counts of the group since warm-up or the last change of the ladder
   std::vector<double>
       pending;  // recorded draws not taken yet: columns of all its chains, see put_draw()
-  std::vector<StepStats>
-      since;           // evaluations, non_finite and divergent counts since the last draw (chains)
+  std::vector<StepStats> stats_since_draw;  // evaluations, non_finite and divergent counts since
+                                            // the last draw (chains)
   long divergent = 0;  // number of divergent steps after warm-up, of all its chains [1]
 
   /// Records a step; call it after each one. Every `thin`-th step after warm-up is a draw.
   void record(long warm_up, int thin);
 
   /// Returns and removes all pending draws (rows of a draw * chains, draws).
-  [[nodiscard]] Eigen::MatrixXd take();
+  [[nodiscard]] Eigen::MatrixXd take_pending_draws();
 
   /// Returns position and densities of each chain.
   [[nodiscard]] std::vector<ChainState> chain_states() const;
@@ -97,10 +97,10 @@ class ChainPool {
   [[nodiscard]] std::vector<std::vector<ChainState>> chain_states(std::size_t from,
                                                                   std::size_t to) const;
   [[nodiscard]] std::vector<std::vector<ChainState>> gather_chain_states() const;
-  [[nodiscard]] long next_stop(long from, long step) const;  // step of the next swap, or `step`
-  [[nodiscard]] std::size_t share(int worker) const;         // index of the worker's first slot
+  [[nodiscard]] long next_stop(long from, long step) const;   // step of the next swap, or `step`
+  [[nodiscard]] std::size_t first_slot_of(int worker) const;  // index of the worker's first slot
   [[nodiscard]] long next_retuning(long from) const;  // step of the next change of the ladder
-  void retune();
+  void adapt_ladder();
   void advance_together(long step);  // stops all at each swap if groups are split
   void advance_apart(std::size_t from, std::size_t to,
                      long step);  // advances whole groups independently

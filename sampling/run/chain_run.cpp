@@ -40,7 +40,7 @@ void ChainRun::resume() {
   seconds_before_ = reader.number();
   const Eigen::VectorXd beta = saved_vector(reader, "temperatures", options_.temperatures);
   std::vector<std::string> all;
-  while (!reader.done()) all.push_back(reader.bytes());
+  while (!reader.at_end()) all.push_back(reader.bytes());
   const int wanted = options_.groups * options_.temperatures;
   require(all.size() == static_cast<std::size_t>(wanted), "the checkpoint has {} samplers",
           all.size());
@@ -48,10 +48,10 @@ void ChainRun::resume() {
   saved_step_ = step;
 }
 
-void ChainRun::go() {
+void ChainRun::run_to_end() {
   stop_ = ended_at_divergence();  // a resumed run may have ended at a divergence
   while (samplers_.step() < total_ && !stop_) {
-    leg();
+    run_leg();
     if (checkpoint_due_) checkpoint();
   }
   checkpoint();
@@ -59,17 +59,17 @@ void ChainRun::go() {
 
 /// Advances for about a quarter of a second, so that stop requests are handled and timing is known.
 /// The number of steps does not affect the draws.
-void ChainRun::leg() {
+void ChainRun::run_leg() {
   // Stop at the end of warm-up, and of the run.
   const long warm_up = options_.sampler.warm_up, from = samplers_.step();
   const long end = from < warm_up ? std::min(warm_up, total_) : total_;
   const Clock::time_point start = Clock::now();
   samplers_.advance_to(std::min(end, from + next_leg_));
-  agree(seconds_since(start), samplers_.step() - from);
+  agree_on_next_leg(seconds_since(start), samplers_.step() - from);
   report();
 }
 
-void ChainRun::agree(double seconds, long steps) {
+void ChainRun::agree_on_next_leg(double seconds, long steps) {
   // Estimate the steps that fill the target time, at most twice as many as before.
   constexpr double kLegTime = 0.25;  // target time of a leg [s]
   const double goal = std::min(kLegTime, options_.checkpoint_every);
@@ -89,7 +89,7 @@ void ChainRun::agree(double seconds, long steps) {
 }
 
 void ChainRun::report() const {
-  if (!first()) return;
+  if (!is_root()) return;
   // Estimate the remaining time from the last leg.
   const long step = samplers_.step(), warm_up = options_.sampler.warm_up;
   const long left = std::lround(double(total_ - step) * seconds_per_step_);
@@ -133,11 +133,11 @@ ChainRun::Gathered ChainRun::gather(const Gathered& mine) const {
   // Unpack those of all ranks on rank 0.
   Gathered all;
   for (const std::string& bytes : all_gather_bytes(ranks_, writer.bytes())) {
-    if (!first()) break;
+    if (!is_root()) break;
     StateReader reader(bytes);
     for (std::int64_t left = reader.integer(); left > 0; --left)
       all.draws.push_back(reader.matrix());
-    while (!reader.done()) all.states.push_back(reader.bytes());
+    while (!reader.at_end()) all.states.push_back(reader.bytes());
   }
   return all;
 }
@@ -173,7 +173,7 @@ Draws ChainRun::result() const {
   draws.complete = samplers_.step() >= total_;
   draws.ended_at_divergence = ended_at_divergence();
   draws.seconds = seconds_before_ + seconds_since(start_);
-  if (!first()) return draws;
+  if (!is_root()) return draws;
   for (int g = 0; g < options_.groups; ++g) {
     // Read the draws of the group, walkers stacked by rows.
     const Eigen::MatrixXd rows = draws_of(static_cast<std::size_t>(g));

@@ -24,14 +24,14 @@ class ChainRun {
   void resume();
 
   /// Runs to the end, or until a stop request.
-  void go();
+  void run_to_end();
 
   /// Returns all draws so far on rank 0, none on the others.
   [[nodiscard]] Draws result() const;
 
  private:
-  void leg();
-  void agree(double seconds, long steps);
+  void run_leg();
+  void agree_on_next_leg(double seconds, long steps);
   void report() const;
   void checkpoint();
 
@@ -46,7 +46,7 @@ class ChainRun {
   [[nodiscard]] std::string state(const std::vector<std::string>& samplers) const;
   [[nodiscard]] Eigen::MatrixXd draws_of(std::size_t group) const;
   [[nodiscard]] bool ended_at_divergence() const;  // equal on all ranks
-  [[nodiscard]] bool first() const { return ranks_.rank() == 0; }
+  [[nodiscard]] bool is_root() const { return ranks_.rank() == 0; }
 
   const RunOptions& options_;
   const Communicator& ranks_;

@@ -59,7 +59,7 @@ void ChainStream::resume(long columns) {
   long found = 0;
   while (found < columns) found += read_block(at).cols();
   require(found == columns, "'{}' has no block that ends with column {}", file_.path(), columns);
-  file_.cut(at);
+  file_.truncate(at);
 }
 
 Eigen::MatrixXd ChainStream::read() const {

@@ -45,7 +45,7 @@ void AppendFile::fail(const std::string& what) const {
   throw InputError(fmt::format("cannot {} '{}': {}", what, path_, std::strerror(errno)));
 }
 
-void AppendFile::cut(std::int64_t bytes) {
+void AppendFile::truncate(std::int64_t bytes) {
   if (::ftruncate(file_, bytes) != 0) fail("cut");
 }
 
@@ -93,7 +93,7 @@ void replace_file(const std::string& path, const std::string& bytes) {
   const std::string name = path + ".tmp";
   {
     AppendFile file(name);
-    file.cut(0);
+    file.truncate(0);
     file.append(bytes);
     file.sync();
   }

@@ -16,7 +16,7 @@ class AppendFile {
   AppendFile(AppendFile&& other) noexcept;
   AppendFile& operator=(AppendFile&&) = delete;
 
-  void cut(std::int64_t bytes);             // keeps the first `bytes` bytes
+  void truncate(std::int64_t bytes);        // keeps the first `bytes` bytes
   void append(const std::string& bytes);    // at the end
   void sync();                              // returns when all bytes are on the disk
   [[nodiscard]] std::int64_t size() const;  // [bytes]

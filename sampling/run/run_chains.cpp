@@ -96,7 +96,7 @@ Draws run_chains(const Target& target, const Eigen::MatrixXd& starts, const RunO
   try {
     internal::ChainRun run(target, starts, options, ranks, folder);
     run.resume();
-    run.go();
+    run.run_to_end();
     return run.result();
   } catch (const std::exception& error) {
     // The other ranks would wait for this one forever.

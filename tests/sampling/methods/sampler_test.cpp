@@ -178,7 +178,7 @@ TEST_P(EverySampler, GoesOnAfterRestoreAsIfNothingHappened) {
     first[0]->save(saved);
     StateReader reader(saved.bytes());
     second[0]->restore(reader);
-    EXPECT_TRUE(reader.done());
+    EXPECT_TRUE(reader.at_end());
     EXPECT_EQ(second[0]->steps(), at);
     EXPECT_EQ(second[0]->positions(), first[0]->positions());
     EXPECT_EQ(second[0]->asks(), first[0]->asks());

@@ -21,7 +21,7 @@ TEST(StateBytes, ComeBackExactly) {
   EXPECT_EQ(reader.integer(), -7);
   EXPECT_EQ(reader.matrix(), matrix);
   EXPECT_EQ(reader.matrix().cols(), 4);
-  EXPECT_TRUE(reader.done());
+  EXPECT_TRUE(reader.at_end());
 }
 
 TEST(StateBytes, PartsKeepTheirLengths) {
