@@ -31,7 +31,7 @@ std::set<std::string> moved_by(const Subject& subject, const JointAxis& joint) {
 
 /// Returns the position along the axis, from its point, at which the run from a to b passes it [m];
 /// NaN for a run parallel to the axis.
-double passing(const JointAxis& joint, const Vector3d& a, const Vector3d& b) {
+double crossing_position(const JointAxis& joint, const Vector3d& a, const Vector3d& b) {
   const Vector3d run = b - a;
   const Vector3d across = run - run.dot(joint.direction) * joint.direction;
   if (across.squaredNorm() < 1e-6 * run.squaredNorm())
@@ -53,7 +53,7 @@ std::optional<double> middle_of_tendons(const Subject& subject, const JointAxis&
     for (const PathPoint& point : strand.path) {
       if (!point.surface.empty() || !point.rides_on.empty()) continue;
       if (before != nullptr && moved.count(before->segment) != moved.count(point.segment)) {
-        const double along = passing(joint, before->p, point.p);
+        const double along = crossing_position(joint, before->p, point.p);
         lowest = std::fmin(lowest, along);
         highest = std::fmax(highest, along);
       }
@@ -67,18 +67,18 @@ std::optional<double> middle_of_tendons(const Subject& subject, const JointAxis&
 /// Returns the position along joint i of a chain, from its point, that is nearest to the adjacent
 /// axes in least squares [m]; nearest to the tip if they are about parallel to it. The result does
 /// not depend on where the stated points lie along their axes.
-double nearest_to_chain(const std::vector<const JointAxis*>& chain, std::size_t i,
-                        const Vector3d& tip) {
+double position_nearest_to_axes(const std::vector<const JointAxis*>& chain, std::size_t i,
+                                const Vector3d& tip) {
   const JointAxis& joint = *chain[i];
   double square = 0, product = 0;
   for (const std::size_t next : {i - 1, i + 1}) {  // i - 1 of the tip's is beyond the end
     if (next >= chain.size()) continue;
     const Vector3d& other = chain[next]->direction;
     const auto across = [&](const Vector3d& v) -> Vector3d { return v - v.dot(other) * other; };
-    const Vector3d way = across(joint.direction);
-    if (way.norm() < kMinAxisSine) continue;
-    square += way.squaredNorm();
-    product += way.dot(across(chain[next]->point - joint.point));
+    const Vector3d transverse = across(joint.direction);
+    if (transverse.norm() < kMinAxisSine) continue;
+    square += transverse.squaredNorm();
+    product += transverse.dot(across(chain[next]->point - joint.point));
   }
   return square > 0 ? product / square : (tip - joint.point).dot(joint.direction);
 }
@@ -87,22 +87,23 @@ double nearest_to_chain(const std::vector<const JointAxis*>& chain, std::size_t 
 
 Subject with_points_at_tendons(Subject subject, const std::string& digit) {
   // Compute shifts from the adjacent axes, by the points as stated, before any of them moves.
-  std::map<std::string, double> ways;
+  std::map<std::string, double> shifts;
   for (const Digit& each : subject.digits) {
     if (each.name != digit) continue;
     const std::vector<const JointAxis*> chain = joints_to(subject, each.tip_segment);
     for (std::size_t i = 0; i < chain.size(); ++i)
-      if (const double way = nearest_to_chain(chain, i, each.tip); std::abs(way) > kMaxAxisDistance)
-        ways[chain[i]->name] = way;
+      if (const double shift = position_nearest_to_axes(chain, i, each.tip);
+          std::abs(shift) > kMaxAxisDistance)
+        shifts[chain[i]->name] = shift;
   }
   // Let tendons, which locate a point better, override the axes.
   for (const JointAxis& joint : subject.joints)
     if (const std::optional<double> middle = middle_of_tendons(subject, joint))
-      ways[joint.name] = std::abs(*middle) > kMaxTendonDistance ? *middle : 0;
+      shifts[joint.name] = std::abs(*middle) > kMaxTendonDistance ? *middle : 0;
   // Move the points along their axes.
   for (JointAxis& joint : subject.joints)
-    if (const auto way = ways.find(joint.name); way != ways.end() && way->second != 0)
-      joint.point += way->second * joint.direction;
+    if (const auto shift = shifts.find(joint.name); shift != shifts.end() && shift->second != 0)
+      joint.point += shift->second * joint.direction;
   return subject;
 }
 

@@ -46,21 +46,21 @@ class Chooser {
   ChosenSettings choose(const Progress& progress) {
     // Score the initial settings.
     const std::vector<SettingChoice>& choices = found_.settings.choices;
-    take(score_of(found_.settings));
+    store_score(score_of(found_.settings));
     // Improve one choice after the other, until a whole round changes nothing.
     std::size_t since_change = 0;
     for (std::size_t at = 0; since_change < choices.size() && !found_.stopped;
          at = (at + 1) % choices.size()) {
       progress(static_cast<double>(since_change) / static_cast<double>(choices.size()),
                "choosing " + choices[at].name);
-      since_change = better(at) ? 1 : since_change + 1;
+      since_change = improve_choice(at) ? 1 : since_change + 1;
     }
     return std::move(found_);
   }
 
  private:
   /// Sets one choice to its best value. Returns whether the value changed.
-  bool better(std::size_t at) {
+  bool improve_choice(std::size_t at) {
     FitSettings best = found_.settings;
     for (std::size_t value = 0; value < best.choices[at].values.size(); ++value) {
       FitSettings other = found_.settings;
@@ -68,7 +68,7 @@ class Chooser {
       const LeftOutScore score = score_of(other);
       if (found_.stopped) return false;
       if (score.loss > found_.loss - kMinChoiceGain) continue;
-      take(score);
+      store_score(score);
       best = std::move(other);
     }
     const bool changed = best.choices[at].chosen != found_.settings.choices[at].chosen;
@@ -76,7 +76,7 @@ class Chooser {
     return changed;
   }
 
-  void take(const LeftOutScore& score) {
+  void store_score(const LeftOutScore& score) {
     found_.loss = score.loss;
     found_.error = score.error;
   }

@@ -281,7 +281,7 @@ RunRecord run_of(const ResultFile& file) {
 }
 
 /// Returns a solution whose status convergence_word() describes as `word`; all else is empty.
-Solution ended_as(const std::string& word) {
+Solution solution_with_status(const std::string& word) {
   Solution solution;
   solution.failed = word == "failed";
   for (const Status status :
@@ -307,7 +307,7 @@ Fit fit_of(const ResultFile& file) {
             "coordinate {} of the fit is '{}', its inputs give '{}'", i,
             i < names.size() ? names[i] : "", wanted[i]);
   // Restore the solution, and recompute its covariance.
-  Solution solution = ended_as(file.text("fit/status"));
+  Solution solution = solution_with_status(file.text("fit/status"));
   solution.z = z;
   solution.cost = file.number("fit/cost");
   solution.message = file.text("fit/message");

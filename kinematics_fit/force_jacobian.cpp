@@ -139,7 +139,7 @@ class NetSlopes {
 std::shared_ptr<const ForceKernel> compile_forces(const TendonDigit& digit,
                                                   const FitParameters& parameters,
                                                   const ExperimentPlan& plan) {
-  if (!ForceKernel::knows(digit, plan)) return nullptr;
+  if (!ForceKernel::supports(digit, plan)) return nullptr;
   return std::make_shared<const ForceKernel>(digit, parameters, plan);
 }
 

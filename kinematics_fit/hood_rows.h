@@ -21,7 +21,7 @@ struct MuscleError {
 /// Errors of the trials that load one muscle of the hood.
 struct HoodRowErrors {
   std::vector<MuscleError> muscles;  // errors by muscle, in the order of the trials
-  ForceError together;               // error over the trials of all these muscles
+  ForceError total;                  // error over the trials of all these muscles
 };
 
 /// Returns the muscles whose force the hood distributes by fractions, or that pull the net.

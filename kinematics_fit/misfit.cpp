@@ -37,7 +37,7 @@ const char* const kMisfitAdvice =
     "and loads, the noise that was stated, and at parameters that are fixed but in doubt: free "
     "these";
 
-Misfit misfit(double chi_square, int numbers, double effective) {
+Misfit compute_misfit(double chi_square, int numbers, double effective) {
   Misfit out;
   out.chi_square = chi_square;
   out.numbers = numbers;
@@ -59,8 +59,8 @@ std::vector<Misfit> misfits(const FitProblem& problem, const Eigen::VectorXd& z,
     const Residuals data = data_residuals(problem, z, e, WithJacobian::kNo);
     const int forces = force_rows(problem, e);
     const double effective = covariance.leverage[e].leftCols(forces).squaredNorm();
-    all.push_back(misfit(plain_squares(data.r.head(forces), problem.robust_scale()),
-                         fitted_numbers(problem, e), effective));
+    all.push_back(compute_misfit(plain_squares(data.r.head(forces), problem.robust_scale()),
+                                 fitted_numbers(problem, e), effective));
   }
   return all;
 }

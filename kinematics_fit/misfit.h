@@ -29,7 +29,7 @@ struct Misfit {
 /// @param chi_square  sum of squared residuals [1]
 /// @param numbers     number of measured components [1]
 /// @param effective   number of effective parameters that the experiment determines [1]
-[[nodiscard]] Misfit misfit(double chi_square, int numbers, double effective);
+[[nodiscard]] Misfit compute_misfit(double chi_square, int numbers, double effective);
 
 /// Computes the misfit of every experiment of a fit at z, from residuals without robust loss;
 /// effective parameters sum to those of the covariance.

@@ -64,7 +64,8 @@ Eigen::Index rows_of(const FitProblem& problem, int e) { return force_rows(probl
 
 /// Returns the outliers of an experiment, the furthest first, without those explained by the
 /// removal of further ones.
-std::vector<OddTrial> odd_of(const FitProblem& problem, int e, const Leverage& of, double rows) {
+std::vector<OddTrial> find_outliers(const FitProblem& problem, int e, const Leverage& of,
+                                    double rows) {
   // Corrects the tail probability for the number of rows.
   const ExperimentPlan& plan = problem.plans()[e];
   const auto tail_of = [&](Eigen::Index i, double squared) {
@@ -110,7 +111,7 @@ std::vector<OddTrial> odd_trials(const FitProblem& problem, const Eigen::VectorX
     for (Eigen::Index i = 0; i < rows_of(problem, e); ++i)
       of.r.segment<3>(3 * i) =
           plain_residual(Eigen::Vector3d(of.r.segment<3>(3 * i)), problem.robust_scale());
-    for (const OddTrial& each : odd_of(problem, e, of, rows)) odd.push_back(each);
+    for (const OddTrial& each : find_outliers(problem, e, of, rows)) odd.push_back(each);
   }
   std::stable_sort(odd.begin(), odd.end(),
                    [](const OddTrial& a, const OddTrial& b) { return a.distance > b.distance; });

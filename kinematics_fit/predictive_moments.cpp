@@ -23,7 +23,7 @@ bool forces_linear_in(const Parameter& p, const TendonDigit& digit) {
 /// linear.
 struct CoordinateOrder {
   std::vector<Eigen::Index> all;
-  Eigen::Index bent = 0;  // number of nonlinear coordinates
+  Eigen::Index nonlinear = 0;  // number of nonlinear coordinates
 };
 
 CoordinateOrder order_of(const FitParameters& parameters, const TendonDigit& digit) {
@@ -32,7 +32,7 @@ CoordinateOrder order_of(const FitParameters& parameters, const TendonDigit& dig
     for (int c = 0; c < parameters.coordinates(); ++c)
       if (forces_linear_in(parameters.all[parameters.leader[c]], digit) == linear)
         order.all.push_back(c);
-    if (!linear) order.bent = static_cast<Eigen::Index>(order.all.size());
+    if (!linear) order.nonlinear = static_cast<Eigen::Index>(order.all.size());
   }
   return order;
 }
@@ -132,12 +132,12 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
   // Add the second order: curvature along each column of the root of V, and the asymmetry of both
   // sides.
   const CoordinateOrder order = order_of(parameters, digit);
-  const Eigen::MatrixXd L = first_columns_of_root(V(order.all, order.all), order.bent);
+  const Eigen::MatrixXd L = first_columns_of_root(V(order.all, order.all), order.nonlinear);
   Eigen::VectorXd step(n);
-  const Eigen::VectorXd of_slopes = out.variance;  // variance to first order [N^2] (3 trials)
-  Eigen::VectorXd uneven = Eigen::VectorXd::Zero(of_slopes.size()),
-                  bent = uneven;  // squared asymmetry and curvature [N^2] (3 trials)
-  for (Eigen::Index k = 0; k < order.bent; ++k) {
+  const Eigen::VectorXd first_order = out.variance;  // variance to first order [N^2] (3 trials)
+  Eigen::VectorXd asymmetry = Eigen::VectorXd::Zero(first_order.size()),
+                  curvature = asymmetry;  // squared asymmetry and curvature [N^2] (3 trials)
+  for (Eigen::Index k = 0; k < order.nonlinear; ++k) {
     if (L(k, k) == 0) continue;
     step(order.all) = L.col(k);
     const Eigen::VectorXd way = shortened(parameters, center, step);
@@ -147,19 +147,19 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
                                force_values(digit, parameters, plan, center - way, kernel.get());
     const Eigen::Matrix3Xd bend = (above + below) / 2 - at.force;
     out.mean += bend;
-    bent += bend.reshaped().cwiseAbs2();
-    uneven += ((above - below).reshaped() / 2 - at.J * way).cwiseAbs2();
+    curvature += bend.reshaped().cwiseAbs2();
+    asymmetry += ((above - below).reshaped() / 2 - at.J * way).cwiseAbs2();
   }
 
-  out.variance += 2 * bent;
+  out.variance += 2 * curvature;
 
   // Find trials for which the expansion is not accurate.
   const auto trials = out.mean.cols();
   for (Eigen::Index i = 0; i < trials; ++i) {
-    const double slopes = of_slopes.segment<3>(3 * i).sum();
+    const double slopes = first_order.segment<3>(3 * i).sum();
     out.by_draws.push_back(
-        !(uneven.segment<3>(3 * i).sum() <= kMaxUnevenness * kMaxUnevenness * slopes &&
-          bent.segment<3>(3 * i).sum() <= slopes));
+        !(asymmetry.segment<3>(3 * i).sum() <= kMaxUnevenness * kMaxUnevenness * slopes &&
+          curvature.segment<3>(3 * i).sum() <= slopes));
   }
   // Replace their moments by those of draws.
   if (!contains(out.by_draws, true)) return out;

@@ -31,10 +31,10 @@ std::vector<double> factors_at(const std::vector<int>& steps) {
   return transformed(steps, [&](const int step) { return preferred(step); });
 }
 
-/// Returns the largest step whose factor is no more than `most`.
-int last_step(double most) {
+/// Returns the largest step whose factor is no more than `max_factor`.
+int last_step(double max_factor) {
   int step = kSmallestStep;
-  while (preferred(step + 1) <= most * (1 + 1e-12)) ++step;
+  while (preferred(step + 1) <= max_factor * (1 + 1e-12)) ++step;
   return step;
 }
 
@@ -51,32 +51,34 @@ class Evidence {
       : specimens_(specimens), scales_(scales) {}
 
   /// Returns the log evidence plus the log prior of the factors [nat].
-  [[nodiscard]] double at(const std::vector<int>& steps, int noise_step) const {
+  [[nodiscard]] double log_posterior(const std::vector<int>& steps, int noise_step) const {
     std::vector<double> factors;
     double belief = 0;
     for (std::size_t g = 0; g < scales_.size(); ++g) {
       factors.push_back(preferred(steps[g]));
       belief -= 0.5 * std::pow(std::log(factors[g] / scales_[g].likeliest) / scales_[g].spread, 2);
     }
-    return belief + of(factors, preferred(noise_step));
+    return belief + data_log_evidence(factors, preferred(noise_step));
   }
 
   /// Returns the log evidence of the forces, without the prior of the factors [nat].
-  [[nodiscard]] double of(const std::vector<double>& factors, double noise = 1) const {
+  [[nodiscard]] double data_log_evidence(const std::vector<double>& factors,
+                                         double noise = 1) const {
     double sum = 0;
     for (const LinearForces& one : specimens_) sum += log_evidence(one, factors, noise);
     return sum;
   }
 
   [[nodiscard]] std::size_t scales() const { return scales_.size(); }
-  [[nodiscard]] int last(std::size_t scale) const { return last_step(scales_[scale].largest); }
+  [[nodiscard]] int max_step(std::size_t scale) const { return last_step(scales_[scale].largest); }
 
   /// Returns initial steps: the likeliest factor of each scale, or `step` where the prior is flat.
-  [[nodiscard]] std::vector<int> start(int step) const {
+  [[nodiscard]] std::vector<int> initial_steps(int step) const {
     std::vector<int> steps;
     for (std::size_t g = 0; g < scales_.size(); ++g)
-      steps.push_back(std::min(
-          std::isfinite(scales_[g].spread) ? nearest_step(scales_[g].likeliest) : step, last(g)));
+      steps.push_back(
+          std::min(std::isfinite(scales_[g].spread) ? nearest_step(scales_[g].likeliest) : step,
+                   max_step(g)));
     return steps;
   }
 
@@ -99,18 +101,18 @@ struct NoiseRange {
 
 /// Maximizes the evidence from a start by coordinate ascent over all steps of each factor.
 EvidencePeak climb(const Evidence& evidence, EvidencePeak from, NoiseRange noise = {}) {
-  from.evidence = evidence.at(from.steps, from.noise);
+  from.evidence = evidence.log_posterior(from.steps, from.noise);
   const std::size_t scales = from.steps.size();
   std::size_t since_change = 0;
   for (std::size_t g = 0; since_change <= scales; g = (g + 1) % (scales + 1)) {
     // Try all values of one factor, or of the noise.
     EvidencePeak best = from;
     const int first = g < scales ? kSmallestStep : noise.first;
-    const int last = g < scales ? evidence.last(g) : noise.last;
+    const int last = g < scales ? evidence.max_step(g) : noise.last;
     for (int step = first; step <= last; ++step) {
       EvidencePeak other = from;
       (g < scales ? other.steps[g] : other.noise) = step;
-      other.evidence = evidence.at(other.steps, other.noise);
+      other.evidence = evidence.log_posterior(other.steps, other.noise);
       if (other.evidence > best.evidence) best = std::move(other);
     }
     since_change = best.evidence > from.evidence ? 1 : since_change + 1;
@@ -121,10 +123,11 @@ EvidencePeak climb(const Evidence& evidence, EvidencePeak from, NoiseRange noise
 
 /// Returns the higher of the maxima from two starts: wide priors with little noise, and narrow ones
 /// with much.
-EvidencePeak highest(const Evidence& evidence, NoiseRange noise = {}) {
-  EvidencePeak wide = climb(evidence, {evidence.start(0), 0}, noise);
-  EvidencePeak narrow = climb(
-      evidence, {evidence.start(kSmallestStep), std::min(kStepsPerDecade, noise.last)}, noise);
+EvidencePeak find_peak(const Evidence& evidence, NoiseRange noise = {}) {
+  EvidencePeak wide = climb(evidence, {evidence.initial_steps(0), 0}, noise);
+  EvidencePeak narrow =
+      climb(evidence,
+            {evidence.initial_steps(kSmallestStep), std::min(kStepsPerDecade, noise.last)}, noise);
   return wide.evidence >= narrow.evidence ? wide : narrow;
 }
 
@@ -139,14 +142,14 @@ Solution fitted(const FitProblem& problem, const SolveOptions& options) {
 }
 
 /// Refits by the requested method, from the solution of Ceres.
-ScaledFit by_method(ScaledFit fit, const SolveOptions& options) {
+ScaledFit refit_by_method(ScaledFit fit, const SolveOptions& options) {
   if (options.method != LeastSquaresMethod::kCeres && fit.solution.status != Status::kStopped)
     fit.solution = solve(least_squares(fit.problem), fit.solution.z, options);
   return fit;
 }
 
 /// Converts z to other factors of the scales, so that displacements stay the same.
-Eigen::VectorXd carried(const FitProblem& from, Eigen::VectorXd z, const FitProblem& to) {
+Eigen::VectorXd rescaled_entries(const FitProblem& from, Eigen::VectorXd z, const FitProblem& to) {
   const FitCoordinates& coordinates = from.coordinates();
   const std::vector<int> scale = scale_of_entries(coordinates);
   for (int specimen = 0; specimen < static_cast<int>(from.specimens().size()); ++specimen) {
@@ -169,13 +172,13 @@ Eigen::VectorXd best_start(const FitProblem& problem, const SolveOptions& option
   rough.max_evaluations = 40;
   rough.tolerance = 1e-4;
   const double numbers = measured_numbers(problem);
-  const double by_chance =
+  const double chance_cost =
       0.5 * (numbers + 3 * std::sqrt(2 * numbers));  // largest cost that noise alone explains
   std::mt19937 rng(1);
   std::normal_distribution<double> normal;
   Solution best = fitted(problem, rough);
   // Try draws of the prior until a cost is explained by noise.
-  for (int k = 0; k < kMaxStartDraws && best.cost > by_chance && best.status != Status::kStopped;
+  for (int k = 0; k < kMaxStartDraws && best.cost > chance_cost && best.status != Status::kStopped;
        ++k) {
     const Eigen::VectorXd draw =
         Eigen::VectorXd::NullaryExpr(problem.size(), [&] { return normal(rng); });
@@ -195,22 +198,22 @@ struct FittedScales {
 /// Alternates fits by given factors and the choice of factors from their slopes, until these no
 /// longer change.
 /// @param z  initial point of the first fit, under these factors
-FittedScales settle(const FitProblem& start, std::vector<int> steps, const Eigen::VectorXd& z,
-                    const SolveOptions& options) {
+FittedScales iterate_scales(const FitProblem& start, std::vector<int> steps,
+                            const Eigen::VectorXd& z, const SolveOptions& options) {
   constexpr int kMaxChoiceRounds = 12;  // largest number of rounds
   FittedScales out{{start, solve(least_squares(start), z, options)}, std::move(steps)};
   for (int round = 1;; ++round) {
     if (out.fit.solution.status == Status::kStopped) return out;
     const std::vector<LinearForces> forces = linear_forces(out.fit.problem, out.fit.solution.z);
     const Evidence evidence(forces, start.parameters().scales);
-    out.evidence = evidence.at(out.steps, 0);
-    EvidencePeak peak = highest(evidence);
+    out.evidence = evidence.log_posterior(out.steps, 0);
+    EvidencePeak peak = find_peak(evidence);
     out.fit.settled = peak.steps == out.steps;
     if (out.fit.settled || round == kMaxChoiceRounds) return out;
     // Continue from this fit with the new factors.
     out.steps = std::move(peak.steps);
     FitProblem next = with_factors(start, factors_at(out.steps));
-    const Eigen::VectorXd from = carried(out.fit.problem, out.fit.solution.z, next);
+    const Eigen::VectorXd from = rescaled_entries(out.fit.problem, out.fit.solution.z, next);
     out.fit.solution = solve(least_squares(next), from, options);
     out.fit.problem = std::move(next);
   }
@@ -281,21 +284,22 @@ ScaledFit chosen_scales(const FitProblem& problem, const SolveOptions& options) 
   const Evidence stated(forces, scales);
 
   // Fit by inferred factors, starting from the stated fit.
-  const std::vector<int> asked = highest(stated).steps;
-  const FitProblem wide = with_factors(problem, factors_at(asked));
-  FittedScales best = settle(wide, asked, carried(out.problem, out.solution.z, wide), rounds);
-  out.gain = best.evidence - stated.of(ones);
+  const std::vector<int> wide_steps = find_peak(stated).steps;
+  const FitProblem wide = with_factors(problem, factors_at(wide_steps));
+  FittedScales best =
+      iterate_scales(wide, wide_steps, rescaled_entries(out.problem, out.solution.z, wide), rounds);
+  out.gain = best.evidence - stated.data_log_evidence(ones);
   if (best.fit.solution.status == Status::kStopped || out.gain <= kScaleGain)
-    return by_method(std::move(out), options);
+    return refit_by_method(std::move(out), options);
   // Fit again from the narrowest priors, and keep the fit of higher evidence.
-  const std::vector<int> least = stated.start(kSmallestStep);
-  const FitProblem narrow = with_factors(problem, factors_at(least));
-  FittedScales other = settle(narrow, least, best_start(narrow, rounds), rounds);
+  const std::vector<int> narrow_steps = stated.initial_steps(kSmallestStep);
+  const FitProblem narrow = with_factors(problem, factors_at(narrow_steps));
+  FittedScales other = iterate_scales(narrow, narrow_steps, best_start(narrow, rounds), rounds);
   if (other.fit.solution.status == Status::kStopped) return out;
   if (other.evidence > best.evidence) best = std::move(other);
   out = std::move(best.fit);
-  out.gain = best.evidence - stated.of(ones);
-  return by_method(std::move(out), options);
+  out.gain = best.evidence - stated.data_log_evidence(ones);
+  return refit_by_method(std::move(out), options);
 }
 
 }  // namespace
@@ -315,7 +319,7 @@ std::vector<NoiseEvidence> noise_evidence(const FitProblem& problem, const Eigen
   for (const LinearForces& one : linear_forces(problem, z)) {
     const std::vector<LinearForces> alone{one};
     const Evidence evidence(alone, problem.parameters().scales);
-    const EvidencePeak stated = highest(evidence), free = highest(evidence, kNoiseSteps);
+    const EvidencePeak stated = find_peak(evidence), free = find_peak(evidence, kNoiseSteps);
     all.push_back({preferred(free.noise), free.evidence - stated.evidence});
   }
   return all;

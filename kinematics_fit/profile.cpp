@@ -10,8 +10,8 @@ namespace thenar {
 namespace {
 
 /// Refits at points from the estimate to one end of the grid, each starting from the last.
-void walk(const LeastSquares& problem, const Eigen::VectorXd& z, int i, double end,
-          const ProfileOptions& options, Profile& profile) {
+void refit_side(const LeastSquares& problem, const Eigen::VectorXd& z, int i, double end,
+                const ProfileOptions& options, Profile& profile) {
   // Length below which a side is skipped, as the estimate is on its bound [prior sds]
   constexpr double kMinSideLength = 1e-6;
   if (std::abs(end - z[i]) < kMinSideLength) return;
@@ -30,7 +30,7 @@ void walk(const LeastSquares& problem, const Eigen::VectorXd& z, int i, double e
 
 /// Returns the minimum of a sampled curve: the vertex of the parabola through the lowest three
 /// points.
-double least(const std::vector<double>& x, const std::vector<double>& y) {
+double min_value(const std::vector<double>& x, const std::vector<double>& y) {
   // Take the lowest point if it lacks a neighbour on one side.
   const auto at = std::min_element(y.begin(), y.end()) - y.begin();
   const auto k = static_cast<std::size_t>(at);
@@ -79,8 +79,10 @@ Profile profile_likelihood(const LeastSquares& problem, const Eigen::VectorXd& z
   Profile profile;
   profile.points.push_back(
       {z[i], 0.5 * problem.residuals(z, WithJacobian::kNo).r.squaredNorm(), 0, 0});
-  walk(problem, z, i, std::max(problem.lower[i], z[i] - options.half_width), options, profile);
-  walk(problem, z, i, std::min(problem.upper[i], z[i] + options.half_width), options, profile);
+  refit_side(problem, z, i, std::max(problem.lower[i], z[i] - options.half_width), options,
+             profile);
+  refit_side(problem, z, i, std::min(problem.upper[i], z[i] + options.half_width), options,
+             profile);
   std::sort(profile.points.begin(), profile.points.end(),
             [](const ProfilePoint& a, const ProfilePoint& b) { return a.z < b.z; });
 
@@ -91,7 +93,7 @@ Profile profile_likelihood(const LeastSquares& problem, const Eigen::VectorXd& z
     cost.push_back(point.cost);
     without_own_prior.push_back(point.cost - 0.5 * point.z * point.z);
   }
-  const double base = least(x, cost), own_free_base = least(x, without_own_prior);
+  const double base = min_value(x, cost), own_free_base = min_value(x, without_own_prior);
   for (std::size_t k = 0; k < x.size(); ++k) {
     cost[k] = profile.points[k].rise = cost[k] - base;
     without_own_prior[k] = profile.points[k].without_own_prior =

@@ -67,10 +67,10 @@ std::optional<Eigen::Vector3d> sum_of_loads(const Trial& trial, const Alone& alo
 
 /// Means of forces under the same loads, by posture and specimen.
 struct MeansOfLoads {
-  MeanForce here;  // same posture, all specimens
-  MeanForce self;  // same posture, same specimen
-  MeanForce own;   // any posture, same specimen
-  MeanForce all;   // any posture, all specimens
+  MeanForce in_posture;      // same posture, all specimens
+  MeanForce own_in_posture;  // same posture, same specimen
+  MeanForce own;             // any posture, same specimen
+  MeanForce all;             // any posture, all specimens
 };
 
 MeansOfLoads means_of(const Experiment& experiment, const Trial& trial,
@@ -88,8 +88,8 @@ MeansOfLoads means_of(const Experiment& experiment, const Trial& trial,
           other.axes_of_digit.cast<double>().transpose() * row.force / total(others);
       const bool here = same_posture(posture, find_posture(other, row.posture));
       const bool self = other.specimen == experiment.specimen;
-      if (here) means.here.add(force);
-      if (here && self) means.self.add(force);
+      if (here) means.in_posture.add(force);
+      if (here && self) means.own_in_posture.add(force);
       if (self) means.own.add(force);
       means.all.add(force);
     }
@@ -111,7 +111,7 @@ std::optional<Eigen::Vector3d> trivial_force(const Experiment& experiment, const
                                              const std::vector<Experiment>& seen) {
   // Return the closest mean available, else the sum of single loads.
   const MeansOfLoads means = means_of(experiment, trial, seen);
-  for (const MeanForce& mean : {means.here, means.own, means.all})
+  for (const MeanForce& mean : {means.in_posture, means.own, means.all})
     if (const auto force = under_load(mean, experiment, trial)) return force;
   return sum_of_loads(trial,
                       [&](const Trial& single) { return trivial_force(experiment, single, seen); });
@@ -120,7 +120,7 @@ std::optional<Eigen::Vector3d> trivial_force(const Experiment& experiment, const
 std::optional<Eigen::Vector3d> superposed_force(const Experiment& experiment, const Trial& trial,
                                                 const std::vector<Experiment>& seen) {
   return sum_of_loads(trial, [&](const Trial& single) {
-    return under_load(means_of(experiment, single, seen).self, experiment, single);
+    return under_load(means_of(experiment, single, seen).own_in_posture, experiment, single);
   });
 }
 

@@ -24,10 +24,10 @@ struct BandSet {
 [[nodiscard]] double log_bayes_factor(const BandEvidence& a, const BandEvidence& b);
 
 /// Reason why the data do not decide about a band.
-enum class WhyUntold {
-  kTold,   // the band is decided
-  kSlack,  // it is slack in all trials of the best set that has it
-  kOthers  // it is taut, but other bands can have the same effect
+enum class UndecidedReason {
+  kDecided,  // the band is decided
+  kSlack,    // it is slack in all trials of the best set that has it
+  kOthers    // it is taut, but other bands can have the same effect
 };
 
 /// Evidence of the data for one band.
@@ -38,7 +38,7 @@ struct BandBelief {
   double log_odds = 0;  // log Bayes factor: posterior over prior odds; infinite if no set without
                         // (or with) it carries the loads [nat]
   Verdict verdict = Verdict::kUndecided;  // decision by kDecidedProbability
-  WhyUntold why = WhyUntold::kTold;
+  UndecidedReason why = UndecidedReason::kDecided;
   double misfit_change = 0;  // chi^2 of the data in the best set without it, minus that in the best
                              // set with it; NaN if one is missing [1]
   double effective_change = 0;      // effective parameters with it, minus those without [1]

@@ -27,8 +27,8 @@ MatrixXd factor_of(const Residuals& at) {
 /// Returns the length of Newton's step at z, over coordinates that no bound blocks, in posterior
 /// sds [1].
 /// @param R  result of factor_of()
-double step_left(const FitProblem& problem, const VectorXd& z, const Residuals& at,
-                 const MatrixXd& R) {
+double newton_step_length(const FitProblem& problem, const VectorXd& z, const Residuals& at,
+                          const MatrixXd& R) {
   VectorXd gradient = at.J.transpose() * at.r;
   for (Eigen::Index i = 0; i < z.size(); ++i)
     if ((z[i] <= problem.coordinates().lower()[i] && gradient[i] > 0) ||
@@ -44,17 +44,17 @@ VectorXd find_mode(const FitProblem& problem, const VectorXd& start, int slopes)
   constexpr double kLastStepLength = 0.1;
   // Count the Jacobians, and stop when the step is short or none is left.
   LeastSquares counted = least_squares(problem);
-  int left = slopes;
+  int jacobians_left = slopes;
   counted.residuals = [&](const VectorXd& z, WithJacobian want) {
     Residuals at = fit_residuals(problem, z, want);
     if (want == WithJacobian::kNo) return at;
     const bool near =
-        at.J.allFinite() && step_left(problem, z, at, factor_of(at)) < kLastStepLength;
-    left = near ? 0 : left - 1;
+        at.J.allFinite() && newton_step_length(problem, z, at, factor_of(at)) < kLastStepLength;
+    jacobians_left = near ? 0 : jacobians_left - 1;
     return at;
   };
   SolveOptions search;
-  search.progress.stop_requested = [&] { return left <= 0; };
+  search.progress.stop_requested = [&] { return jacobians_left <= 0; };
   return solve(counted, start, search).z;
 }
 
@@ -162,7 +162,7 @@ BandEvidence band_evidence(const FitProblem& problem, const std::vector<VectorXd
   const MatrixXd R = factor_of(at);
   const MatrixXd inverse =
       R.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(R.rows(), R.cols()));
-  out.converged = step_left(problem, out.z, at, R) < kSettledStep;
+  out.converged = newton_step_length(problem, out.z, at, R) < kSettledStep;
   out.misfit = at.r.head(data_rows(problem)).squaredNorm();
   out.effective = static_cast<double>(R.rows()) - inverse.squaredNorm();
   out.laplace = out.integral = -0.5 * at.r.squaredNorm() - R.diagonal().array().log().sum();

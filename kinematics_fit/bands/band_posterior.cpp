@@ -27,11 +27,11 @@ class KnownSets {
   const BandEvidence& evidence(const Topology& bands, const Topology& near) {
     const auto known = sets_.find(bands);
     if (known != sets_.end()) return known->second;
-    const FitProblem problem = problems_.with(bands);
+    const FitProblem problem = problems_.problem_with(bands);
     // Start from the prior means, and from the mode of `near` if it was fitted.
     std::vector<Eigen::VectorXd> starts{Eigen::VectorXd::Zero(problem.size())};
     if (const auto before = sets_.find(near); before != sets_.end() && before->second.holds)
-      starts.push_back(carried_over(names_.at(near), before->second.z, problem));
+      starts.push_back(transfer_point(names_.at(near), before->second.z, problem));
     names_[bands] = problem.coordinates().names();
     return sets_.emplace(bands, band_evidence(problem, starts, options_)).first->second;
   }
@@ -41,9 +41,9 @@ class KnownSets {
     const auto other = sets_.find(near);
     BandEvidence& here = sets_.at(bands);
     if (near == bands || other == sets_.end() || !other->second.holds) return;
-    const FitProblem problem = problems_.with(bands);
-    BandEvidence again =
-        band_evidence(problem, {carried_over(names_.at(near), other->second.z, problem)}, options_);
+    const FitProblem problem = problems_.problem_with(bands);
+    BandEvidence again = band_evidence(
+        problem, {transfer_point(names_.at(near), other->second.z, problem)}, options_);
     if (!again.holds) return;
     // Smallest gain of the log density at the mode that replaces a result [nat]
     constexpr double kMinLogGain = 0.05;
@@ -51,7 +51,7 @@ class KnownSets {
     if (!here.holds || cost(again) < cost(here) - kMinLogGain) here = std::move(again);
   }
 
-  [[nodiscard]] const std::map<Topology, BandEvidence>& all() const { return sets_; }
+  [[nodiscard]] const std::map<Topology, BandEvidence>& sets() const { return sets_; }
 
   /// Returns the best set that has, or lacks, a band; null if there is none.
   [[nodiscard]] const std::pair<const Topology, BandEvidence>* best_where(std::size_t band,
@@ -72,7 +72,7 @@ class KnownSets {
 };
 
 /// Fits every set, each starting from a neighbour: in the order of Gray's code from the full set.
-void fit_all(KnownSets& known, std::size_t bands, const Progress& progress) {
+void fit_all_sets(KnownSets& known, std::size_t bands, const Progress& progress) {
   Topology here(bands, true), before = here;
   const unsigned ways = 1U << bands;
   for (unsigned way = 0; way < ways && !(progress.stop() && way > 0); ++way) {
@@ -88,14 +88,14 @@ void fit_all(KnownSets& known, std::size_t bands, const Progress& progress) {
 
   // Fit each again from the best of its neighbours: a search may have missed the mode.
   std::vector<Topology> sets;
-  for (const auto& [set, evidence] : known.all()) sets.push_back(set);
+  for (const auto& [set, evidence] : known.sets()) sets.push_back(set);
   for (std::size_t i = 0; i < sets.size() && !progress.stop(); ++i) {
     progress(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(sets.size()),
              "sets of bands again");
     Topology best = sets[i];
     for (std::size_t b = 0; b < bands; ++b) {
       const Topology other = flipped(sets[i], static_cast<int>(b));
-      if (best == sets[i] || log_bayes_factor(known.all().at(other), known.all().at(best)) > 0)
+      if (best == sets[i] || log_bayes_factor(known.sets().at(other), known.sets().at(best)) > 0)
         best = other;
     }
     known.improve(sets[i], best);
@@ -146,27 +146,27 @@ Sampled sample_sets(KnownSets& known, std::size_t bands, std::mt19937& random,
 bool all_by_draws(const std::map<Topology, BandEvidence>& sets) {
   // Difference from the best log evidence beyond which a set does not matter [nat]
   constexpr double kMinorEvidenceGap = 5;
-  double most = -kInfinity;
+  double largest = -kInfinity;
   for (const auto& [bands, evidence] : sets)
-    if (evidence.holds) most = std::max(most, evidence.laplace);
+    if (evidence.holds) largest = std::max(largest, evidence.laplace);
   return std::all_of(sets.begin(), sets.end(), [&](const auto& each) {
     const BandEvidence& evidence = each.second;
-    return !evidence.holds || evidence.by_draws || evidence.laplace < most - kMinorEvidenceGap;
+    return !evidence.holds || evidence.by_draws || evidence.laplace < largest - kMinorEvidenceGap;
   });
 }
 
 /// Returns the probabilities of sets: by evidence where all are known, else by their visits.
-std::vector<BandSet> weighed(const KnownSets& known, const Sampled& sampled, bool by_draws) {
+std::vector<BandSet> weighted_sets(const KnownSets& known, const Sampled& sampled, bool by_draws) {
   const auto value = [&](const BandEvidence& at) { return by_draws ? at.integral : at.laplace; };
   std::vector<BandSet> sets;
-  double most = -kInfinity, sum = 0;
+  double largest = -kInfinity, sum = 0;
   // Find the largest log evidence.
-  for (const auto& [bands, evidence] : known.all())
-    if (evidence.holds) most = std::max(most, value(evidence));
-  for (const auto& [bands, evidence] : known.all()) {
+  for (const auto& [bands, evidence] : known.sets())
+    if (evidence.holds) largest = std::max(largest, value(evidence));
+  for (const auto& [bands, evidence] : known.sets()) {
     // Weigh each set by its evidence, or by its visits.
     if (!evidence.holds) continue;
-    double weight = std::exp(value(evidence) - most);
+    double weight = std::exp(value(evidence) - largest);
     if (!sampled.visits.empty()) {
       const auto met = sampled.visits.find(bands);
       weight = met == sampled.visits.end() ? 0 : met->second;
@@ -183,7 +183,7 @@ std::vector<BandSet> weighed(const KnownSets& known, const Sampled& sampled, boo
 }
 
 /// Sets a band's probability from those of the sets.
-void believe_by_sets(const std::vector<BandSet>& sets, std::size_t band, BandBelief& belief) {
+void believe_from_sets(const std::vector<BandSet>& sets, std::size_t band, BandBelief& belief) {
   double with = 0, without = 0;
   for (const BandSet& set : sets) (set.bands[band] ? with : without) += set.probability;
   belief.probability = with / (with + without);
@@ -191,7 +191,7 @@ void believe_by_sets(const std::vector<BandSet>& sets, std::size_t band, BandBel
 
 /// Sets a band's probability to the mean of its chances, and the error from the two halves of the
 /// sweeps.
-void believe_by_chances(const std::vector<double>& chances, BandBelief& belief) {
+void believe_from_chances(const std::vector<double>& chances, BandBelief& belief) {
   const auto half = static_cast<std::ptrdiff_t>(chances.size() / 2);
   const auto n = static_cast<double>(chances.size());
   const double all = std::accumulate(chances.begin(), chances.end(), 0.0);
@@ -220,7 +220,7 @@ void compare_best(const BandProblems& problems, const KnownSets& known, std::siz
       belief.doubtful = belief.doubtful || !best->second.by_draws || !best->second.converged;
   // Read the largest tension and the slack length.
   if (!with) return;
-  const FitProblem problem = problems.with(with->first);
+  const FitProblem problem = problems.problem_with(with->first);
   const Eigen::VectorXd& z = with->second.z;
   for (const BandTension& each : largest_tensions(problem, z))
     if (each.band == belief.name) belief.tension = each.tension;
@@ -230,7 +230,7 @@ void compare_best(const BandProblems& problems, const KnownSets& known, std::siz
 }
 
 /// Decides whether a band exists, and gives a reason if its forces do not tell.
-void judge(const KnownSets& known, std::size_t band, BandBelief& belief) {
+void decide_band(const KnownSets& known, std::size_t band, BandBelief& belief) {
   const auto* with = known.best_where(band, true);
   const auto* without = known.best_where(band, false);
   // Compute the log odds; where the probability rounds to 0 or 1, from the best set of each side.
@@ -245,7 +245,8 @@ void judge(const KnownSets& known, std::size_t band, BandBelief& belief) {
   else if (belief.probability <= 1 - kDecidedProbability)
     belief.verdict = Verdict::kNo;
   else
-    belief.why = belief.tension < kSlackTension ? WhyUntold::kSlack : WhyUntold::kOthers;
+    belief.why =
+        belief.tension < kSlackTension ? UndecidedReason::kSlack : UndecidedReason::kOthers;
 }
 
 }  // namespace
@@ -267,15 +268,15 @@ BandPosterior band_posterior(const BandProblems& problems, std::mt19937& random,
   BandPosterior out;
   const bool enumerates = static_cast<int>(bands) <= options.enumerated;
   if (enumerates)
-    fit_all(known, bands, progress);
+    fit_all_sets(known, bands, progress);
   else
     sampled = sample_sets(known, bands, random, options, progress);
   out.stopped = progress.stop();
-  out.fitted = known.all().size();
-  out.enumerated = enumerates && known.all().size() == std::size_t{1} << bands;
-  for (const auto& [set, evidence] : known.all()) out.failed += evidence.holds ? 0 : 1;
-  out.by_draws = all_by_draws(known.all());
-  out.sets = weighed(known, sampled, out.by_draws);
+  out.fitted = known.sets().size();
+  out.enumerated = enumerates && known.sets().size() == std::size_t{1} << bands;
+  for (const auto& [set, evidence] : known.sets()) out.failed += evidence.holds ? 0 : 1;
+  out.by_draws = all_by_draws(known.sets());
+  out.sets = weighted_sets(known, sampled, out.by_draws);
   out.found = !out.sets.empty();
   if (!out.found) return out;
 
@@ -284,17 +285,17 @@ BandPosterior band_posterior(const BandProblems& problems, std::mt19937& random,
     BandBelief belief;
     belief.name = problems.bands()[b];
     if (enumerates || sampled.chances[b].empty())
-      believe_by_sets(out.sets, b, belief);
+      believe_from_sets(out.sets, b, belief);
     else
-      believe_by_chances(sampled.chances[b], belief);
+      believe_from_chances(sampled.chances[b], belief);
     compare_best(problems, known, b, belief);
-    judge(known, b, belief);
+    decide_band(known, b, belief);
     out.bands.push_back(std::move(belief));
   }
 
   // Estimate the noise from the best set; keep the most probable sets and renormalize.
   const BandEvidence& best = out.sets.front().evidence;
-  const double spare = measured_numbers(problems.all()) - best.effective;
+  const double spare = measured_numbers(problems.full_problem()) - best.effective;
   out.noise = spare > 0 ? std::sqrt(best.misfit / spare) : kInfinity;
   if (out.sets.size() > static_cast<std::size_t>(options.kept))
     out.sets.resize(static_cast<std::size_t>(options.kept));

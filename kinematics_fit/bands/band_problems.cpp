@@ -42,7 +42,7 @@ BandProblems::BandProblems(FitProblem all, FitSettings settings, std::vector<std
   for (ParameterRule& rule : settings_.rules) rule.optional = true;
 }
 
-FitProblem BandProblems::with(const Topology& present) const {
+FitProblem BandProblems::problem_with(const Topology& present) const {
   require(present.size() == bands_.size(), "{} bands are in question, got {}", bands_.size(),
           present.size());
   // Cut the absent bands from the digit.
@@ -64,8 +64,8 @@ FitProblem BandProblems::with(const Topology& present) const {
           all_.robust_scale(), all_.axis_distances(), all_.scaling()};
 }
 
-Eigen::VectorXd carried_over(const std::vector<std::string>& names, const Eigen::VectorXd& z,
-                             const FitProblem& to) {
+Eigen::VectorXd transfer_point(const std::vector<std::string>& names, const Eigen::VectorXd& z,
+                               const FitProblem& to) {
   std::map<std::string, double> known;
   for (std::size_t i = 0; i < names.size(); ++i) known[names[i]] = z[i];
   // Copy entries by name, then clamp them to the bounds.

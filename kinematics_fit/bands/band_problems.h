@@ -31,10 +31,10 @@ class BandProblems {
 
   /// Returns the fit with the given ones of the bands in question (bands). Absent bands have no
   /// parameters.
-  [[nodiscard]] FitProblem with(const Topology& present) const;
+  [[nodiscard]] FitProblem problem_with(const Topology& present) const;
 
   /// Returns the fit with every band.
-  [[nodiscard]] const FitProblem& all() const { return all_; }
+  [[nodiscard]] const FitProblem& full_problem() const { return all_; }
   [[nodiscard]] const std::vector<std::string>& bands() const { return bands_; }
 
  private:
@@ -47,7 +47,7 @@ class BandProblems {
 /// Transfers a point of another fit of the same net: entries of equal names are copied and clipped
 /// to the bounds of `to`; others are 0 (size of `to`).
 /// @param names, z  names and values of the other fit's entries
-[[nodiscard]] Eigen::VectorXd carried_over(const std::vector<std::string>& names,
-                                           const Eigen::VectorXd& z, const FitProblem& to);
+[[nodiscard]] Eigen::VectorXd transfer_point(const std::vector<std::string>& names,
+                                             const Eigen::VectorXd& z, const FitProblem& to);
 
 }  // namespace thenar

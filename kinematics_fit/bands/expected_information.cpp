@@ -14,7 +14,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostRows =
+constexpr int kMaxRows =
     3;  // largest number of rows of a reading; quadrature points grow exponentially with it
 
 /// Quadrature points of a standard normal vector, and their weights: product of Gauss-Hermite
@@ -89,7 +89,7 @@ void check(const std::vector<PredictedReading>& hypotheses,
            const std::vector<HypothesisAnswers>& questions) {
   require(!hypotheses.empty(), "a reading tells nothing without hypotheses");
   const Eigen::Index rows = hypotheses.front().mean.size();
-  require(rows >= 1 && rows <= kMostRows, "a reading of 1 to {} rows was wanted, got {}", kMostRows,
+  require(rows >= 1 && rows <= kMaxRows, "a reading of 1 to {} rows was wanted, got {}", kMaxRows,
           rows);
   double sum = 0;
   for (const PredictedReading& each : hypotheses) {

@@ -78,7 +78,7 @@ double slack_information(const Forecast& at, const MatrixXd& J, const MatrixXd& 
 /// (3, trials).
 Eigen::Matrix3Xd noise_variance(const BandProblems& problems, const Experiment& pool,
                                 const Eigen::Matrix3Xd& force) {
-  const FitParameters& parameters = problems.all().parameters();
+  const FitParameters& parameters = problems.full_problem().parameters();
   Eigen::Matrix3Xd variance(3, force.cols());
   for (Eigen::Index i = 0; i < force.cols(); ++i) {
     Trial trial = pool.trials[i];
@@ -105,7 +105,7 @@ std::vector<RankedTrial> rank_trials(const BandProblems& problems, const BandPos
                                      const std::vector<Trial>& trials, const Progress& progress) {
   require(!posterior.sets.empty(), "no set of bands carries the loads: nothing to rank trials by");
   // Collect all trials in one experiment on the same rig.
-  Experiment pool = problems.all().experiments().front();
+  Experiment pool = problems.full_problem().experiments().front();
   pool.trials = trials;
   pool.activations.clear();
   // Predict the trials by every set, and the mean force, which determines the noise.
@@ -114,7 +114,7 @@ std::vector<RankedTrial> rank_trials(const BandProblems& problems, const BandPos
   for (std::size_t k = 0; k < posterior.sets.size() && !(k > 0 && progress.stop()); ++k) {
     progress(static_cast<double>(k) / static_cast<double>(posterior.sets.size()), "next trials");
     const BandSet& set = posterior.sets[k];
-    forecasts.push_back(forecast_of(problems.with(set.bands), set.evidence.z, pool));
+    forecasts.push_back(forecast_of(problems.problem_with(set.bands), set.evidence.z, pool));
     mean += set.probability * forecasts.back().force;
   }
   if (forecasts.size() < posterior.sets.size()) return {};
@@ -127,7 +127,7 @@ std::vector<RankedTrial> rank_trials(const BandProblems& problems, const BandPos
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const auto column = static_cast<Eigen::Index>(i);
     const MatrixXd S = noise.col(column).head(rows).asDiagonal();
-    RankedTrial out{trials[i], trial_name(problems.all().digit(), trials[i]), 0, 0, {}, 0};
+    RankedTrial out{trials[i], trial_name(problems.full_problem().digit(), trials[i]), 0, 0, {}, 0};
     // Predict the reading by every set, with the information about slack lengths.
     std::vector<PredictedReading> readings;
     for (std::size_t k = 0; k < forecasts.size(); ++k) {
@@ -141,8 +141,8 @@ std::vector<RankedTrial> rank_trials(const BandProblems& problems, const BandPos
     const VectorXd bits = expected_information(readings, questions);
     out.information = bits(0);
     Eigen::Index most = 0;
-    out.of_most_told = bits.tail(bits.size() - 1).maxCoeff(&most);
-    if (out.of_most_told > 0) out.most_told = posterior.bands[most].name;
+    out.band_information = bits.tail(bits.size() - 1).maxCoeff(&most);
+    if (out.band_information > 0) out.most_informed_band = posterior.bands[most].name;
     ranked.push_back(std::move(out));
   }
   std::stable_sort(ranked.begin(), ranked.end(), [](const RankedTrial& a, const RankedTrial& b) {

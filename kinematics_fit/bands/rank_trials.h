@@ -19,9 +19,8 @@ struct RankedTrial {
   std::string name;        // posture and tensions, see trial_name()
   double information = 0;  // expected decrease of the entropy of the set of bands [bit]
   double slack = 0;  // expected information about slack lengths given the set: mean over sets [bit]
-  std::string
-      most_told;  // band about which the trial is most informative; empty if all are decided
-  double of_most_told = 0;  // expected decrease of the entropy of that band's existence [bit]
+  std::string most_informed_band;  // band of which the trial tells most; empty if all are decided
+  double band_information = 0;  // expected decrease of the entropy of that band's existence [bit]
 };
 
 /// Ranks trials by `information`, then by `slack`, best first. Each set k of the posterior predicts

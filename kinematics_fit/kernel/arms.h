@@ -10,13 +10,13 @@ namespace thenar::kernel {
 namespace {
 
 /// Returns an angle of the posture [rad].
-inline V angle_at(const AngleStep& angle, const Posed& posed) {
+inline V angle_at(const AngleStep& angle, const PosedDigit& posed) {
   if (angle.coordinate < 0) return splat(angle.offset);
   return angle.ratio * posed.angle[angle.coordinate] + angle.offset;
 }
 
 /// Computes arms without friction: constant ones, or those of straight runs  u = (b - a) / |b - a|,
-inline void set_paths(const Program& program, const DigitParameters& digit, Posed& posed) {
+inline void set_paths(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
   // Constant arms; strands with a path start from zero.
   const int n = program.coordinates;
   for (int i = 0; i < program.strands * n; ++i)
@@ -41,8 +41,8 @@ inline void set_paths(const Program& program, const DigitParameters& digit, Pose
 }
 
 /// Adjoint of set_paths().
-inline void adjoint_paths(const Program& program, const Posed& posed, Posed& adjoint, Wrenches& on,
-                          DigitParameters& adjoint_digit) {
+inline void adjoint_paths(const Program& program, const PosedDigit& posed, PosedDigit& adjoint,
+                          Wrenches& on, DigitParameters& adjoint_digit) {
   const int n = program.coordinates;
   for (int k = 0; k < program.runs.size(); ++k) {
     // Each term of the arm: adjoints of the direction, the axis and both points.
@@ -75,7 +75,7 @@ inline void adjoint_paths(const Program& program, const Posed& posed, Posed& adj
 }
 
 /// Returns the size of a bend, smoothed as in bend_size() [rad].
-inline V size_of(const BendStep& bend, const Posed& posed) {
+inline V size_of(const BendStep& bend, const PosedDigit& posed) {
   const V angle = angle_at(bend.angle, posed);
   return bend.angle.coordinate < 0 ? (angle < 0.0 ? -angle : angle)
                                    : square_root(angle * angle + 1e-4);
@@ -89,7 +89,7 @@ inline bool bends_before(const Program& program, int j) {
 
 /// Computes arm = frictionless_arm exp(-mu bent),  with bent_j the sum of the bends between the
 /// muscle and coordinate j.
-inline void set_friction(const Program& program, const DigitParameters& digit, Posed& posed) {
+inline void set_friction(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
   // Without sheaths, the arms are those without friction.
   const int n = program.coordinates;
   for (int i = 0; i < program.strands * n; ++i) posed.arm[i] = posed.frictionless_arm[i];
@@ -114,7 +114,8 @@ inline void set_friction(const Program& program, const DigitParameters& digit, P
 
 /// Adjoint of set_friction().
 inline void adjoint_friction(const Program& program, const DigitParameters& digit,
-                             const Posed& posed, Posed& adjoint, DigitParameters& adjoint_digit) {
+                             const PosedDigit& posed, PosedDigit& adjoint,
+                             DigitParameters& adjoint_digit) {
   // Without sheaths, the adjoints are unchanged.
   const int n = program.coordinates;
   for (int i = 0; i < program.strands * n; ++i) adjoint.frictionless_arm[i] = adjoint.arm[i];

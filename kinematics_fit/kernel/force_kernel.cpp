@@ -19,10 +19,11 @@ class ForceKernel::Tape {
 ForceKernel::ForceKernel(const TendonDigit& digit, const FitParameters& parameters,
                          const ExperimentPlan& plan)
     : program_(std::make_unique<Program>()) {
-  require(knows(digit, plan), "a compiled model has no extensor net and forces of the tip alone");
+  require(supports(digit, plan),
+          "a compiled model has no extensor net and forces of the tip alone");
   kernel::compile(digit, parameters, plan, *program_);
 }
-bool ForceKernel::knows(const TendonDigit& digit, const ExperimentPlan& plan) {
+bool ForceKernel::supports(const TendonDigit& digit, const ExperimentPlan& plan) {
   return !digit.net && plan.sites.empty();
 }
 

@@ -20,7 +20,7 @@ class ForceKernel {
  public:
   /// Returns whether the kernel supports a digit and a plan: no extensor net, and no forces
   /// measured at segments other than the tip.
-  [[nodiscard]] static bool knows(const TendonDigit& digit, const ExperimentPlan& plan);
+  [[nodiscard]] static bool supports(const TendonDigit& digit, const ExperimentPlan& plan);
 
   /// @param parameters  selects the parameters that move; the others stay at their means
   /// @throws InputError for an experiment that it does not support.

@@ -44,13 +44,13 @@ inline Vec adjoint_tilt(const Tilt& t, const Mat& Q_bar) {
 }
 
 /// Returns the directions of the force components, in the posture of their link.
-inline Mat stated_axes(const Program& program, const Posed& posed) {
+inline Mat stated_axes(const Program& program, const PosedDigit& posed) {
   const Mat axes = constant_matrix(program.tip_axes);
   return program.force_link < 0 ? axes : posed.R[program.force_link] * axes;
 }
 
 /// Computes cell = components  tilt  stated_axes' tip_axes.
-inline void set_load_cell(const Program& program, const DigitParameters& digit, Posed& posed) {
+inline void set_load_cell(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
   if (!program.cell_moves) {
     *posed.cell = constant_matrix(program.still_cell);
     return;
@@ -64,7 +64,7 @@ inline void set_load_cell(const Program& program, const DigitParameters& digit, 
 
 /// Adjoint of set_load_cell().
 inline void adjoint_load_cell(const Program& program, const DigitParameters& digit,
-                              const Posed& posed, const Mat& cell_bar, Wrenches& on,
+                              const PosedDigit& posed, const Mat& cell_bar, Wrenches& on,
                               DigitParameters& adjoint_digit) {
   if (!program.cell_moves) return;
   // The tilt is the last factor of the product.
@@ -94,7 +94,7 @@ inline void adjoint_load_cell(const Program& program, const DigitParameters& dig
 namespace {
 
 /// Returns the torque of a trial about joint j, computed or constant [N m].
-inline V torque_of(const Program& program, const PostureStep& posture, const Posed& posed,
+inline V torque_of(const Program& program, const PostureStep& posture, const PosedDigit& posed,
                    int trial, int j) {
   return program.arms_move ? posed.torque[(trial - posture.first_trial) * program.coordinates + j]
                            : splat(program.still_torque[trial * program.coordinates + j]);
@@ -120,8 +120,8 @@ inline Vec unexplained_force(const Program& program, const DigitParameters& digi
 }
 
 /// Computes map = cell (rows of P that are forces) and force = map torque + cell unexplained.
-inline void set_forces(const Program& program, int k, const DigitParameters& digit, Posed& posed,
-                       V* force) {
+inline void set_forces(const Program& program, int k, const DigitParameters& digit,
+                       PosedDigit& posed, V* force) {
   // Force components per joint torque.
   const int n = program.coordinates;
   const Mat cell = *posed.cell;
@@ -149,7 +149,7 @@ inline void set_forces(const Program& program, int k, const DigitParameters& dig
 /// contribution to cell_bar.
 // NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
 inline void adjoint_unexplained(const Program& program, int trial, const DigitParameters& digit,
-                                const Posed& posed, const Vec& force_bar,
+                                const PosedDigit& posed, const Vec& force_bar,
                                 DigitParameters& adjoint_digit, Mat& cell_bar) {
   const Vec push = turned_back(*posed.cell, force_bar);
   const TrialStep& step = program.trial_steps[trial];
@@ -170,7 +170,7 @@ inline void adjoint_unexplained(const Program& program, int trial, const DigitPa
 /// from it P_bar = cell' map_bar and cell_bar = map_bar P'.
 // NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
 inline Mat adjoint_forces(const Program& program, int k, const DigitParameters& digit,
-                          const Posed& posed, const V* force_bar, Posed& adjoint,
+                          const PosedDigit& posed, const V* force_bar, PosedDigit& adjoint,
                           DigitParameters& adjoint_digit) {
   // From forces of the trials to the map and the torques.
   const int n = program.coordinates;

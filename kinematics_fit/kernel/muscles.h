@@ -15,12 +15,13 @@ inline V shifted(double c, const V& u) {
 
 /// Arms, at one coordinate, of the strands to which the hood distributes a share: the central slip,
 /// and the lateral bands with the terminal slip.
-struct Fed {
+struct HoodStrandArms {
   V central, lateral;
 };
 
 /// Returns the arms of the strands of a share at coordinate j.
-inline Fed fed(const Program& program, const ShareStep& share, const V* arm, int j) {
+inline HoodStrandArms hood_strand_arms(const Program& program, const ShareStep& share, const V* arm,
+                                       int j) {
   const int n = program.coordinates;
   const HoodSteps& hood = program.hood;
   return {arm[hood.central_slip * n + j], share.radial * arm[hood.radial_band * n + j] +
@@ -29,7 +30,7 @@ inline Fed fed(const Program& program, const ShareStep& share, const V* arm, int
 }
 
 /// Computes row = arms of the pulled strand + h (c central + (1 - c) lateral).
-inline void set_rows(const Program& program, const DigitParameters& digit, Posed& posed) {
+inline void set_rows(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
   const int n = program.coordinates;
   for (int m = 0; m < program.pulls_strand.size(); ++m)
     for (int j = 0; j < n; ++j) posed.row[m * n + j] = posed.arm[program.pulls_strand[m] * n + j];
@@ -42,7 +43,7 @@ inline void set_rows(const Program& program, const DigitParameters& digit, Posed
         share.central, digit.number[share.central_shift] + digit.number[share.slope] * bent);
     // Arms through the hood, weighted by the fractions.
     for (int j = 0; j < n; ++j) {
-      const Fed strands = fed(program, share, posed.arm, j);
+      const HoodStrandArms strands = hood_strand_arms(program, share, posed.arm, j);
       posed.row[share.muscle * n + j] +=
           posed.into[b] *
           (posed.central[b] * strands.central + (1.0 - posed.central[b]) * strands.lateral);
@@ -51,8 +52,9 @@ inline void set_rows(const Program& program, const DigitParameters& digit, Posed
 }
 
 /// Adjoint of set_rows().
-inline void adjoint_rows(const Program& program, const DigitParameters& digit, const Posed& posed,
-                         Posed& adjoint, DigitParameters& adjoint_digit) {
+inline void adjoint_rows(const Program& program, const DigitParameters& digit,
+                         const PosedDigit& posed, PosedDigit& adjoint,
+                         DigitParameters& adjoint_digit) {
   // Strands that the muscles pull.
   const int n = program.coordinates;
   for (int m = 0; m < program.pulls_strand.size(); ++m)
@@ -67,7 +69,7 @@ inline void adjoint_rows(const Program& program, const DigitParameters& digit, c
     V by_central = V{}, by_lateral = V{};
     for (int j = 0; j < n; ++j) {
       const V push = adjoint.row[share.muscle * n + j];
-      const Fed strands = fed(program, share, posed.arm, j);
+      const HoodStrandArms strands = hood_strand_arms(program, share, posed.arm, j);
       by_central += push * strands.central;
       by_lateral += push * strands.lateral;
       const V central = h * c * push, lateral = h * (1.0 - c) * push;
@@ -90,7 +92,8 @@ inline void adjoint_rows(const Program& program, const DigitParameters& digit, c
 }
 
 /// Computes torque = sum over muscles of  gain tension row.
-inline void set_torques(const Program& program, int k, const DigitParameters& digit, Posed& posed) {
+inline void set_torques(const Program& program, int k, const DigitParameters& digit,
+                        PosedDigit& posed) {
   const int n = program.coordinates;
   const PostureStep& posture = program.postures[k];
   clear(posed.torque, (posture.last_trial - posture.first_trial) * n);
@@ -107,7 +110,8 @@ inline void set_torques(const Program& program, int k, const DigitParameters& di
 
 /// Adjoint of set_torques().
 inline void adjoint_torques(const Program& program, int k, const DigitParameters& digit,
-                            const Posed& posed, Posed& adjoint, DigitParameters& adjoint_digit) {
+                            const PosedDigit& posed, PosedDigit& adjoint,
+                            DigitParameters& adjoint_digit) {
   const int n = program.coordinates;
   const PostureStep& posture = program.postures[k];
   for (int i = posture.first_trial; i < posture.last_trial; ++i) {

@@ -18,7 +18,8 @@ inline Mat turned(const Mat& R, const Vec& along, const Vec& d, const V& sine, c
 }
 
 /// Computes sines and cosines of all hinges in posture `k`.
-inline void set_angles(const Program& program, int k, const DigitParameters& digit, Posed& posed) {
+inline void set_angles(const Program& program, int k, const DigitParameters& digit,
+                       PosedDigit& posed) {
   // Stated angles plus their errors in all postures and in this one.
   const int n = program.coordinates, own = program.postures[k].own_error;
   for (int j = 0; j < n; ++j) {
@@ -39,7 +40,7 @@ inline void set_angles(const Program& program, int k, const DigitParameters& dig
 }
 
 /// Adjoint of set_angles(), from angles to their errors.
-inline void adjoint_angles(const Program& program, int k, const Posed& adjoint,
+inline void adjoint_angles(const Program& program, int k, const PosedDigit& adjoint,
                            DigitParameters& adjoint_digit) {
   const int own = program.postures[k].own_error;
   for (int j = 0; j < program.coordinates; ++j) {
@@ -50,7 +51,7 @@ inline void adjoint_angles(const Program& program, int k, const Posed& adjoint,
 
 /// Computes, link by link:  axis = R_parent d,  point = its position on the parent,  R = R_parent
 /// turn.
-inline void pose(const Program& program, const DigitParameters& digit, Posed& posed) {
+inline void pose(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
   for (int i = 0; i < program.hinges.size(); ++i) {
     const HingeStep& hinge = program.hinges[i];
     const Vec d = digit.direction[i], p = vector_at(digit.number + hinge.point);
@@ -77,8 +78,8 @@ inline void pose(const Program& program, const DigitParameters& digit, Posed& po
 ///   angle_bar = axis . M,
 ///   d_bar     = R_parent' (sin M + (1 - cos) M x axis + axis_bar),
 ///   p_bar     = R_parent' (F + point_bar) - R' F.
-inline void adjoint_pose(const Program& program, const Posed& posed, Wrenches& on, Posed& adjoint,
-                         DigitParameters& adjoint_digit) {
+inline void adjoint_pose(const Program& program, const PosedDigit& posed, Wrenches& on,
+                         PosedDigit& adjoint, DigitParameters& adjoint_digit) {
   for (int i = program.hinges.size() - 1; i >= 0; --i) {
     const HingeStep& hinge = program.hinges[i];
     const Vec F = on.force[i], M = on.moment[i], axis = posed.axis[i];
@@ -104,7 +105,7 @@ inline void adjoint_pose(const Program& program, const Posed& posed, Wrenches& o
 }
 
 /// Returns the position of a point of a link in the posture; link -1 is the base.
-inline Vec link_point(const Program& program, const DigitParameters& digit, const Posed& posed,
+inline Vec link_point(const Program& program, const DigitParameters& digit, const PosedDigit& posed,
                       int link, int place) {
   const Vec p = vector_at(digit.number + place);
   if (link < 0) return p;
@@ -114,7 +115,7 @@ inline Vec link_point(const Program& program, const DigitParameters& digit, cons
 
 /// Adjoint of link_point(): a force `push` at the point's position x acts on its link.
 // NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
-inline void adjoint_link_point(const Posed& posed, int link, int place, const Vec& x,
+inline void adjoint_link_point(const PosedDigit& posed, int link, int place, const Vec& x,
                                const Vec& push, Wrenches& on, DigitParameters& adjoint_digit) {
   if (link < 0) {
     add_vector(adjoint_digit.number + place, push);

@@ -18,8 +18,8 @@ inline int work_length(const Program& program) {
 }
 
 /// Evaluates one posture.
-inline void run_posture(const Program& program, int k, const DigitParameters& digit, Posed& posed,
-                        V* work, V* force) {
+inline void run_posture(const Program& program, int k, const DigitParameters& digit,
+                        PosedDigit& posed, V* work, V* force) {
   // Steps 2 and 3: pose, and torques of the tendons.
   set_angles(program, k, digit, posed);
   pose(program, digit, posed);
@@ -39,8 +39,8 @@ inline void run_posture(const Program& program, int k, const DigitParameters& di
 /// Evaluates the adjoint of one posture. `adjoint` and `on` must be zero.
 // NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
 inline void adjoint_posture(const Program& program, int k, const DigitParameters& digit,
-                            const Posed& posed, const V* force_bar, Posed& adjoint, Wrenches& on,
-                            DigitParameters& adjoint_digit, V* work) {
+                            const PosedDigit& posed, const V* force_bar, PosedDigit& adjoint,
+                            Wrenches& on, DigitParameters& adjoint_digit, V* work) {
   // Steps 6 to 4 backward: forces, load cell, loads of the tip constraint.
   const Mat cell_bar = adjoint_forces(program, k, digit, posed, force_bar, adjoint, adjoint_digit);
   adjoint_load_cell(program, digit, posed, cell_bar, on, adjoint_digit);
@@ -72,7 +72,7 @@ inline bool asks_for(const Program& program, int k, const V* force_bar) {
 inline long tape_length(const Program& program) {
   BumpAllocator bump(nullptr);
   DigitParameters numbers(program, bump);
-  for (const PostureStep& posture : program.postures) Posed(program, posture, bump);
+  for (const PostureStep& posture : program.postures) PosedDigit(program, posture, bump);
   return bump.used();
 }
 
@@ -86,7 +86,7 @@ inline long scratch_length(const Program& program) {
   long most = 0;
   for (const PostureStep& posture : program.postures) {
     BumpAllocator own(nullptr);
-    Posed(program, posture, own);
+    PosedDigit(program, posture, own);
     most = own.used() > most ? own.used() : most;
   }
   return bump.used() + most + program.fit_coordinates + 3 * program.trials + work_length(program);
@@ -110,9 +110,9 @@ inline void run(const Program& program, const double* const* u, int count, doubl
                 double* scratch, double* const* forces, KeepTape keep) {
   // Allocate the workspace, and store points side by side in lanes.
   BumpAllocator kept(reinterpret_cast<V*>(tape)), passing(reinterpret_cast<V*>(scratch));
-  V* displacement = passing.take<V>(program.fit_coordinates);
-  V* force = passing.take<V>(3 * program.trials);
-  V* work = passing.take<V>(work_length(program));
+  V* displacement = passing.allocate<V>(program.fit_coordinates);
+  V* force = passing.allocate<V>(3 * program.trials);
+  V* work = passing.allocate<V>(work_length(program));
   gather(u, program.fit_coordinates, displacement);
   // Step 1, once for all postures.
   DigitParameters digit(program, kept);
@@ -120,7 +120,7 @@ inline void run(const Program& program, const double* const* u, int count, doubl
   for (int k = 0; k < program.postures.size(); ++k) {
     // Store postures one after another on the tape, or all at the same position.
     BumpAllocator own = kept;
-    Posed posed(program, program.postures[k], own);
+    PosedDigit posed(program, program.postures[k], own);
     if (keep == KeepTape::kYes) kept = own;
     run_posture(program, k, digit, posed, work, force);
   }
@@ -132,9 +132,9 @@ inline void run_adjoint(const Program& program, double* tape, const double* cons
                         int count, double* scratch, double* const* gradient) {
   // Read the tape in the order in which it was written.
   BumpAllocator kept(reinterpret_cast<V*>(tape)), passing(reinterpret_cast<V*>(scratch));
-  V* u_bar = passing.take<V>(program.fit_coordinates);
-  V* force_bar = passing.take<V>(3 * program.trials);
-  V* work = passing.take<V>(work_length(program));
+  V* u_bar = passing.allocate<V>(program.fit_coordinates);
+  V* force_bar = passing.allocate<V>(3 * program.trials);
+  V* work = passing.allocate<V>(work_length(program));
   gather(weights, 3 * program.trials, force_bar);
   const DigitParameters digit(program, kept);
   // Adjoints of the digit's numbers are sums over postures: start at zero.
@@ -143,11 +143,11 @@ inline void run_adjoint(const Program& program, double* tape, const double* cons
   clear(u_bar, program.fit_coordinates);
   clear(u_bar + before, passing.used() - before);
   for (int k = 0; k < program.postures.size(); ++k) {
-    const Posed posed(program, program.postures[k], kept);
+    const PosedDigit posed(program, program.postures[k], kept);
     if (!asks_for(program, k, force_bar)) continue;
     // Adjoints of each posture start at zero.
     BumpAllocator own = passing;
-    Posed adjoint(program, program.postures[k], own);
+    PosedDigit adjoint(program, program.postures[k], own);
     Wrenches on(program, own);
     clear(u_bar + passing.used(), own.used() - passing.used());
     adjoint_posture(program, k, digit, posed, force_bar, adjoint, on, adjoint_digit, work);

@@ -13,7 +13,7 @@ class BumpAllocator {
  public:
   explicit BumpAllocator(V* first) : first_(first) {}
   template <typename T>
-  T* take(int count) {
+  T* allocate(int count) {
     T* part = first_ == nullptr ? nullptr : reinterpret_cast<T*>(first_ + used_);
     // NOLINTNEXTLINE(bugprone-sizeof-expression): T and V are no pointers
     used_ += count * static_cast<long>(sizeof(T) / sizeof(V));
@@ -33,13 +33,13 @@ struct DigitParameters {
   V* shrink;       // 1 / length of the directions before normalisation (hinges)
 
   DigitParameters(const Program& program, BumpAllocator& bump)
-      : number(bump.take<V>(program.start.size())),
-        direction(bump.take<Vec>(program.hinges.size())),
-        shrink(bump.take<V>(program.hinges.size())) {}
+      : number(bump.allocate<V>(program.start.size())),
+        direction(bump.allocate<Vec>(program.hinges.size())),
+        shrink(bump.allocate<V>(program.hinges.size())) {}
 };
 
 /// Intermediate results of one posture; their adjoints have the same shapes.
-struct Posed {
+struct PosedDigit {
   V* angle;           // joint angles with errors [rad] (coordinates)
   V *sine, *cosine;   // (hinges)
   Mat* R;             // orientation of each link (hinges)
@@ -63,31 +63,32 @@ struct Posed {
   Mat* cell;   // map from the tip's force components to the cell's
   V* map;      // forces per torque (3, coordinates)
 
-  Posed(const Program& p, const PostureStep& posture, BumpAllocator& bump) {
+  PosedDigit(const Program& p, const PostureStep& posture, BumpAllocator& bump) {
     const int n = p.coordinates, hinges = p.hinges.size();
     // Angles and poses.
-    angle = bump.take<V>(n);
-    sine = bump.take<V>(hinges), cosine = bump.take<V>(hinges);
-    R = bump.take<Mat>(hinges);
-    axis = bump.take<Vec>(hinges), point = bump.take<Vec>(hinges);
+    angle = bump.allocate<V>(n);
+    sine = bump.allocate<V>(hinges), cosine = bump.allocate<V>(hinges);
+    R = bump.allocate<Mat>(hinges);
+    axis = bump.allocate<Vec>(hinges), point = bump.allocate<Vec>(hinges);
     // Arms, if they move.
     if (p.arms_move) {
-      node = bump.take<Vec>(p.nodes.size());
-      run = bump.take<Vec>(p.runs.size());
-      length = bump.take<V>(p.runs.size());
-      frictionless_arm = bump.take<V>(p.strands * n), tension_ratio = bump.take<V>(p.strands * n);
-      arm = bump.take<V>(p.strands * n);
-      bent = bump.take<V>(n);
-      into = bump.take<V>(p.shares.size()), central = bump.take<V>(p.shares.size());
-      row = bump.take<V>(p.pulls_strand.size() * n);
+      node = bump.allocate<Vec>(p.nodes.size());
+      run = bump.allocate<Vec>(p.runs.size());
+      length = bump.allocate<V>(p.runs.size());
+      frictionless_arm = bump.allocate<V>(p.strands * n),
+      tension_ratio = bump.allocate<V>(p.strands * n);
+      arm = bump.allocate<V>(p.strands * n);
+      bent = bump.allocate<V>(n);
+      into = bump.allocate<V>(p.shares.size()), central = bump.allocate<V>(p.shares.size());
+      row = bump.allocate<V>(p.pulls_strand.size() * n);
     }
     // Torques, loads and forces.
-    torque = bump.take<V>(p.arms_move ? (posture.last_trial - posture.first_trial) * n : 0);
-    tip = bump.take<Vec>(1);
-    axes = bump.take<Mat>(1);
-    load = bump.take<V>(n * p.loads), inverse = bump.take<V>(n * p.loads);
-    cell = bump.take<Mat>(1);
-    map = bump.take<V>(3 * n);
+    torque = bump.allocate<V>(p.arms_move ? (posture.last_trial - posture.first_trial) * n : 0);
+    tip = bump.allocate<Vec>(1);
+    axes = bump.allocate<Mat>(1);
+    load = bump.allocate<V>(n * p.loads), inverse = bump.allocate<V>(n * p.loads);
+    cell = bump.allocate<Mat>(1);
+    map = bump.allocate<V>(3 * n);
   }
 };
 
@@ -98,8 +99,8 @@ struct Wrenches {
                 // (hinges)
 
   Wrenches(const Program& program, BumpAllocator& bump)
-      : force(bump.take<Vec>(program.hinges.size())),
-        moment(bump.take<Vec>(program.hinges.size())) {}
+      : force(bump.allocate<Vec>(program.hinges.size())),
+        moment(bump.allocate<Vec>(program.hinges.size())) {}
 };
 
 /// Sets registers to zero.

@@ -12,7 +12,7 @@ namespace {
 /// forces in two or three directions a_k of the tip,  ratio (axis x (tip - point)) . a_k,  and
 /// moments,
 ///   ratio length axis . a_k.
-inline void set_loads(const Program& program, const DigitParameters& digit, Posed& posed) {
+inline void set_loads(const Program& program, const DigitParameters& digit, PosedDigit& posed) {
   // Position and directions of the tip in the posture.
   const int c = program.loads, forces = program.tip_forces;
   const V out = digit.number[program.out_of_plane];
@@ -38,9 +38,9 @@ inline void set_loads(const Program& program, const DigitParameters& digit, Pose
 /// Adjoint of set_loads(). Directions a_k rotate with the tip's link; the moment on it is  a_k x
 /// a_k_bar.
 // NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
-inline void adjoint_loads(const Program& program, const DigitParameters& digit, const Posed& posed,
-                          const V* load_bar, Posed& adjoint, Wrenches& on,
-                          DigitParameters& adjoint_digit) {
+inline void adjoint_loads(const Program& program, const DigitParameters& digit,
+                          const PosedDigit& posed, const V* load_bar, PosedDigit& adjoint,
+                          Wrenches& on, DigitParameters& adjoint_digit) {
   const int c = program.loads, forces = program.tip_forces, link = program.tip_link;
   const V out = digit.number[program.out_of_plane];
   const Mat& a = *posed.axes;

@@ -28,14 +28,14 @@ class TaskPlanner {
       const double sd = row.sd.at(name);
       if (activation == 0 && sd == 0) continue;
       const int muscle = find_muscle(name);
-      const double most = digit_.max_tension[muscle];
-      require(std::isfinite(most),
+      const double max_tension = digit_.max_tension[muscle];
+      require(std::isfinite(max_tension),
               "experiment '{}' states the activation of '{}', whose max_force the subject does not "
               "say",
               experiment_.name, name);
       // Add the expected tension, and its variance.
       task.pulls.push_back({column(static_cast<int>(posture - postures.begin()), muscle),
-                            most * activation, std::pow(most * sd, 2)});
+                            max_tension * activation, std::pow(max_tension * sd, 2)});
     }
     return task;
   }

@@ -18,7 +18,7 @@ namespace {
 // Tolerance on joint limits, which were measured on other hands [rad]
 constexpr double kLimitSlack = 5 * kDegree;
 // Largest plausible tension over a muscle's maximum force; no living muscle exceeds it [1]
-constexpr double kTooStrong = 2;
+constexpr double kMaxStrengthRatio = 2;
 
 using Warnings = std::vector<std::string>;
 
@@ -46,24 +46,24 @@ void warn_of_postures(const TendonDigit& digit, const ExperimentPlan& plan, Warn
 /// Warns of angles that may be in radians under a key in degrees: all are tiny, and not all are 0.
 void warn_of_angle_units(const Experiment& experiment, Warnings& warnings) {
   constexpr double kTinyAngle = 3.2 * kDegree;  // 180 degrees in radians, read as degrees [rad]
-  double most = 0;
+  double largest = 0;
   for (const PostureRecord& posture : experiment.postures)
-    for (const auto& [joint, angle] : posture.angles) most = std::max(most, std::abs(angle));
-  if (most > 0 && most < kTinyAngle)
+    for (const auto& [joint, angle] : posture.angles) largest = std::max(largest, std::abs(angle));
+  if (largest > 0 && largest < kTinyAngle)
     warnings.push_back(
         fmt::format("no joint is turned by more than {:.3g} degrees in any posture: are the angles "
                     "of the unit that their key names?",
-                    degrees(most)));
+                    degrees(largest)));
 }
 
 void warn_of_tensions(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
   for (Eigen::Index m = 0; m < digit.max_tension.size(); ++m) {
     // Find the largest tension of the muscle over all trials.
-    double most = 0;
-    for (const Eigen::VectorXd& tension : plan.tension) most = std::max(most, tension[m]);
-    if (most > kTooStrong * digit.max_tension[m])
+    double largest = 0;
+    for (const Eigen::VectorXd& tension : plan.tension) largest = std::max(largest, tension[m]);
+    if (largest > kMaxStrengthRatio * digit.max_tension[m])
       warnings.push_back(fmt::format("{} was pulled with {:.1f} N, but can make {:.1f} N",
-                                     digit.names.muscles[m], most, digit.max_tension[m]));
+                                     digit.names.muscles[m], largest, digit.max_tension[m]));
   }
 }
 
@@ -84,12 +84,12 @@ void warn_of_hold(const TendonDigit& digit, const ExperimentPlan& plan, Warnings
 void warn_of_sites(const ExperimentPlan& plan, const Experiment& experiment, Warnings& warnings) {
   const int loads = (plan.known == DecidedForces::kInPlane ? 2 : 3) +
                     (plan.hold == TipConstraint::kRigid ? 1 : 0);
-  std::vector<bool> told(plan.sites.size(), false);
+  std::vector<bool> warned(plan.sites.size(), false);
   for (std::size_t i = 0; i < plan.site_of_trial.size(); ++i) {
     // Check each site once, except mounts.
     const auto at = static_cast<std::size_t>(plan.site_of_trial[i]);
-    if (plan.site_of_trial[i] < 0 || told[at]) continue;
-    told[at] = true;
+    if (plan.site_of_trial[i] < 0 || warned[at]) continue;
+    warned[at] = true;
     const PlannedSite& site = plan.sites[at];
     if (site.link >= 0 && static_cast<int>(site.balanced.size()) < loads)
       warnings.push_back(fmt::format(

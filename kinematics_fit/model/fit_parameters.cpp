@@ -233,7 +233,7 @@ FitParameters with_fitted_tensions(FitParameters parameters,
 double missed_force_sd(const FitParameters& parameters,
                        const std::map<std::string, double>& tension) {
   // Sum all tensions, and the distances of each muscle's load from the fitted ones.
-  double sum = 0, unlike = 0;
+  double sum = 0, squared_excess = 0;
   int pulling = 0;
   for (const auto& [muscle, t] : tension) {
     if (t <= 0) continue;
@@ -241,14 +241,15 @@ double missed_force_sd(const FitParameters& parameters,
     ++pulling;
     const auto fitted = parameters.fitted_tension.find(muscle);
     if (fitted == parameters.fitted_tension.end()) continue;
-    double apart =
+    double log_distance =
         std::numeric_limits<double>::infinity();  // log distance from the nearest fitted tension
-    for (const double b : fitted->second) apart = std::min(apart, std::abs(std::log(t / b)));
-    unlike += std::pow(t * apart, 2);
+    for (const double b : fitted->second)
+      log_distance = std::min(log_distance, std::abs(std::log(t / b)));
+    squared_excess += std::pow(t * log_distance, 2);
   }
   const double superposition = pulling > 1 ? parameters.superposition : 0;
   return std::hypot(sum * std::hypot(parameters.misfit, superposition),
-                    parameters.linearity * std::sqrt(unlike));
+                    parameters.linearity * std::sqrt(squared_excess));
 }
 
 std::vector<double> values_with(const FitParameters& parameters, const std::vector<int>& moving,

@@ -16,7 +16,8 @@ using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
 /// Returns the stated tensions times the gains [N] (muscles).
-VectorXd arriving(const SpecimenModel<double>& model, const ExperimentPlan& plan, std::size_t i) {
+VectorXd arriving_tensions(const SpecimenModel<double>& model, const ExperimentPlan& plan,
+                           std::size_t i) {
   return model.gain.cwiseProduct(plan.tension[i]);
 }
 
@@ -25,7 +26,7 @@ bool unbalanced(const NetEquilibrium& rest) {
 }
 
 /// Moves nodes with their links, from link coordinates to space [m] (3, nodes).
-Matrix3Xd carried(const Net& net, const TreeState<double>& state, const Matrix3Xd& at) {
+Matrix3Xd from_link_frames(const Net& net, const TreeState<double>& state, const Matrix3Xd& at) {
   Matrix3Xd x(3, at.cols());
   for (Eigen::Index i = 0; i < x.cols(); ++i)
     x.col(i) = moved(state, net.nodes[i].link, Eigen::Vector3d(at.col(i)));
@@ -34,7 +35,7 @@ Matrix3Xd carried(const Net& net, const TreeState<double>& state, const Matrix3X
 
 /// Returns the places of nodes in coordinates of their links [m] (3, nodes): the inverse of
 /// carried().
-Matrix3Xd on_links(const Net& net, const TreeState<double>& state, const Matrix3Xd& x) {
+Matrix3Xd to_link_frames(const Net& net, const TreeState<double>& state, const Matrix3Xd& x) {
   Matrix3Xd at(3, x.cols());
   for (Eigen::Index i = 0; i < x.cols(); ++i) {
     const int link = net.nodes[i].link;
@@ -68,9 +69,9 @@ NetTrials net_trials(const SpecimenModel<double>& model, const ExperimentPlan& p
     const PosedSpecimen<double> at =
         pose_specimen(model, plan, static_cast<std::size_t>(plan.posture_of_trial[i]));
     trial.state = at.state;
-    trial.drive.tension =
-        net_pulls(*model.net, mcp_angle<double>(model.digit, at.angles), arriving(model, plan, i));
-    const Matrix3Xd start = carried(out.net, trial.state, plan.net_start[i]);
+    trial.drive.tension = net_pulls(*model.net, mcp_angle<double>(model.digit, at.angles),
+                                    arriving_tensions(model, plan, i));
+    const Matrix3Xd start = from_link_frames(out.net, trial.state, plan.net_start[i]);
     trial.rest = solver.solve(trial.state, trial.drive, &start);
     if (unbalanced(trial.rest)) {
       NetEquilibrium cold = solver.solve(trial.state, trial.drive);
@@ -103,8 +104,8 @@ std::vector<Matrix3Xd> net_starts(const TendonDigit& digit, const FitParameters&
         pose_specimen(model, plan, static_cast<std::size_t>(plan.posture_of_trial[i]));
     const NetTendons tendons = tendons_of(digit, model, at.angles);
     const NetContinuation walk =
-        follow_from_straight(tendons, at.angles, arriving(model, plan, i), long_steps);
-    starts[i] = on_links(tendons.net().net, at.state, walk.rest.x);
+        follow_from_straight(tendons, at.angles, arriving_tensions(model, plan, i), long_steps);
+    starts[i] = to_link_frames(tendons.net().net, at.state, walk.rest.x);
   }
   return starts;
 }
@@ -121,7 +122,7 @@ std::vector<std::string> net_trial_warnings(const TendonDigit& digit,
                                             const ExperimentPlan& plan, const VectorXd& u) {
   if (!digit.net) return {};
   // Largest relative difference of torques of equal equilibria; loose knots may differ in place [1]
-  constexpr double kOtherTorque = 0.01;
+  constexpr double kTorqueTolerance = 0.01;
   const SpecimenModel<double> model =
       specimen_model(digit, parameters, parameter_values<double>(parameters, u));
   const NetTrials found = net_trials(model, plan);
@@ -133,13 +134,13 @@ std::vector<std::string> net_trial_warnings(const TendonDigit& digit,
     std::string why = net_warning(found.net, trial.state, trial.rest);
     const auto posture = static_cast<std::size_t>(plan.posture_of_trial[i]);
     const VectorXd angles = pose_specimen(model, plan, posture).angles;
-    const NetEquilibrium other =
-        follow_from_straight(tendons_of(digit, model, angles), angles, arriving(model, plan, i))
-            .rest;
+    const NetEquilibrium other = follow_from_straight(tendons_of(digit, model, angles), angles,
+                                                      arriving_tensions(model, plan, i))
+                                     .rest;
     const VectorXd tau =
         net_torque(found.net, model.digit.tree, trial.state, other, model.digit.coordinates);
     const double off = (tau - trial.tau).norm() / std::max(tau.norm(), trial.tau.norm());
-    if (why.empty() && off > kOtherTorque)
+    if (why.empty() && off > kTorqueTolerance)
       why = fmt::format(
           "the net comes to another rest by way of the straight finger, {:.0f} % off in torque",
           100 * off);

@@ -63,7 +63,7 @@ class Lister {
     if (digit.net) list_net(*digit.net);
     list_mounting();
   }
-  std::vector<Parameter> take() { return std::move(list_); }
+  std::vector<Parameter> parameters() { return std::move(list_); }
 
  private:
   void add(std::string name, ParameterKind kind, int item, int point, int component,
@@ -195,7 +195,7 @@ double display_scale(const Parameter& parameter) {
 
 std::vector<Parameter> list_parameters(const TendonDigit& digit,
                                        const std::vector<std::string>& postures) {
-  return Lister(digit, postures).take();
+  return Lister(digit, postures).parameters();
 }
 
 bool matches_glob(const std::string& glob, const std::string& name) {

@@ -20,7 +20,7 @@ double angle_of(const PostureRecord& posture, const std::string& joint) {
 
 /// Returns two experiments that have a posture of this name at different angles, or nulls. Equality
 /// within 2 degrees is not transitive, so that all pairs are compared.
-std::pair<const Experiment*, const Experiment*> differing(
+std::pair<const Experiment*, const Experiment*> find_differing(
     const std::string& name, const std::vector<Experiment>& experiments) {
   for (std::size_t e = 0; e < experiments.size(); ++e) {
     const PostureRecord* here = find_posture(experiments[e], name);
@@ -39,8 +39,8 @@ std::string own_suffix(const Experiment& experiment) { return " (" + experiment.
 
 /// Returns whether a posture differs from those of its name in the known experiments: see
 /// with_own_postures().
-bool stands_elsewhere(const PostureRecord& posture, const std::string& specimen,
-                      const std::vector<Experiment>& known) {
+bool differs_from_known(const PostureRecord& posture, const std::string& specimen,
+                        const std::vector<Experiment>& known) {
   int own = 0, own_alike = 0, others_unlike = 0;
   for (const Experiment& other : known) {
     const PostureRecord* there = find_posture(other, posture.name);
@@ -76,7 +76,7 @@ FitParameters share_same_postures(FitParameters parameters,
   for (std::size_t key = 0; key < parameters.postures.size(); ++key) {
     // Where a posture differs between experiments, move its errors from the population to
     // specimens.
-    if (differing(parameters.postures[key], experiments).first == nullptr) continue;
+    if (find_differing(parameters.postures[key], experiments).first == nullptr) continue;
     for (Parameter& p : parameters.all) {
       const bool of_posture =
           p.kind == ParameterKind::kPostureAngle || p.kind == ParameterKind::kPostureForce;
@@ -90,7 +90,7 @@ FitParameters share_same_postures(FitParameters parameters,
 
 Experiment with_own_postures(Experiment experiment, const std::vector<Experiment>& known) {
   for (PostureRecord& posture : experiment.postures) {
-    if (!stands_elsewhere(posture, experiment.specimen, known)) continue;
+    if (!differs_from_known(posture, experiment.specimen, known)) continue;
     // Rename the posture, and its trials and activation rows.
     const std::string name = posture.name;
     posture.name += own_suffix(experiment);
@@ -119,7 +119,7 @@ std::vector<std::string> posture_name_warnings(const std::vector<Experiment>& ex
     }
   // Warn of equal names for different postures of several specimens.
   for (const std::string& name : names) {
-    const auto [one, other] = differing(name, experiments);
+    const auto [one, other] = find_differing(name, experiments);
     if (one != nullptr)
       warnings.push_back(fmt::format(
           "posture '{}' of experiments '{}' and '{}' is not one, as angles differ by more than 2 "
