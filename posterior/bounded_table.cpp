@@ -40,7 +40,7 @@ BoundedTable::BoundedTable(const BoundedNormal& exact) : exact_(exact) {
   for (const double c : {a[0], a[1], a[2] / 2, 0.0, 0.0, 0.0}) coefficients_.push_back(c);
 }
 
-void BoundedTable::at_block(const double* x, double scale, double* y, double* by_x) const {
+void BoundedTable::evaluate_block(const double* x, double scale, double* y, double* by_x) const {
   internal::map_block(cells(coefficients_), x, scale, y, by_x);
   for (int k = 0; k < internal::kBlockPoints; ++k) {
     if (std::abs(x[k]) <= kTableReach) continue;
@@ -50,17 +50,17 @@ void BoundedTable::at_block(const double* x, double scale, double* y, double* by
   }
 }
 
-BoundedTable::Image BoundedTable::at(double x) const {
+BoundedTable::Image BoundedTable::evaluate(double x) const {
   std::array<double, internal::kBlockPoints> same, z, by_x;
   same.fill(x);
-  at_block(same.data(), 1, z.data(), by_x.data());
+  evaluate_block(same.data(), 1, z.data(), by_x.data());
   return {z[0], by_x[0]};
 }
 
 double BoundedTable::inverse(double z) const {
   const double start = exact_.inverse(z);
   // One Newton step corrects the error of the table.
-  const Image near = at(start);
+  const Image near = evaluate(start);
   return near.by_x > 0 ? start + (exact_.at(start).z - near.z) / near.by_x : start;
 }
 

@@ -21,9 +21,9 @@ class BoundedTable {
     double z, by_x;  // z(x) and dz/dx [1]
   };
   /// Evaluates the map at one point.
-  [[nodiscard]] Image at(double x) const;
+  [[nodiscard]] Image evaluate(double x) const;
   /// Computes y = scale z(x) and by_x = scale dz/dx at eight points.
-  void at_block(const double* x, double scale, double* y, double* by_x) const;
+  void evaluate_block(const double* x, double scale, double* y, double* by_x) const;
   /// Returns the x with z(x) = z.
   [[nodiscard]] double inverse(double z) const;
 

@@ -197,7 +197,7 @@ Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<
     RandomStream random(seed, static_cast<std::uint32_t>(k), 0, kDispersedStream);
     const Mode& mode = modes[shares[m].mode];
     const Eigen::VectorXd normal = Eigen::VectorXd::NullaryExpr(n, [&] { return random.normal(); });
-    const Eigen::VectorXd z = mode.z + inflation * mode.curvature->spread(normal);
+    const Eigen::VectorXd z = mode.z + inflation * mode.curvature->transform_normal(normal);
     for (Eigen::Index i = 0; i < n; ++i)
       starts(i, k) = reflected(z[i], problem.lower[i], problem.upper[i]);
   }

@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using internal::Displaced;
 using internal::EntryMotion;
 using internal::PosteriorParts;
+using internal::SpecimenCoordinates;
 using Points = Eigen::Ref<const MatrixXd>;
 
 /// Transforms derivatives by u of each specimen to derivatives by x.
@@ -41,7 +41,7 @@ void add_by_entries(const PosteriorParts& parts, const EntryMotion& motion,
 }
 
 /// Adds one experiment to the likelihood and, if requested, to its derivatives.
-void add_experiment(const PosteriorParts& parts, int e, const Displaced& displaced,
+void add_experiment(const PosteriorParts& parts, int e, const SpecimenCoordinates& displaced,
                     const EntryMotion& motion, std::vector<MatrixXd>& by_u, Densities& at) {
   // Predict the forces at all points; record a tape only for derivatives.
   const int s = parts.problem.specimen_of(e);
@@ -68,7 +68,8 @@ void add_experiment(const PosteriorParts& parts, int e, const Displaced& displac
 
 /// Returns u of each specimen if all entries of x are zero; zero in coordinates that an entry
 /// moves.
-std::vector<Eigen::VectorXd> resting(const FitProblem& problem, const PosteriorEntries& entries) {
+std::vector<Eigen::VectorXd> constant_coordinates(const FitProblem& problem,
+                                                  const PosteriorEntries& entries) {
   // Entries between equal bounds have the value of the bound.
   Eigen::VectorXd z = Eigen::VectorXd::Zero(problem.size());
   for (const int i : entries.fixed) z[i] = problem.coordinates().lower()[i];
@@ -126,7 +127,7 @@ HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options
         observed_forces(fit.digit(), fit.plans()[e], fit.experiments()[e], parts.model));
     parts.kernels.emplace_back(fit.digit(), fit.parameters(), parts.data.back().plan);
   }
-  parts.rest = resting(fit, parts.entries);
+  parts.rest = constant_coordinates(fit, parts.entries);
 }
 
 HandPosterior::~HandPosterior() = default;
@@ -140,8 +141,8 @@ Densities HandPosterior::evaluate(const Points& x, WithGradient want) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
   const bool wanted = want == WithGradient::kYes;
   // Compute the coordinates of every specimen from x.
-  const EntryMotion motion = internal::move(*parts_, x);
-  const Displaced displaced = internal::displace(*parts_, motion);
+  const EntryMotion motion = internal::move_entries(*parts_, x);
+  const SpecimenCoordinates displaced = internal::displace_specimens(*parts_, motion);
   Densities at{Eigen::VectorXd(x.cols()), Eigen::VectorXd::Zero(x.cols()), {}, {}};
   if (wanted) {
     at.prior_gradient.resize(x.rows(), x.cols());
@@ -167,7 +168,8 @@ Densities HandPosterior::evaluate(const Points& x, WithGradient want) const {
 MatrixXd HandPosterior::forces(const Points& x, int e) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
   // Predict the trials only, without the unit pulls of tasks.
-  const Displaced displaced = internal::displace(*parts_, internal::move(*parts_, x));
+  const SpecimenCoordinates displaced =
+      internal::displace_specimens(*parts_, internal::move_entries(*parts_, x));
   MatrixXd forces = parts_->kernels.at(e)
                         .forces(displaced.u[parts_->problem.specimen_of(e)])
                         .topRows(3 * parts_->data[e].trials);
@@ -179,8 +181,8 @@ MatrixXd HandPosterior::forces(const Points& x, int e) const {
 MatrixXd HandPosterior::pointwise(const Points& x) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
   // Compute the coordinates of every specimen, and allocate rows for trials first, then tasks.
-  const EntryMotion motion = internal::move(*parts_, x);
-  const Displaced displaced = internal::displace(*parts_, motion);
+  const EntryMotion motion = internal::move_entries(*parts_, x);
+  const SpecimenCoordinates displaced = internal::displace_specimens(*parts_, motion);
   Index trials = 0, tasks = 0;
   for (const ObservedForces& data : parts_->data) {
     trials += data.trials;
@@ -229,7 +231,7 @@ VectorXd values_of(const FitParameters& parameters, const std::vector<int>& whic
 
 /// Returns z(x) of an entry with specimen_scale factor k.
 double entry_image(const CoordinateEntry& entry, double k, double x) {
-  if (entry.table) return entry.table->at(x).z;
+  if (entry.table) return entry.table->evaluate(x).z;
   const auto bounds = entry.bounds(k);
   return bounds ? bounds->at(x).z : x;
 }
@@ -304,7 +306,7 @@ VectorXd HandPosterior::fit_coordinates(const VectorXd& x) const {
   return z;
 }
 
-VectorXd HandPosterior::from_fit(const VectorXd& z) const {
+VectorXd HandPosterior::from_fit_coordinates(const VectorXd& z) const {
   require(z.size() == parts_->problem.size() && z.allFinite(),
           "the fit has {} coordinates, all finite; got {}", parts_->problem.size(), z.size());
   // Remove the gauges, for which x has no entries.

@@ -50,7 +50,7 @@ class HandPosterior : public Target {
   /// Converts x to z of the fit. Entries of z without an entry of x become zero (size of z).
   [[nodiscard]] Eigen::VectorXd fit_coordinates(const Eigen::VectorXd& x) const;
   /// Converts z of the fit to x. Factors of noise and specimen_scale become 1 (size).
-  [[nodiscard]] Eigen::VectorXd from_fit(const Eigen::VectorXd& z) const;
+  [[nodiscard]] Eigen::VectorXd from_fit_coordinates(const Eigen::VectorXd& z) const;
 
   /// Predicts the forces of experiment e [N] (3 trials, points).
   [[nodiscard]] Eigen::MatrixXd forces(const Eigen::Ref<const Eigen::MatrixXd>& x, int e) const;

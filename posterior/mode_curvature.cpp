@@ -42,7 +42,7 @@ double ModeCurvature::log_determinant() const {
   return blocks_ ? blocks_->log_determinant() : lambda_.array().log().sum();
 }
 
-Eigen::VectorXd ModeCurvature::spread(const Eigen::VectorXd& normal) const {
+Eigen::VectorXd ModeCurvature::transform_normal(const Eigen::VectorXd& normal) const {
   // A fixed coordinate has no deviation.
   Eigen::VectorXd out = Eigen::VectorXd::Zero(size_);
   if (blocks_)

@@ -23,7 +23,7 @@ class ModeCurvature {
   /// Returns log det(J'J) over the free coordinates.
   [[nodiscard]] double log_determinant() const;
   /// Returns a vector with covariance (J'J)^-1 if `normal` is standard normal (n).
-  [[nodiscard]] Eigen::VectorXd spread(const Eigen::VectorXd& normal) const;
+  [[nodiscard]] Eigen::VectorXd transform_normal(const Eigen::VectorXd& normal) const;
   /// Returns (J'J)^-1, zero where a coordinate is fixed (n, n). Large for many specimens.
   [[nodiscard]] Eigen::MatrixXd covariance() const;
 

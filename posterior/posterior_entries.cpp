@@ -29,7 +29,7 @@ class EntryLister {
     for (CoordinateEntry& entry : out_.coordinates) find_centre(entry);
   }
 
-  PosteriorEntries take() { return std::move(out_); }
+  PosteriorEntries entries() { return std::move(out_); }
 
   /// Pairs the tilts of every axis, of the population and of every specimen.
   void pair_tilts() {
@@ -143,7 +143,7 @@ PosteriorEntries list_entries(const FitProblem& problem, bool learn_noise,
                               bool learn_specimen_scale, bool sphere_priors) {
   EntryLister lister(problem, learn_specimen_scale && problem.specimens().size() > 1);
   if (sphere_priors) lister.pair_tilts();
-  PosteriorEntries out = lister.take();
+  PosteriorEntries out = lister.entries();
   if (learn_noise) out.noise_scales = static_cast<int>(problem.experiments().size());
   return out;
 }

@@ -30,7 +30,7 @@ SimdRows lanes_of(const Eigen::Ref<const Eigen::MatrixXd>& x) {
 }
 
 /// Returns NaN for logarithms of factors that would overflow.
-double sane(double log_factor) {
+double checked_log_factor(double log_factor) {
   return std::abs(log_factor) < 50 ? log_factor : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -74,10 +74,11 @@ void move_scales(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
   const Index experiments = out.log_noise.rows(), kinds = out.specimen_scale.rows();
   for (Index p = 0; p < x.cols(); ++p) {
     for (Index e = 0; e < experiments && entries.noise_scales > 0; ++e)
-      out.log_noise(e, p) = sane(parts.options.noise_sd * x(entries.noise_scale_offset() + e, p));
+      out.log_noise(e, p) =
+          checked_log_factor(parts.options.noise_sd * x(entries.noise_scale_offset() + e, p));
     for (Index k = 0; k < kinds; ++k)
-      out.specimen_scale(k, p) = std::exp(
-          sane(parts.options.specimen_scale_sd * x(entries.specimen_scale_offset() + k, p)));
+      out.specimen_scale(k, p) = std::exp(checked_log_factor(
+          parts.options.specimen_scale_sd * x(entries.specimen_scale_offset() + k, p)));
   }
 }
 
@@ -85,7 +86,7 @@ void move_scales(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
 void move_blocks(const CoordinateEntry& entry, Index i, EntryMotion& out) {
   for (Index b = 0; b < out.x.blocks(); ++b) {
     if (entry.table)
-      entry.table->at_block(out.x.row(b, i), entry.sd, out.y.row(b, i), out.by_x.row(b, i));
+      entry.table->evaluate_block(out.x.row(b, i), entry.sd, out.y.row(b, i), out.by_x.row(b, i));
     else
       scale_block(out.x.row(b, i), entry.sd, out.y.row(b, i), out.by_x.row(b, i));
   }
@@ -93,7 +94,7 @@ void move_blocks(const CoordinateEntry& entry, Index i, EntryMotion& out) {
 
 }  // namespace
 
-EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::MatrixXd>& x) {
+EntryMotion move_entries(const PosteriorParts& parts, const Eigen::Ref<const Eigen::MatrixXd>& x) {
   // Allocate the results.
   const PosteriorEntries& entries = parts.entries;
   const auto n = static_cast<Index>(entries.coordinates.size());
@@ -124,10 +125,10 @@ EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
   return out;
 }
 
-Displaced displace(const PosteriorParts& parts, const EntryMotion& motion) {
+SpecimenCoordinates displace_specimens(const PosteriorParts& parts, const EntryMotion& motion) {
   // For each specimen, add the contributions of its entries to the constant part.
   const Index points = motion.log_noise.cols();
-  Displaced out;
+  SpecimenCoordinates out;
   out.non_finite.assign(points, 0);
   for (std::size_t s = 0; s < parts.rest.size(); ++s) {
     out.u.emplace_back(parts.rest[s].replicate(1, points));
@@ -212,7 +213,7 @@ class TiltTerm {
 };
 
 /// Returns whether the prior of this pair is independent of all other entries.
-bool alone(const PosteriorEntries& entries, const TiltPair& pair) {
+bool is_independent(const PosteriorEntries& entries, const TiltPair& pair) {
   return pair.centre[0] < 0 && pair.centre[1] < 0 &&
          entries.coordinates[pair.x[0]].specimen_scale < 0;
 }
@@ -242,7 +243,7 @@ class PriorBlock {
           gradient(i, first_ + k) = -motion_.x.row(block_, i)[k];
     // Axis directions on the sphere.
     for (const TiltPair& pair : entries.tilts) {
-      if (alone(entries, pair))
+      if (is_independent(entries, pair))
         add_alone(pair, gradient);
       else
         add_hierarchical(pair, gradient);

@@ -35,16 +35,17 @@ struct EntryMotion {
 };
 
 /// Computes the contributions of the entries at the points x (size, points).
-[[nodiscard]] EntryMotion move(const PosteriorParts& parts,
-                               const Eigen::Ref<const Eigen::MatrixXd>& x);
+[[nodiscard]] EntryMotion move_entries(const PosteriorParts& parts,
+                                       const Eigen::Ref<const Eigen::MatrixXd>& x);
 
 /// Coordinates of every specimen at every point.
-struct Displaced {
+struct SpecimenCoordinates {
   std::vector<Eigen::MatrixXd> u;  // coordinates of each specimen [SI] (coordinates, points)
   std::vector<char> non_finite;    // 1 for each point at which u was not finite and was set to zero
 };
 /// Adds the contributions of the entries to the coordinates of every specimen.
-[[nodiscard]] Displaced displace(const PosteriorParts& parts, const EntryMotion& motion);
+[[nodiscard]] SpecimenCoordinates displace_specimens(const PosteriorParts& parts,
+                                                     const EntryMotion& motion);
 
 /// Computes the log prior of the points, and its gradient by x if `gradient` has columns.
 void set_prior(const PosteriorParts& parts, const EntryMotion& motion, Eigen::VectorXd& log_prior,

@@ -261,7 +261,7 @@ InferenceGroup mode_group(const PosteriorRun& run) {
   Eigen::MatrixXd x(run.posterior->size(), static_cast<Eigen::Index>(run.modes.size()));
   std::vector<double> cost, hits, mass;
   for (std::size_t m = 0; m < run.modes.size(); ++m) {
-    x.col(static_cast<Eigen::Index>(m)) = run.posterior->from_fit(run.modes[m].z);
+    x.col(static_cast<Eigen::Index>(m)) = run.posterior->from_fit_coordinates(run.modes[m].z);
     cost.push_back(run.modes[m].cost);
     hits.push_back(run.modes[m].hits);
     mass.push_back(run.modes[m].laplace_mass);

@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-Eigen::MatrixXd by_chain(const Eigen::VectorXd& values, int chains) {
+Eigen::MatrixXd reshape_by_chain(const Eigen::VectorXd& values, int chains) {
   return Eigen::Map<const Eigen::MatrixXd>(values.data(), values.size() / chains, chains);
 }
 
@@ -47,7 +47,8 @@ std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int
       const double scale = display_scale(p);
       // Parameters of the mounting belong to specimens: the population has none.
       if (before.row(i).minCoeff() == before.row(i).maxCoeff()) continue;
-      found.push_back({whose + p.name, display_unit(p), scale * by_chain(drawn.row(i), chains),
+      found.push_back({whose + p.name, display_unit(p),
+                       scale * reshape_by_chain(drawn.row(i), chains),
                        scale * before.row(i).transpose()});
     }
   };
@@ -62,8 +63,8 @@ std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int
   const auto add_factors = [&](const std::string& kind, const std::vector<std::string>& names,
                                const Eigen::MatrixXd& drawn, const Eigen::MatrixXd& before) {
     for (Eigen::Index i = 0; i < drawn.rows(); ++i)
-      found.push_back(
-          {kind + names[i], "1", by_chain(drawn.row(i), chains), before.row(i).transpose()});
+      found.push_back({kind + names[i], "1", reshape_by_chain(drawn.row(i), chains),
+                       before.row(i).transpose()});
   };
   if (run.settings.posterior.learn_noise)
     add_factors("noise/", experiment_names(problem), values.noise, prior.noise);

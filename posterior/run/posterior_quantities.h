@@ -31,7 +31,7 @@ struct PosteriorQuantity {
                                                  const std::vector<int>& group);
 
 /// Reshapes values at the pooled draws of a run, chain by chain, to (draws, chains).
-[[nodiscard]] Eigen::MatrixXd by_chain(const Eigen::VectorXd& values, int chains);
+[[nodiscard]] Eigen::MatrixXd reshape_by_chain(const Eigen::VectorXd& values, int chains);
 
 /// Selection of observations.
 enum class Observed { kForces, kAll };

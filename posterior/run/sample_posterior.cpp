@@ -74,7 +74,7 @@ Eigen::MatrixXd find_starts(const HandPosterior& posterior, const std::vector<Mo
         dispersed_starts(problem, modes, count, inflation, seed + static_cast<unsigned>(attempt));
     for (int k = found; k < count; ++k) {
       // Keep points with positive density.
-      Eigen::VectorXd x = posterior.from_fit(z.col(k));
+      Eigen::VectorXd x = posterior.from_fit_coordinates(z.col(k));
       x.tail(factors) = posterior.draw_prior(seed, static_cast<unsigned>(k)).tail(factors);
       const Densities at = posterior.evaluate(x, WithGradient::kNo);
       if (!std::isfinite(at.log_prior[0] + at.log_likelihood[0])) break;
@@ -112,7 +112,7 @@ std::optional<Beginning> begin(PosteriorRun& run, const RunOptions& options) {
   return Beginning{
       find_starts(*run.posterior, run.modes, options.groups * options.walkers,
                   options.sampler.seed),
-      laplace_covariance(*run.posterior, run.posterior->from_fit(run.modes.front().z))};
+      laplace_covariance(*run.posterior, run.posterior->from_fit_coordinates(run.modes.front().z))};
 }
 
 /// Returns the matrix of rank 0 on all ranks.
@@ -219,8 +219,8 @@ std::vector<Estimate> force_estimates(const PosteriorRun& run) {
     const Eigen::MatrixXd forces =
         predict_draws(run, experiment, specimen, run.draws.draws() * run.draws.chains()).expected;
     for (const auto& row : forces.rowwise())
-      estimates.push_back(estimate(experiment.name, by_chain(row.transpose(), run.draws.chains()),
-                                   run.draws.group));
+      estimates.push_back(estimate(
+          experiment.name, reshape_by_chain(row.transpose(), run.draws.chains()), run.draws.group));
   };
   for (const Experiment& experiment : problem.experiments()) {
     if (experiment.trials.empty()) continue;
@@ -246,7 +246,7 @@ void assess_run(PosteriorRun& run) {
   // Assign the draws to modes.
   std::vector<KnownMode> known;
   for (const Mode& mode : run.modes) {
-    const Eigen::VectorXd centre = run.posterior->from_fit(mode.z);
+    const Eigen::VectorXd centre = run.posterior->from_fit_coordinates(mode.z);
     known.push_back({centre, laplace_covariance(*run.posterior, centre), mode.laplace_mass});
   }
   run.mode_table = tabulate_modes(run.draws, known);

@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 /// A vector of the spread for every standard normal one: A with A A' = (J'J)^-1.
 MatrixXd root_of(const ModeCurvature& curvature, Eigen::Index n) {
   MatrixXd A(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) A.col(i) = curvature.spread(VectorXd::Unit(n, i));
+  for (Eigen::Index i = 0; i < n; ++i) A.col(i) = curvature.transform_normal(VectorXd::Unit(n, i));
   return A;
 }
 
