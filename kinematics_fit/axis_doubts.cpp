@@ -22,9 +22,9 @@ std::vector<int> entries_of_kind(const FitCoordinates& coordinates, ParameterKin
   std::vector<int> found;
   for (int c = 0; c < parameters.coordinates(); ++c) {
     if (parameters.all[parameters.leader[c]].kind != kind) continue;
-    const CoordinateEntries& of = coordinates.entries(c);
-    if (of.population >= 0) found.push_back(of.population);
-    if (of.deviation >= 0) found.push_back(of.deviation);
+    const CoordinateEntries& coordinate = coordinates.entries(c);
+    if (coordinate.population >= 0) found.push_back(coordinate.population);
+    if (coordinate.deviation >= 0) found.push_back(coordinate.deviation);
   }
   return found;
 }

@@ -69,9 +69,10 @@ Eigen::MatrixXd by_entries(const FitCoordinates& coordinates, const CoordinateMo
   Eigen::MatrixXd out =
       Eigen::MatrixXd::Zero(J.rows(), coordinates.population_entries() + coordinates.deviations());
   for (Eigen::Index c = 0; c < J.cols(); ++c) {
-    const CoordinateEntries& of = coordinates.entries(static_cast<int>(c));
-    if (of.population >= 0) out.col(of.population) += at.by_population[c] * J.col(c);
-    if (of.deviation >= 0) out.col(of.deviation) += at.by_deviation[c] * J.col(c);
+    const CoordinateEntries& coordinate = coordinates.entries(static_cast<int>(c));
+    if (coordinate.population >= 0)
+      out.col(coordinate.population) += at.by_population[c] * J.col(c);
+    if (coordinate.deviation >= 0) out.col(coordinate.deviation) += at.by_deviation[c] * J.col(c);
   }
   return out;
 }

@@ -46,7 +46,8 @@ internal::BodyTwist twist_of(const Pose<Jet>& X, int lane) {
 
 /// Returns the perturbation of one lane: of bones, hinges, nodes, radii, and of tensions at fixed
 /// lengths.
-internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& of, const TreeState<Jet>& state,
+internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& specimen_net,
+                                          const TreeState<Jet>& state,
                                           const internal::TangentNet& tangent,
                                           const VectorX<Jet>& pulls, int lane) {
   const Net& net = tangent.net;
@@ -60,13 +61,14 @@ internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& of, const Tree
   // Perturb the places of fixed nodes on their bones, and the bones' radii.
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     if (net.nodes[i].free) continue;
-    Vec3<Jet> along = of.place[i];
+    Vec3<Jet> along = specimen_net.place[i];
     for (int c = 0; c < 3; ++c) along[c].a = 0;
     const int link = net.nodes[i].link;
     if (link >= 0) along = (state[link].X.R * along).eval();
     input.node.col(static_cast<Eigen::Index>(i)) = lane_of(along, lane);
   }
-  for (Eigen::Index s = 0; s < input.radius.size(); ++s) input.radius[s] = of.radius[s].v[lane];
+  for (Eigen::Index s = 0; s < input.radius.size(); ++s)
+    input.radius[s] = specimen_net.radius[s].v[lane];
   // Perturb tensions: pulls, and the laws of bands in terms of log EA and log slack length.
   for (Eigen::Index b = 0; b < input.tension.size(); ++b) {
     const int muscle = net.bands[b].muscle;
@@ -75,9 +77,9 @@ internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& of, const Tree
       continue;
     }
     const internal::BandState& band = tangent.band[b];
-    input.tension[b] =
-        band.pull.tension * of.EA[b].v[lane] / of.EA[b].a -
-        band.pull.stiffness * band.chord.length * of.slack[b].v[lane] / of.slack[b].a;
+    input.tension[b] = band.pull.tension * specimen_net.EA[b].v[lane] / specimen_net.EA[b].a -
+                       band.pull.stiffness * band.chord.length * specimen_net.slack[b].v[lane] /
+                           specimen_net.slack[b].a;
   }
   return input;
 }

@@ -37,18 +37,19 @@ struct Leverage {
 /// Returns the squared distance of trial i from its prediction by the other trials, without the
 /// trials S in `out`:
 ///   r -> r + H_iS (I - H_SS)^-1 r_S,   H_ii -> H_ii + H_iS (I - H_SS)^-1 H_Si.
-double squared_distance(const Leverage& of, Eigen::Index i, const std::vector<Eigen::Index>& out) {
-  Eigen::Vector3d r = of.r.segment<3>(3 * i);
-  const auto W = of.W.middleCols<3>(3 * i);
+double squared_distance(const Leverage& leverage, Eigen::Index i,
+                        const std::vector<Eigen::Index>& out) {
+  Eigen::Vector3d r = leverage.r.segment<3>(3 * i);
+  const auto W = leverage.W.middleCols<3>(3 * i);
   Eigen::Matrix3d H = W.transpose() * W;
   // Remove the influence of the trials that are left out.
   if (!out.empty()) {
     const auto rows = 3 * static_cast<Eigen::Index>(out.size());
-    Eigen::MatrixXd A(of.W.rows(), rows);
+    Eigen::MatrixXd A(leverage.W.rows(), rows);
     Eigen::VectorXd r_out(rows);
     for (std::size_t k = 0; k < out.size(); ++k) {
-      A.middleCols<3>(3 * static_cast<Eigen::Index>(k)) = of.W.middleCols<3>(3 * out[k]);
-      r_out.segment<3>(3 * static_cast<Eigen::Index>(k)) = of.r.segment<3>(3 * out[k]);
+      A.middleCols<3>(3 * static_cast<Eigen::Index>(k)) = leverage.W.middleCols<3>(3 * out[k]);
+      r_out.segment<3>(3 * static_cast<Eigen::Index>(k)) = leverage.r.segment<3>(3 * out[k]);
     }
     const Eigen::MatrixXd cross = A.transpose() * W;
     const Eigen::LLT<Eigen::MatrixXd> rest(Eigen::MatrixXd::Identity(rows, rows) -
@@ -64,7 +65,7 @@ Eigen::Index rows_of(const FitProblem& problem, int e) { return force_rows(probl
 
 /// Returns the outliers of an experiment, the furthest first, without those explained by the
 /// removal of further ones.
-std::vector<OddTrial> find_outliers(const FitProblem& problem, int e, const Leverage& of,
+std::vector<OddTrial> find_outliers(const FitProblem& problem, int e, const Leverage& leverage,
                                     double rows) {
   // Corrects the tail probability for the number of rows.
   const ExperimentPlan& plan = problem.plans()[e];
@@ -76,7 +77,7 @@ std::vector<OddTrial> find_outliers(const FitProblem& problem, int e, const Leve
   // Find trials that are far from the prediction by all others, and sort them by distance.
   std::vector<OddTrial> all;
   for (Eigen::Index i = 0; i < rows_of(problem, e); ++i) {
-    const double squared = squared_distance(of, i, {}), tail = tail_of(i, squared);
+    const double squared = squared_distance(leverage, i, {}), tail = tail_of(i, squared);
     if (!(tail >= kOddProbability))
       all.push_back({e, static_cast<int>(i), std::sqrt(squared), tail, -1});
   }
@@ -86,7 +87,7 @@ std::vector<OddTrial> find_outliers(const FitProblem& problem, int e, const Leve
   std::vector<OddTrial> odd;
   std::vector<Eigen::Index> out;
   for (const OddTrial& each : all) {
-    if (!(tail_of(each.trial, squared_distance(of, each.trial, out)) >= kOddProbability)) {
+    if (!(tail_of(each.trial, squared_distance(leverage, each.trial, out)) >= kOddProbability)) {
       odd.push_back(each);
       out.push_back(each.trial);
     } else if (odd.front().instead < 0 &&
@@ -107,11 +108,11 @@ std::vector<OddTrial> odd_trials(const FitProblem& problem, const Eigen::VectorX
   for (int e = 0; e < experiments; ++e) rows += static_cast<double>(rows_of(problem, e));
   for (int e = 0; e < experiments; ++e) {
     // Remove the robust loss. Residuals that are not fitted are 0, and so are their slopes.
-    Leverage of{data_residuals(problem, z, e, WithJacobian::kNo).r, covariance.leverage[e]};
+    Leverage leverage{data_residuals(problem, z, e, WithJacobian::kNo).r, covariance.leverage[e]};
     for (Eigen::Index i = 0; i < rows_of(problem, e); ++i)
-      of.r.segment<3>(3 * i) =
-          plain_residual(Eigen::Vector3d(of.r.segment<3>(3 * i)), problem.robust_scale());
-    for (const OddTrial& each : find_outliers(problem, e, of, rows)) odd.push_back(each);
+      leverage.r.segment<3>(3 * i) =
+          plain_residual(Eigen::Vector3d(leverage.r.segment<3>(3 * i)), problem.robust_scale());
+    for (const OddTrial& each : find_outliers(problem, e, leverage, rows)) odd.push_back(each);
   }
   std::stable_sort(odd.begin(), odd.end(),
                    [](const OddTrial& a, const OddTrial& b) { return a.distance > b.distance; });

@@ -225,10 +225,10 @@ std::vector<int> scale_of_entries(const FitCoordinates& coordinates) {
   const FitParameters& parameters = coordinates.parameters();
   std::vector<int> scale(coordinates.population_entries() + coordinates.deviations(), -1);
   for (int c = 0; c < parameters.coordinates(); ++c) {
-    const CoordinateEntries& of = coordinates.entries(c);
+    const CoordinateEntries& coordinate = coordinates.entries(c);
     const int at = parameters.scale[parameters.leader[c]];
-    if (of.population >= 0) scale[of.population] = at;
-    if (of.deviation >= 0) scale[of.deviation] = at;
+    if (coordinate.population >= 0) scale[coordinate.population] = at;
+    if (coordinate.deviation >= 0) scale[coordinate.deviation] = at;
   }
   return scale;
 }

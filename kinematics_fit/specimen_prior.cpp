@@ -14,22 +14,23 @@ struct DeviationBounds {
   bool far;             // true if no probability mass lies beyond them
 };
 
-DeviationBounds deviation_bounds(const CoordinateEntries& of, double population, double sd) {
+DeviationBounds deviation_bounds(const CoordinateEntries& coordinate, double population,
+                                 double sd) {
   // Distance beyond which a normal distribution has a mass of 1e-19 [sds]
   constexpr double kFarBoundDistance = 9;
   // Keep 0 inside: rounding may leave the population slightly out of bounds.
-  const double lower = std::min(0.0, (of.lower - population) / sd);
-  const double upper = std::max(0.0, (of.upper - population) / sd);
+  const double lower = std::min(0.0, (coordinate.lower - population) / sd);
+  const double upper = std::max(0.0, (coordinate.upper - population) / sd);
   return {lower, upper, lower < -kFarBoundDistance && upper > kFarBoundDistance};
 }
 
 }  // namespace
 
-SpecimenDeviation specimen_deviation(const CoordinateEntries& of, double population, double x,
-                                     double factor) {
+SpecimenDeviation specimen_deviation(const CoordinateEntries& coordinate, double population,
+                                     double x, double factor) {
   // Return a normal deviation for far bounds, and none for an empty interval.
-  const double sd = factor * of.deviation_sd;
-  const DeviationBounds bounds = deviation_bounds(of, population, sd);
+  const double sd = factor * coordinate.deviation_sd;
+  const DeviationBounds bounds = deviation_bounds(coordinate, population, sd);
   if (bounds.far) return {sd * x, sd, 0, sd * x};
   if (!(bounds.lower < bounds.upper)) return {0, 0, 0, 0};
 
@@ -43,10 +44,11 @@ SpecimenDeviation specimen_deviation(const CoordinateEntries& of, double populat
   return out;
 }
 
-double deviation_entry(const CoordinateEntries& of, double population, double u, double factor) {
+double deviation_entry(const CoordinateEntries& coordinate, double population, double u,
+                       double factor) {
   constexpr double kBoundMargin = 1e-12;  // margin to a bound, at which x is infinite [sds]
-  const double sd = factor * of.deviation_sd;
-  const DeviationBounds bounds = deviation_bounds(of, population, sd);
+  const double sd = factor * coordinate.deviation_sd;
+  const DeviationBounds bounds = deviation_bounds(coordinate, population, sd);
   if (bounds.far) return u / sd;
   if (!(bounds.lower < bounds.upper)) return 0;
   return BoundedNormal(bounds.lower, bounds.upper).inverse(u / sd, kBoundMargin);
@@ -59,17 +61,17 @@ CoordinateMotion coordinate_motion(const FitCoordinates& coordinates, const Eige
                        Eigen::VectorXd::Zero(n)};
   for (int c = 0; c < n; ++c) {
     // Scale the population's displacement, which all specimens share.
-    const CoordinateEntries& of = coordinates.entries(c);
+    const CoordinateEntries& coordinate = coordinates.entries(c);
     const double share = specimen < 0 ? coordinates.population_share(c) : 1;
-    if (of.population >= 0) {
-      out.by_population[c] = share * of.population_sd;
-      out.u[c] = out.by_population[c] * z[of.population];
+    if (coordinate.population >= 0) {
+      out.by_population[c] = share * coordinate.population_sd;
+      out.u[c] = out.by_population[c] * z[coordinate.population];
     }
-    if (of.deviation < 0 || specimen < 0) continue;
+    if (coordinate.deviation < 0 || specimen < 0) continue;
 
     // Add the specimen's own deviation, within the bounds of the sum.
-    const double x = z[of.deviation + specimen * coordinates.deviations()];
-    const SpecimenDeviation own = specimen_deviation(of, out.u[c], x);
+    const double x = z[coordinate.deviation + specimen * coordinates.deviations()];
+    const SpecimenDeviation own = specimen_deviation(coordinate, out.u[c], x);
     out.u[c] += own.u;
     out.by_population[c] *= 1 + own.by_population;
     out.by_deviation[c] = own.by_x;
@@ -90,9 +92,9 @@ Eigen::MatrixXd displacement_jacobian(const FitCoordinates& coordinates, const E
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(
       n, coordinates.population_entries() + (specimen < 0 ? 0 : coordinates.deviations()));
   for (int c = 0; c < n; ++c) {
-    const CoordinateEntries& of = coordinates.entries(c);
-    if (of.population >= 0) J(c, of.population) = at.by_population[c];
-    if (of.deviation >= 0 && specimen >= 0) J(c, of.deviation) = at.by_deviation[c];
+    const CoordinateEntries& coordinate = coordinates.entries(c);
+    if (coordinate.population >= 0) J(c, coordinate.population) = at.by_population[c];
+    if (coordinate.deviation >= 0 && specimen >= 0) J(c, coordinate.deviation) = at.by_deviation[c];
   }
   return J;
 }

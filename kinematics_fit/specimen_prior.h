@@ -21,13 +21,13 @@ struct SpecimenDeviation {
 /// @param population  the population's displacement, within the bounds of the sum [SI]
 /// @param x           the specimen's entry of z [1]
 /// @param factor      factor on deviation_sd [1]
-[[nodiscard]] SpecimenDeviation specimen_deviation(const CoordinateEntries& of, double population,
-                                                   double x, double factor = 1);
+[[nodiscard]] SpecimenDeviation specimen_deviation(const CoordinateEntries& coordinate,
+                                                   double population, double x, double factor = 1);
 
 /// Inverts specimen_deviation(): returns x with specimen_deviation(of, population, x, factor).u =
 /// u.
-[[nodiscard]] double deviation_entry(const CoordinateEntries& of, double population, double u,
-                                     double factor = 1);
+[[nodiscard]] double deviation_entry(const CoordinateEntries& coordinate, double population,
+                                     double u, double factor = 1);
 
 /// Displacements of the coordinates of a specimen, or of the population, and their derivatives by
 /// the two entries of z in FitCoordinates::entries().

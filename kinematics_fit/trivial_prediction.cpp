@@ -144,14 +144,14 @@ std::vector<ErrorsOfLoad> errors_by_load(const Prediction& prediction) {
   for (const PredictedTrial& trial : prediction.trials) {
     if (!trial.trivial) continue;
     // Find the sums of this load, or begin them with its first trial.
-    auto of = std::find_if(out.begin(), out.end(),
-                           [&](const ErrorsOfLoad& one) { return one.loads == trial.loads; });
+    auto load = std::find_if(out.begin(), out.end(),
+                             [&](const ErrorsOfLoad& one) { return one.loads == trial.loads; });
     const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-    if (of == out.end()) of = out.insert(of, {trial.loads, 0, zero, zero, zero});
-    ++of->trials;
-    of->measured += trial.measured.cwiseAbs2();
-    of->model += (trial.predicted - trial.measured).cwiseAbs2();
-    of->trivial += (*trial.trivial - trial.measured).cwiseAbs2();
+    if (load == out.end()) load = out.insert(load, {trial.loads, 0, zero, zero, zero});
+    ++load->trials;
+    load->measured += trial.measured.cwiseAbs2();
+    load->model += (trial.predicted - trial.measured).cwiseAbs2();
+    load->trivial += (*trial.trivial - trial.measured).cwiseAbs2();
   }
   // Convert sums of squares to RMS values.
   for (ErrorsOfLoad& one : out)

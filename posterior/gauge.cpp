@@ -49,8 +49,8 @@ Eigen::VectorXd whole_displacements(const FitProblem& problem, const Eigen::Vect
   Eigen::VectorXd u = Eigen::VectorXd::Zero(problem.parameters().coordinates());
   for (int c = 0; c < static_cast<int>(u.size()); ++c) {
     // The population share belongs to the estimate, not to the geometry.
-    const CoordinateEntries& of = problem.coordinates().entries(c);
-    if (of.population >= 0) u[c] = of.population_sd * z[of.population];
+    const CoordinateEntries& coordinate = problem.coordinates().entries(c);
+    if (coordinate.population >= 0) u[c] = coordinate.population_sd * z[coordinate.population];
   }
   return u;
 }

@@ -240,10 +240,11 @@ double entry_image(const CoordinateEntry& entry, double k, double x) {
 /// z.
 double centred_entry(const internal::PosteriorParts& parts, const CoordinateEntry& entry, double k,
                      const VectorXd& z, double x) {
-  const CoordinateEntries& of = parts.problem.coordinates().entries(entry.coordinate);
-  const double population = of.population_sd * z[of.population];
+  const CoordinateEntries& coordinate = parts.problem.coordinates().entries(entry.coordinate);
+  const double population = coordinate.population_sd * z[coordinate.population];
   if (k == 1) return x;
-  return deviation_entry(of, population, specimen_deviation(of, population, x, k).u);
+  return deviation_entry(coordinate, population,
+                         specimen_deviation(coordinate, population, x, k).u);
 }
 
 /// Returns x of an entry from its contribution to the coordinate.

@@ -17,10 +17,13 @@ class EntryLister {
     // Add the population's entry of each coordinate, then one for every specimen.
     const int coordinates = problem.parameters().coordinates();
     for (int c = 0; c < coordinates; ++c) {
-      const CoordinateEntries of = problem.coordinates().entries(c);
-      if (of.population >= 0) add(of.population, c, kPopulation, of.population_sd);
-      for (int s = 0; s < static_cast<int>(problem.specimens().size()) && of.deviation >= 0; ++s)
-        add(of.deviation + s * problem.coordinates().deviations(), c, s, of.deviation_sd);
+      const CoordinateEntries coordinate = problem.coordinates().entries(c);
+      if (coordinate.population >= 0)
+        add(coordinate.population, c, kPopulation, coordinate.population_sd);
+      for (int s = 0; s < static_cast<int>(problem.specimens().size()) && coordinate.deviation >= 0;
+           ++s)
+        add(coordinate.deviation + s * problem.coordinates().deviations(), c, s,
+            coordinate.deviation_sd);
     }
 
     // Sort by z; only then the positions of centres are known.
@@ -44,8 +47,8 @@ class EntryLister {
     if (std::count(left_out_.begin(), left_out_.end(), c) > 0) return;
     constexpr double kMinBoundGap =
         1e-12;  // gap below which two bounds are equal to rounding [prior sds]
-    const CoordinateEntries& of = problem_.coordinates().entries(c);
-    if (specimen >= 0 && of.upper - of.lower <= kMinBoundGap * sd)
+    const CoordinateEntries& coordinate = problem_.coordinates().entries(c);
+    if (specimen >= 0 && coordinate.upper - coordinate.lower <= kMinBoundGap * sd)
       return;  // its population entry is fixed, too
     CoordinateEntry entry{
         z,  c,  specimen, sd, problem_.coordinates().lower()[z], problem_.coordinates().upper()[z],
@@ -62,8 +65,9 @@ class EntryLister {
 
   /// Sets the centre of a specimen's entry whose sum with the population is bounded.
   void find_centre(CoordinateEntry& entry) const {
-    const CoordinateEntries& of = problem_.coordinates().entries(entry.coordinate);
-    if (entry.specimen < 0 || (std::isinf(of.lower) && std::isinf(of.upper))) return;
+    const CoordinateEntries& coordinate = problem_.coordinates().entries(entry.coordinate);
+    if (entry.specimen < 0 || (std::isinf(coordinate.lower) && std::isinf(coordinate.upper)))
+      return;
     // Find the population's entry of the same coordinate.
     const auto population = std::find_if(
         out_.coordinates.begin(), out_.coordinates.end(), [&](const CoordinateEntry& other) {

@@ -178,7 +178,7 @@ void check(const NonlinearProgram& program, const VectorXd& x0) {
 
 /// Meaning of a return code of Ipopt.
 struct IpoptEnding {
-  Ipopt::ApplicationReturnStatus of;
+  Ipopt::ApplicationReturnStatus ipopt_status;
   Status status;
   const char* message;
 };
@@ -200,7 +200,7 @@ constexpr IpoptEnding kIpoptEndings[] = {
 
 IpoptEnding ending_of(Ipopt::ApplicationReturnStatus status) {
   for (const IpoptEnding& ending : kIpoptEndings)
-    if (ending.of == status) return ending;
+    if (ending.ipopt_status == status) return ending;
   return {status, Status::kStalled, "the solver gave up"};
 }
 

@@ -112,11 +112,11 @@ double answer_entropy(const std::vector<double>& probability, const HypothesisAn
           probability.size(), answers.size());
   require(*std::min_element(answers.begin(), answers.end()) >= 0, "answers are counted from 0");
   // Sum the probability of each answer.
-  std::vector<double> of(
+  std::vector<double> answer_probability(
       static_cast<std::size_t>(*std::max_element(answers.begin(), answers.end()) + 1));
-  for (std::size_t k = 0; k < answers.size(); ++k) of[answers[k]] += probability[k];
+  for (std::size_t k = 0; k < answers.size(); ++k) answer_probability[answers[k]] += probability[k];
   double entropy = 0;
-  for (const double p : of)
+  for (const double p : answer_probability)
     if (p > 0) entropy -= p * std::log2(p);
   return entropy;
 }

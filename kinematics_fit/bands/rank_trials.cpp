@@ -36,9 +36,9 @@ std::vector<int> slack_entries(const FitProblem& problem, const std::vector<int>
   for (std::size_t p = 0; p < parameters.all.size(); ++p) {
     const int c = parameters.coordinate[p];
     if (parameters.all[p].kind != ParameterKind::kNetSlack || c < 0) continue;
-    const CoordinateEntries& of = problem.coordinates().entries(c);
+    const CoordinateEntries& coordinate = problem.coordinates().entries(c);
     for (std::size_t k = 0; k < entries.size(); ++k)
-      if (entries[k] == of.population || entries[k] == of.deviation)
+      if (entries[k] == coordinate.population || entries[k] == coordinate.deviation)
         found.push_back(static_cast<int>(k));
   }
   std::sort(found.begin(), found.end());

@@ -12,7 +12,7 @@ struct ForceKernel::Program : kernel::Program {};
 
 class ForceKernel::Tape {
  public:
-  explicit Tape(kernel::Batch of) : batch(std::move(of)) {}
+  explicit Tape(kernel::Batch completed) : batch(std::move(completed)) {}
   kernel::Batch batch;  // tapes of the run; its forces were moved out
 };
 

@@ -79,8 +79,8 @@ std::vector<PosteriorAxes> posterior_axes(const PosteriorRun& run, int prior_cou
       // Axes that only specimens move are constant in the population.
       const Eigen::MatrixXd spread = prior.middleCols<3>(column);
       if ((spread.rowwise() - spread.row(0)).isZero(0)) continue;
-      const auto estimate_of = [&](Eigen::Index of) {
-        return estimate(pairs[i].name, reshape_by_chain(offsets.col(column + of), chains),
+      const auto estimate_of = [&](Eigen::Index component) {
+        return estimate(pairs[i].name, reshape_by_chain(offsets.col(column + component), chains),
                         run.draws.group);
       };
       found.push_back({whose, pairs[i], estimate_of(0), estimate_of(1), estimate_of(2),

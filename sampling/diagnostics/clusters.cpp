@@ -40,29 +40,29 @@ Density density_of(const Eigen::VectorXd& rising, double min_share) {
   const double low = quantile(rising, min_share / 2) - h;
   const double high = quantile(rising, 1 - min_share / 2) + h;
   const int cells = std::clamp(int(std::ceil((high - low) / h * kCellsPerBandwidth)), 8, kMaxCells);
-  Density of{low, (high - low) / cells, h, {}, Eigen::ArrayXd::Zero(cells)};
+  Density density{low, (high - low) / cells, h, {}, Eigen::ArrayXd::Zero(cells)};
 
   // Count draws in each cell, and up to its end.
   Eigen::ArrayXd count = Eigen::ArrayXd::Zero(cells);
   const double each = 1 / double(rising.size());
   double below = 0;
   for (const double y : rising) {
-    const double cell = std::floor((y - low) / of.step);
+    const double cell = std::floor((y - low) / density.step);
     if (cell < 0) below += each;
     if (cell >= 0 && cell < cells) count[int(cell)] += each;
   }
-  for (int i = 0; i < cells; ++i) of.share[i] = below += count[i];
+  for (int i = 0; i < cells; ++i) density.share[i] = below += count[i];
 
   // Smooth with a normal kernel of four bandwidths to each side.
-  const int reach = int(std::ceil(4 * h / of.step));
-  of.at = Eigen::ArrayXd::Zero(cells);
+  const int reach = int(std::ceil(4 * h / density.step));
+  density.at = Eigen::ArrayXd::Zero(cells);
   for (int shift = -reach; shift <= reach; ++shift) {
-    const double z = shift * of.step / h;
+    const double z = shift * density.step / h;
     const double weight = std::exp(-z * z / 2) / (std::sqrt(2 * M_PI) * h);
     for (int i = std::max(0, shift); i < std::min(cells, cells + shift); ++i)
-      of.at[i] += weight * count[i - shift];
+      density.at[i] += weight * count[i - shift];
   }
-  return of;
+  return density;
 }
 
 }  // namespace
@@ -114,11 +114,11 @@ Whitened whiten(const Eigen::MatrixXd& x) {
   const Eigen::MatrixXd z = scale.asDiagonal() * centred;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(z * z.transpose() / double(x.cols()));
   const Eigen::Index kept = (eigen.eigenvalues().array() > 1e-12).count();
-  Whitened of;
-  of.A = eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() *
-         eigen.eigenvectors().rightCols(kept).transpose() * scale.asDiagonal();
-  of.y = of.A * centred;
-  return of;
+  Whitened whitened;
+  whitened.A = eigen.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() *
+               eigen.eigenvectors().rightCols(kept).transpose() * scale.asDiagonal();
+  whitened.y = whitened.A * centred;
+  return whitened;
 }
 
 /// Returns the directions in which the chain means differ most, in descending order (k, at most k).
@@ -133,7 +133,8 @@ Eigen::MatrixXd between_chains(const Eigen::MatrixXd& y, const std::vector<int>&
   }
   // Find the principal directions of the covariance between chains.
   Eigen::MatrixXd between = Eigen::MatrixXd::Zero(y.rows(), y.rows());
-  for (const auto& [name, of] : sums) between += of.first * of.first.transpose() / of.second;
+  for (const auto& [name, chain_sum] : sums)
+    between += chain_sum.first * chain_sum.first.transpose() / chain_sum.second;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(between);
   const auto wanted = std::min<Eigen::Index>({Eigen::Index(sums.size()) - 1, y.rows(), 5});
   return eigen.eigenvectors().rightCols(wanted).rowwise().reverse();

@@ -85,14 +85,14 @@ namespace {
 /// Replaces figures by the worse of those over chains and over ensembles, whose walkers are
 /// dependent.
 void heed_ensembles(const Eigen::MatrixXd& x, const std::vector<int>& group,
-                    const Eigen::MatrixXd& pooled, Estimate& of) {
+                    const Eigen::MatrixXd& pooled, Estimate& out) {
   const auto below = [&x](double limit) -> Eigen::MatrixXd {
     return (x.array() <= limit).cast<double>();
   };
-  of.r_hat = std::max(of.r_hat, rank_r_hat(pooled));
-  of.bulk_ess = std::min(of.bulk_ess, ensemble_ess(normal_scores(x), group));
-  of.tail_ess = std::min(
-      {of.tail_ess, ensemble_ess(below(of.q05), group), ensemble_ess(below(of.q95), group)});
+  out.r_hat = std::max(out.r_hat, rank_r_hat(pooled));
+  out.bulk_ess = std::min(out.bulk_ess, ensemble_ess(normal_scores(x), group));
+  out.tail_ess = std::min(
+      {out.tail_ess, ensemble_ess(below(out.q05), group), ensemble_ess(below(out.q95), group)});
 }
 
 }  // namespace
@@ -100,27 +100,27 @@ void heed_ensembles(const Eigen::MatrixXd& x, const std::vector<int>& group,
 Estimate estimate(const std::string& name, const Eigen::Ref<const Eigen::MatrixXd>& x,
                   const std::vector<int>& group) {
   const Eigen::MatrixXd pooled = pool_groups(x, group);
-  Estimate of{name, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
-  if (x.size() == 0 || !x.allFinite()) return of;
+  Estimate out{name, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
+  if (x.size() == 0 || !x.allFinite()) return out;
 
   // Compute moments and quantiles.
   const Eigen::VectorXd rising = sorted(x);
-  of.mean = x.mean();
-  of.sd = std::sqrt((x.array() - of.mean).square().sum() / double(x.size() - 1));
-  of.q05 = quantile(rising, 0.05);
-  of.median = quantile(rising, 0.5);
-  of.q95 = quantile(rising, 0.95);
-  if (!finite_and_varying(x)) of.sd = 0;  // all equal: avoid rounding of the mean
-  if (x.rows() < 4 || of.sd == 0) return of;
+  out.mean = x.mean();
+  out.sd = std::sqrt((x.array() - out.mean).square().sum() / double(x.size() - 1));
+  out.q05 = quantile(rising, 0.05);
+  out.median = quantile(rising, 0.5);
+  out.q95 = quantile(rising, 0.95);
+  if (!finite_and_varying(x)) out.sd = 0;  // all equal: avoid rounding of the mean
+  if (x.rows() < 4 || out.sd == 0) return out;
 
   // Compute errors, R-hat and effective sizes.
-  of.mcse_mean = mean_mcse(x, group);
-  of.mcse_sd = sd_mcse(x);
-  of.r_hat = rank_r_hat(x);
-  of.bulk_ess = bulk_ess(x);
-  of.tail_ess = tail_ess(x);
-  if (pooled.cols() < x.cols()) heed_ensembles(x, group, pooled, of);
-  return of;
+  out.mcse_mean = mean_mcse(x, group);
+  out.mcse_sd = sd_mcse(x);
+  out.r_hat = rank_r_hat(x);
+  out.bulk_ess = bulk_ess(x);
+  out.tail_ess = tail_ess(x);
+  if (pooled.cols() < x.cols()) heed_ensembles(x, group, pooled, out);
+  return out;
 }
 
 // Assessment of a run.
@@ -147,13 +147,13 @@ struct Offence {
 template <typename Badness>
 Offence find_offence(const std::vector<Estimate>& estimates, double limit, Badness badness) {
   Offence found;
-  for (const Estimate& of : estimates) {
+  for (const Estimate& each : estimates) {
     // NaN is ignored.
-    const double figure = badness(of);
+    const double figure = badness(each);
     if (!(figure > limit)) continue;
     ++found.others;
     if (found.worst && figure <= found.figure) continue;
-    found.worst = &of;
+    found.worst = &each;
     found.figure = figure;
   }
   return found;
@@ -162,20 +162,21 @@ Offence find_offence(const std::vector<Estimate>& estimates, double limit, Badne
 /// Warns about draws for which diagnostics cannot be computed.
 void judge_draws(const std::vector<Estimate>& estimates, std::vector<std::string>& warnings) {
   const auto find = [&](auto holds) {
-    return find_offence(estimates, 0, [&](const Estimate& of) { return holds(of) ? 1.0 : 0.0; });
+    return find_offence(estimates, 0,
+                        [&](const Estimate& each) { return holds(each) ? 1.0 : 0.0; });
   };
   // Draws that are not finite.
-  const Offence non_finite = find([](const Estimate& of) { return !std::isfinite(of.mean); });
+  const Offence non_finite = find([](const Estimate& each) { return !std::isfinite(each.mean); });
   if (non_finite.worst)
     warnings.push_back(fmt::format("there are draws that are not finite, of {}", non_finite.who()));
   // Draws that are all equal.
-  const Offence still = find([](const Estimate& of) { return of.sd == 0; });
+  const Offence still = find([](const Estimate& each) { return each.sd == 0; });
   if (still.worst)
     warnings.push_back(
         fmt::format("all draws of {} are alike: no chain has moved there", still.who()));
   // Draws without diagnostics.
-  const Offence mute = find([](const Estimate& of) {
-    return of.sd > 0 && std::isnan(of.r_hat + of.bulk_ess + of.tail_ess);
+  const Offence mute = find([](const Estimate& each) {
+    return each.sd > 0 && std::isnan(each.r_hat + each.bulk_ess + each.tail_ess);
   });
   if (mute.worst)
     warnings.push_back(
@@ -185,7 +186,8 @@ void judge_draws(const std::vector<Estimate>& estimates, std::vector<std::string
 /// Warns about quantities with an R-hat above the limit.
 void judge_agreement(const std::vector<Estimate>& estimates, double limit,
                      std::vector<std::string>& warnings) {
-  const Offence apart = find_offence(estimates, limit, [](const Estimate& of) { return of.r_hat; });
+  const Offence apart =
+      find_offence(estimates, limit, [](const Estimate& each) { return each.r_hat; });
   if (apart.worst)
     warnings.push_back(fmt::format("R-hat of {} is {:.4g}, above {:.4g}{}: chains disagree",
                                    apart.worst->name, apart.figure, limit, apart.more()));
@@ -196,7 +198,7 @@ void judge_agreement(const std::vector<Estimate>& estimates, double limit,
 void judge_size(const std::vector<Estimate>& estimates, const char* what, double Estimate::*size,
                 double least, std::vector<std::string>& warnings) {
   const Offence few =
-      find_offence(estimates, -least, [size](const Estimate& of) { return -(of.*size); });
+      find_offence(estimates, -least, [size](const Estimate& each) { return -(each.*size); });
   if (few.worst)
     warnings.push_back(fmt::format("{} effective sample size of {} is {:.0f}, below {:.0f}{}", what,
                                    few.worst->name, -few.figure, least, few.more()));
@@ -246,17 +248,17 @@ void find_worst(Convergence& result) {
   result.worst_r_hat = 0;
   result.min_bulk_ess = result.min_tail_ess = std::numeric_limits<double>::infinity();
   const auto worse = [](double a, double b) { return std::isnan(a) || a > b ? a : b; };
-  for (const Estimate& of : result.estimates) {
-    result.worst_r_hat = worse(result.worst_r_hat, of.r_hat);
-    result.min_bulk_ess = -worse(-result.min_bulk_ess, -of.bulk_ess);
-    result.min_tail_ess = -worse(-result.min_tail_ess, -of.tail_ess);
+  for (const Estimate& each : result.estimates) {
+    result.worst_r_hat = worse(result.worst_r_hat, each.r_hat);
+    result.min_bulk_ess = -worse(-result.min_bulk_ess, -each.bulk_ess);
+    result.min_tail_ess = -worse(-result.min_tail_ess, -each.tail_ess);
   }
 }
 
 /// Returns whether an estimate satisfies the limits of R-hat and of both effective sizes; false for
 /// NaN.
-bool keeps_limits(const Estimate& of, double r_hat, double least_size) {
-  return of.r_hat <= r_hat && of.bulk_ess >= least_size && of.tail_ess >= least_size;
+bool keeps_limits(const Estimate& each, double r_hat, double least_size) {
+  return each.r_hat <= r_hat && each.bulk_ess >= least_size && each.tail_ess >= least_size;
 }
 
 }  // namespace
@@ -290,15 +292,15 @@ Convergence assess(const Draws& draws, const std::vector<std::string>& names,
   judge_agreement(result.estimates, limits.r_hat, result.warnings);
   judge_size(result.estimates, "bulk", &Estimate::bulk_ess, least, result.warnings);
   judge_size(result.estimates, "tail", &Estimate::tail_ess, least, result.warnings);
-  for (const Estimate& of : result.estimates)
-    if (!keeps_limits(of, limits.r_hat, least)) result.unsettled.push_back(of.name);
+  for (const Estimate& each : result.estimates)
+    if (!keeps_limits(each, limits.r_hat, least)) result.unsettled.push_back(each.name);
   const std::size_t of_coordinates = result.warnings.size();
   judge_steps(draws.draws() * draws.chains(), limits.divergent_share, result);
   result.draws_may_help = sound && of_coordinates > 0 && result.warnings.size() == of_coordinates;
   return result;
 }
 
-Convergence settled_by_answers(Convergence of, const std::vector<Estimate>& answers,
+Convergence settled_by_answers(Convergence convergence, const std::vector<Estimate>& answers,
                                const std::string& what, long groups,
                                const ConvergenceLimits& limits) {
   // Check the answers.
@@ -307,7 +309,9 @@ Convergence settled_by_answers(Convergence of, const std::vector<Estimate>& answ
       !answers.empty() && std::all_of(answers.begin(), answers.end(), [&](const Estimate& answer) {
         return answer.sd == 0 || keeps_limits(answer, limits.r_hat, least);
       });
-  if (!of.draws_may_help || !answered || !(of.worst_r_hat <= limits.nuisance_r_hat)) return of;
+  if (!convergence.draws_may_help || !answered ||
+      !(convergence.worst_r_hat <= limits.nuisance_r_hat))
+    return convergence;
 
   // Replace the warnings by one caution, with the figures of the answers.
   double worst = 0, size = std::numeric_limits<double>::infinity();
@@ -317,17 +321,18 @@ Convergence settled_by_answers(Convergence of, const std::vector<Estimate>& answ
     size = std::min({size, answer.bulk_ess, answer.tail_ess});
   }
   std::string caution;
-  for (const std::string& warning : of.warnings) caution += warning + "; ";
-  of.cautions.push_back(fmt::format(
+  for (const std::string& warning : convergence.warnings) caution += warning + "; ";
+  convergence.cautions.push_back(fmt::format(
       "{}the {} have converged all the same (R-hat at most {:.4f}, effective sizes at least "
       "{:.0f}): use "
       "them, but not {}",
       caution, what, worst, size,
-      of.unsettled.size() == 1 ? of.unsettled.front()
-                               : fmt::format("these {} numbers themselves", of.unsettled.size())));
-  of.warnings.clear();
-  of.draws_may_help = false;
-  return of;
+      convergence.unsettled.size() == 1
+          ? convergence.unsettled.front()
+          : fmt::format("these {} numbers themselves", convergence.unsettled.size())));
+  convergence.warnings.clear();
+  convergence.draws_may_help = false;
+  return convergence;
 }
 
 }  // namespace thenar

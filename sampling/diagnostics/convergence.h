@@ -102,7 +102,8 @@ struct Convergence {
 /// @param answers  estimates of the quantities that the run was made for; empty: no change
 /// @param what     noun for the answers in the caution: "forces"
 /// @param groups   number of independent chains or ensembles [1]
-[[nodiscard]] Convergence settled_by_answers(Convergence of, const std::vector<Estimate>& answers,
+[[nodiscard]] Convergence settled_by_answers(Convergence convergence,
+                                             const std::vector<Estimate>& answers,
                                              const std::string& what, long groups,
                                              const ConvergenceLimits& limits = {});
 

@@ -76,7 +76,7 @@ LearntDirections learnt_directions(const std::vector<std::string>& names,
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled(S.first), prior);
 
   // Take directions from one half, scaled to one prior sd, with their variances in the other half.
-  LearntDirections of;
+  LearntDirections out;
   for (Eigen::Index k = 0; k < n; ++k) {
     LearntDirection direction;
     const Eigen::VectorXd w = eigen.eigenvectors().col(k);
@@ -84,14 +84,14 @@ LearntDirections learnt_directions(const std::vector<std::string>& names,
     direction.v = scale.cwiseProduct(w);
     direction.share = w.cwiseAbs2() / w.squaredNorm();
     direction.text = tell(names, direction);
-    of.decided += direction.sd_ratio < decided_below ? 1 : 0;
-    of.directions.push_back(direction);
+    out.decided += direction.sd_ratio < decided_below ? 1 : 0;
+    out.directions.push_back(direction);
   }
   std::stable_sort(
-      of.directions.begin(), of.directions.end(),
+      out.directions.begin(), out.directions.end(),
       [](const LearntDirection& a, const LearntDirection& b) { return a.sd_ratio < b.sd_ratio; });
-  of.effective_parameters = std::max(0.0, double(n) - factor.solve(scaled(S.all)).trace());
-  return of;
+  out.effective_parameters = std::max(0.0, double(n) - factor.solve(scaled(S.all)).trace());
+  return out;
 }
 
 }  // namespace thenar

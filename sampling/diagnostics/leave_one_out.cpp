@@ -47,8 +47,8 @@ ParetoFit fit_pareto(const Eigen::Ref<const Eigen::VectorXd>& rising) {
     const double k = shape_at(b[i], rising);
     log_likelihood[i] = double(n) * (std::log(-b[i] / k) - k - 1);
   }
-  for (double& of : log_likelihood)
-    if (std::isnan(of)) of = -std::numeric_limits<double>::infinity();  // b = 0 to rounding
+  for (double& value : log_likelihood)
+    if (std::isnan(value)) value = -std::numeric_limits<double>::infinity();  // b = 0 to rounding
 
   // Average b over the posterior on the grid.
   const Eigen::VectorXd weight = (log_likelihood.array() - log_sum_exp(log_likelihood)).exp();
@@ -61,41 +61,42 @@ SmoothedWeights smooth_weights(const Eigen::Ref<const Eigen::VectorXd>& log_rati
   const Eigen::Index n = log_ratio.size();
   require(n > 0 && log_ratio.allFinite(), "importance ratios must be finite");
   // Scale the largest ratio to 1.
-  SmoothedWeights of;
-  of.log_weight = log_ratio.array() - log_ratio.maxCoeff();
-  of.k = std::numeric_limits<double>::infinity();
+  SmoothedWeights out;
+  out.log_weight = log_ratio.array() - log_ratio.maxCoeff();
+  out.k = std::numeric_limits<double>::infinity();
 
   // Find the tail of the largest ratios.
   std::vector<Eigen::Index> order(n);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
-    return of.log_weight[a] < of.log_weight[b] || (of.log_weight[a] == of.log_weight[b] && a < b);
+    return out.log_weight[a] < out.log_weight[b] ||
+           (out.log_weight[a] == out.log_weight[b] && a < b);
   });
   const double wanted = std::ceil(std::min(0.2 * double(n), 3 * std::sqrt(double(n) / efficiency)));
   const auto tail = Eigen::Index(wanted);
 
   if (tail >= 5 && tail < n) {
     // Compute excesses over the largest ratio outside of the tail.
-    const double cut = std::exp(of.log_weight[order[n - tail - 1]]);
+    const double cut = std::exp(out.log_weight[order[n - tail - 1]]);
     Eigen::VectorXd excess(tail);
     for (Eigen::Index i = 0; i < tail; ++i)
-      excess[i] = std::exp(of.log_weight[order[n - tail + i]]) - cut;
+      excess[i] = std::exp(out.log_weight[order[n - tail + i]]) - cut;
     if (excess[tail - 1] > std::numeric_limits<double>::epsilon()) {
       // Replace them by quantiles of the fitted Pareto distribution.
       ParetoFit fit = fit_pareto(excess);
       fit.k = (double(tail) * fit.k + 5) / (double(tail) + 10);
-      of.k = fit.k;
+      out.k = fit.k;
       for (Eigen::Index i = 0; i < tail; ++i) {
         const double share = (double(i) + 0.5) / double(tail);
-        of.log_weight[order[n - tail + i]] =
+        out.log_weight[order[n - tail + i]] =
             std::min(0.0, std::log(cut + pareto_quantile(share, fit)));
       }
     } else {
-      of.k = 0;  // all ratios of the tail are equal
+      out.k = 0;  // all ratios of the tail are equal
     }
   }
-  of.log_weight.array() -= log_sum_exp(of.log_weight);
-  return of;
+  out.log_weight.array() -= log_sum_exp(out.log_weight);
+  return out;
 }
 
 namespace {
@@ -125,31 +126,31 @@ LeaveOneOut leave_one_out(const Eigen::Ref<const Eigen::MatrixXd>& log_likelihoo
   require(log_likelihood.allFinite(), "leave-one-out needs finite log likelihoods");
 
   // Allocate the results.
-  LeaveOneOut of;
-  of.good_k = good_pareto_shape(double(draws));
-  of.pointwise.resize(observations);
-  of.k.resize(observations);
+  LeaveOneOut out;
+  out.good_k = good_pareto_shape(double(draws));
+  out.pointwise.resize(observations);
+  out.k.resize(observations);
   for (Eigen::Index i = 0; i < observations; ++i) {
     // Importance ratios are 1 / likelihood of this observation.
     const Eigen::VectorXd seen = log_likelihood.row(i).transpose();
     const SmoothedWeights weights = smooth_weights(-seen, efficiency_of(seen, chains, group));
-    of.k[i] = weights.k;
-    of.pointwise[i] = log_sum_exp(weights.log_weight + seen);
-    of.effective_parameters += log_sum_exp(seen) - std::log(double(draws)) - of.pointwise[i];
+    out.k[i] = weights.k;
+    out.pointwise[i] = log_sum_exp(weights.log_weight + seen);
+    out.effective_parameters += log_sum_exp(seen) - std::log(double(draws)) - out.pointwise[i];
   }
   // Sum over observations, and its error.
-  of.elpd = of.pointwise.sum();
-  of.se = error_of_sum(of.pointwise);
+  out.elpd = out.pointwise.sum();
+  out.se = error_of_sum(out.pointwise);
 
   // Warn about observations with unreliable weights.
   Eigen::Index worst;
-  const double highest = of.k.maxCoeff(&worst);
-  if (const long bad = (of.k.array() > of.good_k).count(); bad > 0)
-    of.warnings.push_back(
+  const double highest = out.k.maxCoeff(&worst);
+  if (const long bad = (out.k.array() > out.good_k).count(); bad > 0)
+    out.warnings.push_back(
         fmt::format("{} of {} observations have a Pareto k above {:.2f}, up to {:.2f} of number "
                     "{}: the draws do not reach where the posterior would be without them",
-                    bad, observations, of.good_k, highest, worst + 1));
-  return of;
+                    bad, observations, out.good_k, highest, worst + 1));
+  return out;
 }
 
 ElpdDifference compare_elpd(const LeaveOneOut& first, const LeaveOneOut& second) {

@@ -71,16 +71,16 @@ RankCalibration judge_calibration(const std::vector<std::string>& names,
   RankCalibration all;
   for (std::size_t i = 0; i < names.size(); ++i) {
     // Test one parameter by band and chi-square.
-    const Eigen::VectorXi of = rank.row(Eigen::Index(i)).transpose();
+    const Eigen::VectorXi parameter_rank = rank.row(Eigen::Index(i)).transpose();
     ParameterCalibration judged;
     judged.name = names[i];
-    judged.band_p = uniform_rank_p(of, draws, points);
-    const ChiSquare counts = chi_square_of(of, draws, bins);
+    judged.band_p = uniform_rank_p(parameter_rank, draws, points);
+    const ChiSquare counts = chi_square_of(parameter_rank, draws, bins);
     judged.chi_square = counts.value;
     judged.chi_square_p = counts.p;
     // Report the smaller p-value.
     if (const double p = std::min(judged.band_p, judged.chi_square_p); p < least_p) {
-      judged.shape = shape_of(of, draws);
+      judged.shape = shape_of(parameter_rank, draws);
       all.warnings.push_back(
           fmt::format("ranks of {} are not uniform (p = {:.2g}, below {:.2g}): its posterior is {}",
                       names[i], p, least_p, judged.shape));

@@ -47,7 +47,7 @@ struct Limits {
 };
 
 Limits limits_at(double gamma, const std::vector<Eigen::VectorXd>& cumulative) {
-  Limits of{Eigen::VectorXi(cumulative.size()), Eigen::VectorXi(cumulative.size())};
+  Limits limits{Eigen::VectorXi(cumulative.size()), Eigen::VectorXi(cumulative.size())};
   for (std::size_t i = 0; i < cumulative.size(); ++i) {
     // Find the smallest counts whose cumulative probability reaches the share.
     const Eigen::VectorXd& F = cumulative[i];
@@ -55,10 +55,10 @@ Limits limits_at(double gamma, const std::vector<Eigen::VectorXd>& cumulative) {
       const auto found = std::lower_bound(F.begin(), F.end(), share) - F.begin();
       return int(std::min<Eigen::Index>(found, F.size() - 1));
     };
-    of.low[i] = quantile(gamma / 2);
-    of.high[i] = quantile(1 - gamma / 2);
+    limits.low[i] = quantile(gamma / 2);
+    limits.high[i] = quantile(1 - gamma / 2);
   }
-  return of;
+  return limits;
 }
 
 /// Returns the probability that the counts of N uniform ranks stay within limits. Counts form a
@@ -88,9 +88,10 @@ double stay_inside(const Limits& limits, const Eigen::VectorXi& below, int N, in
 
 std::vector<Eigen::VectorXd> cumulative_at(const Eigen::VectorXi& below, int N, int draws,
                                            const Binomial& binomial) {
-  std::vector<Eigen::VectorXd> of;
-  for (const int point : below) of.push_back(binomial.cumulative(N, double(point) / (draws + 1)));
-  return of;
+  std::vector<Eigen::VectorXd> distributions;
+  for (const int point : below)
+    distributions.push_back(binomial.cumulative(N, double(point) / (draws + 1)));
+  return distributions;
 }
 
 void check(int ranks, int draws, int points) {

@@ -129,8 +129,8 @@ std::optional<Affine> fit_dense(const Window& window, const MatrixXd& before) {
 /// which minimises the residual; variances are shrunk as if by five more draws of variance 1.
 std::optional<Affine> fit_scales(const Window& window, const Whitening& before) {
   const auto count = static_cast<double>(window.x.cols());
-  const auto variances = [count](const MatrixXd& of) -> Eigen::ArrayXd {
-    const MatrixXd off = of.colwise() - of.rowwise().mean();
+  const auto variances = [count](const MatrixXd& sample) -> Eigen::ArrayXd {
+    const MatrixXd off = sample.colwise() - sample.rowwise().mean();
     return (off.rowwise().squaredNorm().array() + 5) / (count + 5);
   };
   const Eigen::ArrayXd variance = variances(before.inverse() * window.x),
