@@ -146,16 +146,16 @@ BandEvidence band_evidence(const FitProblem& problem, const std::vector<VectorXd
                            const EvidenceOptions& options) {
   BandEvidence out;
   // Find the mode: the best of all starts.
-  double least = kInfinity;
+  double min_cost = kInfinity;
   for (const VectorXd& start : starts) {
     if (!carries_loads(problem, start)) continue;
     const VectorXd z = find_mode(problem, start, options.slopes);
     const double cost = fit_residuals(problem, z, WithJacobian::kNo).r.squaredNorm();
-    if (!(cost < least) || !carries_loads(problem, z)) continue;
-    least = cost;
+    if (!(cost < min_cost) || !carries_loads(problem, z)) continue;
+    min_cost = cost;
     out.z = z;
   }
-  out.holds = std::isfinite(least);
+  out.holds = std::isfinite(min_cost);
   if (!out.holds) return out;
   // Apply Laplace's approximation at the mode.
   const Residuals at = fit_residuals(problem, out.z, WithJacobian::kYes);

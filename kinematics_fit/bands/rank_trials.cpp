@@ -140,9 +140,9 @@ std::vector<RankedTrial> rank_trials(const BandProblems& problems, const BandPos
     // Find the information about sets, and the band of which the trial tells most.
     const VectorXd bits = expected_information(readings, questions);
     out.information = bits(0);
-    Eigen::Index most = 0;
-    out.band_information = bits.tail(bits.size() - 1).maxCoeff(&most);
-    if (out.band_information > 0) out.most_informed_band = posterior.bands[most].name;
+    Eigen::Index best_band = 0;
+    out.band_information = bits.tail(bits.size() - 1).maxCoeff(&best_band);
+    if (out.band_information > 0) out.most_informed_band = posterior.bands[best_band].name;
     ranked.push_back(std::move(out));
   }
   std::stable_sort(ranked.begin(), ranked.end(), [](const RankedTrial& a, const RankedTrial& b) {

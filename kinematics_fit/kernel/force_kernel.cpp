@@ -59,15 +59,15 @@ Eigen::MatrixXd ForceKernel::adjoint_product(
 }
 
 ForceKernel::Slopes ForceKernel::slopes(const Eigen::VectorXd& u) const {
-  const Eigen::Index rows = 3 * Eigen::Index{trials()}, most = lanes();
+  const Eigen::Index rows = 3 * Eigen::Index{trials()}, lane_count = lanes();
   Slopes out{Eigen::VectorXd(rows), Eigen::MatrixXd(rows, coordinates())};
   if (rows == 0) return out;
   // Run the point in all lanes, then apply adjoints to as many forces at a time as there are lanes.
-  const Recorded recorded = record(u.replicate(1, most));
+  const Recorded recorded = record(u.replicate(1, lane_count));
   out.forces = recorded.forces.col(0);
-  for (Eigen::Index first = 0; first < rows; first += most) {
-    const Eigen::Index count = std::min(most, rows - first);
-    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rows, most);
+  for (Eigen::Index first = 0; first < rows; first += lane_count) {
+    const Eigen::Index count = std::min(lane_count, rows - first);
+    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rows, lane_count);
     weights.middleRows(first, count).leftCols(count).setIdentity();
     out.J.middleRows(first, count) = adjoint_product(recorded, weights).leftCols(count).transpose();
   }

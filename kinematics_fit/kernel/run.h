@@ -83,13 +83,14 @@ inline long scratch_length(const Program& program) {
   DigitParameters numbers(program, bump);
   Wrenches wrenches(program, bump);
   // Maximum over the postures, whose adjoints share the memory.
-  long most = 0;
+  long max_used = 0;
   for (const PostureStep& posture : program.postures) {
     BumpAllocator own(nullptr);
     PosedDigit(program, posture, own);
-    most = own.used() > most ? own.used() : most;
+    max_used = own.used() > max_used ? own.used() : max_used;
   }
-  return bump.used() + most + program.fit_coordinates + 3 * program.trials + work_length(program);
+  return bump.used() + max_used + program.fit_coordinates + 3 * program.trials +
+         work_length(program);
 }
 
 /// Copies the numbers of the points into lanes.

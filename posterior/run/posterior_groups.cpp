@@ -19,9 +19,10 @@ constexpr long kAllPredicted = 20000;
 
 /// Returns the largest number of components of a force that any experiment fits.
 int most_components(const FitProblem& problem) {
-  int most = 0;
-  for (const ExperimentPlan& plan : problem.plans()) most = std::max(most, plan.measured);
-  return most;
+  int max_components = 0;
+  for (const ExperimentPlan& plan : problem.plans())
+    max_components = std::max(max_components, plan.measured);
+  return max_components;
 }
 
 std::vector<std::string> component_names(const FitProblem& problem) {
@@ -227,8 +228,8 @@ InferenceGroup likelihood_group(const PosteriorRun& run) {
 InferenceGroup predictive_group(const PosteriorRun& run) {
   InferenceGroup group;
   // Use fewer draws of each chain if there are many chains.
-  const long most = std::clamp(kAllPredicted / run.draws.chains(), 1L, kPredictedDraws);
-  const Eigen::MatrixXd x = thinned(pooled(run.draws), most * run.draws.chains());
+  const long draws_per_chain = std::clamp(kAllPredicted / run.draws.chains(), 1L, kPredictedDraws);
+  const Eigen::MatrixXd x = thinned(pooled(run.draws), draws_per_chain * run.draws.chains());
   const long draws = x.cols() / run.draws.chains();
   add_draws(group, run.draws.chains(), draws);
   add_names(group, "trial", observation_names(run.posterior->problem(), Observed::kForces));

@@ -148,8 +148,8 @@ Eigen::MatrixXd pooled(const Draws& draws) {
   return all;
 }
 
-Eigen::MatrixXd thinned(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Index most) {
-  const Eigen::Index count = std::min(most, x.cols());
+Eigen::MatrixXd thinned(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Index max_count) {
+  const Eigen::Index count = std::min(max_count, x.cols());
   Eigen::MatrixXd out(x.rows(), count);
   for (Eigen::Index k = 0; k < count; ++k) out.col(k) = x.col(k * x.cols() / count);
   return out;

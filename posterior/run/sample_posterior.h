@@ -71,10 +71,10 @@ struct PosteriorRun {
 /// Returns all draws of all chains side by side, chain by chain (size, chains * draws).
 [[nodiscard]] Eigen::MatrixXd pooled(const Draws& draws);
 
-/// Returns at most `most` evenly spaced columns (size, columns). For pooled() draws, each chain
-/// contributes equally if `most` is a multiple of the number of chains.
+/// Returns at most `max_count` evenly spaced columns (size, columns). For pooled() draws, each
+/// chain contributes equally if `max_count` is a multiple of the number of chains.
 [[nodiscard]] Eigen::MatrixXd thinned(const Eigen::Ref<const Eigen::MatrixXd>& x,
-                                      Eigen::Index most);
+                                      Eigen::Index max_count);
 
 /// Assesses the draws of a run and assigns them to its modes: sets `convergence` and `mode_table`.
 /// The answers used by settled_by_answers() are the forces of all fitted trials, of each specimen

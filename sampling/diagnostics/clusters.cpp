@@ -249,11 +249,11 @@ Plane find_plane(const Part& part, double min_share, const ClusterOptions& optio
   return best;
 }
 
-/// Gathers the draws of every chain, evenly thinned to at most `most`.
-Part gather(const std::vector<Eigen::MatrixXd>& x, long most) {
+/// Gathers the draws of every chain, evenly thinned to at most `max_draws`.
+Part gather(const std::vector<Eigen::MatrixXd>& x, long max_draws) {
   // Select every n-th draw of each chain.
   const Eigen::Index draws = x[0].cols();
-  const Eigen::Index each = std::max<Eigen::Index>(1, most / Eigen::Index(x.size()));
+  const Eigen::Index each = std::max<Eigen::Index>(1, max_draws / Eigen::Index(x.size()));
   const Eigen::Index every = std::max<Eigen::Index>(1, (draws + each - 1) / each);
   const Eigen::Index kept = (draws + every - 1) / every;
   Part part{Eigen::MatrixXd(x[0].rows(), kept * Eigen::Index(x.size())), {}};

@@ -193,15 +193,15 @@ void judge_agreement(const std::vector<Estimate>& estimates, double limit,
                                    apart.worst->name, apart.figure, limit, apart.more()));
 }
 
-/// Warns about effective sizes below `least`.
+/// Warns about effective sizes below `min_size`.
 /// @param size  member of Estimate: bulk or tail ESS
 void judge_size(const std::vector<Estimate>& estimates, const char* what, double Estimate::*size,
-                double least, std::vector<std::string>& warnings) {
+                double min_size, std::vector<std::string>& warnings) {
   const Offence few =
-      find_offence(estimates, -least, [size](const Estimate& each) { return -(each.*size); });
+      find_offence(estimates, -min_size, [size](const Estimate& each) { return -(each.*size); });
   if (few.worst)
     warnings.push_back(fmt::format("{} effective sample size of {} is {:.0f}, below {:.0f}{}", what,
-                                   few.worst->name, -few.figure, least, few.more()));
+                                   few.worst->name, -few.figure, min_size, few.more()));
 }
 
 /// Reports divergent steps. Call it last: few divergent draws are only a caution if nothing else is
@@ -220,17 +220,17 @@ void judge_steps(long steps, double allowed, Convergence& result) {
                     100 * allowed));
 }
 
-/// Warns about a swap rate below `least`.
-void judge_swaps(const Draws& draws, double least, std::vector<std::string>& warnings) {
+/// Warns about a swap rate below `min_rate`.
+void judge_swaps(const Draws& draws, double min_rate, std::vector<std::string>& warnings) {
   if (draws.swap_rate.size() == 0) return;
   // Find the pair of neighbours with the lowest rate.
   Eigen::Index temperature_index, group;
   const double rate = draws.swap_rate.minCoeff<Eigen::PropagateNaN>(&temperature_index, &group);
-  if (!(rate >= least))
+  if (!(rate >= min_rate))
     warnings.push_back(fmt::format(
         "temperatures {} and {} of group {} swap in {:.2g} % of attempts, below "
         "{:.2g} %: hot chains do not help cold ones",
-        temperature_index + 1, temperature_index + 2, group + 1, 100 * rate, 100 * least));
+        temperature_index + 1, temperature_index + 2, group + 1, 100 * rate, 100 * min_rate));
 }
 
 /// Counts divergent and non-finite steps, and those at the depth limit.
@@ -257,8 +257,8 @@ void find_worst(Convergence& result) {
 
 /// Returns whether an estimate satisfies the limits of R-hat and of both effective sizes; false for
 /// NaN.
-bool keeps_limits(const Estimate& each, double r_hat, double least_size) {
-  return each.r_hat <= r_hat && each.bulk_ess >= least_size && each.tail_ess >= least_size;
+bool keeps_limits(const Estimate& each, double r_hat, double min_size) {
+  return each.r_hat <= r_hat && each.bulk_ess >= min_size && each.tail_ess >= min_size;
 }
 
 }  // namespace
@@ -285,15 +285,15 @@ Convergence assess(const Draws& draws, const std::vector<std::string>& names,
                     "another, so 2 are needed",
                     groups));
   // Compare the figures with their limits.
-  const double least = limits.ess_per_chain * double(groups);
+  const double min_size = limits.ess_per_chain * double(groups);
   judge_draws(result.estimates, result.warnings);
   judge_swaps(draws, limits.swap_rate, result.warnings);
   const bool sound = result.warnings.empty();
   judge_agreement(result.estimates, limits.r_hat, result.warnings);
-  judge_size(result.estimates, "bulk", &Estimate::bulk_ess, least, result.warnings);
-  judge_size(result.estimates, "tail", &Estimate::tail_ess, least, result.warnings);
+  judge_size(result.estimates, "bulk", &Estimate::bulk_ess, min_size, result.warnings);
+  judge_size(result.estimates, "tail", &Estimate::tail_ess, min_size, result.warnings);
   for (const Estimate& each : result.estimates)
-    if (!keeps_limits(each, limits.r_hat, least)) result.unsettled.push_back(each.name);
+    if (!keeps_limits(each, limits.r_hat, min_size)) result.unsettled.push_back(each.name);
   const std::size_t of_coordinates = result.warnings.size();
   judge_steps(draws.draws() * draws.chains(), limits.divergent_share, result);
   result.draws_may_help = sound && of_coordinates > 0 && result.warnings.size() == of_coordinates;
@@ -304,10 +304,10 @@ Convergence settled_by_answers(Convergence convergence, const std::vector<Estima
                                const std::string& what, long groups,
                                const ConvergenceLimits& limits) {
   // Check the answers.
-  const double least = limits.ess_per_chain * double(groups);
+  const double min_size = limits.ess_per_chain * double(groups);
   const bool answered =
       !answers.empty() && std::all_of(answers.begin(), answers.end(), [&](const Estimate& answer) {
-        return answer.sd == 0 || keeps_limits(answer, limits.r_hat, least);
+        return answer.sd == 0 || keeps_limits(answer, limits.r_hat, min_size);
       });
   if (!convergence.draws_may_help || !answered ||
       !(convergence.worst_r_hat <= limits.nuisance_r_hat))

@@ -16,7 +16,7 @@ namespace thenar {
 namespace {
 
 // Number of lags of a first attempt: usually sufficient, and cheap
-constexpr Eigen::Index kFewLags = 100;
+constexpr Eigen::Index kInitialLagCount = 100;
 
 /// Returns the autocorrelation of all chains together, at lags 0 .. lags - 1 [Vehtari2021 eq. 10].
 Eigen::VectorXd autocorrelation_of_all(const Eigen::MatrixXd& x, Eigen::Index lags) {
@@ -44,8 +44,8 @@ Eigen::Index last_pair(const Eigen::VectorXd& rho) {
 
 /// Returns the autocorrelation time of all chains together.
 double time_of_all(const Eigen::MatrixXd& x) {
-  if (x.rows() > kFewLags) {
-    const Eigen::VectorXd few = autocorrelation_of_all(x, kFewLags);
+  if (x.rows() > kInitialLagCount) {
+    const Eigen::VectorXd few = autocorrelation_of_all(x, kInitialLagCount);
     if (last_pair(few) + 4 < few.size()) return autocorrelation_time(few);
   }
   return autocorrelation_time(autocorrelation_of_all(x, x.rows()));
@@ -67,10 +67,10 @@ Eigen::MatrixXd at_most(const Eigen::Ref<const Eigen::MatrixXd>& x, double limit
 
 double autocorrelation_time(const Eigen::VectorXd& rho) {
   const Eigen::Index end = last_pair(rho);
-  double sum = 0, least = std::numeric_limits<double>::infinity();
+  double sum = 0, min_pair_sum = std::numeric_limits<double>::infinity();
   for (Eigen::Index lag = 0; lag < end; lag += 2) {
-    least = std::min(least, rho[lag] + rho[lag + 1]);
-    sum += least;
+    min_pair_sum = std::min(min_pair_sum, rho[lag] + rho[lag + 1]);
+    sum += min_pair_sum;
   }
   return -1 + 2 * sum + std::max(0.0, rho[end]);
 }

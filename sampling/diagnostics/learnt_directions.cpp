@@ -13,8 +13,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kMinToldShare = 0.05;  // minimum share of an entry in the text [1]
-constexpr int kMaxTold = 5;             // maximum number of entries in the text
+constexpr double kMinNamedShare = 0.05;  // minimum share of an entry in the text [1]
+constexpr int kMaxNamedEntries = 5;      // maximum number of entries in the text
 
 /// Describes a direction by its largest entries.
 std::string tell(const std::vector<std::string>& names, const LearntDirection& direction) {
@@ -28,9 +28,9 @@ std::string tell(const std::vector<std::string>& names, const LearntDirection& d
   // The sign of a direction is arbitrary: make the largest entry positive.
   const double sign = direction.v[order[0]] < 0 ? -1 : 1;
   std::string text;
-  int told = 0;
+  int named = 0;
   for (const Eigen::Index i : order) {
-    if (direction.share[i] < kMinToldShare || told++ == kMaxTold) break;
+    if (direction.share[i] < kMinNamedShare || named++ == kMaxNamedEntries) break;
     const char* joint = direction.v[i] * sign < 0 ? " - " : " + ";
     text += fmt::format("{}{:.2f} {}", text.empty() ? "" : joint, direction.share[i], names[i]);
   }

@@ -66,7 +66,7 @@ RankCalibration judge_calibration(const std::vector<std::string>& names,
   // Choose the tests for this number of runs; they share alpha.
   const int points = std::min(options.points, draws);
   const int bins = std::clamp(std::min(options.bins, int(rank.cols()) / 5), 1, draws + 1);
-  const double least_p = options.alpha / (2 * double(names.size()));
+  const double max_p = options.alpha / (2 * double(names.size()));
 
   RankCalibration all;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -79,11 +79,11 @@ RankCalibration judge_calibration(const std::vector<std::string>& names,
     judged.chi_square = counts.value;
     judged.chi_square_p = counts.p;
     // Report the smaller p-value.
-    if (const double p = std::min(judged.band_p, judged.chi_square_p); p < least_p) {
+    if (const double p = std::min(judged.band_p, judged.chi_square_p); p < max_p) {
       judged.shape = shape_of(parameter_rank, draws);
       all.warnings.push_back(
           fmt::format("ranks of {} are not uniform (p = {:.2g}, below {:.2g}): its posterior is {}",
-                      names[i], p, least_p, judged.shape));
+                      names[i], p, max_p, judged.shape));
     }
     all.parameters.push_back(judged);
   }

@@ -12,8 +12,8 @@ namespace {
 /// Binomial probabilities from a table of log factorials.
 class Binomial {
  public:
-  explicit Binomial(int most) : log_factorial_(most + 1) {
-    for (int i = 0; i <= most; ++i) log_factorial_[i] = std::lgamma(i + 1.0);
+  explicit Binomial(int max_trials) : log_factorial_(max_trials + 1) {
+    for (int i = 0; i <= max_trials; ++i) log_factorial_[i] = std::lgamma(i + 1.0);
   }
 
   /// Returns P(count = c) of n trials with probability p in (0, 1).

@@ -89,9 +89,9 @@ class Hamiltonian : public Sampler {
         broken = 0;  // number of requested densities, and of those that are not finite
   };
   UnderWay now_;
-  Eigen::VectorXd gradient_;  // gradient of the tempered density (n)
-  Eigen::VectorXd asked_;     // requested point (n)
-  Eigen::MatrixXd asks_;      // requested point (n, 1)
+  Eigen::VectorXd gradient_;   // gradient of the tempered density (n)
+  Eigen::VectorXd requested_;  // requested point (n)
+  Eigen::MatrixXd asks_;       // requested point (n, 1)
 };
 
 Hamiltonian::Hamiltonian(SamplingMethod method, const Eigen::VectorXd& start,
@@ -159,8 +159,8 @@ void Hamiltonian::start_leapfrog(PhasePoint& point, double step) {
   now_.moving_point = &point;
   now_.leapfrog_length = step;
   begin_leapfrog(point, warm_up_.whitening(), step);
-  warm_up_.whitening().to_position(point.y, asked_);
-  asks_ = asked_;
+  warm_up_.whitening().to_position(point.y, requested_);
+  asks_ = requested_;
 }
 
 void Hamiltonian::tell(const Densities& at) {
@@ -201,7 +201,7 @@ void Hamiltonian::follow(const Densities& at, double energy_error) {
   // Update the candidate and the selected point.
   const Verdict verdict = now_.trajectory->assess_point(energy_error, random_);
   if (verdict.is_candidate) {
-    candidate_.x = asked_;
+    candidate_.x = requested_;
     candidate_.y = now_.moving_point->y;
     candidate_.slope = now_.moving_point->slope;
     candidate_.at = at;

@@ -242,11 +242,11 @@ class DriverSearch {
   /// Returns the best vector (n); empty if there is none.
   [[nodiscard]] VectorXd find() const {
     VectorXd found;
-    double most = 0;
+    double max_form = 0;
     for (VectorXd v : starts()) {
       const double form = climb(v);
-      if (!(form > most)) continue;
-      most = form;
+      if (!(form > max_form)) continue;
+      max_form = form;
       found = v;
     }
     return found;

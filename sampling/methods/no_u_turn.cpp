@@ -41,8 +41,8 @@ bool turns(const TreeSpan& a, const TreeSpan& b) {
 }
 
 double log_add_exp(double log_a, double log_b) {
-  const double most = std::max(log_a, log_b), least = std::min(log_a, log_b);
-  return most + std::log1p(std::exp(least - most));
+  const double larger = std::max(log_a, log_b), smaller = std::min(log_a, log_b);
+  return larger + std::log1p(std::exp(smaller - larger));
 }
 
 /// No-U-turn trajectories.

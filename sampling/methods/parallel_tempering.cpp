@@ -48,15 +48,15 @@ Eigen::VectorXd known_rejection_rates(const Eigen::VectorXd& rejection_rate) {
 
 }  // namespace
 
-Eigen::VectorXd temperature_ladder(int temperatures, double least) {
+Eigen::VectorXd temperature_ladder(int temperatures, double min_beta) {
   require(temperatures >= 1, "temperatures must be >= 1, got {}", temperatures);
   // Geometric ladder, or by the fifth power down to the prior.
   Eigen::VectorXd beta = Eigen::VectorXd::Ones(temperatures);
   if (temperatures == 1) return beta;
-  require(least >= 0 && least < 1, "least temper must be in 0 .. below 1, got {}", least);
+  require(min_beta >= 0 && min_beta < 1, "least temper must be in 0 .. below 1, got {}", min_beta);
   for (int i = 1; i < temperatures; ++i) {
     const double part = double(i) / (temperatures - 1);
-    beta[i] = least > 0 ? std::pow(least, part) : std::pow(1 - part, kLadderPower);
+    beta[i] = min_beta > 0 ? std::pow(min_beta, part) : std::pow(1 - part, kLadderPower);
   }
   return beta;
 }

@@ -10,13 +10,15 @@
 
 namespace thenar {
 
-/// Returns powers of the likelihood that fall from 1 to `least`: geometric,  beta_i = least^(i / (T
-/// - 1)), or, if the last is the prior,  beta_i = (1 - i / (T - 1))^5.
-/// @param temperatures  number T, at least 1; a single one has power 1 (T)
-/// @param least         smallest power, 0 .. below 1; ignored if T = 1
+/// Returns powers of the likelihood that fall from 1 to `min_beta`: geometric,
+///   beta_i = min_beta^(i / (T - 1)),   or, if the last is the prior,   beta_i = (1 - i / (T -
+///   1))^5.
+/// @param temperatures  number T, at least 1; a single one has power 1
+/// @param min_beta      smallest power, 0 .. below 1; ignored if T = 1
+/// @return powers in falling order (T).
 /// @throws InputError if an argument is out of range.
 /// Source: [Friel2008] for the fifth power.
-[[nodiscard]] Eigen::VectorXd temperature_ladder(int temperatures, double least);
+[[nodiscard]] Eigen::VectorXd temperature_ladder(int temperatures, double min_beta);
 
 /// Flags of swaps between neighbouring temperatures (walkers, T - 1).
 using SwapMask = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;

@@ -13,12 +13,12 @@ class DualAveraging {
   explicit DualAveraging(double target) : target_(target) {}
 
   /// Resets everything except an initial step size.
-  /// @param lean  multiple of `step` towards which the iteration is biased [1]
-  void restart(double step, double lean);
+  /// @param bias  multiple of `step` towards which the iteration is biased [1]
+  void restart(double step, double bias);
   /// Adapts to the acceptance of a step.
   /// @param acceptance  acceptance probability of the last step, 0..1
-  /// @param most        maximum step size [1]
-  void learn(double acceptance, double most);
+  /// @param max_step    maximum step size [1]
+  void learn(double acceptance, double max_step);
 
   [[nodiscard]] double step() const;           // step size to try next [1]
   [[nodiscard]] double averaged_step() const;  // averaged step size, to use after adaptation [1]
@@ -29,7 +29,7 @@ class DualAveraging {
  private:
   double target_;            // target acceptance [1]
   double count_ = 0;         // number of adaptations [1]
-  double lean_ = 0;          // logarithm of the step size towards which the iteration is biased [1]
+  double log_bias_ = 0;      // logarithm of the step size towards which the iteration is biased [1]
   double error_ = 0;         // weighted mean of target - acceptance; early ones weigh less [1]
   double log_step_ = 0;      // logarithm of the step size to try next [1]
   double log_averaged_ = 0;  // logarithm of the averaged step size [1]

@@ -131,9 +131,10 @@ void Whitening::restore(StateReader& from) {
   const Eigen::MatrixXd factor = saved_matrix(from, "metric", n, is_dense() ? n : 1);
   // A bend has an entry for each pair of its drivers.
   Bend bend;
-  const std::int64_t drivers = from.integer(), most = std::min<std::int64_t>(Bend::kMaxDrivers, n);
-  require(drivers >= 0 && drivers <= most, "saved state: wanted 0 to {} drivers of a bend, got {}",
-          most, drivers);
+  const std::int64_t drivers = from.integer(),
+                     max_drivers = std::min<std::int64_t>(Bend::kMaxDrivers, n);
+  require(drivers >= 0 && drivers <= max_drivers,
+          "saved state: wanted 0 to {} drivers of a bend, got {}", max_drivers, drivers);
   bend.drivers = static_cast<int>(drivers);
   bend.strength =
       drivers == 0 ? from.matrix() : saved_matrix(from, "bend", n, drivers * (drivers + 1) / 2);
