@@ -11,8 +11,9 @@
 namespace thenar {
 
 /// Returns powers of the likelihood that fall from 1 to `min_beta`: geometric,
-///   beta_i = min_beta^(i / (T - 1)),   or, if the last is the prior,   beta_i = (1 - i / (T -
-///   1))^5.
+///   beta_i = min_beta^(i / (T - 1)),
+/// or, if the last is the prior,
+///   beta_i = (1 - i / (T - 1))^5.
 /// @param temperatures  number T, at least 1; a single one has power 1
 /// @param min_beta      smallest power, 0 .. below 1; ignored if T = 1
 /// @return powers in falling order (T).
