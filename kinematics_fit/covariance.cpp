@@ -113,8 +113,9 @@ double null_share(const ArrowLayout& layout, const ArrowNullSpace& null_directio
   const double together = null_directions.coupled.row(i).squaredNorm();
   if (i < layout.shared) return together;
   const Eigen::Index block = (i - layout.shared) / layout.own;
-  return together +
-         null_directions.own[block].row(i - layout.first(static_cast<int>(block))).squaredNorm();
+  return together + null_directions.own[block]
+                        .row(i - layout.first_index(static_cast<int>(block)))
+                        .squaredNorm();
 }
 
 /// Names every null direction: those that involve shared coordinates, then those of each block.
@@ -130,7 +131,7 @@ void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& null_directions
   std::vector<PivotedRows> alone;
   for (int b = 0; b < layout.blocks; ++b) {
     alone.push_back(sparse_basis(null_directions.own[b].transpose(), layout.own));
-    auto own = together.middleCols(layout.first(b), layout.own);
+    auto own = together.middleCols(layout.first_index(b), layout.own);
     own -= own(Eigen::all, alone.back().pivots).eval() * alone.back().rows;
   }
 
@@ -140,7 +141,7 @@ void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& null_directions
   // Add the directions within each block.
   for (int b = 0; b < layout.blocks; ++b)
     for (Eigen::Index k = 0; k < alone[b].rows.rows(); ++k)
-      add(alone[b].rows.row(k).transpose(), layout.first(b));
+      add(alone[b].rows.row(k).transpose(), layout.first_index(b));
 }
 
 /// Returns the factor of data and priors together; a factor of J keeps digits that J'J would lose.

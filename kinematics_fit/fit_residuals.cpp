@@ -231,7 +231,7 @@ namespace {
 
 /// Returns the priors of the population's entries (block -1) or of a specimen's deviations: r = z.
 ResidualPart prior_part(const ArrowLayout& layout, int block) {
-  const int first = block < 0 ? 0 : layout.first(block);
+  const int first = block < 0 ? 0 : layout.first_index(block);
   const int count = block < 0 ? layout.shared : layout.own;
   const int columns = layout.shared + (block < 0 ? 0 : layout.own);
   return {block, [=](const Eigen::VectorXd& z, WithJacobian want) {

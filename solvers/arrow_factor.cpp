@@ -93,7 +93,7 @@ VectorXd ArrowMatrix::diagonal() const {
   VectorXd all(layout.size());
   all.head(layout.shared) = shared.diagonal();
   for (int b = 0; b < layout.blocks; ++b)
-    all.segment(layout.first(b), layout.own) = own[b].diagonal();
+    all.segment(layout.first_index(b), layout.own) = own[b].diagonal();
   return all;
 }
 
@@ -116,9 +116,9 @@ VectorXd ArrowFactor::whiten(const VectorXd& g) const {
   VectorXd shared = g.head(layout_.shared);
   for (int b = 0; b < layout_.blocks; ++b) {
     const Block& block = blocks_[b];
-    auto own = y.segment(layout_.first(b), layout_.own);
+    auto own = y.segment(layout_.first_index(b), layout_.own);
     own = block.R.transpose().triangularView<Eigen::Lower>().solve(
-        g.segment(layout_.first(b), layout_.own));
+        g.segment(layout_.first_index(b), layout_.own));
     shared -= block.S.transpose() * own;
   }
   y.head(layout_.shared) = shared_.transpose().triangularView<Eigen::Lower>().solve(shared);
@@ -141,8 +141,8 @@ VectorXd ArrowFactor::unwhiten(const VectorXd& v) const {
   x.head(layout_.shared) = shared_.triangularView<Eigen::Upper>().solve(v.head(layout_.shared));
   for (int b = 0; b < layout_.blocks; ++b) {
     const Block& block = blocks_[b];
-    x.segment(layout_.first(b), layout_.own) = block.R.triangularView<Eigen::Upper>().solve(
-        v.segment(layout_.first(b), layout_.own) - block.S * x.head(layout_.shared));
+    x.segment(layout_.first_index(b), layout_.own) = block.R.triangularView<Eigen::Upper>().solve(
+        v.segment(layout_.first_index(b), layout_.own) - block.S * x.head(layout_.shared));
   }
   return x;
 }
@@ -168,7 +168,7 @@ MatrixXd ArrowFactor::inverse() const {
   MatrixXd C(layout_.size(), layout_.size());
   C.topLeftCorner(layout_.shared, layout_.shared) = blocks.shared;
   for (int b = 0; b < layout_.blocks; ++b) {
-    const Index at = layout_.first(b), p = layout_.shared, d = layout_.own;
+    const Index at = layout_.first_index(b), p = layout_.shared, d = layout_.own;
     const auto i = static_cast<std::size_t>(b);
     C.block(at, 0, d, p) = blocks.cross[i];
     C.block(0, at, p, d) = blocks.cross[i].transpose();
@@ -176,7 +176,7 @@ MatrixXd ArrowFactor::inverse() const {
     const MatrixXd response = blocks_[i].R.triangularView<Eigen::Upper>().solve(blocks_[i].S);
     C.block(at, at, d, d) = blocks.own[i];
     for (int other = 0; other < b; ++other) {
-      const Index to = layout_.first(other);
+      const Index to = layout_.first_index(other);
       C.block(at, to, d, d) = -response * C.block(0, to, p, d);
       C.block(to, at, d, d) = C.block(at, to, d, d).transpose();
     }
@@ -194,7 +194,7 @@ double ArrowFactor::squared_norm(const VectorXd& v) const {
   const VectorXd shared = v.head(layout_.shared);
   double sum = (shared_ * shared).squaredNorm();
   for (int b = 0; b < layout_.blocks; ++b)
-    sum += (blocks_[b].R * v.segment(layout_.first(b), layout_.own) + blocks_[b].S * shared)
+    sum += (blocks_[b].R * v.segment(layout_.first_index(b), layout_.own) + blocks_[b].S * shared)
                .squaredNorm();
   return sum;
 }
@@ -206,7 +206,7 @@ MatrixXd dense_rows(const ArrowLayout& layout, const std::vector<ArrowRows>& row
   for (const ArrowRows& part : rows) {
     J.block(row, 0, part.shared.rows(), layout.shared) = part.shared;
     if (part.block >= 0)
-      J.block(row, layout.first(part.block), part.own.rows(), layout.own) = part.own;
+      J.block(row, layout.first_index(part.block), part.own.rows(), layout.own) = part.own;
     row += part.shared.rows();
   }
   return J;
@@ -234,7 +234,7 @@ ArrowNullSpace arrow_null_space(const ArrowLayout& layout, const std::vector<Arr
   out.coupled.topRows(layout.shared) = shared;
   for (int b = 0; b < layout.blocks; ++b) {
     const RankSplit& block = own[b];
-    out.coupled.middleRows(layout.first(b), layout.own) =
+    out.coupled.middleRows(layout.first_index(b), layout.own) =
         -block.row_space * (block.inverse_values.asDiagonal() *
                             (block.column_space.transpose() * (shared_columns[b] * shared)));
     out.own.push_back(block.null_space);

@@ -15,7 +15,7 @@ struct ArrowLayout {
   int shared = 0, own = 0, blocks = 0;
 
   [[nodiscard]] int size() const { return shared + own * blocks; }
-  [[nodiscard]] int first(int block) const {
+  [[nodiscard]] int first_index(int block) const {
     return shared + own * block;
   }  // index of its first own coordinate
 };

@@ -31,7 +31,7 @@ MatrixXd stack(const std::vector<MatrixXd>& parts, const std::vector<bool>& free
 std::vector<bool> free_of_block(const ArrowLayout& layout, int block,
                                 const std::vector<bool>& free) {
   std::vector<bool> out(free.begin(), free.begin() + layout.shared);
-  const auto own = free.begin() + layout.first(block);
+  const auto own = free.begin() + layout.first_index(block);
   out.insert(out.end(), own, own + layout.own);
   return out;
 }
@@ -171,14 +171,14 @@ VectorXd ArrowSquaresFactor::solve(const VectorXd& g) const {
   auto shared = x.head(layout_.shared);
   for (int b = 0; b < layout_.blocks; ++b) {
     const Block& block = blocks_[b];
-    auto own = x.segment(layout_.first(b), layout_.own);
+    auto own = x.segment(layout_.first_index(b), layout_.own);
     own.array() *= block.u.array();
     shared -= block.shared.transpose() * apply_signs(block, block.own * own);
   }
   shared_.solveInPlace(shared);
   for (int b = 0; b < layout_.blocks; ++b) {
     const Block& block = blocks_[b];
-    auto own = x.segment(layout_.first(b), layout_.own);
+    auto own = x.segment(layout_.first_index(b), layout_.own);
     own -= block.own.transpose() * apply_signs(block, block.own * own + block.shared * shared);
     own.array() *= block.u.array();
   }

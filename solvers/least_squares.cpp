@@ -181,7 +181,7 @@ std::optional<CostDerivatives> exact_derivatives(const LeastSquares& problem,
     out.gradient.head(shared) += at.J.leftCols(shared).transpose() * at.r;
     out.rows.push_back({part.block, at.J.leftCols(shared), {}});
     if (part.block < 0) continue;
-    out.gradient.segment(out.layout.first(part.block), own) +=
+    out.gradient.segment(out.layout.first_index(part.block), own) +=
         at.J.rightCols(own).transpose() * at.r;
     out.rows.back().own = at.J.rightCols(own);
   }
@@ -358,7 +358,7 @@ void fix_coordinate(CostDerivatives& slopes, Eigen::Index i) {
   // Find the position of the coordinate in its block.
   const ArrowLayout& layout = slopes.layout;
   const int block = i < layout.shared ? -1 : static_cast<int>((i - layout.shared) / layout.own);
-  const Eigen::Index at = block < 0 ? i : i - layout.first(block);
+  const Eigen::Index at = block < 0 ? i : i - layout.first_index(block);
   // Zero its gradient and columns, and append a unit row.
   slopes.gradient[i] = 0;
   for (ArrowRows& rows : slopes.rows) {

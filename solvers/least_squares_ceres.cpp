@@ -26,7 +26,7 @@ class PartCost final : public ceres::CostFunction {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(layout_.size());
     z.head(layout_.shared) = Eigen::Map<const Eigen::VectorXd>(parameters[0], layout_.shared);
     if (own)
-      z.segment(layout_.first(part_.block), layout_.own) =
+      z.segment(layout_.first_index(part_.block), layout_.own) =
           Eigen::Map<const Eigen::VectorXd>(parameters[1], layout_.own);
     const Residuals out =
         part_.residuals(z, jacobians == nullptr ? WithJacobian::kNo : WithJacobian::kYes);
@@ -109,13 +109,14 @@ Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
   for (const ResidualPart& part : blocks.parts) {
     const auto rows = static_cast<int>(part.residuals(start, WithJacobian::kNo).r.size());
     std::vector<double*> block_parameters{z};
-    if (part.block >= 0) block_parameters.push_back(z + layout.first(part.block));
+    if (part.block >= 0) block_parameters.push_back(z + layout.first_index(part.block));
     ceres_problem.AddResidualBlock(new PartCost(part, layout, rows, calls), nullptr,
                                    block_parameters);
   }
   set_bounds(problem, 0, layout.shared, z, ceres_problem);
   for (int b = 0; b < layout.blocks; ++b)
-    set_bounds(problem, layout.first(b), layout.own, z + layout.first(b), ceres_problem);
+    set_bounds(problem, layout.first_index(b), layout.own, z + layout.first_index(b),
+               ceres_problem);
 
   // Eliminate blocks by Schur complements if there are any.
   ceres::Solver::Options settings;
@@ -124,7 +125,7 @@ Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
   if (layout.blocks > 0) {
     auto* order = new ceres::ParameterBlockOrdering;
     order->AddElementToGroup(z, 1);
-    for (int b = 0; b < layout.blocks; ++b) order->AddElementToGroup(z + layout.first(b), 0);
+    for (int b = 0; b < layout.blocks; ++b) order->AddElementToGroup(z + layout.first_index(b), 0);
     settings.linear_solver_ordering.reset(order);
   }
   settings.max_num_iterations = options.max_evaluations > 0 ? options.max_evaluations : 500;

@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 VectorXd gather_entries(const ArrowLayout& layout, int block, const VectorXd& z) {
   if (block < 0) return z.head(layout.shared);
   VectorXd entries(layout.shared + layout.own);
-  entries << z.head(layout.shared), z.segment(layout.first(block), layout.own);
+  entries << z.head(layout.shared), z.segment(layout.first_index(block), layout.own);
   return entries;
 }
 
@@ -44,7 +44,7 @@ std::optional<SecantPoint> secant_point(const ResidualBlocks& blocks, VectorXd z
     const VectorXd slopes = out.J.transpose() * out.r;
     at.gradient.head(layout.shared) += slopes.head(layout.shared);
     if (part.block >= 0)
-      at.gradient.segment(layout.first(part.block), layout.own) += slopes.tail(layout.own);
+      at.gradient.segment(layout.first_index(part.block), layout.own) += slopes.tail(layout.own);
   }
   at.z = std::move(z);
   if (!std::isfinite(at.cost) || !at.gradient.allFinite()) return {};
@@ -365,7 +365,7 @@ class KinkSearch {
     for (const ArrowRows& rows : at_.rows) {
       VectorXd moved = rows.shared * step.head(at_.layout.shared);
       if (rows.block >= 0)
-        moved += rows.own * step.segment(at_.layout.first(rows.block), at_.layout.own);
+        moved += rows.own * step.segment(at_.layout.first_index(rows.block), at_.layout.own);
       squares += moved.squaredNorm();
     }
     return std::sqrt(squares);

@@ -90,7 +90,7 @@ MatrixXd columns_of(const ArrowNullSpace& nulls) {
     const Eigen::Index before = N.cols();
     N.conservativeResize(kLayout.size(), before + alone.cols());
     N.rightCols(alone.cols()).setZero();
-    N.block(kLayout.first(b), before, kLayout.own, alone.cols()) = alone;
+    N.block(kLayout.first_index(b), before, kLayout.own, alone.cols()) = alone;
   }
   return N;
 }
@@ -127,7 +127,7 @@ TEST(ArrowFactor, HasTheBlocksOfTheDenseInverse) {
   EXPECT_TRUE(matrix_near(blocks.diagonal(), C.diagonal(), 1e-13));
   for (int b = -1; b < kLayout.blocks; ++b) {
     std::vector<int> on{0, 1, 2};
-    if (b >= 0) on.insert(on.end(), {kLayout.first(b), kLayout.first(b) + 1});
+    if (b >= 0) on.insert(on.end(), {kLayout.first_index(b), kLayout.first_index(b) + 1});
     EXPECT_TRUE(matrix_near(blocks.block_entries(b), C(on, on), 1e-13)) << b;
   }
 }

@@ -25,7 +25,7 @@ MatrixXd spread(int block, const MatrixXd& J) {
   MatrixXd all = MatrixXd::Zero(J.rows(), kWithPriors.size());
   all.leftCols(kWithPriors.shared) = J.leftCols(kWithPriors.shared);
   if (block >= 0)
-    all.middleCols(kWithPriors.first(block), kWithPriors.own) = J.rightCols(kWithPriors.own);
+    all.middleCols(kWithPriors.first_index(block), kWithPriors.own) = J.rightCols(kWithPriors.own);
   return all;
 }
 
