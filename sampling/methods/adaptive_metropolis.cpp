@@ -85,9 +85,9 @@ class AdaptiveMetropolis final : public Metropolis {
 
   void save_learnt(StateWriter& to) const override {
     for (const ProposalShape& shape : shapes_) {
-      to.put(shape.mean);
-      to.put(shape.L);
-      to.put(shape.log_scale);
+      to.write(shape.mean);
+      to.write(shape.L);
+      to.write(shape.log_scale);
     }
   }
 

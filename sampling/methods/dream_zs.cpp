@@ -171,10 +171,10 @@ class DreamZs final : public Metropolis {
   }
 
   void save_learnt(StateWriter& to) const override {
-    to.put(Eigen::Map<const Eigen::MatrixXd>(archive_.data(), size(), states()));
-    to.put(carried_);
-    to.put(used_);
-    to.put(share_);
+    to.write(Eigen::Map<const Eigen::MatrixXd>(archive_.data(), size(), states()));
+    to.write(carried_);
+    to.write(used_);
+    to.write(share_);
   }
 
   void restore_learnt(StateReader& from) override {

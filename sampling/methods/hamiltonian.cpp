@@ -284,14 +284,14 @@ void Hamiltonian::set_beta(double beta) {
 }
 
 void Hamiltonian::save(StateWriter& to) const {
-  to.put(std::int64_t{steps_});
-  to.put(std::int64_t{known_ ? 1 : 0});
-  to.put(current_.x);
-  to.put(current_.y);
-  to.put(current_.at.log_prior);
-  to.put(current_.at.log_likelihood);
-  to.put(current_.at.prior_gradient);
-  to.put(current_.at.likelihood_gradient);
+  to.write(std::int64_t{steps_});
+  to.write(std::int64_t{known_ ? 1 : 0});
+  to.write(current_.x);
+  to.write(current_.y);
+  to.write(current_.at.log_prior);
+  to.write(current_.at.log_likelihood);
+  to.write(current_.at.prior_gradient);
+  to.write(current_.at.likelihood_gradient);
   warm_up_.save(to);
 }
 

@@ -101,9 +101,9 @@ void WarmUp::save(StateWriter& to) const {
   whitening_.save(to);
   draws_.save(to);
   averaging_.save(to);
-  to.put(search_.step());
-  to.put(step_);
-  to.put(std::int64_t{searching_ ? 1 : 0});
+  to.write(search_.step());
+  to.write(step_);
+  to.write(std::int64_t{searching_ ? 1 : 0});
 }
 
 void WarmUp::restore(StateReader& from) {

@@ -27,8 +27,8 @@ void WindowDraws::add(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient)
 }
 
 void WindowDraws::save(StateWriter& to) const {
-  to.put(x());
-  to.put(gradient());
+  to.write(x());
+  to.write(gradient());
 }
 
 void WindowDraws::restore(StateReader& from) {

@@ -125,16 +125,16 @@ Densities Metropolis::density(int chain) const {
 void Metropolis::save(StateWriter& to) const {
   require(round_ == 0, "a sampler can be saved between steps only");
   // Positions and densities.
-  to.put(std::int64_t{steps_});
-  to.put(std::int64_t{begun_ ? 1 : 0});
-  to.put(x_);
-  to.put(prior_);
-  to.put(likelihood_);
+  to.write(std::int64_t{steps_});
+  to.write(std::int64_t{begun_ ? 1 : 0});
+  to.write(x_);
+  to.write(prior_);
+  to.write(likelihood_);
   // Statistics of the last step, and adapted quantities.
   for (const StepStats& stats : stats_) {
-    to.put(stats.acceptance);
-    to.put(std::int64_t{stats.evaluations});
-    to.put(std::int64_t{stats.non_finite});
+    to.write(stats.acceptance);
+    to.write(std::int64_t{stats.evaluations});
+    to.write(std::int64_t{stats.non_finite});
   }
   save_learnt(to);
 }

@@ -96,9 +96,9 @@ Eigen::VectorXd SwapCounts::rejection_rate() const {
 }
 
 void SwapCounts::save(StateWriter& to) const {
-  to.put(tried);
-  to.put(accepted);
-  to.put(probability);
+  to.write(tried);
+  to.write(accepted);
+  to.write(probability);
 }
 
 void SwapCounts::restore(StateReader& from) {

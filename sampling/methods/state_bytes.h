@@ -13,10 +13,10 @@ namespace thenar {
 /// Appends numbers to a string of bytes (little endian, as in memory).
 class StateWriter {
  public:
-  void put(double value);
-  void put(std::int64_t value);
-  void put(const Eigen::Ref<const Eigen::MatrixXd>& matrix);  // shape and entries
-  void put_bytes(const std::string& bytes);                   // length and bytes
+  void write(double value);
+  void write(std::int64_t value);
+  void write(const Eigen::Ref<const Eigen::MatrixXd>& matrix);  // shape and entries
+  void write_bytes(const std::string& bytes);                   // length and bytes
 
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
@@ -37,7 +37,7 @@ class StateReader {
   [[nodiscard]] bool at_end() const { return at_ == bytes_.size(); }
 
  private:
-  void take(void* to, std::size_t size);
+  void copy_next(void* to, std::size_t size);
 
   std::string bytes_;
   std::size_t at_ = 0;

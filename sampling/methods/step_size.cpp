@@ -24,7 +24,7 @@ double DualAveraging::step() const { return std::exp(log_step_); }
 double DualAveraging::averaged_step() const { return std::exp(log_averaged_); }
 
 void DualAveraging::save(StateWriter& to) const {
-  for (const double value : {count_, log_bias_, error_, log_step_, log_averaged_}) to.put(value);
+  for (const double value : {count_, log_bias_, error_, log_step_, log_averaged_}) to.write(value);
 }
 
 void DualAveraging::restore(StateReader& from) {

@@ -118,11 +118,11 @@ bool Whitening::set_map(const Eigen::VectorXd& centre, const Eigen::MatrixXd& fa
 }
 
 void Whitening::save(StateWriter& to) const {
-  to.put(centre_);
-  to.put(factor_);
-  to.put(std::int64_t{bend_.drivers});
-  to.put(bend_.strength);
-  to.put(std::int64_t{orbits_ ? 1 : 0});
+  to.write(centre_);
+  to.write(factor_);
+  to.write(std::int64_t{bend_.drivers});
+  to.write(bend_.strength);
+  to.write(std::int64_t{orbits_ ? 1 : 0});
 }
 
 void Whitening::restore(StateReader& from) {

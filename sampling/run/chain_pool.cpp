@@ -85,10 +85,10 @@ void ChainSlot::set_beta(double beta) {
 void ChainSlot::save(StateWriter& to) const {
   sampler->save(to);
   swap_counts.save(to);
-  to.put(std::int64_t{divergent});
+  to.write(std::int64_t{divergent});
   for (const StepStats& sum : stats_since_draw)
     for (const int number : {sum.evaluations, sum.non_finite, int(sum.divergent)})
-      to.put(std::int64_t{number});
+      to.write(std::int64_t{number});
 }
 
 void ChainSlot::restore(StateReader& from) {

@@ -103,10 +103,10 @@ void ChainRun::report() const {
 
 std::string ChainRun::state(const std::vector<std::string>& samplers) const {
   StateWriter writer;
-  writer.put(std::int64_t{samplers_.step()});
-  writer.put(seconds_before_ + seconds_since(start_));
-  writer.put(samplers_.beta());
-  for (const std::string& sampler : samplers) writer.put_bytes(sampler);
+  writer.write(std::int64_t{samplers_.step()});
+  writer.write(seconds_before_ + seconds_since(start_));
+  writer.write(samplers_.beta());
+  for (const std::string& sampler : samplers) writer.write_bytes(sampler);
   return writer.bytes();
 }
 
@@ -127,9 +127,9 @@ void ChainRun::checkpoint() {
 ChainRun::Gathered ChainRun::gather(const Gathered& mine) const {
   // Pack draws and states of this rank.
   StateWriter writer;
-  writer.put(static_cast<std::int64_t>(mine.draws.size()));
-  for (const Eigen::MatrixXd& group : mine.draws) writer.put(group);
-  for (const std::string& sampler : mine.states) writer.put_bytes(sampler);
+  writer.write(static_cast<std::int64_t>(mine.draws.size()));
+  for (const Eigen::MatrixXd& group : mine.draws) writer.write(group);
+  for (const std::string& sampler : mine.states) writer.write_bytes(sampler);
   // Unpack those of all ranks on rank 0.
   Gathered all;
   for (const std::string& bytes : all_gather_bytes(ranks_, writer.bytes())) {

@@ -25,8 +25,8 @@ void ChainStream::append(const Eigen::Ref<const Eigen::MatrixXd>& columns) {
                             static_cast<std::size_t>(block.size()) * sizeof(double));
   // Write shape, digest and numbers.
   StateWriter head;
-  head.put(std::int64_t{block.rows()});
-  head.put(std::int64_t{block.cols()});
+  head.write(std::int64_t{block.rows()});
+  head.write(std::int64_t{block.cols()});
   file_.append(head.bytes() + digest(numbers) + numbers);
 }
 

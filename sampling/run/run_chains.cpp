@@ -36,7 +36,7 @@ void check_run(const Target& target, const Eigen::MatrixXd& starts, const RunOpt
 
 std::string hash_of(const Eigen::MatrixXd& matrix) {
   StateWriter writer;
-  writer.put(matrix);
+  writer.write(matrix);
   return sha256(writer.bytes()).substr(0, 16);
 }
 

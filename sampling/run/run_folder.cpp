@@ -125,8 +125,8 @@ void RunFolder::commit(const std::vector<Eigen::MatrixXd>& added, const std::str
   // Then replace the state.
   const long columns = columns_ + (added.empty() ? 0 : added[0].cols());
   StateWriter writer;
-  writer.put(std::int64_t{columns});
-  writer.put_bytes(state);
+  writer.write(std::int64_t{columns});
+  writer.write_bytes(state);
   replace_file(folder_ + "/state.bin", sha256(writer.bytes()) + writer.bytes());
   columns_ = columns;
   state_.reset();  // only needed once

@@ -249,7 +249,7 @@ TEST_P(EverySampler, RefusesStepsWhoseRandomNumbersWouldRepeat) {
   advance({early[0].get()}, known.target, 20);
   StateWriter saved, number;
   early[0]->save(saved);
-  number.put(kAll - 2);
+  number.write(kAll - 2);
   StateReader reader(number.bytes() + saved.bytes().substr(number.bytes().size()));
   late[0]->restore(reader);
   advance({late[0].get()}, known.target, kAll - 1);
