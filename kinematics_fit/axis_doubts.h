@@ -26,8 +26,8 @@ struct AxisDoubts {
 };
 
 /// Finds tilts that the forces do not determine, and tilts that are correlated with those of the
-/// load cell: there the prior decides which of the two is tilted, whether or not its scale is
-/// inferred.
+/// load cell: there the prior decides which of the two is tilted, with or without
+/// inference of its scale.
 /// @param covariance  covariance of the fit at z
 [[nodiscard]] AxisDoubts find_axis_doubts(const FitProblem& problem, const Eigen::VectorXd& z,
                                           const Covariance& covariance);

@@ -136,7 +136,7 @@ FittedValues fitted_values(const Fit& fit, int specimen) {
       displacement_jacobian(fit.problem.coordinates(), fit.solution.z, specimen);
   Eigen::VectorXd variance =
       (J * fit.covariance.C.block_entries(specimen)).cwiseProduct(J).rowwise().sum();
-  // Widen the population's variance by what a single specimen cannot tell of it.
+  // Widen the population's variance by the share that a single specimen leaves unknown.
   const Eigen::VectorXd unseen = unseen_variance(fit.problem.coordinates());
   if (specimen < 0)
     for (int c = 0; c < parameters.coordinates(); ++c) {

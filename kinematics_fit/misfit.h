@@ -20,7 +20,7 @@ struct Misfit {
   double times_noise = 0;         // sqrt(chi_square / degrees_of_freedom) [1]
   double tail = 1;  // upper bound of the p-value: P(X >= chi_square) of a chi-square variable,
                     // whose variance is larger than the true one [1]
-  /// Whether neither chance nor slightly understated noise explains the misfit: tail < 1e-4, and
+  /// True if neither chance nor slightly understated noise explains the misfit: tail < 1e-4, and
   /// the noise factor is more than one prior sd too large, times_noise > exp(0.5) = 1.65.
   bool beyond_chance = false;
 };

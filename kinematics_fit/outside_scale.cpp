@@ -121,7 +121,7 @@ class OutsideScale {
 
   const TendonDigit& digit_;
   const std::map<std::string, double>& length_;  // segment -> measured [m]
-  std::vector<BoneScale> bones_;                 // of each link
+  std::vector<BoneScale> bones_;                 // scale of each link
   std::vector<std::size_t> chain_;               // links from the base to the tip
   BoneScale base_;
 };

@@ -21,7 +21,7 @@ struct ProfilePoint {
 /// Values at which a profile has risen by ProfileOptions::rise; empty if it does not within
 /// half_width ("open").
 struct ProfileBounds {
-  std::optional<double> lower, upper;  // in prior sds [1]
+  std::optional<double> lower, upper;  // crossings, in prior sds [1]
 };
 
 /// Profile of one coordinate.

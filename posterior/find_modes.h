@@ -11,7 +11,7 @@ namespace thenar {
 
 /// Local minimum of 1/2 |r(z)|^2 with the Laplace approximation of the posterior there.
 struct Mode {
-  Eigen::VectorXd z;                       // in prior sds (n)
+  Eigen::VectorXd z;                       // position, in prior sds (n)
   double cost = 0;                         // 1/2 |r|^2 [1]
   std::optional<ModeCurvature> curvature;  // J'J at the mode; none if the mode was read from a file
   int hits = 0;                            // number of searches that ended here [1]

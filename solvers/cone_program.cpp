@@ -243,8 +243,8 @@ class Embedding {
 /// Errors of an iterate as solution and as certificates.
 struct IterateQuality {
   double solved;      // KKT residual of (x, s, z) / tau
-  double infeasible;  // of z as a certificate: |G'z| with h'z = -1
-  double unbounded;   // of x as a certificate: |G x + s| with c'x = -1
+  double infeasible;  // residual of z as a certificate: |G'z| with h'z = -1
+  double unbounded;   // residual of x as a certificate: |G x + s| with c'x = -1
 };
 
 IterateQuality measure_iterate(const ReducedProgram& p, const Embedding& e) {

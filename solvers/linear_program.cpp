@@ -46,7 +46,7 @@ void load(ClpSimplex& simplex, const LinearProgram& program) {
   const VectorXd lower = clp_bounds(program.lower), upper = clp_bounds(program.upper);
   const VectorXd row_lower = clp_bounds(program.row_lower);
   const VectorXd row_upper = clp_bounds(program.row_upper);
-  CoinPackedMatrix A(true, 0, 0);  // by columns
+  CoinPackedMatrix A(true, 0, 0);  // column-major
   A.setDimensions(static_cast<int>(program.A.rows()), static_cast<int>(program.A.cols()));
   for (int j = 0; j < program.A.cols(); ++j)
     for (int i = 0; i < program.A.rows(); ++i)

@@ -229,7 +229,7 @@ void compare_best(const BandProblems& problems, const KnownSets& known, std::siz
   belief.doubtful = belief.doubtful || (belief.slack && belief.slack->at_bound);
 }
 
-/// Decides whether a band exists, and gives a reason if its forces do not tell.
+/// Decides about the existence of a band, and gives the reason if the data do not decide.
 void decide_band(const KnownSets& known, std::size_t band, BandBelief& belief) {
   const auto* with = known.best_where(band, true);
   const auto* without = known.best_where(band, false);

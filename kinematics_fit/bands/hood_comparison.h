@@ -31,7 +31,7 @@ struct HoodRung {
 struct HoodComparison {
   std::string subject, experiment;
   std::vector<std::string> hood_muscles;  // muscles of HoodRung::hood_muscles
-  std::vector<HoodRung> rungs;            // from the simplest to the finest
+  std::vector<HoodRung> rungs;            // predictions, from the simplest hood to the finest
 };
 
 /// Predicts every trial on every rung: separate tendons, fixed fractions if the subject has a hood

@@ -137,7 +137,7 @@ std::vector<RankedTrial> rank_trials(const BandProblems& problems, const BandPos
       readings.push_back({p, at.force.col(column).head(rows), J * at.C * J.transpose() + S});
       out.slack += p * slack_information(at, J, S);
     }
-    // Find the information about sets, and the band of which the trial tells most.
+    // Find the information about sets, and the band about which the trial is most informative.
     const VectorXd bits = expected_information(readings, questions);
     out.information = bits(0);
     Eigen::Index best_band = 0;

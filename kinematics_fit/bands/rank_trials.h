@@ -19,7 +19,7 @@ struct RankedTrial {
   std::string name;        // posture and tensions, see trial_name()
   double information = 0;  // expected decrease of the entropy of the set of bands [bit]
   double slack = 0;  // expected information about slack lengths given the set: mean over sets [bit]
-  std::string most_informed_band;  // band of which the trial tells most; empty if all are decided
+  std::string most_informed_band;  // band with the largest information; empty if all are decided
   double band_information = 0;  // expected decrease of the entropy of that band's existence [bit]
 };
 

@@ -56,7 +56,7 @@ inline void pseudo_inverse(const V* A, int rows, int columns, V* X, V* work) {
 /// Computes P (c, n) row-major of L (n, c) row-major.
 /// @param work  workspace (n c + (n + c + 1) max(n, c) + n c)
 inline void invert_loads(const V* L, int n, int c, V* P, V* work) {
-  if (n < c) {  // least norm: L' is tall, and stands there column by column
+  if (n < c) {  // least norm: L' is tall, and stored column by column
     V* X = work + n * c + n * n + n;
     pseudo_inverse(L, c, n, X, work);
     for (int j = 0; j < n; ++j)

@@ -8,8 +8,8 @@
 
 namespace thenar::kernel {
 
-/// Whether run_adjoint() will follow. With kNo all postures use the same part of the tape, which
-/// then stays in the cache.
+/// Choice of the tape: kYes keeps it for run_adjoint(); with kNo all postures use the same part of
+/// it, which then stays in the cache.
 enum class KeepTape { kNo, kYes };
 
 /// Functions compiled for one processor. Sizes are in registers of `lanes` doubles; memory must be

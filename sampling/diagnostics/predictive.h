@@ -12,8 +12,8 @@ namespace thenar {
 
 /// Predictions of m measured numbers from posterior draws, in the unit of the numbers.
 struct Replicates {
-  Eigen::MatrixXd expected;    // without noise (m, draws)
-  Eigen::MatrixXd replicated;  // with noise (m, draws)
+  Eigen::MatrixXd expected;    // expected values, without noise (m, draws)
+  Eigen::MatrixXd replicated;  // replicated values, with noise (m, draws)
   Eigen::MatrixXd sd;          // noise sd, > 0 (m, draws), or (m, 1) if equal for all draws
 };
 

@@ -20,7 +20,7 @@ namespace thenar {
 /// Statistics of one step of one chain.
 struct StepStats {            // log prior at the new position [1]
   double log_prior = 0;       // log likelihood at the new position, without beta [1]
-  double log_likelihood = 0;  // at the new position, not tempered [1]
+  double log_likelihood = 0;  // log likelihood at the new position, not tempered [1]
   double acceptance = 0;      // acceptance probability, mean over the step's proposals, 0..1
   double step_size = 0;       // leapfrog step size; 0 for samplers without one [1]
   double energy = 0;          // Hamiltonian at the new position; 0 without one [1]

@@ -158,7 +158,7 @@ Eigen::MatrixXd ChainRun::draws_of(std::size_t group) const {
 
 bool ChainRun::ended_at_divergence() const {
   if (!options_.end_at_divergence) return false;
-  const auto divergent = double(samplers_.divergent());  // of this rank
+  const auto divergent = double(samplers_.divergent());  // count of this rank
   return ranks_.all_gather(Eigen::VectorXd::Constant(1, divergent)).sum() > 0;
 }
 

@@ -17,7 +17,7 @@ class AppendFile {
   AppendFile& operator=(AppendFile&&) = delete;
 
   void truncate(std::int64_t bytes);        // keeps the first `bytes` bytes
-  void append(const std::string& bytes);    // at the end
+  void append(const std::string& bytes);    // appends the bytes at the end
   void sync();                              // returns when all bytes are on the disk
   [[nodiscard]] std::int64_t size() const;  // [bytes]
   [[nodiscard]] std::string read(std::int64_t from, std::int64_t bytes) const;
