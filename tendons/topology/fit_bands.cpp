@@ -118,7 +118,7 @@ BandFitter::Followed BandFitter::follow(BoundedFit problem, const Eigen::VectorX
   fit.r = std::move(at.r);
   fit.J = std::move(at.J);
   out.strayed = std::abs(fit.misfit - found.residuals.r.squaredNorm()) >
-                std::max(options_.tolerance, options_.relative * fit.misfit);
+                std::max(options_.tolerance, options_.relative_tolerance * fit.misfit);
   return out;
 }
 
