@@ -22,7 +22,7 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 using internal::certify;
 using internal::dense_simplex;
-using internal::holds;
+using internal::is_certified;
 using sample::textbook;
 
 TEST(LinearCertificate, HoldsAtTheOptimum) {
@@ -67,8 +67,8 @@ TEST(LinearCertificate, RowsThatOverflowProveNothing) {
 
 TEST(LinearCertificate, NaNProvesNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(holds(certify(textbook(), {Vector2d(nan, 1), Vector2d(2, 0)}), 11));
-  EXPECT_FALSE(holds(certify(textbook(), {Vector2d(3, 1), Vector2d(2, nan)}), 11));
+  EXPECT_FALSE(is_certified(certify(textbook(), {Vector2d(nan, 1), Vector2d(2, 0)}), 11));
+  EXPECT_FALSE(is_certified(certify(textbook(), {Vector2d(3, 1), Vector2d(2, nan)}), 11));
 }
 
 // Basic are y and the activity of the second row: x = 3, x + y = 4.
@@ -89,10 +89,10 @@ TEST(DenseSimplex, NamesContradictionAndUnboundedGrowth) {
   LinearProgram program = textbook();
   program.row_lower(0) = 5;  // against x <= 3 and x + 3y <= 6
   program.row_upper(0) = 6;
-  EXPECT_EQ(dense_simplex(program).end, Status::kInfeasible);
+  EXPECT_EQ(dense_simplex(program).claim, Status::kInfeasible);
   program = textbook();
   program.row_upper.setConstant(kInfinity);
-  EXPECT_EQ(dense_simplex(program).end, Status::kUnbounded);
+  EXPECT_EQ(dense_simplex(program).claim, Status::kUnbounded);
 }
 
 // Cycles under the steepest price alone: maximise 0.75 a - 150 b + 0.02 c - 6 d [Beale1955]; its
@@ -130,10 +130,10 @@ TEST(DenseSimplex, AgreesWithTheProgramsAsked) {
     ASSERT_EQ(vertex.claim, Status::kSolved) << i;
     const internal::PrimalDualPoint point = internal::vertex_of(program, vertex.basis);
     const double objective = program.objective.dot(point.x);
-    ASSERT_TRUE(holds(certify(program, point), objective)) << i;
+    ASSERT_TRUE(is_certified(certify(program, point), objective)) << i;
     const LinearResult asked = solve(program);
     ASSERT_EQ(asked.status, Status::kSolved);
-    ASSERT_TRUE(holds(asked.certificate, asked.objective));
+    ASSERT_TRUE(is_certified(asked.certificate, asked.objective));
     ASSERT_NEAR(asked.objective, objective, 1e-12) << i;
   }
 }
