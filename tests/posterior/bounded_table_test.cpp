@@ -38,7 +38,7 @@ TEST(BoundedTable, IsInverted) {
 }
 
 TEST(BoundedTable, TakesNoNumberForNoNumber) {
-  EXPECT_TRUE(std::isnan(BoundedTable(BoundedNormal(-1, 1)).at(std::nan("")).z));
+  EXPECT_TRUE(std::isnan(BoundedTable(BoundedNormal(-1, 1)).evaluate(std::nan("")).z));
 }
 
 }  // namespace
